@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cmath>
+
+namespace lstm_planner {
+
+/// A point or a vector of the plane, m.
+struct Point2 {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// A planar pose: m, m, rad. The yaw is counter-clockwise from the x axis (REP 103) and need not be normalised.
+struct Pose2 {
+  double x = 0.0;
+  double y = 0.0;
+  double yaw = 0.0;
+};
+
+/// The same angle in (-pi, pi], rad. A non-finite angle comes back as NaN.
+inline double normalizeAngle(double angle) {
+  const double wrapped = std::remainder(angle, 2.0 * M_PI);
+  return wrapped <= -M_PI ? wrapped + 2.0 * M_PI : wrapped;
+}
+
+inline double degreesToRadians(double degrees) { return degrees * M_PI / 180.0; }
+
+/// Euclidean distance of the positions, m.
+template <typename A, typename B>
+double distanceBetween(const A& a, const B& b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+/// Direction from a to b in the frame both are given in, rad; 0 when the two coincide.
+template <typename A, typename B>
+double directionTo(const A& a, const B& b) {
+  return std::atan2(b.y - a.y, b.x - a.x);
+}
+
+/// The point that lies `distance` metres from `from` in `direction` (rad, same frame as `from`).
+template <typename A>
+Point2 pointAlong(const A& from, double direction, double distance) {
+  return {from.x + distance * std::cos(direction), from.y + distance * std::sin(direction)};
+}
+
+/// A point given in the frame of `pose`, in the frame that `pose` is given in.
+inline Point2 toParentFrame(const Pose2& pose, const Point2& point) {
+  const double c = std::cos(pose.yaw);
+  const double s = std::sin(pose.yaw);
+  return {pose.x + c * point.x - s * point.y, pose.y + s * point.x + c * point.y};
+}
+
+/// A point given in the frame that `pose` is given in, in the frame of `pose`.
+inline Point2 toLocalFrame(const Pose2& pose, const Point2& point) {
+  const double c = std::cos(pose.yaw);
+  const double s = std::sin(pose.yaw);
+  const double dx = point.x - pose.x;
+  const double dy = point.y - pose.y;
+  return {c * dx + s * dy, -s * dx + c * dy};
+}
+
+inline bool isFinite(const Pose2& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace lstm_planner {
+
+/// Element-wise activation functions of a dense layer or of the LSTM's candidate.
+enum class Activation { kIdentity, kTanh, kSigmoid, kRelu };
+
+/// One LSTM layer with `cells` memory cells on `inputs` values (thesis Eq. 2.21-2.25).
+///
+/// The four gates are stacked in the rows of each matrix in the order of the ONNX operator:
+///
+///            inputs          cells        1
+///        +-----------+   +-----------+   +-+
+///   i    |           |   |           |   | |   input gate     (g in Eq. 2.23)
+///   o    |  input    |   | recurrent |   |b|   output gate    (q in Eq. 2.25)
+///   f    |           |   |           |   | |   forget gate    (f in Eq. 2.22)
+///   c    |           |   |           |   | |   candidate      (inside Eq. 2.21)
+///        +-----------+   +-----------+   +-+   each block `cells` rows
+///
+/// The cell state is s' = f * s + i * candidate, the output h = tanh(s') * o. The thesis prints a sigmoid as the
+/// candidate's activation where Caffe, ONNX and PyTorch have tanh; both are possible.
+struct LstmLayer {
+  Eigen::MatrixXf input;
+  Eigen::MatrixXf recurrent;
+  Eigen::VectorXf bias;
+  Activation candidate = Activation::kTanh;  ///< kTanh or kSigmoid
+};
+
+/// A plain recurrent layer, h' = tanh(input x + recurrent h + bias) (thesis Eq. 2.14-2.15).
+struct RecurrentLayer {
+  Eigen::MatrixXf input;      ///< units x inputs
+  Eigen::MatrixXf recurrent;  ///< units x units
+  Eigen::VectorXf bias;
+};
+
+/// A fully connected layer, y = activation(weights x + bias) (thesis Eq. 2.1-2.4).
+struct DenseLayer {
+  Eigen::MatrixXf weights;  ///< outputs x inputs
+  Eigen::VectorXf bias;
+  Activation activation = Activation::kIdentity;
+};
+
+/// Turns preferences into probabilities (thesis Eq. 2.28).
+struct SoftmaxLayer {};
+
+using Layer = std::variant<LstmLayer, RecurrentLayer, DenseLayer, SoftmaxLayer>;
+
+/// Layers in the order in which they are evaluated.
+using LayerStack = std::vector<Layer>;
+
+/// Number of weights and biases. The thesis's net 11 -> LSTM 8 -> LSTM 8 -> FC 8 counts 1,256 without biases in the
+/// way of Eq. 3.18-3.22; see countWeights.
+std::size_t countParameters(const LayerStack& layers);
+
+/// Number of weights as the thesis counts them (Eq. 3.18-3.22).
+std::size_t countWeights(const LayerStack& layers);
+
+/// Width of the vector that goes in and comes out. Throws std::invalid_argument for an empty stack.
+int inputSize(const LayerStack& layers);
+int outputSize(const LayerStack& layers);
+
+/// Throws std::invalid_argument with one sentence naming the layer when shapes do not fit together, a weight is not
+/// finite, or an activation is not possible there.
+void validateLayers(const LayerStack& layers);
+
+}  // namespace lstm_planner

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "lstm_planner/perception/observation.hpp"
+
+namespace lstm_planner {
+
+/// Everything needed to turn an Observation into the network's input; it travels in the model file's metadata.
+struct EncoderParameters {
+  /// Names of the inputs in their order: sector_0 .. sector_7, goal_distance, goal_bearing, goal_bearing_sin,
+  /// goal_bearing_cos, heading, heading_sin, heading_cos, previous_action.
+  std::vector<std::string> input_layout = {"sector_0", "sector_1", "sector_2", "sector_3", "sector_4",
+                                           "sector_5", "sector_6", "sector_7", "goal_distance",
+                                           "goal_bearing_sin", "goal_bearing_cos", "heading_sin", "heading_cos",
+                                           "previous_action"};
+  int sector_count = kSectorCount;
+  double angle_span = M_PI;       ///< rad, centred on the heading
+  double range_cap = 6.0;         ///< m; sectors are encoded as range / range_cap
+  double distance_scale = 5.0;    ///< m; the goal distance d is encoded as d / (d + distance_scale), in [0, 1)
+  double angle_scale = M_PI;      ///< rad; bearing and heading are encoded as angle / angle_scale
+  double action_scale = M_PI_2;   ///< rad; the previous action is encoded as angle / action_scale
+  double position_cell = 0.0;     ///< m; see observe(); 0 = odometry as it is
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const EncoderParameters& parameters);
+
+/// To and from the metadata of a model file (keys: input_layout, sector_count, angle_span, range_cap, distance_scale,
+/// angle_scale, action_scale, position_cell). Reading throws std::invalid_argument for a missing or malformed key.
+void writeMetadata(const EncoderParameters& parameters, std::map<std::string, std::string>* metadata);
+EncoderParameters readEncoderParameters(const std::map<std::string, std::string>& metadata);
+
+/// Encodes observations. Every output is finite for a finite observation.
+class Encoder {
+ public:
+  explicit Encoder(EncoderParameters parameters);  ///< throws as validate()
+  const EncoderParameters& parameters() const { return parameters_; }
+  int size() const { return static_cast<int>(features_.size()); }
+
+  /// Fills `input`, which must have size() values.
+  void encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf> input) const;
+
+ private:
+  enum class Feature {
+    kSector, kGoalDistance, kGoalBearing, kGoalBearingSin, kGoalBearingCos, kHeading, kHeadingSin, kHeadingCos,
+    kPreviousAction
+  };
+  struct Input {
+    Feature feature;
+    int sector;  ///< for kSector
+  };
+  double value(const Input& input, const Observation& observation) const;
+
+  EncoderParameters parameters_;
+  std::vector<Input> features_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "lstm_planner/geometry.hpp"
+
+namespace lstm_planner {
+
+/// One sweep of a planar laser scanner; the fields of sensor_msgs/LaserScan that matter, without ROS.
+/// Angles in rad in the sensor's frame, ranges in m, the stamp in s is that of the first beam.
+struct LaserScan {
+  double stamp = 0.0;
+  double angle_min = 0.0;
+  double angle_increment = 0.0;  ///< may be negative
+  double range_min = 0.0;
+  double range_max = 0.0;
+  std::vector<float> ranges;
+};
+
+/// How the scanner sits on the robot: its position and yaw in the base frame, and whether it hangs upside down, which
+/// mirrors the order of the beams.
+struct SensorMount {
+  Pose2 pose;
+  bool upside_down = false;
+};
+
+/// What is expected of a scan, and which readings mean "nothing there".
+struct ScanLimits {
+  /// Readings this close to `no_return_reading` are no returns although they look like ranges (16 bit counters at
+  /// their end, e.g. 65.53 m).
+  double no_return_reading = 65.53;
+  double no_return_tolerance = 0.02;
+};
+
+/// True when the reading is a measured range: finite, positive, inside [range_min, range_max], not a no-return code.
+/// +inf, NaN, 0, values below range_min or above range_max and 65.53 are all "no return".
+bool isMeasuredRange(float range, const LaserScan& scan, const ScanLimits& limits = {});
+
+/// The measured returns as points in the base frame, m, in the order of the beams; no returns are left out.
+/// `points` is overwritten; its memory is reused.
+void toPoints(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, std::vector<Point2>* points);
+
+}  // namespace lstm_planner

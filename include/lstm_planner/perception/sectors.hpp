@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <stdexcept>
+
+#include "lstm_planner/perception/laser_scan.hpp"
+
+namespace lstm_planner {
+
+constexpr int kSectorCount = 8;
+
+/// Average range over each of eight equal angular sections of [-90, +90) degrees around the robot's heading, from right
+/// (-90) to left (+90) (thesis 4.2, Fig. 4.4).
+struct Sectors {
+  std::array<double, kSectorCount> range{};  ///< m, in (0, range cap]; no return counts as the range cap
+  std::array<int, kSectorCount> beams{};     ///< beams that fell into the sector
+  std::array<int, kSectorCount> measured{};  ///< of these, beams with a measured range
+
+  /// False when nothing was measured in the sector: its range is then the cap and says only "nothing seen".
+  bool hasMeasurement(int sector) const { return measured[sector] > 0; }
+};
+
+/// A scan that cannot be averaged; what() is one sentence with the value and what was expected.
+class UnusableScan : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Averages a scan. The angle of a beam is taken in the base frame (mount yaw and mounting upside down applied), so
+/// that every beam inside [-90, +90) degrees falls in exactly one sector: 720 beams of the UTM-30LX-EW. Ranges beyond
+/// `range_cap` (m) and no returns are averaged as the cap.
+/// Throws UnusableScan when the geometry is not finite, the scan is empty, or it covers less than the 180 degrees.
+Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, double range_cap);
+
+}  // namespace lstm_planner

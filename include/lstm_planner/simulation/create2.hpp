@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+#include "lstm_planner/geometry.hpp"
+
+namespace lstm_planner {
+
+/// The iRobot Create 2 (create_robot's CREATE_2 model) and how its wheels cheat.
+struct Create2Parameters {
+  double axle_length = 0.235;          ///< m between the wheels
+  double wheel_diameter = 0.072;       ///< m
+  double ticks_per_revolution = 508.8;
+  double max_wheel_speed = 0.5;        ///< m/s; each wheel is clipped on its own, so the curvature changes
+  double base_diameter = 0.3485;       ///< m
+  double max_wheel_acceleration = 2.0; ///< m/s^2
+  double slip = 0.0;    ///< standard deviation of each wheel's true travel relative to what its encoder counts, per step
+  double drift = 0.0;   ///< constant relative error of the left wheel's travel, -drift for the right wheel
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const Create2Parameters& parameters);
+
+/// Velocity in the base frame: m/s forward, rad/s counter-clockwise.
+struct Twist2 {
+  double linear = 0.0;
+  double angular = 0.0;
+};
+
+/// Differential drive with encoders: integrates the true pose exactly along arcs and the odometry from whole ticks.
+/// Odometry starts at (0, 0, 0) wherever the robot stands. Deterministic for a seed.
+class Create2 {
+ public:
+  Create2(const Create2Parameters& parameters, const Pose2& true_pose, std::uint64_t seed);
+
+  void command(const Twist2& twist);  ///< wheel speeds are clipped here; a non-finite twist stops the robot
+  void step(double seconds);          ///< moves; the caller decides about contacts with holdPosition()
+
+  /// Puts the robot back to `pose` (it ran against something); the encoders keep what they counted.
+  void holdPosition(const Pose2& pose);
+
+  const Pose2& truePose() const { return true_pose_; }
+  const Pose2& odometry() const { return odometry_; }
+  /// Twist as the encoders of the last step() tell it.
+  const Twist2& measuredTwist() const { return measured_twist_; }
+  double wheelAngle(bool left) const;  ///< rad since the start, from the encoder
+  const Create2Parameters& parameters() const { return parameters_; }
+
+ private:
+  struct Wheel {
+    double target_speed = 0.0;  ///< m/s
+    double speed = 0.0;         ///< m/s
+    double travelled = 0.0;     ///< m, as the encoder would count with endless resolution
+    long ticks = 0;
+  };
+  double advance(Wheel* wheel, double seconds);
+
+  Create2Parameters parameters_;
+  Pose2 true_pose_;
+  Pose2 odometry_;
+  Twist2 measured_twist_;
+  Wheel left_;
+  Wheel right_;
+  std::mt19937_64 random_;
+};
+
+}  // namespace lstm_planner

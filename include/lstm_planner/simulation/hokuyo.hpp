@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "lstm_planner/perception/laser_scan.hpp"
+#include "lstm_planner/simulation/world.hpp"
+
+namespace lstm_planner {
+
+/// A scanning range finder; the defaults are a Hokuyo UTM-30LX-EW behind urg_node.
+struct HokuyoParameters {
+  int beams = 1081;
+  double angle_min = -2.35619;             ///< rad
+  double angle_increment = 0.00436332;     ///< rad
+  double range_min = 0.023;                ///< m, as the driver reports it
+  double range_max = 60.0;                 ///< m, as the driver reports it
+  double sight = 30.0;                     ///< m, farthest obstacle that is really seen
+  double noise = 0.01;                     ///< m, standard deviation of a range
+  double dropout = 0.001;                  ///< probability that a beam returns nothing
+  double rate = 40.0;                      ///< Hz
+  SensorMount mount;                       ///< in the base frame
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const HokuyoParameters& parameters);
+
+/// Takes scans of a world. No return is +inf, a drop-out NaN, as the driver reports them. Deterministic for a seed.
+class Hokuyo {
+ public:
+  Hokuyo(const HokuyoParameters& parameters, std::uint64_t seed);
+
+  /// The scan from `base_pose` (pose of the robot in the world); `scan` is overwritten and its memory reused.
+  void scan(const World& world, const Pose2& base_pose, double stamp, LaserScan* scan);
+
+  const HokuyoParameters& parameters() const { return parameters_; }
+
+ private:
+  HokuyoParameters parameters_;
+  std::mt19937_64 random_;
+  std::vector<double> ranges_;
+};
+
+}  // namespace lstm_planner

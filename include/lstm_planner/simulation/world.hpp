@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lstm_planner/geometry.hpp"
+#include "lstm_planner/grid/distance_field.hpp"
+#include "lstm_planner/grid/occupancy_grid.hpp"
+
+namespace lstm_planner {
+
+/// A static world that a laser sees and a robot can touch. Thread safe to read.
+class World {
+ public:
+  virtual ~World() = default;
+
+  /// Distances from `origin` to the first obstacle along the directions first_direction + i * increment (rad, world
+  /// frame), i = 0 .. ranges->size() - 1; values beyond max_range (m) come back as +inf. 0 inside an obstacle.
+  virtual void castRays(const Point2& origin, double first_direction, double increment, double max_range,
+                        std::vector<double>* ranges) const = 0;
+
+  /// True when a disc of that radius (m) overlaps an obstacle: exact, cells are squares and circles are circles.
+  virtual bool touches(const Point2& center, double radius) const = 0;
+};
+
+/// The occupied cells of a map_server map (unknown cells are neither seen nor touched).
+class GridWorld : public World {
+ public:
+  explicit GridWorld(OccupancyGrid grid);
+  void castRays(const Point2& origin, double first_direction, double increment, double max_range,
+                std::vector<double>* ranges) const override;
+  bool touches(const Point2& center, double radius) const override;
+  const OccupancyGrid& grid() const { return grid_; }
+  const DistanceField& distances() const { return distances_; }
+
+ private:
+  double castRay(double column, double row, double direction, double max_cells) const;
+  OccupancyGrid grid_;
+  DistanceField distances_;
+};
+
+struct Circle {
+  Point2 center;
+  double radius = 0.0;
+};
+
+/// Cylinders on an endless floor (BARN worlds).
+class CircleWorld : public World {
+ public:
+  explicit CircleWorld(std::vector<Circle> circles);
+  void castRays(const Point2& origin, double first_direction, double increment, double max_range,
+                std::vector<double>* ranges) const override;
+  bool touches(const Point2& center, double radius) const override;
+
+ private:
+  std::vector<Circle> circles_;
+};
+
+}  // namespace lstm_planner
