@@ -17,6 +17,12 @@ struct Pose2 {
   double yaw = 0.0;
 };
 
+/// Velocity in the base frame: m/s forward, rad/s counter-clockwise.
+struct Twist2 {
+  double linear = 0.0;
+  double angular = 0.0;
+};
+
 /// The same angle in (-pi, pi], rad. A non-finite angle comes back as NaN.
 inline double normalizeAngle(double angle) {
   const double wrapped = std::remainder(angle, 2.0 * M_PI);

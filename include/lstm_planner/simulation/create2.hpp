@@ -22,12 +22,6 @@ struct Create2Parameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const Create2Parameters& parameters);
 
-/// Velocity in the base frame: m/s forward, rad/s counter-clockwise.
-struct Twist2 {
-  double linear = 0.0;
-  double angular = 0.0;
-};
-
 /// Differential drive with encoders: integrates the true pose exactly along arcs and the odometry from whole ticks.
 /// Odometry starts at (0, 0, 0) wherever the robot stands. Deterministic for a seed.
 class Create2 {

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "lstm_planner/agent/shield.hpp"
+#include "lstm_planner/geometry.hpp"
+
+namespace lstm_planner {
+
+/// Limits and habits of the controller; the defaults suit the Create 2.
+struct MotionParameters {
+  double max_linear = 0.3;          ///< m/s (a Create 2 really reaches 0.33)
+  double max_angular = 1.5;         ///< rad/s
+  double linear_acceleration = 0.6; ///< m/s^2, speeding up and braking
+  double lookahead = 0.35;          ///< m along the plan to the point that is steered for
+  double turn_in_place = 0.6;       ///< rad; a larger heading error is turned away on the spot
+  double heading_gain = 2.5;        ///< rad/s a rad of heading error
+  double reaction_time = 0.25;      ///< s from a measurement to the wheels, latch of the driver included
+  double safety_margin = 0.03;      ///< m between the footprint and any return, at the least
+  double slow_gap = 0.3;            ///< m; nearer to something than this the robot slows down
+  double slow_speed = 0.12;         ///< m/s next to an obstacle
+  double position_tolerance = 0.2;  ///< m
+  double heading_tolerance = 3.15;  ///< rad; pi or more = any heading will do
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const MotionParameters& parameters);
+
+/// Turns and drives along a plan; never commands a motion which, braking included, comes nearer to a return than the
+/// safety margin.
+class MotionController {
+ public:
+  explicit MotionController(const MotionParameters& parameters);
+
+  /// The next command. `plan` and `pose` are in the same frame, `current` is the measured twist, `shield` has been shown
+  /// the latest scan, `period` is the time to the next command, s. Zero for an empty plan.
+  Twist2 compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current, const Shield& shield,
+                 double period) const;
+
+  /// At the plan's last pose within the tolerances.
+  bool goalReached(const Pose2& pose, const Pose2& goal) const;
+
+  const MotionParameters& parameters() const { return parameters_; }
+
+ private:
+  Pose2 target(const std::vector<Pose2>& plan, const Pose2& pose) const;
+  double safeSpeed(double linear, double angular, const Shield& shield) const;
+
+  MotionParameters parameters_;
+};
+
+}  // namespace lstm_planner

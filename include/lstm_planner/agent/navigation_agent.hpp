@@ -1,0 +1,90 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lstm_planner/agent/agent_parameters.hpp"
+#include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/agent/escape.hpp"
+#include "lstm_planner/agent/shield.hpp"
+#include "lstm_planner/agent/situation.hpp"
+
+namespace lstm_planner {
+
+/// One decision: where to go next, and why.
+struct Decision {
+  enum class Source {
+    kNetwork,     ///< the allowed action that the network prefers
+    kGoalInSight, ///< the goal is near and the straight way free
+    kEscape,      ///< boundary following
+    kLookAround,  ///< nothing is free in sight: turn
+    kArrived,     ///< within the goal tolerance
+    kNoWay        ///< the way around has been followed to its end: the goal cannot be reached
+  };
+  Source source = Source::kLookAround;
+  Point2 waypoint;                ///< odometry frame
+  double direction = 0.0;         ///< rad, odometry frame, from where the decision was made to the waypoint
+  int action = -1;                ///< index of the steering angle; -1 when the waypoint is not one of them
+  std::vector<float> preferences; ///< the network's, one an action
+  std::vector<char> allowed;      ///< the shield's word, one an action
+  long step = 0;                  ///< counts the steps since the goal was set
+};
+
+const char* toString(Decision::Source source);
+
+/// Decides, step by step, where the robot goes: network -> shield -> choice -> escape.
+///
+/// The hidden state advances once a step (StepParameters) and at no other time: asking twice gives the same answer. Not
+/// thread safe. All poses and goals are in the odometry frame.
+class NavigationAgent {
+ public:
+  /// Throws std::invalid_argument for bad parameters or a policy that does not fit them.
+  NavigationAgent(DrivePolicy policy, const AgentParameters& parameters);
+
+  /// A new goal: forgets the hidden state, the step and the escape.
+  void setGoal(const Point2& goal);
+  const Point2& goal() const { return goal_; }
+
+  /// The decision that holds now; makes a new one when the last step is over or its way is blocked.
+  const Decision& update(const Situation& situation);
+
+  /// What update() would answer for a goal that has just been set; changes nothing that update() depends on.
+  Decision preview(const Situation& situation, const Point2& goal) const;
+
+  /// What was decided last.
+  const Decision& decision() const { return decision_; }
+  const Shield& shield() const { return shield_; }
+  const AgentParameters& parameters() const { return parameters_; }
+  const DrivePolicy& policy() const { return policy_; }
+  double bestDistance() const { return best_distance_; }
+
+ private:
+  bool stepIsOver(const Situation& situation) const;
+  bool wayIsFree(const Situation& situation) const;
+  void noteProgress(const Situation& situation);
+  void advanceNetwork(const Situation& situation);
+  void choose(const Situation& situation);
+  void chooseEscape(const Situation& situation);
+  void chooseAction(const Situation& situation);
+  bool chooseGoalInSight(const Situation& situation);
+  void lookAround(const Situation& situation);
+  void goTo(const Situation& situation, Decision::Source source, double direction, double distance);
+  double freeDistance(const Situation& situation, double direction, double limit, double clearance) const;
+
+  DrivePolicy policy_;
+  AgentParameters parameters_;
+  Shield shield_;
+  Escape escape_;
+  Point2 goal_;
+  Decision decision_;
+  Pose2 step_pose_;            ///< where the current step began
+  double step_time_ = 0.0;     ///< s
+  bool has_step_ = false;
+  bool escaping_ = false;
+  double best_distance_ = 0.0; ///< m
+  int steps_since_best_ = 0;
+  double driven_since_best_ = 0.0;  ///< m
+  double look_around_turn_ = 0.0;   ///< rad, sign of the turn while nothing is free
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "lstm_planner/geometry.hpp"
+
+namespace lstm_planner {
+
+/// Tells how far a disc can be moved in a straight line before it comes too near to something that the scanner measured.
+///
+/// All points and directions are in the base frame of the scan that was shown last. The robot's footprint is taken as
+/// its circumscribed disc, which turning in place does not move.
+class Shield {
+ public:
+  /// `footprint_radius`: of the circumscribed disc, m. `reach`: farthest obstacle that is looked at, m.
+  Shield(double footprint_radius, double reach);
+
+  /// Replaces what is known by the returns of one scan (base frame).
+  void show(const std::vector<Point2>& obstacles);
+
+  /// Length (m, at most `limit`) of the free way from `from` in `direction` (rad) for the footprint grown by
+  /// `clearance`. Where the robot already is nearer to something than that, it may go on as long as it does not come
+  /// nearer still; it may always go away. 0 when the first millimetre is blocked.
+  double freeDistance(const Point2& from, double direction, double limit, double clearance) const;
+
+  /// Distance from `from` to the nearest return, less the footprint radius, m; `reach` when nothing is that near.
+  double gap(const Point2& from) const;
+
+  double footprintRadius() const { return footprint_radius_; }
+
+ private:
+  double footprint_radius_;
+  double reach_;
+  std::vector<Point2> obstacles_;
+};
+
+}  // namespace lstm_planner
