@@ -1,0 +1,125 @@
+#include "lstm_planner/perception/sectors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kWindow = M_PI;
+constexpr double kSectorWidth = kWindow / kSectorCount;
+constexpr double kTurn = 2.0 * M_PI;
+
+/// Part of an increment by which a beam may lie before a border and still count as on it. Drivers send angles as floats
+/// or with six digits; over a thousand beams this adds up to some thousandths of an increment.
+constexpr double kBorderTolerance = 0.02;
+
+/// The beams in counter-clockwise order in the base frame.
+struct BeamFan {
+  double start = 0.0;  ///< rad from the right edge of the window (-90 degrees) to the first beam, in (-2 pi, increment]
+  double increment = 0.0;  ///< rad, positive
+  long count = 0;          ///< beams of one turn at most
+  bool reversed = false;   ///< the order of the ranges is clockwise
+};
+
+std::string degrees(double radians) { return std::to_string(radians * 180.0 / M_PI) + " degrees"; }
+
+void checkScan(const LaserScan& scan, const SensorMount& mount, double range_cap) {
+  if (!(range_cap > 0.0) || !std::isfinite(range_cap)) {
+    throw std::invalid_argument("the range cap is " + std::to_string(range_cap) +
+                                " m, expected a positive finite distance");
+  }
+  if (scan.ranges.empty()) throw UnusableScan("the scan has no ranges, expected at least one beam a sector");
+  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment) || scan.angle_increment == 0.0) {
+    throw UnusableScan("the scan has angle_min " + std::to_string(scan.angle_min) + " and angle_increment " +
+                       std::to_string(scan.angle_increment) + ", expected finite angles and an increment other than 0");
+  }
+  if (!isFinite(mount.pose)) throw UnusableScan("the pose of the scanner on the robot is not finite");
+  if (!std::isfinite(scan.range_min) || std::isnan(scan.range_max) || scan.range_max <= scan.range_min) {
+    throw UnusableScan("the scan has range_min " + std::to_string(scan.range_min) + " and range_max " +
+                       std::to_string(scan.range_max) + ", expected range_min below range_max");
+  }
+}
+
+BeamFan fanOf(const LaserScan& scan, const SensorMount& mount) {
+  const double mirror = mount.upside_down ? -1.0 : 1.0;
+  const long beams = static_cast<long>(scan.ranges.size());
+  const double signed_increment = mirror * scan.angle_increment;
+
+  BeamFan fan;
+  fan.reversed = signed_increment < 0.0;
+  fan.increment = std::abs(signed_increment);
+  double first = mount.pose.yaw + mirror * scan.angle_min;
+  if (fan.reversed) first -= static_cast<double>(beams - 1) * fan.increment;
+  // Beams of a second turn look where others have looked already; counting them would weigh these directions twice.
+  const double beams_a_turn = std::ceil(kTurn / fan.increment - kBorderTolerance);
+  fan.count = static_cast<long>(std::min(static_cast<double>(beams), beams_a_turn));
+  const double slack = (0.5 + kBorderTolerance) * fan.increment;
+  const double from_edge = first + kWindow / 2.0;
+  fan.start = from_edge - kTurn * std::ceil((from_edge - slack) / kTurn);
+  return fan;
+}
+
+/// Index of the first beam at or after `angle` (rad from the window's right edge), clipped to the fan.
+long firstBeamFrom(double angle, const BeamFan& fan) {
+  const double index = std::ceil((angle - fan.start) / fan.increment - kBorderTolerance);
+  return static_cast<long>(std::clamp(index, 0.0, static_cast<double>(fan.count)));
+}
+
+bool coversTurn(const BeamFan& fan) {
+  return static_cast<double>(fan.count) * fan.increment >= kTurn - (0.5 + kBorderTolerance) * fan.increment;
+}
+
+/// The window is half-open: its last beam lies one increment before the left edge.
+bool coversWindow(const BeamFan& fan) {
+  const double end = fan.start + static_cast<double>(fan.count) * fan.increment;
+  return end >= kWindow - (0.5 + kBorderTolerance) * fan.increment;
+}
+
+void addBeams(const LaserScan& scan, const ScanLimits& limits, double range_cap, const BeamFan& fan,
+              double window_start, Sectors* sectors) {
+  for (int sector = 0; sector < kSectorCount; ++sector) {
+    const long begin = firstBeamFrom(window_start + sector * kSectorWidth, fan);
+    const long end = firstBeamFrom(window_start + (sector + 1) * kSectorWidth, fan);
+    for (long beam = begin; beam < end; ++beam) {
+      const std::size_t last = scan.ranges.size() - 1;
+      const float range =
+          scan.ranges[fan.reversed ? last - static_cast<std::size_t>(beam) : static_cast<std::size_t>(beam)];
+      const bool measured = isMeasuredRange(range, scan, limits);
+      sectors->range[sector] += measured ? std::min<double>(range, range_cap) : range_cap;
+      sectors->measured[sector] += measured ? 1 : 0;
+    }
+    sectors->beams[sector] += static_cast<int>(std::max(0L, end - begin));
+  }
+}
+
+}  // namespace
+
+Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, double range_cap) {
+  checkScan(scan, mount, range_cap);
+  const BeamFan fan = fanOf(scan, mount);
+
+  if (!coversWindow(fan) && !coversTurn(fan)) {
+    const double from = normalizeAngle(fan.start - kWindow / 2.0);
+    const double span = static_cast<double>(fan.count - 1) * fan.increment;
+    throw UnusableScan("the scan covers " + degrees(from) + " to " + degrees(from + span) +
+                       " around the robot's heading, expected all of [-90, +90) degrees");
+  }
+
+  Sectors sectors;
+  addBeams(scan, limits, range_cap, fan, 0.0, &sectors);
+  // A full turn may begin inside the window: the rest of the window is then at the start of the fan.
+  if (!coversWindow(fan)) addBeams(scan, limits, range_cap, fan, -kTurn, &sectors);
+
+  for (int sector = 0; sector < kSectorCount; ++sector) {
+    if (sectors.beams[sector] == 0) {
+      throw UnusableScan("the scan has an increment of " + degrees(fan.increment) +
+                         ", expected at least one beam in each sector of " + degrees(kSectorWidth));
+    }
+    sectors.range[sector] /= sectors.beams[sector];
+  }
+  return sectors;
+}
+
+}  // namespace lstm_planner
