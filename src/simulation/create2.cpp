@@ -1,0 +1,105 @@
+#include "lstm_planner/simulation/create2.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/simulation/random.hpp"
+
+namespace lstm_planner {
+namespace {
+
+void check(const char* name, double value, bool good, const char* expected) {
+  if (good) return;
+  throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + ", expected " + expected);
+}
+
+void checkPositive(const char* name, double value) {
+  check(name, value, value > 0.0 && std::isfinite(value), "a positive finite number");
+}
+
+/// Moves along the arc whose wheels travelled `left` and `right` metres.
+Pose2 alongArc(const Pose2& pose, double left, double right, double axle_length) {
+  const double distance = 0.5 * (left + right);
+  const double turn = (right - left) / axle_length;
+  // The chord of the arc; its direction is the mean of the two headings.
+  const double half_turn = 0.5 * turn;
+  const double chord = std::abs(half_turn) > 1e-9 ? distance * std::sin(half_turn) / half_turn : distance;
+  return {pose.x + chord * std::cos(pose.yaw + half_turn), pose.y + chord * std::sin(pose.yaw + half_turn),
+          normalizeAngle(pose.yaw + turn)};
+}
+
+}  // namespace
+
+void validate(const Create2Parameters& parameters) {
+  checkPositive("axle_length", parameters.axle_length);
+  checkPositive("wheel_diameter", parameters.wheel_diameter);
+  checkPositive("ticks_per_revolution", parameters.ticks_per_revolution);
+  checkPositive("max_wheel_speed", parameters.max_wheel_speed);
+  checkPositive("base_diameter", parameters.base_diameter);
+  checkPositive("max_wheel_acceleration", parameters.max_wheel_acceleration);
+  check("slip", parameters.slip, parameters.slip >= 0.0 && parameters.slip <= 1.0, "a share in [0, 1]");
+  check("drift", parameters.drift, std::abs(parameters.drift) <= 1.0, "a share in [-1, 1]");
+}
+
+Create2::Create2(const Create2Parameters& parameters, const Pose2& true_pose, std::uint64_t seed)
+    : parameters_(parameters), true_pose_(true_pose), random_(seed) {
+  validate(parameters_);
+  if (!isFinite(true_pose)) throw std::invalid_argument("the robot's first pose is not finite");
+}
+
+void Create2::command(const Twist2& twist) {
+  left_.target_speed = 0.0;
+  right_.target_speed = 0.0;
+  if (!std::isfinite(twist.linear) || !std::isfinite(twist.angular)) return;
+  const double limit = parameters_.max_wheel_speed;
+  const double difference = 0.5 * twist.angular * parameters_.axle_length;
+  left_.target_speed = std::clamp(twist.linear - difference, -limit, limit);
+  right_.target_speed = std::clamp(twist.linear + difference, -limit, limit);
+}
+
+double Create2::advance(Wheel* wheel, double seconds) {
+  const double change = wheel->target_speed - wheel->speed;
+  const double ramp = std::min(seconds, std::abs(change) / parameters_.max_wheel_acceleration);
+  const double speed = ramp < seconds ? wheel->target_speed
+                                      : wheel->speed + std::copysign(ramp * parameters_.max_wheel_acceleration, change);
+  const double distance = 0.5 * (wheel->speed + speed) * ramp + speed * (seconds - ramp);
+  wheel->speed = speed;
+  wheel->travelled += distance;
+  return distance;
+}
+
+void Create2::step(double seconds) {
+  if (!(seconds > 0.0) || !std::isfinite(seconds)) return;
+  const double left_slip = parameters_.slip > 0.0 ? parameters_.slip * normal(random_) : 0.0;
+  const double right_slip = parameters_.slip > 0.0 ? parameters_.slip * normal(random_) : 0.0;
+  const double left = advance(&left_, seconds) * (1.0 + parameters_.drift + left_slip);
+  const double right = advance(&right_, seconds) * (1.0 - parameters_.drift + right_slip);
+  true_pose_ = alongArc(true_pose_, left, right, parameters_.axle_length);
+
+  const double tick_length = M_PI * parameters_.wheel_diameter / parameters_.ticks_per_revolution;
+  const auto countTicks = [tick_length](Wheel* wheel) {
+    // The tolerance keeps a wheel that stands on a border, but for rounding, from losing a tick.
+    const long ticks = static_cast<long>(std::floor(wheel->travelled / tick_length + 1e-9));
+    const long counted = ticks - wheel->ticks;
+    wheel->ticks = ticks;
+    return static_cast<double>(counted) * tick_length;
+  };
+  const double left_counted = countTicks(&left_);
+  const double right_counted = countTicks(&right_);
+  const double distance = 0.5 * (left_counted + right_counted);
+  const double turn = (right_counted - left_counted) / parameters_.axle_length;
+  odometry_ = {odometry_.x + distance * std::cos(odometry_.yaw + 0.5 * turn),
+               odometry_.y + distance * std::sin(odometry_.yaw + 0.5 * turn), normalizeAngle(odometry_.yaw + turn)};
+  measured_twist_ = {distance / seconds, turn / seconds};
+}
+
+void Create2::holdPosition(const Pose2& pose) { true_pose_ = pose; }
+
+double Create2::wheelAngle(bool left) const {
+  const long ticks = left ? left_.ticks : right_.ticks;
+  return static_cast<double>(ticks) * 2.0 * M_PI / parameters_.ticks_per_revolution;
+}
+
+}  // namespace lstm_planner
