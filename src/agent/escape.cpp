@@ -1,0 +1,126 @@
+#include "lstm_planner/agent/escape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lstm_planner {
+
+Escape::Escape(const EscapeParameters& parameters, const ShieldParameters& shield)
+    : parameters_(parameters), shield_parameters_(shield) {}
+
+void Escape::begin(double target_distance) {
+  target_distance_ = target_distance;
+  following_ = false;
+}
+
+Escape::Outcome Escape::decide(const Situation& situation, const Shield& shield, const Point2& goal, Heading* move) {
+  const double distance = distanceBetween(situation.pose, goal);
+  if (following_) {
+    measureBoundary(situation.pose);
+    const bool nearer = distance < hit_distance_ - parameters_.leave_margin;
+    if (nearer && goalIsOpen(situation, shield, goal, distance)) {
+      following_ = false;
+    } else if (loopClosed(situation.pose)) {
+      return Outcome::kNoWay;
+    }
+  }
+  if (!following_) {
+    if (distance < target_distance_) {
+      return Outcome::kDone;
+    }
+    if (goalIsOpen(situation, shield, goal, distance)) {
+      *move = {directionTo(situation.pose, goal), std::min(distance, parameters_.follow_step)};
+      return Outcome::kMove;
+    }
+    meetBoundary(situation, shield, goal);
+  }
+  *move = follow(situation, shield);
+  return Outcome::kMove;
+}
+
+bool Escape::goalIsOpen(const Situation& situation, const Shield& shield, const Point2& goal, double distance) const {
+  const double direction = directionTo(situation.pose, goal) - situation.pose.yaw;
+  const double needed = std::min(distance, parameters_.follow_step + shield_parameters_.shortest_step);
+  return shield.freeDistance({}, direction, needed, shield_parameters_.clearance) >= needed;
+}
+
+void Escape::meetBoundary(const Situation& situation, const Shield& shield, const Point2& goal) {
+  following_ = true;
+  hit_position_ = {situation.pose.x, situation.pose.y};
+  hit_distance_ = distanceBetween(situation.pose, goal);
+  last_position_ = situation.pose;
+  along_ = 0.0;
+  turned_ = 0.0;
+  way_ = 1;
+  leg_ = parameters_.first_leg;
+
+  // The side that needs the smaller turn away from the goal; the wall is then on the other one.
+  const double to_goal = directionTo(situation.pose, goal);
+  travel_direction_ = to_goal;
+  double turn[2] = {M_PI, M_PI};
+  for (const int side : {-1, 1}) {
+    for (double angle = 0.0; angle < M_PI; angle += parameters_.probe_angle) {
+      const double direction = to_goal + side * angle - situation.pose.yaw;
+      if (shield.freeDistance({}, direction, parameters_.follow_step, shield_parameters_.clearance) >=
+          parameters_.follow_step) {
+        turn[(side + 1) / 2] = angle;
+        break;
+      }
+    }
+  }
+  side_ = turn[1] <= turn[0] ? -1 : 1;
+}
+
+void Escape::measureBoundary(const Pose2& pose) {
+  const double moved = distanceBetween(last_position_, pose);
+  // Shorter moves have no reliable direction.
+  if (moved < 0.3 * parameters_.follow_step) {
+    return;
+  }
+  const double direction = directionTo(last_position_, pose);
+  turned_ += normalizeAngle(direction - travel_direction_);
+  along_ += way_ * moved;
+  travel_direction_ = direction;
+  last_position_ = pose;
+  if (way_ * along_ >= leg_) {
+    // The other way round: what was on the right is now on the left.
+    way_ = -way_;
+    side_ = -side_;
+    travel_direction_ = normalizeAngle(travel_direction_ + M_PI);
+    leg_ *= 2.0;
+  }
+}
+
+bool Escape::loopClosed(const Pose2& pose) const {
+  return std::abs(along_) > parameters_.loop_length && std::abs(turned_) > 1.5 * M_PI &&
+         distanceBetween(pose, hit_position_) < parameters_.loop_tolerance;
+}
+
+Heading Escape::follow(const Situation& situation, const Shield& shield) {
+  const double start = travel_direction_ + side_ * parameters_.wall_turn;
+  Heading move;
+  for (const double clearance : {shield_parameters_.clearance, shield_parameters_.tight_clearance}) {
+    if (probe(situation, shield, start, clearance, &move)) {
+      return move;
+    }
+  }
+  // Boxed in as far as can be seen: turn towards where nothing has been seen.
+  return {situation.pose.yaw - side_ * 2.0, 0.0};
+}
+
+bool Escape::probe(const Situation& situation, const Shield& shield, double start, double clearance,
+                   Heading* move) const {
+  const int probes = static_cast<int>(2.0 * M_PI / parameters_.probe_angle);
+  for (int i = 0; i < probes; ++i) {
+    const double direction = start - side_ * i * parameters_.probe_angle;
+    const double free =
+        shield.freeDistance({}, direction - situation.pose.yaw, parameters_.follow_step, clearance);
+    if (free >= parameters_.follow_step) {
+      *move = {normalizeAngle(direction), parameters_.follow_step};
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace lstm_planner

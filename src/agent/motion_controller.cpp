@@ -1,0 +1,118 @@
+#include "lstm_planner/agent/motion_controller.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace lstm_planner {
+
+namespace {
+
+void expectPositive(const std::string& name, double value) {
+  if (!std::isfinite(value) || value <= 0.0) {
+    throw std::invalid_argument("parameter " + name + " is " + std::to_string(value) + ", expected a positive number");
+  }
+}
+
+double clamp(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
+
+}  // namespace
+
+void validate(const MotionParameters& parameters) {
+  expectPositive("max_linear", parameters.max_linear);
+  expectPositive("max_angular", parameters.max_angular);
+  expectPositive("linear_acceleration", parameters.linear_acceleration);
+  expectPositive("lookahead", parameters.lookahead);
+  expectPositive("turn_in_place", parameters.turn_in_place);
+  expectPositive("heading_gain", parameters.heading_gain);
+  expectPositive("reaction_time", parameters.reaction_time);
+  expectPositive("safety_margin", parameters.safety_margin);
+  expectPositive("slow_gap", parameters.slow_gap);
+  expectPositive("slow_speed", parameters.slow_speed);
+  expectPositive("position_tolerance", parameters.position_tolerance);
+  expectPositive("heading_tolerance", parameters.heading_tolerance);
+}
+
+MotionController::MotionController(const MotionParameters& parameters)
+    : parameters_((validate(parameters), parameters)) {}
+
+Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current,
+                                 const Shield& shield, double period) const {
+  if (plan.empty() || !isFinite(pose)) {
+    return {};
+  }
+  const Pose2& goal = plan.back();
+  const double to_goal = distanceBetween(pose, goal);
+  if (to_goal <= parameters_.position_tolerance) {
+    const double error = normalizeAngle(goal.yaw - pose.yaw);
+    const bool aligned = std::abs(error) <= parameters_.heading_tolerance;
+    return {0.0, aligned ? 0.0 : clamp(parameters_.heading_gain * error, parameters_.max_angular)};
+  }
+
+  const Pose2 ahead = target(plan, pose);
+  const double error = normalizeAngle(directionTo(pose, ahead) - pose.yaw);
+  Twist2 twist;
+  twist.angular = clamp(parameters_.heading_gain * error, parameters_.max_angular);
+  if (std::abs(error) < parameters_.turn_in_place) {
+    const double brakes = std::sqrt(2.0 * parameters_.linear_acceleration * to_goal);
+    const double nearness = std::min(1.0, std::max(0.0, shield.gap({}) / parameters_.slow_gap));
+    const double cautious = parameters_.slow_speed + nearness * (parameters_.max_linear - parameters_.slow_speed);
+    const double wanted = std::min({parameters_.max_linear * std::cos(error), brakes, cautious});
+    const double reachable = std::max(0.0, current.linear) + parameters_.linear_acceleration * period;
+    twist.linear = safeSpeed(std::min(wanted, reachable), twist.angular, shield);
+  }
+  return twist;
+}
+
+bool MotionController::goalReached(const Pose2& pose, const Pose2& goal) const {
+  return distanceBetween(pose, goal) <= parameters_.position_tolerance &&
+         (parameters_.heading_tolerance >= M_PI ||
+          std::abs(normalizeAngle(goal.yaw - pose.yaw)) <= parameters_.heading_tolerance);
+}
+
+Pose2 MotionController::target(const std::vector<Pose2>& plan, const Pose2& pose) const {
+  std::size_t nearest = 0;
+  double nearest_distance = distanceBetween(plan[0], pose);
+  // Only as far as one lookahead: the plan may come by here again later.
+  double length = 0.0;
+  for (std::size_t i = 1; i < plan.size() && length < 2.0 * parameters_.lookahead; ++i) {
+    length += distanceBetween(plan[i - 1], plan[i]);
+    const double distance = distanceBetween(plan[i], pose);
+    if (distance < nearest_distance) {
+      nearest = i;
+      nearest_distance = distance;
+    }
+  }
+  std::size_t i = nearest;
+  while (i + 1 < plan.size() && distanceBetween(pose, plan[i]) < parameters_.lookahead) {
+    ++i;
+  }
+  return plan[i];
+}
+
+double MotionController::safeSpeed(double linear, double angular, const Shield& shield) const {
+  constexpr int kTries = 6;
+  constexpr int kSamples = 6;
+  for (int trial = 0; trial < kTries; ++trial) {
+    const double speed = linear * (kTries - trial) / kTries;
+    const double length = speed * parameters_.reaction_time +
+                          speed * speed / (2.0 * parameters_.linear_acceleration);
+    const double curvature = speed > 1e-6 ? angular / speed : 0.0;
+    Pose2 at;
+    bool safe = true;
+    for (int i = 0; i < kSamples && safe; ++i) {
+      const double part = length / kSamples;
+      const double direction = at.yaw + 0.5 * curvature * part;
+      safe = shield.freeDistance({at.x, at.y}, direction, part, parameters_.safety_margin) >= part;
+      const Point2 next = pointAlong(at, direction, part);
+      at = {next.x, next.y, at.yaw + curvature * part};
+    }
+    if (safe) {
+      return speed;
+    }
+  }
+  return 0.0;
+}
+
+}  // namespace lstm_planner

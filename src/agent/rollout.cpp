@@ -1,0 +1,77 @@
+#include "lstm_planner/agent/rollout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lstm_planner {
+
+namespace {
+
+/// Appends poses from the end of the plan to `end`, looking along the way.
+void lineTo(const Point2& end, double spacing, std::vector<Pose2>* plan) {
+  const Pose2 begin = plan->back();
+  const double length = distanceBetween(begin, end);
+  if (length <= 0.0) {
+    return;
+  }
+  const double direction = directionTo(begin, end);
+  const int poses = std::max(1, static_cast<int>(std::ceil(length / spacing)));
+  for (int i = 1; i <= poses; ++i) {
+    const double share = static_cast<double>(i) / poses;
+    plan->push_back({begin.x + share * (end.x - begin.x), begin.y + share * (end.y - begin.y), direction});
+  }
+}
+
+/// The free step from `at` (base frame) that leads most towards the goal; false when there is none.
+bool stepTowards(const Point2& goal, const Shield& shield, const AgentParameters& agent, const ActionSet& actions,
+                 double heading, Point2* at, double* direction) {
+  const double distance = std::min(agent.step.length, distanceBetween(*at, goal));
+  const double bearing = directionTo(*at, goal);
+  double best = M_PI;
+  bool found = false;
+  for (int action = -1; action < actions.size(); ++action) {
+    const double candidate = action < 0 ? bearing : heading + actions.angle(action);
+    const double off = std::abs(normalizeAngle(candidate - bearing));
+    if (off < best && shield.freeDistance(*at, candidate, distance, agent.shield.clearance) >= distance) {
+      best = off;
+      *direction = candidate;
+      found = true;
+    }
+  }
+  if (found) {
+    *at = pointAlong(*at, *direction, distance);
+  }
+  return found;
+}
+
+}  // namespace
+
+void rollOut(const Situation& situation, const Decision& decision, const Shield& shield, const Pose2& goal,
+             const AgentParameters& agent, const RolloutParameters& parameters, std::vector<Pose2>* plan) {
+  static const ActionSet actions;
+  plan->clear();
+  plan->push_back(situation.pose);
+  if (decision.source != Decision::Source::kArrived) {
+    lineTo(decision.waypoint, parameters.spacing, plan);
+    const Point2 local_goal = toLocalFrame(situation.pose, {goal.x, goal.y});
+    Point2 at = toLocalFrame(situation.pose, decision.waypoint);
+    double direction = decision.direction - situation.pose.yaw;
+    double left = distanceBetween(at, local_goal);
+    const bool moves = decision.source != Decision::Source::kLookAround;
+    for (int step = 0; moves && step < parameters.steps && left > agent.goal_tolerance; ++step) {
+      if (!stepTowards(local_goal, shield, agent, actions, direction, &at, &direction) ||
+          distanceBetween(at, local_goal) > left) {
+        break;  // From here the way to the goal would have to be guessed.
+      }
+      left = distanceBetween(at, local_goal);
+      lineTo(toParentFrame(situation.pose, at), parameters.spacing, plan);
+    }
+  }
+  lineTo({goal.x, goal.y}, parameters.spacing, plan);
+  if (plan->size() == 1) {
+    plan->push_back(goal);
+  }
+  plan->back() = goal;
+}
+
+}  // namespace lstm_planner
