@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/simulation/random.hpp"
-
 namespace lstm_planner {
 namespace {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 
 #include "lstm_planner/geometry.hpp"
+#include "lstm_planner/simulation/random.hpp"
 
 namespace lstm_planner {
 
@@ -22,7 +22,9 @@ struct Create2Parameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const Create2Parameters& parameters);
 
-/// Differential drive with encoders: integrates the true pose exactly along arcs and the odometry from whole ticks.
+/// Differential drive with encoders. A step moves the true pose exactly along the arc given by what the two wheels
+/// travelled; the odometry adds whole encoder ticks up as create_robot does: the mean of the wheels along the middle
+/// heading, their difference by the axle length as the turn.
 /// Odometry starts at (0, 0, 0) wherever the robot stands. Deterministic for a seed.
 class Create2 {
  public:
@@ -56,7 +58,7 @@ class Create2 {
   Twist2 measured_twist_;
   Wheel left_;
   Wheel right_;
-  std::mt19937_64 random_;
+  Random random_;
 };
 
 }  // namespace lstm_planner

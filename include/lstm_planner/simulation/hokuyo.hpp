@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "lstm_planner/perception/laser_scan.hpp"
+#include "lstm_planner/simulation/random.hpp"
 #include "lstm_planner/simulation/world.hpp"
 
 namespace lstm_planner {
@@ -26,7 +26,9 @@ struct HokuyoParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const HokuyoParameters& parameters);
 
-/// Takes scans of a world. No return is +inf, a drop-out NaN, as the driver reports them. Deterministic for a seed.
+/// Takes scans of a world. No return is +inf, a drop-out NaN, as the driver reports them; a reading below range_min is
+/// passed on as it is. All beams of a scan are taken from one pose: the sweep does not shear. The noise comes from a table
+/// of normal numbers made from the seed, one random draw a beam. Deterministic for a seed.
 class Hokuyo {
  public:
   Hokuyo(const HokuyoParameters& parameters, std::uint64_t seed);
@@ -38,7 +40,8 @@ class Hokuyo {
 
  private:
   HokuyoParameters parameters_;
-  std::mt19937_64 random_;
+  Random random_;
+  std::vector<float> noise_;  ///< m
   std::vector<double> ranges_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <vector>
 
 #include "lstm_planner/geometry.hpp"
@@ -23,7 +23,8 @@ class World {
   virtual bool touches(const Point2& center, double radius) const = 0;
 };
 
-/// The occupied cells of a map_server map (unknown cells are neither seen nor touched).
+/// The occupied cells of a map_server map (unknown cells are neither seen nor touched). Rays are exact at the borders of
+/// the cells; one that meets a corner passes unless both cells beside the corner, or the one behind it, are occupied.
 class GridWorld : public World {
  public:
   explicit GridWorld(OccupancyGrid grid);
@@ -37,6 +38,9 @@ class GridWorld : public World {
   double castRay(double column, double row, double direction, double max_cells) const;
   OccupancyGrid grid_;
   DistanceField distances_;
+  /// A cell each: 0 = occupied, otherwise 1 + whole cells that a ray can go on from anywhere in the cell without meeting
+  /// an occupied one. A byte each, so that a building fits in the cache.
+  std::vector<std::uint8_t> leaps_;
 };
 
 struct Circle {
@@ -44,7 +48,8 @@ struct Circle {
   double radius = 0.0;
 };
 
-/// Cylinders on an endless floor (BARN worlds).
+/// Cylinders on an endless floor (BARN worlds). Throws std::invalid_argument for a circle that is not finite or has a
+/// negative radius.
 class CircleWorld : public World {
  public:
   explicit CircleWorld(std::vector<Circle> circles);

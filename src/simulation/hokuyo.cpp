@@ -1,0 +1,80 @@
+#include "lstm_planner/simulation/hokuyo.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace lstm_planner {
+namespace {
+
+constexpr std::size_t kNoiseTableSize = 8192;
+constexpr int kMostBeams = 100000;
+
+void check(const char* name, double value, bool good, const char* expected) {
+  if (good) return;
+  throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + ", expected " + expected);
+}
+
+}  // namespace
+
+void validate(const HokuyoParameters& parameters) {
+  check("beams", parameters.beams, parameters.beams >= 1 && parameters.beams <= kMostBeams, "1 to 100000");
+  check("angle_min", parameters.angle_min, std::isfinite(parameters.angle_min), "a finite angle");
+  check("angle_increment", parameters.angle_increment,
+        std::isfinite(parameters.angle_increment) && parameters.angle_increment != 0.0, "a finite angle other than 0");
+  check("range_min", parameters.range_min, parameters.range_min >= 0.0 && std::isfinite(parameters.range_min),
+        "a finite distance of at least 0");
+  check("range_max", parameters.range_max,
+        parameters.range_max > parameters.range_min && std::isfinite(parameters.range_max),
+        "a finite distance above range_min");
+  check("sight", parameters.sight, parameters.sight > 0.0 && std::isfinite(parameters.sight),
+        "a positive finite distance");
+  check("noise", parameters.noise, parameters.noise >= 0.0 && std::isfinite(parameters.noise),
+        "a finite distance of at least 0");
+  check("dropout", parameters.dropout, parameters.dropout >= 0.0 && parameters.dropout <= 1.0,
+        "a probability in [0, 1]");
+  check("rate", parameters.rate, parameters.rate > 0.0 && std::isfinite(parameters.rate), "a positive finite number");
+  if (!isFinite(parameters.mount.pose))
+    throw std::invalid_argument("the pose of the scanner on the robot is not finite");
+}
+
+Hokuyo::Hokuyo(const HokuyoParameters& parameters, std::uint64_t seed) : parameters_(parameters), random_(seed) {
+  validate(parameters_);
+  ranges_.resize(static_cast<std::size_t>(parameters_.beams));
+  noise_.reserve(kNoiseTableSize);
+  for (std::size_t i = 0; i < kNoiseTableSize; ++i) {
+    noise_.push_back(static_cast<float>(parameters_.noise * normal(random_)));
+  }
+}
+
+void Hokuyo::scan(const World& world, const Pose2& base_pose, double stamp, LaserScan* scan) {
+  scan->stamp = stamp;
+  scan->angle_min = parameters_.angle_min;
+  scan->angle_increment = parameters_.angle_increment;
+  scan->range_min = parameters_.range_min;
+  scan->range_max = parameters_.range_max;
+  scan->ranges.resize(ranges_.size());
+
+  const SensorMount& mount = parameters_.mount;
+  const double mirror = mount.upside_down ? -1.0 : 1.0;
+  const Point2 origin = toParentFrame(base_pose, {mount.pose.x, mount.pose.y});
+  const double first_direction = base_pose.yaw + mount.pose.yaw + mirror * parameters_.angle_min;
+  const double max_range = std::min(parameters_.sight, parameters_.range_max);
+  world.castRays(origin, first_direction, mirror * parameters_.angle_increment, max_range, &ranges_);
+
+  for (std::size_t beam = 0; beam < ranges_.size(); ++beam) {
+    // The upper bits decide about a drop-out, the lowest thirteen choose the noise.
+    const std::uint64_t draw = random_();
+    const double chance = static_cast<double>(draw >> 13) * 0x1.0p-51;
+    if (chance < parameters_.dropout) {
+      scan->ranges[beam] = std::numeric_limits<float>::quiet_NaN();
+    } else {
+      const double reading = ranges_[beam] + noise_[draw % kNoiseTableSize];  // +inf stays +inf
+      scan->ranges[beam] = static_cast<float>(std::max(0.0, reading));
+    }
+  }
+}
+
+}  // namespace lstm_planner
