@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <variant>
 #include <vector>
 
@@ -54,19 +54,17 @@ using Layer = std::variant<LstmLayer, RecurrentLayer, DenseLayer, SoftmaxLayer>;
 /// Layers in the order in which they are evaluated.
 using LayerStack = std::vector<Layer>;
 
-/// Number of weights and biases. The thesis's net 11 -> LSTM 8 -> LSTM 8 -> FC 8 counts 1,256 without biases in the
-/// way of Eq. 3.18-3.22; see countWeights.
-std::size_t countParameters(const LayerStack& layers);
-
-/// Number of weights as the thesis counts them (Eq. 3.18-3.22).
+/// Number of learnable weights as the thesis counts them (Eq. 3.17-3.22): a bias is a weight on the constant input 1, and
+/// an LSTM's gate has one bias a cell. 11 -> LSTM 8 -> LSTM 8 -> FC 8 has 640 + 544 + 72 = 1,256.
 std::size_t countWeights(const LayerStack& layers);
 
-/// Width of the vector that goes in and comes out. Throws std::invalid_argument for an empty stack.
+/// Width of the vector that goes in and comes out. Throws std::invalid_argument when no layer says so (an empty stack, a
+/// softmax alone).
 int inputSize(const LayerStack& layers);
 int outputSize(const LayerStack& layers);
 
 /// Throws std::invalid_argument with one sentence naming the layer when shapes do not fit together, a weight is not
-/// finite, or an activation is not possible there.
+/// finite, or an activation is not possible there. A softmax must follow another layer, which says how wide it is.
 void validateLayers(const LayerStack& layers);
 
 }  // namespace lstm_planner

@@ -1,0 +1,103 @@
+#include "lstm_planner/network/model_file.hpp"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <system_error>
+
+#include "network/onnx_names.hpp"
+#include "network/onnx_reader.hpp"
+#include "network/onnx_writer.hpp"
+#include "onnx_subset.pb.h"
+
+namespace lstm_planner {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMaximumFileSize = std::uintmax_t{128} << 20;
+
+std::string fileName(const std::string& path) { return "model file " + path + ": "; }
+
+std::string readWholeFile(const std::string& path) {
+  std::error_code error;
+  // A pipe or a device may never end.
+  if (!fs::is_regular_file(path, error)) throw ModelFileError("there is no such file, expected an ONNX model");
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error || size > kMaximumFileSize) {
+    throw ModelFileError("it has " + std::to_string(size) + " bytes, expected at most " +
+                         std::to_string(kMaximumFileSize));
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(file), {});
+  if (!file) throw ModelFileError("it cannot be read, expected a readable file");
+  return bytes;
+}
+
+/// Two serialised messages one after the other are one message. With the graph last, no truncated file is complete in
+/// itself: cut off between two fields, the file would still be valid and only lack metadata.
+std::string serialise(const Model& model) {
+  onnx_subset::ModelProto header;
+  header.set_ir_version(onnx::kIrVersion);
+  header.set_producer_name("lstm_planner");
+  auto& opset = *header.add_opset_import();
+  opset.set_domain("");
+  opset.set_version(onnx::kWrittenOpset);
+  for (const auto& [key, value] : model.metadata) {
+    auto& entry = *header.add_metadata_props();
+    entry.set_key(key);
+    entry.set_value(value);
+  }
+  onnx_subset::ModelProto body;
+  *body.mutable_graph() = onnx::writeGraph(model.layers);
+  return header.SerializeAsString() + body.SerializeAsString();
+}
+
+void replaceFile(const std::string& path, const std::string& bytes) {
+  const std::string unfinished = path + ".part" + std::to_string(getpid());
+  std::ofstream file(unfinished, std::ios::binary | std::ios::trunc);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  std::error_code error;
+  if (file) fs::rename(unfinished, path, error);
+  if (!file || error) {
+    const std::string reason = error ? " (" + error.message() + ")" : "";
+    fs::remove(unfinished, error);
+    throw ModelFileError("it cannot be written" + reason + ", expected a folder that exists and is writable");
+  }
+}
+
+}  // namespace
+
+Model readModelFile(const std::string& path) {
+  try {
+    const std::string bytes = readWholeFile(path);
+    onnx_subset::ModelProto file;
+    if (!file.ParseFromString(bytes)) {
+      throw ModelFileError("it is truncated or not protobuf, expected an ONNX model");
+    }
+    Model model = onnx::readModel(file);
+    validateLayers(model.layers);
+    return model;
+  } catch (const ModelFileError& error) {
+    throw ModelFileError(fileName(path) + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw ModelFileError(fileName(path) + error.what());
+  }
+}
+
+void writeModelFile(const std::string& path, const Model& model) {
+  try {
+    validateLayers(model.layers);
+    replaceFile(path, serialise(model));
+  } catch (const ModelFileError& error) {
+    throw ModelFileError(fileName(path) + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw ModelFileError(fileName(path) + error.what());
+  }
+}
+
+}  // namespace lstm_planner
