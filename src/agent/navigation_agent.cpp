@@ -65,6 +65,7 @@ const Decision& NavigationAgent::update(const Situation& situation) {
 
 Decision NavigationAgent::preview(const Situation& situation, const Point2& goal) const {
   NavigationAgent fresh(*this);
+  fresh.step_listener_ = nullptr;
   fresh.setGoal(goal);
   return fresh.update(situation);
 }
@@ -121,6 +122,7 @@ void NavigationAgent::advanceNetwork(const Situation& situation) {
   step_time_ = situation.time;
   has_step_ = true;
   ++decision_.step;
+  imposed_action_ = step_listener_ ? step_listener_(situation, observation) : std::nullopt;
 }
 
 void NavigationAgent::choose(const Situation& situation) {
@@ -174,8 +176,10 @@ void NavigationAgent::chooseAction(const Situation& situation) {
               ? freeDistance(situation, step_pose_.yaw + actions.angle(action), parameters_.step.length, clearance)
               : parameters_.step.length;
       decision_.allowed[i] = free >= shield.shortest_step;
-      if (decision_.allowed[i] &&
-          (best < 0 || decision_.preferences[i] > decision_.preferences[static_cast<std::size_t>(best)])) {
+      const bool preferred = best < 0 || imposed_action_ == action ||
+                             (imposed_action_ != best &&
+                              decision_.preferences[i] > decision_.preferences[static_cast<std::size_t>(best)]);
+      if (decision_.allowed[i] && preferred) {
         best = action;
         best_free = free;
       }

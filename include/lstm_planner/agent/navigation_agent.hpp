@@ -1,6 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lstm_planner/agent/agent_parameters.hpp"
@@ -51,6 +54,11 @@ class NavigationAgent {
   /// What update() would answer for a goal that has just been set; changes nothing that update() depends on.
   Decision preview(const Situation& situation, const Point2& goal) const;
 
+  /// Called once a step, after the network has advanced, with what it was told. An action that comes back is taken in
+  /// place of the network's own if the shield allows it: this is how a teacher takes the wheel.
+  using StepListener = std::function<std::optional<int>(const Situation&, const Observation&)>;
+  void setStepListener(StepListener listener) { step_listener_ = std::move(listener); }
+
   /// What was decided last.
   const Decision& decision() const { return decision_; }
   const Shield& shield() const { return shield_; }
@@ -82,6 +90,8 @@ class NavigationAgent {
   bool has_step_ = false;
   bool escaping_ = false;
   double best_distance_ = 0.0; ///< m
+  StepListener step_listener_;
+  std::optional<int> imposed_action_;
   int steps_since_best_ = 0;
   double driven_since_best_ = 0.0;  ///< m
   double look_around_turn_ = 0.0;   ///< rad, sign of the turn while nothing is free

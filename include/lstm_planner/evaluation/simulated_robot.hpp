@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+
+#include "lstm_planner/agent/situation.hpp"
+#include "lstm_planner/simulation/create2.hpp"
+#include "lstm_planner/simulation/hokuyo.hpp"
+#include "lstm_planner/simulation/world.hpp"
+
+namespace lstm_planner {
+
+/// A Create 2 with a Hokuyo in a world: moves, senses, counts contacts. No ROS, no real time; the same for the same seed.
+class SimulatedRobot {
+ public:
+  struct Parameters {
+    Create2Parameters base;
+    HokuyoParameters scanner;
+    double physics_period = 0.02;  ///< s
+  };
+
+  /// `world` must outlive the robot.
+  SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
+
+  void command(const Twist2& twist) { base_.command(twist); }
+
+  /// Lets that much time pass, s.
+  void advance(double seconds);
+
+  /// Scans from where the robot stands; `situation` is in the odometry frame.
+  void sense(double range_cap, Situation* situation);
+
+  double time() const { return time_; }             ///< s since the start
+  const Pose2& truePose() const { return base_.truePose(); }
+  const Pose2& odometry() const { return base_.odometry(); }
+  const Twist2& measuredTwist() const { return base_.measuredTwist(); }
+  int contacts() const { return contacts_; }        ///< how often the footprint began to touch something
+  double pathLength() const { return path_length_; } ///< m truly driven
+
+ private:
+  const World& world_;
+  Parameters parameters_;
+  Create2 base_;
+  Hokuyo scanner_;
+  LaserScan scan_;
+  double time_ = 0.0;
+  int contacts_ = 0;
+  bool touching_ = false;
+  double path_length_ = 0.0;
+};
+
+}  // namespace lstm_planner

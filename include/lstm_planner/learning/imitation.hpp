@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/evaluation/drive.hpp"
+#include "lstm_planner/learning/sequence.hpp"
+#include "lstm_planner/learning/teacher.hpp"
+#include "lstm_planner/learning/trainer.hpp"
+#include "lstm_planner/simulation/floor_plan.hpp"
+
+namespace lstm_planner {
+
+/// Learning to drive from a teacher that knows the map, in generated floor plans (DAgger: Ross, Gordon and Bagnell, "A
+/// reduction of imitation learning and structured prediction to no-regret online learning", AISTATS 2011).
+struct ImitationParameters {
+  PolicyDescription policy;
+  std::vector<int> cells = {8, 8};  ///< LSTM layers
+  int rounds = 8;                   ///< collect, then train on everything collected so far
+  int plans = 120;                  ///< floor plans a round
+  int episodes = 3;                 ///< drives a floor plan
+  int validation_plans = 40;        ///< floor plans that are never trained on
+  double learner_share = 0.8;       ///< share of drives with the learner at the wheel, from the second round on
+  int stuck_steps = 24;             ///< steps without progress after which the teacher takes the wheel
+  int rescue_steps = 16;            ///< and for how long
+  double episode_limit = 100.0;     ///< s
+  int sequence_steps = 96;          ///< length of a training sequence
+  int burn_in_steps = 32;           ///< of these, steps that only bring the hidden state up to date
+  std::uint64_t seed = 1;
+  int threads = 2;
+  TrainerParameters trainer;        ///< for each round
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const ImitationParameters& parameters);
+
+/// What one round brought.
+struct ImitationRound {
+  int round = 0;               ///< from 1
+  std::size_t steps = 0;       ///< collected so far
+  double arrival = 0.0;        ///< share of the validation drives that arrived, without escape, after the round
+  TrainingResult training;
+};
+
+struct ImitationResult {
+  LayerStack layers;           ///< of the round with the best arrival
+  std::vector<ImitationRound> rounds;
+};
+
+/// Reports of progress: share of the whole work that is done, in [0, 1]. Called from the calling thread.
+using ProgressCallback = std::function<void(double)>;
+
+/// Runs all rounds. The same parameters give the same weights, whatever the number of threads.
+ImitationResult imitate(const ImitationParameters& parameters, const ProgressCallback& progress = {});
+
+}  // namespace lstm_planner

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <boost/program_options.hpp>
+
+namespace lstm_planner {
+
+/// Parses the arguments of a command. Prints the help and returns false when it was asked for. Throws
+/// boost::program_options::error with a sentence for unknown, missing or malformed options.
+bool parseOptions(const std::string& command, const boost::program_options::options_description& options,
+                  const std::vector<std::string>& arguments, boost::program_options::variables_map* values);
+
+}  // namespace lstm_planner
