@@ -109,6 +109,7 @@ double GridWorld::castRay(double column, double row, double direction, double ma
 }
 
 bool GridWorld::touches(const Point2& center, double radius) const {
+  if (grid_.columns() == 0) return false;
   const Point2 local = toLocalFrame(grid_.origin(), center);
   const double column = local.x / grid_.resolution();
   const double row = local.y / grid_.resolution();

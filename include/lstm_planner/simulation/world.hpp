@@ -19,7 +19,8 @@ class World {
   virtual void castRays(const Point2& origin, double first_direction, double increment, double max_range,
                         std::vector<double>* ranges) const = 0;
 
-  /// True when a disc of that radius (m) overlaps an obstacle: exact, cells are squares and circles are circles.
+  /// True when a disc of that radius (m) overlaps an obstacle: exact, cells are squares and circles are circles; one that
+  /// only meets it at a point does not overlap. Throws std::invalid_argument for a disc that is not finite.
   virtual bool touches(const Point2& center, double radius) const = 0;
 };
 
