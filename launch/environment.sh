@@ -1,0 +1,208 @@
+# shellcheck shell=bash
+# What launch/demo.sh and test/run.sh have in common: find ROS 1, install what is missing, build in a workspace outside
+# the source tree, and enter that workspace's environment. To be sourced by them; does nothing by itself.
+#
+#   LSTM_PLANNER_WS   the workspace; default ${XDG_CACHE_HOME:-~/.cache}/lstm_planner
+
+source_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)"
+workspace="${LSTM_PLANNER_WS:-${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/lstm_planner}"
+noetic_setup=/opt/ros/noetic/setup.bash
+
+say() { printf 'lstm_planner: %s\n' "$*"; }
+
+fail() {
+  printf 'lstm_planner: %s\n' "$*" >&2
+  exit 1
+}
+
+# ------------------------------------------------------------------------------ prerequisites
+
+# noetic: packages ros-noetic-*; distribution: ROS 1 as Debian and Ubuntu 22.04 package it.
+find_ros_flavour() {
+  if [ -r "$noetic_setup" ]; then
+    echo noetic
+  elif [ -r /etc/os-release ] && grep -q '^VERSION_CODENAME=focal' /etc/os-release; then
+    echo noetic
+  else
+    echo distribution
+  fi
+}
+
+# Debian packages the build and the tests need, one a line.
+required_packages() {
+  printf '%s\n' cmake g++ make gnuplot-nox libboost-dev libboost-program-options-dev libeigen3-dev libgtest-dev \
+    libopencv-dev libprotobuf-dev libyaml-cpp-dev nlohmann-json3-dev protobuf-compiler python3
+  if [ "$1" = noetic ]; then
+    printf 'ros-noetic-%s\n' actionlib catkin costmap-2d diagnostic-msgs geometry-msgs move-base move-base-msgs \
+      nav-core nav-msgs pluginlib rosbag rosbash roscpp roslaunch rospy rostest sensor-msgs std-msgs std-srvs tf2 \
+      tf2-geometry-msgs tf2-ros visualization-msgs
+  else
+    printf '%s\n' catkin libactionlib-dev libdiagnostic-msgs-dev libgeometry-msgs-dev libmove-base-msgs-dev \
+      libnav-msgs-dev librosbag-dev libroscpp-dev librostest-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev \
+      libtf2-dev libtf2-geometry-msgs-dev libtf2-ros-dev libvisualization-msgs-dev pluginlib-dev python3-actionlib \
+      python3-catkin python3-move-base-msgs python3-rosbag python3-roslaunch python3-rospy python3-rostest \
+      python3-rostopic python3-tf2-ros ros-environment rosbash rosout rospack-tools
+  fi
+}
+
+# Packages that add something where the distribution has them: an independent reader of model files for the tests, the
+# driver's own messages, a viewer when there is a display.
+optional_packages() {
+  echo python3-onnx
+  [ "$1" = noetic ] && echo ros-noetic-create-msgs
+  if [ -n "${DISPLAY:-}" ]; then
+    if [ "$1" = noetic ]; then echo ros-noetic-rviz; else echo rviz; fi
+  fi
+}
+
+# Those of the names on standard input that are not installed.
+not_installed() {
+  local wanted installed
+  wanted="$(sort -u)"
+  # shellcheck disable=SC2086  # one word a package
+  installed="$(dpkg-query -W -f='${db:Status-Status} ${Package}\n' $wanted 2>/dev/null | sed -n 's/^installed //p' |
+    sort -u)"
+  comm -23 <(echo "$wanted") <(echo "$installed")
+}
+
+# Those of the names on standard input that apt could install.
+installable() {
+  xargs -r apt-cache policy 2>/dev/null | awk '/^[^ ]/ {sub(/:$/, ""); name = $0} /Candidate:/ && $2 != "(none)" {print name}' |
+    sort -u
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif [ -t 0 ]; then
+    sudo "$@"
+  else
+    sudo -n "$@"
+  fi
+}
+
+check_can_become_root() {
+  [ "$(id -u)" -eq 0 ] && return
+  command -v sudo >/dev/null || fail "missing packages: $1; install them as root, there is no sudo here."
+  [ -t 0 ] || sudo -n true 2>/dev/null ||
+    fail "missing packages: $1; install them as root, sudo asks for a password and there is no terminal to ask at."
+}
+
+# rosdep knows the names where its database has been initialised and updated; what it leaves is installed by name.
+install_with_rosdep() {
+  command -v rosdep >/dev/null && [ -e "${ROS_HOME:-$HOME/.ros}/rosdep/sources.cache/index" ] || return 0
+  [ "$1" = noetic ] || return 0
+  say "asking rosdep to install the dependencies in package.xml"
+  rosdep install --from-paths "$source_dir" --ignore-src --rosdistro noetic -r -y </dev/null || true
+}
+
+apt_install() {
+  local log="$workspace/apt.log"
+  say "installing with apt-get: $* (log: $log)"
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@" </dev/null >"$log" 2>&1
+}
+
+apt_update() {
+  say "updating apt's package lists"
+  as_root apt-get update </dev/null >"$workspace/apt.log" 2>&1 || say "apt-get update failed; going on with the lists there are"
+}
+
+install_missing_packages() {
+  local flavour="$1" missing extra unavailable
+  missing="$(required_packages "$flavour" | not_installed)"
+  [ -n "$missing" ] || return 0
+  command -v apt-get >/dev/null || fail "missing packages: ${missing//$'\n'/ }; no apt-get here to install them with."
+  check_can_become_root "${missing//$'\n'/ }"
+  install_with_rosdep "$flavour"
+  missing="$(required_packages "$flavour" | not_installed)"
+  [ -n "$missing" ] || return 0
+
+  unavailable="$(comm -23 <(echo "$missing") <(echo "$missing" | installable))"
+  if [ -n "$unavailable" ]; then
+    apt_update
+    unavailable="$(comm -23 <(echo "$missing") <(echo "$missing" | installable))"
+    [ -z "$unavailable" ] || fail "apt-get has no package ${unavailable//$'\n'/, }; ROS 1 is packaged for Debian 12" \
+      "and, from packages.ros.org (see wiki.ros.org/noetic/Installation/Ubuntu), for Ubuntu 20.04."
+  fi
+  extra="$(optional_packages "$flavour" | not_installed | installable)"
+  # shellcheck disable=SC2086  # one word a package
+  apt_install $missing $extra || { apt_update && apt_install $missing $extra; } ||
+    fail "apt-get could not install ${missing//$'\n'/, }: $(grep -m 1 '^E:' "$workspace/apt.log")"
+}
+
+# ---------------------------------------------------------------------- environment and build
+
+# Sources a setup file of ROS, none of which bears `set -u`.
+source_setup() {
+  set +u
+  # shellcheck disable=SC1090
+  source "$1"
+  set -u
+}
+
+enter_ros() {
+  # ROS's python modules belong to the system's python3, whatever pyenv or conda put in front of it.
+  export PATH="/usr/bin:/bin:$PATH"
+  unset PYTHONHOME
+  if [ "${ROS_VERSION:-}" != 1 ] && [ -r "$noetic_setup" ]; then
+    source_setup "$noetic_setup"
+  fi
+  command -v catkin_make >/dev/null || fail "catkin_make not found although ROS 1's packages are installed."
+  export ROS_HOME="$workspace/ros_home"
+  export ROS_HOSTNAME=localhost
+  unset ROS_IP ROS_LOG_DIR
+}
+
+prepare_workspace() {
+  mkdir -p "$workspace/src" "$workspace/ros_home" 2>/dev/null || fail "cannot create the workspace $workspace."
+  workspace="$(cd "$workspace" && pwd -P)"
+  case "$workspace/" in "$source_dir"/*) fail "the workspace $workspace lies inside the source tree; set LSTM_PLANNER_WS." ;; esac
+}
+
+# Objects of another checkout may be newer than this one's sources, so make alone would not notice the change.
+link_checkout() {
+  local link="$workspace/src/lstm_planner"
+  if [ -L "$link" ] && [ "$(readlink -f "$link")" != "$source_dir" ]; then
+    say "the workspace $workspace was built from another checkout; building it anew"
+    rm -rf "$workspace/build" "$workspace/devel"
+  fi
+  if [ -e "$link" ] && [ ! -L "$link" ]; then
+    fail "$link exists and is no link to a checkout; choose another workspace with LSTM_PLANNER_WS."
+  fi
+  ln -sfn "$source_dir" "$link"
+}
+
+# A compiler run takes up to a gigabyte.
+parallel_jobs() {
+  local processors gigabytes
+  processors="$(nproc)"
+  gigabytes="$(awk '/MemAvailable/ {print int($2 / 1048576)}' /proc/meminfo 2>/dev/null)"
+  if [ -n "$gigabytes" ] && [ "$gigabytes" -lt "$processors" ]; then processors="$gigabytes"; fi
+  [ "$processors" -ge 1 ] || processors=1
+  echo "$processors"
+}
+
+build_targets() {
+  local log="$workspace/build.log" status
+  say "building in $workspace (log: $log)"
+  catkin_make -C "$workspace" -j"$(parallel_jobs)" -DCMAKE_BUILD_TYPE=Release \
+    -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "$@" </dev/null 2>&1 | tee "$log" |
+    grep --line-buffered -E '^\[ *[0-9]+%\] (Building|Linking)|warning:|error:|\*\*\*|^CMake Error'
+  status="${PIPESTATUS[0]}"
+  [ "$status" -eq 0 ] || fail "the build failed; its last lines are above, all of them in $log."
+}
+
+# All steps; the arguments are make's targets.
+set_up() {
+  local flavour
+  prepare_workspace
+  flavour="$(find_ros_flavour)"
+  install_missing_packages "$flavour"
+  enter_ros
+  exec 9>"$workspace/lock"
+  flock 9 || fail "cannot lock the workspace $workspace."
+  link_checkout
+  build_targets "$@"
+  exec 9>&-
+  source_setup "$workspace/devel/setup.bash"
+}

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# Sets everything up and runs the tests; see --help.
+set -uo pipefail
+# shellcheck source-path=SCRIPTDIR source=../launch/environment.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../launch/environment.sh"
+
+usage() {
+  cat <<'USAGE'
+Usage: bash test/run.sh [--build-only] [FILTER]
+
+Installs what is missing, builds the package and its tests in a workspace outside the source tree, and runs them: the
+unit tests and the rostests, each rostest under a ROS master of its own. The last line counts the test cases.
+
+Arguments:
+  FILTER         an extended regular expression on names: unit tests are Suite.Case, rostests are files in test/ros
+  --build-only   install and build, do not run
+  --help         this text
+
+Environment:
+  LSTM_PLANNER_WS       the workspace; default ~/.cache/lstm_planner
+  LSTM_PLANNER_SHARED   data for tests on real maps and recordings; default: shared/ beside the checkout
+
+Exit status: 0 when no test failed.
+USAGE
+}
+
+# Names of the unit tests, Suite.Case, one a line.
+list_unit_tests() {
+  "$workspace/devel/lib/lstm_planner/lstm_planner_unit_tests" --gtest_list_tests |
+    awk '{sub(/ *#.*/, "")} /^[^ ].*\.$/ {suite = $1; next} /^  / {print suite $1}'
+}
+
+# Runs what the filter ($1, may be empty) selects; leaves the results in $results. Fails when something failed.
+run_tests() {
+  local filter="$1" unit_tests ros_tests status=0
+  unit_tests="$(list_unit_tests | grep -E -- "$filter" | paste -sd:)"
+  ros_tests="$(find "$source_dir/test/ros" -name '*.test' -printf '%f\n' 2>/dev/null | grep -E -- "$filter" |
+    sed 's/\.test$//' | sort | paste -sd'|')"
+  [ -n "$unit_tests$ros_tests" ] || fail "no test matches '$filter'."
+
+  cd "$workspace/build" || exit 1
+  if [ -n "$unit_tests" ]; then
+    if [ -z "$filter" ]; then unit_tests='*'; fi
+    GTEST_FILTER="$unit_tests" ctest --output-on-failure -R '_gtest_lstm_planner_unit_tests$' </dev/null || status=1
+  fi
+  if [ -n "$ros_tests" ]; then
+    ctest --output-on-failure -R "_rostest_test_ros_($ros_tests)\\.test\$" </dev/null || status=1
+  fi
+  return "$status"
+}
+
+build_only=false
+filter=
+for argument in "$@"; do
+  case "$argument" in
+    --help | -h) usage; exit 0 ;;
+    --build-only) build_only=true ;;
+    -*) fail "unknown option '$argument'; expected --build-only or --help." ;;
+    *) [ -z "$filter" ] || fail "one filter at most, got '$filter' and '$argument'."; filter="$argument" ;;
+  esac
+done
+
+set_up all tests
+if [ "$build_only" = true ]; then exit 0; fi
+
+export LSTM_PLANNER_SHARED="${LSTM_PLANNER_SHARED:-$source_dir/../shared}"
+results="$workspace/build/test_results/lstm_planner"
+rm -rf "$results"
+run_tests "$filter"
+tests_status=$?
+/usr/bin/python3 "$source_dir/test/count_results.py" "$results"
+count_status=$?
+[ "$tests_status" -eq 0 ] && [ "$count_status" -eq 0 ]
