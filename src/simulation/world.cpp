@@ -11,6 +11,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
+constexpr std::size_t kBeamsBetweenSines = 16;
 
 double directionOf(double first, double increment, std::size_t beam) {
   return first + static_cast<double>(beam) * increment;
@@ -35,8 +36,9 @@ GridWorld::GridWorld(OccupancyGrid grid) : grid_(std::move(grid)), distances_(gr
   leaps_.reserve(cells);
   for (int row = 0; row < grid_.rows(); ++row) {
     for (int column = 0; column < grid_.columns(); ++column) {
-      // The distance joins centres; a ray may start at a corner of this cell and meet a corner of the other: sqrt(2).
-      const double free = distances_.at({column, row}) / grid_.resolution() - M_SQRT2;
+      // The distance joins centres; a ray may start at a corner of this cell and meet a corner of the other: sqrt(2),
+      // and a little for the float.
+      const double free = distances_.at({column, row}) / grid_.resolution() - M_SQRT2 - 1e-3;
       const bool occupied = grid_.at({column, row}) == Cell::kOccupied;
       leaps_.push_back(occupied ? 0 : static_cast<std::uint8_t>(1.0 + std::clamp(std::floor(free), 0.0, 254.0)));
     }
@@ -51,15 +53,28 @@ void GridWorld::castRays(const Point2& origin, double first_direction, double in
   const double row = local.y / grid_.resolution();
   const double max_cells = max_range / grid_.resolution();
   const bool usable = std::isfinite(column + row + first + increment) && grid_.columns() > 0;
+  if (!usable) {
+    std::fill(ranges->begin(), ranges->end(), kNothing);
+    return;
+  }
+  // Turning the last direction on is much cheaper than a sine; a fresh one now and then keeps rounding from adding up.
+  const double cos_increment = std::cos(increment);
+  const double sin_increment = std::sin(increment);
+  double dx = 0.0;
+  double dy = 0.0;
   for (std::size_t beam = 0; beam < ranges->size(); ++beam) {
-    const double cells = usable ? castRay(column, row, directionOf(first, increment, beam), max_cells) : kNothing;
-    (*ranges)[beam] = cells * grid_.resolution();
+    if (beam % kBeamsBetweenSines == 0) {
+      dx = std::cos(directionOf(first, increment, beam));
+      dy = std::sin(directionOf(first, increment, beam));
+    }
+    (*ranges)[beam] = castRay(column, row, dx, dy, max_cells) * grid_.resolution();
+    const double turned_dx = dx * cos_increment - dy * sin_increment;
+    dy = dx * sin_increment + dy * cos_increment;
+    dx = turned_dx;
   }
 }
 
-double GridWorld::castRay(double column, double row, double direction, double max_cells) const {
-  const double dx = std::cos(direction);
-  const double dy = std::sin(direction);
+double GridWorld::castRay(double column, double row, double dx, double dy, double max_cells) const {
   double travelled = 0.0;
   double leave = max_cells;
   clip(column, dx, grid_.columns(), &travelled, &leave);
@@ -86,9 +101,11 @@ double GridWorld::castRay(double column, double row, double direction, double ma
     if (leap == 0) return travelled;
     if (leap > 2) {
       travelled += leap - 1;
-      x = static_cast<int>(std::floor(column + travelled * dx));
-      y = static_cast<int>(std::floor(row + travelled * dy));
-      if (x < 0 || y < 0 || x >= columns || y >= rows) return kNothing;
+      const double at_column = column + travelled * dx;
+      const double at_row = row + travelled * dy;
+      if (at_column < 0.0 || at_row < 0.0 || at_column >= columns || at_row >= rows) return kNothing;
+      x = static_cast<int>(at_column);
+      y = static_cast<int>(at_row);
       continue;
     }
     // The borders are computed from the start of the ray, so that no rounding adds up on the way.

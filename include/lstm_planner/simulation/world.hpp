@@ -36,7 +36,8 @@ class GridWorld : public World {
   const DistanceField& distances() const { return distances_; }
 
  private:
-  double castRay(double column, double row, double direction, double max_cells) const;
+  /// All in cells from the lower left corner; (dx, dy) is the unit vector along the ray.
+  double castRay(double column, double row, double dx, double dy, double max_cells) const;
   OccupancyGrid grid_;
   DistanceField distances_;
   /// A cell each: 0 = occupied, otherwise 1 + whole cells that a ray can go on from anywhere in the cell without meeting
