@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "lstm_planner/perception/encoder.hpp"
+
+namespace lstm_planner {
+namespace {
+
+Eigen::VectorXf encode(const EncoderParameters& parameters, const Observation& observation) {
+  const Encoder encoder(parameters);
+  Eigen::VectorXf input(encoder.size());
+  encoder.encode(observation, input);
+  return input;
+}
+
+TEST(Encoder, FollowsTheLayout) {
+  EncoderParameters parameters;
+  parameters.input_layout = {"previous_action", "sector_7",    "goal_distance",    "goal_bearing",
+                             "heading",         "heading_sin", "goal_bearing_cos", "sector_0"};
+  Observation observation;
+  observation.sector_ranges = {1.5, 6.0, 6.0, 6.0, 6.0, 6.0, 6.0, 3.0};
+  observation.goal_distance = 5.0;
+  observation.goal_bearing = M_PI / 3.0;
+  observation.heading = -M_PI_2;
+  observation.previous_action = M_PI_4;
+  const Eigen::VectorXf input = encode(parameters, observation);
+  const double expected[] = {0.5, 0.5, 0.5, 1.0 / 3.0, -0.5, -1.0, 0.5, 0.25};
+  ASSERT_EQ(input.size(), 8);
+  for (int i = 0; i < 8; ++i) EXPECT_NEAR(input[i], expected[i], 1e-6) << i;
+}
+
+TEST(Encoder, StaysFiniteForEveryFiniteObservation) {
+  const double largest = std::numeric_limits<double>::max();
+  for (const double value : {largest, -largest, 0.0, 1e-300}) {
+    EncoderParameters parameters;
+    parameters.input_layout.insert(parameters.input_layout.end(), {"goal_bearing", "heading"});
+    Observation observation;
+    observation.sector_ranges.fill(value);
+    observation.goal_distance = value;
+    observation.goal_bearing = value;
+    observation.heading = value;
+    observation.previous_action = value;
+    EXPECT_TRUE(encode(parameters, observation).allFinite()) << value;
+  }
+}
+
+TEST(Encoder, RefusesAnInputOfAnotherSize) {
+  const Encoder encoder{EncoderParameters()};
+  Eigen::VectorXf input(3);
+  EXPECT_THROW(encoder.encode({}, input), std::invalid_argument);
+}
+
+TEST(EncoderParameters, SurviveTheMetadataBitForBit) {
+  EncoderParameters written;
+  written.input_layout = {"sector_3", "goal_distance"};
+  written.range_cap = 0.1 + 0.2;  // has no short decimal form
+  written.position_cell = 0.35;
+  std::map<std::string, std::string> metadata;
+  writeMetadata(written, &metadata);
+  const EncoderParameters read = readEncoderParameters(metadata);
+  EXPECT_EQ(read.input_layout, written.input_layout);
+  EXPECT_EQ(read.range_cap, written.range_cap);
+  EXPECT_EQ(read.angle_span, written.angle_span);
+  EXPECT_EQ(read.position_cell, written.position_cell);
+}
+
+TEST(EncoderParameters, NameWhatIsWrongInTheMetadata) {
+  std::map<std::string, std::string> good;
+  writeMetadata({}, &good);
+  const auto refusal = [&good](const std::string& key, const std::string& value) -> std::string {
+    std::map<std::string, std::string> metadata = good;
+    metadata[key] = value;
+    try {
+      readEncoderParameters(metadata);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal("range_cap", "6.0 "), "") << "the good metadata with a blank";
+  EXPECT_NE(refusal("range_cap", "six").find("range_cap 'six'"), std::string::npos);
+  EXPECT_NE(refusal("range_cap", "-1").find("range_cap is -1"), std::string::npos);
+  EXPECT_NE(refusal("distance_scale", "nan"), "");
+  EXPECT_NE(refusal("sector_count", "24").find("expected 8"), std::string::npos);
+  EXPECT_NE(refusal("input_layout", "sector_8").find("sector_8"), std::string::npos);
+  EXPECT_NE(refusal("input_layout", "heading,heading").find("twice"), std::string::npos);
+  EXPECT_NE(refusal("input_layout", ""), "");
+  EXPECT_NE(refusal("angle_span", "6.28"), "");
+  good.erase("angle_scale");
+  EXPECT_NE(refusal("range_cap", "6").find("lacks 'angle_scale'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lstm_planner

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "lstm_planner/perception/laser_scan.hpp"
+#include "unit/perception/scan_builder.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+TEST(IsMeasuredRange, RefusesEveryFormOfNoReturn) {
+  LaserScan scan = makeHokuyoScan();
+  for (const float range : {kInf, -kInf, kNan, 0.0f, -1.0f, 0.022f, 60.1f, 65.53f, 65.535f}) {
+    EXPECT_FALSE(isMeasuredRange(range, scan)) << range;
+  }
+  scan.range_max = 80.0;
+  EXPECT_FALSE(isMeasuredRange(82.0f, scan)) << "old logs write a value above range_max";
+  EXPECT_FALSE(isMeasuredRange(65.53f, scan)) << "a counter at its end, although it is below range_max";
+  EXPECT_TRUE(isMeasuredRange(65.0f, scan));
+  scan.range_min = 0.0;
+  EXPECT_FALSE(isMeasuredRange(0.0f, scan)) << "0 is no return even where range_min allows it";
+}
+
+TEST(IsMeasuredRange, CountsTheLimitsAsMeasured) {
+  LaserScan scan = makeHokuyoScan();
+  scan.range_max = 5.6;  // 5.6f is below 5.6, 0.023f above 0.023 or the other way round: neither may matter
+  EXPECT_TRUE(isMeasuredRange(0.023f, scan));
+  EXPECT_TRUE(isMeasuredRange(5.6f, scan));
+}
+
+TEST(ToPoints, AppliesTheWholeMountAndLeavesOutNoReturns) {
+  LaserScan scan = makeScan(-M_PI_2, M_PI_2, 3);
+  scan.ranges = {1.0f, kNan, 3.0f};
+  std::vector<Point2> points(7);
+  toPoints(scan, {{0.1, 0.2, M_PI_2}, false}, {}, &points);
+  ASSERT_EQ(points.size(), 2u);
+  // The beam to the sensor's right looks ahead when the sensor is turned left by 90 degrees.
+  EXPECT_NEAR(points[0].x, 1.1, 1e-12);
+  EXPECT_NEAR(points[0].y, 0.2, 1e-12);
+  EXPECT_NEAR(points[1].x, -2.9, 1e-12);
+  EXPECT_NEAR(points[1].y, 0.2, 1e-12);
+}
+
+TEST(ToPoints, MirrorsAScannerUpsideDown) {
+  const LaserScan scan = makeScan(-M_PI_2, M_PI_2, 1, 1.0f);
+  std::vector<Point2> points;
+  toPoints(scan, {{}, true}, {}, &points);
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_NEAR(points[0].y, 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace lstm_planner
