@@ -25,9 +25,7 @@ const char* kind(const RecurrentLayer&) { return "recurrent"; }
 const char* kind(const DenseLayer&) { return "dense"; }
 const char* kind(const SoftmaxLayer&) { return "softmax"; }
 
-Index weightCount(const LstmLayer& layer) {
-  return layer.input.size() + layer.recurrent.size() + layer.bias.size();
-}
+Index weightCount(const LstmLayer& layer) { return layer.input.size() + layer.recurrent.size() + layer.bias.size(); }
 Index weightCount(const RecurrentLayer& layer) {
   return layer.input.size() + layer.recurrent.size() + layer.bias.size();
 }
@@ -116,8 +114,8 @@ void validateLayers(const LayerStack& layers) {
             throw std::invalid_argument(name + " is the first layer, expected one with weights before it");
           }
           if (index > 0 && inputs != kAnyWidth && inputs != width) {
-            throw std::invalid_argument(name + " takes " + std::to_string(inputs) + " values, but the layer before it gives " +
-                                        std::to_string(width));
+            throw std::invalid_argument(name + " takes " + std::to_string(inputs) +
+                                        " values, but the layer before it gives " + std::to_string(width));
           }
           if (outputWidth(layer) != kAnyWidth) width = outputWidth(layer);
         },

@@ -27,7 +27,9 @@ LayerWidths widths(const RecurrentLayer& layer, Index /*inputs*/) {
   const Index units = layer.recurrent.cols();
   return {units, units, units};
 }
-LayerWidths widths(const DenseLayer& layer, Index /*inputs*/) { return {layer.weights.rows(), 0, layer.weights.rows()}; }
+LayerWidths widths(const DenseLayer& layer, Index /*inputs*/) {
+  return {layer.weights.rows(), 0, layer.weights.rows()};
+}
 LayerWidths widths(const SoftmaxLayer&, Index inputs) { return {inputs, 0, inputs}; }
 
 /// exp(-x) overflows to infinity for very negative x, and 1 / infinity is the correct limit 0.

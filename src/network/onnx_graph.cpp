@@ -60,7 +60,8 @@ void GraphReader::define(const std::string& name, const Value& value) {
 const GraphReader::Value& GraphReader::valueNamed(const std::string& name, const std::string& user) const {
   const auto found = values_.find(name);
   if (found == values_.end()) {
-    throw ModelFileError(user + " takes " + quoted(name) + ", expected a graph input or the result of a node before it");
+    throw ModelFileError(user + " takes " + quoted(name) +
+                         ", expected a graph input or the result of a node before it");
   }
   return found->second;
 }
@@ -68,12 +69,18 @@ const GraphReader::Value& GraphReader::valueNamed(const std::string& name, const
 void GraphReader::readNode(const onnx_subset::NodeProto& proto) {
   using Read = void (GraphReader::*)(Node&);
   static const std::map<std::string, Read> kOperators = {
-      {"Constant", &GraphReader::readConstant},    {"Gemm", &GraphReader::readGemm},
-      {"Identity", &GraphReader::readShapeNode},   {"LSTM", &GraphReader::readLstm},
-      {"RNN", &GraphReader::readRnn},              {"Relu", &GraphReader::readActivation},
-      {"Reshape", &GraphReader::readShapeNode},    {"Sigmoid", &GraphReader::readActivation},
-      {"Softmax", &GraphReader::readSoftmax},      {"Squeeze", &GraphReader::readShapeNode},
-      {"Tanh", &GraphReader::readActivation},      {"Transpose", &GraphReader::readShapeNode},
+      {"Constant", &GraphReader::readConstant},
+      {"Gemm", &GraphReader::readGemm},
+      {"Identity", &GraphReader::readShapeNode},
+      {"LSTM", &GraphReader::readLstm},
+      {"RNN", &GraphReader::readRnn},
+      {"Relu", &GraphReader::readActivation},
+      {"Reshape", &GraphReader::readShapeNode},
+      {"Sigmoid", &GraphReader::readActivation},
+      {"Softmax", &GraphReader::readSoftmax},
+      {"Squeeze", &GraphReader::readShapeNode},
+      {"Tanh", &GraphReader::readActivation},
+      {"Transpose", &GraphReader::readShapeNode},
       {"Unsqueeze", &GraphReader::readShapeNode},
   };
   const auto found = kOperators.find(proto.op_type());
@@ -218,7 +225,8 @@ void GraphReader::requireOutputs() const {
     const Value& value = valueNamed(output.name(), "the graph's output");
     has_preferences = has_preferences || (value.stage == stage_ && !value.is_cell);
   }
-  if (!has_preferences) throw ModelFileError("the last layer's output is not an output of the graph, expected it there");
+  if (!has_preferences)
+    throw ModelFileError("the last layer's output is not an output of the graph, expected it there");
 }
 
 }  // namespace lstm_planner::onnx

@@ -43,7 +43,8 @@ const TensorProto& Node::requiredConstant(int index, const std::string& role) co
 }
 
 void Node::refuseInput(int index, const std::string& role) const {
-  if (!input(index).empty()) throw ModelFileError(name_ + " has " + role + ", which the planner does not know how to run");
+  if (!input(index).empty())
+    throw ModelFileError(name_ + " has " + role + ", which the planner does not know how to run");
 }
 
 const AttributeProto* Node::find(const std::string& name) {

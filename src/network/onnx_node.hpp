@@ -30,8 +30,8 @@ class Node {
   std::string input(int index) const;
   std::string output(int index) const;
 
-  /// The stored tensor at an input; null when that is left out. Throws ModelFileError, naming `role`, when the tensor is
-  /// computed or given at run time.
+  /// The stored tensor at an input; null when that is left out. Throws ModelFileError, naming `role`, when the tensor
+  /// is computed or given at run time.
   const onnx_subset::TensorProto* constant(int index, const std::string& role) const;
   /// The same for an input that must be there.
   const onnx_subset::TensorProto& requiredConstant(int index, const std::string& role) const;

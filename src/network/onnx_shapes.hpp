@@ -6,8 +6,8 @@
 
 namespace lstm_planner::onnx {
 
-/// Throws ModelFileError, naming `what`, unless at most one extent is larger than 1. One step of one robot is a vector at
-/// every place of the graph, and then no operator that only changes the shape can change the order of the values.
+/// Throws ModelFileError, naming `what`, unless at most one extent is larger than 1. One step of one robot is a vector
+/// at every place of the graph, and then no operator that only changes the shape can change the order of the values.
 void requireVector(const Shape& shape, const std::string& what);
 
 /// What Identity, Squeeze, Unsqueeze, Reshape and Transpose make of a vector's shape. Throw ModelFileError when the

@@ -21,8 +21,8 @@ template <typename Value, typename TypedData>
 std::vector<Value> storedValues(const TensorProto& tensor, const TypedData& typed_data, std::int32_t data_type,
                                 const char* type_name) {
   if (tensor.data_type() != data_type) {
-    throw ModelFileError(tensorName(tensor) + " has the data type " + std::to_string(tensor.data_type()) + ", expected " +
-                         std::to_string(data_type) + " (" + type_name + ")");
+    throw ModelFileError(tensorName(tensor) + " has the data type " + std::to_string(tensor.data_type()) +
+                         ", expected " + std::to_string(data_type) + " (" + type_name + ")");
   }
   if (tensor.data_location() == kExternalData) {
     throw ModelFileError(tensorName(tensor) + " has its data in another file, expected them in this one");

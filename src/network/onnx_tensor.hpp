@@ -1,10 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "onnx_subset.pb.h"
 
@@ -26,8 +25,8 @@ std::int64_t elementCount(const Shape& shape, const std::string& what);
 /// Shape of a stored tensor. Throws ModelFileError as elementCount does.
 Shape shapeOf(const onnx_subset::TensorProto& tensor);
 
-/// All values of a float tensor, in row-major order. Throws ModelFileError when it is of another type, its data do not fit
-/// its shape, are stored in another file or not finite.
+/// All values of a float tensor, in row-major order. Throws ModelFileError when it is of another type, its data do not
+/// fit its shape, are stored in another file or not finite.
 std::vector<float> floatValues(const onnx_subset::TensorProto& tensor);
 
 /// All values of an int64 tensor (axes, a target shape); the same rules.

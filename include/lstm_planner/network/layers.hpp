@@ -1,10 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <variant>
 #include <vector>
-
-#include <Eigen/Core>
 
 namespace lstm_planner {
 
@@ -54,12 +53,12 @@ using Layer = std::variant<LstmLayer, RecurrentLayer, DenseLayer, SoftmaxLayer>;
 /// Layers in the order in which they are evaluated.
 using LayerStack = std::vector<Layer>;
 
-/// Number of learnable weights as the thesis counts them (Eq. 3.17-3.22): a bias is a weight on the constant input 1, and
-/// an LSTM's gate has one bias a cell. 11 -> LSTM 8 -> LSTM 8 -> FC 8 has 640 + 544 + 72 = 1,256.
+/// Number of learnable weights as the thesis counts them (Eq. 3.17-3.22): a bias is a weight on the constant input 1,
+/// and an LSTM's gate has one bias a cell. 11 -> LSTM 8 -> LSTM 8 -> FC 8 has 640 + 544 + 72 = 1,256.
 std::size_t countWeights(const LayerStack& layers);
 
-/// Width of the vector that goes in and comes out. Throws std::invalid_argument when no layer says so (an empty stack, a
-/// softmax alone).
+/// Width of the vector that goes in and comes out. Throws std::invalid_argument when no layer says so (an empty stack,
+/// a softmax alone).
 int inputSize(const LayerStack& layers);
 int outputSize(const LayerStack& layers);
 

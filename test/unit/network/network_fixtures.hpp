@@ -8,8 +8,8 @@
 
 namespace lstm_planner::test {
 
-/// Makes layers with seeded weights, uniform within 1 / sqrt(inputs) as trainers start them: such recurrent layers forget,
-/// so that rounding errors do not grow from step to step.
+/// Makes layers with seeded weights, uniform within 1 / sqrt(inputs) as trainers start them: such recurrent layers
+/// forget, so that rounding errors do not grow from step to step.
 class LayerMaker {
  public:
   explicit LayerMaker(unsigned seed) : random_(seed) {}
@@ -40,7 +40,8 @@ class LayerMaker {
   std::mt19937 random_;
 };
 
-/// The same equations once more, written from the thesis in double precision and plain loops, sharing no code with Network.
+/// The same equations once more, written from the thesis in double precision and plain loops, sharing no code with
+/// Network.
 class ReferenceNetwork {
  public:
   explicit ReferenceNetwork(LayerStack layers);
@@ -57,7 +58,8 @@ class ReferenceNetwork {
   std::vector<State> states_;
 };
 
-/// Largest absolute difference of two vectors of the same size; infinity when the sizes differ or a value is not finite.
+/// Largest absolute difference of two vectors of the same size; infinity when the sizes differ or a value is not
+/// finite.
 double largestDifference(const Eigen::VectorXf& values, const std::vector<double>& reference);
 
 }  // namespace lstm_planner::test

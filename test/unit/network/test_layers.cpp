@@ -1,8 +1,8 @@
+#include <gtest/gtest.h>
+
 #include <limits>
 #include <stdexcept>
 #include <string>
-
-#include <gtest/gtest.h>
 
 #include "lstm_planner/network/layers.hpp"
 #include "unit/network/network_fixtures.hpp"
@@ -30,9 +30,12 @@ TEST(Layers, ThesisLstmHas1256Weights) {
 
 TEST(Layers, ThesisPerceptronHas13768Weights) {
   LayerMaker make(1);
-  const LayerStack perceptron = {make.dense(11, 64, Activation::kRelu), make.dense(64, 64, Activation::kRelu),
-                                 make.dense(64, 64, Activation::kRelu), make.dense(64, 64, Activation::kRelu),
-                                 make.dense(64, 8), SoftmaxLayer{}};
+  const LayerStack perceptron = {make.dense(11, 64, Activation::kRelu),
+                                 make.dense(64, 64, Activation::kRelu),
+                                 make.dense(64, 64, Activation::kRelu),
+                                 make.dense(64, 64, Activation::kRelu),
+                                 make.dense(64, 8),
+                                 SoftmaxLayer{}};
   EXPECT_EQ(countWeights(perceptron), 13768u);  // Eq. 3.17 and the sum below it
 }
 
@@ -70,7 +73,8 @@ TEST(Layers, LayersThatDoNotFitTogetherAreNamed) {
 
 TEST(Layers, WidthPassesThroughASoftmax) {
   LayerMaker make(1);
-  EXPECT_TRUE(contains(refusal({make.dense(4, 8), SoftmaxLayer{}, make.dense(4, 2)}), "layer 3 (dense) takes 4 values"));
+  EXPECT_TRUE(
+      contains(refusal({make.dense(4, 8), SoftmaxLayer{}, make.dense(4, 2)}), "layer 3 (dense) takes 4 values"));
 }
 
 TEST(Layers, NothingAndASoftmaxAloneAreRefused) {

@@ -1,9 +1,9 @@
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-
-#include <gtest/gtest.h>
 
 #include "lstm_planner/network/network.hpp"
 #include "unit/network/network_fixtures.hpp"
@@ -50,10 +50,10 @@ TEST(Network, ThesisNetEqualsReference) { expectEqualToReference(LayerMaker(9).t
 
 TEST(Network, DeepInDeepOutStackEqualsReference) {
   LayerMaker make(11);
-  expectEqualToReference({make.dense(11, 6, Activation::kRelu), make.lstm(6, 8), make.recurrent(8, 5),
-                          make.lstm(5, 7, Activation::kSigmoid), make.dense(7, 9, Activation::kTanh), make.dense(9, 8),
-                          SoftmaxLayer{}},
-                         12);
+  expectEqualToReference(
+      {make.dense(11, 6, Activation::kRelu), make.lstm(6, 8), make.recurrent(8, 5),
+       make.lstm(5, 7, Activation::kSigmoid), make.dense(7, 9, Activation::kTanh), make.dense(9, 8), SoftmaxLayer{}},
+      12);
 }
 
 TEST(Network, OneCellOnOneInputEqualsReference) {

@@ -1,13 +1,13 @@
+#include <gtest/gtest.h>
+
 #include <atomic>
 #include <cstddef>
-
-#include <gtest/gtest.h>
 
 #include "lstm_planner/network/network.hpp"
 #include "unit/network/network_fixtures.hpp"
 
-// Eigen takes its memory from malloc rather than operator new, so malloc is what must be counted. A sanitizer brings its
-// own malloc, which must not be replaced.
+// Eigen takes its memory from malloc rather than operator new, so malloc is what must be counted. A sanitizer brings
+// its own malloc, which must not be replaced.
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define LSTM_PLANNER_COUNTS_ALLOCATIONS
 

@@ -1,17 +1,17 @@
+#include <gtest/gtest.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
 #include "lstm_planner/network/network.hpp"
 
-// The networks of the thesis's author: each of the 11 features runs through its own copy of one stacked LSTM on a scalar,
-// all copies sharing their weights, and one dense layer mixes the 11 outputs.
+// The networks of the thesis's author: each of the 11 features runs through its own copy of one stacked LSTM on a
+// scalar, all copies sharing their weights, and one dense layer mixes the 11 outputs.
 
 namespace lstm_planner {
 namespace {
@@ -26,7 +26,8 @@ constexpr int kFeatures = 11;
 
 fs::path goldenFolder() {
   const char* shared = std::getenv("LSTM_PLANNER_SHARED");
-  return (shared != nullptr ? fs::path(shared) : fs::path(LSTM_PLANNER_SOURCE_DIR) / ".." / "shared") / "data" / "golden";
+  return (shared != nullptr ? fs::path(shared) : fs::path(LSTM_PLANNER_SOURCE_DIR) / ".." / "shared") / "data" /
+         "golden";
 }
 
 /// Rows of numbers; words (headers, the names in the first column) become 0.
@@ -106,7 +107,8 @@ class GoldenNetwork : public testing::TestWithParam<std::string> {
         for (Index cell = 0; cell < cells; ++cell) {
           const double golden = row.at(2 + cell);
           // Cell states count up over the run, so their rounding is relative to their size.
-          EXPECT_NEAR(features_[feature].hiddenState()(block * cells + cell), golden, 1e-4 * std::max(1.0, std::abs(golden)));
+          EXPECT_NEAR(features_[feature].hiddenState()(block * cells + cell), golden,
+                      1e-4 * std::max(1.0, std::abs(golden)));
         }
       }
     }

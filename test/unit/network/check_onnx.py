@@ -1,0 +1,139 @@
+#!/usr/bin/python3
+"""Reads a model file without any code of ours: onnx's checker, shape inference, and an evaluation of the written steps.
+
+usage: check_onnx.py MODEL STEPS
+STEPS is a JSON file: {"inputs": [[...], ...], "outputs": [[...], ...]}, one entry a step, state carried from step to step.
+Exit status: 0 when all is well, 77 when the onnx module is not installed, anything else when the model is not.
+"""
+
+import json
+import sys
+
+TOLERANCE = 1e-5
+SKIPPED = 77
+
+ACTIVATIONS = {}
+
+
+def sigmoid(values):
+    return 1.0 / (1.0 + numpy.exp(-values))
+
+
+def recurrent_sums(inputs):
+    """Weighted sums of all gates, for one step and batch 1 (ONNX operators LSTM and RNN)."""
+    data, weights, recurrent, biases, _, hidden = inputs[:6]
+    rows = weights.shape[1]
+    return weights[0] @ data[0, 0] + recurrent[0] @ hidden[0, 0] + biases[0, :rows] + biases[0, rows:]
+
+
+def run_lstm(inputs, attributes):
+    names = attributes.get("activations", [b"Sigmoid", b"Tanh", b"Tanh"])
+    gate, candidate, output = (ACTIVATIONS[name.decode()] for name in names)
+    i, o, f, c = numpy.split(recurrent_sums(inputs), 4)
+    cell = gate(f) * inputs[6][0, 0] + gate(i) * candidate(c)
+    hidden = gate(o) * output(cell)
+    return [hidden.reshape(1, 1, 1, -1), hidden.reshape(1, 1, -1), cell.reshape(1, 1, -1)]
+
+
+def run_rnn(inputs, _attributes):
+    hidden = numpy.tanh(recurrent_sums(inputs))
+    return [hidden.reshape(1, 1, 1, -1), hidden.reshape(1, 1, -1)]
+
+
+def run_node(node, inputs):
+    attributes = {attribute.name: onnx.helper.get_attribute_value(attribute) for attribute in node.attribute}
+    if node.op_type == "LSTM":
+        return run_lstm(inputs, attributes)
+    if node.op_type == "RNN":
+        return run_rnn(inputs, attributes)
+    if node.op_type == "Gemm":
+        return [inputs[0] @ (inputs[1].T if attributes.get("transB") else inputs[1]) + inputs[2]]
+    if node.op_type == "Softmax":
+        powers = numpy.exp(inputs[0] - inputs[0].max())
+        return [powers / powers.sum(axis=attributes["axis"], keepdims=True)]
+    if node.op_type == "Squeeze":
+        return [numpy.squeeze(inputs[0], axis=tuple(inputs[1]))]
+    if node.op_type == "Unsqueeze":
+        return [numpy.expand_dims(inputs[0], axis=tuple(inputs[1]))]
+    return [ACTIVATIONS[node.op_type](inputs[0])]
+
+
+def run_graph(graph, feeds):
+    """All outputs of the graph, in double precision."""
+    values = {"": None, **feeds}
+    for tensor in graph.initializer:
+        array = onnx.numpy_helper.to_array(tensor)
+        values[tensor.name] = array.astype(float) if array.dtype == numpy.float32 else array
+    for node in graph.node:
+        results = run_node(node, [values[name] for name in node.input])
+        values.update({name: result for name, result in zip(node.output, results) if name})
+    return [values[output.name] for output in graph.output]
+
+
+def runs_custom_activations(graph):
+    return any(attribute.name == "activations" for node in graph.node for attribute in node.attribute)
+
+
+def evaluators(model):
+    """(name, type of the numbers, function from feeds to outputs) of each evaluation at hand."""
+    yield "numpy", numpy.float64, lambda feeds: run_graph(model.graph, feeds)
+    try:
+        from onnx.reference import ReferenceEvaluator
+    except ImportError:
+        print("SKIPPED: this onnx has no reference evaluation")
+        return
+    if runs_custom_activations(model.graph):
+        print("SKIPPED: onnx's reference evaluation knows the default activations only")
+        return
+    evaluator = ReferenceEvaluator(model)
+    yield "onnx.reference", numpy.float32, lambda feeds: evaluator.run(None, feeds)
+
+
+def largest_difference(graph, steps, number, run):
+    sizes = {value.name: [extent.dim_value for extent in value.type.tensor_type.shape.dim] for value in graph.input}
+    state_names = [value.name for value in graph.input][1:]
+    states = {name: numpy.zeros(sizes[name], number) for name in state_names}
+    largest = 0.0
+    for values, expected in zip(steps["inputs"], steps["outputs"]):
+        observation = graph.input[0].name
+        feeds = {observation: numpy.array(values, number).reshape(sizes[observation]), **states}
+        preferences, *next_states = run(feeds)
+        states = dict(zip(state_names, next_states))
+        largest = max(largest, float(numpy.abs(preferences[0] - numpy.array(expected)).max()))
+    return largest
+
+
+def main():
+    model = onnx.load(sys.argv[1])
+    onnx.checker.check_model(model, full_check=True)
+    inferred = onnx.shape_inference.infer_shapes(model, strict_mode=True)
+    print("checked:", ", ".join(node.op_type for node in inferred.graph.node))
+    print("metadata:", json.dumps({entry.key: entry.value for entry in model.metadata_props}))
+    with open(sys.argv[2], encoding="utf-8") as file:
+        steps = json.load(file)
+    status = 0
+    for name, number, run in evaluators(model):
+        difference = largest_difference(model.graph, steps, number, run)
+        print(f"{name}: {len(steps['inputs'])} steps differ by at most {difference:.2g}")
+        # Written so that NaN fails, too.
+        if not difference < TOLERANCE:
+            status = 1
+    return status
+
+
+if __name__ == "__main__":
+    try:
+        import numpy
+        import onnx
+        import onnx.checker
+        import onnx.numpy_helper
+        import onnx.shape_inference
+    except ImportError as error:
+        print(f"SKIPPED: {error}")
+        sys.exit(SKIPPED)
+    ACTIVATIONS = {
+        "Relu": lambda values: numpy.maximum(values, 0.0),
+        "Sigmoid": sigmoid,
+        "Tanh": numpy.tanh,
+    }
+    sys.exit(main())
