@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/network/layers.hpp"
+
+namespace lstm_planner {
+
+/// Distribution of the weights before training; biases start at 0.
+enum class WeightDistribution {
+  kXavier,   ///< uniform in +-sqrt(6 / (fan in + fan out)), gates counted one by one (Glorot and Bengio, AISTATS 2010)
+  kUniform,  ///< uniform in +-range
+};
+
+struct InitialisationParameters {
+  WeightDistribution distribution = WeightDistribution::kXavier;
+  double range = 0.1;  ///< of kUniform, > 0
+  double forget_gate_bias =
+      1.0;  ///< LSTM cells that start open remember over long spans (Jozefowicz et al., ICML 2015)
+};
+
+/// Gives every layer random weights; the same seed gives the same weights on every machine.
+/// Throws std::invalid_argument for a range that is not positive and finite or a bias that is not finite.
+void initialise(const InitialisationParameters& parameters, std::uint64_t seed, LayerStack& layers);
+
+/// Stacked LSTM layers with `cells[i]` cells each and one linear layer with `outputs` outputs, all zero.
+/// Throws std::invalid_argument when a size is not positive.
+LayerStack makeLstmStack(int inputs, const std::vector<int>& cells, int outputs,
+                         Activation candidate = Activation::kTanh);
+
+/// Stacked fully connected layers with `units[i]` units each and one linear layer with `outputs` outputs, all zero: the
+/// memoryless counterpart. Throws as makeLstmStack.
+LayerStack makeDenseStack(int inputs, const std::vector<int>& units, int outputs,
+                          Activation activation = Activation::kTanh);
+
+}  // namespace lstm_planner

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace lstm_planner {
+
+/// Term beta * L(w) that is added to the error so that weights do not grow needlessly (thesis Eq. 3.7). Biases are left
+/// alone, so that decay does not close the forget gates.
+enum class Decay {
+  kNone,
+  kL1,         ///< L = sum |w| (Eq. 3.8); gradient beta * sign(w)
+  kL2Norm,     ///< L = sqrt(sum w^2) (Eq. 3.9); gradient beta * w / L
+  kL2Squared,  ///< L = 1/2 sum w^2 (Eq. 3.10); gradient beta * w, what Caffe calls L2
+};
+
+enum class OptimiserKind {
+  kMomentum,  ///< gradient descent with momentum (thesis Eq. 3.13-3.14)
+  kAdam,      ///< Kingma and Ba, "Adam: A Method for Stochastic Optimization", ICLR 2015, algorithm 1
+};
+
+enum class LearningRateSchedule {
+  kConstant,
+  kCosine,  ///< half a cosine from the learning rate at the first step to 0 after the last
+};
+
+struct OptimiserParameters {
+  OptimiserKind kind = OptimiserKind::kAdam;
+  double learning_rate = 0.005;  ///< alpha, > 0
+  LearningRateSchedule schedule = LearningRateSchedule::kCosine;
+  double momentum = 0.95;      ///< mu, in [0, 1); kMomentum only
+  double adam_beta1 = 0.9;     ///< decay of the mean of gradients, in [0, 1)
+  double adam_beta2 = 0.999;   ///< decay of the mean of squared gradients, in [0, 1)
+  double adam_epsilon = 1e-8;  ///< > 0
+  Decay decay = Decay::kNone;
+  double decay_rate = 1e-5;      ///< beta, >= 0
+  double max_gradient_norm = 1;  ///< gradients of the error (without decay) longer than this are shortened; 0: never
+};
+
+/// Throws std::invalid_argument with one sentence naming the parameter, its value and its range.
+void validate(const OptimiserParameters& parameters);
+
+/// Gradient of decay_rate * L(w), `mask` being 1 for weights and 0 for biases. Thesis Eq. 3.11 and 3.12 print a minus
+/// before this term, no sign(w), and a root too many; what follows from Eq. 3.7 is used here.
+Eigen::VectorXf decayGradient(Decay decay, double decay_rate, const Eigen::VectorXf& parameters,
+                              const Eigen::VectorXf& mask);
+
+/// Shortens the gradient to `max_norm` when it is longer (0: never). Returns its length before.
+double clipToNorm(double max_norm, Eigen::VectorXf& gradient);
+
+/// Learning rate of update `step` in [0, steps).
+double learningRate(const OptimiserParameters& parameters, long step, long steps);
+
+/// Turns gradients into updates of one parameter vector; its velocities or moments start at zero.
+class Optimiser {
+ public:
+  /// `mask` as of weightMask(). Throws std::invalid_argument (validate).
+  Optimiser(const OptimiserParameters& parameters, Eigen::VectorXf mask);
+
+  /// One update. `gradient` is that of the mean error, without decay. Clips, adds the decay, moves `parameters`.
+  /// Momentum: v' = mu v - alpha gradient, w' = w + v' (thesis Eq. 3.14 prints w' for w).
+  void update(Eigen::VectorXf gradient, double learning_rate, Eigen::VectorXf& parameters);
+
+ private:
+  void updateByMomentum(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters);
+  void updateByAdam(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters);
+
+  OptimiserParameters parameters_;
+  Eigen::VectorXf mask_;
+  Eigen::VectorXf velocity_;         ///< kMomentum: v; kAdam: mean of gradients
+  Eigen::VectorXf squared_average_;  ///< kAdam
+  long updates_ = 0;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "lstm_planner/learning/gradient.hpp"
+#include "lstm_planner/learning/optimiser.hpp"
+#include "lstm_planner/learning/sequence.hpp"
+#include "lstm_planner/network/layers.hpp"
+
+namespace lstm_planner {
+
+struct TrainerParameters {
+  int epochs = 20;         ///< passes over the training set, >= 1
+  int batch_size = 128;    ///< sequences an update, >= 1; at least 16 a shard keep the matrix products efficient
+  int shards = 8;          ///< parts of a batch whose gradients are summed in order, >= 1; changes the rounding
+  int threads = 2;         ///< >= 1; more than `shards` are of no use; does not change the result
+  std::uint64_t seed = 1;  ///< of the order of the sequences
+  OptimiserParameters optimiser;
+};
+
+/// Throws std::invalid_argument with one sentence naming the parameter, its value and its range.
+void validate(const TrainerParameters& parameters);
+
+/// One point of the learning curve.
+struct EpochReport {
+  int epoch = 0;               ///< from 1
+  double learning_rate = 0.0;  ///< of its last update
+  LossSum training;            ///< while the weights were moving: each batch before its own update
+  LossSum validation;          ///< after the epoch; empty without a validation set
+  bool best = false;           ///< better on the validation set than all before
+};
+
+struct TrainingResult {
+  LayerStack layers;  ///< of the best epoch
+  int best_epoch = 0;
+  std::vector<EpochReport> curve;
+};
+
+/// Called after each epoch; training ends early when it returns false.
+using EpochCallback = std::function<bool(const EpochReport&)>;
+
+/// Supervised learning by mini-batches, starting from the weights of `layers`.
+///
+/// The epoch with the highest accuracy on the validation set is kept, of equals the one with the lower loss; without a
+/// validation set the last. The same input gives the same weights, bit for bit, for any number of threads.
+/// Throws std::invalid_argument for parameters, layers or sequences that are not valid or when no training step has a
+/// weight; std::runtime_error when the loss stops being finite.
+TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& training,
+                     const std::vector<Sequence>& validation, const TrainerParameters& parameters,
+                     const EpochCallback& callback = {});
+
+/// Loss, accuracy and confusion counts of a stack over sequences. Throws as train().
+LossSum evaluate(const LayerStack& layers, const std::vector<Sequence>& sequences, int threads = 1);
+
+}  // namespace lstm_planner

@@ -1,0 +1,114 @@
+#include "lstm_planner/learning/learning_curve.hpp"
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace lstm_planner {
+namespace {
+
+std::string replaceAll(std::string text, char what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
+    text.replace(at, 1, by);
+  }
+  return text;
+}
+
+std::string quotedForShell(const std::string& text) { return "'" + replaceAll(text, '\'', "'\\''") + "'"; }
+std::string quotedForGnuplot(const std::string& text) { return "'" + replaceAll(text, '\'', "''") + "'"; }
+
+bool hasValidation(const std::vector<EpochReport>& curve) {
+  return !curve.empty() && curve.front().validation.confusion.size() != 0;
+}
+
+int bestEpoch(const std::vector<EpochReport>& curve) {
+  int best = 0;
+  for (const EpochReport& report : curve) {
+    if (report.best) best = report.epoch;
+  }
+  return best;
+}
+
+/// One line, as gnuplot's -e wants it.
+std::string gnuplotScript(const std::string& csv_path, const std::string& png_path,
+                          const std::vector<EpochReport>& curve) {
+  const std::string csv = quotedForGnuplot(csv_path);
+  std::ostringstream script;
+  const auto plot = [&](const char* label, int training_column, const char* scale) {
+    script << "set ylabel '" << label << "'; "
+           << "plot " << csv << " using 1:($" << training_column << scale
+           << ") title 'training' with linespoints pt 7 ps 0.4";
+    if (hasValidation(curve)) {
+      script << ", " << csv << " using 1:($" << training_column + 2 << scale
+             << ") title 'validation' with linespoints pt 7 ps 0.4";
+    }
+    script << "; ";
+  };
+  script << "set terminal pngcairo size 900,800; "
+         << "set output " << quotedForGnuplot(png_path) << "; "
+         << "set datafile separator ','; set key autotitle columnhead; set grid; set xlabel 'epoch'; "
+         << "set xrange [0:" << curve.back().epoch + 1 << "]; "
+         << "set multiplot layout 2,1; ";
+  const int best = bestEpoch(curve);
+  script << "set arrow from " << best << ", graph 0 to " << best << ", graph 1 nohead dt 2 lc 'gray40'; "
+         << "set key right bottom; ";
+  plot("accuracy [%]", 3, "*100");
+  script << "set key right top; ";
+  plot("cross-entropy", 4, "*1");
+  script << "unset multiplot; ";
+  return script.str();
+}
+
+/// Runs a command and returns its exit status; what it prints goes to `output`.
+int runCommand(const std::string& command, std::string& output) {
+  // The script is an argument and the pipe is read: writing into the pipe of a program that is missing would raise
+  // SIGPIPE.
+  std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error(std::string("cannot start a shell: ") + std::strerror(errno));
+  std::array<char, 512> buffer{};
+  while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) output += buffer.data();
+  const int status = ::pclose(pipe);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+void writeLearningCurveCsv(const std::string& csv_path, const std::vector<EpochReport>& curve) {
+  std::ofstream file(csv_path);
+  file.precision(std::numeric_limits<double>::max_digits10);
+  file << "epoch,learning_rate,training_accuracy,training_loss,validation_accuracy,validation_loss,best\n";
+  const bool has_validation = hasValidation(curve);
+  for (const EpochReport& report : curve) {
+    file << report.epoch << ',' << report.learning_rate << ',' << report.training.accuracy() << ','
+         << report.training.meanLoss() << ',';
+    if (has_validation) file << report.validation.accuracy();
+    file << ',';
+    if (has_validation) file << report.validation.meanLoss();
+    file << ',' << (report.best ? 1 : 0) << '\n';
+  }
+  file.close();
+  if (!file) throw std::runtime_error("learning curve '" + csv_path + "' cannot be written: " + std::strerror(errno));
+}
+
+void writeLearningCurve(const std::string& csv_path, const std::string& png_path,
+                        const std::vector<EpochReport>& curve) {
+  writeLearningCurveCsv(csv_path, curve);
+  if (curve.empty()) throw std::runtime_error("learning curve '" + png_path + "' has no epochs, expected at least one");
+  std::string output;
+  const int status = runCommand("gnuplot -e " + quotedForShell(gnuplotScript(csv_path, png_path, curve)), output);
+  constexpr int kCommandNotFound = 127;
+  if (status == kCommandNotFound) {
+    throw std::runtime_error("learning curve '" + png_path +
+                             "' needs gnuplot, which is not installed; the numbers are in '" + csv_path + "'");
+  }
+  if (status != 0) throw std::runtime_error("gnuplot cannot draw learning curve '" + png_path + "': " + output);
+}
+
+}  // namespace lstm_planner

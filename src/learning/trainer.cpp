@@ -1,0 +1,214 @@
+#include "lstm_planner/learning/trainer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "lstm_planner/learning/parameter_vector.hpp"
+#include "lstm_planner/simulation/random.hpp"
+#include "parallel_for.hpp"
+
+namespace lstm_planner {
+namespace {
+
+using Batch = std::vector<const Sequence*>;
+
+/// Loss and gradient of a batch, computed shard by shard and summed in the shards' order: the sum does not depend on
+/// which thread did which shard.
+class ShardedGradient {
+ public:
+  ShardedGradient(const LayerStack& layers, int shards, int threads)
+      : shards_(static_cast<std::size_t>(shards)), threads_(std::min(shards, threads)) {
+    for (int thread = 0; thread < threads_; ++thread) workers_.emplace_back(layers);
+  }
+
+  LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch) { return evaluate(parameters, batch, nullptr); }
+
+  LossSum lossAndGradient(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf& gradient) {
+    return evaluate(parameters, batch, &gradient);
+  }
+
+ private:
+  struct Shard {
+    Batch batch;
+    LossSum loss;
+    Eigen::VectorXf gradient;
+  };
+
+  LossSum evaluate(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient) {
+    deal(batch);
+    parallelFor(static_cast<int>(shards_.size()), threads_, [&](int index, int thread) {
+      Shard& shard = shards_[static_cast<std::size_t>(index)];
+      auto& worker = workers_[static_cast<std::size_t>(thread)];
+      shard.loss = gradient != nullptr ? worker.lossAndGradient(parameters, shard.batch, shard.gradient)
+                                       : worker.loss(parameters, shard.batch);
+    });
+    LossSum sum;
+    if (gradient != nullptr) gradient->setZero(parameters.size());
+    for (const Shard& shard : shards_) {
+      sum += shard.loss;
+      if (gradient != nullptr) *gradient += shard.gradient;
+    }
+    return sum;
+  }
+
+  /// Like cards, the longest sequences first, so that all shards have about as much to do.
+  void deal(Batch batch) {
+    std::stable_sort(batch.begin(), batch.end(),
+                     [](const Sequence* a, const Sequence* b) { return a->steps() > b->steps(); });
+    for (Shard& shard : shards_) shard.batch.clear();
+    for (std::size_t index = 0; index < batch.size(); ++index) {
+      shards_[index % shards_.size()].batch.push_back(batch[index]);
+    }
+  }
+
+  std::vector<Shard> shards_;
+  int threads_;
+  std::vector<SequenceGradient<float>> workers_;
+};
+
+void requireAtLeastOne(const char* name, int value) {
+  if (value >= 1) return;
+  throw std::invalid_argument(std::string("trainer parameter ") + name + " is " + std::to_string(value) +
+                              ", expected at least 1");
+}
+
+Batch pointersTo(const std::vector<Sequence>& sequences) {
+  Batch pointers;
+  for (const Sequence& sequence : sequences) pointers.push_back(&sequence);
+  return pointers;
+}
+
+/// Batches of at most `size` sequences, as equal as can be: a small rest would make a noisy update.
+std::vector<Batch> cut(const Batch& sequences, int size) {
+  const std::size_t count = (sequences.size() + static_cast<std::size_t>(size) - 1) / static_cast<std::size_t>(size);
+  std::vector<Batch> batches(count);
+  for (std::size_t index = 0; index < sequences.size(); ++index) {
+    batches[index * count / sequences.size()].push_back(sequences[index]);
+  }
+  return batches;
+}
+
+LossSum sumOfLosses(const Eigen::VectorXf& parameters, const std::vector<Batch>& batches, ShardedGradient& gradient) {
+  LossSum sum;
+  for (const Batch& batch : batches) sum += gradient.loss(parameters, batch);
+  return sum;
+}
+
+bool isBetter(const LossSum& candidate, const LossSum& best) {
+  if (candidate.accuracy() != best.accuracy()) return candidate.accuracy() > best.accuracy();
+  return candidate.meanLoss() < best.meanLoss();
+}
+
+void requireFinite(const LossSum& sum, const char* name, int epoch) {
+  if (std::isfinite(sum.loss)) return;
+  throw std::runtime_error(std::string("training diverged: the ") + name + " loss of epoch " + std::to_string(epoch) +
+                           " is not finite; a lower learning rate or gradient norm helps");
+}
+
+bool hasWeight(const std::vector<Sequence>& sequences) {
+  return std::any_of(sequences.begin(), sequences.end(),
+                     [](const Sequence& sequence) { return (sequence.weights.array() > 0.0f).any(); });
+}
+
+/// State of one training run.
+class Trainer {
+ public:
+  Trainer(const LayerStack& layers, const std::vector<Sequence>& training, const std::vector<Sequence>& validation,
+          const TrainerParameters& parameters)
+      : parameters_(parameters),
+        gradient_(layers, parameters.shards, parameters.threads),
+        optimiser_(parameters.optimiser, weightMask(layers)),
+        order_(pointersTo(training)),
+        validation_(cut(pointersTo(validation), parameters.batch_size)),
+        random_(parameters.seed),
+        weights_(parameterVector(layers)) {}
+
+  TrainingResult run(const LayerStack& layers, const EpochCallback& callback) {
+    TrainingResult result;
+    Eigen::VectorXf best_weights;
+    LossSum best_validation;
+    for (int epoch = 1; epoch <= parameters_.epochs; ++epoch) {
+      EpochReport report = runEpoch(epoch);
+      report.best = result.best_epoch == 0 || validation_.empty() || isBetter(report.validation, best_validation);
+      if (report.best) {
+        best_weights = weights_;
+        best_validation = report.validation;
+        result.best_epoch = epoch;
+      }
+      result.curve.push_back(std::move(report));
+      if (callback && !callback(result.curve.back())) break;
+    }
+    result.layers = layers;
+    setParameterVector(best_weights, result.layers);
+    return result;
+  }
+
+ private:
+  EpochReport runEpoch(int epoch) {
+    shuffle(&order_, random_);
+    const std::vector<Batch> batches = cut(order_, parameters_.batch_size);
+    const long updates = static_cast<long>(batches.size()) * parameters_.epochs;
+    EpochReport report;
+    report.epoch = epoch;
+    for (const Batch& batch : batches) {
+      const LossSum sum = gradient_.lossAndGradient(weights_, batch, mean_gradient_);
+      requireFinite(sum, "training", epoch);
+      report.learning_rate = learningRate(parameters_.optimiser, update_++, updates);
+      report.training += sum;
+      if (sum.weight <= 0.0) continue;
+      mean_gradient_ *= static_cast<float>(1.0 / sum.weight);
+      optimiser_.update(mean_gradient_, report.learning_rate, weights_);
+    }
+    report.validation = sumOfLosses(weights_, validation_, gradient_);
+    requireFinite(report.validation, "validation", epoch);
+    return report;
+  }
+
+  const TrainerParameters& parameters_;
+  ShardedGradient gradient_;
+  Optimiser optimiser_;
+  Batch order_;
+  std::vector<Batch> validation_;
+  Random random_;
+  Eigen::VectorXf weights_;
+  Eigen::VectorXf mean_gradient_;
+  long update_ = 0;
+};
+
+}  // namespace
+
+void validate(const TrainerParameters& parameters) {
+  requireAtLeastOne("epochs", parameters.epochs);
+  requireAtLeastOne("batch_size", parameters.batch_size);
+  requireAtLeastOne("shards", parameters.shards);
+  requireAtLeastOne("threads", parameters.threads);
+  validate(parameters.optimiser);
+}
+
+TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& training,
+                     const std::vector<Sequence>& validation, const TrainerParameters& parameters,
+                     const EpochCallback& callback) {
+  validate(parameters);
+  validateLayers(layers);
+  validateSequences(training, inputSize(layers), outputSize(layers), "training");
+  validateSequences(validation, inputSize(layers), outputSize(layers), "validation");
+  if (!hasWeight(training)) {
+    throw std::invalid_argument("training set of " + std::to_string(training.size()) +
+                                " sequences has no step with a weight above 0, expected at least one");
+  }
+  return Trainer(layers, training, validation, parameters).run(layers, callback);
+}
+
+LossSum evaluate(const LayerStack& layers, const std::vector<Sequence>& sequences, int threads) {
+  requireAtLeastOne("threads", threads);
+  validateLayers(layers);
+  validateSequences(sequences, inputSize(layers), outputSize(layers), "evaluation");
+  const TrainerParameters defaults;
+  ShardedGradient gradient(layers, defaults.shards, threads);
+  return sumOfLosses(parameterVector(layers), cut(pointersTo(sequences), defaults.batch_size), gradient);
+}
+
+}  // namespace lstm_planner

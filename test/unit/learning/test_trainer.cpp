@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "lstm_planner/learning/initialisation.hpp"
+#include "lstm_planner/learning/parameter_vector.hpp"
+#include "lstm_planner/learning/trainer.hpp"
+#include "toy_tasks.hpp"
+
+namespace lstm_planner {
+namespace {
+
+LayerStack startingLayers() {
+  LayerStack layers = makeLstmStack(1, {6, 5}, 2);
+  initialise({}, 3, layers);
+  return layers;
+}
+
+/// Lengths differ, so that shards get different work and threads finish in any order.
+std::vector<Sequence> raggedParitySequences() {
+  std::vector<Sequence> sequences;
+  for (int steps = 3; steps < 30; ++steps) {
+    for (const Sequence& sequence : paritySequences(5, steps, static_cast<std::uint64_t>(steps))) {
+      sequences.push_back(sequence);
+    }
+  }
+  return sequences;
+}
+
+Eigen::VectorXf weightsAfterTraining(int threads, std::uint64_t seed) {
+  TrainerParameters parameters;
+  parameters.epochs = 3;
+  parameters.batch_size = 40;
+  parameters.threads = threads;
+  parameters.seed = seed;
+  return parameterVector(train(startingLayers(), raggedParitySequences(), {}, parameters).layers);
+}
+
+TEST(Trainer, WeightsAreTheSameBitForBitForAnyNumberOfThreads) {
+  const Eigen::VectorXf one = weightsAfterTraining(1, 1);
+  EXPECT_EQ(weightsAfterTraining(1, 1), one);
+  EXPECT_EQ(weightsAfterTraining(2, 1), one);
+  EXPECT_EQ(weightsAfterTraining(5, 1), one);
+  EXPECT_EQ(weightsAfterTraining(20, 1), one);
+  EXPECT_NE(weightsAfterTraining(1, 2), one);  // the order of the sequences matters, so the seed does
+}
+
+TEST(Trainer, LearnsATinySetByHeart) {
+  Random random(4);
+  std::vector<Sequence> sequences;
+  for (int index = 0; index < 4; ++index) {
+    Sequence sequence{Eigen::MatrixXf(1, 6), Eigen::VectorXi(6), Eigen::VectorXf::Ones(6)};
+    for (int step = 0; step < 6; ++step) {
+      sequence.inputs(0, step) = static_cast<float>(normal(random));
+      sequence.labels[step] = static_cast<int>(uniformIndex(random, 2));
+    }
+    sequences.push_back(sequence);
+  }
+  TrainerParameters parameters;
+  parameters.epochs = 400;
+  parameters.optimiser.learning_rate = 0.03;
+  const LossSum sum = evaluate(train(startingLayers(), sequences, {}, parameters).layers, sequences);
+  EXPECT_EQ(sum.accuracy(), 1.0);
+  EXPECT_LT(sum.meanLoss(), 0.05);
+}
+
+TEST(Trainer, MomentumLearnsToo) {
+  TrainerParameters parameters;
+  parameters.epochs = 60;
+  parameters.optimiser.kind = OptimiserKind::kMomentum;
+  parameters.optimiser.learning_rate = 0.1;  // thesis table 3.2: 0.1, 0.95, L1 with 1e-5
+  parameters.optimiser.decay = Decay::kL1;
+  const auto sequences = recallSequences(256, 2, 1);
+  LayerStack layers = makeLstmStack(3, {8}, 2);
+  initialise({}, 1, layers);
+  EXPECT_GT(evaluate(train(layers, sequences, {}, parameters).layers, sequences).accuracy(), 0.99);
+}
+
+TEST(Trainer, KeepsTheBestEpochOnTheValidationSet) {
+  TrainerParameters parameters;
+  parameters.epochs = 12;
+  parameters.optimiser.learning_rate = 0.3;  // restless on purpose: the last epoch should not be the best by design
+  parameters.optimiser.schedule = LearningRateSchedule::kConstant;
+  const auto validation = paritySequences(40, 8, 12);
+  const TrainingResult result = train(startingLayers(), paritySequences(40, 8, 11), validation, parameters);
+  ASSERT_EQ(result.curve.size(), 12u);
+  double best = 0.0;
+  for (const EpochReport& report : result.curve) best = std::max(best, report.validation.accuracy());
+  const EpochReport& kept = result.curve[static_cast<std::size_t>(result.best_epoch - 1)];
+  EXPECT_TRUE(kept.best);
+  EXPECT_EQ(kept.validation.accuracy(), best);
+  const LossSum again = evaluate(result.layers, validation);
+  EXPECT_EQ(again.confusion, kept.validation.confusion);
+  EXPECT_NE(result.best_epoch, 12);
+}
+
+TEST(Trainer, ReportsEachEpochAndEndsWhenTold) {
+  TrainerParameters parameters;
+  parameters.epochs = 10;
+  std::vector<int> epochs;
+  const auto training = paritySequences(20, 5, 1);
+  const TrainingResult result = train(startingLayers(), training, {}, parameters, [&epochs](const EpochReport& report) {
+    epochs.push_back(report.epoch);
+    EXPECT_EQ(report.training.confusion.sum(), 20 * 5);
+    return report.epoch < 3;
+  });
+  EXPECT_EQ(epochs, (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(result.curve.size(), 3u);
+  EXPECT_EQ(result.best_epoch, 3);
+}
+
+TEST(Trainer, ConfusionCountsLabelsByRowAndAnswersByColumn) {
+  LayerStack layers = makeDenseStack(1, {}, 3);
+  std::get<DenseLayer>(layers[0]).bias << 0.0f, 1.0f, 0.0f;  // always answers 1
+  Sequence sequence{Eigen::MatrixXf::Zero(1, 5), Eigen::VectorXi(5), Eigen::VectorXf::Ones(5)};
+  sequence.labels << 0, 1, 1, 2, 0;
+  sequence.weights[4] = 0.0f;
+  const LossSum sum = evaluate(layers, {sequence});
+  ConfusionMatrix expected(3, 3);
+  expected << 0, 1, 0, 0, 2, 0, 0, 1, 0;
+  EXPECT_EQ(sum.confusion, expected);
+  EXPECT_DOUBLE_EQ(sum.accuracy(), 0.5);
+  EXPECT_DOUBLE_EQ(sum.weight, 4.0);
+}
+
+TEST(Trainer, SaysWhenTrainingDiverges) {
+  TrainerParameters parameters;
+  parameters.optimiser.kind = OptimiserKind::kMomentum;
+  parameters.optimiser.learning_rate = 1e38;
+  parameters.optimiser.max_gradient_norm = 0.0;
+  EXPECT_THROW(train(startingLayers(), paritySequences(20, 5, 1), {}, parameters), std::runtime_error);
+}
+
+TEST(Trainer, RefusesBadParametersAndSets) {
+  const LayerStack layers = startingLayers();
+  const auto good = paritySequences(4, 5, 1);
+  const auto refused = [&](auto change) {
+    TrainerParameters parameters;
+    change(parameters);
+    EXPECT_THROW(train(layers, good, {}, parameters), std::invalid_argument);
+  };
+  refused([](TrainerParameters& p) { p.epochs = 0; });
+  refused([](TrainerParameters& p) { p.batch_size = 0; });
+  refused([](TrainerParameters& p) { p.shards = 0; });
+  refused([](TrainerParameters& p) { p.threads = -1; });
+  refused([](TrainerParameters& p) { p.optimiser.learning_rate = -1.0; });
+  EXPECT_THROW(train(layers, {}, {}, {}), std::invalid_argument);
+  auto without_weights = good;
+  for (Sequence& sequence : without_weights) sequence.weights.setZero();
+  EXPECT_THROW(train(layers, without_weights, {}, {}), std::invalid_argument);
+  EXPECT_EQ(evaluate(layers, {}).accuracy(), 0.0);
+}
+
+}  // namespace
+}  // namespace lstm_planner
