@@ -40,8 +40,10 @@ required_packages() {
     printf '%s\n' catkin libactionlib-dev libdiagnostic-msgs-dev libgeometry-msgs-dev libmove-base-msgs-dev \
       libnav-msgs-dev librosbag-dev libroscpp-dev librostest-dev libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev \
       libtf2-dev libtf2-geometry-msgs-dev libtf2-ros-dev libvisualization-msgs-dev pluginlib-dev python3-actionlib \
-      python3-catkin python3-move-base-msgs python3-rosbag python3-roslaunch python3-rospy python3-rostest \
-      python3-rostopic python3-tf2-ros ros-environment rosbash rosout rospack-tools
+      python3-catkin python3-diagnostic-msgs python3-geometry-msgs python3-move-base-msgs python3-nav-msgs \
+      python3-rosbag python3-roslaunch python3-rospy python3-rostest python3-rostopic python3-sensor-msgs \
+      python3-std-msgs python3-std-srvs python3-tf2-ros python3-visualization-msgs ros-environment rosbash rosout \
+      rospack-tools
   fi
 }
 
@@ -189,7 +191,9 @@ build_targets() {
     -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "$@" </dev/null 2>&1 | tee "$log" |
     grep --line-buffered -E '^\[ *[0-9]+%\] (Building|Linking)|warning:|error:|\*\*\*|^CMake Error'
   status="${PIPESTATUS[0]}"
-  [ "$status" -eq 0 ] || fail "the build failed; its last lines are above, all of them in $log."
+  [ "$status" -eq 0 ] && return
+  tail -n 15 "$log" >&2
+  fail "the build failed; its last lines are above, all of them in $log."
 }
 
 # All steps; the arguments are make's targets.
