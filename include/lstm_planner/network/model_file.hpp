@@ -22,9 +22,16 @@ class ModelFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads an ONNX file made of the operators LSTM, RNN, Gemm, Relu, Tanh, Sigmoid, Softmax (and the shape operators that
-/// exporters put between them: Squeeze, Unsqueeze, Reshape, Identity). Throws ModelFileError for a file that is
-/// missing, truncated, not ONNX, has an unknown operator, wrong shapes or non-finite weights.
+/// Reads an ONNX file (operator sets 7 to 22) whose graph is one chain of the operators LSTM, RNN, Gemm, Relu, Tanh,
+/// Sigmoid and Softmax, with the operators that exporters put between them (Constant, Identity, Reshape, Squeeze,
+/// Transpose, Unsqueeze).
+///
+/// The graph stands for one step of one robot: batch and sequence are 1 or have no number. Initial states are graph
+/// inputs, zeros or left out; Network carries them in any case. An activation follows a Gemm, and an LSTM's activations
+/// are Sigmoid, Tanh or Sigmoid, Tanh (gates, candidate, output).
+///
+/// Throws ModelFileError for a file that is missing, truncated or not ONNX, and for an unknown operator or attribute,
+/// wrong shapes, weights that are not finite, and networks of more than 256 layers or 2^24 weights.
 Model readModelFile(const std::string& path);
 
 /// Writes an ONNX file (opset 14, one step, batch 1, hidden states as inputs and outputs of the graph) which replaces
