@@ -1,0 +1,36 @@
+#pragma once
+
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Transform.h>
+#include <sensor_msgs/LaserScan.h>
+
+#include <string>
+
+#include "lstm_planner/geometry.hpp"
+#include "lstm_planner/perception/laser_scan.hpp"
+
+namespace lstm_planner {
+
+/// Overwrites `scan`, reusing its memory.
+void fromMessage(const sensor_msgs::LaserScan& message, LaserScan* scan);
+
+/// Position and yaw; the yaw is NaN when the quaternion is zero or not finite.
+Pose2 fromMessage(const geometry_msgs::Pose& message);
+
+/// Planar part of a transform.
+Pose2 fromMessage(const geometry_msgs::Transform& message);
+
+/// With a unit quaternion.
+geometry_msgs::Pose toMessage(const Pose2& pose);
+
+/// How a scanner sits, from the transform of its frame to the base frame. Throws std::invalid_argument when it is tilted
+/// by more than 15 degrees: such a scan does not show the floor plan.
+SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner);
+
+/// A pose given in the frame of `parent`, in the frame that `parent` is given in.
+Pose2 compose(const Pose2& parent, const Pose2& child);
+
+/// Frame without the leading slash that old drivers put there and tf2 refuses.
+std::string frameName(const std::string& frame_id);
+
+}  // namespace lstm_planner

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <std_msgs/Header.h>
+
+#include "lstm_planner/agent/navigation_agent.hpp"
+
+namespace lstm_planner {
+
+/// Publishes each decision and where it came from as diagnostic_msgs/DiagnosticArray on `decision`.
+///
+/// One status, whose message is the decision's source; a warning when the network does not decide although it should
+/// (looking around), an error when there is no way. Values: step, goal_distance (m), goal_bearing (rad), steering_angle
+/// (rad), preferences, allowed.
+class DecisionPublisher {
+ public:
+  explicit DecisionPublisher(ros::NodeHandle node_handle);
+
+  /// `header`: time and odometry frame. Cheap while nobody listens.
+  void publish(const std_msgs::Header& header, const Situation& situation, const Decision& decision, const Pose2& goal);
+
+ private:
+  ros::Publisher publisher_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <costmap_2d/costmap_2d_ros.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <nav_core/base_global_planner.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace lstm_planner {
+
+class PlanMaker;
+
+/// The global planner plugin for move_base: plans from the laser scan, the odometry and a recurrent network, without a
+/// map.
+///
+/// A plan starts at the robot, goes through the waypoint that the network chose for the current step, on through what the
+/// scan shows free, and ends at the goal. Most of it is a guess that is replaced while the robot drives, so move_base's
+/// planner_frequency must be above 0. The costmap is used for the names of its frames only.
+///
+/// Subscribes scan, odom (topics are parameters) and ~current_goal. Publishes, in "~/" + name: plan (nav_msgs/Path),
+/// markers (visualization_msgs/MarkerArray), decision (diagnostic_msgs/DiagnosticArray).
+/// Parameters: GlobalPlannerParameters. Thread safe; nothing is ever thrown out of it.
+class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
+ public:
+  LstmGlobalPlanner();
+  ~LstmGlobalPlanner() override;
+
+  /// On bad parameters or a bad model: logs FATAL with the reason; the planner then refuses every plan.
+  void initialize(std::string name, costmap_2d::Costmap2DROS* costmap_ros) override;
+
+  using nav_core::BaseGlobalPlanner::makePlan;
+  /// False, with a throttled line that says why, when no plan can be given now.
+  bool makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
+                std::vector<geometry_msgs::PoseStamped>& plan) override;
+
+ private:
+  std::mutex mutex_;
+  std::unique_ptr<PlanMaker> plan_maker_;  ///< null until initialised
+};
+
+}  // namespace lstm_planner

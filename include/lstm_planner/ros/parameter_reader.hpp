@@ -1,0 +1,34 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace lstm_planner {
+
+/// Reads the parameters of one namespace into variables that hold their defaults.
+class ParameterReader {
+ public:
+  explicit ParameterReader(const ros::NodeHandle& node_handle) : node_handle_(node_handle) {}
+
+  /// Leaves `value` alone when the parameter is not set. Throws std::invalid_argument naming the parameter and the
+  /// expected type when it is set to something else.
+  void read(const std::string& name, double* value);
+  void read(const std::string& name, int* value);
+  void read(const std::string& name, bool* value);
+  void read(const std::string& name, std::string* value);
+
+  /// Full names of parameters of the namespace that are set but were never read: misspelt ones.
+  std::vector<std::string> unknownParameters() const;
+
+ private:
+  template <typename T>
+  void readAs(const std::string& name, const char* type, T* value);
+
+  ros::NodeHandle node_handle_;
+  std::set<std::string> known_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <tf2_ros/buffer.h>
+
+#include <string>
+#include <vector>
+
+#include "lstm_planner/agent/motion_controller.hpp"
+#include "lstm_planner/agent/shield.hpp"
+#include "lstm_planner/ros/callback_thread.hpp"
+#include "lstm_planner/ros/frame_transformer.hpp"
+#include "lstm_planner/ros/plugin_parameters.hpp"
+#include "lstm_planner/ros/sensor_listener.hpp"
+
+namespace lstm_planner {
+
+/// Follows a plan by scan and odometry: what SteeringController does once it is initialised. Not thread safe.
+class PlanFollower {
+ public:
+  /// `base_frame`: the robot's, where the odometry does not name it. `tf` must outlive the object.
+  PlanFollower(const SteeringControllerParameters& parameters, const std::string& base_frame,
+               const tf2_ros::Buffer& tf);
+
+  /// Throws std::invalid_argument when the poses are not finite or not all in one named frame; the last plan is then
+  /// forgotten.
+  void setPlan(const std::vector<geometry_msgs::PoseStamped>& plan);
+  bool hasPlan() const { return !plan_.empty(); }
+
+  /// The next command. Throws SensorError or FrameError when it is not safe to move. Zero without a plan.
+  Twist2 compute();
+
+  /// Throws as compute().
+  bool goalReached();
+
+ private:
+  void planToOdometry(const std::string& odometry_frame);
+  void look(const SensorReading& reading);
+
+  SteeringControllerParameters parameters_;
+  FrameTransformer frames_;
+  CallbackThread callbacks_;
+  SensorListener sensors_;
+  MotionController controller_;
+  Shield shield_;
+
+  std::string plan_frame_;
+  std::vector<Pose2> plan_;             ///< plan's frame
+  std::vector<Pose2> odometry_plan_;    ///< of the current call
+  LaserScan scan_;                      ///< of the current call
+  std::vector<Point2> obstacles_;       ///< of the current call
+};
+
+}  // namespace lstm_planner

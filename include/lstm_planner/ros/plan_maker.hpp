@@ -1,0 +1,78 @@
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/time.h>
+#include <tf2_ros/buffer.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/agent/goal_tracker.hpp"
+#include "lstm_planner/agent/navigation_agent.hpp"
+#include "lstm_planner/ros/callback_thread.hpp"
+#include "lstm_planner/ros/decision_publisher.hpp"
+#include "lstm_planner/ros/frame_transformer.hpp"
+#include "lstm_planner/ros/goal_listener.hpp"
+#include "lstm_planner/ros/marker_publisher.hpp"
+#include "lstm_planner/ros/plugin_parameters.hpp"
+#include "lstm_planner/ros/sensor_listener.hpp"
+
+namespace lstm_planner {
+
+/// No plan can be given; what() is the reason in one sentence.
+class PlanRefused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Turns sensor readings and a goal into a plan: what LstmGlobalPlanner does once it is initialised. Not thread safe.
+class PlanMaker {
+ public:
+  /// `name`: of the plugin; its topics live in "~/" + name. `global_frame`: the frame of the plans. `base_frame`: the
+  /// robot's, where the odometry does not name it. Throws when the model cannot be used with these parameters.
+  PlanMaker(const std::string& name, const GlobalPlannerParameters& parameters, const std::string& global_frame,
+            const std::string& base_frame);
+
+  /// A plan from the robot to the goal in the global frame, stamped now. Throws PlanRefused, SensorError, FrameError,
+  /// UnusableScan or std::invalid_argument with the reason.
+  std::vector<geometry_msgs::PoseStamped> makePlan(const geometry_msgs::PoseStamped& start,
+                                                   const geometry_msgs::PoseStamped& goal);
+
+ private:
+  void checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const;
+  void look(const SensorReading& reading);
+  Decision decide(const GoalInFrame& goal, const SensorReading& reading, Pose2* goal_in_global_frame);
+  const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
+  void setGoal(const Point2& goal, const SensorReading& reading);
+  std::vector<geometry_msgs::PoseStamped> inGlobalFrame(const Pose2& goal) const;
+  void publish(const SensorReading& reading, const Decision& decision, const Pose2& goal,
+               const std::vector<geometry_msgs::PoseStamped>& plan);
+
+  GlobalPlannerParameters parameters_;
+  std::string global_frame_;
+  NavigationAgent agent_;
+
+  tf2_ros::Buffer tf_;
+  tf2_ros::TransformListener tf_listener_;
+  FrameTransformer frames_;
+  CallbackThread callbacks_;
+  SensorListener sensors_;
+  GoalListener goals_;
+  GoalTracker tracker_;
+  MarkerPublisher markers_;
+  DecisionPublisher decisions_;
+  ros::Publisher plan_publisher_;
+
+  ros::Time now_;                ///< of the current call
+  Pose2 global_from_odometry_;   ///< of the current call
+  LaserScan scan_;               ///< of the current call
+  Situation situation_;          ///< of the current call
+  Shield shield_;                ///< shows the current call's scan
+  std::vector<Pose2> plan_;      ///< of the current call, odometry frame
+  Pose2 driven_goal_;            ///< global frame
+  long jumps_ = 0;               ///< of the odometry, when the agent's goal was set
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "lstm_planner/agent/agent_parameters.hpp"
+#include "lstm_planner/agent/motion_controller.hpp"
+#include "lstm_planner/agent/rollout.hpp"
+
+namespace lstm_planner {
+
+/// Where scan and odometry come from, and when they are not believed.
+struct SensorParameters {
+  std::string scan_topic = "scan";
+  std::string odom_topic = "odom";
+  double timeout = 0.5;    ///< s; an older scan or odometry is not used
+  double max_speed = 1.0;  ///< m/s; odometry that moves faster than this has jumped
+};
+
+/// Parameters of LstmGlobalPlanner, in "~/LstmGlobalPlanner"; config/lstm_planner.yaml explains each.
+struct GlobalPlannerParameters {
+  std::string model = "package://lstm_planner/models/create2_lstm_2x8.onnx";  ///< path, or package://NAME/PATH
+  SensorParameters sensors;
+  AgentParameters agent;
+  RolloutParameters rollout;
+  int trace_length = 2000;  ///< poses of the trace that the markers show
+};
+
+/// Parameters of SteeringController, in "~/SteeringController"; config/steering_controller.yaml explains each.
+struct SteeringControllerParameters {
+  SensorParameters sensors;
+  MotionParameters motion;
+  double footprint_radius = 0.17425;   ///< m
+  double controller_frequency = 10.0;  ///< Hz, how often move_base asks for a command
+};
+
+/// Both read the namespace of `node_handle`, warn of parameters there that are not known, and throw
+/// std::invalid_argument naming the parameter, its value and what was expected.
+GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_handle);
+SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHandle& node_handle);
+
+/// The file behind package://NAME/PATH; any other path as it is. Throws std::invalid_argument for an unknown package.
+std::string resolvePackagePath(const std::string& path);
+
+}  // namespace lstm_planner

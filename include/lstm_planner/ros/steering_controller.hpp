@@ -1,0 +1,45 @@
+#pragma once
+
+#include <costmap_2d/costmap_2d_ros.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <nav_core/base_local_planner.h>
+#include <tf2_ros/buffer.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace lstm_planner {
+
+class PlanFollower;
+
+/// The local planner plugin for move_base: turns and drives along the plan within the Create 2's limits, slows down near
+/// obstacles, and stands still when scan or odometry are too old.
+///
+/// Subscribes scan and odom (topics are parameters). The costmap is used for the name of the robot's frame only.
+/// Parameters: SteeringControllerParameters, in "~/" + name. Thread safe; nothing is ever thrown out of it.
+class SteeringController : public nav_core::BaseLocalPlanner {
+ public:
+  SteeringController();
+  ~SteeringController() override;
+
+  /// On bad parameters: logs FATAL with the reason; the controller then never moves the robot.
+  void initialize(std::string name, tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap_ros) override;
+
+  /// An empty plan stops the robot.
+  bool setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) override;
+
+  /// False, with a zero velocity and a throttled line that says why, when it is not safe to move.
+  bool computeVelocityCommands(geometry_msgs::Twist& cmd_vel) override;
+
+  /// Within the tolerances of the plan's last pose. False while the odometry is too old to tell.
+  bool isGoalReached() override;
+
+ private:
+  std::mutex mutex_;
+  std::unique_ptr<PlanFollower> plan_follower_;  ///< null until initialised
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,79 @@
+#include "lstm_planner/ros/lstm_global_planner.hpp"
+
+#include <pluginlib/class_list_macros.hpp>
+#include <ros/console.h>
+#include <ros/node_handle.h>
+
+#include <exception>
+
+#include "lstm_planner/ros/plan_maker.hpp"
+#include "lstm_planner/ros/plugin_parameters.hpp"
+
+PLUGINLIB_EXPORT_CLASS(lstm_planner::LstmGlobalPlanner, nav_core::BaseGlobalPlanner)
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr double kLogPeriod = 2.0;  // s
+
+void warnOfPlanningOnce() {
+  const double frequency = ros::NodeHandle("~").param("planner_frequency", 0.0);
+  if (frequency <= 0.0) {
+    ROS_WARN("%s/planner_frequency is 0: one plan a goal. This planner sees no farther than its scanner and needs to "
+             "plan again while it drives; set it to 5",
+             ros::this_node::getName().c_str());
+  }
+}
+
+}  // namespace
+
+LstmGlobalPlanner::LstmGlobalPlanner() = default;
+
+// The costmap may be gone by now: nothing below may know it.
+LstmGlobalPlanner::~LstmGlobalPlanner() = default;
+
+void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* costmap_ros) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (plan_maker_) {
+    ROS_WARN("%s is already initialised, the second call is ignored", name.c_str());
+    return;
+  }
+  if (costmap_ros == nullptr) {
+    ROS_FATAL("%s cannot be used: it was initialised without a costmap", name.c_str());
+    return;
+  }
+  try {
+    const GlobalPlannerParameters parameters = loadGlobalPlannerParameters(ros::NodeHandle("~/" + name));
+    warnOfPlanningOnce();
+    plan_maker_ = std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(),
+                                              costmap_ros->getBaseFrameID());
+    ROS_INFO("%s plans in %s with the model %s", name.c_str(), costmap_ros->getGlobalFrameID().c_str(),
+             parameters.model.c_str());
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s cannot be used: %s", name.c_str(), error.what());
+  } catch (...) {
+    ROS_FATAL("%s cannot be used, for an unknown reason", name.c_str());
+  }
+}
+
+bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
+                                 std::vector<geometry_msgs::PoseStamped>& plan) {
+  plan.clear();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  try {
+    if (plan_maker_) {
+      plan = plan_maker_->makePlan(start, goal);
+      return true;
+    }
+    ROS_ERROR_THROTTLE(kLogPeriod, "no plan: the planner is not initialised");
+  } catch (const std::exception& error) {
+    ROS_WARN_THROTTLE(kLogPeriod, "no plan: %s", error.what());
+  } catch (...) {
+    ROS_ERROR_THROTTLE(kLogPeriod, "no plan, for an unknown reason");
+  }
+  plan.clear();
+  return false;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,37 @@
+#include "lstm_planner/ros/parameter_reader.hpp"
+
+#include <stdexcept>
+
+namespace lstm_planner {
+
+template <typename T>
+void ParameterReader::readAs(const std::string& name, const char* type, T* value) {
+  const std::string full_name = node_handle_.resolveName(name);
+  known_.insert(full_name);
+  if (node_handle_.hasParam(name) && !node_handle_.getParam(name, *value)) {
+    throw std::invalid_argument("parameter " + full_name + " is not " + type);
+  }
+}
+
+void ParameterReader::read(const std::string& name, double* value) { readAs(name, "a number", value); }
+
+void ParameterReader::read(const std::string& name, int* value) { readAs(name, "a whole number", value); }
+
+void ParameterReader::read(const std::string& name, bool* value) { readAs(name, "true or false", value); }
+
+void ParameterReader::read(const std::string& name, std::string* value) { readAs(name, "a text", value); }
+
+std::vector<std::string> ParameterReader::unknownParameters() const {
+  std::vector<std::string> names;
+  node_handle_.getParamNames(names);
+  const std::string prefix = node_handle_.getNamespace() + "/";
+  std::vector<std::string> unknown;
+  for (const std::string& name : names) {
+    if (name.compare(0, prefix.size(), prefix) == 0 && known_.count(name) == 0) {
+      unknown.push_back(name);
+    }
+  }
+  return unknown;
+}
+
+}  // namespace lstm_planner

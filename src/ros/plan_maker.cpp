@@ -1,0 +1,154 @@
+#include "lstm_planner/ros/plan_maker.hpp"
+
+#include <nav_msgs/Path.h>
+#include <ros/console.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lstm_planner/ros/conversions.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// How long the driven goal may go without a call before another one can take its place, s.
+double goalPatience() {
+  const double frequency = ros::NodeHandle("~").param("planner_frequency", 0.0);
+  return frequency > 0.0 ? std::max(1.0, 3.0 / frequency) : 5.0;
+}
+
+}  // namespace
+
+PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& parameters,
+                     const std::string& global_frame, const std::string& base_frame)
+    : parameters_(parameters),
+      global_frame_(frameName(global_frame)),
+      agent_(DrivePolicy::fromFile(resolvePackagePath(parameters.model)), parameters.agent),
+      tf_listener_(tf_),
+      frames_(tf_),
+      sensors_(callbacks_.nodeHandle(), parameters.sensors, frameName(base_frame), tf_),
+      goals_(callbacks_.nodeHandle("~")),
+      tracker_(goalPatience()),
+      markers_(ros::NodeHandle("~/" + name), agent_.policy().description(), parameters.trace_length),
+      decisions_(ros::NodeHandle("~/" + name)),
+      plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)),
+      shield_(agent_.shield()) {}
+
+std::vector<geometry_msgs::PoseStamped> PlanMaker::makePlan(const geometry_msgs::PoseStamped& start,
+                                                            const geometry_msgs::PoseStamped& goal_message) {
+  now_ = ros::Time::now();
+  const GoalInFrame goal = goalFromMessage(goal_message);
+  const SensorReading reading = sensors_.read(now_);
+  global_from_odometry_ = frames_.transform(global_frame_, reading.odometry_frame);
+  checkStart(start, compose(global_from_odometry_, reading.newest_pose));
+  look(reading);
+
+  Pose2 goal_in_global_frame =
+      compose(frames_.transform(global_frame_, goal.frame, goal_message.header.stamp), goal.pose);
+  const Decision decision = decide(goal, reading, &goal_in_global_frame);
+  if (decision.source == Decision::Source::kNoWay) {
+    throw PlanRefused("there is no way to the goal: the boundary of what is in the way was followed to its end");
+  }
+  return inGlobalFrame(goal_in_global_frame);
+}
+
+void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const {
+  constexpr double kFarthestStart = 1.0;
+  if (frameName(start.header.frame_id) != global_frame_) {
+    throw PlanRefused("the start is in frame '" + start.header.frame_id + "', expected " + global_frame_);
+  }
+  const double distance = distanceBetween(start.pose.position, robot);
+  if (!(distance <= kFarthestStart)) {
+    throw PlanRefused("the start is " + std::to_string(distance) +
+                      " m from the robot, plans are made only from where it stands");
+  }
+}
+
+void PlanMaker::look(const SensorReading& reading) {
+  fromMessage(*reading.scan, &scan_);
+  checkFits(agent_.policy().description(), parameters_.agent.step.length, parameters_.agent.shield.footprint_radius,
+            scan_.range_max);
+  perceive(scan_, reading.mount, {}, agent_.policy().description().encoder.range_cap, &situation_);
+  situation_.pose = reading.scan_pose;
+  situation_.time = scan_.stamp > 0.0 ? scan_.stamp : now_.toSec();
+  shield_.show(situation_.obstacles);
+}
+
+Decision PlanMaker::decide(const GoalInFrame& goal, const SensorReading& reading, Pose2* goal_in_global_frame) {
+  if (const auto announced = goals_.takeAnnouncement()) {
+    tracker_.announce(*announced);
+  }
+  const GoalTracker::Verdict verdict = tracker_.ask(goal, now_.toSec());
+  if (verdict == GoalTracker::Verdict::kNewGoal) {
+    driven_goal_ = *goal_in_global_frame;
+  } else if (verdict == GoalTracker::Verdict::kDriven) {
+    // A goal given in a frame that moves (the robot's own) stays where it was when it was given.
+    *goal_in_global_frame = driven_goal_;
+  }
+  const Point2 position = toLocalFrame(global_from_odometry_, {goal_in_global_frame->x, goal_in_global_frame->y});
+  const Pose2 odometry_goal{position.x, position.y, goal_in_global_frame->yaw - global_from_odometry_.yaw};
+  const bool driven = verdict != GoalTracker::Verdict::kQuestion;
+  const Decision decision = driven ? drive(odometry_goal, reading, verdict == GoalTracker::Verdict::kNewGoal)
+                                   : agent_.preview(situation_, position);
+  rollOut(situation_, decision, shield_, odometry_goal, parameters_.agent, parameters_.rollout, &plan_);
+  if (driven) {
+    publish(reading, decision, odometry_goal, inGlobalFrame(*goal_in_global_frame));
+  }
+  return decision;
+}
+
+const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading, bool is_new) {
+  constexpr double kGoalShift = 0.25;  // m; more than localisation corrects while the odometry is sound
+  if (is_new) {
+    ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
+    setGoal({goal.x, goal.y}, reading);
+    markers_.clearTrace();
+  } else if (reading.jumps != jumps_) {
+    ROS_WARN("the odometry jumped, the way so far is forgotten; the goal stays");
+    setGoal({goal.x, goal.y}, reading);
+    markers_.clearTrace();
+  } else if (distanceBetween(agent_.goal(), goal) > kGoalShift) {
+    ROS_WARN("the goal moved by %.2f m in the odometry frame, the way so far is forgotten",
+             distanceBetween(agent_.goal(), goal));
+    setGoal({goal.x, goal.y}, reading);
+  }
+  return agent_.update(situation_);
+}
+
+void PlanMaker::setGoal(const Point2& goal, const SensorReading& reading) {
+  agent_.setGoal(goal);
+  jumps_ = reading.jumps;
+}
+
+std::vector<geometry_msgs::PoseStamped> PlanMaker::inGlobalFrame(const Pose2& goal) const {
+  geometry_msgs::PoseStamped stamped;
+  stamped.header.frame_id = global_frame_;
+  stamped.header.stamp = now_;
+  std::vector<geometry_msgs::PoseStamped> plan;
+  plan.reserve(plan_.size());
+  for (const Pose2& pose : plan_) {
+    stamped.pose = toMessage(compose(global_from_odometry_, pose));
+    plan.push_back(stamped);
+  }
+  plan.back().pose = toMessage(goal);  // free of the rounding of there and back again
+  return plan;
+}
+
+void PlanMaker::publish(const SensorReading& reading, const Decision& decision, const Pose2& goal,
+                        const std::vector<geometry_msgs::PoseStamped>& plan) {
+  std_msgs::Header header;
+  header.frame_id = reading.odometry_frame;
+  header.stamp = now_;
+  markers_.publish(header, situation_, decision, goal);
+  decisions_.publish(header, situation_, decision, goal);
+  if (plan_publisher_.getNumSubscribers() > 0) {
+    nav_msgs::Path path;
+    path.header = plan.front().header;
+    path.poses = plan;
+    plan_publisher_.publish(path);
+  }
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,103 @@
+#include "lstm_planner/ros/sensor_listener.hpp"
+
+#include <ros/console.h>
+
+#include <cmath>
+
+#include "lstm_planner/ros/conversions.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// Drivers that do not stamp their messages leave zero there.
+ros::Time stampOr(const ros::Time& stamp, const ros::Time& now) { return stamp.isZero() ? now : stamp; }
+
+}  // namespace
+
+SensorListener::SensorListener(ros::NodeHandle node_handle, const SensorParameters& parameters,
+                               const std::string& base_frame, const tf2_ros::Buffer& tf)
+    : parameters_(parameters), tf_(tf), base_frame_(base_frame), history_(parameters.max_speed) {
+  scan_subscriber_ = node_handle.subscribe(parameters.scan_topic, 1, &SensorListener::onScan, this);
+  odometry_subscriber_ = node_handle.subscribe(parameters.odom_topic, 10, &SensorListener::onOdometry, this);
+}
+
+void SensorListener::onScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  scan_ = scan;
+  scan_stamp_ = stampOr(scan->header.stamp, ros::Time::now());
+}
+
+void SensorListener::onOdometry(const nav_msgs::Odometry::ConstPtr& odometry) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  odometry_stamp_ = stampOr(odometry->header.stamp, ros::Time::now());
+  const geometry_msgs::Twist& twist = odometry->twist.twist;
+  const OdometryHistory::Entry entry{
+      odometry_stamp_.toSec(), fromMessage(odometry->pose.pose), {twist.linear.x, twist.angular.z}};
+  odometry_is_finite_ = isFinite(entry.pose) && std::isfinite(entry.twist.linear) && std::isfinite(entry.twist.angular);
+  odometry_frame_ = frameName(odometry->header.frame_id);
+  if (!odometry->child_frame_id.empty() && frameName(odometry->child_frame_id) != base_frame_) {
+    base_frame_ = frameName(odometry->child_frame_id);
+    mounts_.clear();
+  }
+  if (odometry_is_finite_) {
+    history_.add(entry);
+  }
+}
+
+SensorReading SensorListener::read(const ros::Time& now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!scan_) {
+    throw SensorError("no scan has been received on " + scan_subscriber_.getTopic());
+  }
+  if (odometry_stamp_.isZero()) {
+    throw SensorError("no odometry has been received on " + odometry_subscriber_.getTopic());
+  }
+  checkAge(now, scan_stamp_, scan_subscriber_.getTopic());
+  checkAge(now, odometry_stamp_, odometry_subscriber_.getTopic());
+  if (!odometry_is_finite_ || history_.empty()) {
+    throw SensorError("the odometry on " + odometry_subscriber_.getTopic() +
+                      " has a pose or twist that is not finite, or a zero quaternion");
+  }
+  if (odometry_frame_.empty()) {
+    throw SensorError("the odometry on " + odometry_subscriber_.getTopic() + " names no frame");
+  }
+  SensorReading reading;
+  reading.scan = scan_;
+  reading.mount = mountOf(frameName(scan_->header.frame_id));
+  reading.odometry_frame = odometry_frame_;
+  reading.scan_pose = history_.poseAt(scan_stamp_.toSec());
+  reading.newest_pose = history_.newest().pose;
+  reading.twist = history_.newest().twist;
+  reading.jumps = history_.jumps();
+  return reading;
+}
+
+void SensorListener::checkAge(const ros::Time& now, const ros::Time& stamp, const std::string& topic) const {
+  const double age = (now - stamp).toSec();
+  if (age > parameters_.timeout) {
+    throw SensorError("the newest message on " + topic + " is " + std::to_string(age) + " s old, allowed are " +
+                      std::to_string(parameters_.timeout) + " s");
+  }
+  if (age < -parameters_.timeout) {
+    throw SensorError("the newest message on " + topic + " is stamped " + std::to_string(-age) +
+                      " s in the future: the clocks differ");
+  }
+}
+
+const SensorMount& SensorListener::mountOf(const std::string& frame) {
+  const auto known = mounts_.find(frame);
+  if (known != mounts_.end()) {
+    return known->second;
+  }
+  try {
+    const SensorMount mount = mountFromMessage(tf_.lookupTransform(base_frame_, frame, ros::Time(0)).transform);
+    return mounts_.emplace(frame, mount).first->second;
+  } catch (const tf2::TransformException& error) {
+    throw SensorError("where the scanner sits is not known: " + std::string(error.what()));
+  } catch (const std::invalid_argument& error) {
+    throw SensorError(error.what());
+  }
+}
+
+}  // namespace lstm_planner
