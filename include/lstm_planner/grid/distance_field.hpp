@@ -6,8 +6,9 @@
 
 namespace lstm_planner {
 
-/// Distance from each cell's centre to the nearest centre of a blocked cell, m (0 in blocked cells, a large finite value
-/// where nothing is blocked). Blocked are occupied cells, unknown ones when `unknown_blocks`; the outside is not.
+/// Distance from each cell's centre to the nearest centre of a blocked cell, m (0 in blocked cells, a large finite
+/// value where nothing is blocked). Blocked are occupied cells, unknown ones when `unknown_blocks`; the outside is not.
+/// Throws std::invalid_argument for a grid of more than 46340 cells a side.
 class DistanceField {
  public:
   DistanceField() = default;
@@ -22,13 +23,14 @@ class DistanceField {
 
 /// Length of the shortest 8-connected way (no cutting of corners) from every cell to `goal` through cells whose
 /// distance-field value is at least `clearance` (m): the distance-to-go of a robot of that radius; +inf where there is
-/// none. The cost of a cell can be raised near obstacles: a cell nearer than `comfort` costs up to `1 + reluctance`
-/// times its length, so that the ways keep to the middle of doors.
+/// none, and so everywhere when the goal itself lies in such a place. The cost of a cell can be raised near obstacles:
+/// a cell nearer than `comfort` costs up to `1 + reluctance` times its length, so that the ways keep to the middle of
+/// doors.
 class GeodesicField {
  public:
   struct Options {
     double clearance = 0.2;
-    double comfort = 0.0;     ///< m; 0 = pure length
+    double comfort = 0.0;  ///< m; 0 = pure length
     double reluctance = 0.0;
   };
   GeodesicField(const OccupancyGrid& grid, const DistanceField& distances, CellIndex goal, const Options& options);
