@@ -22,7 +22,7 @@ constexpr double kEncoderRate = 1.0 / 0.015;         // Hz, the base sends its s
 constexpr double kClockRate = 100.0;                 // Hz
 constexpr double kTimeIncrement = 1.7361e-5;         // s between two beams
 constexpr std::uint64_t kClockStart = 100'000'000'000;  // ns; later than any buffer or time-out reaches back from
-constexpr std::uint64_t kLongestGap = 500'000'000;   // ns that are made up for when the node was held up
+constexpr std::uint64_t kLongestGap = 1'000'000'000;   // ns that are made up for when the node was held up
 constexpr double kStaleReport = 10.0;                // s between two warnings
 
 geometry_msgs::TransformStamped transform(const std::string& parent, const std::string& child, const ros::Time& stamp,
@@ -142,7 +142,7 @@ void Create2Stub::advance() {
     publishScan();
     publishGroundTruth();
   }
-  if (driver_loop_.due(time_)) driver_.update();
+  if (driver_loop_.due(time_)) driver_.update(simulatedTime());
 }
 
 void Create2Stub::publishScan() {

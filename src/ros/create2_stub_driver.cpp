@@ -26,6 +26,8 @@ constexpr double kVariance = 1e-5;       // m^2 and rad^2, on the diagonal of bo
 constexpr double kIgnored = 1e3;         // variance of what a planar robot does not measure
 constexpr std::uint16_t kNoInfrared = 0; // character of the omnidirectional receiver that sees no dock
 
+const ros::Duration kDiagnosticsPeriod(1.0);
+
 // A full battery at rest.
 constexpr float kVoltage = 16.2F;     // V
 constexpr float kCurrent = -0.2F;     // A
@@ -106,18 +108,19 @@ Create2StubDriver::Create2StubDriver(const Create2StubParameters& parameters, Ro
   joints_message_.effort.resize(2);
 }
 
-void Create2StubDriver::update() {
+void Create2StubDriver::update(const ros::Time& time) {
+  time_ = time;
   publishOdometry();
   publishJointStates();
   publishBattery();
   publishSensors();
   publishDiagnostics();
-  if (now_() - last_command_ >= ros::Duration(parameters_.latch_cmd_duration)) drive({});
+  if (time_ - last_command_ >= ros::Duration(parameters_.latch_cmd_duration)) drive({});
   queue_.callAvailable();
 }
 
 void Create2StubDriver::onCommand(const geometry_msgs::Twist::ConstPtr& message) {
-  last_command_ = now_();
+  last_command_ = time_;
   if (!passive_) drive({message->linear.x, message->angular.z});
 }
 
@@ -212,11 +215,10 @@ void Create2StubDriver::publishSensors() {
 }
 
 void Create2StubDriver::publishDiagnostics() {
-  const ros::Time now = now_();
-  if (now < next_diagnostics_) return;
-  next_diagnostics_ = now + ros::Duration(1.0);
+  if (time_ < next_diagnostics_ && next_diagnostics_ - time_ <= kDiagnosticsPeriod) return;
+  next_diagnostics_ = time_ + kDiagnosticsPeriod;
   diagnostic_msgs::DiagnosticArray message;
-  message.header.stamp = now;
+  message.header.stamp = now_();
   message.status = {status("Battery Status", "Battery is OK"),
                     status("Safety Status", "No safety issues detected"),
                     status("Serial Status", "Serial connection is good"),

@@ -22,11 +22,11 @@ namespace lstm_planner {
 /// one period and the robot stops 0.2 to 0.3 s after the last one.
 class Create2StubDriver {
  public:
-  /// `now` gives the time for stamps and for the latch.
+  /// `now` gives the time for stamps.
   Create2StubDriver(const Create2StubParameters& parameters, RobotInWorld* robot, std::function<ros::Time()> now);
 
-  /// One round of the driver's loop.
-  void update();
+  /// One round of the driver's loop at `time`.
+  void update(const ros::Time& time);
 
   /// A packet of the base's encoders; the driver's velocities are differences between packets.
   void readEncoders(double seconds_since_last);
@@ -54,6 +54,7 @@ class Create2StubDriver {
   double right_angle_ = 0.0;
   double requested_left_ = 0.0;   ///< m/s
   double requested_right_ = 0.0;  ///< m/s
+  ros::Time time_;  ///< of the loop
   ros::Time last_command_;
   ros::Time next_diagnostics_;
   bool passive_ = false;  ///< docking; drive commands are ignored until `undock`
