@@ -28,8 +28,11 @@ class UnusableScan : public std::invalid_argument {
 
 /// Averages a scan. The angle of a beam is taken in the base frame (mount yaw and mounting upside down applied), so
 /// that every beam inside [-90, +90) degrees falls in exactly one sector: 720 beams of the UTM-30LX-EW. Ranges beyond
-/// `range_cap` (m) and no returns are averaged as the cap.
-/// Throws UnusableScan when the geometry is not finite, the scan is empty, or it covers less than the 180 degrees.
+/// `range_cap` (m) and no returns are averaged as the cap. Ranges stay distances from the sensor: where it sits on the
+/// robot is not corrected for, since that would move beams from one sector to another. Beams of a second turn are left
+/// out; a full turn may begin anywhere. Half an increment may be missing at each edge of the window.
+/// Throws UnusableScan when the geometry is not finite, the scan is empty, it covers less than the 180 degrees, or a
+/// sector gets no beam; std::invalid_argument for a range cap that is not positive and finite.
 Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, double range_cap);
 
 }  // namespace lstm_planner
