@@ -30,7 +30,7 @@ find_ros_flavour() {
 
 # Debian packages the build and the tests need, one a line.
 required_packages() {
-  printf '%s\n' cmake g++ make gnuplot-nox libboost-dev libboost-program-options-dev libeigen3-dev libgtest-dev \
+  printf '%s\n' cmake g++ make gnuplot-nox libboost-dev libboost-program-options-dev libeigen3-dev libgmock-dev libgtest-dev \
     libopencv-dev libprotobuf-dev libyaml-cpp-dev nlohmann-json3-dev protobuf-compiler python3
   if [ "$1" = noetic ]; then
     printf 'ros-noetic-%s\n' actionlib catkin costmap-2d diagnostic-msgs geometry-msgs move-base move-base-msgs \
@@ -189,11 +189,9 @@ build_targets() {
   say "building in $workspace (log: $log)"
   catkin_make -C "$workspace" -j"$(parallel_jobs)" -DCMAKE_BUILD_TYPE=Release \
     -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "$@" </dev/null 2>&1 | tee "$log" |
-    grep --line-buffered -E '^\[ *[0-9]+%\] (Building|Linking)|warning:|error:|\*\*\*|^CMake Error'
+    grep --line-buffered -E '^\[ *[0-9]+%\] (Building|Linking)|warning:|error:|undefined reference|\*\*\*|^CMake Error'
   status="${PIPESTATUS[0]}"
-  [ "$status" -eq 0 ] && return
-  tail -n 15 "$log" >&2
-  fail "the build failed; its last lines are above, all of them in $log."
+  [ "$status" -eq 0 ] || fail "the build failed; its errors are above, everything is in $log."
 }
 
 # All steps; the arguments are make's targets.

@@ -8,6 +8,8 @@ import pathlib
 import sys
 import xml.etree.ElementTree
 
+LONGEST_TEXT = 300  # characters of a failure's text; ctest has printed all of it
+
 
 class Results:
     def __init__(self):
@@ -50,7 +52,7 @@ def text_of(element):
     lines = [line.strip() for line in text.strip().splitlines() if line.strip()]
     if len(lines) > 1 and lines[0].rpartition(":")[2].isdigit():
         lines = lines[1:]
-    return " ".join(lines)
+    return " ".join(lines)[:LONGEST_TEXT]
 
 
 def add_folder(results, folder):
