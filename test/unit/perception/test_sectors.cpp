@@ -31,6 +31,21 @@ TEST(AverageSectors, CountsTheSameBeamsWhateverTheRoundingOfTheAngles) {
   expectEqualShares(averageSectors(as_floats, {}, {}, kCap), 90);
 }
 
+TEST(AverageSectors, PutsABeamOnABorderToItsLeftWhateverTheRounding) {
+  // Two thousandths of an increment: what six digits of angle_min and of the increment add up to.
+  for (const double error : {-1e-5, 0.0, 1e-5}) {
+    LaserScan scan = makeScan(-0.75 * M_PI + error, M_PI / 720.0, 1081, 5.0f);
+    scan.ranges[180] = 1.0f;  // -90 degrees: the first beam of sector 0
+    scan.ranges[540] = 2.0f;  // 0 degrees: the first beam of sector 4
+    scan.ranges[900] = 1.0f;  // +90 degrees: outside of the half-open window
+    const Sectors sectors = averageSectors(scan, {}, {}, kCap);
+    EXPECT_NEAR(sectors.range[0], (89.0 * 5.0 + 1.0) / 90.0, 1e-9) << error;
+    EXPECT_NEAR(sectors.range[3], 5.0, 1e-9) << error;
+    EXPECT_NEAR(sectors.range[4], (89.0 * 5.0 + 2.0) / 90.0, 1e-9) << error;
+    EXPECT_NEAR(sectors.range[7], 5.0, 1e-9) << error;
+  }
+}
+
 TEST(AverageSectors, AcceptsNarrowerHokuyoConfigurations) {
   // The original set-up: 1041 beams within +-2.268 rad, no beam of which lies exactly on -90 degrees.
   const Sectors limited = averageSectors(makeScan(-2.268, 2.0 * 2.268 / 1040.0, 1041), {}, {}, kCap);
