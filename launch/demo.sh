@@ -9,8 +9,8 @@ usage() {
 Usage: bash launch/demo.sh [--build-only] [NAME:=VALUE ...]
 
 Installs what is missing, builds the package in a workspace outside the source tree, and drives the simulated Create 2
-to a list of goals in a building: a laser scan in, the trained LSTM as move_base's global planner, velocities out. Prints
-a line a goal and a summary, and draws the map with the path that was driven. Opens rviz when there is a display.
+to a list of goals in a building: a laser scan in, the trained LSTM as move_base's global planner, velocities out.
+Prints a line a goal and a summary, and draws the map with the path that was driven. Opens rviz when there is a display.
 
 Options:
   --build-only   install and build, do not drive

@@ -30,8 +30,8 @@ find_ros_flavour() {
 
 # Debian packages the build and the tests need, one a line.
 required_packages() {
-  printf '%s\n' cmake g++ make gnuplot-nox libboost-dev libboost-program-options-dev libeigen3-dev libgmock-dev libgtest-dev \
-    libopencv-dev libprotobuf-dev libyaml-cpp-dev nlohmann-json3-dev protobuf-compiler python3
+  printf '%s\n' cmake g++ make gnuplot-nox libboost-dev libboost-program-options-dev libeigen3-dev libgmock-dev \
+    libgtest-dev libopencv-dev libprotobuf-dev libyaml-cpp-dev nlohmann-json3-dev protobuf-compiler python3
   if [ "$1" = noetic ]; then
     printf 'ros-noetic-%s\n' actionlib catkin costmap-2d diagnostic-msgs geometry-msgs move-base move-base-msgs \
       nav-core nav-msgs pluginlib rosbag rosbash roscpp roslaunch rospy rostest sensor-msgs std-msgs std-srvs tf2 \
@@ -69,8 +69,8 @@ not_installed() {
 
 # Those of the names on standard input that apt could install.
 installable() {
-  xargs -r apt-cache policy 2>/dev/null | awk '/^[^ ]/ {sub(/:$/, ""); name = $0} /Candidate:/ && $2 != "(none)" {print name}' |
-    sort -u
+  xargs -r apt-cache policy 2>/dev/null |
+    awk '/^[^ ]/ {sub(/:$/, ""); name = $0} /Candidate:/ && $2 != "(none)" {print name}' | sort -u
 }
 
 as_root() {
@@ -106,7 +106,8 @@ apt_install() {
 
 apt_update() {
   say "updating apt's package lists"
-  as_root apt-get update </dev/null >"$workspace/apt.log" 2>&1 || say "apt-get update failed; going on with the lists there are"
+  as_root apt-get update </dev/null >"$workspace/apt.log" 2>&1 ||
+    say "apt-get update failed; going on with the lists there are"
 }
 
 install_missing_packages() {
@@ -158,7 +159,9 @@ enter_ros() {
 prepare_workspace() {
   mkdir -p "$workspace/src" "$workspace/ros_home" 2>/dev/null || fail "cannot create the workspace $workspace."
   workspace="$(cd "$workspace" && pwd -P)"
-  case "$workspace/" in "$source_dir"/*) fail "the workspace $workspace lies inside the source tree; set LSTM_PLANNER_WS." ;; esac
+  case "$workspace/" in
+    "$source_dir"/*) fail "the workspace $workspace lies inside the source tree; set LSTM_PLANNER_WS." ;;
+  esac
 }
 
 # Objects of another checkout may be newer than this one's sources, so make alone would not notice the change.

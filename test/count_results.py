@@ -56,8 +56,8 @@ def text_of(element):
 
 
 def add_folder(results, folder):
-    # A rostest's cases are in rosunit-NAME.xml, one file a test node; rostest-*.xml has one case "testNAME" a test node,
-    # which tells more only when the node left no failure of its own (it crashed after its last case, say).
+    # A rostest's cases are in rosunit-NAME.xml, one file a test node; rostest-*.xml has one case "testNAME" a test
+    # node, which tells more only when the node left no failure of its own (it crashed after its last case, say).
     told = set()
     for path in sorted(folder.glob("rosunit-*.xml")):
         if results.add_file(path):
