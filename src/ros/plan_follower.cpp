@@ -3,6 +3,7 @@
 #include <ros/time.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "lstm_planner/ros/conversions.hpp"
 
@@ -43,10 +44,13 @@ void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) 
     poses.push_back(pose);
   }
   plan_ = std::move(poses);
+  plan_time_ = ros::Time::now();
 }
 
 Twist2 PlanFollower::compute() {
-  const SensorReading reading = sensors_.read(ros::Time::now());
+  const ros::Time now = ros::Time::now();
+  const SensorReading reading = sensors_.read(now);
+  checkPlanAge(now);
   planToOdometry(reading.odometry_frame);
   look(reading);
   return controller_.compute(odometry_plan_, reading.scan_pose, reading.twist, shield_,
@@ -60,6 +64,15 @@ bool PlanFollower::goalReached() {
   const SensorReading reading = sensors_.read(ros::Time::now());
   planToOdometry(reading.odometry_frame);
   return controller_.goalReached(reading.newest_pose, odometry_plan_.back());
+}
+
+void PlanFollower::checkPlanAge(const ros::Time& now) const {
+  // move_base goes on with the last plan when its planner refuses to make another one; this makes it notice.
+  const double age = (now - plan_time_).toSec();
+  if (parameters_.plan_timeout > 0.0 && age > parameters_.plan_timeout) {
+    throw OutdatedPlan("the plan is " + std::to_string(age) + " s old, allowed are " +
+                       std::to_string(parameters_.plan_timeout) + " s: the planner does not renew it");
+  }
 }
 
 void PlanFollower::planToOdometry(const std::string& odometry_frame) {

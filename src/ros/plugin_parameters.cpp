@@ -117,12 +117,17 @@ SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHan
   ParameterReader reader(node_handle);
   readSensors(&reader, &parameters.sensors);
   readMotion(&reader, &parameters.motion);
+  reader.read("plan_timeout", &parameters.plan_timeout);
   reader.read("footprint_radius", &parameters.footprint_radius);
   warnOfUnknown(reader);
   ParameterReader(ros::NodeHandle("~")).read("controller_frequency", &parameters.controller_frequency);
 
   validate(parameters.motion);
   expectPositive("footprint_radius", parameters.footprint_radius);
+  if (!(parameters.plan_timeout >= 0.0)) {
+    throw std::invalid_argument("parameter plan_timeout is " + std::to_string(parameters.plan_timeout) +
+                                ", expected 0 or more");
+  }
   expectPositive("controller_frequency", parameters.controller_frequency);
   return parameters;
 }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <geometry_msgs/PoseStamped.h>
+#include <ros/time.h>
 #include <tf2_ros/buffer.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,12 @@
 #include "lstm_planner/ros/sensor_listener.hpp"
 
 namespace lstm_planner {
+
+/// The plan has not been renewed for too long.
+class OutdatedPlan : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Follows a plan by scan and odometry: what SteeringController does once it is initialised. Not thread safe.
 class PlanFollower {
@@ -27,13 +35,14 @@ class PlanFollower {
   void setPlan(const std::vector<geometry_msgs::PoseStamped>& plan);
   bool hasPlan() const { return !plan_.empty(); }
 
-  /// The next command. Throws SensorError or FrameError when it is not safe to move. Zero without a plan.
+  /// The next command. Throws SensorError, FrameError or OutdatedPlan when it is not safe to move. Zero without a plan.
   Twist2 compute();
 
   /// Throws as compute().
   bool goalReached();
 
  private:
+  void checkPlanAge(const ros::Time& now) const;
   void planToOdometry(const std::string& odometry_frame);
   void look(const SensorReading& reading);
 
@@ -44,6 +53,7 @@ class PlanFollower {
   MotionController controller_;
   Shield shield_;
 
+  ros::Time plan_time_;                 ///< when the plan was set
   std::string plan_frame_;
   std::vector<Pose2> plan_;             ///< plan's frame
   std::vector<Pose2> odometry_plan_;    ///< of the current call

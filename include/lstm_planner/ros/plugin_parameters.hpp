@@ -29,8 +29,9 @@ struct GlobalPlannerParameters {
 
 /// Parameters of SteeringController, in "~/SteeringController"; config/steering_controller.yaml explains each.
 struct SteeringControllerParameters {
-  SensorParameters sensors;
+  SensorParameters sensors = {"scan", "odom", 0.3, 1.0};
   MotionParameters motion;
+  double plan_timeout = 2.0;           ///< s without a new plan after which the robot stops; 0 = never
   double footprint_radius = 0.17425;   ///< m
   double controller_frequency = 10.0;  ///< Hz, how often move_base asks for a command
 };
