@@ -22,6 +22,9 @@ void validate(const AgentParameters& parameters) {
   expectPositive("step/length", parameters.step.length);
   expectPositive("step/turn", parameters.step.turn);
   expectPositive("step/period", parameters.step.period);
+  expectPositive("step/reached", parameters.step.reached);
+  expect(parameters.step.stall > parameters.step.period, "step/stall", parameters.step.stall,
+         "more than step/period = " + std::to_string(parameters.step.period));
   expectPositive("step/still_distance", parameters.step.still_distance);
   expectPositive("step/still_turn", parameters.step.still_turn);
 

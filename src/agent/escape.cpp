@@ -56,7 +56,6 @@ void Escape::meetBoundary(const Situation& situation, const Shield& shield, cons
 
   // The side that needs the smaller turn away from the goal; the wall is then on the other one.
   const double to_goal = directionTo(situation.pose, goal);
-  travel_direction_ = to_goal;
   double turn[2] = {M_PI, M_PI};
   for (const int side : {-1, 1}) {
     for (double angle = 0.0; angle < M_PI; angle += parameters_.probe_angle) {
@@ -69,6 +68,8 @@ void Escape::meetBoundary(const Situation& situation, const Shield& shield, cons
     }
   }
   side_ = turn[1] <= turn[0] ? -1 : 1;
+  // The boundary is still ahead, not aside: probing has to begin at the goal's direction.
+  travel_direction_ = normalizeAngle(to_goal - side_ * parameters_.wall_turn);
 }
 
 void Escape::measureBoundary(const Pose2& pose) {
@@ -78,7 +79,11 @@ void Escape::measureBoundary(const Pose2& pose) {
     return;
   }
   const double direction = directionTo(last_position_, pose);
-  turned_ += normalizeAngle(direction - travel_direction_);
+  if (along_ == 0.0) {
+    departure_direction_ = direction;  // how the boundary runs where it was met; the turn away from the goal is no part
+  } else {
+    turned_ += turnOf(direction);
+  }
   along_ += way_ * moved;
   travel_direction_ = direction;
   last_position_ = pose;
@@ -91,9 +96,23 @@ void Escape::measureBoundary(const Pose2& pose) {
   }
 }
 
+double Escape::turnOf(double direction) const {
+  // Probing begins wall_turn on the side of the wall and sweeps away from it: a larger turn towards the wall than that
+  // was really one away from it, of more than half a circle.
+  const double turn = normalizeAngle(direction - travel_direction_);
+  const double slack = 0.35;
+  return side_ * turn > parameters_.wall_turn + slack ? turn - side_ * 2.0 * M_PI : turn;
+}
+
 bool Escape::loopClosed(const Pose2& pose) const {
-  return std::abs(along_) > parameters_.loop_length && std::abs(turned_) > 1.5 * M_PI &&
-         distanceBetween(pose, hit_position_) < parameters_.loop_tolerance;
+  if (std::abs(along_) < parameters_.loop_length ||
+      distanceBetween(pose, hit_position_) > parameters_.loop_tolerance) {
+    return false;
+  }
+  // A closed boundary turns by a full circle, and comes back as it went.
+  const double off_circle = std::abs(std::abs(turned_) - 2.0 * M_PI);
+  const double direction = way_ > 0 ? departure_direction_ : departure_direction_ + M_PI;
+  return off_circle < M_PI_2 && std::abs(normalizeAngle(travel_direction_ - direction)) < M_PI_2;
 }
 
 Heading Escape::follow(const Situation& situation, const Shield& shield) {

@@ -24,6 +24,7 @@ void validate(const MotionParameters& parameters) {
   expectPositive("max_angular", parameters.max_angular);
   expectPositive("linear_acceleration", parameters.linear_acceleration);
   expectPositive("lookahead", parameters.lookahead);
+  expectPositive("nearest_target", parameters.nearest_target);
   expectPositive("turn_in_place", parameters.turn_in_place);
   expectPositive("heading_gain", parameters.heading_gain);
   expectPositive("reaction_time", parameters.reaction_time);
@@ -50,7 +51,7 @@ Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& po
     return {0.0, aligned ? 0.0 : clamp(parameters_.heading_gain * error, parameters_.max_angular)};
   }
 
-  const Pose2 ahead = target(plan, pose);
+  const Pose2 ahead = target(plan, pose, shield);
   const double error = normalizeAngle(directionTo(pose, ahead) - pose.yaw);
   Twist2 twist;
   twist.angular = clamp(parameters_.heading_gain * error, parameters_.max_angular);
@@ -71,7 +72,7 @@ bool MotionController::goalReached(const Pose2& pose, const Pose2& goal) const {
           std::abs(normalizeAngle(goal.yaw - pose.yaw)) <= parameters_.heading_tolerance);
 }
 
-Pose2 MotionController::target(const std::vector<Pose2>& plan, const Pose2& pose) const {
+Pose2 MotionController::target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const {
   std::size_t nearest = 0;
   double nearest_distance = distanceBetween(plan[0], pose);
   // Only as far as one lookahead: the plan may come by here again later.
@@ -84,11 +85,27 @@ Pose2 MotionController::target(const std::vector<Pose2>& plan, const Pose2& pose
       nearest_distance = distance;
     }
   }
-  std::size_t i = nearest;
-  while (i + 1 < plan.size() && distanceBetween(pose, plan[i]) < parameters_.lookahead) {
-    ++i;
+  // As far ahead as the plan leads away and one can go straight: to cut a corner must not lead into what the plan goes
+  // round, and a plan that turns back is followed to where it turns.
+  std::size_t ahead = nearest;
+  double farthest = 0.0;
+  for (std::size_t i = nearest; i < plan.size(); ++i) {
+    const double distance = distanceBetween(pose, plan[i]);
+    if (distance < farthest) {
+      break;
+    }
+    const double direction = directionTo(pose, plan[i]) - pose.yaw;
+    const bool needed = farthest < parameters_.nearest_target;
+    if (!needed && shield.freeDistance({}, direction, distance, parameters_.safety_margin) < distance) {
+      break;
+    }
+    ahead = i;
+    farthest = distance;
+    if (distance >= parameters_.lookahead) {
+      break;
+    }
   }
-  return plan[i];
+  return plan[ahead];
 }
 
 double MotionController::safeSpeed(double linear, double angular, const Shield& shield) const {

@@ -21,7 +21,7 @@ const char* toString(Decision::Source source) {
 NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& parameters)
     : policy_(std::move(policy)),
       parameters_((validate(parameters), parameters)),
-      shield_(parameters.shield.footprint_radius, parameters.shield.reach),
+      shield_(parameters.shield.footprint_radius, parameters.shield.tight_clearance, parameters.shield.reach),
       escape_(parameters.escape, parameters.shield) {
   checkFits(policy_.description(), parameters.step.length, parameters.shield.footprint_radius);
   const auto actions = static_cast<std::size_t>(policy_.description().actions.size());
@@ -57,6 +57,9 @@ const Decision& NavigationAgent::update(const Situation& situation) {
     noteProgress(situation);
     advanceNetwork(situation);
     choose(situation);
+  } else if (isStalled(situation)) {
+    stall_time_ = situation.time;
+    lookAround(situation);
   } else if (!wayIsFree(situation)) {
     choose(situation);
   }
@@ -73,14 +76,33 @@ Decision NavigationAgent::preview(const Situation& situation, const Point2& goal
 bool NavigationAgent::stepIsOver(const Situation& situation) const {
   const StepParameters& step = parameters_.step;
   const double moved = distanceBetween(step_pose_, situation.pose);
+  if (distanceBetween(situation.pose, decision_.waypoint) < step.reached) {
+    return true;
+  }
   if (decision_.source == Decision::Source::kEscape) {
-    return moved >= 0.8 * parameters_.escape.follow_step || distanceBetween(situation.pose, decision_.waypoint) < 0.05;
+    return moved >= parameters_.escape.follow_step;
   }
   const double turned = std::abs(normalizeAngle(situation.pose.yaw - step_pose_.yaw));
-  const bool stirred = moved >= step.still_distance || turned >= step.still_turn;
-  // A clock that jumped back (simulation started anew) must not stop the steps for ever.
-  const double elapsed = std::abs(situation.time - step_time_);
-  return moved >= step.length || turned >= step.turn || (elapsed >= step.period && stirred);
+  return moved >= step.length || turned >= step.turn ||
+         (elapsed(situation) >= step.period && hasStirred(situation, step_pose_));
+}
+
+bool NavigationAgent::hasStirred(const Situation& situation, const Pose2& since) const {
+  return distanceBetween(since, situation.pose) >= parameters_.step.still_distance ||
+         std::abs(normalizeAngle(situation.pose.yaw - since.yaw)) >= parameters_.step.still_turn;
+}
+
+double NavigationAgent::elapsed(const Situation& situation) const {
+  // A clock that jumped back (a simulation started anew) must not stop the steps for ever.
+  return std::abs(situation.time - step_time_);
+}
+
+bool NavigationAgent::isStalled(const Situation& situation) {
+  if (hasStirred(situation, stall_pose_)) {
+    stall_pose_ = situation.pose;
+    stall_time_ = situation.time;
+  }
+  return std::abs(situation.time - stall_time_) >= parameters_.step.stall;
 }
 
 bool NavigationAgent::wayIsFree(const Situation& situation) const {
@@ -120,6 +142,8 @@ void NavigationAgent::advanceNetwork(const Situation& situation) {
   std::copy(preferences.data(), preferences.data() + preferences.size(), decision_.preferences.begin());
   step_pose_ = situation.pose;
   step_time_ = situation.time;
+  stall_pose_ = situation.pose;
+  stall_time_ = situation.time;
   has_step_ = true;
   ++decision_.step;
   imposed_action_ = step_listener_ ? step_listener_(situation, observation) : std::nullopt;

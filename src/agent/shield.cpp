@@ -12,10 +12,12 @@ namespace {
 constexpr double kTouchSlack = 1e-3;
 }  // namespace
 
-Shield::Shield(double footprint_radius, double reach) : footprint_radius_(footprint_radius), reach_(reach) {
-  if (!(footprint_radius > 0.0) || !(reach > footprint_radius)) {
-    throw std::invalid_argument("the footprint radius is " + std::to_string(footprint_radius) + " and the reach " +
-                                std::to_string(reach) + ", expected 0 < radius < reach");
+Shield::Shield(double footprint_radius, double hard_margin, double reach)
+    : footprint_radius_(footprint_radius), hard_margin_(hard_margin), reach_(reach) {
+  if (!(footprint_radius > 0.0) || !(hard_margin >= 0.0) || !(reach > footprint_radius + hard_margin)) {
+    throw std::invalid_argument("the footprint radius is " + std::to_string(footprint_radius) + ", the hard margin " +
+                                std::to_string(hard_margin) + " and the reach " + std::to_string(reach) +
+                                ", expected 0 < radius, 0 <= margin, radius + margin < reach");
   }
 }
 
@@ -32,6 +34,7 @@ double Shield::freeDistance(const Point2& from, double direction, double limit, 
   const double c = std::cos(direction);
   const double s = std::sin(direction);
   const double wanted = footprint_radius_ + clearance;
+  const double hard = footprint_radius_ + std::min(hard_margin_, clearance);
   double free = limit;
   for (const Point2& obstacle : obstacles_) {
     const double dx = obstacle.x - from.x;
@@ -42,7 +45,10 @@ double Shield::freeDistance(const Point2& from, double direction, double limit, 
       continue;
     }
     const double now = std::hypot(dx, dy);
-    const double radius = std::max(footprint_radius_, std::min(wanted, now - kTouchSlack));
+    if (now <= hard) {
+      return 0.0;
+    }
+    const double radius = std::max(hard, std::min(wanted, now - kTouchSlack));
     if (aside < radius) {
       free = std::min(free, std::max(0.0, along - std::sqrt(radius * radius - aside * aside)));
     }

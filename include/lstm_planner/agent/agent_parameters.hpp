@@ -7,6 +7,8 @@ struct StepParameters {
   double length = 0.4;         ///< m to the waypoint; a step is over when the robot has moved that far
   double turn = 0.7854;        ///< rad; a step is over when the robot has turned that far
   double period = 0.5;         ///< s; after this long a step is over if the robot has moved at all (thesis: 2 Hz)
+  double reached = 0.05;       ///< m; a step is over when the robot is this near to the waypoint
+  double stall = 2.0;          ///< s; a robot that stands still this long under a decision looks around instead
   double still_distance = 0.02; ///< m; less than this, and
   double still_turn = 0.05;     ///< rad; less than this: the robot has not moved
 };

@@ -45,6 +45,7 @@ class Escape {
   Heading follow(const Situation& situation, const Shield& shield);
   bool probe(const Situation& situation, const Shield& shield, double start, double clearance, Heading* move) const;
   void measureBoundary(const Pose2& pose);
+  double turnOf(double direction) const;
   bool loopClosed(const Pose2& pose) const;
 
   EscapeParameters parameters_;
@@ -56,6 +57,7 @@ class Escape {
   Pose2 last_position_;           ///< where the last decision was made
   Point2 hit_position_;
   double hit_distance_ = 0.0;     ///< m to the goal where the boundary was met
+  double departure_direction_ = 0.0;  ///< rad, odometry frame: how the boundary runs where it was met
   double along_ = 0.0;            ///< m, signed way along the boundary from the hit; positive in the first direction
   double turned_ = 0.0;           ///< rad, how much the boundary has turned since the hit
   int way_ = 1;                   ///< +1 while following in the first direction, -1 after turning back

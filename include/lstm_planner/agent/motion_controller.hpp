@@ -13,12 +13,13 @@ struct MotionParameters {
   double max_angular = 1.5;         ///< rad/s
   double linear_acceleration = 0.6; ///< m/s^2, speeding up and braking
   double lookahead = 0.35;          ///< m along the plan to the point that is steered for
+  double nearest_target = 0.06;     ///< m; points of the plan nearer than this have no direction to steer for
   double turn_in_place = 0.6;       ///< rad; a larger heading error is turned away on the spot
   double heading_gain = 2.5;        ///< rad/s a rad of heading error
   double reaction_time = 0.25;      ///< s from a measurement to the wheels, latch of the driver included
   double safety_margin = 0.03;      ///< m between the footprint and any return, at the least
-  double slow_gap = 0.3;            ///< m; nearer to something than this the robot slows down
-  double slow_speed = 0.12;         ///< m/s next to an obstacle
+  double slow_gap = 0.15;           ///< m; nearer to something than this the robot slows down
+  double slow_speed = 0.15;         ///< m/s next to an obstacle
   double position_tolerance = 0.2;  ///< m
   double heading_tolerance = 3.15;  ///< rad; pi or more = any heading will do
 };
@@ -43,7 +44,7 @@ class MotionController {
   const MotionParameters& parameters() const { return parameters_; }
 
  private:
-  Pose2 target(const std::vector<Pose2>& plan, const Pose2& pose) const;
+  Pose2 target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const;
   double safeSpeed(double linear, double angular, const Shield& shield) const;
 
   MotionParameters parameters_;

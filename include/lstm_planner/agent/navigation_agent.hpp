@@ -68,6 +68,9 @@ class NavigationAgent {
 
  private:
   bool stepIsOver(const Situation& situation) const;
+  bool hasStirred(const Situation& situation, const Pose2& since) const;
+  double elapsed(const Situation& situation) const;
+  bool isStalled(const Situation& situation);
   bool wayIsFree(const Situation& situation) const;
   void noteProgress(const Situation& situation);
   void advanceNetwork(const Situation& situation);
@@ -87,6 +90,8 @@ class NavigationAgent {
   Decision decision_;
   Pose2 step_pose_;            ///< where the current step began
   double step_time_ = 0.0;     ///< s
+  Pose2 stall_pose_;           ///< where the robot has been since stall_time_
+  double stall_time_ = 0.0;    ///< s
   bool has_step_ = false;
   bool escaping_ = false;
   double best_distance_ = 0.0; ///< m

@@ -12,15 +12,17 @@ namespace lstm_planner {
 /// its circumscribed disc, which turning in place does not move.
 class Shield {
  public:
-  /// `footprint_radius`: of the circumscribed disc, m. `reach`: farthest obstacle that is looked at, m.
-  Shield(double footprint_radius, double reach);
+  /// `footprint_radius`: of the circumscribed disc, m. `hard_margin`: m, see freeDistance(). `reach`: farthest obstacle
+  /// that is looked at, m. Throws std::invalid_argument unless 0 < radius, 0 <= margin and radius + margin < reach.
+  Shield(double footprint_radius, double hard_margin, double reach);
 
   /// Replaces what is known by the returns of one scan (base frame).
   void show(const std::vector<Point2>& obstacles);
 
   /// Length (m, at most `limit`) of the free way from `from` in `direction` (rad) for the footprint grown by
-  /// `clearance`. Where the robot already is nearer to something than that, it may go on as long as it does not come
-  /// nearer still; it may always go away. 0 when the first millimetre is blocked.
+  /// `clearance`. Where the robot already is nearer to something than that, it may pass it but not come nearer still;
+  /// nearer than the hard margin (or the clearance, if that is less) it may only go away, so that the noise of a scanner
+  /// cannot lure it closer bit by bit. 0 when the first millimetre is blocked.
   double freeDistance(const Point2& from, double direction, double limit, double clearance) const;
 
   /// Distance from `from` to the nearest return, less the footprint radius, m; `reach` when nothing is that near.
@@ -30,6 +32,7 @@ class Shield {
 
  private:
   double footprint_radius_;
+  double hard_margin_;
   double reach_;
   std::vector<Point2> obstacles_;
 };
