@@ -1,0 +1,82 @@
+#!/usr/bin/python3
+"""Every launch file loads, and starts only what exists, as far as its packages are installed here."""
+import os
+import unittest
+
+import roslaunch.config
+import roslaunch.core
+import roslib.packages
+import rospkg
+import rostest
+
+# Drivers and viewers; their absence says nothing about the launch file.
+OPTIONAL_PACKAGES = {"create_driver", "urg_node", "rviz", "move_base"}
+
+# Debian's tf2_ros comes without its programs.
+OPTIONAL_NODES = {"tf2_ros/static_transform_publisher"}
+
+
+def load(name, *arguments):
+    path = os.path.join(rospkg.RosPack().get_path("lstm_planner"), "launch", name)
+    return roslaunch.config.load_config_default([(path, list(arguments))], None, verbose=False, assign_machines=False)
+
+
+def missing_nodes(config):
+    """Of the nodes whose packages are installed, those that do not exist; and the packages that are not installed."""
+    missing, absent = set(), set()
+    for node in config.nodes:
+        try:
+            if not roslib.packages.find_node(node.package, node.type):
+                missing.add(node.package + "/" + node.type)
+        except rospkg.ResourceNotFound:
+            absent.add(node.package)
+    return missing, absent
+
+
+class LaunchFiles(unittest.TestCase):
+    def check(self, config):
+        self.assertEqual(config.config_errors, [])
+        missing, absent = missing_nodes(config)
+        self.assertLessEqual(missing, OPTIONAL_NODES)
+        self.assertLessEqual(absent, OPTIONAL_PACKAGES)
+        for name in sorted(absent | missing):
+            print("SKIPPED: %s, which is not installed here" % name)
+
+    def parameter(self, config, name):
+        self.assertIn(name, config.params)
+        return config.params[name].value
+
+    def test_demo_starts_only_what_exists(self):
+        self.check(load("demo.launch", "rviz:=false"))
+        self.check(load("demo.launch", "rviz:=true"))
+
+    def test_demo_hands_its_arguments_on(self):
+        config = load("demo.launch", "rviz:=false", "start:=[2.0, 1.0, 0.5]", "model:=/m.onnx", "result:=/r",
+                      "real_time_factor:=3", "slip:=0.1")
+        self.assertEqual(self.parameter(config, "/create2_stub/start"), [2.0, 1.0, 0.5])
+        self.assertEqual(self.parameter(config, "/demo_runner/start"), [2.0, 1.0, 0.5])
+        self.assertEqual(self.parameter(config, "/move_base/LstmGlobalPlanner/model"), "/m.onnx")
+        self.assertEqual(self.parameter(config, "/demo_runner/result"), "/r")
+        self.assertEqual(self.parameter(config, "/create2_stub/real_time_factor"), 3)
+        self.assertEqual(self.parameter(config, "/create2_stub/robot/slip"), 0.1)
+        self.assertTrue(self.parameter(config, "/use_sim_time"))
+
+    def test_the_real_robot_gets_our_plugins_and_plans_while_it_drives(self):
+        for move_base in ("real", "standalone"):
+            config = load("navigation.launch", "move_base:=" + move_base)
+            self.assertEqual(self.parameter(config, "/move_base/base_global_planner"), "lstm_planner/LstmGlobalPlanner")
+            self.assertEqual(self.parameter(config, "/move_base/base_local_planner"), "lstm_planner/SteeringController")
+            self.assertGreater(self.parameter(config, "/move_base/planner_frequency"), 0)
+            for costmap in ("global_costmap", "local_costmap"):
+                self.assertTrue(self.parameter(config, "/move_base/%s/rolling_window" % costmap))
+            self.assertNotIn("/use_sim_time", config.params)
+        self.check(load("navigation.launch"))
+
+    def test_a_serial_scanner_takes_the_place_of_the_one_with_an_address(self):
+        config = load("navigation.launch", "laser_port:=/dev/ttyACM0")
+        self.assertEqual(self.parameter(config, "/urg_node/serial_port"), "/dev/ttyACM0")
+        self.assertNotIn("/urg_node/ip_address", config.params)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("lstm_planner", "launch_files", LaunchFiles)
