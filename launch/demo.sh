@@ -28,13 +28,18 @@ Exit status: 0 when every goal was reached and nothing was touched.
 USAGE
 }
 
+# The package has a host for its plugins where it was built without the navigation stack.
+move_base_to_launch() {
+  if [ -x "$workspace/devel/lib/lstm_planner/standalone_move_base" ]; then echo standalone; else echo real; fi
+}
+
 # roslaunch ends with 0 whatever its nodes end with, so the demo runner leaves its exit status in a file.
 drive() {
   local result status
   result="$(mktemp "${TMPDIR:-/tmp}/lstm_planner_demo.XXXXXX")"
   # shellcheck disable=SC2064  # the name is known now
   trap "rm -f '$result'" EXIT
-  roslaunch lstm_planner demo.launch "result:=$result" "$@" </dev/null
+  roslaunch lstm_planner demo.launch "result:=$result" "move_base:=$(move_base_to_launch)" "$@" </dev/null
   status="$(head -n 1 "$result" | grep -oE '^[0-9]+$')" || fail "the demo ended before it had a result."
   exit "$status"
 }
