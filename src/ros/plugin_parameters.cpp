@@ -27,9 +27,11 @@ void expectNotNegative(const std::string& name, int value) {
 void readSensors(ParameterReader* reader, SensorParameters* sensors) {
   reader->read("scan_topic", &sensors->scan_topic);
   reader->read("odom_topic", &sensors->odom_topic);
-  reader->read("sensor_timeout", &sensors->timeout);
+  reader->read("scan_timeout", &sensors->scan_timeout);
+  reader->read("odom_timeout", &sensors->odom_timeout);
   reader->read("max_speed", &sensors->max_speed);
-  expectPositive("sensor_timeout", sensors->timeout);
+  expectPositive("scan_timeout", sensors->scan_timeout);
+  expectPositive("odom_timeout", sensors->odom_timeout);
   expectPositive("max_speed", sensors->max_speed);
 }
 

@@ -13,6 +13,17 @@ namespace {
 /// Drivers that do not stamp their messages leave zero there.
 ros::Time stampOr(const ros::Time& stamp, const ros::Time& now) { return stamp.isZero() ? now : stamp; }
 
+void checkAge(double age, double timeout, const std::string& topic) {
+  if (age > timeout) {
+    throw SensorError("the newest message on " + topic + " is " + std::to_string(age) + " s old, allowed are " +
+                      std::to_string(timeout) + " s");
+  }
+  if (age < -timeout) {
+    throw SensorError("the newest message on " + topic + " is stamped " + std::to_string(-age) +
+                      " s in the future: the clocks differ");
+  }
+}
+
 }  // namespace
 
 SensorListener::SensorListener(ros::NodeHandle node_handle, const SensorParameters& parameters,
@@ -53,8 +64,8 @@ SensorReading SensorListener::read(const ros::Time& now) {
   if (odometry_stamp_.isZero()) {
     throw SensorError("no odometry has been received on " + odometry_subscriber_.getTopic());
   }
-  checkAge(now, scan_stamp_, scan_subscriber_.getTopic());
-  checkAge(now, odometry_stamp_, odometry_subscriber_.getTopic());
+  checkAge((now - scan_stamp_).toSec(), parameters_.scan_timeout, scan_subscriber_.getTopic());
+  checkAge((now - odometry_stamp_).toSec(), parameters_.odom_timeout, odometry_subscriber_.getTopic());
   if (!odometry_is_finite_ || history_.empty()) {
     throw SensorError("the odometry on " + odometry_subscriber_.getTopic() +
                       " has a pose or twist that is not finite, or a zero quaternion");
@@ -71,18 +82,6 @@ SensorReading SensorListener::read(const ros::Time& now) {
   reading.twist = history_.newest().twist;
   reading.jumps = history_.jumps();
   return reading;
-}
-
-void SensorListener::checkAge(const ros::Time& now, const ros::Time& stamp, const std::string& topic) const {
-  const double age = (now - stamp).toSec();
-  if (age > parameters_.timeout) {
-    throw SensorError("the newest message on " + topic + " is " + std::to_string(age) + " s old, allowed are " +
-                      std::to_string(parameters_.timeout) + " s");
-  }
-  if (age < -parameters_.timeout) {
-    throw SensorError("the newest message on " + topic + " is stamped " + std::to_string(-age) +
-                      " s in the future: the clocks differ");
-  }
 }
 
 const SensorMount& SensorListener::mountOf(const std::string& frame) {

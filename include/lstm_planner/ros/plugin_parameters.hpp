@@ -14,8 +14,9 @@ namespace lstm_planner {
 struct SensorParameters {
   std::string scan_topic = "scan";
   std::string odom_topic = "odom";
-  double timeout = 0.5;    ///< s; an older scan or odometry is not used
-  double max_speed = 1.0;  ///< m/s; odometry that moves faster than this has jumped
+  double scan_timeout = 0.5;  ///< s; an older scan is not used
+  double odom_timeout = 0.5;  ///< s; an older odometry is not used
+  double max_speed = 1.0;     ///< m/s; odometry that moves faster than this has jumped
 };
 
 /// Parameters of LstmGlobalPlanner, in "~/LstmGlobalPlanner"; config/lstm_planner.yaml explains each.
@@ -29,11 +30,11 @@ struct GlobalPlannerParameters {
 
 /// Parameters of SteeringController, in "~/SteeringController"; config/steering_controller.yaml explains each.
 struct SteeringControllerParameters {
-  SensorParameters sensors = {"scan", "odom", 0.3, 1.0};
+  SensorParameters sensors = {"scan", "odom", 0.2, 0.3, 1.0};
   MotionParameters motion;
   double plan_timeout = 2.0;           ///< s without a new plan after which the robot stops; 0 = never
   double footprint_radius = 0.17425;   ///< m
-  double controller_frequency = 10.0;  ///< Hz, how often move_base asks for a command
+  double controller_frequency = 20.0;  ///< Hz, how often move_base asks for a command
 };
 
 /// Both read the namespace of `node_handle`, warn of parameters there that are not known, and throw

@@ -49,7 +49,6 @@ class SensorListener {
  private:
   void onScan(const sensor_msgs::LaserScan::ConstPtr& scan);
   void onOdometry(const nav_msgs::Odometry::ConstPtr& odometry);
-  void checkAge(const ros::Time& now, const ros::Time& stamp, const std::string& topic) const;
   const SensorMount& mountOf(const std::string& frame);
 
   SensorParameters parameters_;

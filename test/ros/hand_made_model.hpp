@@ -1,0 +1,65 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/network/model_file.hpp"
+
+namespace lstm_planner {
+
+inline Eigen::MatrixXf randomMatrix(int rows, int columns, std::mt19937* random) {
+  std::uniform_real_distribution<float> weight(-0.5F, 0.5F);
+  return Eigen::MatrixXf::NullaryExpr(rows, columns, [&] { return weight(*random); });
+}
+
+/// A model that fits the default parameters. Nobody taught it anything, but its preferences depend on all it has seen.
+inline Model untaughtModel(const PolicyDescription& description = {}) {
+  constexpr int kCells = 8;
+  std::mt19937 random(7);
+  const int inputs = static_cast<int>(description.encoder.input_layout.size());
+  const int actions = description.actions.size();
+  Model model;
+  model.layers.push_back(LstmLayer{randomMatrix(4 * kCells, inputs, &random), randomMatrix(4 * kCells, kCells, &random),
+                                   randomMatrix(4 * kCells, 1, &random), Activation::kTanh});
+  model.layers.push_back(
+      DenseLayer{randomMatrix(actions, kCells, &random), randomMatrix(actions, 1, &random), Activation::kIdentity});
+  writeMetadata(description, &model.metadata);
+  return model;
+}
+
+/// A model file that lives as long as the object.
+class TemporaryModelFile {
+ public:
+  explicit TemporaryModelFile(const Model& model) {
+    const int file = mkstemp(path_.data());
+    if (file < 0) {
+      throw std::runtime_error("no temporary file can be made in /tmp");
+    }
+    close(file);
+    writeModelFile(path_, model);
+  }
+  ~TemporaryModelFile() { std::remove(path_.c_str()); }
+  TemporaryModelFile(const TemporaryModelFile&) = delete;
+  TemporaryModelFile& operator=(const TemporaryModelFile&) = delete;
+
+  const std::string& path() const { return path_; }
+
+  /// Only the first half of the file stays.
+  void truncate() const {
+    std::ifstream in(path_, std::ios::binary);
+    const std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    std::ofstream(path_, std::ios::binary) << content.substr(0, content.size() / 2);
+  }
+
+ private:
+  std::string path_ = "/tmp/lstm_planner_model_XXXXXX";
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,164 @@
+#pragma once
+
+#include <costmap_2d/costmap_2d_ros.h>
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/ros/callback_thread.hpp"
+#include "lstm_planner/ros/lstm_global_planner.hpp"
+#include "ros/fake_robot.hpp"
+#include "ros/hand_made_model.hpp"
+
+namespace lstm_planner {
+
+using Plan = std::vector<geometry_msgs::PoseStamped>;
+
+inline geometry_msgs::PoseStamped stampedPose(const std::string& frame, const Pose2& pose) {
+  geometry_msgs::PoseStamped stamped;
+  stamped.header.frame_id = frame;
+  stamped.pose = toMessage(pose);
+  return stamped;
+}
+
+/// What a planner published on its topic `decision`.
+class DecisionListener {
+ public:
+  explicit DecisionListener(const std::string& planner)
+      : subscriber_(callbacks_.nodeHandle("~/" + planner).subscribe("decision", 10, &DecisionListener::onDecision, this)) {}
+
+  /// The values of the newest decision by key, "source" among them; empty before the first.
+  std::map<std::string, std::string> newest() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return newest_;
+  }
+  bool connected() const { return subscriber_.getNumPublishers() > 0; }
+  int count() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return count_;
+  }
+
+ private:
+  void onDecision(const diagnostic_msgs::DiagnosticArray::ConstPtr& message) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    newest_.clear();
+    newest_["source"] = message->status.at(0).message;
+    for (const auto& entry : message->status.at(0).values) {
+      newest_[entry.key] = entry.value;
+    }
+    ++count_;
+  }
+
+  std::mutex mutex_;
+  std::map<std::string, std::string> newest_;
+  int count_ = 0;
+  CallbackThread callbacks_;
+  ros::Subscriber subscriber_;
+};
+
+/// A robot with sensors, and planners made as move_base makes them.
+class PlannerTest : public testing::Test {
+ protected:
+  PlannerTest() : tf_listener_(tf_), model_(untaughtModel()) {
+    ros::param::set("~/LstmGlobalPlanner/model", model_.path());
+    ros::param::set("~/planner_frequency", 5.0);
+    goal_publisher_ = ros::NodeHandle("~").advertise<geometry_msgs::PoseStamped>("current_goal", 1);
+    useGlobalFrame("odom");
+  }
+  ~PlannerTest() override {
+    ros::param::del("~/LstmGlobalPlanner");
+    ros::param::del("~/planner_frequency");
+  }
+
+  void useGlobalFrame(const std::string& frame) {
+    ros::param::set("~/costmap/global_frame", frame);
+    ros::param::set("~/costmap/robot_base_frame", "base_footprint");
+    ros::param::set("~/costmap/rolling_window", true);
+    ros::param::set("~/costmap/update_frequency", 0.0);
+    ros::param::set("~/costmap/plugins", std::vector<std::string>());
+    EXPECT_TRUE(eventually([&] {
+      robot_.again();
+      return tf_.canTransform(frame, "base_footprint", ros::Time(0));
+    }));
+    costmap_ = std::make_unique<costmap_2d::Costmap2DROS>("costmap", tf_);
+  }
+
+  /// An initialised planner that has heard scan and odometry; null when it does not plan.
+  std::unique_ptr<LstmGlobalPlanner> makePlanner(const std::string& name = "LstmGlobalPlanner") {
+    auto planner = std::make_unique<LstmGlobalPlanner>();
+    planner->initialize(name, costmap_.get());
+    const bool plans = eventually([&] {
+      robot_.again();
+      return preview(planner.get());
+    });
+    EXPECT_TRUE(plans);
+    return plans ? std::move(planner) : nullptr;
+  }
+
+  /// Where the robot is, in the costmap's global frame.
+  geometry_msgs::PoseStamped start() const {
+    const std::string& frame = costmap_->getGlobalFrameID();
+    return stampedPose(frame, frame == "odom" ? robot_.pose() : compose(robot_.odometryInMap(), robot_.pose()));
+  }
+
+  bool plan(LstmGlobalPlanner* planner, const geometry_msgs::PoseStamped& goal) {
+    return planner->makePlan(start(), goal, plan_);
+  }
+
+  /// Asks for a goal that was never asked for before: changes nothing.
+  bool preview(LstmGlobalPlanner* planner) {
+    never_asked_ += 0.01;
+    return plan(planner, stampedPose("odom", {never_asked_, 50.0, 0.0}));
+  }
+
+  /// Moves the robot, and waits until the planner has heard of it.
+  void moveTo(LstmGlobalPlanner* planner, const Pose2& pose, double seconds) {
+    robot_.moveTo(pose, seconds);
+    EXPECT_TRUE(eventually([&] {
+      return preview(planner) && std::abs(plan_.front().pose.position.x - pose.x) < 1e-6 &&
+             std::abs(plan_.front().pose.position.y - pose.y) < 1e-6;
+    }));
+  }
+
+  /// move_base accepts a goal; returns when the planner has heard of it.
+  void announce(const geometry_msgs::PoseStamped& goal, LstmGlobalPlanner* planner, DecisionListener* decisions) {
+    EXPECT_TRUE(eventually([&] { return goal_publisher_.getNumSubscribers() > 0 && decisions->connected(); }));
+    const int before = decisions->count();
+    goal_publisher_.publish(goal);
+    // Only a driven goal's decision is published; a goal that is asked for once would be a question otherwise.
+    EXPECT_TRUE(eventually([&] {
+      preview(planner);
+      return plan(planner, goal) && decisions->count() > before;
+    }));
+  }
+
+  /// Asks for a plan to the driven goal and returns the decision behind it.
+  std::map<std::string, std::string> decide(LstmGlobalPlanner* planner, const geometry_msgs::PoseStamped& goal,
+                                            DecisionListener* decisions) {
+    const int before = decisions->count();
+    EXPECT_TRUE(plan(planner, goal));
+    EXPECT_TRUE(eventually([&] { return decisions->count() > before; })) << "not taken for the driven goal";
+    return decisions->newest();
+  }
+
+  FakeRobot robot_;
+  tf2_ros::Buffer tf_;
+  tf2_ros::TransformListener tf_listener_;
+  TemporaryModelFile model_;
+  std::unique_ptr<costmap_2d::Costmap2DROS> costmap_;
+  ros::Publisher goal_publisher_;
+  Plan plan_;
+
+ private:
+  double never_asked_ = 50.0;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,120 @@
+// When the hidden state advances, when it is forgotten, and when neither. The clock stands still unless a test moves it.
+
+#include <gtest/gtest.h>
+
+#include "ros/planner_fixture.hpp"
+
+namespace lstm_planner {
+namespace {
+
+const Pose2 kGoal{6.0, 1.0, 0.7};
+
+TEST_F(PlannerTest, QuestionsLeaveTheHiddenStateAlone) {
+  DecisionListener decisions("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  const auto goal = stampedPose("odom", kGoal);
+  announce(goal, planner.get(), &decisions);
+  const auto first = decisions.newest();
+  EXPECT_EQ(first.at("step"), "1");
+
+  for (int i = 0; i < 50; ++i) {
+    plan(planner.get(), stampedPose("odom", {5.0 + 0.15 * i, 2.0, 0.0}));
+    plan(planner.get(), stampedPose("odom", {-3.0, 2.0, 0.0}));
+  }
+  EXPECT_EQ(decide(planner.get(), goal, &decisions), first) << "asking twice gives the same answer";
+}
+
+TEST_F(PlannerTest, StepsAreTheSameWithAndWithoutQuestionsInBetween) {
+  const auto goal = stampedPose("odom", kGoal);
+  std::map<std::string, std::string> with_questions;
+  std::map<std::string, std::string> without;
+  for (auto* result : {&with_questions, &without}) {
+    robot_.moveTo({}, 0.1);
+    DecisionListener decisions("LstmGlobalPlanner");
+    auto planner = makePlanner();
+    announce(goal, planner.get(), &decisions);
+    for (int step = 1; step <= 5; ++step) {
+      moveTo(planner.get(), {0.4 * step, 0.0, 0.0}, 1.0);
+      for (int i = 0; result == &with_questions && i < 20; ++i) {
+        plan(planner.get(), stampedPose("odom", {-3.0, 2.0 * i, 0.0}));
+      }
+      *result = decide(planner.get(), goal, &decisions);
+    }
+    robot_.moveTo({}, 10.0);
+  }
+  EXPECT_EQ(with_questions.at("step"), "6");
+  EXPECT_EQ(with_questions, without);
+}
+
+TEST_F(PlannerTest, HiddenStateAdvancesOnceAStepHoweverOftenAPlanIsAskedFor) {
+  DecisionListener decisions("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  const auto goal = stampedPose("odom", kGoal);
+  announce(goal, planner.get(), &decisions);
+  for (int i = 1; i <= 4; ++i) {
+    moveTo(planner.get(), {0.1 * i, 0.0, 0.0}, 0.1);
+    // step/length is 0.4 m and step/period 0.5 s: the fourth move ends the step.
+    EXPECT_EQ(decide(planner.get(), goal, &decisions).at("step"), i < 4 ? "1" : "2");
+  }
+}
+
+TEST_F(PlannerTest, AnnouncementStartsTheGoalAnewEvenWhereItIsTheSame) {
+  DecisionListener decisions("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  const auto goal = stampedPose("odom", kGoal);
+  announce(goal, planner.get(), &decisions);
+  moveTo(planner.get(), {0.5, 0.0, 0.0}, 1.0);
+  EXPECT_EQ(decide(planner.get(), goal, &decisions).at("step"), "2");
+  goal_publisher_.publish(goal);
+  EXPECT_TRUE(eventually([&] { return decide(planner.get(), goal, &decisions).at("step") == "1"; }));
+}
+
+TEST_F(PlannerTest, WithoutAnnouncementsANewGoalIsNoticedByItsPose) {
+  DecisionListener decisions("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  ASSERT_TRUE(eventually([&] { return decisions.connected(); }));
+  const auto goal = stampedPose("odom", kGoal);
+  plan(planner.get(), goal);
+  EXPECT_EQ(decide(planner.get(), goal, &decisions).at("step"), "1");
+  moveTo(planner.get(), {0.5, 0.0, 0.0}, 1.0);
+  EXPECT_EQ(decide(planner.get(), goal, &decisions).at("step"), "2");
+
+  const auto other = stampedPose("odom", {-4.0, 0.0, 0.0});
+  const int before = decisions.count();
+  plan(planner.get(), other);
+  for (int i = 0; i < 5; ++i) {
+    robot_.again();
+    plan(planner.get(), other);
+  }
+  EXPECT_EQ(decisions.count(), before) << "for a second it may still be a question";
+  EXPECT_TRUE(eventually([&] {
+    robot_.again();
+    plan(planner.get(), other);
+    return decisions.count() > before;
+  }));
+  EXPECT_EQ(decisions.newest().at("step"), "1");
+}
+
+TEST_F(PlannerTest, OdometryJumpForgetsTheWayAndKeepsTheGoal) {
+  DecisionListener decisions("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  const auto goal = stampedPose("odom", kGoal);
+  announce(goal, planner.get(), &decisions);
+  moveTo(planner.get(), {0.5, 0.0, 0.0}, 1.0);
+  EXPECT_EQ(decide(planner.get(), goal, &decisions).at("step"), "2");
+  moveTo(planner.get(), {3.0, -2.0, 1.0}, 0.1);  // 3.2 m in 0.1 s
+  EXPECT_EQ(decide(planner.get(), goal, &decisions).at("step"), "1");
+  EXPECT_NEAR(plan_.back().pose.position.x, kGoal.x, kGoalTolerance);
+}
+
+}  // namespace
+}  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "planner_steps");
+  const ros::NodeHandle node_handle;
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
