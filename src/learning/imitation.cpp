@@ -52,7 +52,6 @@ AgentParameters agentParameters(const PolicyDescription& policy) {
   agent.step.length = policy.step_length;
   agent.shield.footprint_radius = policy.footprint_radius;
   agent.escape.enabled = false;
-  agent.goal_in_sight = 0.0;
   return agent;
 }
 
@@ -214,7 +213,8 @@ void validate(const ImitationParameters& parameters) {
   validate(parameters.trainer);
 }
 
-ImitationResult imitate(const ImitationParameters& parameters, const ProgressCallback& progress) {
+ImitationResult imitate(const ImitationParameters& parameters, const ProgressCallback& progress,
+                        const RoundCallback& round_done) {
   validate(parameters);
   const Encoder encoder(parameters.policy.encoder);
   LayerStack layers = makeLstmStack(encoder.size(), parameters.cells, parameters.policy.actions.size());
@@ -256,6 +256,9 @@ ImitationResult imitate(const ImitationParameters& parameters, const ProgressCal
     if (outcome.arrival >= best_arrival) {
       best_arrival = outcome.arrival;
       result.layers = layers;
+    }
+    if (round_done) {
+      round_done(outcome);
     }
     result.rounds.push_back(std::move(outcome));
   }

@@ -78,22 +78,22 @@ int runTrain(const std::vector<std::string>& arguments) {
     return 0;
   }
   Progress progress;
-  const ImitationResult result =
-      imitate(options.imitation, [&](double share) { progress.show(share); });
-  progress.show(1.0);
-
   double best_arrival = 0.0;
   double best_accuracy = 0.0;
-  std::cout << std::fixed << std::setprecision(3) << "round    steps  accuracy  arrival alone\n";
-  for (const ImitationRound& round : result.rounds) {
+  std::cout << std::fixed << std::setprecision(3) << "round    steps  accuracy  arrival alone" << std::endl;
+  const auto report = [&](const ImitationRound& round) {
     const EpochReport& best = round.training.curve[static_cast<std::size_t>(round.training.best_epoch - 1)];
-    std::cout << std::setw(5) << round.round << std::setw(9) << round.steps << std::setw(10)
-              << best.validation.accuracy() << std::setw(15) << round.arrival << "\n";
+    const double accuracy = best.validation.accuracy();
+    std::cout << std::setw(5) << round.round << std::setw(9) << round.steps << std::setw(10) << accuracy
+              << std::setw(15) << round.arrival << std::endl;
     if (round.arrival >= best_arrival) {
       best_arrival = round.arrival;
-      best_accuracy = best.validation.accuracy();
+      best_accuracy = accuracy;
     }
-  }
+  };
+  const ImitationResult result =
+      imitate(options.imitation, [&](double share) { progress.show(share); }, report);
+  progress.show(1.0);
 
   Model model;
   model.layers = result.layers;

@@ -51,8 +51,10 @@ struct ImitationResult {
 
 /// Reports of progress: share of the whole work that is done, in [0, 1]. Called from the calling thread.
 using ProgressCallback = std::function<void(double)>;
+using RoundCallback = std::function<void(const ImitationRound&)>;
 
 /// Runs all rounds. The same parameters give the same weights, whatever the number of threads.
-ImitationResult imitate(const ImitationParameters& parameters, const ProgressCallback& progress = {});
+ImitationResult imitate(const ImitationParameters& parameters, const ProgressCallback& progress = {},
+                        const RoundCallback& round_done = {});
 
 }  // namespace lstm_planner
