@@ -2,12 +2,14 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/network/model_file.hpp"
@@ -30,6 +32,27 @@ inline Model untaughtModel(const PolicyDescription& description = {}) {
                                    randomMatrix(4 * kCells, 1, &random), Activation::kTanh});
   model.layers.push_back(
       DenseLayer{randomMatrix(actions, kCells, &random), randomMatrix(actions, 1, &random), Activation::kIdentity});
+  writeMetadata(description, &model.metadata);
+  return model;
+}
+
+/// A model that always prefers the steering angle that leads most directly to the goal: cos(angle - bearing).
+/// test/models/goal_seeking.onnx holds it, for tests that start their nodes from a launch file.
+inline Model goalSeekingModel(const PolicyDescription& description = {}) {
+  const std::vector<std::string>& layout = description.encoder.input_layout;
+  const int actions = description.actions.size();
+  DenseLayer layer{Eigen::MatrixXf::Zero(actions, static_cast<int>(layout.size())), Eigen::VectorXf::Zero(actions),
+                   Activation::kIdentity};
+  for (int input = 0; input < static_cast<int>(layout.size()); ++input) {
+    for (int action = 0; action < actions; ++action) {
+      const double angle = description.actions.angle(action);
+      const std::string& name = layout[static_cast<std::size_t>(input)];
+      if (name == "goal_bearing_sin") layer.weights(action, input) = static_cast<float>(std::sin(angle));
+      if (name == "goal_bearing_cos") layer.weights(action, input) = static_cast<float>(std::cos(angle));
+    }
+  }
+  Model model;
+  model.layers.push_back(layer);
   writeMetadata(description, &model.metadata);
   return model;
 }

@@ -140,13 +140,19 @@ class PlannerTest : public testing::Test {
     }));
   }
 
-  /// Asks for a plan to the driven goal and returns the decision behind it.
+  /// Asks for a plan to the driven goal (in odom) and returns the decision behind it. Decisions of earlier calls may still
+  /// be on their way: those made elsewhere are told apart by their distance to the goal.
   std::map<std::string, std::string> decide(LstmGlobalPlanner* planner, const geometry_msgs::PoseStamped& goal,
                                             DecisionListener* decisions) {
     const int before = decisions->count();
+    const double distance = distanceBetween(robot_.pose(), goal.pose.position);
     EXPECT_TRUE(plan(planner, goal));
-    EXPECT_TRUE(eventually([&] { return decisions->count() > before; })) << "not taken for the driven goal";
-    return decisions->newest();
+    std::map<std::string, std::string> decision;
+    EXPECT_TRUE(eventually([&] {
+      decision = decisions->newest();
+      return decisions->count() > before && std::abs(std::stod(decision.at("goal_distance")) - distance) < 1e-3;
+    })) << "not taken for the driven goal";
+    return decision;
   }
 
   FakeRobot robot_;

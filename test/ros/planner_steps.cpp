@@ -104,7 +104,17 @@ TEST_F(PlannerTest, OdometryJumpForgetsTheWayAndKeepsTheGoal) {
   EXPECT_EQ(decide(planner.get(), goal, &decisions).at("step"), "2");
   moveTo(planner.get(), {3.0, -2.0, 1.0}, 0.1);  // 3.2 m in 0.1 s
   EXPECT_EQ(decide(planner.get(), goal, &decisions).at("step"), "1");
-  EXPECT_NEAR(plan_.back().pose.position.x, kGoal.x, kGoalTolerance);
+  EXPECT_NEAR(plan_.back().pose.position.x, kGoal.x, 1e-9);
+}
+
+TEST_F(PlannerTest, GoalSeekingModelOfTheLaunchFilesIsTheOneMadeByHand) {
+  const Model file = readModelFile(LSTM_PLANNER_SOURCE_DIR "/test/models/goal_seeking.onnx");
+  const Model hand_made = goalSeekingModel();
+  ASSERT_EQ(file.layers.size(), 1u);
+  EXPECT_EQ(std::get<DenseLayer>(file.layers[0]).weights, std::get<DenseLayer>(hand_made.layers[0]).weights);
+  for (const auto& [key, value] : hand_made.metadata) {
+    EXPECT_EQ(file.metadata.at(key), value);
+  }
 }
 
 }  // namespace

@@ -1,0 +1,181 @@
+// The controller under move_base. The clock stands still unless a test moves it.
+
+#include <gtest/gtest.h>
+#include <pluginlib/class_loader.hpp>
+#include <ros/package.h>
+
+#include <cmath>
+#include <limits>
+
+#include "lstm_planner/ros/steering_controller.hpp"
+#include "ros/planner_fixture.hpp"
+
+namespace lstm_planner {
+namespace {
+
+Plan straightPlan(const std::string& frame, const Pose2& from, double length) {
+  Plan plan;
+  for (double at = 0.0; at <= length + 1e-9; at += 0.05) {
+    const Point2 position = pointAlong(from, from.yaw, at);
+    plan.push_back(stampedPose(frame, {position.x, position.y, from.yaw}));
+  }
+  return plan;
+}
+
+class ControllerTest : public PlannerTest {
+ protected:
+  void SetUp() override { initialise(); }
+  void TearDown() override { ros::param::del("~/SteeringController"); }
+
+  void initialise() {
+    controller_ = std::make_unique<SteeringController>();
+    controller_->initialize("SteeringController", &tf_, costmap_.get());
+    EXPECT_TRUE(controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0)));
+    EXPECT_TRUE(eventually([&] {
+      robot_.again();
+      controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
+      return controller_->computeVelocityCommands(velocity_);
+    }));
+  }
+
+  /// The robot stands at `pose`; true when the controller, having heard of it, gives a velocity.
+  bool computeAt(const Pose2& pose) {
+    robot_.moveTo(pose, 0.05);
+    return eventually([&] {
+      robot_.again();
+      return controller_->computeVelocityCommands(velocity_);
+    });
+  }
+
+  bool stands() const { return velocity_.linear.x == 0.0 && velocity_.angular.z == 0.0; }
+
+  std::unique_ptr<SteeringController> controller_;
+  geometry_msgs::Twist velocity_;
+};
+
+TEST_F(ControllerTest, DrivesStraightAlongAStraightPlan) {
+  EXPECT_GT(velocity_.linear.x, 0.0);
+  EXPECT_NEAR(velocity_.angular.z, 0.0, 1e-6);
+}
+
+TEST_F(ControllerTest, StandsWithoutAPlanAndWithAnEmptyOne) {
+  EXPECT_TRUE(controller_->setPlan({}));
+  EXPECT_FALSE(controller_->computeVelocityCommands(velocity_));
+  EXPECT_TRUE(stands());
+  EXPECT_FALSE(controller_->isGoalReached());
+}
+
+TEST_F(ControllerTest, StandsWhileTheScanIsOldAndGoesOnWhenItReturns) {
+  robot_.wait(0.25);  // scan_timeout is 0.2 s, odom_timeout 0.3 s
+  EXPECT_FALSE(controller_->computeVelocityCommands(velocity_));
+  EXPECT_TRUE(stands());
+  EXPECT_TRUE(computeAt(robot_.pose()));
+  EXPECT_GT(velocity_.linear.x, 0.0);
+}
+
+TEST_F(ControllerTest, StandsWhileTheOdometryIsOld) {
+  robot_.wait(0.35);
+  robot_.publishScan();
+  EXPECT_FALSE(controller_->computeVelocityCommands(velocity_));
+  EXPECT_TRUE(stands());
+  EXPECT_FALSE(controller_->isGoalReached());
+}
+
+TEST_F(ControllerTest, StandsWhenThePlanIsNotRenewed) {
+  EXPECT_TRUE(controller_->setPlan(straightPlan("odom", {}, 3.0)));
+  const ros::Time renewed = ros::Time::now();
+  EXPECT_TRUE(eventually([&] {
+    robot_.again();
+    return ros::Time::now() > renewed + ros::Duration(2.0) && controller_->isGoalReached() == false &&
+           !controller_->computeVelocityCommands(velocity_);
+  })) << "plan_timeout is 2 s";
+  EXPECT_TRUE(stands());
+  controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
+  EXPECT_TRUE(computeAt(robot_.pose()));
+}
+
+TEST_F(ControllerTest, FollowsAPlanInAnotherFrame) {
+  Plan plan;
+  for (const auto& pose : straightPlan("odom", {}, 3.0)) {
+    plan.push_back(stampedPose("map", compose(robot_.odometryInMap(), fromMessage(pose.pose))));
+  }
+  EXPECT_TRUE(controller_->setPlan(plan));
+  ASSERT_TRUE(computeAt({}));
+  EXPECT_GT(velocity_.linear.x, 0.0);
+  EXPECT_NEAR(velocity_.angular.z, 0.0, 1e-6);
+}
+
+TEST_F(ControllerTest, RefusesAPlanThatIsNotFiniteOrNotInOneFrame) {
+  auto plan = straightPlan("odom", {}, 1.0);
+  plan[3].pose.position.x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(controller_->setPlan(plan));
+  EXPECT_FALSE(controller_->computeVelocityCommands(velocity_)) << "the last plan is not followed either";
+  plan = straightPlan("odom", {}, 1.0);
+  plan.back().header.frame_id = "map";
+  EXPECT_FALSE(controller_->setPlan(plan));
+}
+
+TEST_F(ControllerTest, ArrivesWithinThePositionTolerance) {
+  controller_->setPlan(straightPlan("odom", {}, 1.0));
+  ASSERT_TRUE(computeAt({0.75, 0.0, 0.0}));
+  EXPECT_FALSE(controller_->isGoalReached()) << "0.25 m away, the tolerance is 0.2 m";
+  ASSERT_TRUE(computeAt({0.85, 0.0, 1.0}));
+  EXPECT_TRUE(eventually([&] { return controller_->isGoalReached(); })) << "any heading will do";
+}
+
+TEST_F(ControllerTest, TurnsToTheGoalsHeadingWhenTheToleranceAsksForIt) {
+  ros::param::set("~/SteeringController/heading_tolerance", 0.2);
+  initialise();
+  controller_->setPlan(straightPlan("odom", {}, 1.0));
+  ASSERT_TRUE(computeAt({0.9, 0.0, 1.0}));
+  EXPECT_TRUE(eventually([&] {
+    return controller_->computeVelocityCommands(velocity_) && velocity_.linear.x == 0.0 && velocity_.angular.z < -0.5;
+  }));
+  EXPECT_FALSE(controller_->isGoalReached());
+  ASSERT_TRUE(computeAt({0.9, 0.0, 0.1}));
+  EXPECT_TRUE(eventually([&] { return controller_->isGoalReached(); }));
+}
+
+TEST_F(ControllerTest, DoesNotDriveIntoWhatTheScanShows) {
+  // The scanner is 0.1 m ahead of the centre, the footprint's radius 0.174 m: the gap is 0.02 m, the margin 0.03 m.
+  robot_.range = [](double angle) { return std::abs(angle) < 0.3 ? 0.0943F : 4.0F; };
+  EXPECT_TRUE(eventually([&] {
+    robot_.again();
+    return controller_->computeVelocityCommands(velocity_) && velocity_.linear.x == 0.0;
+  }));
+}
+
+TEST_F(ControllerTest, BadParametersLeaveItStanding) {
+  ros::param::set("~/SteeringController/max_linear", -1.0);
+  SteeringController controller;
+  EXPECT_NO_THROW(controller.initialize("SteeringController", &tf_, costmap_.get()));
+  EXPECT_FALSE(controller.setPlan(straightPlan("odom", {}, 1.0)));
+  EXPECT_FALSE(controller.computeVelocityCommands(velocity_));
+  EXPECT_TRUE(stands());
+  EXPECT_FALSE(controller.isGoalReached());
+  EXPECT_NO_THROW(controller.initialize("SteeringController", nullptr, nullptr));
+}
+
+TEST_F(ControllerTest, LoadsByItsNameThroughPluginlib) {
+  const std::string package = ros::package::getPath("nav_core").empty() ? "lstm_planner" : "nav_core";
+  pluginlib::ClassLoader<nav_core::BaseLocalPlanner> loader(package, "nav_core::BaseLocalPlanner");
+  const auto controller = loader.createInstance("lstm_planner/SteeringController");
+  controller->initialize(loader.getName("lstm_planner/SteeringController"), &tf_, costmap_.get());
+  EXPECT_TRUE(eventually([&] {
+    robot_.again();
+    controller->setPlan(straightPlan("odom", {}, 1.0));
+    return controller->computeVelocityCommands(velocity_);
+  }));
+}
+
+}  // namespace
+}  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "controller_plugin");
+  const ros::NodeHandle node_handle;
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
