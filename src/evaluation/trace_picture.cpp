@@ -74,11 +74,17 @@ class Canvas {
                color, thickness, cv::LINE_AA, kSubpixelBits);
     }
   }
+  /// Moved into the picture when it would stick out.
   void text(const cv::Point& position, const std::string& text, const cv::Scalar& color) {
-    const double size = 0.55 * std::max(1.0, unit());
+    const double size = 0.6 * std::max(1.0, unit());
+    const int width = line(1.2);
+    int baseline = 0;
+    const cv::Size extent = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, size, width, &baseline);
+    const cv::Point inside(std::max(width, std::min(position.x, image_.cols - extent.width - width)),
+                           std::max(extent.height + width, std::min(position.y, image_.rows - baseline)));
     // A white rim keeps it readable over walls and traces.
-    cv::putText(image_, text, position, cv::FONT_HERSHEY_SIMPLEX, size, kFree, 5, cv::LINE_AA);
-    cv::putText(image_, text, position, cv::FONT_HERSHEY_SIMPLEX, size, color, 1, cv::LINE_AA);
+    cv::putText(image_, text, inside, cv::FONT_HERSHEY_SIMPLEX, size, kFree, 5 * width, cv::LINE_AA);
+    cv::putText(image_, text, inside, cv::FONT_HERSHEY_SIMPLEX, size, color, width, cv::LINE_AA);
   }
 
  private:
@@ -108,8 +114,8 @@ void drawGoal(const TracePicture::Goal& goal, double radius, Canvas* canvas) {
   if (!goal.reached) canvas->cross(goal.position, 2.0 * radius, color, canvas->line(2.0));
   if (goal.label.empty()) return;
   const double away = std::max(canvas->pixelsOf(radius), 4.0 * canvas->unit()) + 3.0 * canvas->unit();
-  const cv::Point beside(static_cast<int>(away), static_cast<int>(-0.5 * away));
-  canvas->text(canvas->pixelAt(goal.position) + beside, goal.label, color);
+  const cv::Point above(static_cast<int>(0.5 * away), static_cast<int>(-away));
+  canvas->text(canvas->pixelAt(goal.position) + above, goal.label, color);
 }
 
 void drawScale(Canvas* canvas) {
@@ -120,9 +126,11 @@ void drawScale(Canvas* canvas) {
   const int margin = canvas->line(14.0);
   const cv::Point left(margin, canvas->image().rows - margin);
   const cv::Point right(margin + static_cast<int>(canvas->pixelsOf(length)), left.y);
-  cv::line(canvas->image(), left, right, kFree, canvas->line(5.0));
+  const int rim = canvas->line(5.0);
+  const int height = canvas->line(30.0);
+  cv::rectangle(canvas->image(), {left.x - rim, left.y - height}, {right.x + rim, right.y + rim}, kFree, cv::FILLED);
   cv::line(canvas->image(), left, right, kText, canvas->line(2.0));
-  canvas->text(left + cv::Point(canvas->line(4.0), -canvas->line(5.0)), label, kText);
+  canvas->text(left + cv::Point(rim, -rim), label, kText);
 }
 
 }  // namespace
@@ -147,7 +155,8 @@ void writeTracePicture(const std::string& path, const OccupancyGrid& map, const 
   } catch (const cv::Exception&) {
     // An extension that OpenCV does not know; said below like any other failure.
   }
-  if (!written) throw std::runtime_error("picture '" + path + "' cannot be written (expected a path to a .png or .jpg)");
+  if (!written)
+    throw std::runtime_error("picture '" + path + "' cannot be written (expected a path to a .png or .jpg)");
 }
 
 }  // namespace lstm_planner

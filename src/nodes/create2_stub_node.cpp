@@ -1,6 +1,6 @@
-#include <stdexcept>
-
 #include <ros/ros.h>
+
+#include <stdexcept>
 
 #include "lstm_planner/ros/create2_stub.hpp"
 

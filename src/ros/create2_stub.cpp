@@ -1,29 +1,29 @@
 #include "lstm_planner/ros/create2_stub.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <vector>
-
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <std_msgs/UInt32.h>
 #include <tf2/LinearMath/Quaternion.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
 #include "lstm_planner/ros/conversions.hpp"
 
 namespace lstm_planner {
 namespace {
 
-constexpr std::uint64_t kStep = 5'000'000;           // ns of physics at a time
+constexpr std::uint64_t kStep = 5'000'000;  // ns of physics at a time
 constexpr double kStepSeconds = 1e-9 * kStep;
-constexpr double kEncoderRate = 1.0 / 0.015;         // Hz, the base sends its sensors every 15 ms
-constexpr double kClockRate = 100.0;                 // Hz
-constexpr double kTimeIncrement = 1.7361e-5;         // s between two beams
+constexpr double kEncoderRate = 1.0 / 0.015;            // Hz, the base sends its sensors every 15 ms
+constexpr double kClockRate = 100.0;                    // Hz
+constexpr double kTimeIncrement = 1.7361e-5;            // s between two beams
 constexpr std::uint64_t kClockStart = 100'000'000'000;  // ns; later than any buffer or time-out reaches back from
-constexpr std::uint64_t kLongestGap = 1'000'000'000;   // ns that are made up for when the node was held up
-constexpr double kStaleReport = 10.0;                // s between two warnings
+constexpr std::uint64_t kLongestGap = 1'000'000'000;    // ns that are made up for when the node was held up
+constexpr double kStaleReport = 10.0;                   // s between two warnings
 
 geometry_msgs::TransformStamped transform(const std::string& parent, const std::string& child, const ros::Time& stamp,
                                           const Pose2& pose, double z, bool upside_down = false) {

@@ -1,15 +1,15 @@
 #include "lstm_planner/ros/create2_stub_driver.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <std_msgs/Bool.h>
 #include <std_msgs/Float32.h>
 #include <std_msgs/Int16.h>
 #include <std_msgs/UInt16.h>
 #include <std_msgs/UInt8MultiArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 #ifdef LSTM_PLANNER_HAVE_CREATE_MSGS
 #include <create_msgs/Bumper.h>
 #include <create_msgs/ChargingState.h>
@@ -22,17 +22,17 @@ namespace lstm_planner {
 namespace {
 
 constexpr int kQueue = 30;
-constexpr double kVariance = 1e-5;       // m^2 and rad^2, on the diagonal of both covariances
-constexpr double kIgnored = 1e3;         // variance of what a planar robot does not measure
-constexpr std::uint16_t kNoInfrared = 0; // character of the omnidirectional receiver that sees no dock
+constexpr double kVariance = 1e-5;        // m^2 and rad^2, on the diagonal of both covariances
+constexpr double kIgnored = 1e3;          // variance of what a planar robot does not measure
+constexpr std::uint16_t kNoInfrared = 0;  // character of the omnidirectional receiver that sees no dock
 
 const ros::Duration kDiagnosticsPeriod(1.0);
 
 // A full battery at rest.
-constexpr float kVoltage = 16.2F;     // V
-constexpr float kCurrent = -0.2F;     // A
-constexpr float kCharge = 2.6F;       // Ah
-constexpr float kCapacity = 2.696F;   // Ah
+constexpr float kVoltage = 16.2F;          // V
+constexpr float kCurrent = -0.2F;          // A
+constexpr float kCharge = 2.6F;            // Ah
+constexpr float kCapacity = 2.696F;        // Ah
 constexpr std::int16_t kTemperature = 25;  // degrees Celsius
 
 template <typename Message, typename Value>
@@ -60,13 +60,15 @@ Create2StubDriver::Create2StubDriver(const Create2StubParameters& parameters, Ro
                                      std::function<ros::Time()> now)
     : parameters_(parameters), robot_(robot), now_(std::move(now)) {
   node_.setCallbackQueue(&queue_);
-  subscribers_.push_back(node_.subscribe("cmd_vel", 1, &Create2StubDriver::onCommand, this));
+  // Without it a command can wait 40 ms in the sender, which is a whole loop when simulated time runs faster.
+  subscribers_.push_back(
+      node_.subscribe("cmd_vel", 1, &Create2StubDriver::onCommand, this, ros::TransportHints().tcpNoDelay()));
   subscribers_.push_back(node_.subscribe<std_msgs::Empty>("dock", 10, [this](const std_msgs::Empty::ConstPtr&) {
     drive({});
     passive_ = true;
   }));
-  subscribers_.push_back(node_.subscribe<std_msgs::Empty>(
-      "undock", 10, [this](const std_msgs::Empty::ConstPtr&) { passive_ = false; }));
+  subscribers_.push_back(
+      node_.subscribe<std_msgs::Empty>("undock", 10, [this](const std_msgs::Empty::ConstPtr&) { passive_ = false; }));
   // LEDs and digits have nothing to show here.
   for (const std::string topic : {"debris_led", "spot_led", "dock_led", "check_led"}) {
     subscribers_.push_back(node_.subscribe(topic, 10, &ignore<std_msgs::Bool>));
@@ -83,8 +85,8 @@ Create2StubDriver::Create2StubDriver(const Create2StubParameters& parameters, Ro
     battery_publishers_.push_back(node_.advertise<std_msgs::Float32>(std::string("battery/") + name, kQueue));
   }
   battery_publishers_.push_back(node_.advertise<std_msgs::Int16>("battery/temperature", kQueue));
-  for (const char* topic : {"wheeldrop", "clean_button", "day_button", "hour_button", "minute_button", "dock_button",
-                            "spot_button"}) {
+  for (const char* topic :
+       {"wheeldrop", "clean_button", "day_button", "hour_button", "minute_button", "dock_button", "spot_button"}) {
     silent_publishers_.push_back(node_.advertise<std_msgs::Empty>(topic, kQueue));
   }
 #ifdef LSTM_PLANNER_HAVE_CREATE_MSGS
@@ -219,8 +221,7 @@ void Create2StubDriver::publishDiagnostics() {
   next_diagnostics_ = time_ + kDiagnosticsPeriod;
   diagnostic_msgs::DiagnosticArray message;
   message.header.stamp = now_();
-  message.status = {status("Battery Status", "Battery is OK"),
-                    status("Safety Status", "No safety issues detected"),
+  message.status = {status("Battery Status", "Battery is OK"), status("Safety Status", "No safety issues detected"),
                     status("Serial Status", "Serial connection is good"),
                     status("Base Mode", passive_ ? "Mode is set to PASSIVE" : "Mode is set to FULL"),
                     status("Driver Status", "Maintaining loop frequency")};

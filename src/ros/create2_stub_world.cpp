@@ -10,9 +10,9 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kContactEnds = 0.01;     // m of air after which touching again is a new contact
-constexpr double kBumperTravel = 0.005;   // m
-constexpr double kBumperBearing = 0.7;    // rad, middle of each half of the bumper
+constexpr double kContactEnds = 0.01;    // m of air after which touching again is a new contact
+constexpr double kBumperTravel = 0.005;  // m
+constexpr double kBumperBearing = 0.7;   // rad, middle of each half of the bumper
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> fields;
@@ -79,8 +79,9 @@ std::vector<Circle> readCircles(const std::string& path, double default_radius, 
 
 std::unique_ptr<World> makeWorld(const Create2StubParameters& parameters) {
   if (parameters.map.empty() == parameters.circles.empty()) {
-    throw std::invalid_argument("exactly one of the parameters map (a map_server yaml) and circles (a csv) is needed, " +
-                                std::string(parameters.map.empty() ? "neither" : "both") + " given");
+    throw std::invalid_argument(
+        "exactly one of the parameters map (a map_server yaml) and circles (a csv) is needed, " +
+        std::string(parameters.map.empty() ? "neither" : "both") + " given");
   }
   std::unique_ptr<World> world;
   if (!parameters.map.empty()) {

@@ -12,11 +12,11 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kPoll = 0.02;             // s of the computer's clock
-constexpr double kCancelTime = 5.0;        // s for the action to end after a cancel
-constexpr double kTraceSpacing = 0.02;     // m between the points that are kept for the picture
-constexpr double kNearestFree = 0.3;       // m around a blocked cell in which the shortest way may begin
-constexpr double kGridError = 1e-3;        // m, keeps rounding from closing a gap that just fits
+constexpr double kPoll = 0.02;          // s of the computer's clock
+constexpr double kCancelTime = 5.0;     // s for the action to end after a cancel
+constexpr double kTraceSpacing = 0.02;  // m between the points that are kept for the picture
+constexpr double kNearestFree = 0.3;    // m around a blocked cell in which the shortest way may begin
+constexpr double kGridError = 1e-3;     // m, keeps rounding from closing a gap that just fits
 
 void say(const std::string& line) { std::cout << line << std::endl; }
 
@@ -42,7 +42,8 @@ DemoRunner::DemoRunner(const DemoParameters& parameters)
 int DemoRunner::run() {
   const std::size_t planned = parameters_.goals.size();
   // Whoever reads the file after a crash must not find the result of an earlier run.
-  if (!parameters_.result.empty()) writeDemoResult(parameters_.result, 1, {}, planned, "the demo did not end by itself");
+  if (!parameters_.result.empty())
+    writeDemoResult(parameters_.result, 1, {}, planned, "the demo did not end by itself");
   std::string error;
   try {
     driveAll();

@@ -48,8 +48,8 @@ Totals totalsOf(const std::vector<DemoLeg>& legs) {
 }
 
 nlohmann::json toJson(const DemoLeg& leg) {
-  nlohmann::json json = {{"name", leg.name},       {"x", leg.goal.x},       {"y", leg.goal.y},
-                         {"reached", leg.reached}, {"text", leg.text},      {"time_s", leg.time},
+  nlohmann::json json = {{"name", leg.name},       {"x", leg.goal.x},          {"y", leg.goal.y},
+                         {"reached", leg.reached}, {"text", leg.text},         {"time_s", leg.time},
                          {"path_m", leg.path},     {"contacts", leg.contacts}, {"remaining_m", leg.remaining}};
   json["shortest_m"] = std::isfinite(leg.shortest) ? nlohmann::json(leg.shortest) : nlohmann::json();
   json["ratio"] = hasRatio(leg) ? nlohmann::json(leg.path / leg.shortest) : nlohmann::json();
@@ -74,8 +74,8 @@ std::string describeLeg(const DemoLeg& leg) {
 
 std::string describeDemo(const std::vector<DemoLeg>& legs, std::size_t planned) {
   const Totals totals = totalsOf(legs);
-  std::string line = format("%zu of %zu goals reached in %.1f s, path %.1f m", totals.reached, planned, totals.time,
-                            totals.path);
+  std::string line =
+      format("%zu of %zu goals reached in %.1f s, path %.1f m", totals.reached, planned, totals.time, totals.path);
   if (totals.mean_ratio > 0.0) line += format(" = %.2f x shortest on average", totals.mean_ratio);
   return line + ", " + contactsText(totals.contacts);
 }

@@ -24,10 +24,10 @@
 
 namespace {
 
-constexpr double kDeadline = 30.0;      // s of the computer's clock after which a test has failed
+constexpr double kDeadline = 30.0;        // s of the computer's clock after which a test has failed
 constexpr double kRobotRadius = 0.17425;  // m
-constexpr double kScanPeriod = 0.025;   // s, of ~ground_truth too
-constexpr double kClockPeriod = 0.01;   // s, resolution of a simulated clock
+constexpr double kScanPeriod = 0.025;     // s, of ~ground_truth too
+constexpr double kClockPeriod = 0.01;     // s, resolution of a simulated clock
 
 /// Plays the simulator whose /clock the stub follows.
 class ClockSource {

@@ -21,8 +21,8 @@ namespace {
 
 constexpr double kDeadline = 60.0;  // s of the computer's clock after which a test has failed
 
-/// A move_base that does with its goals, one after another, what the parameter ~behaviours says: drive, abort, lie (claim
-/// success at once), hang (never end), ram (drive on until something is touched).
+/// A move_base that does with its goals, one after another, what the parameter ~behaviours says: drive, abort, lie
+/// (claim success at once), hang (never end), ram (drive on until something is touched).
 class MoveBase {
  public:
   MoveBase() : server_(node_, "move_base", false) {

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <cstdint>
-#include <memory>
-
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/static_transform_broadcaster.h>
+
+#include <cstdint>
+#include <memory>
 
 #include "lstm_planner/ros/create2_stub_driver.hpp"
 #include "lstm_planner/ros/create2_stub_parameters.hpp"
@@ -35,8 +35,8 @@ class Schedule {
 };
 
 /// The node `create2_stub`: a simulated Create 2 with a Hokuyo in a map, seen through the topics of create_driver and
-/// urg_node. The physics runs in fixed steps of 5 ms in lock step with scans and driver loop, on one of three clocks: the
-/// computer's, a /clock that someone else publishes, or a /clock of its own (parameter publish_clock).
+/// urg_node. The physics runs in fixed steps of 5 ms in lock step with scans and driver loop, on one of three clocks:
+/// the computer's, a /clock that someone else publishes, or a /clock of its own (parameter publish_clock).
 ///
 /// Publishes beside the driver's topics (Create2StubDriver): `scan`; `~contacts` (std_msgs/UInt32, latched) and
 /// `~ground_truth` (nav_msgs/Odometry in the map frame, 40 Hz), for judging only. Services: `~pause_scan`

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
 #include <geometry_msgs/Twist.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
@@ -11,6 +7,10 @@
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/Empty.h>
 #include <tf2_ros/transform_broadcaster.h>
+
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "lstm_planner/ros/create2_stub_parameters.hpp"
 #include "lstm_planner/ros/create2_stub_world.hpp"
@@ -54,7 +54,7 @@ class Create2StubDriver {
   double right_angle_ = 0.0;
   double requested_left_ = 0.0;   ///< m/s
   double requested_right_ = 0.0;  ///< m/s
-  ros::Time time_;  ///< of the loop
+  ros::Time time_;                ///< of the loop
   ros::Time last_command_;
   ros::Time next_diagnostics_;
   bool passive_ = false;  ///< docking; drive commands are ignored until `undock`

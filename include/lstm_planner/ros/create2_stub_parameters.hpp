@@ -1,9 +1,9 @@
 #pragma once
 
+#include <ros/node_handle.h>
+
 #include <cstdint>
 #include <string>
-
-#include <ros/node_handle.h>
 
 #include "lstm_planner/geometry.hpp"
 #include "lstm_planner/simulation/create2.hpp"
@@ -22,14 +22,14 @@ struct Create2StubParameters {
   bool publish_tf = true;
 
   // The world: a map_server map or circles, exactly one of them.
-  std::string map;              ///< path of the map's yaml
-  double free_threshold = -1.0; ///< replaces the map's free_thresh when not negative
-  std::string circles;          ///< path of a csv with the columns x, y and optionally radius and world
-  double circle_radius = 0.075; ///< m, of circles without a column radius
-  int circle_world = 1;         ///< which circles are meant where there is a column world
+  std::string map;               ///< path of the map's yaml
+  double free_threshold = -1.0;  ///< replaces the map's free_thresh when not negative
+  std::string circles;           ///< path of a csv with the columns x, y and optionally radius and world
+  double circle_radius = 0.075;  ///< m, of circles without a column radius
+  int circle_world = 1;          ///< which circles are meant where there is a column world
   std::string map_frame = "map";
-  bool publish_map = false;     ///< the map on `map` and the transform map_frame -> odom_frame, for viewing and for tests
-  Pose2 start;                  ///< in the map frame
+  bool publish_map = false;  ///< the map on `map` and the transform map_frame -> odom_frame, for viewing and for tests
+  Pose2 start;               ///< in the map frame
 
   // The robot and its scanner.
   Create2Parameters robot;

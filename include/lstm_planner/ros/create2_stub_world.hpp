@@ -11,9 +11,9 @@
 
 namespace lstm_planner {
 
-/// Circles from a csv file whose first line names the columns: x, y (m), optionally radius (m; else `default_radius`) and
-/// world (only the lines of that `world` count). Throws std::invalid_argument naming the file, the line and what was
-/// expected.
+/// Circles from a csv file whose first line names the columns: x, y (m), optionally radius (m; else `default_radius`)
+/// and world (only the lines of that `world` count). Throws std::invalid_argument naming the file, the line and what
+/// was expected.
 std::vector<Circle> readCircles(const std::string& path, double default_radius, int world);
 
 /// The world that the parameters name. Throws std::invalid_argument when they name none or two, when its file cannot be

@@ -17,8 +17,8 @@
 
 namespace lstm_planner {
 
-/// What `demo_runner` reads from its private namespace. The scenario (parameters below `~scenario/`) is a goals file such
-/// as config/demo_goals.yaml, which explains them.
+/// What `demo_runner` reads from its private namespace. The scenario (parameters below `~scenario/`) is a goals file
+/// such as config/demo_goals.yaml, which explains them.
 struct DemoParameters {
   struct Goal {
     std::string name;
@@ -26,16 +26,16 @@ struct DemoParameters {
     double time_limit;  ///< s
   };
   std::vector<Goal> goals;
-  Pose2 start;                      ///< ~start, else ~scenario/start: where odometry began, in the map frame
-  std::string map;                  ///< ~map: path of the map_server yaml
-  double free_threshold = -1.0;     ///< ~free_threshold: replaces the map's when not negative
-  std::string odom_frame = "odom";  ///< ~odom_frame: what the goals are sent in
-  std::string action = "move_base"; ///< ~action
-  double robot_radius = 0.17425;    ///< ~robot_radius, m
-  double arrival_radius = 0.4;      ///< ~arrival_radius: m between true position and goal to believe an arrival
-  double patience = 60.0;           ///< ~patience: s (the computer's) without the action server or the ground truth
-  std::string picture;              ///< ~picture: path of the picture, none when empty
-  std::string result;               ///< ~result: path of the result file, none when empty
+  Pose2 start;                       ///< ~start, else ~scenario/start: where odometry began, in the map frame
+  std::string map;                   ///< ~map: path of the map_server yaml
+  double free_threshold = -1.0;      ///< ~free_threshold: replaces the map's when not negative
+  std::string odom_frame = "odom";   ///< ~odom_frame: what the goals are sent in
+  std::string action = "move_base";  ///< ~action
+  double robot_radius = 0.17425;     ///< ~robot_radius, m
+  double arrival_radius = 0.4;       ///< ~arrival_radius: m between true position and goal to believe an arrival
+  double patience = 60.0;            ///< ~patience: s (the computer's) without the action server or the ground truth
+  std::string picture;               ///< ~picture: path of the picture, none when empty
+  std::string result;                ///< ~result: path of the result file, none when empty
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
@@ -44,13 +44,13 @@ DemoParameters loadDemoParameters(const ros::NodeHandle& private_node);
 /// What became of one goal.
 struct DemoLeg {
   std::string name;
-  Point2 goal;              ///< in the map frame
-  bool reached = false;     ///< the action succeeded and the robot truly is there
-  std::string text;         ///< what the action said, or why the arrival is not believed
-  double time = 0.0;        ///< s
-  double path = 0.0;        ///< m, truly driven
-  double shortest = 0.0;    ///< m, shortest way of the footprint from where the leg began; +inf where there is none
-  double remaining = 0.0;   ///< m to the goal at the end
+  Point2 goal;             ///< in the map frame
+  bool reached = false;    ///< the action succeeded and the robot truly is there
+  std::string text;        ///< what the action said, or why the arrival is not believed
+  double time = 0.0;       ///< s
+  double path = 0.0;       ///< m, truly driven
+  double shortest = 0.0;   ///< m, shortest way of the footprint from where the leg began; +inf where there is none
+  double remaining = 0.0;  ///< m to the goal at the end
   unsigned contacts = 0;
 };
 
@@ -98,10 +98,10 @@ class DemoRunner {
   DistanceField distances_;
   std::vector<DemoLeg> legs_;
 
-  Pose2 pose_;                 ///< true, in the map frame
-  ros::Time stamp_;            ///< of pose_; zero before the first
+  Pose2 pose_;       ///< true, in the map frame
+  ros::Time stamp_;  ///< of pose_; zero before the first
   ros::WallTime last_heard_;
-  double driven_ = 0.0;        ///< m since the start
+  double driven_ = 0.0;  ///< m since the start
   unsigned contacts_ = 0;
   std::vector<Point2> trace_;
   std::vector<Point2> contact_points_;
