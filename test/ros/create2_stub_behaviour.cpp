@@ -127,7 +127,6 @@ class Create2Stub : public ::testing::Test {
   std::vector<nav_msgs::Odometry> odometries_;
   std::vector<sensor_msgs::LaserScan> scans_;
   std::set<ros::Time> transform_stamps_;
-  int transform_first_ = 0;
   unsigned contacts_ = 0;
 
  private:
@@ -137,12 +136,7 @@ class Create2Stub : public ::testing::Test {
   void onTransforms(const tf2_msgs::TFMessage::ConstPtr& message) {
     for (const auto& transform : message->transforms) transform_stamps_.insert(transform.header.stamp);
   }
-  void onOdometry(const nav_msgs::Odometry::ConstPtr& message) {
-    odometries_.push_back(*message);
-    // Each has its own stamp; those of one round of the loop are far closer than two rounds.
-    const auto first = transform_stamps_.lower_bound(message->header.stamp - ros::Duration(0.03));
-    if (first != transform_stamps_.end()) ++transform_first_;
-  }
+  void onOdometry(const nav_msgs::Odometry::ConstPtr& message) { odometries_.push_back(*message); }
 
   ros::Subscriber truth_subscriber_;
   ros::Subscriber odometry_subscriber_;
@@ -205,10 +199,18 @@ TEST_F(Create2Stub, ScansAt40HzAndLoopsAt10Hz) {
   EXPECT_NEAR(span / rounds, 0.1, 0.005);
 }
 
-TEST_F(Create2Stub, SendsTheTransformBeforeTheOdometry) {
-  ASSERT_TRUE(spinUntil([this] { return odometries_.size() > 30; }));
-  // Two connections may overtake each other now and then; the other order of sending would make it the rule.
-  EXPECT_GT(transform_first_, 20);
+TEST_F(Create2Stub, SendsATransformWithEveryOdometry) {
+  const std::size_t before = odometries_.size();
+  ASSERT_TRUE(spinUntil([&] { return odometries_.size() > before + 10; }));
+  const ros::Time last = odometries_[before + 9].header.stamp;
+  ASSERT_TRUE(spinUntil([&] { return !transform_stamps_.empty() && *transform_stamps_.rbegin() >= last; }));
+  for (std::size_t i = before; i < before + 10; ++i) {
+    // Each has its own stamp; those of one round of the loop are far closer than two rounds.
+    const ros::Time stamp = odometries_[i].header.stamp;
+    const auto next = transform_stamps_.lower_bound(stamp);
+    ASSERT_NE(next, transform_stamps_.end());
+    EXPECT_LT((*next - stamp).toSec(), 0.05);
+  }
 }
 
 TEST_F(Create2Stub, PublishesWheelsAndBattery) {
