@@ -36,6 +36,8 @@ void validate(const AgentParameters& parameters) {
   expectPositive("shield/shortest_step", shield.shortest_step);
   expect(shield.shortest_step <= parameters.step.length, "shield/shortest_step", shield.shortest_step,
          "at most step/length = " + std::to_string(parameters.step.length));
+  expect(parameters.step.reached < shield.shortest_step, "step/reached", parameters.step.reached,
+         "less than shield/shortest_step = " + std::to_string(shield.shortest_step));
   const double needed_reach = parameters.step.length + shield.footprint_radius + shield.clearance;
   expect(shield.reach >= needed_reach, "shield/reach", shield.reach,
          "at least step, footprint radius and clearance together = " + std::to_string(needed_reach));
@@ -54,6 +56,8 @@ void validate(const AgentParameters& parameters) {
   expectPositive("escape/loop_length", escape.loop_length);
 
   expectPositive("goal_tolerance", parameters.goal_tolerance);
+  expect(parameters.step.reached < parameters.goal_tolerance, "step/reached", parameters.step.reached,
+         "less than goal_tolerance = " + std::to_string(parameters.goal_tolerance));
   expect(parameters.goal_in_sight >= 0.0, "goal_in_sight", parameters.goal_in_sight, "zero or more");
 }
 
