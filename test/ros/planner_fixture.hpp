@@ -5,8 +5,10 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 #include <tf2_ros/transform_listener.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -60,6 +62,44 @@ class DecisionListener {
   std::mutex mutex_;
   std::map<std::string, std::string> newest_;
   int count_ = 0;
+  CallbackThread callbacks_;
+  ros::Subscriber subscriber_;
+};
+
+/// What this process logs.
+class LogListener {
+ public:
+  LogListener() : subscriber_(callbacks_.nodeHandle().subscribe("/rosout", 1000, &LogListener::onLog, this)) {
+    EXPECT_TRUE(eventually([&] {
+      ROS_INFO("is somebody listening?");
+      return count("is somebody listening?") > 0;
+    }));
+  }
+
+  /// Number of lines with that text so far.
+  int count(const std::string& text) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return static_cast<int>(std::count_if(lines_.begin(), lines_.end(), [&](const std::string& line) {
+      return line.find(text) != std::string::npos;
+    }));
+  }
+
+  /// Waits until all that was logged before has come in.
+  void flush() {
+    const std::string mark = "mark " + std::to_string(++marks_);
+    ROS_INFO("%s", mark.c_str());
+    EXPECT_TRUE(eventually([&] { return count(mark) > 0; }));
+  }
+
+ private:
+  void onLog(const rosgraph_msgs::Log::ConstPtr& line) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    lines_.push_back(line->msg);
+  }
+
+  std::mutex mutex_;
+  std::vector<std::string> lines_;
+  int marks_ = 0;
   CallbackThread callbacks_;
   ros::Subscriber subscriber_;
 };

@@ -210,6 +210,30 @@ TEST_F(PlannerTest, OutlivesTheCostmap) {
   EXPECT_NO_THROW(planner.reset());
 }
 
+TEST_F(PlannerTest, PlannerFrequencyOfZeroIsWarnedOfOnce) {
+  LogListener log;
+  makePlanner();
+  log.flush();
+  EXPECT_EQ(log.count("planner_frequency"), 0);
+  ros::param::del("~/planner_frequency");  // move_base's default is 0
+  makePlanner();
+  log.flush();
+  EXPECT_EQ(log.count("planner_frequency is 0"), 1);
+}
+
+TEST_F(PlannerTest, PlannerThatFailsInATightLoopSaysSoOnce) {
+  LogListener log;
+  auto planner = makePlanner();
+  robot_.wait(1000.0);
+  log.flush();
+  const int before = log.count("no plan");
+  for (int i = 0; i < 500; ++i) {
+    EXPECT_FALSE(preview(planner.get()));
+  }
+  log.flush();
+  EXPECT_EQ(log.count("no plan"), before + 1);
+}
+
 TEST_F(PlannerTest, LoadsByItsNameThroughPluginlib) {
   const std::string package = ros::package::getPath("nav_core").empty() ? "lstm_planner" : "nav_core";
   pluginlib::ClassLoader<nav_core::BaseGlobalPlanner> loader(package, "nav_core::BaseGlobalPlanner");
