@@ -2,33 +2,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lstm_planner {
+
+namespace {
+/// Boundaries that are gone around twice before the escape gives up for good.
+constexpr int kMostRounds = 5;
+}  // namespace
 
 Escape::Escape(const EscapeParameters& parameters, const ShieldParameters& shield)
     : parameters_(parameters), shield_parameters_(shield) {}
 
 void Escape::begin(double target_distance) {
   target_distance_ = target_distance;
+  leave_below_ = std::numeric_limits<double>::infinity();
   following_ = false;
+  rounds_ = 0;
 }
 
 Escape::Outcome Escape::decide(const Situation& situation, const Shield& shield, const Point2& goal, Heading* move) {
   const double distance = distanceBetween(situation.pose, goal);
+  const double open = openTowardsGoal(situation, shield, goal, distance);
+  const bool can_go = open >= std::min(distance, parameters_.follow_step);
   if (following_) {
     measureBoundary(situation.pose);
-    const bool nearer = distance < hit_distance_ - parameters_.leave_margin;
-    if (nearer && goalIsOpen(situation, shield, goal, distance)) {
+    // Where the straight way leads nearer to the goal than where the boundary was met (Kamon and Rivlin's leaving
+    // condition), even if the robot itself is not nearer yet.
+    if (can_go && distance - open < leave_below_ - parameters_.leave_margin) {
       following_ = false;
+      leave_below_ = distance - open;  // What turns out not to be open must not be believed again.
     } else if (loopClosed(situation.pose)) {
-      return Outcome::kNoWay;
+      if (tight_ || rounds_ == kMostRounds) {
+        return Outcome::kNoWay;
+      }
+      followTight(situation.pose, goal);
     }
   }
   if (!following_) {
     if (distance < target_distance_) {
       return Outcome::kDone;
     }
-    if (goalIsOpen(situation, shield, goal, distance)) {
+    if (can_go) {
       *move = {directionTo(situation.pose, goal), std::min(distance, parameters_.follow_step)};
       return Outcome::kMove;
     }
@@ -38,21 +53,38 @@ Escape::Outcome Escape::decide(const Situation& situation, const Shield& shield,
   return Outcome::kMove;
 }
 
-bool Escape::goalIsOpen(const Situation& situation, const Shield& shield, const Point2& goal, double distance) const {
+double Escape::openTowardsGoal(const Situation& situation, const Shield& shield, const Point2& goal,
+                               double distance) const {
   const double direction = directionTo(situation.pose, goal) - situation.pose.yaw;
-  const double needed = std::min(distance, parameters_.follow_step + shield_parameters_.shortest_step);
-  return shield.freeDistance({}, direction, needed, shield_parameters_.clearance) >= needed;
+  const double seen = std::min(distance, shield_parameters_.reach - shield_parameters_.footprint_radius);
+  return shield.freeDistance({}, direction, seen, clearance());
+}
+
+double Escape::clearance() const {
+  return following_ && tight_ ? shield_parameters_.tight_clearance : shield_parameters_.clearance;
+}
+
+void Escape::followTight(const Pose2& pose, const Point2& goal) {
+  // Noise makes doors look narrower than they are: once more around, as close as the robot can.
+  tight_ = true;
+  ++rounds_;
+  leave_below_ = distanceBetween(hit_position_, goal);
+  along_ = 0.0;
+  turned_ = 0.0;
+  leg_ = std::numeric_limits<double>::infinity();
+  last_position_ = pose;
 }
 
 void Escape::meetBoundary(const Situation& situation, const Shield& shield, const Point2& goal) {
   following_ = true;
   hit_position_ = {situation.pose.x, situation.pose.y};
-  hit_distance_ = distanceBetween(situation.pose, goal);
+  leave_below_ = std::min(leave_below_, distanceBetween(situation.pose, goal));
   last_position_ = situation.pose;
   along_ = 0.0;
   turned_ = 0.0;
   way_ = 1;
   leg_ = parameters_.first_leg;
+  tight_ = false;
 
   // The side that needs the smaller turn away from the goal; the wall is then on the other one.
   const double to_goal = directionTo(situation.pose, goal);
@@ -60,8 +92,7 @@ void Escape::meetBoundary(const Situation& situation, const Shield& shield, cons
   for (const int side : {-1, 1}) {
     for (double angle = 0.0; angle < M_PI; angle += parameters_.probe_angle) {
       const double direction = to_goal + side * angle - situation.pose.yaw;
-      if (shield.freeDistance({}, direction, parameters_.follow_step, shield_parameters_.clearance) >=
-          parameters_.follow_step) {
+      if (shield.freeDistance({}, direction, parameters_.follow_step, clearance()) >= parameters_.follow_step) {
         turn[(side + 1) / 2] = angle;
         break;
       }
@@ -118,10 +149,9 @@ bool Escape::loopClosed(const Pose2& pose) const {
 Heading Escape::follow(const Situation& situation, const Shield& shield) {
   const double start = travel_direction_ + side_ * parameters_.wall_turn;
   Heading move;
-  for (const double clearance : {shield_parameters_.clearance, shield_parameters_.tight_clearance}) {
-    if (probe(situation, shield, start, clearance, &move)) {
-      return move;
-    }
+  if (probe(situation, shield, start, clearance(), &move) ||
+      probe(situation, shield, start, shield_parameters_.tight_clearance, &move)) {
+    return move;
   }
   // Boxed in as far as can be seen: turn towards where nothing has been seen.
   return {situation.pose.yaw - side_ * 2.0, 0.0};

@@ -15,6 +15,8 @@ void expectPositive(const std::string& name, double value) {
   }
 }
 
+constexpr double kBehind = 2.7;  // rad of heading error
+
 double clamp(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
 
 }  // namespace
@@ -52,7 +54,14 @@ Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& po
   }
 
   const Pose2 ahead = target(plan, pose, shield);
-  const double error = normalizeAngle(directionTo(pose, ahead) - pose.yaw);
+  double error = normalizeAngle(directionTo(pose, ahead) - pose.yaw);
+  if (!std::isfinite(error)) {
+    return {};  // the plan is not finite
+  }
+  // What lies behind may be a little to the left now and a little to the right next time: go on turning the way we turn.
+  if (std::abs(error) > kBehind && error * current.angular < 0.0) {
+    error -= std::copysign(2.0 * M_PI, error);
+  }
   Twist2 twist;
   twist.angular = clamp(parameters_.heading_gain * error, parameters_.max_angular);
   if (std::abs(error) < parameters_.turn_in_place) {

@@ -80,7 +80,8 @@ bool NavigationAgent::stepIsOver(const Situation& situation) const {
     return true;
   }
   if (decision_.source == Decision::Source::kEscape) {
-    return moved >= parameters_.escape.follow_step;
+    // Half way already, so that the robot need not slow down for the next bend.
+    return moved >= 0.5 * parameters_.escape.follow_step;
   }
   const double turned = std::abs(normalizeAngle(situation.pose.yaw - step_pose_.yaw));
   return moved >= step.length || turned >= step.turn ||

@@ -24,7 +24,11 @@ struct Episode {
 };
 
 /// Who is at the wheel.
-enum class Driver { kTeacher, kLearner };
+enum class Driver {
+  kTeacher,
+  kRescuedLearner,  ///< the teacher takes over for a while when the learner is stuck
+  kLearner
+};
 
 FloorPlanParameters randomPlan(Random& random) {
   FloorPlanParameters plan;
@@ -76,7 +80,7 @@ Episode driveEpisode(const GridWorld& world, const DriveTask& task, const Imitat
     const double left = teacher.distanceToGo(position);
     since_best = left < best - 0.1 ? 0 : since_best + 1;
     best = std::min(best, left);
-    if (since_best >= parameters.stuck_steps) {
+    if (driver == Driver::kRescuedLearner && since_best >= parameters.stuck_steps) {
       since_best = 0;
       rescue = parameters.rescue_steps;
     }
@@ -87,13 +91,6 @@ Episode driveEpisode(const GridWorld& world, const DriveTask& task, const Imitat
   const DriveResult result = drive(world, task, driveParameters(parameters), seed, &agent);
   episode.arrived = result.end == DriveResult::End::kReached;
   return episode;
-}
-
-/// Share of the drives in unseen plans that arrive with network and shield alone.
-bool arrivesAlone(const GridWorld& world, const DriveTask& task, const ImitationParameters& parameters,
-                  const LayerStack& layers, std::uint64_t seed) {
-  NavigationAgent agent(DrivePolicy(parameters.policy, layers), agentParameters(parameters.policy));
-  return drive(world, task, driveParameters(parameters), seed, &agent).end == DriveResult::End::kReached;
 }
 
 /// A floor plan and its drives, all from one seed.
@@ -117,8 +114,11 @@ std::uint64_t planSeed(std::uint64_t seed, bool validation, int round, int plan)
   return validation ? number | (1ULL << 63) : number;
 }
 
+/// Calls `choose_driver` for each drive of a round and lets that driver drive it.
+template <typename ChooseDriver>
 std::vector<Episode> collect(const ImitationParameters& parameters, const LayerStack& layers, int round,
-                             bool validation, const std::function<void(int)>& report) {
+                             bool validation, const ChooseDriver& choose_driver,
+                             const std::function<void(int)>& report) {
   const int plans = validation ? parameters.validation_plans : parameters.plans;
   std::vector<std::vector<Episode>> episodes(static_cast<std::size_t>(plans));
   std::atomic<int> done{0};
@@ -127,9 +127,9 @@ std::vector<Episode> collect(const ImitationParameters& parameters, const LayerS
     const Exercise exercise = makeExercise(parameters.episodes, seed);
     Random random(seed + 1);
     for (const DriveTask& task : exercise.tasks) {
-      const bool learner = round > 0 && uniform(random) < parameters.learner_share;
-      episodes[static_cast<std::size_t>(plan)].push_back(driveEpisode(
-          *exercise.world, task, parameters, layers, learner ? Driver::kLearner : Driver::kTeacher, random()));
+      const Driver driver = choose_driver(random);
+      episodes[static_cast<std::size_t>(plan)].push_back(
+          driveEpisode(*exercise.world, task, parameters, layers, driver, random()));
     }
     ++done;
     if (thread == 0) {
@@ -142,25 +142,6 @@ std::vector<Episode> collect(const ImitationParameters& parameters, const LayerS
     std::move(some.begin(), some.end(), std::back_inserter(all));
   }
   return all;
-}
-
-double arrivalShare(const ImitationParameters& parameters, const LayerStack& layers,
-                    const std::function<void(int)>& report) {
-  std::atomic<int> arrived{0};
-  std::atomic<int> done{0};
-  const auto work = [&](int plan, int thread) {
-    const std::uint64_t seed = planSeed(parameters.seed, true, 0, plan);
-    const Exercise exercise = makeExercise(parameters.episodes, seed);
-    for (const DriveTask& task : exercise.tasks) {
-      arrived += arrivesAlone(*exercise.world, task, parameters, layers, seed) ? 1 : 0;
-    }
-    ++done;
-    if (thread == 0) {
-      report(done);
-    }
-  };
-  parallelFor(parameters.validation_plans, parameters.threads, work);
-  return static_cast<double>(arrived) / (parameters.validation_plans * parameters.episodes);
 }
 
 /// Cuts episodes into overlapping sequences: the first steps of all but the first only bring the hidden state up to date.
@@ -230,8 +211,15 @@ ImitationResult imitate(const ImitationParameters& parameters, const ProgressCal
     }
   };
 
+  const auto teacher = [](Random&) { return Driver::kTeacher; };
+  const auto learner = [](Random&) { return Driver::kLearner; };
+  const auto mixture = [&](Random& random) {
+    return uniform(random) < parameters.learner_share ? Driver::kRescuedLearner : Driver::kTeacher;
+  };
+
+  // The same plans judge every round: first as the teacher drives there, then, added to that, as each learner did.
   std::vector<Sequence> validation;
-  cutIntoSequences(collect(parameters, layers, 0, true, report), parameters, &validation);
+  cutIntoSequences(collect(parameters, layers, 0, true, teacher, report), parameters, &validation);
   plans_before += parameters.validation_plans;
 
   ImitationResult result;
@@ -239,7 +227,9 @@ ImitationResult imitate(const ImitationParameters& parameters, const ProgressCal
   std::size_t steps = 0;
   double best_arrival = -1.0;
   for (int round = 0; round < parameters.rounds; ++round) {
-    const std::vector<Episode> episodes = collect(parameters, layers, round, false, report);
+    const std::vector<Episode> episodes = round == 0
+                                              ? collect(parameters, layers, round, false, teacher, report)
+                                              : collect(parameters, layers, round, false, mixture, report);
     plans_before += parameters.plans;
     for (const Episode& episode : episodes) {
       steps += episode.labels.size();
@@ -251,8 +241,12 @@ ImitationResult imitate(const ImitationParameters& parameters, const ProgressCal
     outcome.steps = steps;
     outcome.training = train(layers, training, validation, parameters.trainer);
     layers = outcome.training.layers;
-    outcome.arrival = arrivalShare(parameters, layers, report);
+
+    const std::vector<Episode> judged = collect(parameters, layers, 0, true, learner, report);
     plans_before += parameters.validation_plans;
+    const auto arrived = std::count_if(judged.begin(), judged.end(), [](const Episode& e) { return e.arrived; });
+    outcome.arrival = static_cast<double>(arrived) / static_cast<double>(judged.size());
+    cutIntoSequences(judged, parameters, &validation);
     if (outcome.arrival >= best_arrival) {
       best_arrival = outcome.arrival;
       result.layers = layers;

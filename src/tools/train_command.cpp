@@ -23,6 +23,7 @@ bool readOptions(const std::vector<std::string>& arguments, TrainOptions* option
   namespace po = boost::program_options;
   ImitationParameters& imitation = options->imitation;
   imitation.trainer.epochs = 12;
+  imitation.trainer.optimiser.learning_rate = 0.01;
   po::options_description description;
   // clang-format off
   description.add_options()

@@ -19,7 +19,7 @@ struct ShieldParameters {
   double clearance = 0.07;            ///< m kept between the footprint and every return when there is room
   double tight_clearance = 0.03;      ///< m kept where there is no way with `clearance`
   double shortest_step = 0.15;        ///< m; an action with less free way than this is not allowed
-  double reach = 2.5;                 ///< m; returns farther away are not looked at
+  double reach = 6.0;                 ///< m; returns farther away are not looked at
 };
 
 /// The way out when the network makes no progress: boundary following with the doubling search.

@@ -15,10 +15,11 @@ struct Heading {
 /// Gets the robot nearer to the goal than it has ever been, with bounded memory, wherever there is a way.
 ///
 /// Goes straight for the goal; follows the boundary of what is in the way, with the wall on one side; leaves the boundary
-/// where it is nearer to the goal than where the boundary was met and the straight way is open. Turns back after 16, 32,
-/// 64 ... m (the doubling search), so that the shorter way round costs at most a constant factor. Back where it met the
-/// boundary after a full turn, it knows that there is no way (after Lumelsky and Stepanov, "Path-planning strategies for a
-/// point mobile automaton", 1987; Baeza-Yates et al., "Searching in the plane", 1993).
+/// where the open way leads nearer to the goal than where the boundary was met. Turns back after 16, 32, 64 ... m (the
+/// doubling search), so that the shorter way round costs at most a constant factor. Back where it met the boundary after a
+/// full turn, it goes around once more as close as it can, and then knows that there is no way (after Lumelsky and
+/// Stepanov, "Path-planning strategies for a point mobile automaton", Algorithmica 1987; Kamon and Rivlin, "Sensory-based
+/// motion planning with global proofs", 1997; Baeza-Yates et al., "Searching in the plane", 1993).
 class Escape {
  public:
   enum class Outcome {
@@ -40,7 +41,9 @@ class Escape {
   bool wallOnLeft() const { return side_ > 0; }
 
  private:
-  bool goalIsOpen(const Situation& situation, const Shield& shield, const Point2& goal, double distance) const;
+  double openTowardsGoal(const Situation& situation, const Shield& shield, const Point2& goal, double distance) const;
+  double clearance() const;
+  void followTight(const Pose2& pose, const Point2& goal);
   void meetBoundary(const Situation& situation, const Shield& shield, const Point2& goal);
   Heading follow(const Situation& situation, const Shield& shield);
   bool probe(const Situation& situation, const Shield& shield, double start, double clearance, Heading* move) const;
@@ -56,7 +59,9 @@ class Escape {
   double travel_direction_ = 0.0; ///< rad, odometry frame: how the boundary was followed last
   Pose2 last_position_;           ///< where the last decision was made
   Point2 hit_position_;
-  double hit_distance_ = 0.0;     ///< m to the goal where the boundary was met
+  double leave_below_ = 0.0;      ///< m to the goal, least of all places where a boundary was met
+  bool tight_ = false;            ///< second time around, with the tight clearance
+  int rounds_ = 0;                ///< boundaries gone around twice
   double departure_direction_ = 0.0;  ///< rad, odometry frame: how the boundary runs where it was met
   double along_ = 0.0;            ///< m, signed way along the boundary from the hit; positive in the first direction
   double turned_ = 0.0;           ///< rad, how much the boundary has turned since the hit

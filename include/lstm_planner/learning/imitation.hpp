@@ -18,14 +18,14 @@ namespace lstm_planner {
 struct ImitationParameters {
   PolicyDescription policy;
   std::vector<int> cells = {8, 8};  ///< LSTM layers
-  int rounds = 8;                   ///< collect, then train on everything collected so far
+  int rounds = 10;                  ///< collect, then train on everything collected so far
   int plans = 120;                  ///< floor plans a round
   int episodes = 3;                 ///< drives a floor plan
   int validation_plans = 40;        ///< floor plans that are never trained on
   double learner_share = 0.8;       ///< share of drives with the learner at the wheel, from the second round on
   int stuck_steps = 24;             ///< steps without progress after which the teacher takes the wheel
   int rescue_steps = 16;            ///< and for how long
-  double episode_limit = 100.0;     ///< s
+  double episode_limit = 120.0;     ///< s
   int sequence_steps = 96;          ///< length of a training sequence
   int burn_in_steps = 32;           ///< of these, steps that only bring the hidden state up to date
   std::uint64_t seed = 1;
