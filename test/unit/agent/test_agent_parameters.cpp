@@ -1,0 +1,63 @@
+#include "lstm_planner/agent/agent_parameters.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace lstm_planner {
+namespace {
+
+std::string complaintAbout(const std::function<void(AgentParameters*)>& change) {
+  AgentParameters parameters;
+  change(&parameters);
+  try {
+    validate(parameters);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(AgentParameters, DefaultsAreValid) { EXPECT_NO_THROW(validate(AgentParameters{})); }
+
+TEST(AgentParameters, NamesTheParameterThatIsWrong) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::pair<const char*, std::function<void(AgentParameters*)>> wrong[] = {
+      {"step/length", [](AgentParameters* p) { p->step.length = 0.0; }},
+      {"step/length", [&](AgentParameters* p) { p->step.length = nan; }},
+      {"step/turn", [](AgentParameters* p) { p->step.turn = -1.0; }},
+      {"step/stall", [](AgentParameters* p) { p->step.stall = p->step.period; }},
+      {"shield/footprint_radius", [&](AgentParameters* p) { p->shield.footprint_radius = infinity; }},
+      {"shield/tight_clearance", [](AgentParameters* p) { p->shield.tight_clearance = -0.01; }},
+      {"shield/clearance", [](AgentParameters* p) { p->shield.clearance = 0.02; }},
+      {"shield/shortest_step", [](AgentParameters* p) { p->shield.shortest_step = 0.5; }},
+      {"shield/reach", [](AgentParameters* p) { p->shield.reach = 0.6; }},
+      {"escape/patience_steps", [](AgentParameters* p) { p->escape.patience_steps = 0; }},
+      {"escape/probe_angle", [](AgentParameters* p) { p->escape.probe_angle = 1.0; }},
+      {"escape/wall_turn", [](AgentParameters* p) { p->escape.wall_turn = 3.2; }},
+      {"goal_tolerance", [](AgentParameters* p) { p->goal_tolerance = 0.0; }},
+      {"goal_in_sight", [](AgentParameters* p) { p->goal_in_sight = -1.0; }},
+  };
+  for (const auto& [name, change] : wrong) {
+    EXPECT_EQ(complaintAbout(change).find(std::string("parameter ") + name + " is "), 0u)
+        << name << ": " << complaintAbout(change);
+  }
+}
+
+TEST(AgentParameters, AWaypointMustNotBeReachedWhereItIsChosen) {
+  // Or every question would be a new step.
+  EXPECT_NE(complaintAbout([](AgentParameters* p) { p->step.reached = p->shield.shortest_step; }), "");
+  EXPECT_NE(complaintAbout([](AgentParameters* p) {
+              p->step.reached = 0.1;
+              p->goal_tolerance = 0.1;
+            }),
+            "");
+}
+
+}  // namespace
+}  // namespace lstm_planner

@@ -1,0 +1,71 @@
+#include "lstm_planner/evaluation/simulated_robot.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace lstm_planner {
+namespace {
+
+TEST(SimulatedRobot, CountsAContactOnceAndStops) {
+  const CircleWorld world({{{1.0, 0.0}, 0.2}});
+  SimulatedRobot robot(world, {}, {}, 1);
+  robot.command({0.3, 0.0});
+  robot.advance(5.0);
+  EXPECT_EQ(robot.contacts(), 1);
+  // It touches at 1 - 0.2 - 0.17425; a period of 0.02 s at 0.3 m/s is 6 mm.
+  EXPECT_NEAR(robot.truePose().x, 0.62575, 0.0061);
+  EXPECT_FALSE(world.touches({robot.truePose().x, robot.truePose().y}, 0.17425));
+  EXPECT_NEAR(robot.pathLength(), robot.truePose().x, 1e-9);
+  EXPECT_GT(robot.odometry().x, 1.0);  // the wheels spin on
+}
+
+TEST(SimulatedRobot, CountsASecondRunAgainstTheSameThing) {
+  const CircleWorld world({{{1.0, 0.0}, 0.2}});
+  SimulatedRobot robot(world, {}, {}, 1);
+  robot.command({0.3, 0.0});
+  robot.advance(4.0);
+  robot.command({-0.3, 0.0});
+  robot.advance(1.0);
+  robot.command({0.3, 0.0});
+  robot.advance(4.0);
+  EXPECT_EQ(robot.contacts(), 2);
+}
+
+TEST(SimulatedRobot, SensesInTheOdometryFrame) {
+  const CircleWorld world({{{2.0, 5.0}, 0.5}});
+  SimulatedRobot::Parameters parameters;
+  parameters.scanner.noise = 0.0;
+  parameters.scanner.dropout = 0.0;
+  SimulatedRobot robot(world, parameters, {2.0, 2.0, M_PI_2}, 1);
+  Situation situation;
+  robot.sense(6.0, &situation);
+  EXPECT_EQ(situation.time, 0.0);
+  EXPECT_EQ(situation.pose.x, 0.0);  // odometry begins at the start
+  EXPECT_EQ(situation.pose.yaw, 0.0);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Point2& point : situation.obstacles) nearest = std::min(nearest, point.x);
+  EXPECT_NEAR(nearest, 2.5, 1e-4);
+}
+
+TEST(SimulatedRobot, TimePassesInWholeAndBrokenPeriods) {
+  const CircleWorld world({});
+  SimulatedRobot robot(world, {}, {}, 1);
+  robot.advance(0.1);
+  robot.advance(0.033);
+  EXPECT_NEAR(robot.time(), 0.133, 1e-12);
+}
+
+TEST(SimulatedRobot, RefusesAPhysicsPeriodWithWhichTimeWouldNotPass) {
+  const CircleWorld world({});
+  SimulatedRobot::Parameters parameters;
+  for (const double period : {0.0, -0.02, std::numeric_limits<double>::quiet_NaN()}) {
+    parameters.physics_period = period;
+    EXPECT_THROW(SimulatedRobot(world, parameters, {}, 1), std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace lstm_planner

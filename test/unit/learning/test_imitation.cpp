@@ -1,0 +1,72 @@
+#include "lstm_planner/learning/imitation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "lstm_planner/learning/parameter_vector.hpp"
+
+namespace lstm_planner {
+namespace {
+
+ImitationParameters tinyImitation(int threads) {
+  ImitationParameters parameters;
+  parameters.cells = {4};
+  parameters.rounds = 2;
+  parameters.plans = 3;
+  parameters.episodes = 1;
+  parameters.validation_plans = 2;
+  parameters.episode_limit = 20.0;
+  parameters.threads = threads;
+  parameters.trainer.epochs = 2;
+  parameters.trainer.threads = threads;
+  return parameters;
+}
+
+TEST(Imitation, GivesTheSameWeightsForAnyNumberOfThreads) {
+  std::vector<double> progress;
+  const ImitationResult one = imitate(tinyImitation(1), [&](double share) { progress.push_back(share); });
+  const ImitationResult two = imitate(tinyImitation(2));
+  const Eigen::VectorXf weights = parameterVector(one.layers);
+  EXPECT_GT(weights.size(), 0);
+  EXPECT_EQ(weights, parameterVector(two.layers));
+
+  ASSERT_EQ(one.rounds.size(), 2u);
+  for (std::size_t round = 0; round < 2; ++round) {
+    EXPECT_EQ(one.rounds[round].round, static_cast<int>(round) + 1);
+    EXPECT_EQ(one.rounds[round].steps, two.rounds[round].steps);
+    EXPECT_EQ(one.rounds[round].arrival, two.rounds[round].arrival);
+    EXPECT_GE(one.rounds[round].arrival, 0.0);
+    EXPECT_LE(one.rounds[round].arrival, 1.0);
+  }
+  EXPECT_GT(one.rounds[1].steps, one.rounds[0].steps);  // everything collected before is kept
+
+  ASSERT_FALSE(progress.empty());
+  for (std::size_t i = 1; i < progress.size(); ++i) EXPECT_GT(progress[i], progress[i - 1]);
+  EXPECT_DOUBLE_EQ(progress.back(), 1.0);
+}
+
+TEST(Imitation, RefusesParametersWithWhichNothingIsLearned) {
+  const auto refused = [](void (*change)(ImitationParameters*)) {
+    ImitationParameters parameters = tinyImitation(1);
+    change(&parameters);
+    try {
+      validate(parameters);
+    } catch (const std::invalid_argument&) {
+      return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(refused([](ImitationParameters*) {}));
+  EXPECT_TRUE(refused([](ImitationParameters* p) { p->rounds = 0; }));
+  EXPECT_TRUE(refused([](ImitationParameters* p) { p->plans = 0; }));
+  EXPECT_TRUE(refused([](ImitationParameters* p) { p->validation_plans = 0; }));
+  EXPECT_TRUE(refused([](ImitationParameters* p) { p->learner_share = 1.1; }));
+  EXPECT_TRUE(refused([](ImitationParameters* p) { p->sequence_steps = p->burn_in_steps; }));
+  EXPECT_TRUE(refused([](ImitationParameters* p) { p->threads = 0; }));
+  EXPECT_TRUE(refused([](ImitationParameters* p) { p->trainer.epochs = 0; }));
+}
+
+}  // namespace
+}  // namespace lstm_planner
