@@ -17,6 +17,7 @@ Escape::Escape(const EscapeParameters& parameters, const ShieldParameters& shiel
 void Escape::begin(double target_distance) {
   target_distance_ = target_distance;
   leave_below_ = std::numeric_limits<double>::infinity();
+  early_leave_after_ = 0.0;
   following_ = false;
   rounds_ = 0;
 }
@@ -29,9 +30,12 @@ Escape::Outcome Escape::decide(const Situation& situation, const Shield& shield,
     measureBoundary(situation.pose);
     // Where the straight way leads nearer to the goal than where the boundary was met (Kamon and Rivlin's leaving
     // condition), even if the robot itself is not nearer yet.
-    if (can_go && distance - open < leave_below_ - parameters_.leave_margin) {
+    // Beside and behind the robot the scanner may be blind: only its own place counts there.
+    const bool seen = std::abs(normalizeAngle(directionTo(situation.pose, goal) - situation.pose.yaw)) <= M_PI_2;
+    const double nearest = seen ? distance - open : distance;
+    if (can_go && nearest < leave_below_ - parameters_.leave_margin) {
       following_ = false;
-      leave_below_ = distance - open;  // What turns out not to be open must not be believed again.
+      leave_below_ = nearest;  // What turns out not to be open must not be believed again.
     } else if (loopClosed(situation.pose)) {
       if (tight_ || rounds_ == kMostRounds) {
         return Outcome::kNoWay;
@@ -71,6 +75,7 @@ void Escape::followTight(const Pose2& pose, const Point2& goal) {
   leave_below_ = distanceBetween(hit_position_, goal);
   along_ = 0.0;
   turned_ = 0.0;
+  way_ = 1;  // this way round is now the first direction
   leg_ = std::numeric_limits<double>::infinity();
   last_position_ = pose;
 }
@@ -78,7 +83,13 @@ void Escape::followTight(const Pose2& pose, const Point2& goal) {
 void Escape::meetBoundary(const Situation& situation, const Shield& shield, const Point2& goal) {
   following_ = true;
   hit_position_ = {situation.pose.x, situation.pose.y};
-  leave_below_ = std::min(leave_below_, distanceBetween(situation.pose, goal));
+  const double distance = distanceBetween(situation.pose, goal);
+  // The way was not as open as it looked: each time it takes twice as much boundary to be believed again, or the robot
+  // could leave and come back for ever.
+  const bool deceived = distance >= leave_below_;
+  early_leave_after_ = deceived ? std::max(2.0 * early_leave_after_, 2.0 * parameters_.follow_step) : 0.0;
+  leave_below_ = std::min(leave_below_, distance);
+  followed_ = 0.0;
   last_position_ = situation.pose;
   along_ = 0.0;
   turned_ = 0.0;
@@ -116,6 +127,7 @@ void Escape::measureBoundary(const Pose2& pose) {
     turned_ += turnOf(direction);
   }
   along_ += way_ * moved;
+  followed_ += moved;
   travel_direction_ = direction;
   last_position_ = pose;
   if (way_ * along_ >= leg_) {
