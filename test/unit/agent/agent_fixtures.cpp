@@ -62,8 +62,8 @@ OccupancyGrid drawnGrid(const std::vector<std::string>& rows, double resolution)
 }
 
 OccupancyGrid emptyHall(double width, double height, double resolution) {
-  OccupancyGrid grid(static_cast<int>(std::lround(width / resolution)), static_cast<int>(std::lround(height / resolution)),
-                     resolution);
+  OccupancyGrid grid(static_cast<int>(std::lround(width / resolution)),
+                     static_cast<int>(std::lround(height / resolution)), resolution);
   fillBox(0.0, 0.0, width, 0.1, &grid);
   fillBox(0.0, height - 0.1, width, height, &grid);
   fillBox(0.0, 0.0, 0.1, height, &grid);

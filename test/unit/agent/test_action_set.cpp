@@ -1,11 +1,10 @@
-#include "lstm_planner/agent/action_set.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "lstm_planner/agent/action_set.hpp"
 #include "lstm_planner/geometry.hpp"
 
 namespace lstm_planner {

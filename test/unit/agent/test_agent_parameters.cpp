@@ -1,5 +1,3 @@
-#include "lstm_planner/agent/agent_parameters.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+
+#include "lstm_planner/agent/agent_parameters.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,10 +1,9 @@
-#include "lstm_planner/agent/drive_policy.hpp"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/agent/drive_policy.hpp"
 #include "unit/agent/agent_fixtures.hpp"
 
 namespace lstm_planner {
@@ -49,8 +48,7 @@ TEST(DrivePolicy, EveryKeyOfTheMetadataIsMissedByName) {
   for (const auto& entry : complete) {
     Metadata metadata = complete;
     metadata.erase(entry.first);
-    const std::string complaint =
-        complaintOf<std::invalid_argument>([&] { readPolicyDescription(metadata); });
+    const std::string complaint = complaintOf<std::invalid_argument>([&] { readPolicyDescription(metadata); });
     EXPECT_TRUE(contains(complaint, entry.first)) << entry.first << ": " << complaint;
   }
 }
@@ -59,10 +57,9 @@ TEST(DrivePolicy, MalformedMetadataIsRefused) {
   Metadata complete;
   writeMetadata(PolicyDescription{}, &complete);
   const std::pair<std::string, std::string> bad[] = {
-      {"step_length", ""},         {"step_length", "0.4 m"},      {"step_length", "-0.4"},
-      {"step_length", "nan"},      {"robot_radius", "0"},         {"robot_radius", "1e999"},
-      {"action_angles", ""},       {"action_angles", "0.1"},      {"action_angles", "0.1,x"},
-      {"action_angles", "0.5,-1"}, {"action_angles", "0.1,,0.5"},
+      {"step_length", ""},        {"step_length", "0.4 m"},    {"step_length", "-0.4"},       {"step_length", "nan"},
+      {"robot_radius", "0"},      {"robot_radius", "1e999"},   {"action_angles", ""},         {"action_angles", "0.1"},
+      {"action_angles", "0.1,x"}, {"action_angles", "0.5,-1"}, {"action_angles", "0.1,,0.5"},
   };
   for (const auto& [key, value] : bad) {
     Metadata metadata = complete;
@@ -85,7 +82,7 @@ TEST(DrivePolicy, RefusesANetworkThatDoesNotFitItsEncoderOrActions) {
 TEST(DrivePolicy, FitsItsOwnRobotStepAndScanner) {
   const PolicyDescription description;
   EXPECT_NO_THROW(checkFits(description, 0.4, 0.17425));
-  EXPECT_NO_THROW(checkFits(description, 0.4, 0.1));          // a smaller robot passes wherever the larger one did
+  EXPECT_NO_THROW(checkFits(description, 0.4, 0.1));           // a smaller robot passes wherever the larger one did
   EXPECT_NO_THROW(checkFits(description, 0.4, 0.17425, 3.0));  // half the range cap of 6 m
 }
 

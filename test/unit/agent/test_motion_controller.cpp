@@ -1,5 +1,3 @@
-#include "lstm_planner/agent/motion_controller.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "lstm_planner/agent/motion_controller.hpp"
 #include "unit/agent/agent_fixtures.hpp"
 
 namespace lstm_planner {
@@ -135,8 +134,8 @@ TEST_F(MotionControllerTest, TurnsToTheGoalsHeadingWhereItIsAskedFor) {
 }
 
 TEST_F(MotionControllerTest, StopsInTimeFromFullSpeedWithTheWorstReactionTime) {
-  // The wall stands 2.5 m ahead, every plan leads through it. Commands take effect 0.15 s after the scan that they rest on
-  // and hold for 0.1 s: the last moment that one acts is the reaction time of 0.25 s after its scan.
+  // The wall stands 2.5 m ahead, every plan leads through it. Commands take effect 0.15 s after the scan that they rest
+  // on and hold for 0.1 s: the last moment that one acts is the reaction time of 0.25 s after its scan.
   OccupancyGrid grid = test::emptyHall(8.0, 4.0);
   test::fillBox(4.0, 0.0, 4.1, 4.0, &grid);
   const GridWorld world(grid);

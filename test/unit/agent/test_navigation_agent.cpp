@@ -1,10 +1,9 @@
-#include "lstm_planner/agent/navigation_agent.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
+#include "lstm_planner/agent/navigation_agent.hpp"
 #include "unit/agent/agent_fixtures.hpp"
 
 namespace lstm_planner {

@@ -1,10 +1,9 @@
-#include "lstm_planner/agent/rollout.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "lstm_planner/agent/rollout.hpp"
 #include "unit/agent/agent_fixtures.hpp"
 
 namespace lstm_planner {

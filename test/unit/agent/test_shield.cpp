@@ -1,5 +1,3 @@
-#include "lstm_planner/agent/shield.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "lstm_planner/agent/shield.hpp"
 #include "lstm_planner/simulation/random.hpp"
 
 namespace lstm_planner {

@@ -1,10 +1,9 @@
-#include "lstm_planner/agent/situation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "lstm_planner/agent/situation.hpp"
 #include "unit/perception/scan_builder.hpp"
 
 namespace lstm_planner {

@@ -1,11 +1,10 @@
-#include "lstm_planner/evaluation/drive.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "lstm_planner/evaluation/drive.hpp"
 #include "unit/agent/agent_fixtures.hpp"
 
 namespace lstm_planner {
@@ -21,10 +20,9 @@ DriveResult resultOf(DriveResult::End end, double path_length, double shortest, 
 }
 
 TEST(Summarize, CountsEnds) {
-  std::vector<DriveResult> results = {resultOf(DriveResult::End::kReached, 1.0, 1.0, 10.0),
-                                      resultOf(DriveResult::End::kReached, 3.0, 1.0, 20.0),
-                                      resultOf(DriveResult::End::kTimeout, 90.0, 1.0, 1800.0),
-                                      resultOf(DriveResult::End::kNoWay, 50.0, 1.0, 500.0)};
+  std::vector<DriveResult> results = {
+      resultOf(DriveResult::End::kReached, 1.0, 1.0, 10.0), resultOf(DriveResult::End::kReached, 3.0, 1.0, 20.0),
+      resultOf(DriveResult::End::kTimeout, 90.0, 1.0, 1800.0), resultOf(DriveResult::End::kNoWay, 50.0, 1.0, 500.0)};
   results[1].contacts = 2;
   results[2].contacts = 1;
   const DriveSummary summary = summarize(results);

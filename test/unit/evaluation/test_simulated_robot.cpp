@@ -1,10 +1,10 @@
-#include "lstm_planner/evaluation/simulated_robot.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "lstm_planner/evaluation/simulated_robot.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,10 +1,9 @@
-#include "lstm_planner/learning/imitation.hpp"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <vector>
 
+#include "lstm_planner/learning/imitation.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
 
 namespace lstm_planner {

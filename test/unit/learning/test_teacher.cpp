@@ -1,9 +1,8 @@
-#include "lstm_planner/learning/teacher.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "lstm_planner/learning/teacher.hpp"
 #include "unit/agent/agent_fixtures.hpp"
 
 namespace lstm_planner {
