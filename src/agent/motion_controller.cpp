@@ -70,7 +70,7 @@ Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& po
     const double cautious = parameters_.slow_speed + nearness * (parameters_.max_linear - parameters_.slow_speed);
     const double wanted = std::min({parameters_.max_linear * std::cos(error), brakes, cautious});
     const double reachable = std::max(0.0, current.linear) + parameters_.linear_acceleration * period;
-    twist.linear = safeSpeed(std::min(wanted, reachable), twist.angular, shield);
+    twist.linear = safeSpeed(std::min(wanted, reachable), twist.angular, std::max(0.0, current.linear), shield);
   }
   return twist;
 }
@@ -117,12 +117,13 @@ Pose2 MotionController::target(const std::vector<Pose2>& plan, const Pose2& pose
   return plan[ahead];
 }
 
-double MotionController::safeSpeed(double linear, double angular, const Shield& shield) const {
+double MotionController::safeSpeed(double linear, double angular, double current, const Shield& shield) const {
   constexpr int kTries = 6;
   constexpr int kSamples = 6;
   for (int trial = 0; trial < kTries; ++trial) {
     const double speed = linear * (kTries - trial) / kTries;
-    const double length = speed * parameters_.reaction_time +
+    // Until the command acts the robot goes on as it does now.
+    const double length = std::max(speed, current) * parameters_.reaction_time +
                           speed * speed / (2.0 * parameters_.linear_acceleration);
     const double curvature = speed > 1e-6 ? angular / speed : 0.0;
     Pose2 at;

@@ -225,8 +225,9 @@ bool NavigationAgent::chooseGoalInSight(const Situation& situation) {
     return false;
   }
   const double direction = directionTo(situation.pose, goal_);
-  if (freeDistance(situation, direction, distance, parameters_.shield.tight_clearance) <
-      distance - 0.5 * parameters_.goal_tolerance) {
+  const bool seen = std::abs(normalizeAngle(direction - situation.pose.yaw)) <= M_PI_2;
+  if (!seen || freeDistance(situation, direction, distance, parameters_.shield.tight_clearance) <
+                   distance - 0.5 * parameters_.goal_tolerance) {
     return false;
   }
   goTo(situation, Decision::Source::kGoalInSight, direction, distance);

@@ -8,6 +8,7 @@
 
 #include "learning/parallel_for.hpp"
 #include "lstm_planner/evaluation/drive.hpp"
+#include "lstm_planner/evaluation/trace_picture.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "tools/command.hpp"
 #include "tools/options.hpp"
@@ -22,6 +23,7 @@ struct DriveOptions {
   std::string model = "models/create2_lstm_2x8.onnx";
   std::string json;
   std::string details;
+  std::string pictures;
   double free_threshold = -1.0;
   int goals = 100;
   std::uint64_t seed = 1;
@@ -54,7 +56,8 @@ bool readOptions(const std::vector<std::string>& arguments, DriveOptions* option
       ("no-shield", "switch the shield off")
       ("threads", po::value(&options->threads)->default_value(options->threads), "drives at a time")
       ("json", po::value(&options->json), "write the result to this file")
-      ("details", po::value(&options->details), "write a CSV line a goal to this file");
+      ("details", po::value(&options->details), "write a CSV line a goal to this file")
+      ("pictures", po::value(&options->pictures), "draw the missed goals and the longest detour into this folder");
   // clang-format on
   po::variables_map values;
   if (!parseOptions("drive", description, arguments, &values)) {
@@ -125,6 +128,31 @@ void writeJson(const std::string& path, const DriveOptions& options, const Drive
   }
 }
 
+void draw(const std::string& path, const GridWorld& world, const DriveTask& task, const DriveResult& result) {
+  TracePicture picture;
+  picture.starts = {task.start};
+  picture.goals = {{task.goal, toString(result.end), result.end == DriveResult::End::kReached}};
+  picture.traces.emplace_back();
+  for (const Pose2& pose : result.trace) {
+    picture.traces.back().push_back({pose.x, pose.y});
+  }
+  writeTracePicture(path, world.grid(), picture);
+}
+
+void drawPictures(const std::string& folder, const GridWorld& world, const std::vector<DriveTask>& tasks,
+                  const std::vector<DriveResult>& results) {
+  std::size_t longest = 0;
+  const auto ratio = [&](std::size_t i) { return results[i].path_length / results[i].shortest; };
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (results[i].end != DriveResult::End::kReached) {
+      draw(folder + "/missed_" + std::to_string(i) + ".png", world, tasks[i], results[i]);
+    } else if (results[longest].end != DriveResult::End::kReached || ratio(i) > ratio(longest)) {
+      longest = i;
+    }
+  }
+  draw(folder + "/longest_detour_" + std::to_string(longest) + ".png", world, tasks[longest], results[longest]);
+}
+
 }  // namespace
 
 int runDrive(const std::vector<std::string>& arguments) {
@@ -144,6 +172,9 @@ int runDrive(const std::vector<std::string>& arguments) {
             << ", mean time " << summary.mean_time << " s\n";
   if (!options.details.empty()) {
     writeDetails(options.details, tasks, results);
+  }
+  if (!options.pictures.empty()) {
+    drawPictures(options.pictures, world, tasks, results);
   }
   if (!options.json.empty()) {
     writeJson(options.json, options, summary);

@@ -32,7 +32,7 @@ struct EscapeParameters {
   double probe_angle = 0.08727;   ///< rad between probed directions (5 degrees)
   double wall_turn = 1.7453;      ///< rad; how far back towards the boundary the probing starts (100 degrees)
   double leave_margin = 0.1;      ///< m nearer to the goal than where the boundary was met before it is left
-  double first_leg = 16.0;        ///< m of boundary before the first turning back; doubles each time
+  double first_leg = 24.0;        ///< m of boundary before the first turning back; doubles each time
   double loop_tolerance = 0.4;    ///< m; coming back this near to where the boundary was met closes the loop
   double loop_length = 3.0;       ///< m; a shorter loop than this is not believed
 };

@@ -15,7 +15,7 @@ struct Heading {
 /// Gets the robot nearer to the goal than it has ever been, with bounded memory, wherever there is a way.
 ///
 /// Goes straight for the goal; follows the boundary of what is in the way, with the wall on one side; leaves the boundary
-/// where the open way leads nearer to the goal than where the boundary was met. Turns back after 16, 32, 64 ... m (the
+/// where the open way leads nearer to the goal than where the boundary was met. Turns back after 24, 48, 96 ... m (the
 /// doubling search), so that the shorter way round costs at most a constant factor. Back where it met the boundary after a
 /// full turn, it goes around once more as close as it can, and then knows that there is no way (after Lumelsky and
 /// Stepanov, "Path-planning strategies for a point mobile automaton", Algorithmica 1987; Kamon and Rivlin, "Sensory-based
@@ -60,6 +60,8 @@ class Escape {
   Pose2 last_position_;           ///< where the last decision was made
   Point2 hit_position_;
   double leave_below_ = 0.0;      ///< m to the goal, least of all places where a boundary was met
+  double followed_ = 0.0;         ///< m of boundary since it was met, back and forth
+  double early_leave_after_ = 0.0; ///< m to follow before an open way is believed that has been deceiving
   bool tight_ = false;            ///< second time around, with the tight clearance
   int rounds_ = 0;                ///< boundaries gone around twice
   double departure_direction_ = 0.0;  ///< rad, odometry frame: how the boundary runs where it was met

@@ -10,7 +10,7 @@ namespace lstm_planner {
 /// Limits and habits of the controller; the defaults suit the Create 2.
 struct MotionParameters {
   double max_linear = 0.3;          ///< m/s (a Create 2 really reaches 0.33)
-  double max_angular = 1.5;         ///< rad/s
+  double max_angular = 2.0;         ///< rad/s
   double linear_acceleration = 0.6; ///< m/s^2, speeding up and braking
   double lookahead = 0.35;          ///< m along the plan to the point that is steered for
   double nearest_target = 0.06;     ///< m; points of the plan nearer than this have no direction to steer for
@@ -45,7 +45,7 @@ class MotionController {
 
  private:
   Pose2 target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const;
-  double safeSpeed(double linear, double angular, const Shield& shield) const;
+  double safeSpeed(double linear, double angular, double current, const Shield& shield) const;
 
   MotionParameters parameters_;
 };
