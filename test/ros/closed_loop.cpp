@@ -22,9 +22,10 @@ namespace {
 using Client = actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction>;
 using State = actionlib::SimpleClientGoalState;
 
-/// In the corridor that the robot starts beside, and the room that it starts in (map frame).
+/// Both in the room that the robot starts in, at (1.5, 2.5): the second one behind the box. How far a policy gets by itself
+/// is not asked here (map frame).
 const Pose2 kNear{1.5, 4.0, 0.0};
-const Pose2 kFar{2.0, 8.25, 0.0};
+const Pose2 kBehindTheBox{3.6, 4.1, 0.0};
 
 class ClosedLoopTest : public testing::Test {
  protected:
@@ -110,11 +111,11 @@ class ClosedLoopTest : public testing::Test {
 };
 
 TEST_F(ClosedLoopTest, ArrivesAtAGoalInAnotherFrameWithoutContact) {
-  send("map", kFar);
-  ASSERT_TRUE(over(200.0));
+  send("map", kBehindTheBox);
+  ASSERT_TRUE(over(120.0));
   EXPECT_EQ(client_.getState(), State::SUCCEEDED) << client_.getState().getText();
   // position_tolerance is 0.2 m; the odometry's ticks and braking add less than 0.1 m.
-  EXPECT_LT(distanceBetween(pose(), kFar), 0.3);
+  EXPECT_LT(distanceBetween(pose(), kBehindTheBox), 0.3);
 }
 
 TEST_F(ClosedLoopTest, StandsAfterCancelAndTakesTheSameGoalAgain) {
