@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
 
 namespace {
-
-void expectPositive(const std::string& name, double value) {
-  if (!std::isfinite(value) || value <= 0.0) {
-    throw std::invalid_argument("parameter " + name + " is " + std::to_string(value) + ", expected a positive number");
-  }
-}
 
 constexpr double kBehind = 2.7;  // rad of heading error
 
@@ -22,19 +16,19 @@ double clamp(double value, double limit) { return std::max(-limit, std::min(limi
 }  // namespace
 
 void validate(const MotionParameters& parameters) {
-  expectPositive("max_linear", parameters.max_linear);
-  expectPositive("max_angular", parameters.max_angular);
-  expectPositive("linear_acceleration", parameters.linear_acceleration);
-  expectPositive("lookahead", parameters.lookahead);
-  expectPositive("nearest_target", parameters.nearest_target);
-  expectPositive("turn_in_place", parameters.turn_in_place);
-  expectPositive("heading_gain", parameters.heading_gain);
-  expectPositive("reaction_time", parameters.reaction_time);
-  expectPositive("safety_margin", parameters.safety_margin);
-  expectPositive("slow_gap", parameters.slow_gap);
-  expectPositive("slow_speed", parameters.slow_speed);
-  expectPositive("position_tolerance", parameters.position_tolerance);
-  expectPositive("heading_tolerance", parameters.heading_tolerance);
+  checkPositive("max_linear", parameters.max_linear);
+  checkPositive("max_angular", parameters.max_angular);
+  checkPositive("linear_acceleration", parameters.linear_acceleration);
+  checkPositive("lookahead", parameters.lookahead);
+  checkPositive("nearest_target", parameters.nearest_target);
+  checkPositive("turn_in_place", parameters.turn_in_place);
+  checkPositive("heading_gain", parameters.heading_gain);
+  checkPositive("reaction_time", parameters.reaction_time);
+  checkPositive("safety_margin", parameters.safety_margin);
+  checkPositive("slow_gap", parameters.slow_gap);
+  checkPositive("slow_speed", parameters.slow_speed);
+  checkPositive("position_tolerance", parameters.position_tolerance);
+  checkPositive("heading_tolerance", parameters.heading_tolerance);
 }
 
 MotionController::MotionController(const MotionParameters& parameters)

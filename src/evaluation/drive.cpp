@@ -6,26 +6,16 @@
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/parameter_check.hpp"
 #include "lstm_planner/simulation/random.hpp"
 
 namespace lstm_planner {
 
-namespace {
-
-void expectPositive(const char* name, double value) {
-  if (!std::isfinite(value) || value <= 0.0) {
-    throw std::invalid_argument(std::string("parameter ") + name + " is " + std::to_string(value) +
-                                ", expected a positive number");
-  }
-}
-
-}  // namespace
-
 DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
                   NavigationAgent* agent) {
-  expectPositive("control_period", parameters.control_period);
-  expectPositive("plan_every", parameters.plan_every);
-  expectPositive("rollout.spacing", parameters.rollout.spacing);
+  checkPositive("control_period", parameters.control_period);
+  checkPositive("plan_every", parameters.plan_every);
+  checkPositive("rollout.spacing", parameters.rollout.spacing);
   SimulatedRobot robot(world, parameters.robot, task.start, seed);
   const MotionController controller(parameters.motion);
   const double range_cap = agent->policy().description().encoder.range_cap;

@@ -1,18 +1,15 @@
 #include "lstm_planner/evaluation/simulated_robot.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
+
+#include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
 
 SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start,
                                std::uint64_t seed)
     : world_(world), parameters_(parameters), base_(parameters.base, start, seed), scanner_(parameters.scanner, ~seed) {
-  if (!(parameters.physics_period > 0.0)) {
-    throw std::invalid_argument("parameter physics_period is " + std::to_string(parameters.physics_period) +
-                                ", expected a positive number");
-  }
+  checkPositive("physics_period", parameters.physics_period);
 }
 
 void SimulatedRobot::advance(double seconds) {

@@ -10,6 +10,7 @@
 
 #include "learning/parallel_for.hpp"
 #include "lstm_planner/learning/initialisation.hpp"
+#include "lstm_planner/parameter_check.hpp"
 #include "lstm_planner/simulation/random.hpp"
 
 namespace lstm_planner {
@@ -174,22 +175,17 @@ void cutIntoSequences(const std::vector<Episode>& episodes, const ImitationParam
 }  // namespace
 
 void validate(const ImitationParameters& parameters) {
-  const auto expect = [](bool holds, const std::string& name, double value, const std::string& expected) {
-    if (!holds) {
-      throw std::invalid_argument("parameter " + name + " is " + std::to_string(value) + ", expected " + expected);
-    }
-  };
-  expect(parameters.rounds > 0, "rounds", parameters.rounds, "a positive number");
-  expect(parameters.plans > 0, "plans", parameters.plans, "a positive number");
-  expect(parameters.episodes > 0, "episodes", parameters.episodes, "a positive number");
-  expect(parameters.validation_plans > 0, "validation_plans", parameters.validation_plans, "a positive number");
-  expect(parameters.learner_share >= 0.0 && parameters.learner_share <= 1.0, "learner_share",
+  checkParameter(parameters.rounds > 0, "rounds", parameters.rounds, "a positive number");
+  checkParameter(parameters.plans > 0, "plans", parameters.plans, "a positive number");
+  checkParameter(parameters.episodes > 0, "episodes", parameters.episodes, "a positive number");
+  checkParameter(parameters.validation_plans > 0, "validation_plans", parameters.validation_plans, "a positive number");
+  checkParameter(parameters.learner_share >= 0.0 && parameters.learner_share <= 1.0, "learner_share",
          parameters.learner_share, "a share in [0, 1]");
-  expect(parameters.episode_limit > 0.0, "episode_limit", parameters.episode_limit, "a positive number");
-  expect(parameters.burn_in_steps >= 0, "burn_in_steps", parameters.burn_in_steps, "zero or more");
-  expect(parameters.sequence_steps > parameters.burn_in_steps, "sequence_steps", parameters.sequence_steps,
+  checkParameter(parameters.episode_limit > 0.0, "episode_limit", parameters.episode_limit, "a positive number");
+  checkParameter(parameters.burn_in_steps >= 0, "burn_in_steps", parameters.burn_in_steps, "zero or more");
+  checkParameter(parameters.sequence_steps > parameters.burn_in_steps, "sequence_steps", parameters.sequence_steps,
          "more than burn_in_steps");
-  expect(parameters.threads > 0, "threads", parameters.threads, "a positive number");
+  checkParameter(parameters.threads > 0, "threads", parameters.threads, "a positive number");
   validate(parameters.policy.encoder);
   validate(parameters.trainer);
 }

@@ -3,19 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
+
+#include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
 namespace {
-
-void check(const char* name, double value, bool good, const char* expected) {
-  if (good) return;
-  throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + ", expected " + expected);
-}
-
-void checkPositive(const char* name, double value) {
-  check(name, value, value > 0.0 && std::isfinite(value), "a positive finite number");
-}
 
 /// Moves along the arc whose wheels travelled `left` and `right` metres.
 Pose2 alongArc(const Pose2& pose, double left, double right, double axle_length) {
@@ -37,8 +29,8 @@ void validate(const Create2Parameters& parameters) {
   checkPositive("max_wheel_speed", parameters.max_wheel_speed);
   checkPositive("base_diameter", parameters.base_diameter);
   checkPositive("max_wheel_acceleration", parameters.max_wheel_acceleration);
-  check("slip", parameters.slip, parameters.slip >= 0.0 && parameters.slip <= 1.0, "a share in [0, 1]");
-  check("drift", parameters.drift, std::abs(parameters.drift) <= 1.0, "a share in [-1, 1]");
+  checkParameter(parameters.slip >= 0.0 && parameters.slip <= 1.0, "slip", parameters.slip, "a share in [0, 1]");
+  checkParameter(std::abs(parameters.drift) <= 1.0, "drift", parameters.drift, "a share in [-1, 1]");
 }
 
 Create2::Create2(const Create2Parameters& parameters, const Pose2& true_pose, std::uint64_t seed)

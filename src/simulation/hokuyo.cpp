@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <string>
+
+#include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -12,30 +13,19 @@ namespace {
 constexpr std::size_t kNoiseTableSize = 8192;
 constexpr int kMostBeams = 100000;
 
-void check(const char* name, double value, bool good, const char* expected) {
-  if (good) return;
-  throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + ", expected " + expected);
-}
-
 }  // namespace
 
 void validate(const HokuyoParameters& parameters) {
-  check("beams", parameters.beams, parameters.beams >= 1 && parameters.beams <= kMostBeams, "1 to 100000");
-  check("angle_min", parameters.angle_min, std::isfinite(parameters.angle_min), "a finite angle");
-  check("angle_increment", parameters.angle_increment,
-        std::isfinite(parameters.angle_increment) && parameters.angle_increment != 0.0, "a finite angle other than 0");
-  check("range_min", parameters.range_min, parameters.range_min >= 0.0 && std::isfinite(parameters.range_min),
-        "a finite distance of at least 0");
-  check("range_max", parameters.range_max,
-        parameters.range_max > parameters.range_min && std::isfinite(parameters.range_max),
-        "a finite distance above range_min");
-  check("sight", parameters.sight, parameters.sight > 0.0 && std::isfinite(parameters.sight),
-        "a positive finite distance");
-  check("noise", parameters.noise, parameters.noise >= 0.0 && std::isfinite(parameters.noise),
-        "a finite distance of at least 0");
-  check("dropout", parameters.dropout, parameters.dropout >= 0.0 && parameters.dropout <= 1.0,
-        "a probability in [0, 1]");
-  check("rate", parameters.rate, parameters.rate > 0.0 && std::isfinite(parameters.rate), "a positive finite number");
+  const HokuyoParameters& p = parameters;
+  checkParameter(p.beams >= 1 && p.beams <= kMostBeams, "beams", p.beams, "1 to 100000");
+  checkParameter(true, "angle_min", p.angle_min, "a finite angle");
+  checkParameter(p.angle_increment != 0.0, "angle_increment", p.angle_increment, "a finite angle other than 0");
+  checkParameter(p.range_min >= 0.0, "range_min", p.range_min, "a finite distance of at least 0");
+  checkParameter(p.range_max > p.range_min, "range_max", p.range_max, "a finite distance above range_min");
+  checkPositive("sight", p.sight);
+  checkParameter(p.noise >= 0.0, "noise", p.noise, "a finite distance of at least 0");
+  checkParameter(p.dropout >= 0.0 && p.dropout <= 1.0, "dropout", p.dropout, "a probability in [0, 1]");
+  checkPositive("rate", p.rate);
   if (!isFinite(parameters.mount.pose))
     throw std::invalid_argument("the pose of the scanner on the robot is not finite");
 }

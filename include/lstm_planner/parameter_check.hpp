@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace lstm_planner {
+
+/// Throws std::invalid_argument "parameter NAME is VALUE, expected EXPECTED" when the value is not fine or not finite.
+inline void checkParameter(bool fine, const std::string& name, double value, const std::string& expected) {
+  if (fine && std::isfinite(value)) {
+    return;
+  }
+  std::ostringstream message;
+  message << "parameter " << name << " is " << value << ", expected " << expected;
+  throw std::invalid_argument(message.str());
+}
+
+inline void checkPositive(const std::string& name, double value) {
+  checkParameter(value > 0.0, name, value, "a positive number");
+}
+
+}  // namespace lstm_planner
