@@ -147,11 +147,14 @@ TEST_F(ClosedLoopTest, GoalInsideAnObstacleIsAbortedWithoutContact) {
   EXPECT_FALSE(client_.getState().getText().empty());
 }
 
-TEST_F(ClosedLoopTest, GoalInAFrameThatIsNotThereIsAborted) {
+TEST_F(ClosedLoopTest, GoalInAFrameThatIsNotThereMovesNothing) {
+  const Pose2 before = pose();
   send("moon", kNear);
-  ASSERT_TRUE(over(20.0));
-  EXPECT_EQ(client_.getState(), State::ABORTED);
-  EXPECT_FALSE(client_.getState().getText().empty());
+  over(5.0);  // standalone_move_base aborts at once; move_base tries for ever, and takes a cancel
+  EXPECT_LT(distanceBetween(before, pose()), 0.01);
+  client_.cancelGoal();
+  ASSERT_TRUE(over(5.0));
+  EXPECT_TRUE(client_.getState() == State::ABORTED || client_.getState() == State::PREEMPTED);
 }
 
 // The last test: from the jump on, the odometry is no longer where the map's frame says.
