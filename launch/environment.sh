@@ -74,20 +74,18 @@ installable() {
 }
 
 as_root() {
-  if [ "$(id -u)" -eq 0 ]; then
-    "$@"
-  elif [ -t 0 ]; then
-    sudo "$@"
-  else
-    sudo -n "$@"
-  fi
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
 }
 
+# Asks for the password before anything else, where somebody sits at a terminal to give it.
 check_can_become_root() {
   [ "$(id -u)" -eq 0 ] && return
-  command -v sudo >/dev/null || fail "missing packages: $1; install them as root, there is no sudo here."
-  [ -t 0 ] || sudo -n true 2>/dev/null ||
-    fail "missing packages: $1; install them as root, sudo asks for a password and there is no terminal to ask at."
+  local remedy="as root, run: apt-get install -y --no-install-recommends $1"
+  command -v sudo >/dev/null || fail "there is no sudo here; $remedy"
+  sudo -n true 2>/dev/null && return
+  [ -t 0 ] || fail "sudo asks for a password and there is no terminal to ask at; $remedy"
+  say "sudo is needed to install packages"
+  sudo -v || fail "sudo was refused; $remedy"
 }
 
 # rosdep knows the names where its database has been initialised and updated; what it leaves is installed by name.
@@ -98,20 +96,46 @@ install_with_rosdep() {
   rosdep install --from-paths "$source_dir" --ignore-src --rosdistro noetic -r -y </dev/null || true
 }
 
-apt_install() {
-  local log="$workspace/apt.log"
-  say "installing with apt-get: $* (log: $log)"
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@" </dev/null >"$log" 2>&1
+# The first of many words, for a sentence that should stay readable.
+some_of() {
+  local shown=3
+  if [ "$#" -le "$shown" ]; then echo "$*"; else echo "${*:1:shown} and $(($# - shown)) more"; fi
 }
 
+apt_install() {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@" </dev/null \
+    >"$workspace/apt.log" 2>&1
+}
+
+# apt-get takes a server it cannot reach for a warning, unless told otherwise.
 apt_update() {
   say "updating apt's package lists"
-  as_root apt-get update </dev/null >"$workspace/apt.log" 2>&1 ||
-    say "apt-get update failed; going on with the lists there are"
+  as_root apt-get -o APT::Update::Error-Mode=any update </dev/null >"$workspace/apt.log" 2>&1
+}
+
+# What apt-get's last call complained about.
+apt_complaint() {
+  grep -m 1 -E '^[EW]:' "$workspace/apt.log" || echo "see $workspace/apt.log"
+}
+
+# Fails when apt knows some package ($@) not even after an update of its lists.
+check_installable() {
+  local unknown updated=true
+  unknown="$(comm -23 <(printf '%s\n' "$@") <(printf '%s\n' "$@" | installable))"
+  [ -n "$unknown" ] || return 0
+  apt_update || updated=false
+  unknown="$(comm -23 <(printf '%s\n' "$@") <(printf '%s\n' "$@" | installable))"
+  [ -n "$unknown" ] || return 0
+  # shellcheck disable=SC2086  # one word a package
+  unknown="$(some_of $unknown)"
+  [ "$updated" = true ] ||
+    fail "apt-get does not know the packages $unknown and could not update its lists: $(apt_complaint)"
+  fail "apt-get has no package $unknown; ROS 1 is packaged for Debian 12 and," \
+    "from packages.ros.org (see wiki.ros.org/noetic/Installation/Ubuntu), for Ubuntu 20.04."
 }
 
 install_missing_packages() {
-  local flavour="$1" missing extra unavailable
+  local flavour="$1" missing extra
   missing="$(required_packages "$flavour" | not_installed)"
   [ -n "$missing" ] || return 0
   command -v apt-get >/dev/null || fail "missing packages: ${missing//$'\n'/ }; no apt-get here to install them with."
@@ -120,17 +144,15 @@ install_missing_packages() {
   missing="$(required_packages "$flavour" | not_installed)"
   [ -n "$missing" ] || return 0
 
-  unavailable="$(comm -23 <(echo "$missing") <(echo "$missing" | installable))"
-  if [ -n "$unavailable" ]; then
-    apt_update
-    unavailable="$(comm -23 <(echo "$missing") <(echo "$missing" | installable))"
-    [ -z "$unavailable" ] || fail "apt-get has no package ${unavailable//$'\n'/, }; ROS 1 is packaged for Debian 12" \
-      "and, from packages.ros.org (see wiki.ros.org/noetic/Installation/Ubuntu), for Ubuntu 20.04."
-  fi
+  # shellcheck disable=SC2086  # one word a package
+  check_installable $missing
   extra="$(optional_packages "$flavour" | not_installed | installable)"
   # shellcheck disable=SC2086  # one word a package
+  say "installing with apt-get, log in $workspace/apt.log:" $missing $extra
+  # Lists of some weeks ago name files that the servers have replaced since.
+  # shellcheck disable=SC2086  # one word a package
   apt_install $missing $extra || { apt_update && apt_install $missing $extra; } ||
-    fail "apt-get could not install ${missing//$'\n'/, }: $(grep -m 1 '^E:' "$workspace/apt.log")"
+    fail "apt-get could not install the packages above: $(apt_complaint)"
 }
 
 # ---------------------------------------------------------------------- environment and build
@@ -157,11 +179,12 @@ enter_ros() {
 }
 
 prepare_workspace() {
-  mkdir -p "$workspace/src" "$workspace/ros_home" 2>/dev/null || fail "cannot create the workspace $workspace."
-  workspace="$(cd "$workspace" && pwd -P)"
+  workspace="$(realpath -m -- "$workspace")"
   case "$workspace/" in
     "$source_dir"/*) fail "the workspace $workspace lies inside the source tree; set LSTM_PLANNER_WS." ;;
   esac
+  mkdir -p "$workspace/src" "$workspace/ros_home" 2>/dev/null || fail "cannot create the workspace $workspace."
+  [ -w "$workspace" ] && [ -w "$workspace/src" ] || fail "cannot write to the workspace $workspace."
 }
 
 # Objects of another checkout may be newer than this one's sources, so make alone would not notice the change.
