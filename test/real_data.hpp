@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/evaluation/drive.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
+
+namespace lstm_planner {
+
+/// Path of a file among the recordings and maps of real robots and buildings; they do not come with the package.
+inline std::string realData(const std::string& file) {
+  const char* shared = std::getenv("LSTM_PLANNER_SHARED");
+  return (shared != nullptr ? std::string(shared) : std::string(LSTM_PLANNER_SOURCE_DIR) + "/../shared") + "/data/" +
+         file;
+}
+
+/// Willow Garage. Its surroundings and what was never seen are of the grey 206, which its own threshold takes for free.
+inline std::string willowMap() { return realData("maps/stage_ros_willow-full.yaml"); }
+constexpr double kWillowFreeThreshold = 0.19;
+
+inline std::string shippedModel() { return std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/create2_lstm_2x8.onnx"; }
+
+/// The first `count` random tasks whose shortest ways are between `shortest` and `longest` metres long.
+inline std::vector<DriveTask> drawTasksBetween(const GridWorld& world, int count, double shortest, double longest) {
+  constexpr int kDrawn = 60;  // about one in eight pairs of places in Willow is less than 15 m apart
+  constexpr double kClearance = 0.07;
+  std::vector<DriveTask> tasks;
+  for (const DriveTask& task :
+       drawTasks(world, kDrawn, 0.5 * Create2Parameters().base_diameter, kClearance, shortest, 1)) {
+    if (task.shortest <= longest && static_cast<int>(tasks.size()) < count) {
+      tasks.push_back(task);
+    }
+  }
+  return tasks;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,83 @@
+// The demo, in a real building: simulated robot, plugins behind the action, one goal some rooms away.
+
+#include <gtest/gtest.h>
+#include <ros/package.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "real_data.hpp"
+
+namespace lstm_planner {
+namespace {
+
+/// A folder that lives as long as the object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    if (mkdtemp(path_.data()) == nullptr) {
+      throw std::runtime_error("no temporary folder can be made in /tmp");
+    }
+  }
+  ~TemporaryFolder() {
+    for (const char* name : {"/goals.yaml", "/result"}) {
+      std::remove((path_ + name).c_str());
+    }
+    rmdir(path_.c_str());
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_ = "/tmp/lstm_planner_real_map_XXXXXX";
+};
+
+void writeGoalsFile(const std::string& path, const DriveTask& task) {
+  std::ofstream(path) << "frame: map\n"
+                      << "start: [" << task.start.x << ", " << task.start.y << ", " << task.start.yaw << "]\n"
+                      << "time_limit: 180.0\n"
+                      << "goals: [{name: office, x: " << task.goal.x << ", y: " << task.goal.y << ", yaw: 0.0}]\n";
+}
+
+/// move_base where the package has no host for its plugins of its own, because it was built with the navigation stack.
+std::string moveBase() { return ros::package::getPath("nav_core").empty() ? "standalone" : "real"; }
+
+TEST(RealMap, DemoArrivesInWillowWithoutContact) {
+  if (!std::ifstream(willowMap())) {
+    GTEST_SKIP() << "no map " << willowMap();
+  }
+  const GridWorld world(readMapServerMap(willowMap(), kWillowFreeThreshold));
+  const std::vector<DriveTask> tasks = drawTasksBetween(world, 1, 6.0, 8.0);
+  ASSERT_EQ(tasks.size(), 1u);
+  const TemporaryFolder folder;
+  writeGoalsFile(folder.path() + "/goals.yaml", tasks.front());
+
+  const std::string command = "timeout --signal=INT 100 roslaunch lstm_planner demo.launch rviz:=false picture:= "
+                              "real_time_factor:=4 map:=" + willowMap() +
+                              " free_threshold:=" + std::to_string(kWillowFreeThreshold) + " goals:=" + folder.path() +
+                              "/goals.yaml result:=" + folder.path() + "/result move_base:=" + moveBase();
+  ASSERT_EQ(std::system(command.c_str()), 0) << command;
+
+  std::ifstream file(folder.path() + "/result");
+  int exit_code = -1;
+  file >> exit_code;
+  ASSERT_EQ(exit_code, 0);
+  const nlohmann::json result = nlohmann::json::parse(file);
+  EXPECT_EQ(result.at("reached"), 1);
+  EXPECT_EQ(result.at("contacts"), 0);
+}
+
+}  // namespace
+}  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
