@@ -1,0 +1,83 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <sensor_msgs/LaserScan.h>
+
+#include <algorithm>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/ros/conversions.hpp"
+
+namespace lstm_planner {
+
+/// A recording, and what it does not say itself.
+struct Recording {
+  std::string file;
+  std::string global_frame;  ///< of the costmap; where it is not the odometry's, the recording has the transform
+  std::string scan_frame;    ///< the scanner's, where the recording does not say where it sits; else empty
+  double max_speed;          ///< m/s
+  bool has_gaps;             ///< longer than the planner's timeouts
+};
+
+inline void PrintTo(const Recording& recording, std::ostream* out) { *out << recording.file; }
+
+inline std::string nameOf(const testing::TestParamInfo<Recording>& info) {
+  return info.param.file.substr(0, info.param.file.find('.'));
+}
+
+/// Where the robot was, and how far it had driven until then.
+struct WayPoint {
+  ros::Time stamp;
+  Pose2 pose;
+  double driven = 0.0;  ///< m
+};
+
+/// A recording that was read once: its clock, and the way of its robot.
+class RecordedWay {
+ public:
+  /// Throws std::runtime_error when there are fewer than two odometry messages.
+  explicit RecordedWay(const rosbag::Bag& bag) {
+    rosbag::View view(bag);
+    for (const rosbag::MessageInstance& message : view) {
+      if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
+        clock_difference_ = std::min(clock_difference_, message.getTime() - scan->header.stamp);
+      } else if (const auto odometry = message.instantiate<nav_msgs::Odometry>()) {
+        clock_difference_ = std::min(clock_difference_, message.getTime() - odometry->header.stamp);
+        add(odometry->header.stamp, fromMessage(odometry->pose.pose));
+      }
+    }
+    if (way_.size() < 2) {
+      throw std::runtime_error("there is no odometry in " + bag.getFileName());
+    }
+  }
+
+  /// The recording computer's clock may differ from the robot's by anything. The replay's clock is the robot's: the
+  /// message that was on its way for the shortest time took none.
+  ros::Time clockAt(const ros::Time& recorded) const { return recorded - clock_difference_; }
+
+  /// The first place that the robot comes to after driving on for `distance` (m), or else its last.
+  const WayPoint& ahead(const ros::Time& now, double distance) const {
+    const auto here = std::find_if(way_.begin(), way_.end() - 1, [&](const WayPoint& at) { return at.stamp >= now; });
+    return *std::find_if(here, way_.end() - 1,
+                         [&](const WayPoint& at) { return at.driven >= here->driven + distance; });
+  }
+
+  const std::vector<WayPoint>& way() const { return way_; }
+
+ private:
+  void add(const ros::Time& stamp, const Pose2& pose) {
+    const double driven = way_.empty() ? 0.0 : way_.back().driven + distanceBetween(way_.back().pose, pose);
+    way_.push_back({stamp, pose, driven});
+  }
+
+  ros::Duration clock_difference_ = ros::DURATION_MAX;
+  std::vector<WayPoint> way_;
+};
+
+}  // namespace lstm_planner
