@@ -115,7 +115,7 @@ TEST(EscapeDrives, KnowsThatAnEnclosedGoalCannotBeReached) {
 }
 
 TEST(EscapeDrives, KnowsItOfALargeRingToo) {
-  const EnclosedGoal enclosed(3.0, 240);
+  const EnclosedGoal enclosed(3.6, 288);
   const DriveResult result = driveStubbornly(CircleWorld(enclosed.circles), {0.0, 0.0, 0.0}, enclosed.goal, 1800.0);
   expectEnd(result, End::kNoWay);
   // Here it turns back after the first leg, and goes round the other way.

@@ -145,7 +145,7 @@ TEST(FloorPlan, NamesImpossibleParameters) {
     }
     return "";
   };
-  EXPECT_NE(refusal(&FloorPlanParameters::width, 2.0).find("width is 2.0"), std::string::npos);
+  EXPECT_NE(refusal(&FloorPlanParameters::width, 2.0).find("width is 2, expected"), std::string::npos);
   EXPECT_NE(refusal(&FloorPlanParameters::height, HUGE_VAL).find("height is inf"), std::string::npos);
   EXPECT_NE(refusal(&FloorPlanParameters::resolution, 0.0).find("resolution"), std::string::npos);
   EXPECT_NE(refusal(&FloorPlanParameters::door_width, 0.3).find("door_width"), std::string::npos);
