@@ -8,8 +8,16 @@ template <typename T>
 void ParameterReader::readAs(const std::string& name, const char* type, T* value) {
   const std::string full_name = node_handle_.resolveName(name);
   known_.insert(full_name);
-  if (node_handle_.hasParam(name) && !node_handle_.getParam(name, *value)) {
+  if (!node_handle_.hasParam(name)) {
+    unset_.insert(full_name);
+    return;
+  }
+  const T default_value = *value;
+  if (!node_handle_.getParam(name, *value)) {
     throw std::invalid_argument("parameter " + full_name + " is not " + type);
+  }
+  if (*value != default_value) {
+    changed_.insert(full_name);
   }
 }
 

@@ -3,26 +3,13 @@
 #include <ros/console.h>
 #include <ros/package.h>
 
-#include <cmath>
 #include <stdexcept>
 
-#include "lstm_planner/ros/parameter_reader.hpp"
+#include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
 
 namespace {
-
-void expectPositive(const std::string& name, double value) {
-  if (!std::isfinite(value) || value <= 0.0) {
-    throw std::invalid_argument("parameter " + name + " is " + std::to_string(value) + ", expected a positive number");
-  }
-}
-
-void expectNotNegative(const std::string& name, int value) {
-  if (value < 0) {
-    throw std::invalid_argument("parameter " + name + " is " + std::to_string(value) + ", expected 0 or more");
-  }
-}
 
 void readSensors(ParameterReader* reader, SensorParameters* sensors) {
   reader->read("scan_topic", &sensors->scan_topic);
@@ -30,9 +17,6 @@ void readSensors(ParameterReader* reader, SensorParameters* sensors) {
   reader->read("scan_timeout", &sensors->scan_timeout);
   reader->read("odom_timeout", &sensors->odom_timeout);
   reader->read("max_speed", &sensors->max_speed);
-  expectPositive("scan_timeout", sensors->scan_timeout);
-  expectPositive("odom_timeout", sensors->odom_timeout);
-  expectPositive("max_speed", sensors->max_speed);
 }
 
 void readStep(ParameterReader* reader, StepParameters* step) {
@@ -84,6 +68,12 @@ void readMotion(ParameterReader* reader, MotionParameters* motion) {
   reader->read("heading_tolerance", &motion->heading_tolerance);
 }
 
+void check(const SensorParameters& sensors) {
+  checkPositive("scan_timeout", sensors.scan_timeout);
+  checkPositive("odom_timeout", sensors.odom_timeout);
+  checkPositive("max_speed", sensors.max_speed);
+}
+
 void warnOfUnknown(const ParameterReader& reader) {
   for (const std::string& name : reader.unknownParameters()) {
     ROS_WARN("parameter %s is set, but there is none of that name", name.c_str());
@@ -92,45 +82,52 @@ void warnOfUnknown(const ParameterReader& reader) {
 
 }  // namespace
 
+void readParameters(ParameterReader* reader, GlobalPlannerParameters* parameters) {
+  reader->read("model", &parameters->model);
+  readSensors(reader, &parameters->sensors);
+  readStep(reader, &parameters->agent.step);
+  readShield(reader, &parameters->agent);
+  readEscape(reader, &parameters->agent.escape);
+  reader->read("goal_tolerance", &parameters->agent.goal_tolerance);
+  reader->read("goal_in_sight", &parameters->agent.goal_in_sight);
+  reader->read("rollout/spacing", &parameters->rollout.spacing);
+  reader->read("rollout/steps", &parameters->rollout.steps);
+  reader->read("trace_length", &parameters->trace_length);
+}
+
+void readParameters(ParameterReader* reader, SteeringControllerParameters* parameters) {
+  readSensors(reader, &parameters->sensors);
+  readMotion(reader, &parameters->motion);
+  reader->read("plan_timeout", &parameters->plan_timeout);
+  reader->read("footprint_radius", &parameters->footprint_radius);
+}
+
 GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_handle) {
   GlobalPlannerParameters parameters;
   ParameterReader reader(node_handle);
-  reader.read("model", &parameters.model);
-  readSensors(&reader, &parameters.sensors);
-  readStep(&reader, &parameters.agent.step);
-  readShield(&reader, &parameters.agent);
-  readEscape(&reader, &parameters.agent.escape);
-  reader.read("goal_tolerance", &parameters.agent.goal_tolerance);
-  reader.read("goal_in_sight", &parameters.agent.goal_in_sight);
-  reader.read("rollout/spacing", &parameters.rollout.spacing);
-  reader.read("rollout/steps", &parameters.rollout.steps);
-  reader.read("trace_length", &parameters.trace_length);
+  readParameters(&reader, &parameters);
   warnOfUnknown(reader);
 
+  check(parameters.sensors);
   validate(parameters.agent);
-  expectPositive("rollout/spacing", parameters.rollout.spacing);
-  expectNotNegative("rollout/steps", parameters.rollout.steps);
-  expectNotNegative("trace_length", parameters.trace_length);
+  checkPositive("rollout/spacing", parameters.rollout.spacing);
+  checkParameter(parameters.rollout.steps >= 0, "rollout/steps", parameters.rollout.steps, "0 or more");
+  checkParameter(parameters.trace_length >= 0, "trace_length", parameters.trace_length, "0 or more");
   return parameters;
 }
 
 SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHandle& node_handle) {
   SteeringControllerParameters parameters;
   ParameterReader reader(node_handle);
-  readSensors(&reader, &parameters.sensors);
-  readMotion(&reader, &parameters.motion);
-  reader.read("plan_timeout", &parameters.plan_timeout);
-  reader.read("footprint_radius", &parameters.footprint_radius);
+  readParameters(&reader, &parameters);
   warnOfUnknown(reader);
   ParameterReader(ros::NodeHandle("~")).read("controller_frequency", &parameters.controller_frequency);
 
+  check(parameters.sensors);
   validate(parameters.motion);
-  expectPositive("footprint_radius", parameters.footprint_radius);
-  if (!(parameters.plan_timeout >= 0.0)) {
-    throw std::invalid_argument("parameter plan_timeout is " + std::to_string(parameters.plan_timeout) +
-                                ", expected 0 or more");
-  }
-  expectPositive("controller_frequency", parameters.controller_frequency);
+  checkPositive("footprint_radius", parameters.footprint_radius);
+  checkParameter(parameters.plan_timeout >= 0.0, "plan_timeout", parameters.plan_timeout, "0 or more");
+  checkPositive("controller_frequency", parameters.controller_frequency);
   return parameters;
 }
 

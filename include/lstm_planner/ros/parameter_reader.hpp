@@ -23,12 +23,18 @@ class ParameterReader {
   /// Full names of parameters of the namespace that are set but were never read: misspelt ones.
   std::vector<std::string> unknownParameters() const;
 
+  /// Full names of parameters that were read and are not set, or set to something else than their default.
+  const std::set<std::string>& unsetParameters() const { return unset_; }
+  const std::set<std::string>& changedParameters() const { return changed_; }
+
  private:
   template <typename T>
   void readAs(const std::string& name, const char* type, T* value);
 
   ros::NodeHandle node_handle_;
   std::set<std::string> known_;
+  std::set<std::string> unset_;
+  std::set<std::string> changed_;
 };
 
 }  // namespace lstm_planner

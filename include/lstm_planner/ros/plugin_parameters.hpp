@@ -7,6 +7,7 @@
 #include "lstm_planner/agent/agent_parameters.hpp"
 #include "lstm_planner/agent/motion_controller.hpp"
 #include "lstm_planner/agent/rollout.hpp"
+#include "lstm_planner/ros/parameter_reader.hpp"
 
 namespace lstm_planner {
 
@@ -41,6 +42,10 @@ struct SteeringControllerParameters {
 /// std::invalid_argument naming the parameter, its value and what was expected.
 GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_handle);
 SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHandle& node_handle);
+
+/// What the two do before they check: read every parameter into its variable.
+void readParameters(ParameterReader* reader, GlobalPlannerParameters* parameters);
+void readParameters(ParameterReader* reader, SteeringControllerParameters* parameters);
 
 /// The file behind package://NAME/PATH; any other path as it is. Throws std::invalid_argument for an unknown package.
 std::string resolvePackagePath(const std::string& path);
