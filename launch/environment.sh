@@ -183,6 +183,10 @@ prepare_workspace() {
   case "$workspace/" in
     "$source_dir"/*) fail "the workspace $workspace lies inside the source tree; set LSTM_PLANNER_WS." ;;
   esac
+  case "$workspace" in
+    *[[:space:]]*) fail "the workspace '$workspace' has a space in its path, which ROS's tools do not bear;" \
+      "set LSTM_PLANNER_WS." ;;
+  esac
   mkdir -p "$workspace/src" "$workspace/ros_home" 2>/dev/null || fail "cannot create the workspace $workspace."
   [ -w "$workspace" ] && [ -w "$workspace/src" ] || fail "cannot write to the workspace $workspace."
 }
