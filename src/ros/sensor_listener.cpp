@@ -29,8 +29,10 @@ void checkAge(double age, double timeout, const std::string& topic) {
 SensorListener::SensorListener(ros::NodeHandle node_handle, const SensorParameters& parameters,
                                const std::string& base_frame, const tf2_ros::Buffer& tf)
     : parameters_(parameters), tf_(tf), base_frame_(base_frame), history_(parameters.max_speed) {
-  scan_subscriber_ = node_handle.subscribe(parameters.scan_topic, 1, &SensorListener::onScan, this);
-  odometry_subscriber_ = node_handle.subscribe(parameters.odom_topic, 10, &SensorListener::onOdometry, this);
+  // Without this, TCP holds a scan back until the one before is acknowledged: up to 40 ms.
+  const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+  scan_subscriber_ = node_handle.subscribe(parameters.scan_topic, 1, &SensorListener::onScan, this, hints);
+  odometry_subscriber_ = node_handle.subscribe(parameters.odom_topic, 10, &SensorListener::onOdometry, this, hints);
 }
 
 void SensorListener::onScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
