@@ -25,8 +25,8 @@ struct ShieldParameters {
 /// The way out when the network makes no progress: boundary following with the doubling search.
 struct EscapeParameters {
   bool enabled = true;
-  int patience_steps = 40;        ///< steps without a new best distance to the goal before the escape takes over
-  double patience_distance = 8.0; ///< m driven without a new best distance before the escape takes over
+  int patience_steps = 120;       ///< steps without a new best distance to the goal before the escape takes over
+  double patience_distance = 24.0; ///< m driven without a new best distance before the escape takes over
   double progress = 0.25;         ///< m; nearer to the goal than ever by this much is a new best
   double follow_step = 0.25;      ///< m to the waypoint while following a boundary
   double probe_angle = 0.08727;   ///< rad between probed directions (5 degrees)
