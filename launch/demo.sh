@@ -69,13 +69,25 @@ PYTHON
   [ "$port" = 11311 ] || say "a ROS master runs here already; this demo's is $ROS_MASTER_URI"
 }
 
+# An argument NAME:=VALUE for demo.launch: roslaunch takes any name, and its nodes do not run in this folder.
+checked_argument() {
+  local name="${1%%:=*}" value="${1#*:=}"
+  grep -qF "<arg name=\"$name\" default" "$source_dir/launch/demo.launch" ||
+    fail "demo.launch has no argument '$name'; expected one of those that --help tells of."
+  case "$name" in
+    map | goals | model | picture)
+      case "$value" in '' | /* | *://*) ;; *) value="$PWD/$value" ;; esac ;;
+  esac
+  echo "$name:=$value"
+}
+
 build_only=false
 arguments=()
 for argument in "$@"; do
   case "$argument" in
     --help | -h) usage; exit 0 ;;
     --build-only) build_only=true ;;
-    *:=*) arguments+=("$argument") ;;
+    *:=*) argument="$(checked_argument "$argument")" || exit 1; arguments+=("$argument") ;;
     *) fail "unknown argument '$argument'; expected --build-only, --help or NAME:=VALUE." ;;
   esac
 done

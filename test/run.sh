@@ -60,6 +60,9 @@ for argument in "$@"; do
   esac
 done
 
+echo | grep -qE -- "$filter" 2>/dev/null
+[ $? -le 1 ] || fail "'$filter' is not an extended regular expression."
+
 set_up all tests
 if [ "$build_only" = true ]; then exit 0; fi
 
