@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <stdexcept>
 #include <string>
@@ -100,7 +101,7 @@ TEST(DrivePolicy, SaysWhatDoesNotFit) {
 }
 
 TEST(DrivePolicy, ComesBackFromItsFile) {
-  const std::string path = ::testing::TempDir() + "drive_policy_comes_back.onnx";
+  const std::string path = ::testing::TempDir() + "drive_policy_" + std::to_string(getpid()) + "_comes_back.onnx";
   const DrivePolicy policy = test::policyPreferring({0.1f, 0.2f, 0.3f, 0.4f, 0.5f});
   Model model{policy.network().layers(), {}};
   writeMetadata(policy.description(), &model.metadata);
@@ -111,7 +112,7 @@ TEST(DrivePolicy, ComesBackFromItsFile) {
 }
 
 TEST(DrivePolicy, RefusesAFileWhoseMetadataDoNotFitByItsName) {
-  const std::string path = ::testing::TempDir() + "drive_policy_mismatch.onnx";
+  const std::string path = ::testing::TempDir() + "drive_policy_" + std::to_string(getpid()) + "_mismatch.onnx";
   const LayerStack layers = test::uselessPolicy().network().layers();
   PolicyDescription description;
   description.actions = ActionSet({-1.0, 0.0, 1.0});
