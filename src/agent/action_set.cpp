@@ -27,8 +27,7 @@ ActionSet::ActionSet(std::vector<double> angles) : angles_(std::move(angles)) {
 int ActionSet::nearest(double angle) const {
   int best = 0;
   for (int action = 1; action < size(); ++action) {
-    if (std::abs(normalizeAngle(angle - this->angle(action))) <
-        std::abs(normalizeAngle(angle - this->angle(best)))) {
+    if (std::abs(normalizeAngle(angle - this->angle(action))) < std::abs(normalizeAngle(angle - this->angle(best)))) {
       best = action;
     }
   }

@@ -13,7 +13,7 @@ void validate(const AgentParameters& parameters) {
   checkPositive("step/period", parameters.step.period);
   checkPositive("step/reached", parameters.step.reached);
   checkParameter(parameters.step.stall > parameters.step.period, "step/stall", parameters.step.stall,
-         "more than step/period = " + std::to_string(parameters.step.period));
+                 "more than step/period = " + std::to_string(parameters.step.period));
   checkPositive("step/still_distance", parameters.step.still_distance);
   checkPositive("step/still_turn", parameters.step.still_turn);
 
@@ -21,15 +21,15 @@ void validate(const AgentParameters& parameters) {
   checkPositive("shield/footprint_radius", shield.footprint_radius);
   checkParameter(shield.tight_clearance >= 0.0, "shield/tight_clearance", shield.tight_clearance, "zero or more");
   checkParameter(shield.clearance >= shield.tight_clearance, "shield/clearance", shield.clearance,
-         "at least shield/tight_clearance = " + std::to_string(shield.tight_clearance));
+                 "at least shield/tight_clearance = " + std::to_string(shield.tight_clearance));
   checkPositive("shield/shortest_step", shield.shortest_step);
   checkParameter(shield.shortest_step <= parameters.step.length, "shield/shortest_step", shield.shortest_step,
-         "at most step/length = " + std::to_string(parameters.step.length));
+                 "at most step/length = " + std::to_string(parameters.step.length));
   checkParameter(parameters.step.reached < shield.shortest_step, "step/reached", parameters.step.reached,
-         "less than shield/shortest_step = " + std::to_string(shield.shortest_step));
+                 "less than shield/shortest_step = " + std::to_string(shield.shortest_step));
   const double needed_reach = parameters.step.length + shield.footprint_radius + shield.clearance;
   checkParameter(shield.reach >= needed_reach, "shield/reach", shield.reach,
-         "at least step, footprint radius and clearance together = " + std::to_string(needed_reach));
+                 "at least step, footprint radius and clearance together = " + std::to_string(needed_reach));
 
   const EscapeParameters& escape = parameters.escape;
   checkParameter(escape.patience_steps > 0, "escape/patience_steps", escape.patience_steps, "a positive number");
@@ -37,8 +37,9 @@ void validate(const AgentParameters& parameters) {
   checkPositive("escape/progress", escape.progress);
   checkPositive("escape/follow_step", escape.follow_step);
   checkParameter(escape.probe_angle > 0.0 && escape.probe_angle < M_PI_4, "escape/probe_angle", escape.probe_angle,
-         "between 0 and pi/4");
-  checkParameter(escape.wall_turn > 0.0 && escape.wall_turn < M_PI, "escape/wall_turn", escape.wall_turn, "between 0 and pi");
+                 "between 0 and pi/4");
+  checkParameter(escape.wall_turn > 0.0 && escape.wall_turn < M_PI, "escape/wall_turn", escape.wall_turn,
+                 "between 0 and pi");
   checkPositive("escape/leave_margin", escape.leave_margin);
   checkPositive("escape/first_leg", escape.first_leg);
   checkPositive("escape/loop_tolerance", escape.loop_tolerance);
@@ -46,7 +47,7 @@ void validate(const AgentParameters& parameters) {
 
   checkPositive("goal_tolerance", parameters.goal_tolerance);
   checkParameter(parameters.step.reached < parameters.goal_tolerance, "step/reached", parameters.step.reached,
-         "less than goal_tolerance = " + std::to_string(parameters.goal_tolerance));
+                 "less than goal_tolerance = " + std::to_string(parameters.goal_tolerance));
   checkParameter(parameters.goal_in_sight >= 0.0, "goal_in_sight", parameters.goal_in_sight, "zero or more");
 }
 

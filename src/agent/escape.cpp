@@ -17,7 +17,6 @@ Escape::Escape(const EscapeParameters& parameters, const ShieldParameters& shiel
 void Escape::begin(double target_distance) {
   target_distance_ = target_distance;
   leave_below_ = std::numeric_limits<double>::infinity();
-  early_leave_after_ = 0.0;
   following_ = false;
   rounds_ = 0;
 }
@@ -83,13 +82,7 @@ void Escape::followTight(const Pose2& pose, const Point2& goal) {
 void Escape::meetBoundary(const Situation& situation, const Shield& shield, const Point2& goal) {
   following_ = true;
   hit_position_ = {situation.pose.x, situation.pose.y};
-  const double distance = distanceBetween(situation.pose, goal);
-  // The way was not as open as it looked: each time it takes twice as much boundary to be believed again, or the robot
-  // could leave and come back for ever.
-  const bool deceived = distance >= leave_below_;
-  early_leave_after_ = deceived ? std::max(2.0 * early_leave_after_, 2.0 * parameters_.follow_step) : 0.0;
-  leave_below_ = std::min(leave_below_, distance);
-  followed_ = 0.0;
+  leave_below_ = std::min(leave_below_, distanceBetween(situation.pose, goal));
   last_position_ = situation.pose;
   along_ = 0.0;
   turned_ = 0.0;
@@ -127,7 +120,6 @@ void Escape::measureBoundary(const Pose2& pose) {
     turned_ += turnOf(direction);
   }
   along_ += way_ * moved;
-  followed_ += moved;
   travel_direction_ = direction;
   last_position_ = pose;
   if (way_ * along_ >= leg_) {
@@ -148,8 +140,7 @@ double Escape::turnOf(double direction) const {
 }
 
 bool Escape::loopClosed(const Pose2& pose) const {
-  if (std::abs(along_) < parameters_.loop_length ||
-      distanceBetween(pose, hit_position_) > parameters_.loop_tolerance) {
+  if (std::abs(along_) < parameters_.loop_length || distanceBetween(pose, hit_position_) > parameters_.loop_tolerance) {
     return false;
   }
   // A closed boundary turns by a full circle, and comes back as it went.
@@ -174,8 +165,7 @@ bool Escape::probe(const Situation& situation, const Shield& shield, double star
   const int probes = static_cast<int>(2.0 * M_PI / parameters_.probe_angle);
   for (int i = 0; i < probes; ++i) {
     const double direction = start - side_ * i * parameters_.probe_angle;
-    const double free =
-        shield.freeDistance({}, direction - situation.pose.yaw, parameters_.follow_step, clearance);
+    const double free = shield.freeDistance({}, direction - situation.pose.yaw, parameters_.follow_step, clearance);
     if (free >= parameters_.follow_step) {
       *move = {normalizeAngle(direction), parameters_.follow_step};
       return true;

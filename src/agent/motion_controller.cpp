@@ -52,7 +52,8 @@ Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& po
   if (!std::isfinite(error)) {
     return {};  // the plan is not finite
   }
-  // What lies behind may be a little to the left now and a little to the right next time: go on turning the way we turn.
+  // What lies behind may be a little to the left now and a little to the right next time: go on turning the way we
+  // turn.
   if (std::abs(error) > kBehind && error * current.angular < 0.0) {
     error -= std::copysign(2.0 * M_PI, error);
   }
@@ -117,8 +118,8 @@ double MotionController::safeSpeed(double linear, double angular, double current
   for (int trial = 0; trial < kTries; ++trial) {
     const double speed = linear * (kTries - trial) / kTries;
     // Until the command acts the robot goes on as it does now.
-    const double length = std::max(speed, current) * parameters_.reaction_time +
-                          speed * speed / (2.0 * parameters_.linear_acceleration);
+    const double length =
+        std::max(speed, current) * parameters_.reaction_time + speed * speed / (2.0 * parameters_.linear_acceleration);
     const double curvature = speed > 1e-6 ? angular / speed : 0.0;
     Pose2 at;
     bool safe = true;

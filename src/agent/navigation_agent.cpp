@@ -8,12 +8,18 @@ namespace lstm_planner {
 
 const char* toString(Decision::Source source) {
   switch (source) {
-    case Decision::Source::kNetwork: return "network";
-    case Decision::Source::kGoalInSight: return "goal in sight";
-    case Decision::Source::kEscape: return "escape";
-    case Decision::Source::kLookAround: return "look around";
-    case Decision::Source::kArrived: return "arrived";
-    case Decision::Source::kNoWay: return "no way";
+    case Decision::Source::kNetwork:
+      return "network";
+    case Decision::Source::kGoalInSight:
+      return "goal in sight";
+    case Decision::Source::kEscape:
+      return "escape";
+    case Decision::Source::kLookAround:
+      return "look around";
+    case Decision::Source::kArrived:
+      return "arrived";
+    case Decision::Source::kNoWay:
+      return "no way";
   }
   return "unknown";
 }
@@ -134,8 +140,8 @@ void NavigationAgent::advanceNetwork(const Situation& situation) {
     previous = description.actions.angle(decision_.action);
   } else if (has_step_) {
     // The escape's ways lie between the steering angles: tell the network the nearest one, as the recorder would.
-    previous = description.actions.angle(
-        description.actions.nearest(normalizeAngle(decision_.direction - step_pose_.yaw)));
+    previous =
+        description.actions.angle(description.actions.nearest(normalizeAngle(decision_.direction - step_pose_.yaw)));
   }
   const Observation observation =
       observe(situation.sectors, situation.pose, goal_, previous, description.encoder.position_cell);
@@ -152,8 +158,7 @@ void NavigationAgent::advanceNetwork(const Situation& situation) {
 
 void NavigationAgent::choose(const Situation& situation) {
   const EscapeParameters& escape = parameters_.escape;
-  const bool impatient =
-      steps_since_best_ >= escape.patience_steps || driven_since_best_ >= escape.patience_distance;
+  const bool impatient = steps_since_best_ >= escape.patience_steps || driven_since_best_ >= escape.patience_distance;
   if (escape.enabled && !escaping_ && impatient) {
     escaping_ = true;
     escape_.begin(best_distance_ - escape.progress);
@@ -196,14 +201,13 @@ void NavigationAgent::chooseAction(const Situation& situation) {
     double best_free = 0.0;
     for (int action = 0; action < actions.size(); ++action) {
       const auto i = static_cast<std::size_t>(action);
-      const double free =
-          parameters_.shield_enabled
-              ? freeDistance(situation, step_pose_.yaw + actions.angle(action), parameters_.step.length, clearance)
-              : parameters_.step.length;
+      const double free = parameters_.shield_enabled ? freeDistance(situation, step_pose_.yaw + actions.angle(action),
+                                                                    parameters_.step.length, clearance)
+                                                     : parameters_.step.length;
       decision_.allowed[i] = free >= shield.shortest_step;
-      const bool preferred = best < 0 || imposed_action_ == action ||
-                             (imposed_action_ != best &&
-                              decision_.preferences[i] > decision_.preferences[static_cast<std::size_t>(best)]);
+      const bool preferred =
+          best < 0 || imposed_action_ == action ||
+          (imposed_action_ != best && decision_.preferences[i] > decision_.preferences[static_cast<std::size_t>(best)]);
       if (decision_.allowed[i] && preferred) {
         best = action;
         best_free = free;

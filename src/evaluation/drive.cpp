@@ -48,8 +48,8 @@ DriveResult drive(const World& world, const DriveTask& task, const DriveParamete
     last_step = decision.step;
     result.trace.push_back(robot.truePose());
     result.escaping.push_back(escaping);
-    robot.command(controller.compute(plan, situation.pose, robot.measuredTwist(), agent->shield(),
-                                     parameters.control_period));
+    robot.command(
+        controller.compute(plan, situation.pose, robot.measuredTwist(), agent->shield(), parameters.control_period));
     robot.advance(parameters.control_period);
   }
   result.steps = last_step;
@@ -74,8 +74,12 @@ DriveSummary summarize(const std::vector<DriveResult>& results) {
           ratios.push_back(result.path_length / result.shortest);
         }
         break;
-      case DriveResult::End::kTimeout: ++summary.timeouts; break;
-      case DriveResult::End::kNoWay: ++summary.no_way; break;
+      case DriveResult::End::kTimeout:
+        ++summary.timeouts;
+        break;
+      case DriveResult::End::kNoWay:
+        ++summary.no_way;
+        break;
     }
   }
   if (summary.reached > 0) {

@@ -6,8 +6,7 @@
 
 namespace lstm_planner {
 
-SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start,
-                               std::uint64_t seed)
+SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
     : world_(world), parameters_(parameters), base_(parameters.base, start, seed), scanner_(parameters.scanner, ~seed) {
   checkPositive("physics_period", parameters.physics_period);
 }

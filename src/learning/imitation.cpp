@@ -145,7 +145,8 @@ std::vector<Episode> collect(const ImitationParameters& parameters, const LayerS
   return all;
 }
 
-/// Cuts episodes into overlapping sequences: the first steps of all but the first only bring the hidden state up to date.
+/// Cuts episodes into overlapping sequences: the first steps of all but the first only bring the hidden state up to
+/// date.
 void cutIntoSequences(const std::vector<Episode>& episodes, const ImitationParameters& parameters,
                       std::vector<Sequence>* sequences) {
   const Encoder encoder(parameters.policy.encoder);
@@ -180,11 +181,11 @@ void validate(const ImitationParameters& parameters) {
   checkParameter(parameters.episodes > 0, "episodes", parameters.episodes, "a positive number");
   checkParameter(parameters.validation_plans > 0, "validation_plans", parameters.validation_plans, "a positive number");
   checkParameter(parameters.learner_share >= 0.0 && parameters.learner_share <= 1.0, "learner_share",
-         parameters.learner_share, "a share in [0, 1]");
+                 parameters.learner_share, "a share in [0, 1]");
   checkParameter(parameters.episode_limit > 0.0, "episode_limit", parameters.episode_limit, "a positive number");
   checkParameter(parameters.burn_in_steps >= 0, "burn_in_steps", parameters.burn_in_steps, "zero or more");
   checkParameter(parameters.sequence_steps > parameters.burn_in_steps, "sequence_steps", parameters.sequence_steps,
-         "more than burn_in_steps");
+                 "more than burn_in_steps");
   checkParameter(parameters.threads > 0, "threads", parameters.threads, "a positive number");
   validate(parameters.policy.encoder);
   validate(parameters.trainer);
@@ -223,9 +224,8 @@ ImitationResult imitate(const ImitationParameters& parameters, const ProgressCal
   std::size_t steps = 0;
   double best_arrival = -1.0;
   for (int round = 0; round < parameters.rounds; ++round) {
-    const std::vector<Episode> episodes = round == 0
-                                              ? collect(parameters, layers, round, false, teacher, report)
-                                              : collect(parameters, layers, round, false, mixture, report);
+    const std::vector<Episode> episodes = round == 0 ? collect(parameters, layers, round, false, teacher, report)
+                                                     : collect(parameters, layers, round, false, mixture, report);
     plans_before += parameters.plans;
     for (const Episode& episode : episodes) {
       steps += episode.labels.size();

@@ -2,9 +2,8 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <stdexcept>
-
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "learning/parallel_for.hpp"
 #include "lstm_planner/evaluation/drive.hpp"
@@ -92,9 +91,12 @@ std::vector<DriveResult> driveAll(const DriveOptions& options, const GridWorld& 
 
 const char* toString(DriveResult::End end) {
   switch (end) {
-    case DriveResult::End::kReached: return "reached";
-    case DriveResult::End::kTimeout: return "timeout";
-    case DriveResult::End::kNoWay: return "no way";
+    case DriveResult::End::kReached:
+      return "reached";
+    case DriveResult::End::kTimeout:
+      return "timeout";
+    case DriveResult::End::kNoWay:
+      return "no way";
   }
   return "";
 }
@@ -116,11 +118,17 @@ void writeDetails(const std::string& path, const std::vector<DriveTask>& tasks,
 }
 
 void writeJson(const std::string& path, const DriveOptions& options, const DriveSummary& summary) {
-  const nlohmann::ordered_json json = {
-      {"map", options.map},           {"model", options.model},         {"seed", options.seed},
-      {"goals", summary.goals},       {"reached", summary.reached},     {"contacts", summary.contacts},
-      {"timeouts", summary.timeouts}, {"no_way", summary.no_way},       {"mean_ratio", summary.mean_ratio},
-      {"p95_ratio", summary.p95_ratio}, {"mean_time_s", summary.mean_time}};
+  const nlohmann::ordered_json json = {{"map", options.map},
+                                       {"model", options.model},
+                                       {"seed", options.seed},
+                                       {"goals", summary.goals},
+                                       {"reached", summary.reached},
+                                       {"contacts", summary.contacts},
+                                       {"timeouts", summary.timeouts},
+                                       {"no_way", summary.no_way},
+                                       {"mean_ratio", summary.mean_ratio},
+                                       {"p95_ratio", summary.p95_ratio},
+                                       {"mean_time_s", summary.mean_time}};
   std::ofstream file(path);
   file << json.dump(2) << '\n';
   if (!file.flush()) {
@@ -162,8 +170,8 @@ int runDrive(const std::vector<std::string>& arguments) {
   }
   const GridWorld world(readMapServerMap(options.map, options.free_threshold));
   const ShieldParameters& shield = options.agent.shield;
-  const std::vector<DriveTask> tasks = drawTasks(world, options.goals, shield.footprint_radius, shield.clearance,
-                                                 options.shortest, options.seed);
+  const std::vector<DriveTask> tasks =
+      drawTasks(world, options.goals, shield.footprint_radius, shield.clearance, options.shortest, options.seed);
   const std::vector<DriveResult> results = driveAll(options, world, tasks);
   const DriveSummary summary = summarize(results);
   std::cout << std::fixed << std::setprecision(2) << "goals " << summary.goals << ", reached " << summary.reached

@@ -92,8 +92,8 @@ int runTrain(const std::vector<std::string>& arguments) {
       best_accuracy = accuracy;
     }
   };
-  const ImitationResult result =
-      imitate(options.imitation, [&](double share) { progress.show(share); }, report);
+  const ImitationResult result = imitate(
+      options.imitation, [&](double share) { progress.show(share); }, report);
   progress.show(1.0);
 
   Model model;

@@ -4,13 +4,13 @@ namespace lstm_planner {
 
 /// When a step of the agent is over and the network decides anew.
 struct StepParameters {
-  double length = 0.4;         ///< m to the waypoint; a step is over when the robot has moved that far
-  double turn = 0.7854;        ///< rad; a step is over when the robot has turned that far
-  double period = 0.5;         ///< s; after this long a step is over if the robot has moved at all (thesis: 2 Hz)
-  double reached = 0.05;       ///< m; a step is over when the robot is this near to the waypoint
-  double stall = 2.0;          ///< s; a robot that stands still this long under a decision looks around instead
-  double still_distance = 0.02; ///< m; less than this, and
-  double still_turn = 0.05;     ///< rad; less than this: the robot has not moved
+  double length = 0.4;           ///< m to the waypoint; a step is over when the robot has moved that far
+  double turn = 0.7854;          ///< rad; a step is over when the robot has turned that far
+  double period = 0.5;           ///< s; after this long a step is over if the robot has moved at all (thesis: 2 Hz)
+  double reached = 0.05;         ///< m; a step is over when the robot is this near to the waypoint
+  double stall = 2.0;            ///< s; a robot that stands still this long under a decision looks around instead
+  double still_distance = 0.02;  ///< m; less than this, and
+  double still_turn = 0.05;      ///< rad; less than this: the robot has not moved
 };
 
 /// What the shield lets through.
@@ -25,16 +25,16 @@ struct ShieldParameters {
 /// The way out when the network makes no progress: boundary following with the doubling search.
 struct EscapeParameters {
   bool enabled = true;
-  int patience_steps = 120;       ///< steps without a new best distance to the goal before the escape takes over
-  double patience_distance = 24.0; ///< m driven without a new best distance before the escape takes over
-  double progress = 0.25;         ///< m; nearer to the goal than ever by this much is a new best
-  double follow_step = 0.25;      ///< m to the waypoint while following a boundary
-  double probe_angle = 0.08727;   ///< rad between probed directions (5 degrees)
-  double wall_turn = 1.7453;      ///< rad; how far back towards the boundary the probing starts (100 degrees)
-  double leave_margin = 0.1;      ///< m nearer to the goal than where the boundary was met before it is left
-  double first_leg = 24.0;        ///< m of boundary before the first turning back; doubles each time
-  double loop_tolerance = 0.4;    ///< m; coming back this near to where the boundary was met closes the loop
-  double loop_length = 3.0;       ///< m; a shorter loop than this is not believed
+  int patience_steps = 120;         ///< steps without a new best distance to the goal before the escape takes over
+  double patience_distance = 24.0;  ///< m driven without a new best distance before the escape takes over
+  double progress = 0.25;           ///< m; nearer to the goal than ever by this much is a new best
+  double follow_step = 0.25;        ///< m to the waypoint while following a boundary
+  double probe_angle = 0.08727;     ///< rad between probed directions (5 degrees)
+  double wall_turn = 1.7453;        ///< rad; how far back towards the boundary the probing starts (100 degrees)
+  double leave_margin = 0.1;        ///< m nearer to the goal than where the boundary was met before it is left
+  double first_leg = 24.0;          ///< m of boundary before the first turning back; doubles each time
+  double loop_tolerance = 0.4;      ///< m; coming back this near to where the boundary was met closes the loop
+  double loop_length = 3.0;         ///< m; a shorter loop than this is not believed
 };
 
 /// All parameters of NavigationAgent.
@@ -43,8 +43,8 @@ struct AgentParameters {
   ShieldParameters shield;
   EscapeParameters escape;
   bool shield_enabled = true;
-  double goal_tolerance = 0.15;   ///< m; nearer than this is arrived
-  double goal_in_sight = 1.5;     ///< m; a goal this near with a free straight way is driven to directly
+  double goal_tolerance = 0.15;  ///< m; nearer than this is arrived
+  double goal_in_sight = 1.5;    ///< m; a goal this near with a free straight way is driven to directly
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <string>
-
 #include <Eigen/Core>
+#include <string>
 
 #include "lstm_planner/agent/action_set.hpp"
 #include "lstm_planner/network/model_file.hpp"
@@ -15,8 +14,8 @@ namespace lstm_planner {
 struct PolicyDescription {
   EncoderParameters encoder;
   ActionSet actions;
-  double step_length = 0.4;          ///< m
-  double footprint_radius = 0.17425; ///< m
+  double step_length = 0.4;           ///< m
+  double footprint_radius = 0.17425;  ///< m
 };
 
 /// To and from the metadata of a model file (keys of the encoder, and: action_angles, step_length, robot_radius).
@@ -48,8 +47,9 @@ class DrivePolicy {
 };
 
 /// Throws std::invalid_argument with one sentence that says what differs when a model made for another step length or a
-/// smaller robot would drive with these parameters. `range_max` is the scanner's (m, 0 = not known yet): it must reach as
-/// far as half the model's range cap.
-void checkFits(const PolicyDescription& description, double step_length, double footprint_radius, double range_max = 0.0);
+/// smaller robot would drive with these parameters. `range_max` is the scanner's (m, 0 = not known yet): it must reach
+/// as far as half the model's range cap.
+void checkFits(const PolicyDescription& description, double step_length, double footprint_radius,
+               double range_max = 0.0);
 
 }  // namespace lstm_planner

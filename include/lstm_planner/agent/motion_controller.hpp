@@ -9,19 +9,19 @@ namespace lstm_planner {
 
 /// Limits and habits of the controller; the defaults suit the Create 2.
 struct MotionParameters {
-  double max_linear = 0.3;          ///< m/s (a Create 2 really reaches 0.33)
-  double max_angular = 2.0;         ///< rad/s
-  double linear_acceleration = 0.6; ///< m/s^2, speeding up and braking
-  double lookahead = 0.35;          ///< m along the plan to the point that is steered for
-  double nearest_target = 0.06;     ///< m; points of the plan nearer than this have no direction to steer for
-  double turn_in_place = 0.6;       ///< rad; a larger heading error is turned away on the spot
-  double heading_gain = 2.5;        ///< rad/s a rad of heading error
-  double reaction_time = 0.25;      ///< s from a measurement to the wheels, latch of the driver included
-  double safety_margin = 0.03;      ///< m between the footprint and any return, at the least
-  double slow_gap = 0.15;           ///< m; nearer to something than this the robot slows down
-  double slow_speed = 0.15;         ///< m/s next to an obstacle
-  double position_tolerance = 0.2;  ///< m
-  double heading_tolerance = 3.15;  ///< rad; pi or more = any heading will do
+  double max_linear = 0.3;           ///< m/s (a Create 2 really reaches 0.33)
+  double max_angular = 2.0;          ///< rad/s
+  double linear_acceleration = 0.6;  ///< m/s^2, speeding up and braking
+  double lookahead = 0.35;           ///< m along the plan to the point that is steered for
+  double nearest_target = 0.06;      ///< m; points of the plan nearer than this have no direction to steer for
+  double turn_in_place = 0.6;        ///< rad; a larger heading error is turned away on the spot
+  double heading_gain = 2.5;         ///< rad/s a rad of heading error
+  double reaction_time = 0.25;       ///< s from a measurement to the wheels, latch of the driver included
+  double safety_margin = 0.03;       ///< m between the footprint and any return, at the least
+  double slow_gap = 0.15;            ///< m; nearer to something than this the robot slows down
+  double slow_speed = 0.15;          ///< m/s next to an obstacle
+  double position_tolerance = 0.2;   ///< m
+  double heading_tolerance = 3.15;   ///< rad; pi or more = any heading will do
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
@@ -33,8 +33,8 @@ class MotionController {
  public:
   explicit MotionController(const MotionParameters& parameters);
 
-  /// The next command. `plan` and `pose` are in the same frame, `current` is the measured twist, `shield` has been shown
-  /// the latest scan, `period` is the time to the next command, s. Zero for an empty plan.
+  /// The next command. `plan` and `pose` are in the same frame, `current` is the measured twist, `shield` has been
+  /// shown the latest scan, `period` is the time to the next command, s. Zero for an empty plan.
   Twist2 compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current, const Shield& shield,
                  double period) const;
 

@@ -17,20 +17,20 @@ namespace lstm_planner {
 /// One decision: where to go next, and why.
 struct Decision {
   enum class Source {
-    kNetwork,     ///< the allowed action that the network prefers
-    kGoalInSight, ///< the goal is near and the straight way free
-    kEscape,      ///< boundary following
-    kLookAround,  ///< nothing is free in sight: turn
-    kArrived,     ///< within the goal tolerance
-    kNoWay        ///< the way around has been followed to its end: the goal cannot be reached
+    kNetwork,      ///< the allowed action that the network prefers
+    kGoalInSight,  ///< the goal is near and the straight way free
+    kEscape,       ///< boundary following
+    kLookAround,   ///< nothing is free in sight: turn
+    kArrived,      ///< within the goal tolerance
+    kNoWay         ///< the way around has been followed to its end: the goal cannot be reached
   };
   Source source = Source::kLookAround;
-  Point2 waypoint;                ///< odometry frame
-  double direction = 0.0;         ///< rad, odometry frame, from where the decision was made to the waypoint
-  int action = -1;                ///< index of the steering angle; -1 when the waypoint is not one of them
-  std::vector<float> preferences; ///< the network's, one an action
-  std::vector<char> allowed;      ///< the shield's word, one an action
-  long step = 0;                  ///< counts the steps since the goal was set
+  Point2 waypoint;                 ///< odometry frame
+  double direction = 0.0;          ///< rad, odometry frame, from where the decision was made to the waypoint
+  int action = -1;                 ///< index of the steering angle; -1 when the waypoint is not one of them
+  std::vector<float> preferences;  ///< the network's, one an action
+  std::vector<char> allowed;       ///< the shield's word, one an action
+  long step = 0;                   ///< counts the steps since the goal was set
 };
 
 const char* toString(Decision::Source source);
@@ -88,13 +88,13 @@ class NavigationAgent {
   Escape escape_;
   Point2 goal_;
   Decision decision_;
-  Pose2 step_pose_;            ///< where the current step began
-  double step_time_ = 0.0;     ///< s
-  Pose2 stall_pose_;           ///< where the robot has been since stall_time_
-  double stall_time_ = 0.0;    ///< s
+  Pose2 step_pose_;          ///< where the current step began
+  double step_time_ = 0.0;   ///< s
+  Pose2 stall_pose_;         ///< where the robot has been since stall_time_
+  double stall_time_ = 0.0;  ///< s
   bool has_step_ = false;
   bool escaping_ = false;
-  double best_distance_ = 0.0; ///< m
+  double best_distance_ = 0.0;  ///< m
   StepListener step_listener_;
   std::optional<int> imposed_action_;
   int steps_since_best_ = 0;

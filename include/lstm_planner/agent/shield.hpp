@@ -6,7 +6,8 @@
 
 namespace lstm_planner {
 
-/// Tells how far a disc can be moved in a straight line before it comes too near to something that the scanner measured.
+/// Tells how far a disc can be moved in a straight line before it comes too near to something that the scanner
+/// measured.
 ///
 /// All points and directions are in the base frame of the scan that was shown last. The robot's footprint is taken as
 /// its circumscribed disc, which turning in place does not move.
@@ -21,8 +22,8 @@ class Shield {
 
   /// Length (m, at most `limit`) of the free way from `from` in `direction` (rad) for the footprint grown by
   /// `clearance`. Where the robot already is nearer to something than that, it may pass it but not come nearer still;
-  /// nearer than the hard margin (or the clearance, if that is less) it may only go away, so that the noise of a scanner
-  /// cannot lure it closer bit by bit. 0 when the first millimetre is blocked.
+  /// nearer than the hard margin (or the clearance, if that is less) it may only go away, so that the noise of a
+  /// scanner cannot lure it closer bit by bit. 0 when the first millimetre is blocked.
   double freeDistance(const Point2& from, double direction, double limit, double clearance) const;
 
   /// Distance from `from` to the nearest return, less the footprint radius, m; `reach` when nothing is that near.

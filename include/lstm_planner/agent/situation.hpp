@@ -10,10 +10,10 @@ namespace lstm_planner {
 
 /// All that the agent knows at one moment: where odometry says it is and what the scanner sees from there.
 struct Situation {
-  double time = 0.0;               ///< s
-  Pose2 pose;                      ///< base in the odometry frame
-  Sectors sectors;                 ///< for the network
-  std::vector<Point2> obstacles;   ///< measured returns in the base frame, m; for shield, escape and controller
+  double time = 0.0;              ///< s
+  Pose2 pose;                     ///< base in the odometry frame
+  Sectors sectors;                ///< for the network
+  std::vector<Point2> obstacles;  ///< measured returns in the base frame, m; for shield, escape and controller
 };
 
 /// Fills sectors and obstacles from a scan, reusing the memory of `situation`. Throws UnusableScan.

@@ -34,13 +34,13 @@ struct DriveResult {
   enum class End { kReached, kTimeout, kNoWay };
   End end = End::kTimeout;
   int contacts = 0;
-  double time = 0.0;            ///< s
-  double path_length = 0.0;     ///< m
-  double shortest = 0.0;        ///< m, of the task
+  double time = 0.0;         ///< s
+  double path_length = 0.0;  ///< m
+  double shortest = 0.0;     ///< m, of the task
   long steps = 0;
-  long escape_steps = 0;        ///< steps that the escape decided
-  std::vector<Pose2> trace;     ///< true poses, one a command
-  std::vector<char> escaping;   ///< whether the escape decided, one a pose of the trace
+  long escape_steps = 0;       ///< steps that the escape decided
+  std::vector<Pose2> trace;    ///< true poses, one a command
+  std::vector<char> escaping;  ///< whether the escape decided, one a pose of the trace
 };
 
 /// Drives one task with agent and controller in closed loop, without ROS. The agent is given the goal anew.

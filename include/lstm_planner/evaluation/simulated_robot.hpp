@@ -9,7 +9,8 @@
 
 namespace lstm_planner {
 
-/// A Create 2 with a Hokuyo in a world: moves, senses, counts contacts. No ROS, no real time; the same for the same seed.
+/// A Create 2 with a Hokuyo in a world: moves, senses, counts contacts. No ROS, no real time; the same for the same
+/// seed.
 class SimulatedRobot {
  public:
   struct Parameters {
@@ -29,12 +30,12 @@ class SimulatedRobot {
   /// Scans from where the robot stands; `situation` is in the odometry frame.
   void sense(double range_cap, Situation* situation);
 
-  double time() const { return time_; }             ///< s since the start
+  double time() const { return time_; }  ///< s since the start
   const Pose2& truePose() const { return base_.truePose(); }
   const Pose2& odometry() const { return base_.odometry(); }
   const Twist2& measuredTwist() const { return base_.measuredTwist(); }
-  int contacts() const { return contacts_; }        ///< how often the footprint began to touch something
-  double pathLength() const { return path_length_; } ///< m truly driven
+  int contacts() const { return contacts_; }          ///< how often the footprint began to touch something
+  double pathLength() const { return path_length_; }  ///< m truly driven
 
  private:
   const World& world_;

@@ -30,7 +30,7 @@ struct ImitationParameters {
   int burn_in_steps = 32;           ///< of these, steps that only bring the hidden state up to date
   std::uint64_t seed = 1;
   int threads = 2;
-  TrainerParameters trainer;        ///< for each round
+  TrainerParameters trainer;  ///< for each round
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
@@ -38,14 +38,14 @@ void validate(const ImitationParameters& parameters);
 
 /// What one round brought.
 struct ImitationRound {
-  int round = 0;               ///< from 1
-  std::size_t steps = 0;       ///< collected so far
-  double arrival = 0.0;        ///< share of the validation drives that arrived, without escape, after the round
+  int round = 0;          ///< from 1
+  std::size_t steps = 0;  ///< collected so far
+  double arrival = 0.0;   ///< share of the validation drives that arrived, without escape, after the round
   TrainingResult training;
 };
 
 struct ImitationResult {
-  LayerStack layers;           ///< of the round with the best arrival
+  LayerStack layers;  ///< of the round with the best arrival
   std::vector<ImitationRound> rounds;
 };
 

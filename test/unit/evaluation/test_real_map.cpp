@@ -18,8 +18,8 @@ TEST(RealMapDrive, ShippedModelArrivesInWillowWithoutContact) {
   for (const DriveTask& task : tasks) {
     NavigationAgent agent(policy, AgentParameters{});
     const DriveResult result = drive(world, task, DriveParameters{}, 1, &agent);
-    EXPECT_EQ(result.end, DriveResult::End::kReached) << "from (" << task.start.x << ", " << task.start.y << ") to ("
-                                                      << task.goal.x << ", " << task.goal.y << ")";
+    EXPECT_EQ(result.end, DriveResult::End::kReached)
+        << "from (" << task.start.x << ", " << task.start.y << ") to (" << task.goal.x << ", " << task.goal.y << ")";
     EXPECT_EQ(result.contacts, 0);
   }
 }

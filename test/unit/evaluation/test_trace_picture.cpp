@@ -1,10 +1,10 @@
-#include "lstm_planner/evaluation/trace_picture.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
+
+#include "lstm_planner/evaluation/trace_picture.hpp"
 
 namespace lstm_planner {
 namespace {
