@@ -36,10 +36,6 @@ class Escape {
   /// The next step from the current situation. `shield` has been shown the situation's obstacles.
   Outcome decide(const Situation& situation, const Shield& shield, const Point2& goal, Heading* move);
 
-  bool followsBoundary() const { return following_; }
-  /// True while the wall is on the left.
-  bool wallOnLeft() const { return side_ > 0; }
-
  private:
   double openTowardsGoal(const Situation& situation, const Shield& shield, const Point2& goal, double distance) const;
   double clearance() const;

@@ -11,6 +11,7 @@
 
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/simulation/random.hpp"
+#include "real_data.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -157,9 +158,7 @@ TEST_F(MapServerMap, ReadsBackWhatItWrote) {
 }
 
 TEST(RealMaps, CanAllBeRead) {
-  const char* shared = std::getenv("LSTM_PLANNER_SHARED");
-  const std::string folder =
-      (shared != nullptr ? std::string(shared) : std::string(LSTM_PLANNER_SOURCE_DIR) + "/../shared") + "/data/maps/";
+  const std::string folder = realData("maps/");
   if (!std::ifstream(folder + "stage_ros_willow-full.yaml")) GTEST_SKIP() << "no maps of real buildings in " << folder;
 
   for (const std::string name : {"brsu-c069", "building_31", "dis-B1-2011-09-27", "etsidi_slam_real1", "home_small",

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lstm_planner/network/network.hpp"
+#include "real_data.hpp"
 
 // The networks of the thesis's author: each of the 11 features runs through its own copy of one stacked LSTM on a
 // scalar, all copies sharing their weights, and one dense layer mixes the 11 outputs.
@@ -24,11 +25,7 @@ using Rows = std::vector<std::vector<double>>;
 
 constexpr int kFeatures = 11;
 
-fs::path goldenFolder() {
-  const char* shared = std::getenv("LSTM_PLANNER_SHARED");
-  return (shared != nullptr ? fs::path(shared) : fs::path(LSTM_PLANNER_SOURCE_DIR) / ".." / "shared") / "data" /
-         "golden";
-}
+fs::path goldenFolder() { return realData("golden"); }
 
 /// Rows of numbers; words (headers, the names in the first column) become 0.
 Rows readCsv(const fs::path& path) {
