@@ -1,11 +1,28 @@
 #include "lstm_planner/search/a_star.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 namespace lstm_planner {
+namespace {
+
+/// What movePossible() says of all eight moves, with every cell around looked at only once: the search's inner loop.
+std::array<bool, kGridMoveCount> possibleMoves(const PassableGrid& grid, CellIndex cell, CornerCutting corner_cutting) {
+  std::array<bool, kGridMoveCount> possible;
+  for (std::size_t direction = 0; direction < kGridMoveCount; ++direction) {
+    possible[direction] = grid.passable(cellBeside(cell, static_cast<int>(direction)));
+  }
+  if (corner_cutting == CornerCutting::kAllowed) return possible;
+  for (std::size_t diagonal = 1; diagonal < kGridMoveCount; diagonal += 2) {
+    possible[diagonal] = possible[diagonal] && possible[diagonal - 1] && possible[(diagonal + 1) % kGridMoveCount];
+  }
+  return possible;
+}
+
+}  // namespace
 
 /// Among equal estimates the cell nearer to the goal comes first: it spares most of a plateau of equally good ways.
 struct AStar::Later {
@@ -46,8 +63,9 @@ void AStar::open(CellIndex cell, int direction, MoveCost cost, CellIndex goal) {
 
 void AStar::expand(CellIndex cell, CellIndex goal) {
   const MoveCost cost = node(cell).cost;
+  const std::array<bool, kGridMoveCount> possible = possibleMoves(*grid_, cell, parameters_.corner_cutting);
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    if (!movePossible(*grid_, cell, direction, parameters_.corner_cutting)) continue;
+    if (!possible[static_cast<std::size_t>(direction)]) continue;
     const CellIndex beside = cellBeside(cell, direction);
     const MoveCost cost_beside = cost + moveCost(direction);
     const Node& known = node(beside);
