@@ -67,28 +67,30 @@ class ScenarioReader {
     if (!isMapName(scenario.map)) lines_.refuse("the map is " + printable(scenario.map) + ", expected a file's name");
     scenario.columns = integer("the map's width", words_[sizes], 1);
     scenario.rows = integer("the map's height", words_[sizes + 1], 1);
-    scenario.start = cell("start", sizes + 2, scenario);
-    scenario.goal = cell("goal", sizes + 4, scenario);
+    scenario.start = {integer("the start's column", words_[sizes + 2], 0),
+                      integer("the start's row", words_[sizes + 3], 0)};
+    scenario.goal = {integer("the goal's column", words_[sizes + 4], 0),
+                     integer("the goal's row", words_[sizes + 5], 0)};
+    checkInside("start", scenario.start, scenario);
+    checkInside("goal", scenario.goal, scenario);
     scenario.optimal_length = length(words_[sizes + 6]);
     return scenario;
   }
 
-  int integer(const std::string& name, std::string_view word, int least) const {
+  // Names are no std::string here: making nine of them a line took longer than reading it.
+  int integer(const char* name, std::string_view word, int least) const {
     int value = 0;
     if (!parseInteger(word, &value) || value < least) {
-      lines_.refuse(name + " is " + printable(word) + ", expected a whole number of at least " + std::to_string(least));
+      lines_.refuse(name + (" is " + printable(word)) + ", expected a whole number of at least " +
+                    std::to_string(least));
     }
     return value;
   }
 
-  CellIndex cell(const std::string& name, std::size_t word, const Scenario& scenario) const {
-    const CellIndex cell{integer("the " + name + "'s column", words_[word], 0),
-                         integer("the " + name + "'s row", words_[word + 1], 0)};
-    if (cell.column >= scenario.columns || cell.row >= scenario.rows) {
-      lines_.refuse("the " + name + " " + named(cell) + " lies outside the map of " +
-                    named(scenario.columns, scenario.rows));
-    }
-    return cell;
+  void checkInside(const char* name, CellIndex cell, const Scenario& scenario) const {
+    if (cell.column < scenario.columns && cell.row < scenario.rows) return;
+    lines_.refuse("the " + (name + (" " + named(cell))) + " lies outside the map of " +
+                  named(scenario.columns, scenario.rows));
   }
 
   double length(std::string_view word) {
