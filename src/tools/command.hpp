@@ -15,6 +15,7 @@ struct Command {
 
 int runDrive(const std::vector<std::string>& arguments);
 int runTrain(const std::vector<std::string>& arguments);
+int runEvaluate(const std::vector<std::string>& arguments);
 int runMaps(const std::vector<std::string>& arguments);
 
 }  // namespace lstm_planner

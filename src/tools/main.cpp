@@ -9,6 +9,7 @@ namespace {
 constexpr lstm_planner::Command kCommands[] = {
     {"drive", "drive a simulated Create 2 to random goals and judge it", lstm_planner::runDrive},
     {"train", "train a network by imitation in generated floor plans", lstm_planner::runTrain},
+    {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate},
     {"maps", "generate floor plans as map_server maps", lstm_planner::runMaps},
 };
 

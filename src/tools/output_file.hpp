@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace lstm_planner {
+
+/// Throws std::invalid_argument unless the file can be written; its contents stay. Asked before a long run.
+void checkWritable(const std::string& path);
+
+/// Makes the folder unless it is there. Throws std::invalid_argument unless files can be written into it.
+void makeOutputFolder(const std::string& path);
+
+/// Throws std::runtime_error when the file cannot be written.
+void writeTextFile(const std::string& path, const std::string& text);
+
+}  // namespace lstm_planner
