@@ -6,20 +6,15 @@
 #include <string>
 #include <utility>
 
+#include "search/possible_moves.hpp"
+
 namespace lstm_planner {
 namespace {
 
-/// What movePossible() says of all eight moves, with every cell around looked at only once: the search's inner loop.
-std::array<bool, kGridMoveCount> possibleMoves(const PassableGrid& grid, CellIndex cell, CornerCutting corner_cutting) {
-  std::array<bool, kGridMoveCount> possible;
-  for (std::size_t direction = 0; direction < kGridMoveCount; ++direction) {
-    possible[direction] = grid.passable(cellBeside(cell, static_cast<int>(direction)));
-  }
-  if (corner_cutting == CornerCutting::kAllowed) return possible;
-  for (std::size_t diagonal = 1; diagonal < kGridMoveCount; diagonal += 2) {
-    possible[diagonal] = possible[diagonal] && possible[diagonal - 1] && possible[(diagonal + 1) % kGridMoveCount];
-  }
-  return possible;
+std::array<bool, kGridMoveCount> passableAround(const PassableGrid& grid, CellIndex cell) {
+  std::array<bool, kGridMoveCount> passable;
+  for (std::size_t i = 0; i < passable.size(); ++i) passable[i] = grid.passable(cellBeside(cell, static_cast<int>(i)));
+  return passable;
 }
 
 }  // namespace
@@ -63,7 +58,8 @@ void AStar::open(CellIndex cell, int direction, MoveCost cost, CellIndex goal) {
 
 void AStar::expand(CellIndex cell, CellIndex goal) {
   const MoveCost cost = node(cell).cost;
-  const std::array<bool, kGridMoveCount> possible = possibleMoves(*grid_, cell, parameters_.corner_cutting);
+  const std::array<bool, kGridMoveCount> possible =
+      possibleMoves(passableAround(*grid_, cell), parameters_.corner_cutting);
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     if (!possible[static_cast<std::size_t>(direction)]) continue;
     const CellIndex beside = cellBeside(cell, direction);
