@@ -33,6 +33,9 @@ class LaneNetwork::LaneLayer {
   }
   virtual void forget(int /*step*/, int /*lane*/) {}
   virtual void carryOver(int /*steps*/) {}
+  virtual int stateRows() const { return 0; }
+  virtual void readState(float* /*state*/) const {}
+  virtual void writeState(const float* /*state*/) {}
 
   int outputs() const { return outputs_; }
   const float* results(int step) const { return results_.data() + at(step, outputs_); }
@@ -147,6 +150,13 @@ class RecurrentLanes : public LaneLayer {
     forgotten_.clear();
   }
 
+  int stateRows() const override { return outputs_; }
+  void readState(float* state) const override { std::copy_n(previous_outputs_.data(), outputs_ * lanes_, state); }
+  void writeState(const float* state) override {
+    std::copy_n(state, outputs_ * lanes_, previousOutputs(0));
+    forgotten_.clear();
+  }
+
  protected:
   virtual void activate(int step) = 0;
   virtual void activateBackward(int step, const float* gradient) = 0;
@@ -218,6 +228,15 @@ class LstmLanes : public RecurrentLanes {
     RecurrentLanes::carryOver(steps);
     std::copy_n(cells(steps), outputs_ * lanes_, cells(0));
   }
+  int stateRows() const override { return 2 * outputs_; }
+  void readState(float* state) const override {
+    RecurrentLanes::readState(state);
+    std::copy_n(cells_.data(), outputs_ * lanes_, state + outputs_ * lanes_);
+  }
+  void writeState(const float* state) override {
+    RecurrentLanes::writeState(state);
+    std::copy_n(state + outputs_ * lanes_, outputs_ * lanes_, cells(0));
+  }
 
  protected:
   void activate(int step) override {
@@ -285,6 +304,24 @@ void LaneNetwork::forget(int step, int lane) {
 
 void LaneNetwork::carryOver(int steps) {
   for (const auto& layer : layers_) layer->carryOver(steps);
+}
+
+std::vector<float> LaneNetwork::state() const {
+  std::vector<float> state;
+  for (const auto& layer : layers_) {
+    const std::size_t first = state.size();
+    state.resize(first + static_cast<std::size_t>(layer->stateRows() * lanes_));
+    layer->readState(state.data() + first);
+  }
+  return state;
+}
+
+void LaneNetwork::setState(const std::vector<float>& state) {
+  const float* own = state.data();
+  for (const auto& layer : layers_) {
+    layer->writeState(own);
+    own += layer->stateRows() * lanes_;
+  }
 }
 
 void LaneNetwork::backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient) {

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "lstm_planner/agent/grid_agent.hpp"
+#include "lstm_planner/agent/visit_trace.hpp"
+
+namespace lstm_planner {
+
+/// What an agent remembers of its episode besides the hidden state: bounded, and updated in one place.
+class GridMemory {
+ public:
+  void start();
+
+  /// Once before every step.
+  void observe(const GridObservation& observation);
+
+  /// After the step; the direction in which the agent moved.
+  void step(int direction) { previous_direction_ = direction; }
+
+  const GridObservation& observation() const { return observation_; }
+  const VisitTrace& trace() const { return trace_; }
+  int previousDirection() const { return previous_direction_; }  ///< -1 before the first step
+  double goalDistance() const { return goal_distance_; }         ///< octile, cells
+  double bestDistance() const { return best_distance_; }         ///< the least goalDistance() so far
+  int stepsSinceBest() const { return steps_since_best_; }
+
+ private:
+  GridObservation observation_;
+  VisitTrace trace_;
+  int previous_direction_ = -1;
+  double goal_distance_ = 0.0;
+  double best_distance_ = 0.0;
+  int steps_since_best_ = 0;
+};
+
+/// Which inputs a network for the grid world has, and from how many sides it looks; travels in the model file.
+struct GridEncoderParameters {
+  enum class Inputs {
+    kThesis,  ///< 8 ranges, distance, angle, previous action (thesis 3.2): 11 inputs
+    kTrace,   ///< and where the agent has been, around it and along the rays, on the scales of VisitTrace
+  };
+  Inputs inputs = Inputs::kTrace;
+
+  /// 1: one network with an output a direction. 8: the same network, with one output, looks into each direction in turn,
+  /// everything turned such that it lies ahead; the weights are shared and each view has a hidden state of its own.
+  int views = 8;
+};
+
+/// To and from the metadata of a model file (keys: grid_inputs, grid_views). Reading throws std::invalid_argument for a
+/// missing or malformed key.
+void writeMetadata(const GridEncoderParameters& parameters, std::map<std::string, std::string>* metadata);
+GridEncoderParameters readGridEncoderParameters(const std::map<std::string, std::string>& metadata);
+
+/// Turns an agent's memory into the network's input. All inputs are finite and about in [-1, 1].
+class GridEncoder {
+ public:
+  /// Throws std::invalid_argument for a number of views other than 1 and 8.
+  explicit GridEncoder(const GridEncoderParameters& parameters);
+
+  const GridEncoderParameters& parameters() const { return parameters_; }
+  int size() const;
+  int outputs() const { return parameters_.views == 1 ? kGridMoveCount : 1; }
+
+  /// Reads off what does not depend on the view.
+  void look(const GridMemory& memory);
+
+  /// Input i of a view goes to input[i * stride].
+  void encode(int view, float* input, int stride) const;
+
+  static constexpr int kRayFeatures = 7;
+  static constexpr int kThesisInputs = kGridRayCount + 3;
+  static constexpr int kTraceScalars = 10;
+
+ private:
+  void lookAlongRays(const GridMemory& memory);
+
+  GridEncoderParameters parameters_;
+  std::array<std::array<float, kGridRayCount>, kRayFeatures> rays_{};
+  int previous_direction_ = -1;
+  float goal_angle_ = 0.0f;     ///< rad, from the first ray's direction to the second's
+  float goal_distance_ = 0.0f;  ///< cells
+  float goal_cos_ = 1.0f;
+  float goal_sin_ = 0.0f;
+  std::array<float, 5> progress_{};
+};
+
+}  // namespace lstm_planner

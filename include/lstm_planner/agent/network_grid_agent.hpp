@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/agent/grid_encoder.hpp"
+#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/network/network.hpp"
+
+namespace lstm_planner {
+
+/// An agent whose decisions a network makes: LSTM, RNN, MLP or Q-network, whatever the model holds.
+class NetworkGridAgent : public GridAgent {
+ public:
+  struct Options {
+    bool shield = true;  ///< off: the preferred move is tried even where it was sensed to be blocked
+    CornerCutting corner_cutting = CornerCutting::kForbidden;
+  };
+
+  /// Throws std::invalid_argument when the model was not made for the grid world or its sizes do not fit.
+  NetworkGridAgent(const Model& model, const Options& options);
+
+  void start(CellIndex start, CellIndex goal) override;
+  void observe(const GridObservation& observation) override;
+  int decide() override;
+  void step(int direction, bool moved) override;
+  std::size_t peakBytes() const override;
+
+ private:
+  Options options_;
+  GridEncoder encoder_;
+  Network network_;
+  GridMemory memory_;
+  std::vector<Network::HiddenState> hidden_states_;  ///< one a view
+  Eigen::VectorXf input_;
+  Eigen::VectorXf preferences_;
+};
+
+}  // namespace lstm_planner

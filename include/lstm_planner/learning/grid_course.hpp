@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lstm_planner/grid/passable_grid.hpp"
+#include "lstm_planner/grid/range_table.hpp"
+#include "lstm_planner/search/grid_distances.hpp"
+#include "lstm_planner/simulation/random.hpp"
+
+namespace lstm_planner {
+
+/// A map to learn on, with what is computed once for it.
+struct CourseMap {
+  PassableGrid grid;
+  RangeTable ranges;
+};
+
+/// A place to go to: the true distance to it from everywhere (known while learning only), and where to start from, by
+/// length of the shortest way.
+struct CourseGoal {
+  std::shared_ptr<const CourseMap> map;
+  CellIndex goal;
+  GridDistances distances;
+  std::vector<std::vector<CellIndex>> starts;  ///< by length: bucket i from shortest + i * bucket width
+};
+
+struct GridCourseParameters {
+  double min_length = 10.0;   ///< cells; of the shortest way, >= 2
+  double max_length = 300.0;  ///< cells
+  int goals = 1500;           ///< kept at a time, over all maps
+  bool mirrored = true;       ///< every map also mirrored at its diagonal
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const GridCourseParameters& parameters);
+
+/// Draws the episodes to learn from: lengths of the shortest way are uniform in their range, maps drawn by weight.
+class GridCourse {
+ public:
+  struct Episode {
+    std::shared_ptr<const CourseGoal> goal;
+    CellIndex start;
+  };
+
+  /// `sets` of maps and the share of episodes that each is to get. Throws std::invalid_argument when there is no map,
+  /// or a weight is not positive.
+  struct Set {
+    std::vector<PassableGrid> maps;
+    double weight = 1.0;
+  };
+  GridCourse(const GridCourseParameters& parameters, const std::vector<Set>& sets, std::uint64_t seed, int threads);
+
+  /// May be called from several threads at once, with different generators.
+  Episode draw(Random& random) const;
+
+  /// Replaces the oldest `count` goals by new ones; not while others draw.
+  void renew(int count);
+
+ private:
+  struct CourseSet {
+    std::vector<std::shared_ptr<const CourseMap>> maps;
+    std::vector<std::shared_ptr<const CourseGoal>> goals;
+    std::size_t oldest = 0;
+    double share = 0.0;
+  };
+  std::shared_ptr<const CourseGoal> makeGoal(const CourseSet& set, Random& random) const;
+
+  GridCourseParameters parameters_;
+  std::vector<CourseSet> sets_;
+  Random random_;
+};
+
+}  // namespace lstm_planner
