@@ -58,6 +58,7 @@ void AStar::open(CellIndex cell, int direction, MoveCost cost, CellIndex goal) {
 
 void AStar::expand(CellIndex cell, CellIndex goal) {
   const MoveCost cost = node(cell).cost;
+  const bool stays_closed = parameters_.closed_cells == ClosedCells::kStayClosed;
   const std::array<bool, kGridMoveCount> possible =
       possibleMoves(passableAround(*grid_, cell), parameters_.corner_cutting);
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
@@ -65,7 +66,8 @@ void AStar::expand(CellIndex cell, CellIndex goal) {
     const CellIndex beside = cellBeside(cell, direction);
     const MoveCost cost_beside = cost + moveCost(direction);
     const Node& known = node(beside);
-    if (known.search == search_ && known.cost <= cost_beside) continue;
+    const bool reached = known.search == search_;
+    if (reached && (known.cost <= cost_beside || (known.closed && stays_closed))) continue;
     open(beside, direction, cost_beside, goal);
   }
 }

@@ -10,9 +10,17 @@
 
 namespace lstm_planner {
 
+/// What becomes of a closed cell when a shorter way to it turns up. That happens with heuristics that are not
+/// consistent only: Manhattan and scaled Euclidean.
+enum class ClosedCells {
+  kReopen,     ///< it is opened again, as in thesis Algorithm 1: shorter ways, for many more expansions
+  kStayClosed  ///< no cell is expanded twice
+};
+
 struct AStarParameters {
   HeuristicParameters heuristic;
   CornerCutting corner_cutting = CornerCutting::kForbidden;
+  ClosedCells closed_cells = ClosedCells::kReopen;
 };
 
 struct AStarResult {
@@ -21,8 +29,7 @@ struct AStarResult {
   std::size_t peak_bytes = 0;  ///< of the search, without the grid
 };
 
-/// A* on a known grid (thesis Algorithm 1), offline. A closed cell is opened again when a shorter way to it turns up,
-/// which happens with heuristics that are not consistent: Manhattan and scaled Euclidean.
+/// A* on a known grid (thesis Algorithm 1), offline.
 class AStar {
  public:
   /// `grid` must stay where it is and must not change its size. Throws std::invalid_argument for a bad scale.

@@ -98,29 +98,50 @@ TEST(AStar, FindsAShortestWayWithEveryAdmissibleHeuristic) {
   }
 }
 
-TEST(AStar, PaysInLengthForFewerExpansionsWithTheThesisHeuristic) {
+/// Sums over random grids from corner to corner.
+struct Total {
+  double length = 0.0;
+  std::size_t expanded = 0;
+};
+
+Total searchRandomGrids(const AStarParameters& parameters) {
   std::mt19937 random(3);
   const CellIndex start{0, 0};
   const CellIndex goal{59, 39};
-  double shortest = 0.0;
-  double scaled = 0.0;
-  std::size_t expanded_shortest = 0;
-  std::size_t expanded_scaled = 0;
+  Total total;
   for (int round = 0; round < 20; ++round) {
     const PassableGrid grid = randomGrid(60, 40, 25, random, {start, goal});
-    const AStarResult best = AStar(grid).find(start, goal);
-    const AStarResult fast = AStar(grid, {{Heuristic::kScaledEuclidean}}).find(start, goal);
-    ASSERT_EQ(fast.path.found(), best.path.found());
-    if (!best.path.found()) continue;
-    expectPossible(grid, fast.path, start, goal, CornerCutting::kForbidden);
-    EXPECT_GE(fast.path.length(), best.path.length());
-    shortest += best.path.length();
-    scaled += fast.path.length();
-    expanded_shortest += best.expanded;
-    expanded_scaled += fast.expanded;
+    const AStarResult result = AStar(grid, parameters).find(start, goal);
+    if (!result.path.found()) continue;
+    expectPossible(grid, result.path, start, goal, parameters.corner_cutting);
+    EXPECT_GE(result.path.length(), AStar(grid).find(start, goal).path.length());
+    total.length += result.path.length();
+    total.expanded += result.expanded;
   }
-  EXPECT_GT(scaled, shortest);
-  EXPECT_LT(expanded_scaled, expanded_shortest);
+  return total;
+}
+
+TEST(AStar, PaysInLengthForFewerExpansionsWithTheThesisHeuristic) {
+  const Total shortest = searchRandomGrids({});
+  const Total scaled = searchRandomGrids({{Heuristic::kScaledEuclidean}});
+  EXPECT_GT(scaled.length, shortest.length);
+  EXPECT_LT(scaled.expanded, shortest.expanded);
+}
+
+TEST(AStar, PaysEvenMoreInLengthWhenClosedCellsStayClosed) {
+  const AStarParameters stay_closed{{Heuristic::kScaledEuclidean}, CornerCutting::kForbidden, ClosedCells::kStayClosed};
+  const Total reopening = searchRandomGrids({{Heuristic::kScaledEuclidean}});
+  const Total staying = searchRandomGrids(stay_closed);
+  EXPECT_GT(staying.length, reopening.length);
+  EXPECT_LT(staying.expanded, reopening.expanded);
+}
+
+TEST(AStar, ExpandsACellAtMostOnceWhenClosedCellsStayClosed) {
+  PassableGrid grid(60, 40, true);
+  for (int row = 0; row < 40; ++row) grid.set({50, row}, false);  // no way: everything on this side is expanded
+  const AStarParameters stay_closed{{Heuristic::kScaledEuclidean}, CornerCutting::kForbidden, ClosedCells::kStayClosed};
+  EXPECT_EQ(AStar(grid, stay_closed).find({5, 5}, {55, 5}).expanded, 50u * 40u);
+  EXPECT_GT(AStar(grid, {{Heuristic::kScaledEuclidean}}).find({5, 5}, {55, 5}).expanded, 50u * 40u);
 }
 
 TEST(AStar, GivesTheSameInALaterSearchAsInAFirst) {
