@@ -39,18 +39,9 @@ DStar::DStar(int columns, int rows, CellIndex goal, CornerCutting corner_cutting
     throw std::invalid_argument("a map of " + size + ", expected positive sizes and at most 2^26 cells");
   }
   if (!contains(goal)) throw std::invalid_argument("the goal " + named(goal) + " is outside the map of " + size);
-  tile_columns_ = (columns + kTileSide - 1) / kTileSide;
-  tiles_.resize(static_cast<std::size_t>(tile_columns_) * static_cast<std::size_t>((rows + kTileSide - 1) / kTileSide));
+  tile_columns_ = (static_cast<std::size_t>(columns) + kTileSide - 1) / kTileSide;
+  tiles_.resize(tile_columns_ * ((static_cast<std::size_t>(rows) + kTileSide - 1) / kTileSide));
   insert(goal, state(goal), 0);
-}
-
-std::size_t DStar::tileOf(CellIndex cell) const {
-  return static_cast<std::size_t>(cell.row / kTileSide) * static_cast<std::size_t>(tile_columns_) +
-         static_cast<std::size_t>(cell.column / kTileSide);
-}
-
-std::size_t DStar::placeInTile(CellIndex cell) {
-  return static_cast<std::size_t>(cell.row % kTileSide * kTileSide + cell.column % kTileSide);
 }
 
 const DStar::State* DStar::find(CellIndex cell) const {

@@ -52,7 +52,7 @@ class DStar {
  private:
   /// Longer than any way, and two of them still add up without overflow.
   static constexpr MoveCost kUnreachable = std::numeric_limits<MoveCost>::max() / 4;
-  static constexpr int kTileSide = 16;
+  static constexpr std::size_t kTileSide = 16;
   static constexpr std::int8_t kNoBack = -1;
 
   enum class Tag : std::uint8_t { kNew, kOpen, kClosed };
@@ -78,8 +78,14 @@ class DStar {
     std::array<MoveCost, kGridMoveCount> costs{};
   };
 
-  std::size_t tileOf(CellIndex cell) const;
-  static std::size_t placeInTile(CellIndex cell);
+  std::size_t tileOf(CellIndex cell) const {
+    return static_cast<std::size_t>(cell.row) / kTileSide * tile_columns_ +
+           static_cast<std::size_t>(cell.column) / kTileSide;
+  }
+  static std::size_t placeInTile(CellIndex cell) {
+    return static_cast<std::size_t>(cell.row) % kTileSide * kTileSide +
+           static_cast<std::size_t>(cell.column) % kTileSide;
+  }
   const State* find(CellIndex cell) const;  ///< nullptr where the search has not been
   State& state(CellIndex cell);
   MoveCost costToGoal(CellIndex cell) const;
@@ -97,7 +103,7 @@ class DStar {
   int columns_;
   int rows_;
   CornerCutting corner_cutting_;
-  int tile_columns_;
+  std::size_t tile_columns_;
   std::vector<std::unique_ptr<Tile>> tiles_;
   std::vector<Open>
       open_;  ///< a heap; entries whose state went on with another key stay in it until they are taken out
