@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -81,6 +82,28 @@ LayerStack makeCritic(int inputs, const std::vector<int>& units, std::uint64_t s
   LayerStack layers = makeDenseStack(inputs + kPrivilegedInputs, units, 1);
   initialise({}, seed, layers);
   return layers;
+}
+
+constexpr const char* kCheckpointFormat = "lstm_planner actor-critic 1";
+
+nlohmann::json toJson(const Eigen::VectorXf& values) {
+  return std::vector<float>(values.data(), values.data() + values.size());
+}
+
+Eigen::VectorXf vectorFrom(const nlohmann::json& content) {
+  const auto values = content.get<std::vector<float>>();
+  return Eigen::Map<const Eigen::VectorXf>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+nlohmann::json toJson(const Optimiser::State& state) {
+  return {{"velocity", toJson(state.velocity)},
+          {"squared_average", toJson(state.squared_average)},
+          {"updates", state.updates}};
+}
+
+Optimiser::State stateFrom(const nlohmann::json& content) {
+  return {vectorFrom(content.at("velocity")), vectorFrom(content.at("squared_average")),
+          content.at("updates").get<long>()};
 }
 
 OptimiserParameters optimiserParameters(double learning_rate, double max_norm) {
@@ -327,6 +350,38 @@ class ActorCritic::Implementation {
     return policy_;
   }
 
+  std::vector<std::uint8_t> checkpoint() const {
+    nlohmann::json content;
+    content["format"] = kCheckpointFormat;
+    content["policy"] = toJson(policy_parameters_);
+    content["critic"] = toJson(critic_parameters_);
+    content["policy_optimiser"] = toJson(policy_optimiser_.state());
+    content["critic_optimiser"] = toJson(critic_optimiser_.state());
+    content["advantage_variance"] = advantage_variance_;
+    content["steps"] = all_steps_;
+    content["updates"] = updates_;
+    return nlohmann::json::to_cbor(content);
+  }
+
+  void restore(const std::vector<std::uint8_t>& checkpoint) try {
+    const nlohmann::json content = nlohmann::json::from_cbor(checkpoint);
+    if (content.at("format") != kCheckpointFormat) throw std::invalid_argument("another format");
+    const Eigen::VectorXf policy = vectorFrom(content.at("policy"));
+    const Eigen::VectorXf critic = vectorFrom(content.at("critic"));
+    if (policy.size() != policy_parameters_.size() || critic.size() != critic_parameters_.size()) {
+      throw std::invalid_argument("networks of other sizes");
+    }
+    policy_optimiser_.setState(stateFrom(content.at("policy_optimiser")));
+    critic_optimiser_.setState(stateFrom(content.at("critic_optimiser")));
+    advantage_variance_ = content.at("advantage_variance").get<double>();
+    all_steps_ = content.at("steps").get<double>();
+    updates_ = content.at("updates").get<int>();
+    policy_parameters_ = policy;
+    critic_parameters_ = critic;
+  } catch (const std::exception& error) {
+    throw std::invalid_argument(std::string("this is not a checkpoint of this training: ") + error.what());
+  }
+
  private:
   ActorCriticParameters parameters_;
   LayerStack policy_;
@@ -350,5 +405,7 @@ void ActorCritic::beginEpoch(int epoch, const GridCourse& course) { implementati
 void ActorCritic::update() { implementation_->update(); }
 ActorCriticReport ActorCritic::report() { return implementation_->report(); }
 const LayerStack& ActorCritic::layers() const { return implementation_->layers(); }
+std::vector<std::uint8_t> ActorCritic::checkpoint() const { return implementation_->checkpoint(); }
+void ActorCritic::restore(const std::vector<std::uint8_t>& checkpoint) { implementation_->restore(checkpoint); }
 
 }  // namespace lstm_planner

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace lstm_planner {
@@ -70,14 +71,14 @@ double learningRate(const OptimiserParameters& parameters, long step, long steps
 Optimiser::Optimiser(const OptimiserParameters& parameters, Eigen::VectorXf mask)
     : parameters_(parameters), mask_(std::move(mask)) {
   validate(parameters_);
-  velocity_.setZero(mask_.size());
-  squared_average_.setZero(mask_.size());
+  state_.velocity.setZero(mask_.size());
+  state_.squared_average.setZero(mask_.size());
 }
 
 void Optimiser::update(Eigen::VectorXf gradient, double learning_rate, Eigen::VectorXf& parameters) {
   clipToNorm(parameters_.max_gradient_norm, gradient);
   gradient += decayGradient(parameters_.decay, parameters_.decay_rate, parameters, mask_);
-  ++updates_;
+  ++state_.updates;
   if (parameters_.kind == OptimiserKind::kMomentum) {
     updateByMomentum(gradient, learning_rate, parameters);
   } else {
@@ -85,9 +86,17 @@ void Optimiser::update(Eigen::VectorXf gradient, double learning_rate, Eigen::Ve
   }
 }
 
+void Optimiser::setState(const State& state) {
+  if (state.velocity.size() != mask_.size() || state.squared_average.size() != mask_.size()) {
+    throw std::invalid_argument("the optimiser's state is that of " + std::to_string(state.velocity.size()) +
+                                " parameters, expected " + std::to_string(mask_.size()));
+  }
+  state_ = state;
+}
+
 void Optimiser::updateByMomentum(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters) {
-  velocity_ = static_cast<float>(parameters_.momentum) * velocity_ - static_cast<float>(learning_rate) * gradient;
-  parameters += velocity_;
+  state_.velocity = static_cast<float>(parameters_.momentum) * state_.velocity - static_cast<float>(learning_rate) * gradient;
+  parameters += state_.velocity;
 }
 
 void Optimiser::updateByAdam(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters) {
@@ -96,15 +105,15 @@ void Optimiser::updateByAdam(const Eigen::VectorXf& gradient, double learning_ra
   // Rounded after the subtraction: 1 - 0.999 in single precision is off by 5e-5 of its value.
   const float share1 = static_cast<float>(1.0 - parameters_.adam_beta1);
   const float share2 = static_cast<float>(1.0 - parameters_.adam_beta2);
-  velocity_ = beta1 * velocity_ + share1 * gradient;
-  squared_average_ = beta2 * squared_average_ + share2 * gradient.cwiseAbs2();
+  state_.velocity = beta1 * state_.velocity + share1 * gradient;
+  state_.squared_average = beta2 * state_.squared_average + share2 * gradient.cwiseAbs2();
   // Both means start at zero; these factors take that out again.
-  const double count = static_cast<double>(updates_);
+  const double count = static_cast<double>(state_.updates);
   const float mean_correction = static_cast<float>(1.0 / (1.0 - std::pow(parameters_.adam_beta1, count)));
   const float square_correction = static_cast<float>(1.0 / (1.0 - std::pow(parameters_.adam_beta2, count)));
   parameters.array() -=
-      static_cast<float>(learning_rate) * mean_correction * velocity_.array() /
-      ((square_correction * squared_average_.array()).sqrt() + static_cast<float>(parameters_.adam_epsilon));
+      static_cast<float>(learning_rate) * mean_correction * state_.velocity.array() /
+      ((square_correction * state_.squared_average.array()).sqrt() + static_cast<float>(parameters_.adam_epsilon));
 }
 
 }  // namespace lstm_planner

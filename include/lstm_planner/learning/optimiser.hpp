@@ -60,15 +60,23 @@ class Optimiser {
   /// Momentum: v' = mu v - alpha gradient, w' = w + v' (thesis Eq. 3.14 prints w' for w).
   void update(Eigen::VectorXf gradient, double learning_rate, Eigen::VectorXf& parameters);
 
+  /// What the next update depends on besides its arguments.
+  struct State {
+    Eigen::VectorXf velocity;         ///< kMomentum: v; kAdam: mean of gradients
+    Eigen::VectorXf squared_average;  ///< kAdam
+    long updates = 0;
+  };
+  const State& state() const { return state_; }
+  /// Throws std::invalid_argument when it is not that of as many parameters.
+  void setState(const State& state);
+
  private:
   void updateByMomentum(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters);
   void updateByAdam(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters);
 
   OptimiserParameters parameters_;
   Eigen::VectorXf mask_;
-  Eigen::VectorXf velocity_;         ///< kMomentum: v; kAdam: mean of gradients
-  Eigen::VectorXf squared_average_;  ///< kAdam
-  long updates_ = 0;
+  State state_;
 };
 
 }  // namespace lstm_planner
