@@ -1,0 +1,158 @@
+#include "lstm_planner/learning/q_learning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lstm_planner/learning/optimiser.hpp"
+#include "lstm_planner/learning/parameter_vector.hpp"
+#include "lstm_planner/parameter_check.hpp"
+#include "parallel_for.hpp"
+#include "q_learning_tile.hpp"
+
+namespace lstm_planner {
+namespace {
+
+bool isShare(double value) { return value >= 0.0 && value <= 1.0; }
+
+OptimiserParameters optimiserParameters(const QLearningParameters& parameters) {
+  OptimiserParameters optimiser;
+  optimiser.learning_rate = parameters.learning_rate;
+  optimiser.max_gradient_norm = parameters.max_gradient_norm;
+  return optimiser;
+}
+
+void checkFit(const LayerStack& layers, const GridEncoder& encoder) {
+  if (inputSize(layers) == encoder.size() && outputSize(layers) == encoder.outputs()) return;
+  throw std::invalid_argument("the network has " + std::to_string(inputSize(layers)) + " inputs and " +
+                              std::to_string(outputSize(layers)) + " outputs, the encoder expects " +
+                              std::to_string(encoder.size()) + " and " + std::to_string(encoder.outputs()));
+}
+
+}  // namespace
+
+void validate(const QLearningParameters& parameters) {
+  const auto atLeastOne = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
+  const auto share = [](const char* name, double value) { checkParameter(isShare(value), name, value, "0 to 1"); };
+  const auto cost = [](const char* name, double value) { checkParameter(value >= 0.0, name, value, "at least 0"); };
+  atLeastOne("updates", parameters.updates);
+  atLeastOne("agents", parameters.agents);
+  atLeastOne("window", parameters.window);
+  atLeastOne("max_steps", parameters.max_steps);
+  atLeastOne("target_interval", parameters.target_interval);
+  atLeastOne("threads", parameters.threads);
+  checkParameter(parameters.discount >= 0.0 && parameters.discount < 1.0, "discount", parameters.discount,
+                 "a number in [0, 1)");
+  share("trace_decay", parameters.trace_decay);
+  share("exploration_start", parameters.exploration_start);
+  share("exploration_end", parameters.exploration_end);
+  share("exploration_share", parameters.exploration_share);
+  cost("step_cost", parameters.step_cost);
+  cost("arrival_bonus", parameters.arrival_bonus);
+  cost("thesis_reward.range", parameters.thesis_reward.range);
+  cost("thesis_reward.distance", parameters.thesis_reward.distance);
+  cost("thesis_reward.angle", parameters.thesis_reward.angle);
+  checkPositive("value_scale", parameters.value_scale);
+  checkPositive("huber", parameters.huber);
+  validate(optimiserParameters(parameters));
+}
+
+class QLearning::Implementation {
+ public:
+  Implementation(const QLearningParameters& parameters, LayerStack layers)
+      : parameters_((validate(parameters), parameters)),
+        layers_((checkFit(layers, GridEncoder(parameters.encoder)), std::move(layers))),
+        weights_(parameterVector(layers_)),
+        target_weights_(weights_),
+        optimiser_(optimiserParameters(parameters), weightMask(layers_)) {
+    for (int thread = 0; thread < parameters_.threads; ++thread) {
+      runners_.push_back(std::make_unique<QTileRunner>(parameters_, layers_));
+    }
+  }
+
+  void beginEpoch(int epoch, const GridCourse& course) {
+    Random seeds(parameters_.seed * 1000003 + static_cast<std::uint64_t>(epoch));
+    const int actors = runners_.front()->actors();
+    tiles_.clear();
+    tiles_.resize(static_cast<std::size_t>((parameters_.agents + actors - 1) / actors));
+    for (QTile& tile : tiles_) {
+      for (int actor = 0; actor < actors; ++actor) tile.actors.emplace_back(course, seeds());
+    }
+  }
+
+  void update() {
+    if (tiles_.empty()) throw std::logic_error("Q-learning was to learn before its first epoch began");
+    if (updates_ % parameters_.target_interval == 0) target_weights_ = weights_;
+    epsilon_ = epsilon();
+    parallelFor(static_cast<int>(tiles_.size()), parameters_.threads, [&](int index, int thread) {
+      runners_[static_cast<std::size_t>(thread)]->run(weights_, target_weights_, epsilon_,
+                                                      tiles_[static_cast<std::size_t>(index)]);
+    });
+    // In the order of the tiles, whichever thread was first.
+    Eigen::VectorXf gradient = Eigen::VectorXf::Zero(weights_.size());
+    QSums sums;
+    for (const QTile& tile : tiles_) {
+      gradient += tile.gradient;
+      sums += tile.sums;
+    }
+    const double progress = std::min(1.0, static_cast<double>(updates_) / parameters_.updates);
+    const double rate = parameters_.learning_rate * 0.5 * (1.0 + std::cos(M_PI * progress));
+    optimiser_.update(gradient / static_cast<float>(sums.steps), rate, weights_);
+    ++updates_;
+    sums_ += sums;
+    all_steps_ += sums.steps;
+  }
+
+  QLearningReport report() {
+    const auto mean = [](double sum, double count) { return count > 0.0 ? sum / count : 0.0; };
+    QLearningReport report;
+    report.update = updates_;
+    report.steps = all_steps_;
+    report.reward = mean(sums_.reward, sums_.steps);
+    report.arrival = mean(sums_.arrived, sums_.ended);
+    report.ratio = mean(sums_.ratio, sums_.arrived);
+    report.epsilon = epsilon_;
+    report.value = mean(sums_.value, sums_.steps);
+    report.error = std::sqrt(mean(sums_.squared_error, sums_.steps));
+    sums_ = {};
+    return report;
+  }
+
+  const LayerStack& layers() {
+    setParameterVector(weights_, layers_);
+    return layers_;
+  }
+
+ private:
+  double epsilon() const {
+    const double share = static_cast<double>(updates_) / parameters_.updates;
+    if (share >= parameters_.exploration_share) return parameters_.exploration_end;
+    return parameters_.exploration_start + (parameters_.exploration_end - parameters_.exploration_start) * share /
+                                               parameters_.exploration_share;
+  }
+
+  QLearningParameters parameters_;
+  LayerStack layers_;
+  Eigen::VectorXf weights_;
+  Eigen::VectorXf target_weights_;
+  Optimiser optimiser_;
+  std::vector<std::unique_ptr<QTileRunner>> runners_;
+  std::vector<QTile> tiles_;
+  QSums sums_;
+  double all_steps_ = 0.0;
+  double epsilon_ = 0.0;
+  int updates_ = 0;
+};
+
+QLearning::QLearning(const QLearningParameters& parameters, LayerStack layers)
+    : implementation_(std::make_unique<Implementation>(parameters, std::move(layers))) {}
+QLearning::~QLearning() = default;
+void QLearning::beginEpoch(int epoch, const GridCourse& course) { implementation_->beginEpoch(epoch, course); }
+void QLearning::update() { implementation_->update(); }
+QLearningReport QLearning::report() { return implementation_->report(); }
+const LayerStack& QLearning::layers() const { return implementation_->layers(); }
+
+}  // namespace lstm_planner
