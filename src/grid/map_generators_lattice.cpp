@@ -98,9 +98,9 @@ std::vector<Wall> growTree(const Lattice& lattice, double branching, Random& ran
   return opened;
 }
 
-void openDoor(const Wall& wall, int door_width, Random& random, Lattice* lattice) {
+void openDoor(const Wall& wall, int door_cells, Random& random, Lattice* lattice) {
   const int wall_length = lattice->wallLength(wall.index, wall.side);
-  const int width = std::min(door_width, wall_length);
+  const int width = std::min(door_cells, wall_length);
   const auto from = static_cast<int>(uniformIndex(random, static_cast<std::size_t>(wall_length - width + 1)));
   lattice->openWall(wall.index, wall.side, from, width);
 }
@@ -131,8 +131,8 @@ void validate(const RoomParameters& parameters) {
   checkMapSize(parameters.columns, parameters.rows, 2);
   checkParameter(parameters.room_size < std::min(parameters.columns, parameters.rows), "room_size",
                  parameters.room_size, "less than the map's columns and rows");
-  checkParameter(parameters.door_width >= 1 && parameters.door_width <= parameters.room_size, "door_width",
-                 parameters.door_width, "at least 1 and at most room_size");
+  checkParameter(parameters.door_cells >= 1 && parameters.door_cells <= parameters.room_size, "door_cells",
+                 parameters.door_cells, "at least 1 and at most room_size");
   checkParameter(parameters.extra_doors >= 0.0 && parameters.extra_doors <= 1.0, "extra_doors", parameters.extra_doors,
                  "a probability in [0, 1]");
 }
@@ -144,7 +144,7 @@ PassableGrid generateRooms(const RoomParameters& parameters, std::uint64_t seed)
   Lattice lattice(parameters.columns, parameters.rows, parameters.room_size);
   std::vector<std::array<bool, 2>> has_door(static_cast<std::size_t>(lattice.size()));
   for (const Wall& wall : growTree(lattice, kBranching, random)) {
-    openDoor(wall, parameters.door_width, random, &lattice);
+    openDoor(wall, parameters.door_cells, random, &lattice);
     const int owner = wall.side < 2 ? wall.index : lattice.beside(wall.index, wall.side);
     has_door[static_cast<std::size_t>(owner)][static_cast<std::size_t>(wall.side % 2)] = true;
   }
@@ -152,7 +152,7 @@ PassableGrid generateRooms(const RoomParameters& parameters, std::uint64_t seed)
     for (int side = 0; side < 2; ++side) {
       const bool needs_none = has_door[static_cast<std::size_t>(index)][static_cast<std::size_t>(side)];
       if (needs_none || lattice.beside(index, side) < 0 || uniform(random) >= parameters.extra_doors) continue;
-      openDoor({index, side}, parameters.door_width, random, &lattice);
+      openDoor({index, side}, parameters.door_cells, random, &lattice);
     }
   }
   return lattice.grid();

@@ -41,7 +41,7 @@ struct RoomParameters {
   int columns = 512;
   int rows = 512;
   int room_size = 16;
-  int door_width = 1;
+  int door_cells = 1;        ///< width of a door
   double extra_doors = 0.5;  ///< probability of a door in a wall that needs none to connect all rooms
 };
 void validate(const RoomParameters& parameters);

@@ -250,7 +250,7 @@ TEST(MapGenerators, RefuseBadParametersByName) {
   EXPECT_EQ(refusal([] {
               generateRooms({64, 64, 8, 9, 0.5}, 1);
             }),
-            "parameter door_width is 9, expected at least 1 and at most room_size");
+            "parameter door_cells is 9, expected at least 1 and at most room_size");
   EXPECT_EQ(refusal([] {
               generateCaves({64, 64, 0.4, -1}, 1);
             }),
