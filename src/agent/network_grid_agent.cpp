@@ -17,15 +17,28 @@ NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
                                 std::to_string(network_.outputSize()) + " outputs, its description expects " +
                                 std::to_string(encoder_.size()) + " and " + std::to_string(encoder_.outputs()));
   }
+  if (options.escape) {
+    GridEscapeParameters escape;
+    escape.boundary.corner_cutting = options.corner_cutting;
+    escape.patience = options.patience;
+    escape_.emplace(escape);
+  }
 }
 
 void NetworkGridAgent::start(CellIndex /*start*/, CellIndex /*goal*/) {
   memory_.start();
+  if (escape_) escape_->start();
   for (Network::HiddenState& state : hidden_states_) state.setZero();
 }
 
 void NetworkGridAgent::observe(const GridObservation& observation) {
   memory_.observe(observation);
+  if (escape_) escape_->observe(observation);
+  // The hidden state waits while the escape leads: what it was made of is where the network was going.
+  if (!isEscaping()) judgeMoves();
+}
+
+void NetworkGridAgent::judgeMoves() {
   encoder_.look(memory_);
   for (std::size_t view = 0; view < hidden_states_.size(); ++view) {
     encoder_.encode(static_cast<int>(view), input_.data(), 1);
@@ -41,6 +54,7 @@ void NetworkGridAgent::observe(const GridObservation& observation) {
 }
 
 int NetworkGridAgent::decide() {
+  if (isEscaping()) return escape_->decide();
   int best = kNoWay;
   float largest = -std::numeric_limits<float>::infinity();
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
@@ -59,7 +73,8 @@ void NetworkGridAgent::step(int direction, bool moved) {
 
 std::size_t NetworkGridAgent::peakBytes() const {
   const std::size_t state = static_cast<std::size_t>(network_.hiddenState().size()) * (hidden_states_.size() + 2);
-  return sizeof(*this) + VisitTrace::bytes() + (countWeights(network_.layers()) + state) * sizeof(float);
+  const std::size_t escape = escape_ ? escape_->peakBytes() : 0;
+  return sizeof(*this) + VisitTrace::bytes() + escape + (countWeights(network_.layers()) + state) * sizeof(float);
 }
 
 }  // namespace lstm_planner

@@ -1,20 +1,24 @@
 #pragma once
 
-#include <memory>
-#include <string>
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "lstm_planner/agent/grid_encoder.hpp"
+#include "lstm_planner/agent/grid_escape.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "lstm_planner/network/network.hpp"
 
 namespace lstm_planner {
 
-/// An agent whose decisions a network makes: LSTM, RNN, MLP or Q-network, whatever the model holds.
+/// An agent whose decisions a network makes: LSTM, RNN, MLP or Q-network, whatever the model holds. The escape takes
+/// over when it gets nowhere, and makes it certain that it arrives.
 class NetworkGridAgent : public GridAgent {
  public:
   struct Options {
     bool shield = true;  ///< off: the preferred move is tried even where it was sensed to be blocked
+    bool escape = true;
+    int patience = 1000;  ///< of the escape; see GridEscapeParameters
     CornerCutting corner_cutting = CornerCutting::kForbidden;
   };
 
@@ -27,11 +31,16 @@ class NetworkGridAgent : public GridAgent {
   void step(int direction, bool moved) override;
   std::size_t peakBytes() const override;
 
+  bool isEscaping() const { return escape_ && escape_->active(); }
+
  private:
+  void judgeMoves();
+
   Options options_;
   GridEncoder encoder_;
   Network network_;
   GridMemory memory_;
+  std::optional<GridEscape> escape_;
   std::vector<Network::HiddenState> hidden_states_;  ///< one a view
   Eigen::VectorXf input_;
   Eigen::VectorXf preferences_;
