@@ -217,9 +217,10 @@ bool DStar::plan(CellIndex robot) {
   return costToGoal(robot) < kUnreachable;
 }
 
-int DStar::firstMove(CellIndex robot) const { return find(robot)->back; }
+int DStar::firstMove(CellIndex robot) const { return costToGoal(robot) < kUnreachable ? find(robot)->back : kNoBack; }
 
 GridPath DStar::path(CellIndex robot) const {
+  if (costToGoal(robot) >= kUnreachable) return {};
   std::vector<CellIndex> cells = {robot};
   while (firstMove(cells.back()) != kNoBack) cells.push_back(cellBeside(cells.back(), firstMove(cells.back())));
   return pathAlong(std::move(cells));

@@ -37,11 +37,11 @@ class DStar {
   /// known. Throws std::invalid_argument when the cell is outside.
   bool plan(CellIndex robot);
 
-  /// The direction of the first move of the shortest way; only after plan() has returned true for this cell, or for
-  /// cells along the way that followed, and not at the goal.
+  /// The direction of the first move of the shortest way that plan() found from this cell, or along which it lies; -1
+  /// at the goal and where there is no way.
   int firstMove(CellIndex robot) const;
 
-  /// The whole way. The same conditions.
+  /// The whole way that plan() found from this cell; empty when there is none.
   GridPath path(CellIndex robot) const;
 
   /// Calls of PROCESS-STATE that took a state from the open list.
@@ -105,8 +105,7 @@ class DStar {
   CornerCutting corner_cutting_;
   std::size_t tile_columns_;
   std::vector<std::unique_ptr<Tile>> tiles_;
-  std::vector<Open>
-      open_;  ///< a heap; entries whose state went on with another key stay in it until they are taken out
+  std::vector<Open> open_;  ///< a heap; an entry whose state went on with another key stays until it comes up
   std::size_t tile_count_ = 0;
   std::size_t most_open_ = 0;
   std::size_t processed_ = 0;

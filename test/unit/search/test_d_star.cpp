@@ -40,7 +40,7 @@ TEST(DStar, FindsTheSameLengthAsAStarOnKnownMaps) {
   const CellIndex robot{1, 1};
   const CellIndex goal{37, 28};
   for (int round = 0; round < 60; ++round) {
-    const PassableGrid grid = randomGrid(40, 30, 20 + random() % 20, random, {robot, goal});
+    const PassableGrid grid = randomGrid(40, 30, static_cast<unsigned>(20 + random() % 20), random, {robot, goal});
     for (const CornerCutting corner_cutting : kBothRules) {
       DStar search(40, 30, goal, corner_cutting);
       tellAll(grid, search);
@@ -107,6 +107,8 @@ TEST(DStar, FindsThatAnEnclosedRobotHasNoWayAndThatAnOpenedDoorMakesOne) {
   }
   EXPECT_FALSE(search.plan(robot));
   EXPECT_FALSE(search.plan(robot));
+  EXPECT_FALSE(search.path(robot).found());
+  EXPECT_EQ(search.firstMove(robot), -1);
   search.setPassable({1, 3}, true);
   ASSERT_TRUE(search.plan(robot));
   EXPECT_TRUE(search.path(robot).cells[2] == (CellIndex{1, 3}));
