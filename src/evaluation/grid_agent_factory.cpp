@@ -4,6 +4,8 @@
 #include <stdexcept>
 
 #include "lstm_planner/agent/a_star_agent.hpp"
+#include "lstm_planner/agent/boundary_agent.hpp"
+#include "lstm_planner/agent/greedy_agent.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -25,10 +27,21 @@ GridAgentMaker aStarMaker(const GridAgentOptions& options) {
   return [parameters](const PassableGrid& grid) { return std::make_unique<AStarAgent>(grid, parameters); };
 }
 
+GridAgentMaker boundaryMaker(const GridAgentOptions& options) {
+  BoundaryParameters parameters;
+  parameters.corner_cutting = options.corner_cutting;
+  return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<BoundaryAgent>(parameters); };
+}
+
+GridAgentMaker greedyMaker(const GridAgentOptions& options) {
+  const CornerCutting corner_cutting = options.corner_cutting;
+  return [corner_cutting](const PassableGrid& /*grid*/) { return std::make_unique<GreedyAgent>(corner_cutting); };
+}
+
 }  // namespace
 
 const std::vector<std::string>& gridAgentNames() {
-  static const std::vector<std::string> names = {"astar"};
+  static const std::vector<std::string> names = {"astar", "greedy", "boundary"};
   return names;
 }
 
@@ -38,6 +51,8 @@ bool isNetworkAgent(const std::string& name) {
 
 GridAgentMaker gridAgentMaker(const GridAgentOptions& options) {
   if (options.agent == "astar") return aStarMaker(options);
+  if (options.agent == "greedy") return greedyMaker(options);
+  if (options.agent == "boundary") return boundaryMaker(options);
   throw std::invalid_argument("there is no agent '" + options.agent + "', expected one of " + listed(gridAgentNames()));
 }
 

@@ -120,19 +120,23 @@ std::vector<std::string> selectScenarioFiles(const GridSetFiles& files, MapSelec
 
 GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& selection) {
   const std::vector<std::string> scenario_files = selectScenarioFiles(files, selection.maps);
+  GridTaskSet set;
+  set.name = files.name;
   std::vector<DrawnScenario> drawn;
   for (std::size_t file = 0; file < scenario_files.size(); ++file) {
     std::vector<Scenario> scenarios = readScenarios(scenario_files[file]);
     for (std::size_t i = 0; i < scenarios.size(); ++i) {
       const double length = scenarios[i].optimal_length;
       if (length < selection.min_length || length > selection.max_length) continue;
+      if (length == 0.0 && scenarios[i].start != scenarios[i].goal) {
+        ++set.without_way;
+        continue;
+      }
       drawn.push_back({file, i + 1, std::move(scenarios[i])});
     }
   }
   keepSome(selection.count, selection.seed, &drawn);
 
-  GridTaskSet set;
-  set.name = files.name;
   std::size_t loaded = scenario_files.size();
   for (const DrawnScenario& one : drawn) {
     const Scenario& scenario = one.scenario;

@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 #include "lstm_planner/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/evaluation/grid_evaluation.hpp"
+#include "lstm_planner/evaluation/grid_gallery.hpp"
 #include "tools/command.hpp"
 #include "tools/grid_options.hpp"
 #include "tools/options.hpp"
@@ -18,6 +21,7 @@ namespace {
 struct EvaluateOptions {
   GridOptions grid;
   std::string json;
+  std::string details;
   std::string pictures;
 };
 
@@ -40,6 +44,7 @@ bool readOptions(const std::vector<std::string>& arguments, EvaluateOptions* opt
   description.add_options()
       ("json", po::value(&options->json), "write the result to this file; success, collisions and timeouts are shares "
        "of the scenarios, means are over the scenarios with success")
+      ("details", po::value(&options->details), "write a CSV line a scenario to this file")
       ("pictures", po::value(&options->pictures), "draw some misses and the longest detour of each set into this "
        "folder");
   // clang-format on
@@ -82,26 +87,80 @@ void writeJson(const EvaluateOptions& options, const std::vector<GridSetSummary>
   writeTextFile(options.json, json.dump(2) + "\n");
 }
 
+/// The lines of one set.
+void writeDetails(const GridTaskSet& set, const std::vector<GridEpisode>& episodes, std::ostream& out) {
+  for (std::size_t i = 0; i < episodes.size(); ++i) {
+    const GridTask& task = set.tasks[i];
+    const GridEpisode& episode = episodes[i];
+    out << set.name << ',' << set.map_names[task.map] << ',' << task.start.column << ',' << task.start.row << ','
+        << task.goal.column << ',' << task.goal.row << ',' << toString(episode.end) << ',' << task.optimal_length << ','
+        << episode.length() << ',' << episode.steps() << ',' << episode.seconds << ',' << episode.expanded << ','
+        << episode.peak_bytes << '\n';
+  }
+}
+
+void draw(const std::string& folder, const std::string& what, const GridTaskSet& set, std::size_t task,
+          const std::vector<NamedGridAgent>& agents, const GridEpisodeRules& rules) {
+  const std::string path = folder + "/" + set.name + "_" + what + "_" + std::to_string(task) + ".png";
+  writeGridPicture(path, set.maps[set.tasks[task].map], pictureOfTask(set, task, agents, rules));
+}
+
+void drawSome(const EvaluateOptions& options, const GridTaskSet& set, const std::vector<GridEpisode>& episodes,
+              const GridAgentMaker& make_agent) {
+  std::vector<NamedGridAgent> agents = {{options.grid.agent.agent, make_agent}};
+  if (options.grid.agent.agent != "astar") {
+    GridAgentOptions optimal;
+    optimal.agent = "astar";
+    optimal.corner_cutting = options.grid.agent.corner_cutting;
+    agents.push_back({"A*", gridAgentMaker(optimal)});
+  }
+  const auto drawTask = [&](const char* what, std::size_t task) {
+    draw(options.pictures, what, set, task, agents, options.grid.evaluation.rules);
+  };
+  using End = GridEpisode::End;
+  constexpr std::size_t kMisses = 3;
+  for (const End end : {End::kCollision, End::kTimeout, End::kNoWay}) {
+    const std::vector<std::size_t> missed = tasksThatEnded(episodes, end);
+    for (std::size_t i = 0; i < std::min(kMisses, missed.size()); ++i) {
+      drawTask(end == End::kNoWay ? "no_way" : toString(end), missed[i]);
+    }
+  }
+  if (const auto task = typicalArrival(episodes)) drawTask("typical", *task);
+  if (const auto task = longestDetour(episodes)) drawTask("longest_detour", *task);
+}
+
 }  // namespace
 
 int runEvaluate(const std::vector<std::string>& arguments) {
   EvaluateOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  if (!options.json.empty()) checkWritable(options.json);
+  for (const std::string& file : {options.json, options.details}) {
+    if (!file.empty()) checkWritable(file);
+  }
   if (!options.pictures.empty()) makeOutputFolder(options.pictures);
   const GridAgentMaker make_agent = gridAgentMaker(options.grid.agent);
   const std::vector<GridTaskSet> sets = drawGridTaskSets(options.grid);
 
   SetProgress progress(sets);
+  std::ostringstream details;
+  details
+      << "set,map,start_column,start_row,goal_column,goal_row,end,optimum,length,steps,seconds,expanded,peak_bytes\n";
   std::vector<GridSetSummary> summaries;
   for (const GridTaskSet& set : sets) {
     GridEvaluationOptions evaluation = options.grid.evaluation;
     evaluation.progress = progress.ofSet(set);
     const std::vector<GridEpisode> episodes = evaluateGridTasks(set, 0, set.tasks.size(), make_agent, evaluation);
     summaries.push_back(summarizeGridEpisodes(set.name, episodes));
+    writeDetails(set, episodes, details);
+    if (!options.pictures.empty()) drawSome(options, set, episodes, make_agent);
   }
   printGridSummaries(std::cout, summaries);
+  for (const GridTaskSet& set : sets) {
+    if (set.without_way == 0) continue;
+    std::cout << "left out: " << set.without_way << " scenarios of " << set.name << " without a way (length 0)\n";
+  }
   if (!options.json.empty()) writeJson(options, summaries);
+  if (!options.details.empty()) writeTextFile(options.details, details.str());
   return 0;
 }
 

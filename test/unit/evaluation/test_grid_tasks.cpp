@@ -128,6 +128,17 @@ TEST_F(GridTasks, DrawsAllWhenThereAreFewerThanAskedFor) {
   EXPECT_EQ(drawGridTasks(files(), selection).tasks.size(), 40u);
 }
 
+TEST_F(GridTasks, LeavesOutGoalsThatCannotBeReached) {
+  addMap("row-0", 3);
+  const std::string path = (folder_ / "Scenarios" / "row-0.map.scen").string();
+  std::vector<Scenario> scenarios = readScenarios(path);
+  scenarios[2].optimal_length = 0.0;
+  writeScenarios(path, scenarios);
+  const GridTaskSet set = drawGridTasks(files(), {});
+  EXPECT_EQ(goals(set), (std::vector<int>{0, 1})) << "a way of length 0 to the start itself is none too short";
+  EXPECT_EQ(set.without_way, 1u);
+}
+
 TEST_F(GridTasks, RefusesScenariosOfAnotherMap) {
   addMap("row-0", 40);
   writeMovingAiMap((folder_ / "Maps" / "row-0.map").string(), PassableGrid(30, 1, true));
