@@ -46,6 +46,7 @@ void encodePrivileged(const GridActor& actor, double discount, float* input, int
 struct Step {
   std::array<float, kGridMoveCount> probabilities{};
   int direction = 0;
+  std::size_t set = 0;
   double reward = 0.0;
   double value = 0.0;
   bool arrived = false;
@@ -54,7 +55,8 @@ struct Step {
 
 struct Sums {
   double steps = 0, reward = 0, entropy = 0, arrived = 0, ended = 0, ratio = 0;
-  double returns = 0, squared_returns = 0, squared_errors = 0, squared_advantages = 0;
+  double returns = 0, squared_returns = 0, squared_errors = 0;
+  std::vector<double> set_steps, set_squared_advantages;  ///< by set of the course
   void operator+=(const Sums& other) {
     steps += other.steps;
     reward += other.reward;
@@ -65,7 +67,16 @@ struct Sums {
     returns += other.returns;
     squared_returns += other.squared_returns;
     squared_errors += other.squared_errors;
-    squared_advantages += other.squared_advantages;
+    for (std::size_t set = 0; set < set_steps.size(); ++set) {
+      set_steps[set] += other.set_steps[set];
+      set_squared_advantages[set] += other.set_squared_advantages[set];
+    }
+  }
+  static Sums ofSets(std::size_t sets) {
+    Sums sums;
+    sums.set_steps.assign(sets, 0.0);
+    sums.set_squared_advantages.assign(sets, 0.0);
+    return sums;
   }
 };
 
@@ -135,8 +146,8 @@ class TileRunner {
   int actors() const { return actors_; }
 
   void run(const Eigen::VectorXf& policy_parameters, const Eigen::VectorXf& critic_parameters, double entropy_weight,
-           double advantage_scale, Tile& tile) {
-    tile.sums = {};
+           const std::vector<double>& advantage_variances, Tile& tile) {
+    tile.sums = Sums::ofSets(advantage_variances.size());
     tile.policy_gradient.setZero(policy_parameters.size());
     tile.critic_gradient.setZero(critic_parameters.size());
     if (tile.state.empty()) tile.state.assign(policy_.state().size(), 0.0f);
@@ -144,7 +155,7 @@ class TileRunner {
     for (int step = 0; step < parameters_.window; ++step) walk(policy_parameters, step, tile);
     for (int actor = 0; actor < actors_; ++actor) lookOnly(parameters_.window, actor, tile);
     const float* values = critic_.forward(critic_parameters, 0);
-    for (int actor = 0; actor < actors_; ++actor) judge(values, actor, entropy_weight, advantage_scale, tile);
+    for (int actor = 0; actor < actors_; ++actor) judge(values, actor, entropy_weight, advantage_variances, tile);
     std::fill_n(critic_.outputGradient(0) + parameters_.window * actors_,
                 critic_.lanes() - parameters_.window * actors_, 0.0f);
     policy_.backward(policy_parameters, parameters_.window, tile.policy_gradient);
@@ -209,6 +220,7 @@ class TileRunner {
       draw -= probability;
       probability /= total;
     }
+    done.set = walker.set();
     const GridActor::Outcome outcome =
         walker.step(done.direction, {parameters_.step_cost, parameters_.arrival_bonus}, parameters_.max_steps);
     done.reward = outcome.reward;
@@ -224,7 +236,8 @@ class TileRunner {
   }
 
   /// Advantages from the last step back, and from them the derivatives by the outputs of both networks.
-  void judge(const float* values, int actor, double entropy_weight, double advantage_scale, Tile& tile) {
+  void judge(const float* values, int actor, double entropy_weight, const std::vector<double>& advantage_variances,
+             Tile& tile) {
     double next_value = kValueScale * static_cast<double>(values[parameters_.window * actors_ + actor]);
     double advantage = 0.0;
     for (int step = parameters_.window; step-- > 0;) {
@@ -237,7 +250,8 @@ class TileRunner {
       advantage = error + (ended ? 0.0 : parameters_.discount * parameters_.advantage_decay * advantage);
       next_value = value;
       critic_.outputGradient(0)[step * actors_ + actor] = static_cast<float>(-advantage / kValueScale);
-      const double entropy = fillPolicyGradient(done, step, actor, advantage * advantage_scale, entropy_weight);
+      const double entropy = fillPolicyGradient(
+          done, step, actor, advantage / std::sqrt(advantage_variances[done.set]), entropy_weight);
       Sums& sums = tile.sums;
       sums.steps += 1.0;
       sums.reward += done.reward;
@@ -245,6 +259,8 @@ class TileRunner {
       sums.returns += value + advantage;
       sums.squared_returns += (value + advantage) * (value + advantage);
       sums.squared_errors += advantage * advantage;
+      sums.set_steps[done.set] += 1.0;
+      sums.set_squared_advantages[done.set] += advantage * advantage;
     }
   }
 
@@ -296,6 +312,9 @@ class ActorCritic::Implementation {
   void beginEpoch(int epoch, const GridCourse& course) {
     Random seeds(parameters_.seed * 1000003 + static_cast<std::uint64_t>(epoch));
     const int actors = runners_.front()->actors();
+    // A set of maps that was not there before starts with the variance of nothing known.
+    advantage_variances_.resize(course.sets(), 1.0);
+    sums_ = Sums::ofSets(course.sets());
     tiles_.clear();
     tiles_.resize(static_cast<std::size_t>((parameters_.agents + actors - 1) / actors));
     for (Tile& tile : tiles_) {
@@ -307,14 +326,13 @@ class ActorCritic::Implementation {
     const double progress = static_cast<double>(updates_) / parameters_.updates;
     const double entropy_weight =
         parameters_.entropy_start + (parameters_.entropy_end - parameters_.entropy_start) * progress;
-    const double advantage_scale = 1.0 / std::sqrt(advantage_variance_);
     parallelFor(static_cast<int>(tiles_.size()), parameters_.threads, [&](int index, int thread) {
       runners_[static_cast<std::size_t>(thread)]->run(policy_parameters_, critic_parameters_, entropy_weight,
-                                                      advantage_scale, tiles_[static_cast<std::size_t>(index)]);
+                                                      advantage_variances_, tiles_[static_cast<std::size_t>(index)]);
     });
     Eigen::VectorXf policy_gradient = Eigen::VectorXf::Zero(policy_parameters_.size());
     Eigen::VectorXf critic_gradient = Eigen::VectorXf::Zero(critic_parameters_.size());
-    Sums sums;
+    Sums sums = Sums::ofSets(advantage_variances_.size());
     for (const Tile& tile : tiles_) {
       policy_gradient += tile.policy_gradient;
       critic_gradient += tile.critic_gradient;
@@ -325,7 +343,11 @@ class ActorCritic::Implementation {
     policy_optimiser_.update(policy_gradient * share, parameters_.learning_rate * rate, policy_parameters_);
     critic_optimiser_.update(critic_gradient * share, parameters_.critic_learning_rate * rate, critic_parameters_);
     // Slow, so that a window's own luck does not scale its own advantages.
-    advantage_variance_ += 0.02 * (sums.squared_errors / sums.steps - advantage_variance_);
+    for (std::size_t set = 0; set < advantage_variances_.size(); ++set) {
+      if (sums.set_steps[set] == 0.0) continue;
+      const double variance = sums.set_squared_advantages[set] / sums.set_steps[set];
+      advantage_variances_[set] += 0.02 * (variance - advantage_variances_[set]);
+    }
     ++updates_;
     sums_ += sums;
     all_steps_ += sums.steps;
@@ -341,7 +363,7 @@ class ActorCritic::Implementation {
     report.entropy = sums_.entropy / sums_.steps;
     const double mean = sums_.returns / sums_.steps;
     report.explained = 1.0 - sums_.squared_errors / (sums_.squared_returns - sums_.steps * mean * mean);
-    sums_ = {};
+    sums_ = Sums::ofSets(advantage_variances_.size());
     return report;
   }
 
@@ -357,7 +379,7 @@ class ActorCritic::Implementation {
     content["critic"] = toJson(critic_parameters_);
     content["policy_optimiser"] = toJson(policy_optimiser_.state());
     content["critic_optimiser"] = toJson(critic_optimiser_.state());
-    content["advantage_variance"] = advantage_variance_;
+    content["advantage_variances"] = advantage_variances_;
     content["steps"] = all_steps_;
     content["updates"] = updates_;
     return nlohmann::json::to_cbor(content);
@@ -373,7 +395,7 @@ class ActorCritic::Implementation {
     }
     policy_optimiser_.setState(stateFrom(content.at("policy_optimiser")));
     critic_optimiser_.setState(stateFrom(content.at("critic_optimiser")));
-    advantage_variance_ = content.at("advantage_variance").get<double>();
+    advantage_variances_ = content.at("advantage_variances").get<std::vector<double>>();
     all_steps_ = content.at("steps").get<double>();
     updates_ = content.at("updates").get<int>();
     policy_parameters_ = policy;
@@ -394,7 +416,8 @@ class ActorCritic::Implementation {
   std::vector<Tile> tiles_;
   Sums sums_;
   double all_steps_ = 0.0;
-  double advantage_variance_ = 1.0;
+  /// By set of the course: what is a large gain in the open is a small one in a maze, and each is to count alike.
+  std::vector<double> advantage_variances_;
   int updates_ = 0;
 };
 

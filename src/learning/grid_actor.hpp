@@ -29,6 +29,7 @@ class GridActor {
   const GridMemory& memory() const { return memory_; }
   const GridRanges& ranges() const { return memory_.observation().ranges; }
   Random& random() { return random_; }
+  std::size_t set() const { return episode_.set; }  ///< of the course
 
   /// True length of the way to the goal from here, and from the cell beside (+inf when blocked), cells.
   float distance() const { return episode_.goal->distances.at(cell_); }

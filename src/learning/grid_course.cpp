@@ -58,6 +58,8 @@ void validate(const GridCourseParameters& parameters) {
   checkParameter(parameters.min_length >= 2.0, "min_length", parameters.min_length, "at least 2 cells");
   checkParameter(parameters.max_length > parameters.min_length, "max_length", parameters.max_length,
                  "more than min_length");
+  checkParameter(parameters.short_share >= 0.0 && parameters.short_share <= 1.0, "short_share", parameters.short_share,
+                 "a number in [0, 1]");
   checkParameter(parameters.goals >= 1, "goals", parameters.goals, "at least 1");
 }
 
@@ -94,6 +96,7 @@ GridCourse::GridCourse(const GridCourseParameters& parameters, const std::vector
     });
     sets_.push_back(std::move(course));
   }
+  buckets_ = sets_.front().goals.front()->starts.size();
 }
 
 std::shared_ptr<const CourseGoal> GridCourse::makeGoal(const CourseSet& set, Random& random) const {
@@ -114,40 +117,42 @@ std::shared_ptr<const CourseGoal> GridCourse::makeGoal(const CourseSet& set, Ran
   throw std::invalid_argument("no way of the wanted length was found on the training maps");
 }
 
-GridCourse::Episode GridCourse::draw(Random& random) const {
+std::size_t GridCourse::drawSet(Random& random) const {
   double share = uniform(random);
-  const CourseSet* set = &sets_.back();
-  for (const CourseSet& candidate : sets_) {
-    if (share < candidate.share) {
-      set = &candidate;
-      break;
-    }
-    share -= candidate.share;
+  for (std::size_t set = 0; set < sets_.size(); ++set) {
+    if (share < sets_[set].share) return set;
+    share -= sets_[set].share;
   }
-  // The length is drawn first: small maps, which have no long ways, are not to make short ways more frequent.
-  const std::size_t bucket = uniformIndex(random, set->goals.front()->starts.size());
+  return sets_.size() - 1;
+}
+
+std::size_t GridCourse::drawBucket(Random& random) const {
+  if (uniform(random) >= parameters_.short_share) return uniformIndex(random, buckets_);
+  // The logarithm of the length is uniform.
+  const double length =
+      parameters_.min_length * std::pow(parameters_.max_length / parameters_.min_length, uniform(random));
+  return std::min(static_cast<std::size_t>((length - parameters_.min_length) / kBucketWidth), buckets_ - 1);
+}
+
+GridCourse::Episode GridCourse::draw(Random& random) const {
+  const std::size_t drawn = drawSet(random);
+  const CourseSet& set = sets_[drawn];
+  // The length is drawn before the map: small maps, which have no long ways, are not to make short ways more frequent.
+  const std::size_t bucket = drawBucket(random);
   constexpr int kAttempts = 1000;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const auto& goal = set->goals[uniformIndex(random, set->goals.size())];
+    const auto& goal = set.goals[uniformIndex(random, set.goals.size())];
     const auto& starts = goal->starts[bucket];
-    if (!starts.empty()) return {goal, starts[uniformIndex(random, starts.size())]};
+    if (!starts.empty()) return {goal, starts[uniformIndex(random, starts.size())], drawn};
   }
   return draw(random);
 }
 
 void GridCourse::renew(int count) {
   for (int i = 0; i < count; ++i) {
-    double share = uniform(random_);
-    CourseSet* set = &sets_.back();
-    for (CourseSet& candidate : sets_) {
-      if (share < candidate.share) {
-        set = &candidate;
-        break;
-      }
-      share -= candidate.share;
-    }
-    set->goals[set->oldest] = makeGoal(*set, random_);
-    set->oldest = (set->oldest + 1) % set->goals.size();
+    CourseSet& set = sets_[drawSet(random_)];
+    set.goals[set.oldest] = makeGoal(set, random_);
+    set.oldest = (set.oldest + 1) % set.goals.size();
   }
 }
 

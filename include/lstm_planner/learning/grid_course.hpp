@@ -30,19 +30,22 @@ struct CourseGoal {
 struct GridCourseParameters {
   double min_length = 10.0;   ///< cells; of the shortest way, >= 2
   double max_length = 300.0;  ///< cells
-  int goals = 1500;           ///< kept at a time, over all maps
+  double short_share = 0.5;   ///< of the episodes whose length is drawn in proportion to 1 / length, not uniformly
+  int goals = 600;            ///< kept at a time, over all maps
   bool mirrored = true;       ///< every map also mirrored at its diagonal
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridCourseParameters& parameters);
 
-/// Draws the episodes to learn from: lengths of the shortest way are uniform in their range, maps drawn by weight.
+/// Draws the episodes to learn from: maps by weight, and lengths of the shortest way uniformly in their range or, for a
+/// share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are short ways.
 class GridCourse {
  public:
   struct Episode {
     std::shared_ptr<const CourseGoal> goal;
     CellIndex start;
+    std::size_t set = 0;  ///< in which the map is
   };
 
   /// `sets` of maps and the share of episodes that each is to get. Throws std::invalid_argument when there is no map,
@@ -52,6 +55,8 @@ class GridCourse {
     double weight = 1.0;
   };
   GridCourse(const GridCourseParameters& parameters, const std::vector<Set>& sets, std::uint64_t seed, int threads);
+
+  std::size_t sets() const { return sets_.size(); }
 
   /// May be called from several threads at once, with different generators.
   Episode draw(Random& random) const;
@@ -66,10 +71,13 @@ class GridCourse {
     std::size_t oldest = 0;
     double share = 0.0;
   };
+  std::size_t drawBucket(Random& random) const;
+  std::size_t drawSet(Random& random) const;
   std::shared_ptr<const CourseGoal> makeGoal(const CourseSet& set, Random& random) const;
 
   GridCourseParameters parameters_;
   std::vector<CourseSet> sets_;
+  std::size_t buckets_ = 0;  ///< of lengths
   Random random_;
 };
 
