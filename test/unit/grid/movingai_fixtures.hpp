@@ -25,6 +25,8 @@ class MovingAiFiles : public ::testing::Test {
 
   std::string write(const std::string& name, const std::string& content) const {
     std::filesystem::create_directories(std::filesystem::path(folder_ + name).parent_path());
+    // A file that is truncated and written again is flushed to the disk by ext4, a new one is not.
+    std::filesystem::remove(folder_ + name);
     std::ofstream(folder_ + name, std::ios::binary) << content;
     return folder_ + name;
   }
