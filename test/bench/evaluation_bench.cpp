@@ -1,0 +1,91 @@
+#include <memory>
+
+#include "bench_support.hpp"
+#include "lstm_planner/agent/greedy_agent.hpp"
+#include "lstm_planner/agent/network_grid_agent.hpp"
+#include "lstm_planner/evaluation/grid_evaluation.hpp"
+#include "lstm_planner/simulation/random.hpp"
+
+namespace lstm_planner {
+namespace {
+
+CellIndex drawPassable(const PassableGrid& grid, Random& random) {
+  CellIndex cell;
+  do {
+    cell.column = static_cast<int>(uniformIndex(random, static_cast<std::size_t>(grid.columns())));
+    cell.row = static_cast<int>(uniformIndex(random, static_cast<std::size_t>(grid.rows())));
+  } while (!grid.passable(cell));
+  return cell;
+}
+
+GridTaskSet benchTasks() {
+  constexpr int kTasksAMap = 100;
+  GridTaskSet set;
+  set.name = "generated";
+  set.maps = benchMaps();
+  Random random(1);
+  for (std::size_t map = 0; map < set.maps.size(); ++map) {
+    for (int task = 0; task < kTasksAMap; ++task) {
+      // The optimum is for tables; nothing here reads it.
+      set.tasks.push_back({map, drawPassable(set.maps[map], random), drawPassable(set.maps[map], random), 1.0});
+    }
+  }
+  return set;
+}
+
+/// Episodes of at most 1,000 steps in generated maps, as `lstm_planner evaluate` runs them: sensing, memory, network,
+/// shield, move.
+void runEpisodes(const GridAgentMaker& make_agent, int threads, benchmark::State& state) {
+  const GridTaskSet set = benchTasks();
+  GridEvaluationOptions options;
+  options.threads = threads;
+  double steps = 0.0;
+  const WorkMeter meter;
+  for (auto _ : state) {
+    for (const GridEpisode& episode : evaluateGridTasks(set, 0, set.tasks.size(), make_agent, options)) {
+      steps += static_cast<double>(episode.steps());
+    }
+  }
+  meter.report("step", steps, &state);
+}
+
+void evaluateNetwork(benchmark::State& state, GridEncoderParameters::Inputs inputs) {
+  const int cells = static_cast<int>(state.range(0));
+  GridEncoderParameters parameters;
+  parameters.inputs = inputs;
+  parameters.views = static_cast<int>(state.range(1));
+  const GridEncoder encoder(parameters);
+  Model model;
+  model.layers = benchLstm(encoder.size(), {cells, cells}, encoder.outputs());
+  writeMetadata(parameters, &model.metadata);
+  const auto make_agent = [&](const PassableGrid& /*grid*/) {
+    return std::make_unique<NetworkGridAgent>(model, NetworkGridAgent::Options{});
+  };
+  runEpisodes(make_agent, static_cast<int>(state.range(2)), state);
+}
+BENCHMARK_CAPTURE(evaluateNetwork, thesis, GridEncoderParameters::Inputs::kThesis)
+    ->ArgNames({"cells", "views", "threads"})
+    ->Args({8, 1, 1})
+    ->Args({8, 1, 2})
+    ->Args({16, 1, 1})
+    ->Args({32, 1, 1})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(evaluateNetwork, trace, GridEncoderParameters::Inputs::kTrace)
+    ->ArgNames({"cells", "views", "threads"})
+    ->Args({8, 1, 1})
+    ->Args({8, 8, 1})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
+/// What a step costs besides the network.
+void evaluateGreedy(benchmark::State& state) {
+  const auto make_agent = [](const PassableGrid& /*grid*/) {
+    return std::make_unique<GreedyAgent>(CornerCutting::kForbidden);
+  };
+  runEpisodes(make_agent, 1, state);
+}
+BENCHMARK(evaluateGreedy)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+
+}  // namespace
+}  // namespace lstm_planner
