@@ -126,27 +126,44 @@ class Trainer {
         random_(parameters.seed),
         weights_(parameterVector(layers)) {}
 
-  TrainingResult run(const LayerStack& layers, const EpochCallback& callback) {
-    TrainingResult result;
-    Eigen::VectorXf best_weights;
-    LossSum best_validation;
-    for (int epoch = 1; epoch <= parameters_.epochs; ++epoch) {
-      EpochReport report = runEpoch(epoch);
-      report.best = result.best_epoch == 0 || validation_.empty() || isBetter(report.validation, best_validation);
-      if (report.best) {
-        best_weights = weights_;
-        best_validation = report.validation;
-        result.best_epoch = epoch;
-      }
-      result.curve.push_back(std::move(report));
-      if (callback && !callback(result.curve.back())) break;
+  TrainingResult run(const LayerStack& layers, const EpochCallback& callback, TrainingState* state) {
+    if (!state->curve.empty()) goOnFrom(*state);
+    while (static_cast<int>(state->curve.size()) < parameters_.epochs) {
+      EpochReport report = runEpoch(static_cast<int>(state->curve.size()) + 1);
+      const EpochReport* best = bestOf(state->curve);
+      report.best = best == nullptr || validation_.empty() || isBetter(report.validation, best->validation);
+      if (report.best) state->best_weights = weights_;
+      state->weights = weights_;
+      state->optimiser = optimiser_.state();
+      state->curve.push_back(std::move(report));
+      if (callback && !callback(state->curve.back())) break;
     }
+    TrainingResult result;
     result.layers = layers;
-    setParameterVector(best_weights, result.layers);
+    setParameterVector(state->best_weights, result.layers);
+    result.best_epoch = bestOf(state->curve)->epoch;
+    result.curve = state->curve;
     return result;
   }
 
  private:
+  /// nullptr before the first.
+  static const EpochReport* bestOf(const std::vector<EpochReport>& curve) {
+    const auto best = std::find_if(curve.rbegin(), curve.rend(), [](const EpochReport& report) { return report.best; });
+    return best == curve.rend() ? nullptr : &*best;
+  }
+
+  void goOnFrom(const TrainingState& state) {
+    if (state.weights.size() != weights_.size() || state.best_weights.size() != weights_.size()) {
+      throw std::invalid_argument("the training's state has " + std::to_string(state.weights.size()) +
+                                  " weights, the layers have " + std::to_string(weights_.size()));
+    }
+    weights_ = state.weights;
+    optimiser_.setState(state.optimiser);
+    for (std::size_t epoch = 0; epoch < state.curve.size(); ++epoch) shuffle(&order_, random_);
+    update_ = static_cast<long>(state.curve.size() * cut(order_, parameters_.batch_size).size());
+  }
+
   EpochReport runEpoch(int epoch) {
     shuffle(&order_, random_);
     const std::vector<Batch> batches = cut(order_, parameters_.batch_size);
@@ -190,7 +207,7 @@ void validate(const TrainerParameters& parameters) {
 
 TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& training,
                      const std::vector<Sequence>& validation, const TrainerParameters& parameters,
-                     const EpochCallback& callback) {
+                     const EpochCallback& callback, TrainingState* state) {
   validate(parameters);
   validateLayers(layers);
   validateSequences(training, inputSize(layers), outputSize(layers), "training");
@@ -199,7 +216,8 @@ TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& trai
     throw std::invalid_argument("training set of " + std::to_string(training.size()) +
                                 " sequences has no step with a weight above 0, expected at least one");
   }
-  return Trainer(layers, training, validation, parameters).run(layers, callback);
+  TrainingState begun_here;
+  return Trainer(layers, training, validation, parameters).run(layers, callback, state != nullptr ? state : &begun_here);
 }
 
 LossSum evaluate(const LayerStack& layers, const std::vector<Sequence>& sequences, int threads) {

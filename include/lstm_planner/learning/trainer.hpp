@@ -38,18 +38,27 @@ struct TrainingResult {
   std::vector<EpochReport> curve;
 };
 
+/// A training between two epochs: what the epochs to come depend on besides the arguments.
+struct TrainingState {
+  Eigen::VectorXf weights;
+  Optimiser::State optimiser;
+  Eigen::VectorXf best_weights;
+  std::vector<EpochReport> curve;  ///< of the epochs that are done; empty: not begun
+};
+
 /// Called after each epoch; training ends early when it returns false.
 using EpochCallback = std::function<bool(const EpochReport&)>;
 
 /// Supervised learning by mini-batches, starting from the weights of `layers`.
 ///
 /// The epoch with the highest accuracy on the validation set is kept, of equals the one with the lower loss; without a
-/// validation set the last. The same input gives the same weights, bit for bit, for any number of threads.
+/// validation set the last. The same input gives the same weights, bit for bit, for any number of threads. A `state`
+/// that has begun is gone on with as if there had been no break; it is kept up to date, before each callback.
 /// Throws std::invalid_argument for parameters, layers or sequences that are not valid or when no training step has a
 /// weight; std::runtime_error when the loss stops being finite.
 TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& training,
                      const std::vector<Sequence>& validation, const TrainerParameters& parameters,
-                     const EpochCallback& callback = {});
+                     const EpochCallback& callback = {}, TrainingState* state = nullptr);
 
 /// Loss, accuracy and confusion counts of a stack over sequences. Throws as train().
 LossSum evaluate(const LayerStack& layers, const std::vector<Sequence>& sequences, int threads = 1);
