@@ -96,4 +96,57 @@ LayerStack makeDenseStack(int inputs, const std::vector<int>& units, int outputs
   return layers;
 }
 
+std::string networkKindName(NetworkShape::Kind kind) {
+  switch (kind) {
+    case NetworkShape::Kind::kLstm:
+      return "lstm";
+    case NetworkShape::Kind::kRnn:
+      return "rnn";
+    case NetworkShape::Kind::kMlp:
+      return "mlp";
+  }
+  return "";
+}
+
+NetworkShape::Kind networkKindNamed(const std::string& name) {
+  for (const auto kind : {NetworkShape::Kind::kLstm, NetworkShape::Kind::kRnn, NetworkShape::Kind::kMlp}) {
+    if (networkKindName(kind) == name) return kind;
+  }
+  throw std::invalid_argument("network is '" + name + "', expected lstm, rnn or mlp");
+}
+
+LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs) {
+  const bool recurrent = shape.kind != NetworkShape::Kind::kMlp;
+  if (shape.cells.empty()) throw std::invalid_argument("a network has no cells, expected at least one layer of them");
+  if (!recurrent && !(shape.deep_in.empty() && shape.deep_out.empty())) {
+    throw std::invalid_argument(
+        "an mlp has deep-in or deep-out layers, expected none: it has no recurrent layer that they are before or behind");
+  }
+  std::vector<int> sizes = shape.deep_in;
+  sizes.insert(sizes.end(), shape.cells.begin(), shape.cells.end());
+  sizes.insert(sizes.end(), shape.deep_out.begin(), shape.deep_out.end());
+  requireSizes(inputs, sizes, outputs);
+  LayerStack layers;
+  const auto addDense = [&](const std::vector<int>& units) {
+    for (const int count : units) {
+      layers.push_back(zeroDenseLayer(inputs, count, Activation::kTanh));
+      inputs = count;
+    }
+  };
+  addDense(shape.deep_in);
+  for (const int count : shape.cells) {
+    const int rows = shape.kind == NetworkShape::Kind::kLstm ? 4 * count : count;
+    const Eigen::MatrixXf input = Eigen::MatrixXf::Zero(rows, inputs);
+    const Eigen::MatrixXf state = Eigen::MatrixXf::Zero(rows, count);
+    const Eigen::VectorXf bias = Eigen::VectorXf::Zero(rows);
+    if (shape.kind == NetworkShape::Kind::kLstm) layers.push_back(LstmLayer{input, state, bias, Activation::kTanh});
+    if (shape.kind == NetworkShape::Kind::kRnn) layers.push_back(RecurrentLayer{input, state, bias});
+    if (shape.kind == NetworkShape::Kind::kMlp) layers.push_back(zeroDenseLayer(inputs, count, Activation::kTanh));
+    inputs = count;
+  }
+  addDense(shape.deep_out);
+  layers.push_back(zeroDenseLayer(inputs, outputs, Activation::kIdentity));
+  return layers;
+}
+
 }  // namespace lstm_planner

@@ -1,28 +1,16 @@
 #include "lstm_planner/learning/learning_curve.hpp"
 
-#include <sys/wait.h>
-
-#include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 
+#include "gnuplot.hpp"
+
 namespace lstm_planner {
 namespace {
-
-std::string replaceAll(std::string text, char what, const std::string& by) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
-    text.replace(at, 1, by);
-  }
-  return text;
-}
-
-std::string quotedForShell(const std::string& text) { return "'" + replaceAll(text, '\'', "'\\''") + "'"; }
-std::string quotedForGnuplot(const std::string& text) { return "'" + replaceAll(text, '\'', "''") + "'"; }
 
 bool hasValidation(const std::vector<EpochReport>& curve) {
   return !curve.empty() && curve.front().validation.confusion.size() != 0;
@@ -66,18 +54,6 @@ std::string gnuplotScript(const std::string& csv_path, const std::string& png_pa
   return script.str();
 }
 
-/// Runs a command and returns its exit status; what it prints goes to `output`.
-int runCommand(const std::string& command, std::string& output) {
-  // The script is an argument and the pipe is read: writing into the pipe of a program that is missing would raise
-  // SIGPIPE.
-  std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error(std::string("cannot start a shell: ") + std::strerror(errno));
-  std::array<char, 512> buffer{};
-  while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) output += buffer.data();
-  const int status = ::pclose(pipe);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 }  // namespace
 
 void writeLearningCurveCsv(const std::string& csv_path, const std::vector<EpochReport>& curve) {
@@ -101,14 +77,7 @@ void writeLearningCurve(const std::string& csv_path, const std::string& png_path
                         const std::vector<EpochReport>& curve) {
   writeLearningCurveCsv(csv_path, curve);
   if (curve.empty()) throw std::runtime_error("learning curve '" + png_path + "' has no epochs, expected at least one");
-  std::string output;
-  const int status = runCommand("gnuplot -e " + quotedForShell(gnuplotScript(csv_path, png_path, curve)), output);
-  constexpr int kCommandNotFound = 127;
-  if (status == kCommandNotFound) {
-    throw std::runtime_error("learning curve '" + png_path +
-                             "' needs gnuplot, which is not installed; the numbers are in '" + csv_path + "'");
-  }
-  if (status != 0) throw std::runtime_error("gnuplot cannot draw learning curve '" + png_path + "': " + output);
+  runGnuplot(gnuplotScript(csv_path, png_path, curve), "learning curve '" + png_path + "'", csv_path);
 }
 
 }  // namespace lstm_planner

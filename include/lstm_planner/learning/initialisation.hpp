@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "lstm_planner/network/layers.hpp"
@@ -33,5 +34,29 @@ LayerStack makeLstmStack(int inputs, const std::vector<int>& cells, int outputs,
 /// memoryless counterpart. Throws as makeLstmStack.
 LayerStack makeDenseStack(int inputs, const std::vector<int>& units, int outputs,
                           Activation activation = Activation::kTanh);
+
+/// The shape of a network that decides step by step (thesis Fig. 2.10): dense layers before the recurrent ones
+/// ("deep-in"), recurrent layers one on the other ("stacked"), dense layers behind them ("deep-out"), and one linear
+/// layer with the preferences. Dense layers have tanh.
+struct NetworkShape {
+  enum class Kind {
+    kLstm,
+    kRnn,  ///< plain recurrent layers
+    kMlp,  ///< no memory: a multilayer perceptron
+  };
+  Kind kind = Kind::kLstm;
+  std::vector<int> cells = {8, 8};  ///< of each recurrent layer; of a perceptron the units of each layer
+  std::vector<int> deep_in;         ///< units of each layer before; none for a perceptron
+  std::vector<int> deep_out;        ///< units of each layer behind; none for a perceptron
+};
+
+/// "lstm", "rnn", "mlp".
+std::string networkKindName(NetworkShape::Kind kind);
+/// Throws std::invalid_argument for another name.
+NetworkShape::Kind networkKindNamed(const std::string& name);
+
+/// Such a network, all zero. Throws std::invalid_argument when a size is not positive, there are no cells, or a
+/// perceptron has deep-in or deep-out layers.
+LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs);
 
 }  // namespace lstm_planner
