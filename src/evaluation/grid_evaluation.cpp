@@ -5,18 +5,29 @@
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
+#include <type_traits>
 
 #include "learning/parallel_for.hpp"
 
 namespace lstm_planner {
 namespace {
 
+/// Tasks [first, last), dealt to ranks in blocks: those beside each other share a map, whose range table is costly, and
+/// as they are sorted by length in the benchmark's files, each rank gets many blocks.
+std::vector<std::vector<std::size_t>> dealTasks(std::size_t first, std::size_t last, int ranks) {
+  constexpr std::size_t kBlocksARank = 16;
+  std::vector<std::vector<std::size_t>> hands(static_cast<std::size_t>(ranks));
+  const std::size_t block = std::max<std::size_t>(1, (last - first) / (kBlocksARank * hands.size()));
+  for (std::size_t i = first; i < last; ++i) hands[(i - first) / block % hands.size()].push_back(i);
+  return hands;
+}
+
 /// Range tables of the maps in use: made by the first task of a map, dropped after its last, so that a set of a hundred
 /// maps needs no more memory than the few that are being run in.
 class RangeTables {
  public:
-  RangeTables(const GridTaskSet& set, std::size_t first, std::size_t last) : set_(set), entries_(set.maps.size()) {
-    for (std::size_t i = first; i < last; ++i) ++entries_[set.tasks[i].map].tasks_left;
+  RangeTables(const GridTaskSet& set, const std::vector<std::size_t>& tasks) : set_(set), entries_(set.maps.size()) {
+    for (const std::size_t i : tasks) ++entries_[set.tasks[i].map].tasks_left;
   }
   std::shared_ptr<const RangeTable> take(std::size_t map) {
     Entry& entry = entries_[map];
@@ -36,6 +47,28 @@ class RangeTables {
   const GridTaskSet& set_;
   std::vector<Entry> entries_;
 };
+
+/// The episodes of these tasks, in their order.
+std::vector<GridEpisode> runTasks(const GridTaskSet& set, const std::vector<std::size_t>& tasks,
+                                  const GridAgentMaker& make_agent, const GridEvaluationOptions& options) {
+  RangeTables tables(set, tasks);
+  std::vector<GridEpisode> episodes(tasks.size());
+  std::atomic<std::size_t> done{0};
+  parallelFor(static_cast<int>(tasks.size()), options.threads, [&](int index, int thread) {
+    const auto i = static_cast<std::size_t>(index);
+    const GridTask& task = set.tasks[tasks[i]];
+    const PassableGrid& grid = set.maps[task.map];
+    const std::shared_ptr<const RangeTable> ranges = tables.take(task.map);
+    const std::unique_ptr<GridAgent> agent = make_agent(grid);
+    episodes[i] = runGridEpisode(grid, *ranges, task.start, task.goal, options.rules, agent.get());
+    episodes[i].optimal_length = task.optimal_length;
+    ++done;
+    if (thread == 0 && options.progress) {
+      options.progress(static_cast<double>(done) / static_cast<double>(episodes.size()));
+    }
+  });
+  return episodes;
+}
 
 double mean(const std::vector<double>& values) {
   double sum = 0.0;
@@ -65,22 +98,26 @@ std::vector<double> ofArrived(const std::vector<GridEpisode>& episodes, const Va
 
 std::vector<GridEpisode> evaluateGridTasks(const GridTaskSet& set, std::size_t first, std::size_t last,
                                            const GridAgentMaker& make_agent, const GridEvaluationOptions& options) {
-  RangeTables tables(set, first, last);
-  std::vector<GridEpisode> episodes(last - first);
-  std::atomic<std::size_t> done{0};
-  parallelFor(static_cast<int>(episodes.size()), options.threads, [&](int index, int thread) {
-    const auto i = static_cast<std::size_t>(index);
-    const GridTask& task = set.tasks[first + i];
-    const PassableGrid& grid = set.maps[task.map];
-    const std::shared_ptr<const RangeTable> ranges = tables.take(task.map);
-    const std::unique_ptr<GridAgent> agent = make_agent(grid);
-    episodes[i] = runGridEpisode(grid, *ranges, task.start, task.goal, options.rules, agent.get());
-    episodes[i].optimal_length = task.optimal_length;
-    ++done;
-    if (thread == 0 && options.progress) {
-      options.progress(static_cast<double>(done) / static_cast<double>(episodes.size()));
+  static_assert(std::is_trivially_copyable_v<GridEpisode>, "episodes are sent as bytes");
+  Communicator& ranks = *options.communicator;
+  const std::vector<std::vector<std::size_t>> hands = dealTasks(first, last, ranks.size());
+  std::vector<GridEpisode> by_rank(last - first);
+  std::vector<std::size_t> bytes;
+  auto next = by_rank.begin();
+  for (std::size_t rank = 0; rank < hands.size(); ++rank) {
+    bytes.push_back(hands[rank].size() * sizeof(GridEpisode));
+    if (static_cast<int>(rank) == ranks.rank()) {
+      const std::vector<GridEpisode> own = runTasks(set, hands[rank], make_agent, options);
+      std::copy(own.begin(), own.end(), next);
     }
-  });
+    next += static_cast<std::ptrdiff_t>(hands[rank].size());
+  }
+  ranks.exchangeBytes(by_rank.data(), bytes);
+  std::vector<GridEpisode> episodes(by_rank.size());
+  next = by_rank.begin();
+  for (const std::vector<std::size_t>& hand : hands) {
+    for (const std::size_t i : hand) episodes[i - first] = *next++;
+  }
   return episodes;
 }
 

@@ -78,6 +78,14 @@ struct Sums {
     sums.set_squared_advantages.assign(sets, 0.0);
     return sums;
   }
+  /// Every number, to be read or written.
+  std::vector<double*> numbers() {
+    std::vector<double*> all = {&steps, &reward,  &entropy,         &arrived,       &ended,
+                                &ratio, &returns, &squared_returns, &squared_errors};
+    for (double& number : set_steps) all.push_back(&number);
+    for (double& number : set_squared_advantages) all.push_back(&number);
+    return all;
+  }
 };
 
 /// Some agents that go through a window together, with the hidden state they carry between windows.
@@ -326,10 +334,13 @@ class ActorCritic::Implementation {
     const double progress = static_cast<double>(updates_) / parameters_.updates;
     const double entropy_weight =
         parameters_.entropy_start + (parameters_.entropy_end - parameters_.entropy_start) * progress;
-    parallelFor(static_cast<int>(tiles_.size()), parameters_.threads, [&](int index, int thread) {
+    const Share own = shareOfTiles();
+    parallelFor(own.count(), parameters_.threads, [&](int index, int thread) {
+      Tile& tile = tiles_[static_cast<std::size_t>(own.first + index)];
       runners_[static_cast<std::size_t>(thread)]->run(policy_parameters_, critic_parameters_, entropy_weight,
-                                                      advantage_variances_, tiles_[static_cast<std::size_t>(index)]);
+                                                      advantage_variances_, tile);
     });
+    exchangeTiles();
     Eigen::VectorXf policy_gradient = Eigen::VectorXf::Zero(policy_parameters_.size());
     Eigen::VectorXf critic_gradient = Eigen::VectorXf::Zero(critic_parameters_.size());
     Sums sums = Sums::ofSets(advantage_variances_.size());
@@ -405,6 +416,39 @@ class ActorCritic::Implementation {
   }
 
  private:
+  Share shareOfTiles() const {
+    const Communicator& ranks = *parameters_.communicator;
+    return shareOf(static_cast<int>(tiles_.size()), ranks.rank(), ranks.size());
+  }
+
+  /// What this rank's tiles brought goes to all others, so that all add up the same.
+  void exchangeTiles() {
+    Communicator& ranks = *parameters_.communicator;
+    if (ranks.size() == 1) return;
+    const Share own = shareOfTiles();
+    const auto tiles = static_cast<Eigen::Index>(tiles_.size());
+    const Eigen::Index policy_size = policy_parameters_.size();
+    const auto sum_count = static_cast<Eigen::Index>(Sums::ofSets(advantage_variances_.size()).numbers().size());
+    Eigen::MatrixXf gradients(policy_size + critic_parameters_.size(), tiles);
+    Eigen::MatrixXd sums(sum_count, tiles);
+    for (int index = own.first; index < own.last; ++index) {
+      Tile& tile = tiles_[static_cast<std::size_t>(index)];
+      gradients.col(index) << tile.policy_gradient, tile.critic_gradient;
+      double* next = sums.col(index).data();
+      for (const double* number : tile.sums.numbers()) *next++ = *number;
+    }
+    exchangeShares(&ranks, static_cast<int>(tiles), static_cast<std::size_t>(gradients.rows()), gradients.data());
+    exchangeShares(&ranks, static_cast<int>(tiles), static_cast<std::size_t>(sum_count), sums.data());
+    for (Eigen::Index index = 0; index < tiles; ++index) {
+      Tile& tile = tiles_[static_cast<std::size_t>(index)];
+      tile.policy_gradient = gradients.col(index).head(policy_size);
+      tile.critic_gradient = gradients.col(index).tail(critic_parameters_.size());
+      tile.sums = Sums::ofSets(advantage_variances_.size());
+      const double* next = sums.col(index).data();
+      for (double* number : tile.sums.numbers()) *number = *next++;
+    }
+  }
+
   ActorCriticParameters parameters_;
   LayerStack policy_;
   LayerStack critic_;

@@ -10,6 +10,7 @@
 
 #include "lstm_planner/evaluation/grid_episode.hpp"
 #include "lstm_planner/evaluation/grid_tasks.hpp"
+#include "lstm_planner/learning/communicator.hpp"
 
 namespace lstm_planner {
 
@@ -19,11 +20,12 @@ using GridAgentMaker = std::function<std::unique_ptr<GridAgent>(const PassableGr
 struct GridEvaluationOptions {
   GridEpisodeRules rules;
   int threads = 2;
-  std::function<void(double)> progress;  ///< told the share done, from the calling thread; may be empty
+  Communicator* communicator = oneProcess();  ///< ranks that share the tasks; each gets all episodes
+  std::function<void(double)> progress;       ///< told the share done, from the calling thread; may be empty
 };
 
 /// Runs the tasks [first, last) of a set, each with an agent of its own, and returns their episodes in this order. But
-/// for the times, they do not depend on the number of threads nor on how the tasks are split into ranges.
+/// for the times, they do not depend on the number of threads and ranks nor on how the tasks are split into ranges.
 std::vector<GridEpisode> evaluateGridTasks(const GridTaskSet& set, std::size_t first, std::size_t last,
                                            const GridAgentMaker& make_agent, const GridEvaluationOptions& options);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lstm_planner/agent/grid_encoder.hpp"
+#include "lstm_planner/learning/communicator.hpp"
 #include "lstm_planner/learning/grid_course.hpp"
 #include "lstm_planner/learning/optimiser.hpp"
 #include "lstm_planner/network/layers.hpp"
@@ -36,6 +37,7 @@ struct ActorCriticParameters {
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
   int threads = 2;  ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the agents; does not change the result
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
@@ -63,7 +65,7 @@ class ActorCritic {
   /// Begins epoch `epoch` (from 0) with new episodes; what happens in it depends only on the weights and the seed.
   void beginEpoch(int epoch, const GridCourse& course);
 
-  /// One window of all agents, and one step of the optimisers.
+  /// One window of all agents, and one step of the optimisers. Of several ranks all have to call it.
   void update();
 
   /// Since the last call.

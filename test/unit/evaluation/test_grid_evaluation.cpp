@@ -11,6 +11,7 @@
 #include "lstm_planner/search/grid_distances.hpp"
 #include "lstm_planner/simulation/random.hpp"
 #include "unit/evaluation/grid_fixtures.hpp"
+#include "unit/learning/thread_ranks.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -106,6 +107,38 @@ TEST(GridEvaluation, CanBeSplitIntoRangesOfTasks) {
     parts.insert(parts.end(), part.begin(), part.end());
   }
   EXPECT_EQ(results(whole), results(parts));
+}
+
+TEST(GridEvaluation, DoesNotDependOnTheNumberOfRanksAndAllOfThemKnowTheResult) {
+  const GridTaskSet set = randomSet(3, 25);
+  const std::vector<double> one = results(evaluate(set, makerOf("astar"), 1));
+  for (const int ranks : {2, 3, 100}) {  // 100: more ranks than there are tasks
+    const auto shared = onRanks(ranks, [&](Communicator* communicator) {
+      GridEvaluationOptions options;
+      options.threads = 1;
+      options.communicator = communicator;
+      return results(evaluateGridTasks(set, 0, set.tasks.size(), makerOf("astar"), options));
+    });
+    for (const std::vector<double>& result : shared) EXPECT_EQ(result, one) << ranks << " ranks";
+  }
+}
+
+TEST(GridEvaluation, EachRankRunsAboutItsShareOfTheTasks) {
+  const GridTaskSet set = randomSet(3, 40);
+  const std::vector<int> agents = onRanks(3, [&](Communicator* communicator) {
+    GridEvaluationOptions options;
+    options.threads = 1;
+    options.communicator = communicator;
+    int made = 0;
+    const GridAgentMaker a_star = makerOf("astar");
+    const auto counting = [&](const PassableGrid& grid) {
+      ++made;
+      return a_star(grid);
+    };
+    evaluateGridTasks(set, 0, set.tasks.size(), counting, options);
+    return made;
+  });
+  EXPECT_EQ(agents, (std::vector<int>{40, 40, 40}));
 }
 
 TEST(GridEvaluation, TellsTheShareDoneUpToTheWhole) {

@@ -6,6 +6,7 @@
 #include "lstm_planner/learning/actor_critic.hpp"
 #include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
+#include "thread_ranks.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -55,6 +56,26 @@ TEST(ActorCritic, TheSameSeedGivesTheSameWeightsForAnyNumberOfThreads) {
   ActorCritic one(smallTraining(1), smallPolicy(smallTraining(1)));
   ActorCritic two(smallTraining(2), smallPolicy(smallTraining(2)));
   EXPECT_EQ(weightsAfter(one, 0, 5), weightsAfter(two, 0, 5));
+}
+
+TEST(ActorCritic, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
+  const auto outcome = [](Communicator* communicator) {
+    ActorCriticParameters parameters = smallTraining(1);
+    parameters.agents = 40;  // 5 tiles
+    parameters.communicator = communicator;
+    ActorCritic training(parameters, smallPolicy(parameters));
+    const Eigen::VectorXf weights = weightsAfter(training, 0, 5);
+    const ActorCriticReport report = training.report();
+    return std::make_pair(weights, std::vector<double>{report.steps, report.reward, report.arrival, report.ratio,
+                                                       report.entropy, report.explained});
+  };
+  const auto one = outcome(oneProcess());
+  for (const int ranks : {2, 3, 6}) {
+    for (const auto& result : onRanks(ranks, outcome)) {
+      EXPECT_EQ(result.first, one.first) << ranks << " ranks";
+      EXPECT_EQ(result.second, one.second) << ranks << " ranks";
+    }
+  }
 }
 
 TEST(ActorCritic, ResumesFromACheckpointAsIfItHadNotBeenInterrupted) {
