@@ -16,11 +16,15 @@ namespace {
 using Batch = std::vector<const Sequence*>;
 
 /// Loss and gradient of a batch, computed shard by shard and summed in the shards' order: the sum does not depend on
-/// which thread did which shard.
+/// which thread of which rank did which shard.
 class ShardedGradient {
  public:
-  ShardedGradient(const LayerStack& layers, int shards, int threads)
-      : shards_(static_cast<std::size_t>(shards)), threads_(std::min(shards, threads)) {
+  ShardedGradient(const LayerStack& layers, int shards, int threads, Communicator* ranks)
+      : shards_(static_cast<std::size_t>(shards)),
+        threads_(std::min(shards, threads)),
+        ranks_(ranks),
+        own_(shareOf(shards, ranks->rank(), ranks->size())),
+        classes_(outputSize(layers)) {
     for (int thread = 0; thread < threads_; ++thread) workers_.emplace_back(layers);
   }
 
@@ -39,12 +43,16 @@ class ShardedGradient {
 
   LossSum evaluate(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient) {
     deal(batch);
-    parallelFor(static_cast<int>(shards_.size()), threads_, [&](int index, int thread) {
-      Shard& shard = shards_[static_cast<std::size_t>(index)];
+    parallelFor(own_.count(), threads_, [&](int index, int thread) {
+      Shard& shard = shards_[static_cast<std::size_t>(own_.first + index)];
       auto& worker = workers_[static_cast<std::size_t>(thread)];
       shard.loss = gradient != nullptr ? worker.lossAndGradient(parameters, shard.batch, shard.gradient)
                                        : worker.loss(parameters, shard.batch);
     });
+    if (ranks_->size() > 1) {
+      exchangeLosses();
+      if (gradient != nullptr) exchangeGradients(parameters.size());
+    }
     LossSum sum;
     if (gradient != nullptr) gradient->setZero(parameters.size());
     for (const Shard& shard : shards_) {
@@ -53,6 +61,41 @@ class ShardedGradient {
     }
     return sum;
   }
+
+  template <typename Scalar>
+  void exchangeColumns(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>* columns) {
+    exchangeShares(ranks_, static_cast<int>(shards_.size()), static_cast<std::size_t>(columns->rows()),
+                   columns->data());
+  }
+
+  void exchangeGradients(Eigen::Index parameters) {
+    Eigen::MatrixXf columns(parameters, static_cast<Eigen::Index>(shards_.size()));
+    for (int shard = own_.first; shard < own_.last; ++shard) columns.col(shard) = shardAt(shard).gradient;
+    exchangeColumns(&columns);
+    for (int shard = 0; shard < columns.cols(); ++shard) shardAt(shard).gradient = columns.col(shard);
+  }
+
+  void exchangeLosses() {
+    // Counts are exact as double up to 2^53.
+    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(2 + classes_ * classes_, static_cast<Eigen::Index>(shards_.size()));
+    const auto countsOf = [&](int shard) {
+      return Eigen::Map<Eigen::MatrixXd>(columns.col(shard).data() + 2, classes_, classes_);
+    };
+    for (int shard = own_.first; shard < own_.last; ++shard) {
+      const LossSum& loss = shardAt(shard).loss;
+      columns.col(shard).head(2) << loss.loss, loss.weight;
+      if (loss.confusion.size() > 0) countsOf(shard) = loss.confusion.cast<double>();
+    }
+    exchangeColumns(&columns);
+    for (int shard = 0; shard < columns.cols(); ++shard) {
+      LossSum& loss = shardAt(shard).loss;
+      loss.loss = columns(0, shard);
+      loss.weight = columns(1, shard);
+      loss.confusion = countsOf(shard).cast<std::int64_t>();
+    }
+  }
+
+  Shard& shardAt(int index) { return shards_[static_cast<std::size_t>(index)]; }
 
   /// Like cards, the longest sequences first, so that all shards have about as much to do.
   void deal(Batch batch) {
@@ -66,6 +109,9 @@ class ShardedGradient {
 
   std::vector<Shard> shards_;
   int threads_;
+  Communicator* ranks_;
+  Share own_;  ///< the shards that this rank does
+  Eigen::Index classes_;
   std::vector<SequenceGradient<float>> workers_;
 };
 
@@ -119,7 +165,7 @@ class Trainer {
   Trainer(const LayerStack& layers, const std::vector<Sequence>& training, const std::vector<Sequence>& validation,
           const TrainerParameters& parameters)
       : parameters_(parameters),
-        gradient_(layers, parameters.shards, parameters.threads),
+        gradient_(layers, parameters.shards, parameters.threads, parameters.communicator),
         optimiser_(parameters.optimiser, weightMask(layers)),
         order_(pointersTo(training)),
         validation_(cut(pointersTo(validation), parameters.batch_size)),
@@ -225,7 +271,7 @@ LossSum evaluate(const LayerStack& layers, const std::vector<Sequence>& sequence
   validateLayers(layers);
   validateSequences(sequences, inputSize(layers), outputSize(layers), "evaluation");
   const TrainerParameters defaults;
-  ShardedGradient gradient(layers, defaults.shards, threads);
+  ShardedGradient gradient(layers, defaults.shards, threads, oneProcess());
   return sumOfLosses(parameterVector(layers), cut(pointersTo(sequences), defaults.batch_size), gradient);
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "lstm_planner/learning/communicator.hpp"
 #include "lstm_planner/learning/gradient.hpp"
 #include "lstm_planner/learning/optimiser.hpp"
 #include "lstm_planner/learning/sequence.hpp"
@@ -12,11 +13,12 @@
 namespace lstm_planner {
 
 struct TrainerParameters {
-  int epochs = 20;         ///< passes over the training set, >= 1
-  int batch_size = 128;    ///< sequences an update, >= 1; at least 16 a shard keep the matrix products efficient
-  int shards = 8;          ///< parts of a batch whose gradients are summed in order, >= 1; changes the rounding
-  int threads = 2;         ///< >= 1; more than `shards` are of no use; does not change the result
-  std::uint64_t seed = 1;  ///< of the order of the sequences
+  int epochs = 20;       ///< passes over the training set, >= 1
+  int batch_size = 128;  ///< sequences an update, >= 1; at least 16 a shard keep the matrix products efficient
+  int shards = 8;        ///< parts of a batch whose gradients are summed in order, >= 1; changes the rounding
+  int threads = 2;       ///< >= 1; more than `shards` are of no use; does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the shards; does not change the result
+  std::uint64_t seed = 1;                     ///< of the order of the sequences
   OptimiserParameters optimiser;
 };
 
@@ -52,10 +54,11 @@ using EpochCallback = std::function<bool(const EpochReport&)>;
 /// Supervised learning by mini-batches, starting from the weights of `layers`.
 ///
 /// The epoch with the highest accuracy on the validation set is kept, of equals the one with the lower loss; without a
-/// validation set the last. The same input gives the same weights, bit for bit, for any number of threads. A `state`
-/// that has begun is gone on with as if there had been no break; it is kept up to date, before each callback.
-/// Throws std::invalid_argument for parameters, layers or sequences that are not valid or when no training step has a
-/// weight; std::runtime_error when the loss stops being finite.
+/// validation set the last. The same input gives the same weights, bit for bit, for any number of threads and ranks; of
+/// several ranks each has to call it, and their callbacks have to answer alike. A `state` that has begun is gone on
+/// with as if there had been no break; it is kept up to date, before each callback. Throws std::invalid_argument for
+/// parameters, layers or sequences that are not valid or when no training step has a weight; std::runtime_error when
+/// the loss stops being finite.
 TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& training,
                      const std::vector<Sequence>& validation, const TrainerParameters& parameters,
                      const EpochCallback& callback = {}, TrainingState* state = nullptr);
