@@ -14,8 +14,6 @@ int directionBetween(CellIndex from, CellIndex to) {
   return kNoWay;
 }
 
-int sign(int value) { return (value > 0) - (value < 0); }
-
 }  // namespace
 
 BoundaryFollower::BoundaryFollower(const BoundaryParameters& parameters)
@@ -63,24 +61,33 @@ int BoundaryFollower::nextDirection() {
   }
   if (state_ == State::kReturning) {
     if (!trail_.atEnd(end_)) return trail_.directionTo(end_, now_.cell);
-    state_ = State::kFollowing;
-    leg_ = 0.0;
-    leg_advanced_ = false;
+    beginLeg(end_);
   }
   End* end = &ends_[static_cast<std::size_t>(end_)];
-  std::vector<CellIndex> beyond;
   if (!follow(end, ends_[static_cast<std::size_t>(1 - end_)].edge)) return kNoWay;
-  return directionAlong(end, &beyond);
+  return directionAlong(end);
 }
 
 int BoundaryFollower::nearerNeighbour() const {
-  OctileDistance nearest = octileDistance(now_.cell, now_.goal);
+  const OctileDistance distance = octileDistance(now_.cell, now_.goal);
+  OctileDistance nearest = distance;
   int best = kNoWay;
+  std::int64_t longest = 0;
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     if (!movePossible(now_.ranges, direction, parameters_.corner_cutting)) continue;
-    const OctileDistance distance = octileDistance(cellBeside(now_.cell, direction), now_.goal);
-    if (distance < nearest) {
-      nearest = distance;
+    const OctileDistance next = octileDistance(cellBeside(now_.cell, direction), now_.goal);
+    // Of the two directions of a shortest way, if both are possible, the one that can be kept for longer.
+    const bool diagonal = direction % 2 != 0;
+    if (next == (diagonal ? OctileDistance{distance.straight, distance.diagonal - 1}
+                          : OctileDistance{distance.straight - 1, distance.diagonal})) {
+      const std::int64_t needed = diagonal ? distance.diagonal : distance.straight;
+      const std::int64_t open = std::min<std::int64_t>(needed, now_.ranges[static_cast<std::size_t>(direction)] - 1);
+      if (open > longest) {
+        longest = open;
+        best = direction;
+      }
+    } else if (longest == 0 && next < nearest) {
+      nearest = next;
       best = direction;
     }
   }
@@ -90,24 +97,26 @@ int BoundaryFollower::nearerNeighbour() const {
 void BoundaryFollower::meetBoundary() {
   const int columns = now_.goal.column - now_.cell.column;
   const int rows = now_.goal.row - now_.cell.row;
-  const bool along_columns = std::abs(columns) >= std::abs(rows);
-  const int wall = along_columns ? (columns > 0 ? 0 : 4) : (rows > 0 ? 2 : 6);
+  const int wall = std::abs(columns) >= std::abs(rows) ? (columns > 0 ? 0 : 4) : (rows > 0 ? 2 : 6);
   for (End& end : ends_) {
     end.edge = {now_.cell, wall};
     end.cells.clear();
   }
   ends_[0].side = WallSide::kRight;
   ends_[1].side = WallSide::kLeft;
-
-  // The side that the goal is on; straight ahead, the one that is open for longer.
-  const CellIndex right_hand = kGridRaySteps[static_cast<std::size_t>((wall + 2) % kGridMoveCount)];
-  const int component = along_columns ? right_hand.row * sign(rows) : right_hand.column * sign(columns);
-  const auto range = [&](int turn) { return now_.ranges[static_cast<std::size_t>((wall + turn) % kGridRayCount)]; };
-  end_ = component != 0 ? (component > 0 ? 0 : 1) : (range(2) >= range(6) ? 0 : 1);
-  leg_ = 0.0;
-  leg_advanced_ = false;
   trail_.clear();
+
+  // First to the side that is open for longer: a wall across it would lead back, away from the goal.
+  const auto range = [&](int turn) { return now_.ranges[static_cast<std::size_t>((wall + turn) % kGridRayCount)]; };
+  beginLeg(range(2) >= range(6) ? 0 : 1);
+}
+
+void BoundaryFollower::beginLeg(int end) {
   state_ = State::kFollowing;
+  end_ = end;
+  leg_ = 0.0;
+  way_back_ = trail_.lengthTo(1 - end, now_.cell);
+  leg_advanced_ = false;
 }
 
 bool BoundaryFollower::seesNearerCell() {
@@ -116,7 +125,8 @@ bool BoundaryFollower::seesNearerCell() {
   int fewest = 0;
   for (int direction = 0; direction < kGridRayCount; direction += 2) {
     const CellIndex step = kGridRaySteps[static_cast<std::size_t>(direction)];
-    const int abreast = (now_.goal.column - now_.cell.column) * step.column + (now_.goal.row - now_.cell.row) * step.row;
+    const int abreast =
+        (now_.goal.column - now_.cell.column) * step.column + (now_.goal.row - now_.cell.row) * step.row;
     const int steps = std::min(abreast, now_.ranges[static_cast<std::size_t>(direction)] - 1);
     if (steps < 1 || (found && steps >= fewest)) continue;
     const CellIndex seen = {now_.cell.column + steps * step.column, now_.cell.row + steps * step.row};
@@ -146,26 +156,31 @@ void BoundaryFollower::append(End* end, CellIndex cell) const {
   if (cell != last) end->cells.push_back(cell);
 }
 
-int BoundaryFollower::directionAlong(End* end, std::vector<CellIndex>* beyond) const {
-  *beyond = end->cells;
+int BoundaryFollower::directionAlong(End* end) const {
+  std::vector<CellIndex>& cells = end->cells;
+  const std::size_t known = cells.size();
   if (!(octileDistance(end->edge.cell, now_.goal) < best_)) {
     const BoundaryStep step = nextAlongBoundary(now_, end->edge, end->side, parameters_.corner_cutting);
-    if (step.kind == BoundaryStep::Kind::kUnseen && step.cell_count == 1) beyond->push_back(step.cells[0]);
+    if (step.kind == BoundaryStep::Kind::kUnseen && step.cell_count == 1) cells.push_back(step.cells[0]);
   }
-  for (std::size_t i = beyond->size(); i-- > 0;) {
-    const int direction = directionBetween(now_.cell, (*beyond)[i]);
-    if (direction == kNoWay || !movePossible(now_.ranges, direction, parameters_.corner_cutting)) continue;
-    end->cells.erase(end->cells.begin(),
-                     end->cells.begin() + static_cast<std::ptrdiff_t>(std::min(i + 1, end->cells.size())));
-    return direction;
+  // The farthest of the cells ahead that can be entered from here; bends in between are skipped.
+  std::size_t skipped = cells.size();
+  int direction = kNoWay;
+  while (direction == kNoWay && skipped-- > 0) {
+    const int towards = directionBetween(now_.cell, cells[skipped]);
+    if (towards != kNoWay && movePossible(now_.ranges, towards, parameters_.corner_cutting)) direction = towards;
   }
-  return kNoWay;
+  cells.resize(known);
+  cells.erase(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(std::min(skipped + 1, known)));
+  return direction;
 }
 
 bool BoundaryFollower::shouldTurnBack() const {
   if (trail_.lost() || !leg_advanced_) return false;
-  const double back = trail_.lengthTo(1 - end_, now_.cell);
-  return leg_ > std::max(parameters_.first_leg, parameters_.leg_growth * back);
+  // Longer towards the goal than away from it.
+  const double here = octileDistance(now_.cell, now_.goal).length();
+  const double there = octileDistance(ends_[static_cast<std::size_t>(1 - end_)].edge.cell, now_.goal).length();
+  return leg_ > std::max(parameters_.first_leg, parameters_.leg_growth * way_back_) + there - here;
 }
 
 std::size_t BoundaryFollower::peakBytes() const {

@@ -8,9 +8,7 @@ namespace {
 
 int sign(int value) { return (value > 0) - (value < 0); }
 
-CellIndex stepTowards(CellIndex from, CellIndex to) {
-  return {sign(to.column - from.column), sign(to.row - from.row)};
-}
+CellIndex stepTowards(CellIndex from, CellIndex to) { return {sign(to.column - from.column), sign(to.row - from.row)}; }
 
 int stepCount(CellIndex from, CellIndex to) {
   return std::max(std::abs(to.column - from.column), std::abs(to.row - from.row));
@@ -25,7 +23,8 @@ int directionOf(CellIndex step) {
 
 int cross(CellIndex a, CellIndex b) { return a.column * b.row - a.row * b.column; }
 
-/// How many steps of `ray` lead from `cell` to a cell of the straight piece from `a` to `b`; 0 when none within `reach`.
+/// How many steps of `ray` lead from `cell` to a cell of the straight piece from `a` to `b`; 0 when none within
+/// `reach`.
 int stepsToMeet(CellIndex cell, CellIndex ray, int reach, CellIndex a, CellIndex b) {
   const CellIndex along = stepTowards(a, b);
   const CellIndex offset = {a.column - cell.column, a.row - cell.row};
@@ -51,7 +50,9 @@ bool onPiece(CellIndex cell, CellIndex a, CellIndex b) {
 }
 
 bool canMeet(CellIndex cell, CellIndex a, CellIndex b) {
-  const auto between = [](int x, int end, int other) { return x >= std::min(end, other) - 1 && x <= std::max(end, other) + 1; };
+  const auto between = [](int x, int end, int other) {
+    return x >= std::min(end, other) - 1 && x <= std::max(end, other) + 1;
+  };
   return between(cell.column, a.column, b.column) || between(cell.row, a.row, b.row);
 }
 

@@ -20,8 +20,8 @@ class BoundaryTrail {
   /// Both ends are where the agent stands.
   void clear();
 
-  /// The agent has moved by one cell to the observed one; `follows` is the end that it takes along, -1 when it is on its
-  /// way between the ends.
+  /// The agent has moved by one cell to the observed one; `follows` is the end that it takes along, -1 when it is on
+  /// its way between the ends.
   void moved(CellIndex from, const GridObservation& observation, int follows);
 
   /// More corners were needed than there is room for; nothing below may be asked until clear().

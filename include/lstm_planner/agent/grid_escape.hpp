@@ -20,9 +20,9 @@ struct GridEscapeParameters {
 /// been, and takes over when that has not improved for too long.
 ///
 /// Whatever the agent does, the two together arrive wherever there is a way. The escape starts where the agent has
-/// strayed to and is certain to arrive from there by itself (BoundaryFollower), which measures its progress from where it
-/// began; so it reaches some cell nearer than ever, at the latest the goal. Then the agent goes on. Each such cell is
-/// nearer than the one before, and a finite grid has finitely many.
+/// strayed to and is certain to arrive from there by itself (BoundaryFollower), which measures its progress from where
+/// it began; so it reaches some cell nearer than ever, at the latest the goal. Then the agent goes on. Each such cell
+/// is nearer than the one before, and a finite grid has finitely many.
 ///
 /// Call observe() before each step, whoever makes it; while active(), go where decide() says.
 class GridEscape {

@@ -19,7 +19,8 @@ struct SmallGrid {
 /// `#` is blocked, `S` the start, `G` the goal.
 SmallGrid drawnGrid(const std::vector<std::string>& rows);
 
-/// 3 to 20 cells wide and high with 10 to 50 % of them blocked, or, every fourth, a maze whose corridors are 1 to 3 wide.
+/// 3 to 20 cells wide and high with 10 to 50 % of them blocked, or, every fourth, a maze whose corridors are 1 to 3
+/// wide.
 SmallGrid smallGrid(std::uint32_t seed);
 
 enum class WalkEnd { kArrived, kNoWay, kCollided, kTooLong };

@@ -1,9 +1,8 @@
-#include "lstm_planner/agent/boundary_agent.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "lstm_planner/agent/boundary_agent.hpp"
 #include "lstm_planner/search/grid_distances.hpp"
 #include "small_grids.hpp"
 
@@ -66,7 +65,9 @@ TEST(BoundaryAgent, LeavesAPocketWithoutComingBack) {
       ".#######..",
       "..........",
   });
-  BoundaryAgent agent;
+  BoundaryParameters parameters;
+  parameters.first_leg = 64.0;
+  BoundaryAgent agent(parameters);
   const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 100);
   EXPECT_EQ(walked.end, WalkEnd::kArrived);
   // 6 in, 6 back along the wall, 2 up and 9 to the goal's column, 3 down, and the wall's bends.

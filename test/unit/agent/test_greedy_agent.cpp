@@ -1,7 +1,6 @@
-#include "lstm_planner/agent/greedy_agent.hpp"
-
 #include <gtest/gtest.h>
 
+#include "lstm_planner/agent/greedy_agent.hpp"
 #include "small_grids.hpp"
 
 namespace lstm_planner {

@@ -1,5 +1,3 @@
-#include "lstm_planner/agent/grid_escape.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <memory>
 #include <random>
 
+#include "lstm_planner/agent/grid_escape.hpp"
 #include "lstm_planner/search/grid_distances.hpp"
 #include "small_grids.hpp"
 
