@@ -1,19 +1,21 @@
 #include "lstm_planner/evaluation/grid_agent_factory.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <memory>
 #include <stdexcept>
 
 #include "lstm_planner/agent/a_star_agent.hpp"
 #include "lstm_planner/agent/boundary_agent.hpp"
+#include "lstm_planner/agent/d_star_agent.hpp"
 #include "lstm_planner/agent/greedy_agent.hpp"
+#include "lstm_planner/agent/network_grid_agent.hpp"
+#include "lstm_planner/network/model_file.hpp"
 
 namespace lstm_planner {
 namespace {
 
-const std::vector<std::string>& networkNames() {
-  static const std::vector<std::string> names = {};
-  return names;
-}
+const char* const kNetworkNames[] = {"lstm", "rnn", "mlp", "qlearning", "network"};
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
@@ -38,21 +40,53 @@ GridAgentMaker greedyMaker(const GridAgentOptions& options) {
   return [corner_cutting](const PassableGrid& /*grid*/) { return std::make_unique<GreedyAgent>(corner_cutting); };
 }
 
+GridAgentMaker dStarMaker(const GridAgentOptions& options) {
+  const CornerCutting corner_cutting = options.corner_cutting;
+  return [corner_cutting](const PassableGrid& grid) {
+    return std::make_unique<DStarAgent>(grid.columns(), grid.rows(), corner_cutting);
+  };
+}
+
+GridAgentMaker networkMaker(const GridAgentOptions& options) {
+  if (options.model.empty()) {
+    throw std::invalid_argument("agent " + options.agent + " has no model, expected an ONNX file");
+  }
+  NetworkGridAgent::Options settings;
+  settings.shield = options.shield;
+  settings.escape = options.escape;
+  settings.patience = options.patience;
+  settings.corner_cutting = options.corner_cutting;
+  const auto model = std::make_shared<const Model>(readModelFile(options.model));
+  try {
+    NetworkGridAgent(*model, settings);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("model '" + options.model + "' is not for the grid world: " + error.what());
+  }
+  return
+      [model, settings](const PassableGrid& /*grid*/) { return std::make_unique<NetworkGridAgent>(*model, settings); };
+}
+
 }  // namespace
 
 const std::vector<std::string>& gridAgentNames() {
-  static const std::vector<std::string> names = {"astar", "greedy", "boundary"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = {"astar", "dstar", "greedy", "boundary"};
+    all.insert(all.end(), std::begin(kNetworkNames), std::end(kNetworkNames));
+    return all;
+  }();
   return names;
 }
 
 bool isNetworkAgent(const std::string& name) {
-  return std::find(networkNames().begin(), networkNames().end(), name) != networkNames().end();
+  return std::find(std::begin(kNetworkNames), std::end(kNetworkNames), name) != std::end(kNetworkNames);
 }
 
 GridAgentMaker gridAgentMaker(const GridAgentOptions& options) {
   if (options.agent == "astar") return aStarMaker(options);
+  if (options.agent == "dstar") return dStarMaker(options);
   if (options.agent == "greedy") return greedyMaker(options);
   if (options.agent == "boundary") return boundaryMaker(options);
+  if (isNetworkAgent(options.agent)) return networkMaker(options);
   throw std::invalid_argument("there is no agent '" + options.agent + "', expected one of " + listed(gridAgentNames()));
 }
 

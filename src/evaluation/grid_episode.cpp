@@ -60,7 +60,7 @@ void run(const RangeTable& ranges, CellIndex cell, CellIndex goal, const GridEpi
 }  // namespace
 
 std::int64_t gridStepBound(const PassableGrid& grid) {
-  constexpr std::int64_t kStepsPerCell = 64;
+  constexpr std::int64_t kStepsPerCell = 16;
   constexpr std::int64_t kFewest = 1000000;
   return std::max(kFewest, kStepsPerCell * static_cast<std::int64_t>(grid.size()));
 }

@@ -40,11 +40,13 @@ void addGridOptions(GridOptions* options, boost::program_options::options_descri
       ("count", po::value(&options->count)->default_value(options->count), "scenarios of each set; 0 = all")
       ("seed", po::value(&selection.seed)->default_value(selection.seed), "of the choice of scenarios")
       ("max-steps", po::value(&rules.max_steps)->default_value(rules.max_steps),
-       "of an episode; 0 = no limit but 64 times the number of the map's cells")
+       "of an episode; 0 = no limit but 16 times the number of the map's cells")
       ("corner-cutting", "diagonal moves may pass blocked cells at their sides")
       ("thesis-terrain", "only '.' is passable, not 'G' and 'S'")
       ("no-shield", "a network may choose moves into obstacles, which end the episode")
       ("no-escape", "no boundary following when a network gets nowhere")
+      ("patience", po::value(&options->agent.patience)->default_value(options->agent.patience),
+       "steps without getting nearer before the escape")
       ("heuristic", po::value(&options->heuristic)->default_value(options->heuristic),
        "of A*: manhattan, chebyshev, octile, euclidean or scaled_euclidean")
       ("scale", po::value(&heuristic.scale)->default_value(heuristic.scale), "of scaled_euclidean")
@@ -56,6 +58,7 @@ void addGridOptions(GridOptions* options, boost::program_options::options_descri
 void finishGridOptions(const boost::program_options::variables_map& values, GridOptions* options) {
   ScenarioSelection& selection = options->selection;
   checkNotNegative("--count", options->count);
+  checkNotNegative("--patience", options->agent.patience);
   checkNotNegative("--max-steps", options->evaluation.rules.max_steps);
   if (options->evaluation.threads < 1) {
     throw std::invalid_argument("--threads is " + std::to_string(options->evaluation.threads) +

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/agent/network_grid_agent.hpp"
 #include "lstm_planner/evaluation/grid_evaluation.hpp"
 #include "lstm_planner/search/heuristic.hpp"
 
@@ -14,9 +15,10 @@ struct GridAgentOptions {
   std::string agent = "lstm";
   std::string model;  ///< ONNX file of an agent that is a network
   CornerCutting corner_cutting = CornerCutting::kForbidden;
-  HeuristicParameters heuristic;  ///< of A*
-  bool shield = true;             ///< of a network: moves into something sensed are not chosen
-  bool escape = true;             ///< of a network: boundary following when it gets nowhere
+  HeuristicParameters heuristic;                        ///< of A*
+  bool shield = true;                                   ///< of a network: moves into something sensed are not chosen
+  bool escape = true;                                   ///< of a network: boundary following when it gets nowhere
+  int patience = NetworkGridAgent::Options().patience;  ///< steps without progress before the escape
 };
 
 /// "astar", "dstar", "greedy", "boundary" and the networks: "lstm", "rnn", "mlp", "qlearning", "network".

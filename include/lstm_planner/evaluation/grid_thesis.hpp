@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lstm_planner {
+
+/// One of the thesis's tables of online tests, as printed: 50 scenarios with ways of at most 300 steps, corner cutting
+/// allowed, 1,000 steps an episode.
+struct ThesisTable {
+  struct Row {
+    std::string agent;
+    double success = 0.0;   ///< share
+    double seconds = 0.0;   ///< average time
+    double length = 0.0;    ///< average
+    double expanded = 0.0;  ///< average number of nodes
+  };
+  std::string number;
+  std::string title;
+  std::string trend_figure;  ///< success over the longest way allowed
+  std::vector<Row> rows;
+};
+
+/// The table about a benchmark set, by the set's name ("DragonAge", "Mazes_8w", "Random25" and the like); nullptr where
+/// the thesis has none.
+const ThesisTable* thesisTableOf(const std::string& set_name);
+
+}  // namespace lstm_planner
