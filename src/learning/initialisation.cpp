@@ -120,7 +120,8 @@ LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs) {
   if (shape.cells.empty()) throw std::invalid_argument("a network has no cells, expected at least one layer of them");
   if (!recurrent && !(shape.deep_in.empty() && shape.deep_out.empty())) {
     throw std::invalid_argument(
-        "an mlp has deep-in or deep-out layers, expected none: it has no recurrent layer that they are before or behind");
+        "an mlp has deep-in or deep-out layers, expected none: it has no recurrent layer that they are before or "
+        "behind");
   }
   std::vector<int> sizes = shape.deep_in;
   sizes.insert(sizes.end(), shape.cells.begin(), shape.cells.end());

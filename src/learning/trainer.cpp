@@ -263,7 +263,8 @@ TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& trai
                                 " sequences has no step with a weight above 0, expected at least one");
   }
   TrainingState begun_here;
-  return Trainer(layers, training, validation, parameters).run(layers, callback, state != nullptr ? state : &begun_here);
+  return Trainer(layers, training, validation, parameters)
+      .run(layers, callback, state != nullptr ? state : &begun_here);
 }
 
 LossSum evaluate(const LayerStack& layers, const std::vector<Sequence>& sequences, int threads) {

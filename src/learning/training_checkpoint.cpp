@@ -21,7 +21,8 @@ std::string firstDifference(const Json& made_with, const Json& wanted) {
   for (const auto& item : wanted.items()) {
     const auto found = made_with.find(item.key());
     if (found == made_with.end()) return "without " + item.key();
-    if (*found != item.value()) return "with " + item.key() + " = " + found->dump() + " instead of " + item.value().dump();
+    if (*found != item.value())
+      return "with " + item.key() + " = " + found->dump() + " instead of " + item.value().dump();
   }
   for (const auto& item : made_with.items()) {
     if (wanted.find(item.key()) == wanted.end()) return "with " + item.key() + " = " + item.value().dump();

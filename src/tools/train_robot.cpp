@@ -5,9 +5,9 @@
 #include "lstm_planner/learning/imitation.hpp"
 #include "lstm_planner/learning/learning_curve.hpp"
 #include "lstm_planner/network/model_file.hpp"
-#include "tools/command.hpp"
 #include "tools/options.hpp"
 #include "tools/progress.hpp"
+#include "tools/train_commands.hpp"
 
 namespace lstm_planner {
 
@@ -24,9 +24,12 @@ bool readOptions(const std::vector<std::string>& arguments, TrainOptions* option
   ImitationParameters& imitation = options->imitation;
   imitation.trainer.epochs = 12;
   imitation.trainer.optimiser.learning_rate = 0.01;
-  po::options_description description;
+  std::string task;
+  po::options_description description(
+      "by imitation in generated floor plans; --task grid --help explains the grid world");
   // clang-format off
   description.add_options()
+      ("task", po::value(&task)->default_value("robot"), "robot (this) or grid")
       ("output", po::value(&options->output)->default_value(options->output), "ONNX file to write")
       ("curve", po::value(&options->curve), "PNG file for the accuracy curve; a CSV file is written beside it")
       ("cells", po::value(&imitation.cells)->multitoken(), "memory cells of each LSTM layer (default: 8 8)")
@@ -52,14 +55,6 @@ bool readOptions(const std::vector<std::string>& arguments, TrainOptions* option
   return true;
 }
 
-std::string commandLine(const std::vector<std::string>& arguments) {
-  std::string line = "lstm_planner train";
-  for (const std::string& argument : arguments) {
-    line += " " + argument;
-  }
-  return line;
-}
-
 std::vector<EpochReport> wholeCurve(const ImitationResult& result) {
   std::vector<EpochReport> curve;
   for (const ImitationRound& round : result.rounds) {
@@ -73,7 +68,7 @@ std::vector<EpochReport> wholeCurve(const ImitationResult& result) {
 
 }  // namespace
 
-int runTrain(const std::vector<std::string>& arguments) {
+int trainRobot(const std::vector<std::string>& arguments) {
   TrainOptions options;
   if (!readOptions(arguments, &options)) {
     return 0;
@@ -99,7 +94,7 @@ int runTrain(const std::vector<std::string>& arguments) {
   Model model;
   model.layers = result.layers;
   writeMetadata(options.imitation.policy, &model.metadata);
-  model.metadata["training_command"] = commandLine(arguments);
+  model.metadata["training_command"] = trainCommandLine(arguments);
   std::ostringstream score;
   score << std::fixed << std::setprecision(3) << "validation accuracy " << best_accuracy
         << ", arrival with the shield alone " << best_arrival;

@@ -12,16 +12,15 @@ namespace lstm_planner {
 struct TrainingCheckpoint {
   /// What the result depends on besides: method, shape, maps, seed ... A training with others cannot go on from here.
   nlohmann::json settings;
-  nlohmann::json progress;  ///< how far it is, for people and for the command
+  nlohmann::json progress;            ///< how far it is, for people and for the command
   std::vector<std::uint8_t> learner;  ///< weights, optimisers and whatever else the learner needs
 };
 
 /// Replaces the file only when the new one is complete. Throws std::runtime_error when it cannot be written.
 void writeTrainingCheckpoint(const std::string& path, const TrainingCheckpoint& checkpoint);
 
-/// Empty when there is no such file. Throws std::invalid_argument when it is not a checkpoint, is truncated, or was made
-/// with other settings, naming the first that differs.
-std::optional<TrainingCheckpoint> readTrainingCheckpoint(const std::string& path,
-                                                         const nlohmann::json& settings);
+/// Empty when there is no such file. Throws std::invalid_argument when it is not a checkpoint, is truncated, or was
+/// made with other settings, naming the first that differs.
+std::optional<TrainingCheckpoint> readTrainingCheckpoint(const std::string& path, const nlohmann::json& settings);
 
 }  // namespace lstm_planner

@@ -1,0 +1,93 @@
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/learning/grid_imitation.hpp"
+
+namespace lstm_planner {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* kFormat = "lstm_planner grid imitation 1";
+
+template <typename Vector>
+Json valuesOf(const Vector& vector) {
+  return std::vector<typename Vector::Scalar>(vector.data(), vector.data() + vector.size());
+}
+
+Eigen::VectorXf vectorFrom(const Json& json) {
+  const auto values = json.get<std::vector<float>>();
+  return Eigen::Map<const Eigen::VectorXf>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+Json toJson(const LossSum& sum) {
+  return {{"loss", sum.loss},
+          {"weight", sum.weight},
+          {"classes", sum.confusion.rows()},
+          {"confusion", valuesOf(sum.confusion)}};
+}
+
+LossSum lossFrom(const Json& json) {
+  LossSum sum;
+  sum.loss = json.at("loss").get<double>();
+  sum.weight = json.at("weight").get<double>();
+  const auto classes = json.at("classes").get<Eigen::Index>();
+  const auto counts = json.at("confusion").get<std::vector<std::int64_t>>();
+  if (static_cast<Eigen::Index>(counts.size()) != classes * classes)
+    throw std::invalid_argument("bad confusion matrix");
+  sum.confusion = Eigen::Map<const ConfusionMatrix>(counts.data(), classes, classes);
+  return sum;
+}
+
+Json toJson(const EpochReport& report) {
+  return {{"epoch", report.epoch},
+          {"learning_rate", report.learning_rate},
+          {"training", toJson(report.training)},
+          {"validation", toJson(report.validation)},
+          {"best", report.best}};
+}
+
+EpochReport reportFrom(const Json& json) {
+  EpochReport report;
+  report.epoch = json.at("epoch").get<int>();
+  report.learning_rate = json.at("learning_rate").get<double>();
+  report.training = lossFrom(json.at("training"));
+  report.validation = lossFrom(json.at("validation"));
+  report.best = json.at("best").get<bool>();
+  return report;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> toBytes(const GridImitationState& state) {
+  Json json = {{"format", kFormat},
+               {"learners", Json::array()},
+               {"weights", valuesOf(state.training.weights)},
+               {"best_weights", valuesOf(state.training.best_weights)},
+               {"velocity", valuesOf(state.training.optimiser.velocity)},
+               {"squared_average", valuesOf(state.training.optimiser.squared_average)},
+               {"updates", state.training.optimiser.updates},
+               {"curve", Json::array()}};
+  for (const Eigen::VectorXf& learner : state.learners) json["learners"].push_back(valuesOf(learner));
+  for (const EpochReport& report : state.training.curve) json["curve"].push_back(toJson(report));
+  return Json::to_cbor(json);
+}
+
+GridImitationState gridImitationStateFrom(const std::vector<std::uint8_t>& bytes) try {
+  const Json json = Json::from_cbor(bytes);
+  if (json.at("format") != kFormat) throw std::invalid_argument("another format");
+  GridImitationState state;
+  for (const Json& learner : json.at("learners")) state.learners.push_back(vectorFrom(learner));
+  state.training.weights = vectorFrom(json.at("weights"));
+  state.training.best_weights = vectorFrom(json.at("best_weights"));
+  state.training.optimiser.velocity = vectorFrom(json.at("velocity"));
+  state.training.optimiser.squared_average = vectorFrom(json.at("squared_average"));
+  state.training.optimiser.updates = json.at("updates").get<long>();
+  for (const Json& report : json.at("curve")) state.training.curve.push_back(reportFrom(report));
+  return state;
+} catch (const std::exception& error) {
+  throw std::invalid_argument(std::string("this is not the state of an imitation in the grid world: ") + error.what());
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,31 @@
+#include "tools/interruption.hpp"
+
+namespace lstm_planner {
+namespace {
+
+volatile std::sig_atomic_t caught_signal = 0;
+
+void remember(int signal) { caught_signal = signal; }
+
+}  // namespace
+
+Interruption::Interruption() {
+  caught_signal = 0;
+  struct sigaction action {};
+  action.sa_handler = remember;
+  action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+  ::sigemptyset(&action.sa_mask);
+  ::sigaction(SIGINT, &action, &interrupt_before_);
+  ::sigaction(SIGTERM, &action, &terminate_before_);
+}
+
+Interruption::~Interruption() {
+  ::sigaction(SIGINT, &interrupt_before_, nullptr);
+  ::sigaction(SIGTERM, &terminate_before_, nullptr);
+}
+
+bool Interruption::wanted() const { return caught_signal != 0; }
+
+int Interruption::exitStatus() const { return 128 + caught_signal; }
+
+}  // namespace lstm_planner

@@ -1,0 +1,93 @@
+#include <utility>
+
+#include "lstm_planner/learning/actor_critic.hpp"
+#include "tools/options.hpp"
+#include "tools/train_commands.hpp"
+#include "tools/train_grid_reinforcement.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+class ActorCriticLearner : public ReinforcementLearner {
+ public:
+  ActorCriticLearner(const ActorCriticParameters& parameters, LayerStack layers)
+      : learner_(parameters, std::move(layers)) {}
+
+  void beginEpoch(int epoch, const GridCourse& course) override { learner_.beginEpoch(epoch, course); }
+  void update() override { learner_.update(); }
+  ReinforcementReport report() override {
+    const ActorCriticReport report = learner_.report();
+    return {report.steps, report.reward, report.arrival, report.ratio};
+  }
+  const LayerStack& layers() const override { return learner_.layers(); }
+  std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
+  void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
+
+ private:
+  ActorCritic learner_;
+};
+
+bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* plan, ActorCriticParameters* learner) {
+  namespace po = boost::program_options;
+  GridTrainingOptions& options = plan->options;
+  ActorCriticParameters& p = *learner;
+  options.method = "actor-critic";
+  options.epochs = p.epochs;
+  plan->updates = p.updates;
+  options.encoder = p.encoder;
+  po::options_description description("a network for the grid world, by actor-critic learning");
+  addGridTrainingOptions(&options, &description);
+  addReinforcementOptions(plan, &description);
+  // clang-format off
+  description.add_options()
+      ("agents", po::value(&p.agents)->default_value(p.agents), "at a time")
+      ("window", po::value(&p.window)->default_value(p.window), "steps of each agent an update")
+      ("max-steps", po::value(&p.max_steps)->default_value(p.max_steps), "of a training episode")
+      ("critic", po::value(&p.critic_units)->multitoken(), "units of each of the critic's layers (default: 48 32)")
+      ("discount", po::value(&p.discount)->default_value(p.discount), "a step")
+      ("advantage-decay", po::value(&p.advantage_decay)->default_value(p.advantage_decay), "lambda")
+      ("entropy-start", po::value(&p.entropy_start)->default_value(p.entropy_start), "weight of the entropy at first")
+      ("entropy-end", po::value(&p.entropy_end)->default_value(p.entropy_end), "and at last")
+      ("step-cost", po::value(&p.step_cost)->default_value(p.step_cost), "cells")
+      ("arrival-bonus", po::value(&p.arrival_bonus)->default_value(p.arrival_bonus), "cells")
+      ("rate", po::value(&p.learning_rate)->default_value(p.learning_rate), "learning rate")
+      ("critic-rate", po::value(&p.critic_learning_rate)->default_value(p.critic_learning_rate), "of the critic");
+  // clang-format on
+  po::variables_map values;
+  if (!parseOptions("train", description, arguments, &values)) return false;
+  finishGridTrainingOptions(values, arguments, &options);
+  finishReinforcementOptions(plan);
+  p.epochs = options.epochs;
+  p.updates = plan->updates;
+  p.seed = options.seed;
+  p.threads = options.threads;
+  validate(p);
+  plan->settings.update({{"agents", p.agents},
+                         {"window", p.window},
+                         {"max-steps", p.max_steps},
+                         {"critic", p.critic_units},
+                         {"discount", p.discount},
+                         {"advantage-decay", p.advantage_decay},
+                         {"entropy-start", p.entropy_start},
+                         {"entropy-end", p.entropy_end},
+                         {"step-cost", p.step_cost},
+                         {"arrival-bonus", p.arrival_bonus},
+                         {"rate", p.learning_rate},
+                         {"critic-rate", p.critic_learning_rate}});
+  return true;
+}
+
+}  // namespace
+
+int trainGridByActorCritic(const std::vector<std::string>& arguments) {
+  ReinforcementPlan plan;
+  ActorCriticParameters parameters;
+  if (!readOptions(arguments, &plan, &parameters)) return 0;
+  LayerStack layers = firstLayers(&plan.options);
+  parameters.encoder = plan.options.encoder;
+  ActorCriticLearner learner(parameters, std::move(layers));
+  return trainByReinforcement(plan, &learner);
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,133 @@
+#include "tools/train_grid_maps.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+
+#include "learning/parallel_for.hpp"
+#include "lstm_planner/evaluation/scenario_generator.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr int kTrainingMaps = 6;
+constexpr int kValidationMaps = 4;
+
+struct WeightedFolder {
+  std::string folder;
+  double weight = 1.0;
+};
+
+/// DIR=WEIGHT, unless a folder has that name.
+WeightedFolder parseFolder(const std::string& text) {
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos || std::filesystem::is_directory(text)) return {text, 1.0};
+  const std::string weight = text.substr(sign + 1);
+  std::size_t used = 0;
+  double value = 0.0;
+  try {
+    value = std::stod(weight, &used);
+  } catch (const std::logic_error&) {
+    used = 0;
+  }
+  if (used == 0 || used != weight.size() || !(value > 0.0) || !std::isfinite(value)) {
+    throw std::invalid_argument("--maps has '" + text + "', expected DIR or DIR=WEIGHT with a positive weight");
+  }
+  return {text.substr(0, sign), value};
+}
+
+void addSet(const GridSetFiles& files, double weight, const GridTrainingOptions& options, GridTrainingMaps* maps) {
+  GridCourse::Set training;
+  training.weight = weight;
+  for (const std::string& scenarios : selectScenarioFiles(files, MapSelection::kTrain)) {
+    training.maps.push_back(readMovingAiMap(mapOfScenarioFile(scenarios)));
+  }
+  if (training.maps.empty()) throw std::invalid_argument("set " + files.name + " has no training maps");
+  ScenarioSelection selection;
+  selection.maps = MapSelection::kValidation;
+  selection.min_length = options.min_length;
+  selection.max_length = options.max_length;
+  selection.count = static_cast<std::size_t>(options.validation);
+  maps->training.push_back(std::move(training));
+  maps->validation.push_back(drawGridTasks(files, selection));
+  maps->weights.push_back(weight);
+}
+
+/// Scenarios of all lengths of the range alike, as many from each map.
+GridTaskSet drawTasks(const std::string& name, const std::vector<PassableGrid>& grids,
+                      const GridTrainingOptions& options) {
+  GridTaskSet set;
+  set.name = name;
+  for (std::size_t map = 0; map < grids.size(); ++map) {
+    Random random(options.seed + map);
+    std::vector<GridTask> tasks;
+    for (const Scenario& scenario : drawScenarios(grids[map], name, {}, random())) {
+      const double length = scenario.optimal_length;
+      if (length < options.min_length || length > options.max_length) continue;
+      tasks.push_back({map, scenario.start, scenario.goal, length});
+    }
+    shuffle(&tasks, random);
+    const std::size_t share = (static_cast<std::size_t>(options.validation) + map) / grids.size();
+    if (tasks.size() > share) tasks.resize(share);
+    set.tasks.insert(set.tasks.end(), tasks.begin(), tasks.end());
+    set.map_names.push_back(name + "_" + std::to_string(map));
+  }
+  set.maps = grids;
+  if (set.tasks.empty()) {
+    throw std::invalid_argument("generated maps of --map-size " + std::to_string(options.map_size) +
+                                " have no way as long as --min-length");
+  }
+  return set;
+}
+
+using Generator = std::function<PassableGrid(std::uint64_t seed)>;
+
+void addGenerated(const std::string& name, const Generator& generate, const GridTrainingOptions& options,
+                  GridTrainingMaps* maps) {
+  std::vector<PassableGrid> grids(kTrainingMaps + kValidationMaps);
+  parallelFor(static_cast<int>(grids.size()), options.threads, [&](int index, int) {
+    grids[static_cast<std::size_t>(index)] = generate(options.seed * 1000 + static_cast<std::uint64_t>(index));
+  });
+  const auto first_validation = grids.begin() + kTrainingMaps;
+  maps->training.push_back({{grids.begin(), first_validation}, 1.0});
+  maps->validation.push_back(drawTasks(name, {first_validation, grids.end()}, options));
+  maps->weights.push_back(1.0);
+}
+
+void generate(const GridTrainingOptions& options, GridTrainingMaps* maps) {
+  const auto sized = [&](auto parameters) {
+    parameters.columns = options.map_size;
+    parameters.rows = options.map_size;
+    return parameters;
+  };
+  const auto caves = [&](std::uint64_t seed) { return generateCaves(sized(CaveParameters{}), seed); };
+  const auto mazes = [&](std::uint64_t seed) { return generateMaze(sized(MazeParameters{}), seed); };
+  const auto fill = [&](std::uint64_t seed) { return generateRandomFill(sized(RandomFillParameters{}), seed); };
+  addGenerated("caves", caves, options, maps);
+  addGenerated("mazes", mazes, options, maps);
+  addGenerated("random-fill", fill, options, maps);
+}
+
+}  // namespace
+
+GridTrainingMaps loadGridTrainingMaps(const GridTrainingOptions& options) {
+  GridTrainingMaps maps;
+  for (const std::string& text : options.maps) {
+    const WeightedFolder folder = parseFolder(text);
+    for (const GridSetFiles& files : findGridSets(folder.folder)) addSet(files, folder.weight, options, &maps);
+  }
+  if (options.maps.empty()) generate(options, &maps);
+  return maps;
+}
+
+std::vector<GridCourse::Set> validationMaps(const GridTrainingMaps& maps) {
+  std::vector<GridCourse::Set> sets;
+  for (std::size_t i = 0; i < maps.validation.size(); ++i) {
+    sets.push_back({maps.validation[i].maps, maps.weights[i]});
+  }
+  return sets;
+}
+
+}  // namespace lstm_planner

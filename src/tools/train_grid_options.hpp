@@ -1,0 +1,60 @@
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/agent/grid_encoder.hpp"
+#include "lstm_planner/learning/initialisation.hpp"
+#include "lstm_planner/network/layers.hpp"
+
+namespace lstm_planner {
+
+/// Options that all ways of training in the grid world have in common.
+struct GridTrainingOptions {
+  std::string command;  ///< the whole command line
+  std::string method;
+  std::vector<std::string> maps;  ///< folders of benchmark sets, each DIR or DIR=WEIGHT; none: generated maps
+  int map_size = 256;             ///< cells, of generated maps
+  double min_length = 10.0;       ///< cells, of the shortest way
+  double max_length = 300.0;
+  GridEncoderParameters encoder;
+  NetworkShape shape;
+  std::string from;  ///< model file to begin with; decides encoder and shape
+  std::string output;
+  std::string curve;
+  std::string checkpoint;
+  int epochs = 0;
+  int validation = 300;  ///< scenarios of each set
+  int max_steps = 1000;  ///< of a validation episode
+  std::uint64_t seed = 1;
+  int threads = 2;
+
+  // As given, until checked.
+  std::string network = "lstm";
+  std::string inputs = "trace";
+};
+
+/// Maps, lengths, epochs, seed and threads: what the search has, too. `options` holds the defaults.
+void addGridMapOptions(GridTrainingOptions* options, boost::program_options::options_description* description);
+
+/// Those, and the network, the judging and the files.
+void addGridTrainingOptions(GridTrainingOptions* options, boost::program_options::options_description* description);
+
+/// Throws std::invalid_argument with a sentence for values of the first that make no sense.
+void checkGridMapOptions(const GridTrainingOptions& options);
+
+/// Takes over what was parsed. Throws std::invalid_argument with a sentence for values that make no sense and for files
+/// that cannot be written.
+void finishGridTrainingOptions(const boost::program_options::variables_map& values,
+                               const std::vector<std::string>& arguments, GridTrainingOptions* options);
+
+/// What a result depends on, for the checkpoint; a method adds its own.
+nlohmann::json settingsOf(const GridTrainingOptions& options);
+
+/// The network to begin with: random, or that of `from`, which then also sets the encoder.
+LayerStack firstLayers(GridTrainingOptions* options);
+
+}  // namespace lstm_planner

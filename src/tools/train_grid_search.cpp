@@ -1,0 +1,105 @@
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <utility>
+
+#include "lstm_planner/learning/grid_structure_search.hpp"
+#include "tools/interruption.hpp"
+#include "tools/options.hpp"
+#include "tools/output_file.hpp"
+#include "tools/progress.hpp"
+#include "tools/train_commands.hpp"
+#include "tools/train_grid_maps.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// Of 102,400 steps and 500 epochs (thesis Tables 3.1 and 3.2), so that a search takes minutes.
+constexpr int kEpochs = 40;
+
+struct SearchOptions {
+  GridTrainingOptions grid;
+  GridImitationParameters imitation = thesisImitation();
+  std::string output = "structure_search";
+};
+
+bool readOptions(const std::vector<std::string>& arguments, SearchOptions* options) {
+  namespace po = boost::program_options;
+  GridImitationParameters& imitation = options->imitation;
+  GridDatasetParameters& dataset = imitation.dataset;
+  options->grid.epochs = kEpochs;
+  bool search = true;
+  po::options_description description(
+      "the structures of the thesis's Tables 3.3 to 3.5, each trained as in Tables 3.1 and 3.2 but for the epochs");
+  description.add_options()("search", po::bool_switch(&search), "this");
+  addGridMapOptions(&options->grid, &description);
+  // clang-format off
+  description.add_options()
+      ("steps", po::value(&dataset.steps)->default_value(dataset.steps), "to learn from")
+      ("validation-steps", po::value(&imitation.validation_steps)->default_value(imitation.validation_steps),
+       "to judge by, on the validation maps")
+      ("goals", po::value(&imitation.course.goals)->default_value(imitation.course.goals), "of the ways")
+      ("rate", po::value(&imitation.trainer.optimiser.learning_rate)
+                   ->default_value(imitation.trainer.optimiser.learning_rate), "learning rate")
+      ("output", po::value(&options->output)->default_value(options->output),
+       "path without extension; .md and .csv are written");
+  // clang-format on
+  po::variables_map values;
+  if (!parseOptions("train", description, arguments, &values)) return false;
+  checkGridMapOptions(options->grid);
+  options->grid.command = trainCommandLine(arguments);
+  imitation.trainer.epochs = options->grid.epochs;
+  imitation.course.min_length = options->grid.min_length;
+  imitation.course.max_length = options->grid.max_length;
+  imitation.seed = options->grid.seed;
+  imitation.threads = options->grid.threads;
+  validate(imitation);
+  checkWritable(options->output + ".md");
+  checkWritable(options->output + ".csv");
+  return true;
+}
+
+std::string report(const SearchOptions& options, const GridTrainingMaps& maps,
+                   const std::vector<StructureOutcome>& outcomes) {
+  const GridImitationParameters& imitation = options.imitation;
+  std::ostringstream text;
+  text << "# Structure search\n\nHere: " << imitation.dataset.steps << " steps, " << imitation.trainer.epochs
+       << " epochs, validation on " << imitation.validation_steps << " steps of other maps of the sets";
+  for (const GridTaskSet& set : maps.validation) text << ' ' << set.name;
+  text << "; ways of " << options.grid.min_length << " to " << options.grid.max_length
+       << " cells without corner cutting, seed " << options.grid.seed << ".\n"
+       << "The thesis: 102,400 steps, 500 epochs, validation on 10,240 steps; mazes of corridor width 2 and 4, random "
+          "fill of 25 and 40 % (Tables 3.1 and 3.2).\nBoth: momentum 0.95, learning rate "
+       << imitation.trainer.optimiser.learning_rate << " (the thesis's: 0.1), L1 decay 1e-5, an update a time sequence."
+       << "\n\n    " << options.grid.command << "\n\n"
+       << structureTables(outcomes);
+  return text.str();
+}
+
+}  // namespace
+
+int searchGridStructures(const std::vector<std::string>& arguments) {
+  SearchOptions options;
+  if (!readOptions(arguments, &options)) return 0;
+  const Interruption interruption;
+  const GridTrainingMaps maps = loadGridTrainingMaps(options.grid);
+  Progress bar;
+  const auto progress = [&](double share) {
+    bar.show(share);
+    return !interruption.wanted();
+  };
+  const std::vector<StructureOutcome> outcomes =
+      searchGridStructures(options.imitation, thesisTrials(), maps.training, validationMaps(maps), progress);
+  const std::string text = report(options, maps, outcomes);
+  std::cout << text;
+  writeTextFile(options.output + ".md", text);
+  writeTextFile(options.output + ".csv", structureCsv(outcomes));
+  std::cout << "\nwrote " << options.output << ".md and .csv" << std::endl;
+  if (!interruption.wanted()) return 0;
+  std::cout << "interrupted: " << outcomes.size() << " structures of " << thesisTrials().size() << " are done"
+            << std::endl;
+  return interruption.exitStatus();
+}
+
+}  // namespace lstm_planner
