@@ -11,6 +11,7 @@ struct Command {
   const char* name;
   const char* summary;
   int (*run)(const std::vector<std::string>& arguments);
+  bool shared = false;  ///< the processes that mpirun starts share the work; else there must be one only
 };
 
 int runDrive(const std::vector<std::string>& arguments);

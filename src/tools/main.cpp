@@ -1,15 +1,19 @@
+#include <chrono>
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <stdexcept>
+#include <thread>
 
 #include "tools/command.hpp"
+#include "tools/world.hpp"
 
 namespace {
 
 constexpr lstm_planner::Command kCommands[] = {
     {"drive", "drive a simulated Create 2 to random goals and judge it", lstm_planner::runDrive},
-    {"train", "train a network by imitation in generated floor plans", lstm_planner::runTrain},
-    {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate},
+    {"train", "train a network by imitation in generated floor plans", lstm_planner::runTrain, true},
+    {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate, true},
     {"maps", "generate floor plans as map_server maps", lstm_planner::runMaps},
 };
 
@@ -21,24 +25,52 @@ void printUsage(std::ostream& out) {
   out << "\nlstm_planner COMMAND --help explains a command.\n";
 }
 
-}  // namespace
+/// What went wrong on one rank has mostly gone wrong on all. The first says so, and ends the others before they do.
+int fail(const std::string& sentence) {
+  using lstm_planner::isFirstRank;
+  const lstm_planner::Communicator& ranks = *lstm_planner::world();
+  if (!isFirstRank()) std::this_thread::sleep_for(std::chrono::seconds(1));
+  std::cerr << "lstm_planner" << sentence;
+  if (!isFirstRank()) std::cerr << " (rank " << ranks.rank() << " of " << ranks.size() << ")";
+  std::cerr << std::endl;
+  if (ranks.size() > 1) lstm_planner::endWorld(2);
+  return 2;
+}
 
-int main(int argc, char** argv) {
+int run(const lstm_planner::Command& command, const std::vector<std::string>& arguments) {
+  const int ranks = lstm_planner::world()->size();
+  if (ranks > 1 && !command.shared) {
+    throw std::invalid_argument("this command is run by one process, not by " + std::to_string(ranks));
+  }
+  if (!lstm_planner::isFirstRank()) std::cout.rdbuf(nullptr);
+  return command.run(arguments);
+}
+
+int runTool(int argc, char** argv) {
   if (argc < 2 || std::strcmp(argv[1], "--help") == 0) {
     printUsage(argc < 2 ? std::cerr : std::cout);
     return argc < 2 ? 2 : 0;
   }
   for (const auto& command : kCommands) {
-    if (std::strcmp(argv[1], command.name) == 0) {
-      try {
-        return command.run({argv + 2, argv + argc});
-      } catch (const std::exception& error) {
-        std::cerr << "lstm_planner " << command.name << ": " << error.what() << "\n";
-        return 2;
-      }
+    if (std::strcmp(argv[1], command.name) != 0) continue;
+    try {
+      return run(command, {argv + 2, argv + argc});
+    } catch (const std::exception& error) {
+      return fail(std::string(" ") + command.name + ": " + error.what());
     }
   }
   std::cerr << "lstm_planner: there is no command '" << argv[1] << "'\n";
   printUsage(std::cerr);
   return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const lstm_planner::World world(&argc, &argv);
+    return runTool(argc, argv);
+  } catch (const std::exception& error) {
+    return fail(std::string(": ") + error.what());
+  }
 }

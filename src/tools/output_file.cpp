@@ -9,9 +9,12 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "tools/world.hpp"
+
 namespace lstm_planner {
 
 void checkWritable(const std::string& path) {
+  if (!isFirstRank()) return;
   std::error_code unknown;
   const bool was_there = std::filesystem::exists(path, unknown);
   const bool writable = std::ofstream(path, std::ios::app).is_open();
@@ -21,6 +24,7 @@ void checkWritable(const std::string& path) {
 }
 
 void makeOutputFolder(const std::string& path) {
+  if (!isFirstRank()) return;
   std::error_code error;
   std::filesystem::create_directories(path, error);
   if (error) throw std::invalid_argument("cannot make folder '" + path + "': " + error.message());
@@ -30,6 +34,7 @@ void makeOutputFolder(const std::string& path) {
 }
 
 void writeTextFile(const std::string& path, const std::string& text) {
+  if (!isFirstRank()) return;
   std::ofstream file(path);
   file << text;
   file.close();

@@ -4,6 +4,8 @@
 
 #include <iostream>
 
+#include "tools/world.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -11,7 +13,7 @@ constexpr unsigned long kTicks = 1000;
 }
 
 Progress::Progress() {
-  if (isatty(STDERR_FILENO) != 0) {
+  if (isatty(STDERR_FILENO) != 0 && isFirstRank()) {
     bar_ = std::make_unique<Bar>(kTicks, std::cerr);
   }
 }

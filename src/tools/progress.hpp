@@ -10,7 +10,7 @@
 
 namespace lstm_planner {
 
-/// A progress bar on the terminal; silent where standard error is not one.
+/// A progress bar on the terminal; silent where standard error is not one, and but for the first of several ranks.
 class Progress {
  public:
 #if __has_include(<boost/timer/progress_display.hpp>)

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "lstm_planner/learning/communicator.hpp"
+
+namespace lstm_planner {
+
+/// The processes that run this program together: those that mpirun started, else this one alone. One object, in main().
+///
+/// MPI is started only where its launcher is seen in the environment, so that a process by itself does without. When a
+/// rank dies or ends with an error, the launcher ends the others.
+class World {
+ public:
+  /// Throws std::runtime_error when a launcher started several processes but the program was built without MPI.
+  World(int* argc, char*** argv);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+};
+
+/// All ranks; valid while the World is, one process alone before.
+Communicator* world();
+
+/// Alone, or rank 0 of many: the one that prints, and writes files.
+bool isFirstRank();
+
+/// Ends this process because of an error, and with it all other ranks, which would wait for it for ever.
+[[noreturn]] void endWorld(int status);
+
+}  // namespace lstm_planner
