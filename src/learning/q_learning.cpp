@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -10,11 +11,14 @@
 #include "lstm_planner/learning/optimiser.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
 #include "lstm_planner/parameter_check.hpp"
+#include "optimiser_json.hpp"
 #include "parallel_for.hpp"
 #include "q_learning_tile.hpp"
 
 namespace lstm_planner {
 namespace {
+
+constexpr const char* kCheckpointFormat = "lstm_planner q-learning 1";
 
 bool isShare(double value) { return value >= 0.0 && value <= 1.0; }
 
@@ -79,7 +83,7 @@ class QLearning::Implementation {
     tiles_.clear();
     tiles_.resize(static_cast<std::size_t>((parameters_.agents + actors - 1) / actors));
     for (QTile& tile : tiles_) {
-      for (int actor = 0; actor < actors; ++actor) tile.actors.emplace_back(course, seeds());
+      for (int actor = 0; actor < actors; ++actor) tile.actors.emplace_back(course, parameters_.encoder, seeds());
     }
   }
 
@@ -126,6 +130,35 @@ class QLearning::Implementation {
     return layers_;
   }
 
+  std::vector<std::uint8_t> checkpoint() const {
+    const nlohmann::json content = {{"format", kCheckpointFormat},
+                                    {"weights", vectorToJson(weights_)},
+                                    {"target_weights", vectorToJson(target_weights_)},
+                                    {"optimiser", optimiserToJson(optimiser_.state())},
+                                    {"steps", all_steps_},
+                                    {"updates", updates_}};
+    return nlohmann::json::to_cbor(content);
+  }
+
+  void restore(const std::vector<std::uint8_t>& checkpoint) try {
+    const nlohmann::json content = nlohmann::json::from_cbor(checkpoint);
+    if (content.at("format") != kCheckpointFormat) throw std::invalid_argument("another format");
+    const Eigen::VectorXf weights = vectorFromJson(content.at("weights"));
+    const Eigen::VectorXf target_weights = vectorFromJson(content.at("target_weights"));
+    if (weights.size() != weights_.size() || target_weights.size() != weights_.size()) {
+      throw std::invalid_argument("a network of another size");
+    }
+    const auto steps = content.at("steps").get<double>();
+    const auto updates = content.at("updates").get<int>();
+    optimiser_.setState(optimiserFromJson(content.at("optimiser")));
+    weights_ = weights;
+    target_weights_ = target_weights;
+    all_steps_ = steps;
+    updates_ = updates;
+  } catch (const std::exception& error) {
+    throw std::invalid_argument(std::string("this is not a checkpoint of this training: ") + error.what());
+  }
+
  private:
   double epsilon() const {
     const double share = static_cast<double>(updates_) / parameters_.updates;
@@ -154,5 +187,7 @@ void QLearning::beginEpoch(int epoch, const GridCourse& course) { implementation
 void QLearning::update() { implementation_->update(); }
 QLearningReport QLearning::report() { return implementation_->report(); }
 const LayerStack& QLearning::layers() const { return implementation_->layers(); }
+std::vector<std::uint8_t> QLearning::checkpoint() const { return implementation_->checkpoint(); }
+void QLearning::restore(const std::vector<std::uint8_t>& checkpoint) { implementation_->restore(checkpoint); }
 
 }  // namespace lstm_planner

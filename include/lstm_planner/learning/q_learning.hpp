@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "lstm_planner/agent/grid_encoder.hpp"
 #include "lstm_planner/learning/grid_course.hpp"
@@ -16,9 +17,9 @@ namespace lstm_planner {
 /// "proximity" r_i is near where the range is short, so that every term is a cost that ends with the arrival. d is the
 /// octile distance to the goal, theta the angle between the move before and the way to the goal.
 struct ThesisRewardWeights {
-  double range = 0.01;     ///< tau_r, times 1 cell / range, of each of the 8 rays
-  double distance = 0.01;  ///< tau_d, a cell
-  double angle = 0.05;     ///< tau_theta, a rad; the angle is in [0, pi], 0 before the first move
+  double range = 0.02;     ///< tau_r, times 1 cell / range, of each of the 8 rays
+  double distance = 0.02;  ///< tau_d, a cell
+  double angle = 0.1;      ///< tau_theta, a rad; the angle is in [0, pi], 0 before the first move
 };
 
 /// Q-learning (Watkins and Dayan 1992; thesis Eq. 2.34-2.39) with a recurrent network whose outputs are the values of
@@ -34,11 +35,11 @@ struct QLearningParameters {
     kThesis,    ///< Eq. 2.36, of the state in which the step begins
   };
   GridEncoderParameters encoder;
-  int updates = 20000;    ///< of the weights, over all epochs
-  int agents = 256;       ///< at a time; rounded up to whole tiles
-  int window = 64;        ///< steps of each agent an update: errors go back that far
-  int max_steps = 1000;   ///< of an episode
-  double discount = 0.97; ///< gamma, a step, in [0, 1)
+  int updates = 20000;     ///< of the weights, over all epochs
+  int agents = 256;        ///< at a time; rounded up to whole tiles
+  int window = 64;         ///< steps of each agent an update: errors go back that far
+  int max_steps = 1000;    ///< of an episode
+  double discount = 0.97;  ///< gamma, a step, in [0, 1)
 
   /// lambda in [0, 1] of returns that look further than one step, up to the next move that was not the best (Watkins's
   /// Q(lambda)); 0: one-step targets, Eq. 2.38.
@@ -96,6 +97,11 @@ class QLearning {
   QLearningReport report();
 
   const LayerStack& layers() const;
+
+  /// Everything that the next epoch depends on. Between epochs only.
+  std::vector<std::uint8_t> checkpoint() const;
+  /// Throws std::invalid_argument when it is not a checkpoint of the same network.
+  void restore(const std::vector<std::uint8_t>& checkpoint);
 
  private:
   class Implementation;

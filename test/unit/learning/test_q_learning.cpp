@@ -1,0 +1,325 @@
+#include "lstm_planner/learning/q_learning.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "learning/q_learning_targets.hpp"
+#include "learning/q_learning_tile.hpp"
+#include "lstm_planner/agent/network_grid_agent.hpp"
+#include "lstm_planner/evaluation/grid_episode.hpp"
+#include "lstm_planner/learning/initialisation.hpp"
+#include "lstm_planner/learning/parameter_vector.hpp"
+
+namespace lstm_planner {
+namespace {
+
+PassableGrid gridFrom(const std::vector<std::string>& lines) {
+  PassableGrid grid(static_cast<int>(lines.front().size()), static_cast<int>(lines.size()), false);
+  for (std::size_t row = 0; row < lines.size(); ++row) {
+    for (std::size_t column = 0; column < lines[row].size(); ++column) {
+      if (lines[row][column] == '.') grid.set({static_cast<int>(column), static_cast<int>(row)}, true);
+    }
+  }
+  return grid;
+}
+
+GridCourse courseOn(const PassableGrid& grid, double max_length) {
+  GridCourseParameters parameters;
+  parameters.min_length = 2.0;
+  parameters.max_length = max_length;
+  parameters.goals = 100;
+  parameters.mirrored = false;
+  return GridCourse(parameters, {{{grid}, 1.0}}, 1, 1);
+}
+
+const std::vector<std::string> kSmallMaze = {
+    ".......",  //
+    ".#####.",  //
+    ".#...#.",  //
+    "...#...",  //
+    ".#####.",  //
+    ".......",
+};
+
+QTransition greedyStep(double reward, double value) {
+  QTransition step;
+  step.reward = reward;
+  step.value = value;
+  step.greedy = true;
+  return step;
+}
+
+/// Two steps, and the state after them.
+std::vector<QTransition> twoSteps() { return {greedyStep(1.0, 7.0), greedyStep(-0.5, 4.0), greedyStep(99.0, 6.0)}; }
+
+TEST(QTargets, AreRewardAndDiscountedValueOfTheNextState) {
+  const std::vector<double> targets = lambdaTargets(twoSteps(), 0.5, 0.0);
+  ASSERT_EQ(targets.size(), 2u);
+  EXPECT_DOUBLE_EQ(targets[1], -0.5 + 0.5 * 6.0);
+  EXPECT_DOUBLE_EQ(targets[0], 1.0 + 0.5 * 4.0);
+}
+
+TEST(QTargets, LookFurtherByTheTraceDecay) {
+  EXPECT_DOUBLE_EQ(lambdaTargets(twoSteps(), 0.5, 1.0)[0], 1.0 + 0.5 * (-0.5 + 0.5 * 6.0));
+  EXPECT_DOUBLE_EQ(lambdaTargets(twoSteps(), 0.5, 0.5)[0], 1.0 + 0.5 * (0.5 * 4.0 + 0.5 * 2.5));
+}
+
+TEST(QTargets, DoNotLookPastAMoveThatWasNotTheBest) {
+  std::vector<QTransition> steps = twoSteps();
+  steps[1].greedy = false;
+  EXPECT_DOUBLE_EQ(lambdaTargets(steps, 0.5, 1.0)[0], 1.0 + 0.5 * 4.0);
+}
+
+TEST(QTargets, ExpectNothingAfterArriving) {
+  std::vector<QTransition> steps = twoSteps();
+  steps[0].arrived = true;
+  EXPECT_DOUBLE_EQ(lambdaTargets(steps, 0.5, 1.0)[0], 1.0);
+}
+
+TEST(QTargets, LearnNothingFromTheStepAtWhichAnEpisodeIsCutOff) {
+  std::vector<QTransition> steps = twoSteps();
+  steps[1].timed_out = true;
+  steps[1].estimate = 3.0;
+  const std::vector<double> targets = lambdaTargets(steps, 0.5, 1.0);
+  EXPECT_DOUBLE_EQ(targets[1], 3.0);
+  EXPECT_DOUBLE_EQ(targets[0], 1.0 + 0.5 * 4.0);
+}
+
+TEST(QTargets, HuberDerivativeIsTheErrorUpToItsLimit) {
+  EXPECT_DOUBLE_EQ(huberDerivative(-1.5, 2.0), -1.5);
+  EXPECT_DOUBLE_EQ(huberDerivative(7.0, 2.0), 2.0);
+  EXPECT_DOUBLE_EQ(huberDerivative(-7.0, 2.0), -2.0);
+}
+
+TEST(ThesisReward, CountsNearWallsDistanceAndTurnAsCosts) {
+  GridMemory memory;
+  memory.start();
+  GridObservation observation;
+  observation.cell = {4, 4};
+  observation.goal = {4, 7};
+  observation.ranges = {1, 2, 2, 4, 4, 4, 4, 50};
+  memory.observe(observation);
+  const ThesisRewardWeights weights{1.0, 10.0, 100.0};
+  const double proximity = 1.0 + 0.5 + 0.5 + 4 * 0.25 + 0.02;
+  EXPECT_NEAR(thesisReward(memory, weights), -(proximity + 10.0 * 3.0), 1e-12);
+  // It came from the west, so that the goal, along the columns, is a quarter turn away.
+  memory.step(0);
+  EXPECT_NEAR(thesisReward(memory, weights), -(proximity + 10.0 * 3.0 + 100.0 * M_PI / 2), 1e-9);
+}
+
+QLearningParameters smallParameters() {
+  QLearningParameters parameters;
+  parameters.agents = 32;
+  parameters.window = 16;
+  parameters.max_steps = 60;
+  parameters.target_interval = 10;
+  parameters.learning_rate = 0.01;
+  parameters.threads = 1;
+  return parameters;
+}
+
+LayerStack networkFor(const QLearningParameters& parameters) {
+  const GridEncoder encoder(parameters.encoder);
+  LayerStack layers = makeLstmStack(encoder.size(), {6}, encoder.outputs());
+  initialise({}, 5, layers);
+  return layers;
+}
+
+constexpr double kBestMoves = 0.0;
+constexpr double kRandomMoves = 1.0;  ///< which small changes of weights do not change
+
+/// Agents of one tile with networks that do not change.
+class Walk {
+ public:
+  Walk(const QLearningParameters& parameters, const GridCourse& course)
+      : parameters_(parameters), runner_(parameters_, networkFor(parameters)) {
+    for (int actor = 0; actor < runner_.actors(); ++actor) {
+      tile_.actors.emplace_back(course, static_cast<std::uint64_t>(actor));
+    }
+  }
+  const QTile& window(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon) {
+    runner_.run(weights, target_weights, epsilon, tile_);
+    return tile_;
+  }
+
+ private:
+  QLearningParameters parameters_;
+  QTileRunner runner_;
+  QTile tile_;
+};
+
+TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
+  const GridCourse course = courseOn(PassableGrid(12, 12, true), 12.0);
+  QLearningParameters parameters = smallParameters();
+  parameters.encoder = {GridEncoderParameters::Inputs::kThesis, 1};
+  parameters.window = 5;
+  parameters.trace_decay = 0.0;  // so that the targets do not depend on the weights that are moved
+  parameters.double_q = false;
+  parameters.huber = 1e6;
+  const Eigen::VectorXf target_weights = parameterVector(networkFor(parameters));
+  const Eigen::VectorXf weights = 1.5f * target_weights;
+  const Eigen::VectorXf gradient = Walk(parameters, course).window(weights, target_weights, kRandomMoves).gradient;
+  const auto errorAt = [&](Eigen::Index index, float change) {
+    Eigen::VectorXf moved = weights;
+    moved[index] += change;
+    return Walk(parameters, course).window(moved, target_weights, kRandomMoves).sums.squared_error;
+  };
+  // An error of half a squared value is the squared error of the output times the scale's square.
+  const double unit = 2.0 * parameters.value_scale * parameters.value_scale;
+  const float change = 1e-3f;
+  for (Eigen::Index index = 0; index < weights.size(); index += 7) {
+    const double numeric = (errorAt(index, change) - errorAt(index, -change)) / (2.0 * static_cast<double>(change));
+    EXPECT_NEAR(static_cast<double>(gradient[index]), numeric / unit, 1e-3 * static_cast<double>(gradient.norm()))
+        << "weight " << index;
+  }
+}
+
+TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), 12.0);
+  QLearningParameters parameters = smallParameters();
+  const Eigen::VectorXf weights = parameterVector(networkFor(parameters));
+  const double in_one = Walk(parameters, course).window(weights, weights, kBestMoves).sums.value;
+  parameters.window = 8;
+  Walk halves(parameters, course);
+  const double first = halves.window(weights, weights, kBestMoves).sums.value;
+  const double second = halves.window(weights, weights, kBestMoves).sums.value;
+  // Only the order of summing differs.
+  EXPECT_NEAR(first + second, in_one, 1e-9 * std::abs(in_one));
+}
+
+Eigen::VectorXf weightsAfter(QLearningParameters parameters, int threads) {
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), 12.0);
+  parameters.threads = threads;
+  parameters.target_interval = 2;
+  QLearning learning(parameters, networkFor(parameters));
+  learning.beginEpoch(0, course);
+  for (int update = 0; update < 5; ++update) learning.update();
+  return parameterVector(learning.layers());
+}
+
+TEST(QLearning, LearnsTheSameWithAnyNumberOfThreads) {
+  const Eigen::VectorXf alone = weightsAfter(smallParameters(), 1);
+  EXPECT_NE(alone, parameterVector(networkFor(smallParameters())));
+  EXPECT_EQ(alone, weightsAfter(smallParameters(), 3));
+}
+
+TEST(QLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), 12.0);
+  QLearningParameters parameters = smallParameters();
+  parameters.target_interval = 3;  // a copy falls into the second epoch, another lies before it
+  QLearning whole(parameters, networkFor(parameters));
+  whole.beginEpoch(0, course);
+  for (int update = 0; update < 5; ++update) whole.update();
+  QLearning resumed(parameters, networkFor(parameters));
+  resumed.restore(whole.checkpoint());
+  for (QLearning* learning : {&whole, &resumed}) {
+    learning->beginEpoch(1, course);
+    for (int update = 0; update < 4; ++update) learning->update();
+  }
+  EXPECT_EQ(parameterVector(whole.layers()), parameterVector(resumed.layers()));
+
+  std::vector<std::uint8_t> truncated = whole.checkpoint();
+  truncated.resize(truncated.size() / 2);
+  EXPECT_THROW(resumed.restore(truncated), std::invalid_argument);
+}
+
+/// Reward of the steps to within one cell of a goal that lies `distance` cells away in a corridor.
+double corridorValue(const QLearningParameters& parameters, int distance) {
+  double value = parameters.arrival_bonus + 1.0 - parameters.step_cost;
+  for (int left = distance - 2; left > 0; --left) value = 1.0 - parameters.step_cost + parameters.discount * value;
+  return value;
+}
+
+TEST(QLearning, FindsTheValuesOfACorridor) {
+  const GridCourse course = courseOn(PassableGrid(12, 1, true), 11.0);
+  QLearningParameters parameters = smallParameters();
+  parameters.encoder = {GridEncoderParameters::Inputs::kTrace, 1};
+  parameters.discount = 0.8;
+  parameters.updates = 1500;
+  GridEncoder encoder(parameters.encoder);
+  LayerStack layers = makeDenseStack(encoder.size(), {16}, kGridMoveCount);
+  initialise({}, 1, layers);
+  QLearning learning(parameters, layers);
+  learning.beginEpoch(0, course);
+  for (int update = 0; update < parameters.updates; ++update) learning.update();
+
+  Network network(learning.layers());
+  Eigen::VectorXf input(encoder.size());
+  for (int cell = 0; cell <= 9; ++cell) {
+    GridMemory memory;
+    memory.start();
+    memory.observe({{cell, 0}, {11, 0}, senseRanges(PassableGrid(12, 1, true), {cell, 0})});
+    encoder.look(memory);
+    encoder.encode(0, input.data(), 1);
+    const double value = parameters.value_scale * static_cast<double>(network.forward(input)[0]);
+    // Nearer than what one step earns.
+    EXPECT_NEAR(value, corridorValue(parameters, 11 - cell), 1.0 - parameters.step_cost) << cell;
+  }
+}
+
+/// Share of all pairs of start and goal in which the network arrives, within twice the steps of the longest way.
+double arrivalEverywhere(const PassableGrid& grid, const QLearningParameters& parameters, const LayerStack& layers) {
+  Model model;
+  model.layers = layers;
+  writeMetadata(parameters.encoder, &model.metadata);
+  NetworkGridAgent agent(model, {});
+  const RangeTable ranges(grid);
+  int arrived = 0;
+  int pairs = 0;
+  for (std::size_t pair = 0; pair < grid.size() * grid.size(); ++pair) {
+    const auto cell = [&](std::size_t offset) {
+      const auto columns = static_cast<std::size_t>(grid.columns());
+      return CellIndex{static_cast<int>(offset % columns), static_cast<int>(offset / columns)};
+    };
+    const CellIndex start = cell(pair / grid.size());
+    const CellIndex goal = cell(pair % grid.size());
+    if (!grid.passable(start) || !grid.passable(goal)) continue;
+    GridEpisodeRules rules;
+    rules.max_steps = 20;
+    ++pairs;
+    if (runGridEpisode(grid, ranges, start, goal, rules, &agent).end == GridEpisode::End::kArrived) ++arrived;
+  }
+  return static_cast<double>(arrived) / pairs;
+}
+
+double arrivalInMazeAfterLearning(QLearningParameters parameters) {
+  const PassableGrid maze = gridFrom(kSmallMaze);
+  const GridCourse course = courseOn(maze, 12.0);
+  parameters.updates = 1200;
+  parameters.discount = 0.9;
+  QLearning learning(parameters, networkFor(parameters));
+  EXPECT_LT(arrivalEverywhere(maze, parameters, learning.layers()), 0.9) << "nothing to learn";
+  learning.beginEpoch(0, course);
+  for (int update = 0; update < parameters.updates; ++update) learning.update();
+  return arrivalEverywhere(maze, parameters, learning.layers());
+}
+
+TEST(QLearning, LeadsEverywhereInASmallMaze) { EXPECT_EQ(arrivalInMazeAfterLearning(smallParameters()), 1.0); }
+
+TEST(QLearning, LeadsNearlyEverywhereByTheThesissReward) {
+  QLearningParameters parameters = smallParameters();
+  parameters.reward = QLearningParameters::Reward::kThesis;
+  parameters.value_scale = 4.0;  // of so short ways the costs are small
+  // Its distance is as the crow flies: behind a wall it calls the wrong side better, and detours are learned last.
+  EXPECT_GT(arrivalInMazeAfterLearning(parameters), 0.95);
+}
+
+TEST(QLearning, RefusesWhatDoesNotFit) {
+  QLearningParameters parameters = smallParameters();
+  const LayerStack layers = networkFor(parameters);
+  parameters.discount = 1.0;
+  EXPECT_THROW(QLearning(parameters, layers), std::invalid_argument);
+  parameters = smallParameters();
+  parameters.threads = 0;
+  EXPECT_THROW(QLearning(parameters, layers), std::invalid_argument);
+  parameters = smallParameters();
+  parameters.encoder.views = 1;  // 8 outputs, not one
+  EXPECT_THROW(QLearning(parameters, layers), std::invalid_argument);
+  EXPECT_THROW(QLearning(smallParameters(), layers).update(), std::logic_error);
+}
+
+}  // namespace
+}  // namespace lstm_planner
