@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace lstm_planner {
 namespace {
@@ -60,6 +61,7 @@ double octileDistance(CellIndex a, CellIndex b) {
 
 void GridMemory::start() {
   trace_.clear();
+  if (planner_) planner_->start();
   previous_direction_ = -1;
   best_distance_ = -1.0;
   steps_since_best_ = 0;
@@ -68,6 +70,7 @@ void GridMemory::start() {
 void GridMemory::observe(const GridObservation& observation) {
   observation_ = observation;
   trace_.visit(observation.cell);
+  if (planner_) planner_->observe(observation);
   goal_distance_ = octileDistance(observation.cell, observation.goal);
   const bool is_best = best_distance_ < 0.0 || goal_distance_ < best_distance_;
   steps_since_best_ = is_best ? 0 : steps_since_best_ + 1;
@@ -82,7 +85,8 @@ GridEncoder::GridEncoder(const GridEncoderParameters& parameters) : parameters_(
 
 int GridEncoder::size() const {
   if (parameters_.inputs == GridEncoderParameters::Inputs::kThesis) return kThesisInputs;
-  return kRayFeatures * kGridRayCount + kTraceScalars;
+  const int map_inputs = parameters_.inputs == GridEncoderParameters::Inputs::kMap ? kMapScalars : 0;
+  return kRayFeatures * kGridRayCount + kTraceScalars + map_inputs;
 }
 
 void GridEncoder::look(const GridMemory& memory) {
@@ -107,6 +111,12 @@ void GridEncoder::look(const GridMemory& memory) {
                kLog2(memory.stepsSinceBest() + 1) / kMostLogSteps,
                frequency(trace.at(VisitTrace::kSmallBlock, observation.cell)),
                frequency(trace.at(VisitTrace::kLargeBlock, observation.cell))};
+  if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
+  const RollingPlanner* planner = memory.planner();
+  if (planner == nullptr) throw std::invalid_argument("grid_inputs is map, expected a memory with a planner");
+  way_direction_ = planner->direction();
+  const double straight = std::max(1.0, memory.goalDistance());
+  detour_ = way_direction_ == kNoWay ? 1.0f : static_cast<float>(std::log2(std::max(1.0, planner->length() / straight))) / 4.0f;
 }
 
 void GridEncoder::lookAlongRays(const GridMemory& memory) {
@@ -154,10 +164,36 @@ void GridEncoder::encode(int view, float* input, int stride) const {
   put(moved ? sineOf(previous_direction_ - view) : 0.0f);
   put(static_cast<float>(view & 1));
   for (const float value : progress_) put(value);
+  if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
+  const bool has_way = way_direction_ != kNoWay;
+  put(has_way ? cosineOf(way_direction_ - view) : 0.0f);
+  put(has_way ? sineOf(way_direction_ - view) : 0.0f);
+  put(way_direction_ == view ? 1.0f : 0.0f);
+  put(detour_);
+}
+
+namespace {
+
+using Inputs = GridEncoderParameters::Inputs;
+constexpr std::array<std::pair<const char*, Inputs>, 3> kInputNames = {
+    {{"thesis", Inputs::kThesis}, {"trace", Inputs::kTrace}, {"map", Inputs::kMap}}};
+
+}  // namespace
+
+const char* nameOf(GridEncoderParameters::Inputs inputs) {
+  return std::find_if(kInputNames.begin(), kInputNames.end(), [&](const auto& name) { return name.second == inputs; })
+      ->first;
+}
+
+GridEncoderParameters::Inputs gridInputsNamed(const std::string& name) {
+  for (const auto& [known, inputs] : kInputNames) {
+    if (name == known) return inputs;
+  }
+  throw std::invalid_argument("grid_inputs is '" + name + "', expected thesis, trace or map");
 }
 
 void writeMetadata(const GridEncoderParameters& parameters, std::map<std::string, std::string>* metadata) {
-  (*metadata)["grid_inputs"] = parameters.inputs == GridEncoderParameters::Inputs::kThesis ? "thesis" : "trace";
+  (*metadata)["grid_inputs"] = nameOf(parameters.inputs);
   (*metadata)["grid_views"] = std::to_string(parameters.views);
 }
 
@@ -170,17 +206,18 @@ GridEncoderParameters readGridEncoderParameters(const std::map<std::string, std:
     return entry->second;
   };
   GridEncoderParameters parameters;
-  const std::string inputs = text("grid_inputs");
-  if (inputs != "thesis" && inputs != "trace") {
-    throw std::invalid_argument("grid_inputs is '" + inputs + "', expected thesis or trace");
-  }
-  parameters.inputs = inputs == "thesis" ? GridEncoderParameters::Inputs::kThesis : GridEncoderParameters::Inputs::kTrace;
+  parameters.inputs = gridInputsNamed(text("grid_inputs"));
   const std::string views = text("grid_views");
   if (views != "1" && views != "8") {
     throw std::invalid_argument("grid_views is '" + views + "', expected 1 or 8");
   }
   parameters.views = views == "1" ? 1 : kGridRayCount;
   return parameters;
+}
+
+GridMemory makeGridMemory(const GridEncoderParameters& parameters, CornerCutting corner_cutting) {
+  if (parameters.inputs != GridEncoderParameters::Inputs::kMap) return GridMemory();
+  return GridMemory(RollingPlanner(corner_cutting));
 }
 
 }  // namespace lstm_planner

@@ -9,6 +9,7 @@ NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
     : options_(options),
       encoder_(readGridEncoderParameters(model.metadata)),
       network_(model.layers),
+      memory_(makeGridMemory(encoder_.parameters(), options.corner_cutting)),
       hidden_states_(static_cast<std::size_t>(encoder_.parameters().views), network_.hiddenState()),
       input_(encoder_.size()),
       preferences_(kGridMoveCount) {
@@ -74,7 +75,7 @@ void NetworkGridAgent::step(int direction, bool moved) {
 std::size_t NetworkGridAgent::peakBytes() const {
   const std::size_t state = static_cast<std::size_t>(network_.hiddenState().size()) * (hidden_states_.size() + 2);
   const std::size_t escape = escape_ ? escape_->peakBytes() : 0;
-  return sizeof(*this) + VisitTrace::bytes() + escape + (countWeights(network_.layers()) + state) * sizeof(float);
+  return sizeof(*this) + memory_.bytes() + escape + (countWeights(network_.layers()) + state) * sizeof(float);
 }
 
 }  // namespace lstm_planner

@@ -326,7 +326,7 @@ class ActorCritic::Implementation {
     tiles_.clear();
     tiles_.resize(static_cast<std::size_t>((parameters_.agents + actors - 1) / actors));
     for (Tile& tile : tiles_) {
-      for (int actor = 0; actor < actors; ++actor) tile.actors.emplace_back(course, seeds());
+      for (int actor = 0; actor < actors; ++actor) tile.actors.emplace_back(course, parameters_.encoder, seeds());
     }
   }
 

@@ -21,7 +21,10 @@ class GridActor {
     bool ended() const { return arrived || timed_out; }
   };
 
-  GridActor(const GridCourse& course, std::uint64_t seed) : course_(&course), random_(seed) { startEpisode(); }
+  GridActor(const GridCourse& course, const GridEncoderParameters& encoder, std::uint64_t seed)
+      : course_(&course), random_(seed), memory_(makeGridMemory(encoder)) {
+    startEpisode();
+  }
 
   bool atStart() const { return steps_ == 0; }
   /// Senses; once before each step().

@@ -24,17 +24,23 @@ PassableGrid mirrored(const PassableGrid& grid) {
   return result;
 }
 
+double longestOf(const GridCourseParameters& parameters) {
+  return parameters.long_share > 0.0 ? std::max(parameters.longest, parameters.max_length) : parameters.max_length;
+}
+
+std::size_t bucketsUpTo(double length, const GridCourseParameters& parameters) {
+  return static_cast<std::size_t>(std::ceil((length - parameters.min_length) / kBucketWidth));
+}
+
 /// Keeps some of the starts of each length, every one equally likely (reservoir sampling).
 std::vector<std::vector<CellIndex>> drawStarts(const CourseMap& map, const GridDistances& distances,
                                                const GridCourseParameters& parameters, Random& random) {
-  const double span = parameters.max_length - parameters.min_length;
-  const std::size_t buckets = static_cast<std::size_t>(std::ceil(span / kBucketWidth));
-  std::vector<std::vector<CellIndex>> starts(std::max<std::size_t>(buckets, 1));
+  std::vector<std::vector<CellIndex>> starts(bucketsUpTo(longestOf(parameters), parameters));
   std::vector<std::size_t> seen(starts.size(), 0);
   for (int row = 0; row < map.grid.rows(); ++row) {
     for (int column = 0; column < map.grid.columns(); ++column) {
       const double length = static_cast<double>(distances.at({column, row}));
-      if (!(length >= parameters.min_length && length <= parameters.max_length)) continue;
+      if (!(length >= parameters.min_length && length <= longestOf(parameters))) continue;
       const std::size_t bucket =
           std::min(static_cast<std::size_t>((length - parameters.min_length) / kBucketWidth), starts.size() - 1);
       ++seen[bucket];
@@ -58,6 +64,9 @@ void validate(const GridCourseParameters& parameters) {
   checkParameter(parameters.min_length >= 2.0, "min_length", parameters.min_length, "at least 2 cells");
   checkParameter(parameters.max_length > parameters.min_length, "max_length", parameters.max_length,
                  "more than min_length");
+  checkParameter(parameters.long_share >= 0.0 && parameters.long_share <= 1.0, "long_share", parameters.long_share,
+                 "a number in [0, 1]");
+  checkParameter(parameters.longest <= 1e5, "longest", parameters.longest, "at most 100000 cells");
   checkParameter(parameters.short_share >= 0.0 && parameters.short_share <= 1.0, "short_share", parameters.short_share,
                  "a number in [0, 1]");
   checkParameter(parameters.goals >= 1, "goals", parameters.goals, "at least 1");
@@ -96,7 +105,8 @@ GridCourse::GridCourse(const GridCourseParameters& parameters, const std::vector
     });
     sets_.push_back(std::move(course));
   }
-  buckets_ = sets_.front().goals.front()->starts.size();
+  buckets_ = bucketsUpTo(parameters.max_length, parameters);
+  long_buckets_ = bucketsUpTo(longestOf(parameters), parameters) - buckets_;
 }
 
 std::shared_ptr<const CourseGoal> GridCourse::makeGoal(const CourseSet& set, Random& random) const {
@@ -127,6 +137,7 @@ std::size_t GridCourse::drawSet(Random& random) const {
 }
 
 std::size_t GridCourse::drawBucket(Random& random) const {
+  if (long_buckets_ > 0 && uniform(random) < parameters_.long_share) return buckets_ + uniformIndex(random, long_buckets_);
   if (uniform(random) >= parameters_.short_share) return uniformIndex(random, buckets_);
   // The logarithm of the length is uniform.
   const double length =

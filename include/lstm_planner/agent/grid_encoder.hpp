@@ -2,9 +2,12 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "lstm_planner/agent/grid_agent.hpp"
+#include "lstm_planner/agent/rolling_planner.hpp"
 #include "lstm_planner/agent/visit_trace.hpp"
 
 namespace lstm_planner {
@@ -12,6 +15,10 @@ namespace lstm_planner {
 /// What an agent remembers of its episode besides the hidden state: bounded, and updated in one place.
 class GridMemory {
  public:
+  GridMemory() = default;
+  /// An agent that also remembers walls, and where they leave a way.
+  explicit GridMemory(RollingPlanner planner) : planner_(std::move(planner)) {}
+
   void start();
 
   /// Once before every step.
@@ -22,14 +29,17 @@ class GridMemory {
 
   const GridObservation& observation() const { return observation_; }
   const VisitTrace& trace() const { return trace_; }
+  const RollingPlanner* planner() const { return planner_ ? &*planner_ : nullptr; }
   int previousDirection() const { return previous_direction_; }  ///< -1 before the first step
   double goalDistance() const { return goal_distance_; }         ///< octile, cells
   double bestDistance() const { return best_distance_; }         ///< the least goalDistance() so far
   int stepsSinceBest() const { return steps_since_best_; }
+  std::size_t bytes() const { return VisitTrace::bytes() + (planner_ ? planner_->bytes() : 0); }
 
  private:
   GridObservation observation_;
   VisitTrace trace_;
+  std::optional<RollingPlanner> planner_;
   int previous_direction_ = -1;
   double goal_distance_ = 0.0;
   double best_distance_ = 0.0;
@@ -41,6 +51,7 @@ struct GridEncoderParameters {
   enum class Inputs {
     kThesis,  ///< 8 ranges, distance, angle, previous action (thesis 3.2): 11 inputs
     kTrace,   ///< and where the agent has been, around it and along the rays, on the scales of VisitTrace
+    kMap,     ///< and where a RollingPlanner would go
   };
   Inputs inputs = Inputs::kTrace;
 
@@ -48,6 +59,14 @@ struct GridEncoderParameters {
   /// everything turned such that it lies ahead; the weights are shared and each view has a hidden state of its own.
   int views = 8;
 };
+
+/// "thesis", "trace" or "map"; throws std::invalid_argument for another name.
+const char* nameOf(GridEncoderParameters::Inputs inputs);
+GridEncoderParameters::Inputs gridInputsNamed(const std::string& name);
+
+/// The memory that an agent with such inputs needs.
+GridMemory makeGridMemory(const GridEncoderParameters& parameters,
+                          CornerCutting corner_cutting = CornerCutting::kForbidden);
 
 /// To and from the metadata of a model file (keys: grid_inputs, grid_views). Reading throws std::invalid_argument for a
 /// missing or malformed key.
@@ -73,6 +92,7 @@ class GridEncoder {
   static constexpr int kRayFeatures = 7;
   static constexpr int kThesisInputs = kGridRayCount + 3;
   static constexpr int kTraceScalars = 10;
+  static constexpr int kMapScalars = 4;
 
  private:
   void lookAlongRays(const GridMemory& memory);
@@ -85,6 +105,8 @@ class GridEncoder {
   float goal_cos_ = 1.0f;
   float goal_sin_ = 0.0f;
   std::array<float, 5> progress_{};
+  int way_direction_ = kNoWay;  ///< of the planner
+  float detour_ = 0.0f;
 };
 
 }  // namespace lstm_planner

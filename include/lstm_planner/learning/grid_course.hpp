@@ -31,6 +31,8 @@ struct GridCourseParameters {
   double min_length = 10.0;   ///< cells; of the shortest way, >= 2
   double max_length = 300.0;  ///< cells
   double short_share = 0.5;   ///< of the episodes whose length is drawn in proportion to 1 / length, not uniformly
+  double long_share = 0.05;   ///< of the episodes that are longer than max_length
+  double longest = 1500.0;    ///< cells; of those
   int goals = 600;            ///< kept at a time, over all maps
   bool mirrored = true;       ///< every map also mirrored at its diagonal
 };
@@ -39,7 +41,8 @@ struct GridCourseParameters {
 void validate(const GridCourseParameters& parameters);
 
 /// Draws the episodes to learn from: maps by weight, and lengths of the shortest way uniformly in their range or, for a
-/// share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are short ways.
+/// share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are short ways. A few
+/// are much longer.
 class GridCourse {
  public:
   struct Episode {
@@ -77,7 +80,8 @@ class GridCourse {
 
   GridCourseParameters parameters_;
   std::vector<CourseSet> sets_;
-  std::size_t buckets_ = 0;  ///< of lengths
+  std::size_t buckets_ = 0;       ///< of lengths up to max_length
+  std::size_t long_buckets_ = 0;  ///< of those beyond
   Random random_;
 };
 

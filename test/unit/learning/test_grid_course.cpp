@@ -15,6 +15,7 @@ GridCourseParameters parametersFor(double min_length, double max_length, double 
   parameters.min_length = min_length;
   parameters.max_length = max_length;
   parameters.short_share = short_share;
+  parameters.long_share = 0.0;
   return parameters;
 }
 
@@ -53,6 +54,24 @@ TEST(GridCourse, AShareOfTheWaysIsShortMoreOften) {
   // Buckets are 10 cells wide: 1 of 4 when lengths are uniform, ln 2 / ln 5 when their logarithm is; deviation 0.008.
   EXPECT_NEAR(shareBelow20(0.0), 0.25, 0.032);
   EXPECT_NEAR(shareBelow20(1.0), std::log(2.0) / std::log(5.0), 0.032);
+}
+
+TEST(GridCourse, AFewWaysAreLonger) {
+  GridCourseParameters parameters = parametersFor(10, 50, 0.5);
+  parameters.long_share = 0.1;
+  parameters.longest = 150;
+  const GridCourse course(parameters, twoSets(), 3, 1);
+  Random random(1);
+  int longer = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const GridCourse::Episode episode = course.draw(random);
+    const float length = episode.goal->distances.at(episode.start);
+    ASSERT_LE(length, 150.0f);
+    if (length > 50.0f) ++longer;
+  }
+  // The open square has few ways beyond its diagonal of 83 cells, so that some draws are made again. At most a tenth.
+  EXPECT_GT(longer, 40);
+  EXPECT_LT(longer, 400 + 4 * 19);
 }
 
 TEST(GridCourse, RenewsItsGoalsWithoutPullingThemAwayFromRunningEpisodes) {
