@@ -63,5 +63,47 @@ TEST(Initialisation, RefusesImpossibleSizesAndRanges) {
   EXPECT_THROW(initialise(parameters, 1, layers), std::invalid_argument);
 }
 
+TEST(NetworkShape, TheThesissNetworksHaveTheirNumbersOfWeights) {
+  NetworkShape shape;
+  EXPECT_EQ(countWeights(makeNetwork(11, shape, 8)), 1256u);  // Eq. 3.22
+  shape.kind = NetworkShape::Kind::kMlp;
+  shape.cells = {64, 64, 64, 64};
+  EXPECT_EQ(countWeights(makeNetwork(11, shape, 8)), 13768u);  // 3.2
+}
+
+TEST(NetworkShape, DeepInIsBeforeTheRecurrentLayersAndDeepOutBehind) {
+  NetworkShape shape;
+  shape.kind = NetworkShape::Kind::kRnn;
+  shape.cells = {5, 6};
+  shape.deep_in = {4};
+  shape.deep_out = {7};
+  const LayerStack layers = makeNetwork(3, shape, 2);
+  ASSERT_EQ(layers.size(), 5u);
+  EXPECT_EQ(std::get<DenseLayer>(layers[0]).weights.rows(), 4);
+  EXPECT_EQ(std::get<RecurrentLayer>(layers[1]).input.rows(), 5);
+  EXPECT_EQ(std::get<RecurrentLayer>(layers[2]).input.cols(), 5);
+  EXPECT_EQ(std::get<DenseLayer>(layers[3]).weights.rows(), 7);
+  EXPECT_EQ(std::get<DenseLayer>(layers[3]).activation, Activation::kTanh);
+  EXPECT_EQ(std::get<DenseLayer>(layers[4]).activation, Activation::kIdentity);
+  EXPECT_NO_THROW(validateLayers(layers));
+  EXPECT_EQ(inputSize(layers), 3);
+  EXPECT_EQ(outputSize(layers), 2);
+}
+
+TEST(NetworkShape, RefusesWhatIsNoNetwork) {
+  NetworkShape shape;
+  shape.cells = {};
+  EXPECT_THROW(makeNetwork(3, shape, 2), std::invalid_argument);
+  shape.cells = {8};
+  shape.deep_out = {0};
+  EXPECT_THROW(makeNetwork(3, shape, 2), std::invalid_argument);
+  shape.deep_out = {4};
+  EXPECT_NO_THROW(makeNetwork(3, shape, 2));
+  shape.kind = NetworkShape::Kind::kMlp;  // has no recurrent layer to be behind
+  EXPECT_THROW(makeNetwork(3, shape, 2), std::invalid_argument);
+  EXPECT_THROW(networkKindNamed("gru"), std::invalid_argument);
+  EXPECT_EQ(networkKindNamed(networkKindName(NetworkShape::Kind::kRnn)), NetworkShape::Kind::kRnn);
+}
+
 }  // namespace
 }  // namespace lstm_planner

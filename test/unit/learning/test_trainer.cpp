@@ -134,6 +134,43 @@ TEST(Trainer, ReportsEachEpochAndEndsWhenTold) {
   EXPECT_EQ(result.best_epoch, 3);
 }
 
+TEST(Trainer, GoesOnAfterABreakAsIfThereHadBeenNone) {
+  for (const OptimiserKind kind : {OptimiserKind::kMomentum, OptimiserKind::kAdam}) {
+    TrainerParameters parameters;
+    parameters.epochs = 6;
+    parameters.batch_size = 40;
+    parameters.optimiser.kind = kind;
+    const std::vector<Sequence> training = raggedParitySequences();
+    const std::vector<Sequence> validation = paritySequences(5, 12, 1);
+    const TrainingResult whole = train(startingLayers(), training, validation, parameters);
+
+    TrainingState state;
+    const auto stop_after_two = [&](const EpochReport& report) { return report.epoch < 2; };
+    train(startingLayers(), training, validation, parameters, stop_after_two, &state);
+    ASSERT_EQ(state.curve.size(), 2u);
+    const TrainingResult rest = train(startingLayers(), training, validation, parameters, {}, &state);
+    EXPECT_EQ(parameterVector(rest.layers), parameterVector(whole.layers));
+    EXPECT_EQ(rest.best_epoch, whole.best_epoch);
+    ASSERT_EQ(rest.curve.size(), 6u);
+    EXPECT_EQ(rest.curve.back().training.loss, whole.curve.back().training.loss);
+    EXPECT_EQ(rest.curve.back().learning_rate, whole.curve.back().learning_rate);
+
+    // Nothing is left to do: the best is still known.
+    EXPECT_EQ(parameterVector(train(startingLayers(), training, validation, parameters, {}, &state).layers),
+              parameterVector(whole.layers));
+  }
+}
+
+TEST(Trainer, RefusesTheStateOfAnotherNetwork) {
+  TrainerParameters parameters;
+  parameters.epochs = 1;
+  TrainingState state;
+  train(startingLayers(), paritySequences(4, 5, 1), {}, parameters, {}, &state);
+  parameters.epochs = 2;
+  LayerStack other = makeLstmStack(1, {3}, 2);
+  EXPECT_THROW(train(other, paritySequences(4, 5, 1), {}, parameters, {}, &state), std::invalid_argument);
+}
+
 TEST(Trainer, ConfusionCountsLabelsByRowAndAnswersByColumn) {
   LayerStack layers = makeDenseStack(1, {}, 3);
   std::get<DenseLayer>(layers[0]).bias << 0.0f, 1.0f, 0.0f;  // always answers 1
