@@ -13,11 +13,10 @@ Share shareOf(int count, int rank, int size) {
   return {first, first + pieces + (rank < rest ? 1 : 0)};
 }
 
-bool anyRank(Communicator* communicator, bool own) {
-  std::vector<unsigned char> answers(static_cast<std::size_t>(communicator->size()), 0);
-  answers[static_cast<std::size_t>(communicator->rank())] = own ? 1 : 0;
-  exchangeShares(communicator, communicator->size(), 1, answers.data());
-  return std::any_of(answers.begin(), answers.end(), [](unsigned char answer) { return answer != 0; });
+int largestOfRanks(Communicator* communicator, int own) {
+  std::vector<int> numbers(static_cast<std::size_t>(communicator->size()), own);
+  exchangeShares(communicator, communicator->size(), 1, numbers.data());
+  return *std::max_element(numbers.begin(), numbers.end());
 }
 
 Communicator* oneProcess() {

@@ -12,6 +12,7 @@
 #include "tools/options.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
+#include "tools/ranks.hpp"
 #include "tools/shared_file.hpp"
 
 namespace lstm_planner {
@@ -149,11 +150,14 @@ int runEvaluate(const std::vector<std::string>& arguments) {
   for (const GridTaskSet& set : sets) {
     GridEvaluationOptions evaluation = options.grid.evaluation;
     evaluation.progress = progress.ofSet(set);
+    evaluation.communicator = ranks();
     const std::vector<GridEpisode> episodes = evaluateGridTasks(set, 0, set.tasks.size(), make_agent, evaluation);
+    if (!isFirstRank()) continue;
     summaries.push_back(summarizeGridEpisodes(set.name, episodes));
     writeDetails(set, episodes, details);
     if (!options.pictures.empty()) drawSome(options, set, episodes, make_agent);
   }
+  if (!isFirstRank()) return 0;
   printGridSummaries(std::cout, summaries);
   for (const GridTaskSet& set : sets) {
     if (set.without_way == 0) continue;

@@ -1,5 +1,7 @@
 #include "tools/interruption.hpp"
 
+#include "tools/ranks.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -24,7 +26,10 @@ Interruption::~Interruption() {
   ::sigaction(SIGTERM, &terminate_before_, nullptr);
 }
 
-bool Interruption::wanted() const { return caught_signal != 0; }
+bool Interruption::wanted() const {
+  caught_signal = largestOfRanks(ranks(), caught_signal);
+  return caught_signal != 0;
+}
 
 int Interruption::exitStatus() const { return 128 + caught_signal; }
 

@@ -13,6 +13,7 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
+  /// On any rank: several agree, and each has to ask.
   bool wanted() const;
   /// What a program that ended by the signal returns: 130 after Ctrl-C.
   int exitStatus() const;

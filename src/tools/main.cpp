@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "tools/command.hpp"
-#include "tools/world.hpp"
+#include "tools/ranks.hpp"
 
 namespace {
 
@@ -28,17 +28,17 @@ void printUsage(std::ostream& out) {
 /// What went wrong on one rank has mostly gone wrong on all. The first says so, and ends the others before they do.
 int fail(const std::string& sentence) {
   using lstm_planner::isFirstRank;
-  const lstm_planner::Communicator& ranks = *lstm_planner::world();
+  const lstm_planner::Communicator& ranks = *lstm_planner::ranks();
   if (!isFirstRank()) std::this_thread::sleep_for(std::chrono::seconds(1));
   std::cerr << "lstm_planner" << sentence;
   if (!isFirstRank()) std::cerr << " (rank " << ranks.rank() << " of " << ranks.size() << ")";
   std::cerr << std::endl;
-  if (ranks.size() > 1) lstm_planner::endWorld(2);
+  if (ranks.size() > 1) lstm_planner::endAllRanks(2);
   return 2;
 }
 
 int run(const lstm_planner::Command& command, const std::vector<std::string>& arguments) {
-  const int ranks = lstm_planner::world()->size();
+  const int ranks = lstm_planner::ranks()->size();
   if (ranks > 1 && !command.shared) {
     throw std::invalid_argument("this command is run by one process, not by " + std::to_string(ranks));
   }
@@ -68,7 +68,7 @@ int runTool(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    const lstm_planner::World world(&argc, &argv);
+    const lstm_planner::MpiSession session(&argc, &argv);
     return runTool(argc, argv);
   } catch (const std::exception& error) {
     return fail(std::string(": ") + error.what());

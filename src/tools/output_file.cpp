@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "tools/world.hpp"
+#include "tools/ranks.hpp"
 
 namespace lstm_planner {
 

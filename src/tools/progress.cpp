@@ -4,7 +4,7 @@
 
 #include <iostream>
 
-#include "tools/world.hpp"
+#include "tools/ranks.hpp"
 
 namespace lstm_planner {
 

@@ -2,6 +2,7 @@
 
 #include "lstm_planner/learning/actor_critic.hpp"
 #include "tools/options.hpp"
+#include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_grid_reinforcement.hpp"
 
@@ -62,6 +63,7 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* p
   p.updates = plan->updates;
   p.seed = options.seed;
   p.threads = options.threads;
+  p.communicator = ranks();
   validate(p);
   plan->settings.update({{"agents", p.agents},
                          {"window", p.window},

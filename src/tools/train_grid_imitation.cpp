@@ -11,6 +11,7 @@
 #include "tools/interruption.hpp"
 #include "tools/options.hpp"
 #include "tools/progress.hpp"
+#include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_grid_imitation_options.hpp"
 #include "tools/train_grid_judge.hpp"
@@ -36,6 +37,7 @@ class ImitationTraining {
         maps_(loadGridTrainingMaps(options_)),
         judge_(options_, maps_.validation) {
     parameters_.encoder = options_.encoder;
+    parameters_.trainer.communicator = ranks();
   }
 
   int run() {
@@ -51,7 +53,7 @@ class ImitationTraining {
     };
     const auto round_done = [&](const GridImitationRound& round) { judgeRound(round); };
     imitateOnGrid(parameters_, layers_, maps_.training, validationMaps(maps_), epoch_done, round_done, begun);
-    if (!options_.curve.empty()) {
+    if (!options_.curve.empty() && isFirstRank()) {
       const std::string stem = options_.curve.substr(0, options_.curve.rfind('.'));
       writeLearningCurve(stem + ".csv", options_.curve, curve_);
     }
@@ -77,6 +79,7 @@ class ImitationTraining {
   }
 
   void writeCheckpoint(const GridImitationState& state, bool at_once) {
+    if (!isFirstRank()) return;
     const auto now = std::chrono::steady_clock::now();
     if (options_.checkpoint.empty() || (!at_once && now < last_checkpoint_ + kCheckpointInterval)) return;
     last_checkpoint_ = now;

@@ -7,6 +7,7 @@
 
 #include "lstm_planner/agent/network_grid_agent.hpp"
 #include "lstm_planner/evaluation/grid_evaluation.hpp"
+#include "tools/ranks.hpp"
 
 namespace lstm_planner {
 
@@ -23,6 +24,7 @@ GridScore GridJudge::judge(const LayerStack& layers) const {
   GridEvaluationOptions evaluation;
   evaluation.rules.max_steps = options_.max_steps;
   evaluation.threads = options_.threads;
+  evaluation.communicator = ranks();
   GridScore score;
   for (const GridTaskSet& set : sets_) {
     const auto summary =
@@ -36,6 +38,7 @@ GridScore GridJudge::judge(const LayerStack& layers) const {
 bool GridJudge::keepIfBest(const LayerStack& layers, const GridScore& score) {
   if (score.mean <= best_) return false;
   best_ = score.mean;
+  if (!isFirstRank()) return true;
   Model model;
   model.layers = layers;
   writeMetadata(options_.encoder, &model.metadata);

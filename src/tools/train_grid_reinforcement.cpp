@@ -9,6 +9,7 @@
 #include "lstm_planner/learning/training_checkpoint.hpp"
 #include "tools/interruption.hpp"
 #include "tools/progress.hpp"
+#include "tools/ranks.hpp"
 #include "tools/train_grid_curve.hpp"
 #include "tools/train_grid_judge.hpp"
 #include "tools/train_grid_maps.hpp"
@@ -98,7 +99,7 @@ class ReinforcementTraining {
   }
 
   void writeCheckpoint() const {
-    if (options_.checkpoint.empty()) return;
+    if (options_.checkpoint.empty() || !isFirstRank()) return;
     TrainingCheckpoint checkpoint;
     checkpoint.settings = plan_.settings;
     checkpoint.progress = {{"epoch", epoch_}, {"best", judge_.best()}, {"curve", nlohmann::json::array()}};
@@ -108,7 +109,9 @@ class ReinforcementTraining {
   }
 
   void drawCurve() const {
-    if (!options_.curve.empty() && !points_.empty()) writeGridCurve(options_.curve, judge_.names(), points_);
+    if (!options_.curve.empty() && !points_.empty() && isFirstRank()) {
+      writeGridCurve(options_.curve, judge_.names(), points_);
+    }
   }
 
   /// What was learned since the last epoch ended is judged too, but not in the checkpoint: an epoch begins anew.

@@ -1,6 +1,7 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "lstm_planner/learning/grid_structure_search.hpp"
@@ -8,6 +9,7 @@
 #include "tools/options.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
+#include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_grid_maps.hpp"
 
@@ -82,6 +84,9 @@ std::string report(const SearchOptions& options, const GridTrainingMaps& maps,
 int searchGridStructures(const std::vector<std::string>& arguments) {
   SearchOptions options;
   if (!readOptions(arguments, &options)) return 0;
+  if (ranks()->size() > 1) {
+    throw std::invalid_argument("--search is run by one process, not by " + std::to_string(ranks()->size()));
+  }
   const Interruption interruption;
   const GridTrainingMaps maps = loadGridTrainingMaps(options.grid);
   Progress bar;

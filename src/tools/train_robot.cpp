@@ -7,6 +7,7 @@
 #include "lstm_planner/network/model_file.hpp"
 #include "tools/options.hpp"
 #include "tools/progress.hpp"
+#include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 
 namespace lstm_planner {
@@ -73,6 +74,7 @@ int trainRobot(const std::vector<std::string>& arguments) {
   if (!readOptions(arguments, &options)) {
     return 0;
   }
+  options.imitation.trainer.communicator = ranks();
   Progress progress;
   double best_arrival = 0.0;
   double best_accuracy = 0.0;
@@ -99,6 +101,7 @@ int trainRobot(const std::vector<std::string>& arguments) {
   score << std::fixed << std::setprecision(3) << "validation accuracy " << best_accuracy
         << ", arrival with the shield alone " << best_arrival;
   model.metadata["score"] = score.str();
+  if (!isFirstRank()) return 0;
   writeModelFile(options.output, model);
   std::cout << "wrote " << options.output << ": " << score.str() << "\n";
   if (!options.curve.empty()) {

@@ -43,8 +43,8 @@ void exchangeShares(Communicator* communicator, int count, std::size_t width, Va
   communicator->exchangeBytes(values, bytes);
 }
 
-/// Whether any rank says yes. Every rank has to ask.
-bool anyRank(Communicator* communicator, bool own);
+/// The largest of the ranks' numbers. Every rank has to ask.
+int largestOfRanks(Communicator* communicator, int own);
 
 /// Where a parameter struct names no communicator.
 Communicator* oneProcess();

@@ -28,8 +28,7 @@ TEST(Communicator, OneProcessDoesEverythingAndKeepsWhatItHas) {
   std::vector<int> values = {1, 2, 3};
   exchangeShares(oneProcess(), 3, 1, values.data());
   EXPECT_EQ(values, (std::vector<int>{1, 2, 3}));
-  EXPECT_TRUE(anyRank(oneProcess(), true));
-  EXPECT_FALSE(anyRank(oneProcess(), false));
+  EXPECT_EQ(largestOfRanks(oneProcess(), -3), -3);
 }
 
 TEST(Communicator, EveryRankGetsTheSharesOfAll) {
@@ -47,12 +46,9 @@ TEST(Communicator, EveryRankGetsTheSharesOfAll) {
   }
 }
 
-TEST(Communicator, AllRanksAgreeOnWhatOneWants) {
-  const auto asked = [](int who) {
-    return onRanks(3, [&](Communicator* ranks) { return anyRank(ranks, ranks->rank() == who) ? 1 : 0; });
-  };
-  EXPECT_EQ(asked(2), (std::vector<int>{1, 1, 1}));
-  EXPECT_EQ(asked(99), (std::vector<int>{0, 0, 0}));
+TEST(Communicator, AllRanksAgreeOnTheLargestNumber) {
+  const auto largest = [](Communicator* ranks) { return largestOfRanks(ranks, ranks->rank() == 1 ? 15 : -1); };
+  EXPECT_EQ(onRanks(3, largest), (std::vector<int>{15, 15, 15}));
 }
 
 }  // namespace

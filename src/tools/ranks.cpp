@@ -1,4 +1,4 @@
-#include "tools/world.hpp"
+#include "tools/ranks.hpp"
 
 #include <cstdlib>
 #include <limits>
@@ -62,40 +62,40 @@ class MpiCommunicator : public Communicator {
 
 #ifdef LSTM_PLANNER_HAVE_MPI
 
-World::World(int* argc, char*** argv) {
+MpiSession::MpiSession(int* argc, char*** argv) {
   if (launchedProcesses() < 1) return;
   int level = 0;
   MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &level);
   communicator = std::make_unique<MpiCommunicator>();
 }
 
-World::~World() {
+MpiSession::~MpiSession() {
   if (communicator) MPI_Finalize();
   communicator.reset();
 }
 
-void endWorld(int status) {
+void endAllRanks(int status) {
   if (communicator) MPI_Abort(MPI_COMM_WORLD, status);
   std::exit(status);
 }
 
 #else
 
-World::World(int* /*argc*/, char*** /*argv*/) {
+MpiSession::MpiSession(int* /*argc*/, char*** /*argv*/) {
   if (launchedProcesses() > 1) {
     throw std::runtime_error("this program was built without MPI, but " + std::to_string(launchedProcesses()) +
                              " processes of it were started, expected one");
   }
 }
 
-World::~World() = default;
+MpiSession::~MpiSession() = default;
 
-void endWorld(int status) { std::exit(status); }
+void endAllRanks(int status) { std::exit(status); }
 
 #endif
 
-Communicator* world() { return communicator ? communicator.get() : oneProcess(); }
+Communicator* ranks() { return communicator ? communicator.get() : oneProcess(); }
 
-bool isFirstRank() { return world()->rank() == 0; }
+bool isFirstRank() { return ranks()->rank() == 0; }
 
 }  // namespace lstm_planner

@@ -8,22 +8,22 @@ namespace lstm_planner {
 ///
 /// MPI is started only where its launcher is seen in the environment, so that a process by itself does without. When a
 /// rank dies or ends with an error, the launcher ends the others.
-class World {
+class MpiSession {
  public:
   /// Throws std::runtime_error when a launcher started several processes but the program was built without MPI.
-  World(int* argc, char*** argv);
-  ~World();
-  World(const World&) = delete;
-  World& operator=(const World&) = delete;
+  MpiSession(int* argc, char*** argv);
+  ~MpiSession();
+  MpiSession(const MpiSession&) = delete;
+  MpiSession& operator=(const MpiSession&) = delete;
 };
 
-/// All ranks; valid while the World is, one process alone before.
-Communicator* world();
+/// All ranks; valid while the MpiSession is; one process alone before.
+Communicator* ranks();
 
 /// Alone, or rank 0 of many: the one that prints, and writes files.
 bool isFirstRank();
 
 /// Ends this process because of an error, and with it all other ranks, which would wait for it for ever.
-[[noreturn]] void endWorld(int status);
+[[noreturn]] void endAllRanks(int status);
 
 }  // namespace lstm_planner
