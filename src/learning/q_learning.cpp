@@ -91,10 +91,12 @@ class QLearning::Implementation {
     if (tiles_.empty()) throw std::logic_error("Q-learning was to learn before its first epoch began");
     if (updates_ % parameters_.target_interval == 0) target_weights_ = weights_;
     epsilon_ = epsilon();
-    parallelFor(static_cast<int>(tiles_.size()), parameters_.threads, [&](int index, int thread) {
+    const Share own = shareOfTiles();
+    parallelFor(own.count(), parameters_.threads, [&](int index, int thread) {
       runners_[static_cast<std::size_t>(thread)]->run(weights_, target_weights_, epsilon_,
-                                                      tiles_[static_cast<std::size_t>(index)]);
+                                                      tiles_[static_cast<std::size_t>(own.first + index)]);
     });
+    exchangeTiles(own);
     // In the order of the tiles, whichever thread was first.
     Eigen::VectorXf gradient = Eigen::VectorXf::Zero(weights_.size());
     QSums sums;
@@ -160,6 +162,31 @@ class QLearning::Implementation {
   }
 
  private:
+  Share shareOfTiles() const {
+    const Communicator& ranks = *parameters_.communicator;
+    return shareOf(static_cast<int>(tiles_.size()), ranks.rank(), ranks.size());
+  }
+
+  /// What this rank's tiles brought goes to all others, so that all add up the same.
+  void exchangeTiles(const Share& own) {
+    Communicator& ranks = *parameters_.communicator;
+    if (ranks.size() == 1) return;
+    Eigen::MatrixXf gradients(weights_.size(), static_cast<Eigen::Index>(tiles_.size()));
+    std::vector<QSums> sums(tiles_.size());
+    for (int index = own.first; index < own.last; ++index) {
+      const auto tile = static_cast<std::size_t>(index);
+      gradients.col(index) = tiles_[tile].gradient;
+      sums[tile] = tiles_[tile].sums;
+    }
+    const int count = static_cast<int>(tiles_.size());
+    exchangeShares(&ranks, count, static_cast<std::size_t>(weights_.size()), gradients.data());
+    exchangeShares(&ranks, count, 1, sums.data());
+    for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
+      tiles_[tile].gradient = gradients.col(static_cast<Eigen::Index>(tile));
+      tiles_[tile].sums = sums[tile];
+    }
+  }
+
   double epsilon() const {
     const double share = static_cast<double>(updates_) / parameters_.updates;
     if (share >= parameters_.exploration_share) return parameters_.exploration_end;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lstm_planner/agent/grid_encoder.hpp"
+#include "lstm_planner/learning/communicator.hpp"
 #include "lstm_planner/learning/grid_course.hpp"
 #include "lstm_planner/network/layers.hpp"
 
@@ -62,6 +63,7 @@ struct QLearningParameters {
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
   int threads = 2;  ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the agents; does not change the result
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
@@ -90,7 +92,8 @@ class QLearning {
   /// Begins epoch `epoch` (from 0) with new episodes; `course` must outlive it.
   void beginEpoch(int epoch, const GridCourse& course);
 
-  /// One window of all agents, and one step of the optimiser. Throws std::logic_error before the first epoch.
+  /// One window of all agents, and one step of the optimiser. Of several ranks all have to call it. Throws
+  /// std::logic_error before the first epoch.
   void update();
 
   /// Since the last call.

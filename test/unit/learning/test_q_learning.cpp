@@ -12,6 +12,7 @@
 #include "lstm_planner/evaluation/grid_episode.hpp"
 #include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
+#include "thread_ranks.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -137,7 +138,7 @@ class Walk {
   Walk(const QLearningParameters& parameters, const GridCourse& course)
       : parameters_(parameters), runner_(parameters_, networkFor(parameters)) {
     for (int actor = 0; actor < runner_.actors(); ++actor) {
-      tile_.actors.emplace_back(course, static_cast<std::uint64_t>(actor));
+      tile_.actors.emplace_back(course, parameters.encoder, static_cast<std::uint64_t>(actor));
     }
   }
   const QTile& window(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon) {
@@ -190,9 +191,11 @@ TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
   EXPECT_NEAR(first + second, in_one, 1e-9 * std::abs(in_one));
 }
 
-Eigen::VectorXf weightsAfter(QLearningParameters parameters, int threads) {
+Eigen::VectorXf weightsAfterSomeUpdates(int threads, Communicator* communicator = oneProcess()) {
   const GridCourse course = courseOn(gridFrom(kSmallMaze), 12.0);
+  QLearningParameters parameters = smallParameters();
   parameters.threads = threads;
+  parameters.communicator = communicator;
   parameters.target_interval = 2;
   QLearning learning(parameters, networkFor(parameters));
   learning.beginEpoch(0, course);
@@ -201,9 +204,15 @@ Eigen::VectorXf weightsAfter(QLearningParameters parameters, int threads) {
 }
 
 TEST(QLearning, LearnsTheSameWithAnyNumberOfThreads) {
-  const Eigen::VectorXf alone = weightsAfter(smallParameters(), 1);
+  const Eigen::VectorXf alone = weightsAfterSomeUpdates(1);
   EXPECT_NE(alone, parameterVector(networkFor(smallParameters())));
-  EXPECT_EQ(alone, weightsAfter(smallParameters(), 3));
+  EXPECT_EQ(alone, weightsAfterSomeUpdates(3));
+}
+
+TEST(QLearning, LearnsTheSameOnAnyNumberOfRanks) {
+  const auto learn = [](Communicator* ranks) { return weightsAfterSomeUpdates(1, ranks); };
+  const Eigen::VectorXf alone = weightsAfterSomeUpdates(1);
+  for (const Eigen::VectorXf& weights : onRanks(3, learn)) EXPECT_EQ(weights, alone);
 }
 
 TEST(QLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
