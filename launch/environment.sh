@@ -48,9 +48,9 @@ required_packages() {
 }
 
 # Packages that add something where the distribution has them: an independent reader of model files for the tests, the
-# driver's own messages, a viewer when there is a display.
+# driver's own messages, MPI for several processes, Google Benchmark, a viewer when there is a display.
 optional_packages() {
-  echo python3-onnx
+  printf '%s\n' libbenchmark-dev libopenmpi-dev openmpi-bin python3-onnx
   [ "$1" = noetic ] && echo ros-noetic-create-msgs
   if [ -n "${DISPLAY:-}" ]; then
     if [ "$1" = noetic ]; then echo ros-noetic-rviz; else echo rviz; fi

@@ -3,6 +3,7 @@
 
 #include "lstm_planner/learning/q_learning.hpp"
 #include "tools/options.hpp"
+#include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_grid_reinforcement.hpp"
 
@@ -112,6 +113,7 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* p
   p.updates = plan->updates;
   p.seed = options.seed;
   p.threads = options.threads;
+  p.communicator = ranks();
   validate(p);
   plan->settings.update(settingsOf(p, reward));
   return true;
