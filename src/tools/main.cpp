@@ -14,6 +14,7 @@ constexpr lstm_planner::Command kCommands[] = {
     {"drive", "drive a simulated Create 2 to random goals and judge it", lstm_planner::runDrive},
     {"train", "train a network by imitation in generated floor plans", lstm_planner::runTrain, true},
     {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate, true},
+    {"report", "compare agents with each other and with the thesis", lstm_planner::runReport, true},
     {"maps", "generate floor plans as map_server maps", lstm_planner::runMaps},
 };
 

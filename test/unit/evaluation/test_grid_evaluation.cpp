@@ -209,6 +209,26 @@ TEST(GridSummary, PrintsOneLineASet) {
   EXPECT_NE(out.str().find("100.00%"), std::string::npos);
 }
 
+TEST(GridAgentFactory, MakesAgentsThatAreCertainToArrive) {
+  const GridTaskSet set = randomSet(2, 10);
+  GridEvaluationOptions options;
+  options.rules.max_steps = 0;
+  for (const char* name : {"astar", "dstar", "boundary"}) {
+    const auto episodes = evaluateGridTasks(set, 0, set.tasks.size(), makerOf(name), options);
+    EXPECT_EQ(summarizeGridEpisodes(set.name, episodes).arrived, 20u) << name;
+  }
+}
+
+TEST(GridAgentFactory, RefusesModelsThatAreMissingOrNotForTheGrid) {
+  GridAgentOptions options;
+  options.agent = "lstm";
+  EXPECT_THROW(gridAgentMaker(options), std::invalid_argument);
+  options.model = "/no/such/model.onnx";
+  EXPECT_THROW(gridAgentMaker(options), ModelFileError);
+  options.model = std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/create2_lstm_2x8.onnx";
+  EXPECT_THROW(gridAgentMaker(options), std::invalid_argument);
+}
+
 TEST(GridAgentFactory, RefusesUnknownNamesAndBadScales) {
   GridAgentOptions options;
   options.agent = "asta";

@@ -1,0 +1,154 @@
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "lstm_planner/evaluation/grid_report.hpp"
+#include "lstm_planner/evaluation/grid_thesis.hpp"
+#include "tools/agent_list.hpp"
+#include "tools/command.hpp"
+#include "tools/grid_options.hpp"
+#include "tools/options.hpp"
+#include "tools/output_file.hpp"
+#include "tools/progress.hpp"
+#include "tools/ranks.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+struct ReportOptions {
+  GridOptions grid;
+  std::string output;
+  std::vector<std::string> agents;
+};
+
+bool readOptions(const std::vector<std::string>& arguments, ReportOptions* options) {
+  namespace po = boost::program_options;
+  po::options_description description("compares agents in the same scenarios, with the thesis's tables and figures");
+  // clang-format off
+  description.add_options()
+      ("output", po::value(&options->output)->required(), "folder for report.md, CSV files and pictures")
+      ("agents", po::value(&options->agents)->multitoken()->required(),
+       "each NAME or NAME=MODEL, with ,no-shield and ,no-escape behind it where wanted: astar dstar greedy boundary "
+       "lstm=FILE rnn=FILE mlp=FILE qlearning=FILE network=FILE; pictures are about the first that does not search");
+  // clang-format on
+  addGridOptions(&options->grid, &description);
+  po::variables_map values;
+  if (!parseOptions("report", description, arguments, &values)) return false;
+  finishGridOptions(values, &options->grid);
+  return true;
+}
+
+void evaluateAll(const GridOptions& options, GridComparison* comparison) {
+  Progress progress;
+  const auto runs = static_cast<double>(comparison->sets.size() * comparison->agents.size());
+  double done = 0.0;
+  for (const GridTaskSet& set : comparison->sets) {
+    comparison->episodes.emplace_back();
+    for (const ReportAgent& agent : comparison->agents) {
+      GridEvaluationOptions evaluation = options.evaluation;
+      evaluation.communicator = ranks();
+      evaluation.progress = [&](double share) { progress.show((done + share) / runs); };
+      comparison->episodes.back().push_back(evaluateGridTasks(set, 0, set.tasks.size(), agent.agent.make, evaluation));
+      ++done;
+    }
+  }
+}
+
+std::string rulesText(const GridOptions& options) {
+  const GridEpisodeRules& rules = options.evaluation.rules;
+  std::ostringstream text;
+  text << "Scenarios of " << options.maps << " maps with ways of " << options.selection.min_length << " to "
+       << options.selection.max_length << " cells, drawn with seed " << options.selection.seed << "; "
+       << (rules.max_steps > 0 ? std::to_string(rules.max_steps) : "unlimited") << " steps, corner cutting "
+       << (rules.corner_cutting == CornerCutting::kAllowed ? "allowed" : "forbidden")
+       << ", arrival within one cell. Averages are over the arrivals. Times are processor times and depend on the "
+          "machine. The thesis's rows are as printed: 50 scenarios of at most 300 steps, corner cutting allowed.";
+  return text.str();
+}
+
+std::string fileName(const GridTaskSet& set) {
+  const ThesisTable* thesis = thesisTableOf(set.name);
+  if (thesis == nullptr) return "success_" + set.name;
+  std::string name = "figure_" + thesis->trend_figure;
+  name.replace(name.find('.'), 1, "_");
+  return name;
+}
+
+void appendPicture(const std::string& caption, const std::string& file, std::ostream& out) {
+  out << "![" << caption << "](" << file << ")\n\n" << caption << "\n\n";
+}
+
+void writeTrends(const GridComparison& comparison, const std::string& folder, std::ostream& report) {
+  for (std::size_t i = 0; i < comparison.sets.size(); ++i) {
+    const GridTaskSet& set = comparison.sets[i];
+    const std::string name = fileName(set);
+    const std::string csv = folder + "/" + name + ".csv";
+    writeTextFile(csv, successTrendCsv(comparison, i));
+    drawSuccessTrend(comparison, i, csv, folder + "/" + name + ".png");
+    const ThesisTable* thesis = thesisTableOf(set.name);
+    appendPicture((thesis == nullptr ? "" : "Figure " + thesis->trend_figure + ": ") + "success in " + set.name +
+                      " over the longest way allowed",
+                  name + ".png", report);
+  }
+}
+
+void drawPicture(const GridComparison& comparison, const ReportPicture& picture, const std::string& folder,
+                 std::ostream& report) {
+  const GridTaskSet& set = comparison.sets[picture.set];
+  const std::string file = picture.name + ".png";
+  writeGridPicture(folder + "/" + file, set.maps[set.tasks[picture.task].map],
+                   pictureOfTask(set, picture.task, picture.agents, comparison.rules));
+  appendPicture(picture.caption, file, report);
+}
+
+/// Figure 3.9, where the first set has training maps.
+void drawTrainingPicture(const ReportOptions& options, const GridComparison& comparison, std::ostream& report) {
+  GridComparison training;
+  training.agents = comparison.agents;
+  training.rules = comparison.rules;
+  ScenarioSelection selection = options.grid.selection;
+  selection.maps = MapSelection::kTrain;
+  constexpr std::size_t kCandidates = 15;
+  selection.count = kCandidates;
+  const GridSetFiles files = findGridSets(options.grid.folders.front()).front();
+  if (selectScenarioFiles(files, MapSelection::kTrain).empty()) return;
+  training.sets = {drawGridTasks(files, selection)};
+  const GridTaskSet& set = training.sets.front();
+  const ReportPicture first = trainingPicture(training, 0, 0);
+  const std::vector<GridEpisode> episodes =
+      evaluateGridTasks(set, 0, set.tasks.size(), first.agents.front().make, options.grid.evaluation);
+  if (const auto task = typicalArrival(episodes)) {
+    drawPicture(training, trainingPicture(training, 0, *task), options.output, report);
+  }
+}
+
+}  // namespace
+
+int runReport(const std::vector<std::string>& arguments) {
+  ReportOptions options;
+  if (!readOptions(arguments, &options)) return 0;
+  makeOutputFolder(options.output);
+  GridComparison comparison;
+  comparison.agents = agentsFromTexts(options.agents, options.grid.agent);
+  comparison.rules = options.grid.evaluation.rules;
+  comparison.sets = drawGridTaskSets(options.grid);
+  evaluateAll(options.grid, &comparison);
+  if (!isFirstRank()) return 0;
+
+  std::ostringstream report;
+  report << "# Agents of the grid world\n\n" << rulesText(options.grid) << "\n\n";
+  report << reportTables(comparison);
+  writeTextFile(options.output + "/tables.csv", reportCsv(comparison));
+  writeTrends(comparison, options.output, report);
+  drawTrainingPicture(options, comparison, report);
+  for (const ReportPicture& picture : choosePictures(comparison)) {
+    drawPicture(comparison, picture, options.output, report);
+  }
+  writeTextFile(options.output + "/report.md", report.str());
+  std::cout << reportTables(comparison) << "wrote " << options.output << "/report.md\n";
+  return 0;
+}
+
+}  // namespace lstm_planner
