@@ -36,14 +36,15 @@ GridCourse courseOn(const PassableGrid& grid, double max_length) {
   return GridCourse(parameters, {{{grid}, 1.0}}, 1, 1);
 }
 
+/// Between many of its cells the way begins by leading away from the goal.
 const std::vector<std::string> kSmallMaze = {
     ".......",  //
-    ".#####.",  //
-    ".#...#.",  //
-    "...#...",  //
-    ".#####.",  //
+    "######.",  //
+    ".......",  //
+    ".######",  //
     ".......",
 };
+constexpr double kLongestWay = 24.0;  ///< rounded up
 
 QTransition greedyStep(double reward, double value) {
   QTransition step;
@@ -179,7 +180,7 @@ TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
 }
 
 TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
-  const GridCourse course = courseOn(gridFrom(kSmallMaze), 12.0);
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
   QLearningParameters parameters = smallParameters();
   const Eigen::VectorXf weights = parameterVector(networkFor(parameters));
   const double in_one = Walk(parameters, course).window(weights, weights, kBestMoves).sums.value;
@@ -192,7 +193,7 @@ TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
 }
 
 Eigen::VectorXf weightsAfterSomeUpdates(int threads, Communicator* communicator = oneProcess()) {
-  const GridCourse course = courseOn(gridFrom(kSmallMaze), 12.0);
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
   QLearningParameters parameters = smallParameters();
   parameters.threads = threads;
   parameters.communicator = communicator;
@@ -216,7 +217,7 @@ TEST(QLearning, LearnsTheSameOnAnyNumberOfRanks) {
 }
 
 TEST(QLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
-  const GridCourse course = courseOn(gridFrom(kSmallMaze), 12.0);
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
   QLearningParameters parameters = smallParameters();
   parameters.target_interval = 3;  // a copy falls into the second epoch, another lies before it
   QLearning whole(parameters, networkFor(parameters));
@@ -269,7 +270,7 @@ TEST(QLearning, FindsTheValuesOfACorridor) {
   }
 }
 
-/// Share of all pairs of start and goal in which the network arrives, within twice the steps of the longest way.
+/// Share of all pairs of start and goal in which the network arrives, in time for one wrong turn up to a dead end.
 double arrivalEverywhere(const PassableGrid& grid, const QLearningParameters& parameters, const LayerStack& layers) {
   Model model;
   model.layers = layers;
@@ -287,7 +288,7 @@ double arrivalEverywhere(const PassableGrid& grid, const QLearningParameters& pa
     const CellIndex goal = cell(pair % grid.size());
     if (!grid.passable(start) || !grid.passable(goal)) continue;
     GridEpisodeRules rules;
-    rules.max_steps = 20;
+    rules.max_steps = 70;
     ++pairs;
     if (runGridEpisode(grid, ranges, start, goal, rules, &agent).end == GridEpisode::End::kArrived) ++arrived;
   }
@@ -296,11 +297,11 @@ double arrivalEverywhere(const PassableGrid& grid, const QLearningParameters& pa
 
 double arrivalInMazeAfterLearning(QLearningParameters parameters) {
   const PassableGrid maze = gridFrom(kSmallMaze);
-  const GridCourse course = courseOn(maze, 12.0);
-  parameters.updates = 1200;
+  const GridCourse course = courseOn(maze, kLongestWay);
+  parameters.updates = 600;
   parameters.discount = 0.9;
   QLearning learning(parameters, networkFor(parameters));
-  EXPECT_LT(arrivalEverywhere(maze, parameters, learning.layers()), 0.9) << "nothing to learn";
+  EXPECT_LT(arrivalEverywhere(maze, parameters, learning.layers()), 0.7) << "nothing to learn";
   learning.beginEpoch(0, course);
   for (int update = 0; update < parameters.updates; ++update) learning.update();
   return arrivalEverywhere(maze, parameters, learning.layers());
@@ -312,8 +313,8 @@ TEST(QLearning, LeadsNearlyEverywhereByTheThesissReward) {
   QLearningParameters parameters = smallParameters();
   parameters.reward = QLearningParameters::Reward::kThesis;
   parameters.value_scale = 4.0;  // of so short ways the costs are small
-  // Its distance is as the crow flies: behind a wall it calls the wrong side better, and detours are learned last.
-  EXPECT_GT(arrivalInMazeAfterLearning(parameters), 0.95);
+  // Its distance is as the crow flies: behind a wall the wrong way seems the better one, so that detours come last.
+  EXPECT_GT(arrivalInMazeAfterLearning(parameters), 0.9);
 }
 
 TEST(QLearning, RefusesWhatDoesNotFit) {
