@@ -29,6 +29,14 @@ inline std::vector<PassableGrid> benchMaps() {
   return maps;
 }
 
+/// Every combination of two arguments; Google Benchmark can do it by itself only from version 1.5.2 on.
+inline void addArgumentPairs(const std::vector<int>& first, const std::vector<int>& second,
+                             benchmark::internal::Benchmark* family) {
+  for (const int a : first) {
+    for (const int b : second) family->Args({a, b});
+  }
+}
+
 /// Two counters of what was done from construction to report(): processor time a unit, which other programs on the
 /// machine hardly change, and units a second by the clock on the wall, which needs a quiet machine.
 class WorkMeter {
