@@ -5,20 +5,24 @@
 namespace lstm_planner {
 
 RangeTable::RangeTable(const PassableGrid& grid) : columns_(grid.columns()), ranges_(grid.size(), GridRanges{}) {
-  // A cell sees one step further than its neighbour in that direction, so neighbours come first.
-  for (int direction = 0; direction < kGridRayCount; ++direction) {
-    const std::size_t ray = static_cast<std::size_t>(direction);
-    const CellIndex step = kGridRaySteps[ray];
-    for (int i = 0; i < grid.rows(); ++i) {
-      const int row = step.row > 0 ? grid.rows() - 1 - i : i;
-      for (int j = 0; j < grid.columns(); ++j) {
-        const int column = step.column > 0 ? grid.columns() - 1 - j : j;
-        if (!grid.passable({column, row})) continue;
-        const CellIndex beside = cellBeside({column, row}, direction);
-        const int seen = grid.passable(beside) ? ranges_[grid.offset(beside)][ray] : 0;
-        ranges_[grid.offset({column, row})][ray] = static_cast<std::uint8_t>(std::min(seen + 1, kGridRayCap));
-      }
+  // A cell sees one step further than its neighbour in that direction, so the neighbour comes first: row by row those
+  // in directions 0 to 3 lie behind the cell, the others before it. Blocked cells hold 0.
+  constexpr int kHalf = kGridRayCount / 2;
+  const auto look = [&](CellIndex cell, int first_direction) {
+    if (!grid.passable(cell)) return;
+    GridRanges& ranges = ranges_[grid.offset(cell)];
+    for (int direction = first_direction; direction < first_direction + kHalf; ++direction) {
+      const std::size_t ray = static_cast<std::size_t>(direction);
+      const CellIndex beside = cellBeside(cell, direction);
+      const int seen = grid.contains(beside) ? ranges_[grid.offset(beside)][ray] : 0;
+      ranges[ray] = static_cast<std::uint8_t>(std::min(seen + 1, kGridRayCap));
     }
+  };
+  for (int row = grid.rows(); row-- > 0;) {
+    for (int column = grid.columns(); column-- > 0;) look({column, row}, 0);
+  }
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) look({column, row}, kHalf);
   }
 }
 
