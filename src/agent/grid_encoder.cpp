@@ -69,7 +69,7 @@ void GridMemory::start() {
 
 void GridMemory::observe(const GridObservation& observation) {
   observation_ = observation;
-  trace_.visit(observation.cell);
+  in_new_place_ = trace_.visit(observation.cell);
   if (planner_) planner_->observe(observation);
   goal_distance_ = octileDistance(observation.cell, observation.goal);
   const bool is_best = best_distance_ < 0.0 || goal_distance_ < best_distance_;

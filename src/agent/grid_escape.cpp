@@ -1,9 +1,15 @@
 #include "lstm_planner/agent/grid_escape.hpp"
 
+#include "lstm_planner/parameter_check.hpp"
+
 namespace lstm_planner {
 
 GridEscape::GridEscape(const GridEscapeParameters& parameters)
-    : parameters_(parameters), follower_(parameters.boundary) {}
+    : parameters_(parameters), follower_(parameters.boundary) {
+  checkParameter(parameters.patience >= 1, "patience", parameters.patience, "at least one step");
+  checkParameter(parameters.long_patience >= 1, "long_patience", parameters.long_patience, "at least one step");
+  checkParameter(parameters.margin >= 0.0, "margin", parameters.margin, "a number that is not negative");
+}
 
 void GridEscape::start() {
   started_ = false;
@@ -11,17 +17,19 @@ void GridEscape::start() {
   activations_ = 0;
 }
 
-void GridEscape::observe(const GridObservation& observation) {
+void GridEscape::observe(const GridObservation& observation, bool new_place) {
   const OctileDistance distance = octileDistance(observation.cell, observation.goal);
+  steps_in_known_places_ = new_place ? 0 : steps_in_known_places_ + 1;
   if (!started_ || distance < best_) {
     started_ = true;
     best_ = distance;
     steps_since_best_ = 0;
+    steps_in_known_places_ = 0;
     if (active_ && distance.length() <= hand_back_below_) active_ = false;
   } else {
     ++steps_since_best_;
   }
-  if (!active_ && steps_since_best_ >= parameters_.patience) {
+  if (!active_ && (steps_in_known_places_ >= parameters_.patience || steps_since_best_ >= parameters_.long_patience)) {
     active_ = true;
     ++activations_;
     hand_back_below_ = best_.length() - parameters_.margin;

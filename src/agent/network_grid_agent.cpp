@@ -19,9 +19,8 @@ NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
                                 std::to_string(encoder_.size()) + " and " + std::to_string(encoder_.outputs()));
   }
   if (options.escape) {
-    GridEscapeParameters escape;
+    GridEscapeParameters escape = options.escape_parameters;
     escape.boundary.corner_cutting = options.corner_cutting;
-    escape.patience = options.patience;
     escape_.emplace(escape);
   }
 }
@@ -34,7 +33,7 @@ void NetworkGridAgent::start(CellIndex /*start*/, CellIndex /*goal*/) {
 
 void NetworkGridAgent::observe(const GridObservation& observation) {
   memory_.observe(observation);
-  if (escape_) escape_->observe(observation);
+  if (escape_) escape_->observe(observation, memory_.inNewPlace());
   // The hidden state waits while the escape leads: what it was made of is where the network was going.
   if (!isEscaping()) judgeMoves();
 }

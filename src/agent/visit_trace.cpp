@@ -39,14 +39,16 @@ VisitTrace::Place VisitTrace::placeOf(Scale scale, CellIndex cell) {
   return {entry, static_cast<std::uint8_t>(tag)};
 }
 
-void VisitTrace::visit(CellIndex cell) {
+bool VisitTrace::visit(CellIndex cell) {
   // Stamps have 16 bits: once in 65,535 steps everything is forgotten, rather than taken for new.
   if (now_ == kLastStamp) clear();
   ++now_;
+  bool is_new = false;
   for (const Scale scale : {kCell, kSmallBlock, kLargeBlock}) {
     const Place place = placeOf(scale, cell);
     Entry& entry = entries_[place.entry];
-    if (entry.count == 0 || entry.tag != place.tag) entry = {now_, 0, place.tag};
+    is_new = entry.count == 0 || entry.tag != place.tag;
+    if (is_new) entry = {now_, 0, place.tag};
     const CellIndex block = blockOf(scale, cell);
     CellIndex& last = blocks_[scale];
     const bool stayed = block.column == last.column && block.row == last.row;
@@ -54,6 +56,7 @@ void VisitTrace::visit(CellIndex cell) {
     entry.stamp = now_;
     last = block;
   }
+  return is_new;
 }
 
 Visit VisitTrace::at(Scale scale, CellIndex cell) const {

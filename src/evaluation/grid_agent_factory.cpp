@@ -54,7 +54,7 @@ GridAgentMaker networkMaker(const GridAgentOptions& options) {
   NetworkGridAgent::Options settings;
   settings.shield = options.shield;
   settings.escape = options.escape;
-  settings.patience = options.patience;
+  settings.escape_parameters.patience = options.patience;
   settings.corner_cutting = options.corner_cutting;
   const auto model = std::make_shared<const Model>(readModelFile(options.model));
   try {

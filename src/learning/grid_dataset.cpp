@@ -66,7 +66,7 @@ class Rescue {
 Walk walk(const GridCourse::Episode& episode, const GridDatasetParameters& parameters, GridEncoder encoder,
           GridAgent* agent) {
   const CourseGoal& goal = *episode.goal;
-  GridMemory memory;
+  GridMemory memory = makeGridMemory(encoder.parameters());
   memory.start();
   if (agent != nullptr) agent->start(episode.start, goal.goal);
   Rescue rescue(parameters);

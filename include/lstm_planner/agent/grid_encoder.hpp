@@ -34,6 +34,7 @@ class GridMemory {
   double goalDistance() const { return goal_distance_; }         ///< octile, cells
   double bestDistance() const { return best_distance_; }         ///< the least goalDistance() so far
   int stepsSinceBest() const { return steps_since_best_; }
+  bool inNewPlace() const { return in_new_place_; }  ///< a large block of the trace that was not visited before
   std::size_t bytes() const { return VisitTrace::bytes() + (planner_ ? planner_->bytes() : 0); }
 
  private:
@@ -44,6 +45,7 @@ class GridMemory {
   double goal_distance_ = 0.0;
   double best_distance_ = 0.0;
   int steps_since_best_ = 0;
+  bool in_new_place_ = false;
 };
 
 /// Which inputs a network for the grid world has, and from how many sides it looks; travels in the model file.

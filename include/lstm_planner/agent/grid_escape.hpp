@@ -10,8 +10,10 @@ namespace lstm_planner {
 
 struct GridEscapeParameters {
   BoundaryParameters boundary;
-  /// Steps without having got nearer to the goal than ever before the escape takes over.
-  int patience = 300;
+  /// Steps without having got nearer to the goal than ever, nor to a place never seen, before the escape takes over.
+  int patience = 150;
+  /// The same, new places or not: whatever an agent calls new, it cannot put the escape off for ever.
+  int long_patience = 2000;
   /// Cells nearer than ever that the escape gets before it hands back, where the goal is not nearer than that.
   double margin = 0.0;
 };
@@ -27,12 +29,14 @@ struct GridEscapeParameters {
 /// Call observe() before each step, whoever makes it; while active(), go where decide() says.
 class GridEscape {
  public:
+  /// Throws std::invalid_argument for a patience below one step and a margin that is negative or not finite.
   explicit GridEscape(const GridEscapeParameters& parameters = {});
 
   /// A new episode.
   void start();
 
-  void observe(const GridObservation& observation);
+  /// `new_place`: the agent has not been here before, as far as it can tell.
+  void observe(const GridObservation& observation, bool new_place = false);
 
   bool active() const { return active_; }
 
@@ -52,6 +56,7 @@ class GridEscape {
   OctileDistance best_;
   double hand_back_below_ = 0.0;  ///< cells to the goal
   int steps_since_best_ = 0;
+  int steps_in_known_places_ = 0;
   std::size_t activations_ = 0;
 };
 

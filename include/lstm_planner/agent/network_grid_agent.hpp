@@ -18,7 +18,7 @@ class NetworkGridAgent : public GridAgent {
   struct Options {
     bool shield = true;  ///< off: the preferred move is tried even where it was sensed to be blocked
     bool escape = true;
-    int patience = 1000;  ///< of the escape; see GridEscapeParameters
+    GridEscapeParameters escape_parameters;
     CornerCutting corner_cutting = CornerCutting::kForbidden;
   };
 

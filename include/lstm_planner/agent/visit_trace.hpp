@@ -28,8 +28,8 @@ class VisitTrace {
 
   void clear();
 
-  /// The agent is in `cell` now; each call is one step later than the one before.
-  void visit(CellIndex cell);
+  /// The agent is in `cell` now; each call is one step later than the one before. Whether its large block is new.
+  bool visit(CellIndex cell);
 
   /// About the block of a scale that `cell` lies in.
   Visit at(Scale scale, CellIndex cell) const;

@@ -18,7 +18,7 @@ struct GridAgentOptions {
   HeuristicParameters heuristic;                        ///< of A*
   bool shield = true;                                   ///< of a network: moves into something sensed are not chosen
   bool escape = true;                                   ///< of a network: boundary following when it gets nowhere
-  int patience = NetworkGridAgent::Options().patience;  ///< steps without progress before the escape
+  int patience = GridEscapeParameters().patience;  ///< steps without progress before the escape
 };
 
 /// "astar", "dstar", "greedy", "boundary" and the networks: "lstm", "rnn", "mlp", "qlearning", "network".

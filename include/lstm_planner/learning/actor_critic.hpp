@@ -23,13 +23,13 @@ struct ActorCriticParameters {
   std::vector<int> critic_units = {48, 32};
   int updates = 20000;          ///< of the weights, over all epochs
   int epochs = 10;              ///< parts, each with new maps' goals and new episodes; checkpoints lie between them
-  int agents = 256;             ///< at a time; rounded up to whole tiles
+  int agents = 128;             ///< at a time; rounded up to whole tiles
   int window = 64;              ///< steps of each agent an update: errors go back that far
   int max_steps = 1500;         ///< of an episode
   double discount = 0.997;      ///< a step
   double advantage_decay = 0.95;
-  double entropy_start = 0.01;  ///< weight of the entropy, sinking linearly
-  double entropy_end = 0.001;
+  double entropy_start = 0.0015;  ///< weight of the entropy, sinking linearly
+  double entropy_end = 0.0001;
   double step_cost = 0.2;       ///< cells
   double arrival_bonus = 10.0;  ///< cells
   double learning_rate = 0.003;
