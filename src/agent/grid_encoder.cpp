@@ -116,7 +116,9 @@ void GridEncoder::look(const GridMemory& memory) {
   if (planner == nullptr) throw std::invalid_argument("grid_inputs is map, expected a memory with a planner");
   way_direction_ = planner->direction();
   const double straight = std::max(1.0, memory.goalDistance());
-  detour_ = way_direction_ == kNoWay ? 1.0f : static_cast<float>(std::log2(std::max(1.0, planner->length() / straight))) / 4.0f;
+  detour_ = way_direction_ == kNoWay
+                ? 1.0f
+                : static_cast<float>(std::log2(std::max(1.0, planner->length() / straight))) / 4.0f;
 }
 
 void GridEncoder::lookAlongRays(const GridMemory& memory) {

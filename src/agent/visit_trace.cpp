@@ -33,8 +33,8 @@ VisitTrace::Place VisitTrace::placeOf(Scale scale, CellIndex cell) {
   const CellIndex block = blockOf(scale, cell);
   const int shift = kWindowShifts[scale];
   const int mask = (1 << shift) - 1;
-  const std::size_t entry = kFirstEntries[scale] + static_cast<std::size_t>(((block.row & mask) << shift) |
-                                                                            (block.column & mask));
+  const std::size_t entry =
+      kFirstEntries[scale] + static_cast<std::size_t>(((block.row & mask) << shift) | (block.column & mask));
   const int tag = (((block.row >> shift) & 15) << 4) | ((block.column >> shift) & 15);
   return {entry, static_cast<std::uint8_t>(tag)};
 }

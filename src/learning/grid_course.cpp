@@ -137,7 +137,8 @@ std::size_t GridCourse::drawSet(Random& random) const {
 }
 
 std::size_t GridCourse::drawBucket(Random& random) const {
-  if (long_buckets_ > 0 && uniform(random) < parameters_.long_share) return buckets_ + uniformIndex(random, long_buckets_);
+  if (long_buckets_ > 0 && uniform(random) < parameters_.long_share)
+    return buckets_ + uniformIndex(random, long_buckets_);
   if (uniform(random) >= parameters_.short_share) return uniformIndex(random, buckets_);
   // The logarithm of the length is uniform.
   const double length =

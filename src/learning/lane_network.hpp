@@ -8,9 +8,11 @@
 
 namespace lstm_planner {
 
+class LaneLayer;
+
 /// A network over many lanes at once, step by step forward through a window of time and back through it: what
-/// reinforcement learning needs, where the next input depends on the last output. See lane_kernels.hpp for the layout of
-/// values (a row of lanes a value).
+/// reinforcement learning needs, where the next input depends on the last output. See lane_kernels.hpp for the layout
+/// of values (a row of lanes a value).
 ///
 /// Dense layers (identity or tanh), LSTM and plain recurrent layers. The hidden state is carried from window to window;
 /// errors go back to the window's first step (truncated back-propagation).
@@ -52,8 +54,6 @@ class LaneNetwork {
 
   /// Adds the error's derivative by the parameters for the first `steps` steps. Spoils what forward() left.
   void backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient);
-
-  class LaneLayer;
 
  private:
   std::size_t offset(int step, int size) const {

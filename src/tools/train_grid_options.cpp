@@ -15,12 +15,6 @@ void checkAtLeastOne(const char* option, int value) {
   throw std::invalid_argument(std::string(option) + " is " + std::to_string(value) + ", expected at least 1");
 }
 
-GridEncoderParameters::Inputs inputsNamed(const std::string& name) {
-  if (name == "thesis") return GridEncoderParameters::Inputs::kThesis;
-  if (name == "trace") return GridEncoderParameters::Inputs::kTrace;
-  throw std::invalid_argument("--inputs is '" + name + "', expected thesis or trace");
-}
-
 }  // namespace
 
 void addGridMapOptions(GridTrainingOptions* options, boost::program_options::options_description* description) {
@@ -55,7 +49,8 @@ void addGridTrainingOptions(GridTrainingOptions* options, boost::program_options
       ("deep-in", po::value(&o.shape.deep_in)->multitoken(), "units of each dense layer before the recurrent ones")
       ("deep-out", po::value(&o.shape.deep_out)->multitoken(), "units of each dense layer behind the recurrent ones")
       ("inputs", po::value(&o.inputs)->default_value(o.inputs),
-       "thesis (ranges, distance, angle, previous action) or trace (and where the agent has been)")
+       "thesis (ranges, distance, angle, previous action), trace (and where the agent has been) or map (and where the "
+       "walls it remembers leave a way)")
       ("views", po::value(&o.encoder.views)->default_value(o.encoder.views),
        "1, or 8: the same network looks into each direction in turn")
       ("from", po::value(&o.from), "ONNX file to begin with, instead of random weights; has its own shape and inputs")
@@ -82,7 +77,7 @@ void finishGridTrainingOptions(const boost::program_options::variables_map& valu
   o.command = trainCommandLine(arguments);
   checkGridMapOptions(o);
   checkAtLeastOne("--validation", o.validation);
-  o.encoder.inputs = inputsNamed(o.inputs);
+  o.encoder.inputs = gridInputsNamed(o.inputs);
   const GridEncoder encoder(o.encoder);
   o.shape.kind = networkKindNamed(o.network);
   if (values.count("cells") == 0 && o.shape.kind == NetworkShape::Kind::kMlp) o.shape.cells = {64, 64, 64, 64};
@@ -107,7 +102,8 @@ nlohmann::json settingsOf(const GridTrainingOptions& options) {
           {"from", options.from},
           {"epochs", options.epochs},
           {"validation", options.validation},
-          {"seed", options.seed}};
+          {"seed", options.seed},
+          {"output", options.output}};
 }
 
 LayerStack firstLayers(GridTrainingOptions* options) {

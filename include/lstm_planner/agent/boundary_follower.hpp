@@ -13,8 +13,10 @@ namespace lstm_planner {
 
 struct BoundaryParameters {
   CornerCutting corner_cutting = CornerCutting::kForbidden;
-  double first_leg = 10.0;  ///< cells to follow a boundary before the first turning back
-  double leg_growth = 4.0;  ///< a later leg is as many times as long as the way between the ends where it begins
+  double first_leg = 40.0;  ///< cells to follow a boundary before the first turning back
+  double leg_growth = 6.0;  ///< a later leg is as many times as long as the way between the ends where it begins
+  /// A leg is longer by as many cells for each cell that its end is nearer to the goal than the other end.
+  double goal_weight = 3.0;
 };
 
 /// Gets from anywhere to the goal with bounded memory wherever there is a way, and says so where there is none: a bug
@@ -38,6 +40,7 @@ struct BoundaryParameters {
 /// meet.
 class BoundaryFollower {
  public:
+  /// Throws std::invalid_argument for a parameter that is negative or not finite.
   explicit BoundaryFollower(const BoundaryParameters& parameters = {});
 
   /// Forgets everything; the way begins at the next observation.

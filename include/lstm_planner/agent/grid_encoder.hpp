@@ -57,8 +57,9 @@ struct GridEncoderParameters {
   };
   Inputs inputs = Inputs::kTrace;
 
-  /// 1: one network with an output a direction. 8: the same network, with one output, looks into each direction in turn,
-  /// everything turned such that it lies ahead; the weights are shared and each view has a hidden state of its own.
+  /// 1: one network with an output a direction. 8: the same network, with one output, looks into each direction in
+  /// turn, everything turned such that it lies ahead; the weights are shared and each view has a hidden state of its
+  /// own.
   int views = 8;
 };
 

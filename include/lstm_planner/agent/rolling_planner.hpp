@@ -35,9 +35,9 @@ class RollingPlanner {
   static constexpr int kSide = RollingGrid::kSide;
   static constexpr int kStraight = 5;  ///< costs in fifths of a cell
   static constexpr int kDiagonal = 7;
-  static constexpr std::size_t kBuckets = 16;        ///< no move raises cost + estimate by more than 14
-  static constexpr std::size_t kMostOpen = 2048;     ///< cells open at a time; more are left out
-  static constexpr std::size_t kLongestWay = 1024;   ///< steps of the way that are kept
+  static constexpr std::size_t kBuckets = 16;       ///< no move raises cost + estimate by more than 14
+  static constexpr std::size_t kMostOpen = 2048;    ///< cells open at a time; more are left out
+  static constexpr std::size_t kLongestWay = 1024;  ///< steps of the way that are kept
   static constexpr std::uint16_t kNone = 0xffff;
   static constexpr std::uint8_t kUnreached = 15;
   static constexpr std::uint8_t kRoot = 14;
@@ -68,7 +68,8 @@ class RollingPlanner {
   std::vector<std::uint8_t> way_;  ///< directions from where the plan began
 
   std::vector<std::uint8_t> reached_by_;  ///< two cells a byte
-  // Open cells, the direction by which each was reached, and the lists that they are on: one a bucket and the free ones.
+  // Open cells, the direction by which each was reached, and the lists that they are on: one a bucket and the free
+  // ones.
   std::vector<std::uint16_t> open_cell_;
   std::vector<std::uint8_t> open_direction_;
   std::vector<std::uint16_t> open_next_;

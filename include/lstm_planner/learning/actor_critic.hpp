@@ -21,12 +21,12 @@ namespace lstm_planner {
 struct ActorCriticParameters {
   GridEncoderParameters encoder;
   std::vector<int> critic_units = {48, 32};
-  int updates = 20000;          ///< of the weights, over all epochs
-  int epochs = 10;              ///< parts, each with new maps' goals and new episodes; checkpoints lie between them
-  int agents = 128;             ///< at a time; rounded up to whole tiles
-  int window = 64;              ///< steps of each agent an update: errors go back that far
-  int max_steps = 1500;         ///< of an episode
-  double discount = 0.997;      ///< a step
+  int updates = 20000;      ///< of the weights, over all epochs
+  int epochs = 10;          ///< parts, each with new maps' goals and new episodes; checkpoints lie between them
+  int agents = 128;         ///< at a time; rounded up to whole tiles
+  int window = 64;          ///< steps of each agent an update: errors go back that far
+  int max_steps = 1500;     ///< of an episode
+  double discount = 0.997;  ///< a step
   double advantage_decay = 0.95;
   double entropy_start = 0.0015;  ///< weight of the entropy, sinking linearly
   double entropy_end = 0.0001;
@@ -36,7 +36,7 @@ struct ActorCriticParameters {
   double critic_learning_rate = 0.003;
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
-  int threads = 2;  ///< does not change the result
+  int threads = 2;                            ///< does not change the result
   Communicator* communicator = oneProcess();  ///< ranks that share the agents; does not change the result
 };
 
@@ -46,12 +46,12 @@ void validate(const ActorCriticParameters& parameters);
 /// What the agents did since the last report.
 struct ActorCriticReport {
   int update = 0;
-  double steps = 0.0;       ///< of all agents since the beginning
-  double reward = 0.0;      ///< mean a step
-  double arrival = 0.0;     ///< share of the episodes that ended by arriving
-  double ratio = 0.0;       ///< mean length / optimum of those
-  double entropy = 0.0;     ///< mean, nat
-  double explained = 0.0;   ///< share of the returns' variance that the critic explains
+  double steps = 0.0;      ///< of all agents since the beginning
+  double reward = 0.0;     ///< mean a step
+  double arrival = 0.0;    ///< share of the episodes that ended by arriving
+  double ratio = 0.0;      ///< mean length / optimum of those
+  double entropy = 0.0;    ///< mean, nat
+  double explained = 0.0;  ///< share of the returns' variance that the critic explains
 };
 
 /// Learns in place, update by update.

@@ -41,8 +41,8 @@ struct GridCourseParameters {
 void validate(const GridCourseParameters& parameters);
 
 /// Draws the episodes to learn from: maps by weight, and lengths of the shortest way uniformly in their range or, for a
-/// share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are short ways. A few
-/// are much longer.
+/// share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are short ways. A
+/// few are much longer.
 class GridCourse {
  public:
   struct Episode {

@@ -84,8 +84,8 @@ TEST(RollingPlanner, GoesStraightWhereNothingIsInTheWay) {
 }
 
 TEST(RollingPlanner, ArrivesWhereverThereIsAWayInAMapThatFitsTheWindow) {
-  // The window is 160 cells and the agent within 16 cells of its middle: nothing of 60 cells is ever forgotten, and what
-  // is known of the walls only grows.
+  // The window is 160 cells and the agent within 16 cells of its middle: nothing of 60 cells is ever forgotten, and
+  // what is known of the walls only grows.
   RollingPlanner planner;
   int reachable = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {

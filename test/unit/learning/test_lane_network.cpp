@@ -62,8 +62,8 @@ TEST(LaneNetwork, GivesWhatTheNetworkGivesOneByOneAcrossWindowsAndForgetting) {
       fillInputs(sequences, step, lanes);
       const float* outputs = lanes.forward(parameters, step);
       for (int lane = 0; lane < kLanes; ++lane) {
-        const auto& expected =
-            networks[static_cast<std::size_t>(lane)].forward(sequences[static_cast<std::size_t>(lane)].inputs.col(step));
+        const auto& expected = networks[static_cast<std::size_t>(lane)].forward(
+            sequences[static_cast<std::size_t>(lane)].inputs.col(step));
         // Two implementations of tanh and exp, each within some units of the last place.
         for (int row = 0; row < 4; ++row) EXPECT_NEAR(outputs[row * kLanes + lane], expected[row], 5e-6);
       }
