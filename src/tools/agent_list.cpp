@@ -57,7 +57,7 @@ std::vector<ReportAgent> agentsFromTexts(const std::vector<std::string>& texts, 
     const GridAgentOptions options = optionsFrom(text, common, &suffix);
     const GridAgentMaker make = gridAgentMaker(options);
     std::string name = displayName(options.agent) + suffix;
-    if (isTaken(agents, name)) {
+    if (isTaken(agents, name) && !options.model.empty()) {
       name = displayName(options.agent) + " " + std::filesystem::path(options.model).stem().string() + suffix;
     }
     if (isTaken(agents, name)) throw std::invalid_argument("agent '" + text + "' is given twice");

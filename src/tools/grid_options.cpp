@@ -20,6 +20,12 @@ void checkNotNegative(const char* option, std::int64_t value) {
   }
 }
 
+void checkPositive(const char* option, int value) {
+  if (value < 1) {
+    throw std::invalid_argument(std::string(option) + " is " + std::to_string(value) + ", expected at least 1");
+  }
+}
+
 }  // namespace
 
 void addGridOptions(GridOptions* options, boost::program_options::options_description* description) {
@@ -58,12 +64,9 @@ void addGridOptions(GridOptions* options, boost::program_options::options_descri
 void finishGridOptions(const boost::program_options::variables_map& values, GridOptions* options) {
   ScenarioSelection& selection = options->selection;
   checkNotNegative("--count", options->count);
-  checkNotNegative("--patience", options->agent.patience);
   checkNotNegative("--max-steps", options->evaluation.rules.max_steps);
-  if (options->evaluation.threads < 1) {
-    throw std::invalid_argument("--threads is " + std::to_string(options->evaluation.threads) +
-                                ", expected at least 1");
-  }
+  checkPositive("--patience", options->agent.patience);
+  checkPositive("--threads", options->evaluation.threads);
   // Written so that a length that is not a number is refused, too.
   if (!(selection.min_length >= 0.0 && selection.min_length <= selection.max_length)) {
     std::ostringstream message;
