@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "lstm_planner/parameter_check.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -14,11 +16,18 @@ int directionBetween(CellIndex from, CellIndex to) {
   return kNoWay;
 }
 
+void checkNotNegative(const char* name, double value) {
+  checkParameter(value >= 0.0, name, value, "a number that is not negative");
+}
+
 }  // namespace
 
 BoundaryFollower::BoundaryFollower(const BoundaryParameters& parameters)
     : parameters_(parameters), trail_(parameters.corner_cutting) {
-  for (End& end : ends_) end.cells.reserve(kMostCells + 2);
+  checkNotNegative("first_leg", parameters.first_leg);
+  checkNotNegative("leg_growth", parameters.leg_growth);
+  checkNotNegative("goal_weight", parameters.goal_weight);
+  for (End& end : ends_) end.cells.reserve(kMostCells + 3);
 }
 
 void BoundaryFollower::start() {
@@ -180,11 +189,12 @@ bool BoundaryFollower::shouldTurnBack() const {
   // Longer towards the goal than away from it.
   const double here = octileDistance(now_.cell, now_.goal).length();
   const double there = octileDistance(ends_[static_cast<std::size_t>(1 - end_)].edge.cell, now_.goal).length();
-  return leg_ > std::max(parameters_.first_leg, parameters_.leg_growth * way_back_) + there - here;
+  return leg_ >
+         std::max(parameters_.first_leg, parameters_.leg_growth * way_back_) + parameters_.goal_weight * (there - here);
 }
 
 std::size_t BoundaryFollower::peakBytes() const {
-  return sizeof(*this) + 2 * (kMostCells + 2) * sizeof(CellIndex) + trail_.peakBytes();
+  return sizeof(*this) + 2 * (kMostCells + 3) * sizeof(CellIndex) + trail_.peakBytes();
 }
 
 }  // namespace lstm_planner

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "lstm_planner/agent/boundary_agent.hpp"
 #include "lstm_planner/search/grid_distances.hpp"
@@ -12,6 +13,7 @@ namespace {
 struct Legs {
   double first_leg;
   double leg_growth;
+  double goal_weight;
 };
 
 class BoundaryAgentIn : public testing::TestWithParam<std::tuple<CornerCutting, Legs>> {
@@ -21,6 +23,7 @@ class BoundaryAgentIn : public testing::TestWithParam<std::tuple<CornerCutting, 
     parameters.corner_cutting = std::get<0>(GetParam());
     parameters.first_leg = std::get<1>(GetParam()).first_leg;
     parameters.leg_growth = std::get<1>(GetParam()).leg_growth;
+    parameters.goal_weight = std::get<1>(GetParam()).goal_weight;
     return parameters;
   }
 };
@@ -45,7 +48,8 @@ TEST_P(BoundaryAgentIn, SmallGridsArrivesOrProvesThatThereIsNoWay) {
 // Legs of one cell turn back as often as can be; legs without end never do.
 INSTANTIATE_TEST_SUITE_P(Legs, BoundaryAgentIn,
                          testing::Combine(testing::Values(CornerCutting::kForbidden, CornerCutting::kAllowed),
-                                          testing::Values(Legs{1.0, 0.0}, Legs{4.0, 1.0}, Legs{1e9, 1.0})));
+                                          testing::Values(Legs{1.0, 0.0, 0.0}, Legs{4.0, 1.0, 3.0},
+                                                          Legs{1e9, 1.0, 0.0})));
 
 TEST(BoundaryAgent, GoesStraightWhereNothingIsInTheWay) {
   const SmallGrid world = drawnGrid({"S........", ".........", ".........", "........G"});
@@ -121,6 +125,26 @@ TEST(BoundaryAgent, StaysSmallInALongMaze) {
   const SmallGrid world = {grid, {0, 0}, {800, 0}};
   BoundaryAgent agent;
   EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 200000).end, WalkEnd::kNoWay);
+  EXPECT_LE(agent.peakBytes(), 16384U);
+}
+
+TEST(BoundaryAgent, ArrivesWhenTheTrailHasNoRoomForTheWayBack) {
+  // The goal is two cells above the start, at the end of a way that first bends 1,600 times and then leads back.
+  const int columns = 1601;
+  PassableGrid grid(columns, 7, true);
+  for (int column = 0; column < columns; ++column) {
+    if (column + 1 < columns) grid.set({column, 1}, false);
+    if (column % 2 == 0) continue;
+    for (int row = 2; row < 7; ++row) grid.set({column, row}, row == (column % 4 == 1 ? 6 : 2));
+  }
+  const SmallGrid world = {grid, {0, 2}, {0, 0}};
+  BoundaryParameters parameters;
+  parameters.first_leg = 4000.0;  // 1,300 bends
+  parameters.goal_weight = 0.0;
+  BoundaryAgent agent(parameters);
+  const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 1000000);
+  EXPECT_EQ(walked.end, WalkEnd::kArrived);
+  EXPECT_GT(agent.peakBytes(), BoundaryTrail::kCapacity * sizeof(CellIndex));
   EXPECT_LE(agent.peakBytes(), 16384U);
 }
 

@@ -4,6 +4,9 @@
 #include <functional>
 #include <memory>
 #include <random>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "lstm_planner/agent/grid_escape.hpp"
 #include "lstm_planner/search/grid_distances.hpp"
@@ -103,6 +106,83 @@ TEST_P(GridEscapeWith, APolicyThatFleesTheGoalArrivesOrProvesThatThereIsNoWay) {
 INSTANTIATE_TEST_SUITE_P(Patience, GridEscapeWith,
                          testing::Combine(testing::Values(CornerCutting::kForbidden, CornerCutting::kAllowed),
                                           testing::Values(1, 30), testing::Values(0.0, 3.0)));
+
+TEST(GridEscape, LetsAnAgentGoThatKeepsGettingNearer) {
+  GridEscapeParameters parameters;
+  parameters.patience = 1;
+  GridEscape escape(parameters);
+  escape.start();
+  for (int column = 0; column < 10; ++column) {
+    escape.observe({{column, 0}, {9, 0}, {}});
+    EXPECT_FALSE(escape.active()) << "column " << column;
+  }
+}
+
+TEST(GridEscape, TakesOverWhenItsPatienceEndsAndHandsBackNearerThanEver) {
+  const SmallGrid world = drawnGrid({"......", "S.##.G", "......"});
+  GridEscapeParameters parameters;
+  parameters.patience = 4;
+  GridEscape escape(parameters);
+  escape.start();
+  const auto observe = [&](CellIndex cell) { escape.observe({cell, world.goal, senseRanges(world.grid, cell)}); };
+  observe({1, 1});
+  for (const CellIndex cell : {CellIndex{0, 1}, CellIndex{0, 0}, CellIndex{0, 1}}) {
+    observe(cell);
+    EXPECT_FALSE(escape.active());
+  }
+  CellIndex cell = {0, 0};
+  observe(cell);
+  ASSERT_TRUE(escape.active());
+  while (escape.active()) {
+    cell = cellBeside(cell, escape.decide());
+    observe(cell);
+  }
+  EXPECT_EQ(escape.activations(), 1U);
+  EXPECT_TRUE(octileDistance(cell, world.goal) < octileDistance({1, 1}, world.goal));
+}
+
+TEST(GridEscape, WaitsLongerWhileAnAgentFindsNewPlacesButNotForEver) {
+  GridEscapeParameters parameters;
+  parameters.patience = 2;
+  parameters.long_patience = 10;
+  GridEscape escape(parameters);
+  escape.start();
+  for (int column = 20; column < 30; ++column) {
+    escape.observe({{column, 0}, {0, 0}, {}}, true);
+    EXPECT_FALSE(escape.active()) << "column " << column;
+  }
+  escape.observe({{30, 0}, {0, 0}, {}}, true);
+  EXPECT_TRUE(escape.active());
+}
+
+TEST(GridEscape, ForgetsTheEpisodeBefore) {
+  GridEscapeParameters parameters;
+  parameters.patience = 1;
+  GridEscape escape(parameters);
+  escape.start();
+  escape.observe({{5, 0}, {9, 0}, {}});
+  escape.observe({{4, 0}, {9, 0}, {}});
+  ASSERT_TRUE(escape.active());
+  escape.start();
+  escape.observe({{0, 0}, {9, 0}, {}});
+  EXPECT_FALSE(escape.active());
+  EXPECT_EQ(escape.activations(), 0U);
+}
+
+TEST(GridEscape, RefusesParametersThatMakeNoSense) {
+  GridEscapeParameters parameters;
+  parameters.patience = 0;
+  EXPECT_THROW(GridEscape{parameters}, std::invalid_argument);
+  parameters = {};
+  parameters.long_patience = 0;
+  EXPECT_THROW(GridEscape{parameters}, std::invalid_argument);
+  parameters = {};
+  parameters.margin = -1.0;
+  EXPECT_THROW(GridEscape{parameters}, std::invalid_argument);
+  parameters = {};
+  parameters.boundary.leg_growth = std::nan("");
+  EXPECT_THROW(GridEscape{parameters}, std::invalid_argument);
+}
 
 }  // namespace
 }  // namespace lstm_planner
