@@ -12,10 +12,10 @@ namespace {
 
 constexpr lstm_planner::Command kCommands[] = {
     {"drive", "drive a simulated Create 2 to random goals and judge it", lstm_planner::runDrive},
-    {"train", "train a network by imitation in generated floor plans", lstm_planner::runTrain, true},
+    {"train", "train a network for the robot or for the grid world", lstm_planner::runTrain, true},
     {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate, true},
     {"report", "compare agents with each other and with the thesis", lstm_planner::runReport, true},
-    {"maps", "generate floor plans as map_server maps", lstm_planner::runMaps},
+    {"maps", "generate floor plans, or maps and scenarios of the grid world", lstm_planner::runMaps},
 };
 
 void printUsage(std::ostream& out) {

@@ -15,7 +15,7 @@ struct GridEscapeParameters {
   /// The same, new places or not: whatever an agent calls new, it cannot put the escape off for ever.
   int long_patience = 2000;
   /// Cells nearer than ever that the escape gets before it hands back, where the goal is not nearer than that.
-  double margin = 0.0;
+  double margin = 40.0;
 };
 
 /// Last resort of an agent that is not certain to arrive: watches how near to the goal (octile distance) it has ever
