@@ -25,7 +25,8 @@ std::string listed(const std::vector<std::string>& names) {
 
 GridAgentMaker aStarMaker(const GridAgentOptions& options) {
   checkHeuristic(options.heuristic);
-  const AStarParameters parameters{options.heuristic, options.corner_cutting};
+  AStarParameters parameters{options.heuristic, options.corner_cutting};
+  if (options.keep_closed) parameters.closed_cells = ClosedCells::kStayClosed;
   return [parameters](const PassableGrid& grid) { return std::make_unique<AStarAgent>(grid, parameters); };
 }
 

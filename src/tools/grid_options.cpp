@@ -56,6 +56,7 @@ void addGridOptions(GridOptions* options, boost::program_options::options_descri
       ("heuristic", po::value(&options->heuristic)->default_value(options->heuristic),
        "of A*: manhattan, chebyshev, octile, euclidean or scaled_euclidean")
       ("scale", po::value(&heuristic.scale)->default_value(heuristic.scale), "of scaled_euclidean")
+      ("keep-closed", "A* expands no cell twice, also where a heuristic that overestimates led to it by a detour")
       ("threads", po::value(&options->evaluation.threads)->default_value(options->evaluation.threads),
        "episodes at a time; does not change the result");
   // clang-format on
@@ -76,6 +77,7 @@ void finishGridOptions(const boost::program_options::variables_map& values, Grid
   }
   selection.count = static_cast<std::size_t>(options->count);
   selection.maps = selectionNamed(options->maps);
+  options->agent.keep_closed = values.count("keep-closed") > 0;
   selection.rule = values.count("thesis-terrain") > 0 ? PassableRule::kThesis : PassableRule::kBenchmark;
   const auto cutting = values.count("corner-cutting") > 0 ? CornerCutting::kAllowed : CornerCutting::kForbidden;
   options->evaluation.rules.corner_cutting = cutting;

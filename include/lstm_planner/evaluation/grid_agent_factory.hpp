@@ -15,9 +15,10 @@ struct GridAgentOptions {
   std::string agent = "lstm";
   std::string model;  ///< ONNX file of an agent that is a network
   CornerCutting corner_cutting = CornerCutting::kForbidden;
-  HeuristicParameters heuristic;                        ///< of A*
-  bool shield = true;                                   ///< of a network: moves into something sensed are not chosen
-  bool escape = true;                                   ///< of a network: boundary following when it gets nowhere
+  HeuristicParameters heuristic;                   ///< of A*
+  bool keep_closed = false;                        ///< of A*: cells are expanded once, however reached later
+  bool shield = true;                              ///< of a network: moves into something sensed are not chosen
+  bool escape = true;                              ///< of a network: boundary following when it gets nowhere
   int patience = GridEscapeParameters().patience;  ///< steps without progress before the escape
 };
 
