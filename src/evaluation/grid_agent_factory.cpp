@@ -10,6 +10,7 @@
 #include "lstm_planner/agent/d_star_agent.hpp"
 #include "lstm_planner/agent/greedy_agent.hpp"
 #include "lstm_planner/agent/network_grid_agent.hpp"
+#include "lstm_planner/agent/rolling_agent.hpp"
 #include "lstm_planner/network/model_file.hpp"
 
 namespace lstm_planner {
@@ -34,6 +35,11 @@ GridAgentMaker boundaryMaker(const GridAgentOptions& options) {
   BoundaryParameters parameters;
   parameters.corner_cutting = options.corner_cutting;
   return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<BoundaryAgent>(parameters); };
+}
+
+GridAgentMaker rollingMaker(const GridAgentOptions& options) {
+  const CornerCutting corner_cutting = options.corner_cutting;
+  return [corner_cutting](const PassableGrid& /*grid*/) { return std::make_unique<RollingAgent>(corner_cutting); };
 }
 
 GridAgentMaker greedyMaker(const GridAgentOptions& options) {
@@ -71,7 +77,7 @@ GridAgentMaker networkMaker(const GridAgentOptions& options) {
 
 const std::vector<std::string>& gridAgentNames() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"astar", "dstar", "greedy", "boundary"};
+    std::vector<std::string> all = {"astar", "dstar", "rolling", "greedy", "boundary"};
     all.insert(all.end(), std::begin(kNetworkNames), std::end(kNetworkNames));
     return all;
   }();
@@ -85,6 +91,7 @@ bool isNetworkAgent(const std::string& name) {
 GridAgentMaker gridAgentMaker(const GridAgentOptions& options) {
   if (options.agent == "astar") return aStarMaker(options);
   if (options.agent == "dstar") return dStarMaker(options);
+  if (options.agent == "rolling") return rollingMaker(options);
   if (options.agent == "greedy") return greedyMaker(options);
   if (options.agent == "boundary") return boundaryMaker(options);
   if (isNetworkAgent(options.agent)) return networkMaker(options);

@@ -22,7 +22,7 @@ struct GridAgentOptions {
   int patience = GridEscapeParameters().patience;  ///< steps without progress before the escape
 };
 
-/// "astar", "dstar", "greedy", "boundary" and the networks: "lstm", "rnn", "mlp", "qlearning", "network".
+/// "astar", "dstar", "rolling", "greedy", "boundary" and the networks: "lstm", "rnn", "mlp", "qlearning", "network".
 const std::vector<std::string>& gridAgentNames();
 
 /// Whether the agent of this name needs a model. Which layers it has is the model file's business; the names say what
