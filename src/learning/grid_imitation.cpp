@@ -76,6 +76,13 @@ TrainerParameters trainerOf(const GridImitationParameters& parameters, const std
   return trainer;
 }
 
+void addToCurve(const std::vector<EpochReport>& round, std::vector<EpochReport>* curve) {
+  for (EpochReport report : round) {
+    report.epoch = static_cast<int>(curve->size()) + 1;
+    curve->push_back(std::move(report));
+  }
+}
+
 }  // namespace
 
 GridImitationParameters thesisImitation() {
@@ -136,6 +143,7 @@ GridImitationResult imitateOnGrid(const GridImitationParameters& parameters, con
       outcome.training = train(result.layers, collector.training(), collector.validation(),
                                trainerOf(parameters, collector.training()), report, &state.training);
       result.layers = outcome.training.layers;
+      addToCurve(outcome.training.curve, &state.curve);
       if (round_done) round_done(outcome);
       result.rounds.push_back(std::move(outcome));
       if (!go_on) break;
@@ -144,6 +152,7 @@ GridImitationResult imitateOnGrid(const GridImitationParameters& parameters, con
     }
     if (round + 1 < parameters.rounds) collector.collectValidation(round + 1, &result.layers);
   }
+  result.curve = state.curve;
   return result;
 }
 

@@ -58,19 +58,31 @@ EpochReport reportFrom(const Json& json) {
   return report;
 }
 
+Json toJson(const std::vector<EpochReport>& curve) {
+  Json json = Json::array();
+  for (const EpochReport& report : curve) json.push_back(toJson(report));
+  return json;
+}
+
+std::vector<EpochReport> curveFrom(const Json& json) {
+  std::vector<EpochReport> curve;
+  for (const Json& report : json) curve.push_back(reportFrom(report));
+  return curve;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> toBytes(const GridImitationState& state) {
   Json json = {{"format", kFormat},
                {"learners", Json::array()},
+               {"curve", toJson(state.curve)},
                {"weights", valuesOf(state.training.weights)},
                {"best_weights", valuesOf(state.training.best_weights)},
                {"velocity", valuesOf(state.training.optimiser.velocity)},
                {"squared_average", valuesOf(state.training.optimiser.squared_average)},
                {"updates", state.training.optimiser.updates},
-               {"curve", Json::array()}};
+               {"round_curve", toJson(state.training.curve)}};
   for (const Eigen::VectorXf& learner : state.learners) json["learners"].push_back(valuesOf(learner));
-  for (const EpochReport& report : state.training.curve) json["curve"].push_back(toJson(report));
   return Json::to_cbor(json);
 }
 
@@ -84,7 +96,8 @@ GridImitationState gridImitationStateFrom(const std::vector<std::uint8_t>& bytes
   state.training.optimiser.velocity = vectorFrom(json.at("velocity"));
   state.training.optimiser.squared_average = vectorFrom(json.at("squared_average"));
   state.training.optimiser.updates = json.at("updates").get<long>();
-  for (const Json& report : json.at("curve")) state.training.curve.push_back(reportFrom(report));
+  state.curve = curveFrom(json.at("curve"));
+  state.training.curve = curveFrom(json.at("round_curve"));
   return state;
 } catch (const std::exception& error) {
   throw std::invalid_argument(std::string("this is not the state of an imitation in the grid world: ") + error.what());

@@ -47,18 +47,21 @@ class ImitationTraining {
     const auto epoch_done = [&](int round, const EpochReport& report, const GridImitationState& state) {
       printEpoch(round, report);
       bar_.show((round - 1 + static_cast<double>(report.epoch) / options_.epochs) / parameters_.rounds);
+      const bool stop = interruption.wanted();
       const bool last = round == parameters_.rounds && report.epoch == options_.epochs;
-      writeCheckpoint(state, interruption.wanted() || last);
-      return !interruption.wanted();
+      writeCheckpoint(state, stop || last);
+      interrupted_ = stop && !last;
+      return !stop;
     };
     const auto round_done = [&](const GridImitationRound& round) { judgeRound(round); };
-    imitateOnGrid(parameters_, layers_, maps_.training, validationMaps(maps_), epoch_done, round_done, begun);
+    const GridImitationResult result =
+        imitateOnGrid(parameters_, layers_, maps_.training, validationMaps(maps_), epoch_done, round_done, begun);
     if (!options_.curve.empty() && isFirstRank()) {
       const std::string stem = options_.curve.substr(0, options_.curve.rfind('.'));
-      writeLearningCurve(stem + ".csv", options_.curve, curve_);
+      writeLearningCurve(stem + ".csv", options_.curve, result.curve);
     }
     std::cout << "wrote " << options_.output << ": mean arrival " << judge_.best() << std::endl;
-    if (!interruption.wanted()) return 0;
+    if (!interrupted_) return 0;
     std::cout << "interrupted; "
               << (options_.checkpoint.empty() ? "without --checkpoint the training cannot be gone on with"
                                               : "the same command goes on from here")
@@ -71,7 +74,7 @@ class ImitationTraining {
     if (options_.checkpoint.empty()) return {};
     const auto checkpoint = readTrainingCheckpoint(options_.checkpoint, settings_);
     if (!checkpoint) return {};
-    judge_.setBest(checkpoint->progress.at("best").get<double>());
+    judge_.restore(checkpoint->progress);
     GridImitationState state = gridImitationStateFrom(checkpoint->learner);
     std::cout << "going on from " << options_.checkpoint << " after " << state.learners.size() << " rounds and "
               << state.training.curve.size() << " epochs" << std::endl;
@@ -83,7 +86,7 @@ class ImitationTraining {
     const auto now = std::chrono::steady_clock::now();
     if (options_.checkpoint.empty() || (!at_once && now < last_checkpoint_ + kCheckpointInterval)) return;
     last_checkpoint_ = now;
-    writeTrainingCheckpoint(options_.checkpoint, {settings_, {{"best", judge_.best()}}, toBytes(state)});
+    writeTrainingCheckpoint(options_.checkpoint, {settings_, judge_.state(), toBytes(state)});
   }
 
   void printEpoch(int round, const EpochReport& report) const {
@@ -94,10 +97,8 @@ class ImitationTraining {
   }
 
   void judgeRound(const GridImitationRound& round) {
-    for (EpochReport report : round.training.curve) {
-      report.epoch = static_cast<int>(curve_.size()) + 1;
-      curve_.push_back(std::move(report));
-    }
+    // What a break leaves is judged where nothing else is kept; else the round will end first.
+    if (interrupted_ && !options_.checkpoint.empty() && judge_.best() >= 0.0) return;
     const GridScore score = judge_.judge(round.training.layers);
     const bool best = judge_.keepIfBest(round.training.layers, score);
     std::cout << "round " << round.round << ", " << round.steps << " steps, best epoch " << round.training.best_epoch
@@ -114,7 +115,7 @@ class ImitationTraining {
   GridTrainingMaps maps_;
   GridJudge judge_;
   Progress bar_;
-  std::vector<EpochReport> curve_;
+  bool interrupted_ = false;
   std::chrono::steady_clock::time_point last_checkpoint_;
 };
 

@@ -1,5 +1,6 @@
 #include "tools/train_grid_judge.hpp"
 
+#include <filesystem>
 #include <iomanip>
 #include <memory>
 #include <sstream>
@@ -51,6 +52,13 @@ bool GridJudge::keepIfBest(const LayerStack& layers, const GridScore& score) {
   model.metadata["score"] = text.str();
   writeModelFile(options_.output, model);
   return true;
+}
+
+nlohmann::json GridJudge::state() const { return {{"best", best_}, {"output", options_.output}}; }
+
+void GridJudge::restore(const nlohmann::json& state) {
+  const bool same = state.value("output", options_.output) == options_.output;
+  best_ = same && std::filesystem::exists(options_.output) ? state.at("best").get<double>() : -1.0;
 }
 
 std::vector<std::string> GridJudge::names() const {

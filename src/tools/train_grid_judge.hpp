@@ -25,8 +25,10 @@ class GridJudge {
   /// Writes the model when it is better than all before. Returns whether it was.
   bool keepIfBest(const LayerStack& layers, const GridScore& score);
 
-  double best() const { return best_; }        ///< -1 before the first
-  void setBest(double best) { best_ = best; }  ///< of a training that is gone on with
+  double best() const { return best_; }  ///< mean arrival; -1 before the first
+  /// For a checkpoint, and from it: the best is in the output file, unless that is another now, or was taken away.
+  nlohmann::json state() const;
+  void restore(const nlohmann::json& state);
   std::vector<std::string> names() const;
 
  private:

@@ -102,8 +102,7 @@ nlohmann::json settingsOf(const GridTrainingOptions& options) {
           {"from", options.from},
           {"epochs", options.epochs},
           {"validation", options.validation},
-          {"seed", options.seed},
-          {"output", options.output}};
+          {"seed", options.seed}};
 }
 
 LayerStack firstLayers(GridTrainingOptions* options) {

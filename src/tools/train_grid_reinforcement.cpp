@@ -92,7 +92,7 @@ class ReinforcementTraining {
     const auto checkpoint = readTrainingCheckpoint(options_.checkpoint, plan_.settings);
     if (!checkpoint) return;
     epoch_ = checkpoint->progress.at("epoch").get<int>();
-    judge_.setBest(checkpoint->progress.at("best").get<double>());
+    judge_.restore(checkpoint->progress);
     for (const auto& point : checkpoint->progress.at("curve")) points_.push_back(curvePointFrom(point));
     learner_->restore(checkpoint->learner);
     std::cout << "going on from " << options_.checkpoint << " after epoch " << epoch_ << std::endl;
@@ -102,7 +102,8 @@ class ReinforcementTraining {
     if (options_.checkpoint.empty() || !isFirstRank()) return;
     TrainingCheckpoint checkpoint;
     checkpoint.settings = plan_.settings;
-    checkpoint.progress = {{"epoch", epoch_}, {"best", judge_.best()}, {"curve", nlohmann::json::array()}};
+    checkpoint.progress = judge_.state();
+    checkpoint.progress.update({{"epoch", epoch_}, {"curve", nlohmann::json::array()}});
     for (const GridCurvePoint& point : points_) checkpoint.progress["curve"].push_back(toJson(point));
     checkpoint.learner = learner_->checkpoint();
     writeTrainingCheckpoint(options_.checkpoint, checkpoint);
@@ -114,10 +115,12 @@ class ReinforcementTraining {
     }
   }
 
-  /// What was learned since the last epoch ended is judged too, but not in the checkpoint: an epoch begins anew.
   int stop(const Interruption& interruption) {
-    std::cout << "interrupted in epoch " << epoch_ + 1 << ": judging what was learned so far" << std::endl;
-    judge_.keepIfBest(learner_->layers(), judge_.judge(learner_->layers()));
+    std::cout << "interrupted in epoch " << epoch_ + 1 << std::endl;
+    // What was learned since the last epoch ended is judged where nothing else is kept; else that epoch begins anew.
+    if (options_.checkpoint.empty() || judge_.best() < 0.0) {
+      judge_.keepIfBest(learner_->layers(), judge_.judge(learner_->layers()));
+    }
     drawCurve();
     std::cout << "wrote " << options_.output << ": mean arrival " << judge_.best() << "; ";
     if (options_.checkpoint.empty()) {

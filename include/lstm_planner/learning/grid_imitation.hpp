@@ -46,6 +46,7 @@ void validate(const GridImitationParameters& parameters);
 /// A training between two epochs.
 struct GridImitationState {
   std::vector<Eigen::VectorXf> learners;  ///< weights after each round that is done
+  std::vector<EpochReport> curve;         ///< of these rounds, one after the other
   TrainingState training;                 ///< of the round that goes on
 };
 
@@ -67,6 +68,7 @@ using GridImitationRoundCallback = std::function<void(const GridImitationRound&)
 struct GridImitationResult {
   LayerStack layers;                       ///< of the last round's best epoch on the validation set
   std::vector<GridImitationRound> rounds;  ///< without those that were done before
+  std::vector<EpochReport> curve;          ///< of all rounds
 };
 
 /// Runs all rounds, from the weights of `layers`, or goes on from `state`, where given and begun; collecting what was

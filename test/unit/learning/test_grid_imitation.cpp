@@ -96,7 +96,9 @@ TEST(GridImitation, GivesTheSameWeightsForAnyNumberOfThreads) {
 
 TEST(GridImitation, GoesOnAfterABreakAsIfThereHadBeenNone) {
   const GridImitationParameters parameters = tinyImitation();
-  const Eigen::VectorXf whole = parameterVector(run(parameters).layers);
+  const GridImitationResult without_break = run(parameters);
+  const Eigen::VectorXf whole = parameterVector(without_break.layers);
+  ASSERT_EQ(without_break.curve.size(), 6u);
   for (const int epochs_before : {1, 3, 4, 6}) {  // in a round, after one, in the second, after everything
     std::vector<std::uint8_t> bytes;
     int epochs = 0;
@@ -106,6 +108,12 @@ TEST(GridImitation, GoesOnAfterABreakAsIfThereHadBeenNone) {
     });
     const GridImitationResult rest = run(parameters, {}, gridImitationStateFrom(bytes));
     EXPECT_EQ(parameterVector(rest.layers), whole) << epochs_before << " epochs before the break";
+    ASSERT_EQ(rest.curve.size(), 6u);
+    for (std::size_t epoch = 0; epoch < 6; ++epoch) {
+      EXPECT_EQ(rest.curve[epoch].epoch, static_cast<int>(epoch) + 1);
+      EXPECT_EQ(rest.curve[epoch].training.loss, without_break.curve[epoch].training.loss);
+      EXPECT_EQ(rest.curve[epoch].validation.confusion, without_break.curve[epoch].validation.confusion);
+    }
   }
 }
 
