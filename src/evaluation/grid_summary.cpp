@@ -6,7 +6,7 @@
 
 namespace lstm_planner {
 
-nlohmann::ordered_json toJson(const GridSetSummary& summary) {
+nlohmann::json toJson(const GridSetSummary& summary) {
   return {{"name", summary.name},
           {"scenarios", summary.scenarios},
           {"success", summary.share(summary.arrived)},

@@ -118,7 +118,7 @@ void writeDetails(const std::string& path, const std::vector<DriveTask>& tasks,
 }
 
 void writeJson(const std::string& path, const DriveOptions& options, const DriveSummary& summary) {
-  const nlohmann::ordered_json json = {{"map", options.map},
+  const nlohmann::json json = {{"map", options.map},
                                        {"model", options.model},
                                        {"seed", options.seed},
                                        {"goals", summary.goals},

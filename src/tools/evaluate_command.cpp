@@ -82,8 +82,8 @@ class SetProgress {
 };
 
 void writeJson(const EvaluateOptions& options, const std::vector<GridSetSummary>& summaries) {
-  nlohmann::ordered_json json = {{"agent", options.grid.agent.agent}, {"model", options.grid.agent.model}};
-  json["sets"] = nlohmann::ordered_json::array();
+  nlohmann::json json = {{"agent", options.grid.agent.agent}, {"model", options.grid.agent.model}};
+  json["sets"] = nlohmann::json::array();
   for (const GridSetSummary& summary : summaries) json["sets"].push_back(toJson(summary));
   writeTextFile(options.json, json.dump(2) + "\n");
 }

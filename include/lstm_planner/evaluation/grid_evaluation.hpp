@@ -56,7 +56,7 @@ GridSetSummary summarizeGridEpisodes(const std::string& name, const std::vector<
 
 /// With `success`, `collisions` and `timeouts` as shares of the scenarios; what is missing to 1 are agents that said
 /// that there is no way. A mean over nothing is null.
-nlohmann::ordered_json toJson(const GridSetSummary& summary);
+nlohmann::json toJson(const GridSetSummary& summary);
 
 /// For people: one line a set.
 void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& summaries);

@@ -177,7 +177,7 @@ TEST(GridSummary, QuantilesAreByNearestRank) {
 }
 
 TEST(GridSummary, WritesTheKeysThatReadersCountOn) {
-  const nlohmann::ordered_json json = toJson(summarizeGridEpisodes(
+  const nlohmann::json json = toJson(summarizeGridEpisodes(
       "Rows", {episodeOf(GridEpisode::End::kArrived, 5, 5.0), episodeOf(GridEpisode::End::kTimeout, 9, 5.0),
                episodeOf(GridEpisode::End::kTimeout, 9, 5.0), episodeOf(GridEpisode::End::kCollision, 1, 5.0)}));
   std::vector<std::string> keys;
@@ -193,7 +193,7 @@ TEST(GridSummary, WritesTheKeysThatReadersCountOn) {
 }
 
 TEST(GridSummary, HasNoMeanWhereNoneArrived) {
-  const nlohmann::ordered_json json =
+  const nlohmann::json json =
       toJson(summarizeGridEpisodes("set", {episodeOf(GridEpisode::End::kTimeout, 9, 5.0)}));
   EXPECT_EQ(json["success"], 0.0);
   EXPECT_NE(json.dump().find("\"mean_ratio\":null"), std::string::npos);
