@@ -1,5 +1,7 @@
 #include "lstm_planner/agent/grid_escape.hpp"
 
+#include <algorithm>
+
 #include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
@@ -32,7 +34,7 @@ void GridEscape::observe(const GridObservation& observation, bool new_place) {
   if (!active_ && (steps_in_known_places_ >= parameters_.patience || steps_since_best_ >= parameters_.long_patience)) {
     active_ = true;
     ++activations_;
-    hand_back_below_ = best_.length() - parameters_.margin;
+    hand_back_below_ = std::max(0.0, best_.length() - parameters_.margin);
     follower_.start();
   }
   if (active_) follower_.observe(observation);
