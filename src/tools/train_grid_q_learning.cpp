@@ -55,7 +55,8 @@ void addQLearningOptions(QLearningParameters* parameters, boost::program_options
       ("exploration-end", po::value(&p.exploration_end)->default_value(p.exploration_end), "and at last")
       ("exploration-share", po::value(&p.exploration_share)->default_value(p.exploration_share),
        "of the updates, after which it has sunk that far")
-      ("reward", po::value<std::string>()->default_value("progress"), "progress (true, less a cost) or thesis (Eq. 2.36)")
+      ("reward", po::value<std::string>()->default_value("progress"),
+       "progress (nearer to the goal by the true shortest way, less a cost) or thesis (Eq. 2.36)")
       ("step-cost", po::value(&p.step_cost)->default_value(p.step_cost), "cells; reward progress")
       ("arrival-bonus", po::value(&p.arrival_bonus)->default_value(p.arrival_bonus), "cells; reward progress")
       ("tau-range", po::value(&p.thesis_reward.range)->default_value(p.thesis_reward.range),

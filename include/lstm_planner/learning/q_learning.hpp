@@ -32,7 +32,7 @@ struct ThesisRewardWeights {
 /// has there, where a replayed window would need one that an older network left.
 struct QLearningParameters {
   enum class Reward {
-    kProgress,  ///< what a step brings the agent nearer to the goal by the true shortest way, less a cost, as ActorCritic
+    kProgress,  ///< cells nearer to the goal by the true shortest way, less a cost a step, as ActorCritic
     kThesis,    ///< Eq. 2.36, of the state in which the step begins
   };
   GridEncoderParameters encoder;

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "learning/q_learning_targets.hpp"
+
+namespace lstm_planner {
+namespace {
+
+QTransition greedyStep(double reward, double value) {
+  QTransition step;
+  step.reward = reward;
+  step.value = value;
+  step.greedy = true;
+  return step;
+}
+
+/// Two steps, and the state after them.
+std::vector<QTransition> twoSteps() { return {greedyStep(1.0, 7.0), greedyStep(-0.5, 4.0), greedyStep(99.0, 6.0)}; }
+
+TEST(QTargets, AreRewardAndDiscountedValueOfTheNextState) {
+  const std::vector<double> targets = lambdaTargets(twoSteps(), 0.5, 0.0);
+  ASSERT_EQ(targets.size(), 2u);
+  EXPECT_DOUBLE_EQ(targets[1], -0.5 + 0.5 * 6.0);
+  EXPECT_DOUBLE_EQ(targets[0], 1.0 + 0.5 * 4.0);
+}
+
+TEST(QTargets, LookFurtherByTheTraceDecay) {
+  EXPECT_DOUBLE_EQ(lambdaTargets(twoSteps(), 0.5, 1.0)[0], 1.0 + 0.5 * (-0.5 + 0.5 * 6.0));
+  EXPECT_DOUBLE_EQ(lambdaTargets(twoSteps(), 0.5, 0.5)[0], 1.0 + 0.5 * (0.5 * 4.0 + 0.5 * 2.5));
+}
+
+TEST(QTargets, DoNotLookPastAMoveThatWasNotTheBest) {
+  std::vector<QTransition> steps = twoSteps();
+  steps[1].greedy = false;
+  EXPECT_DOUBLE_EQ(lambdaTargets(steps, 0.5, 1.0)[0], 1.0 + 0.5 * 4.0);
+}
+
+TEST(QTargets, ExpectNothingAfterArriving) {
+  std::vector<QTransition> steps = twoSteps();
+  steps[0].arrived = true;
+  EXPECT_DOUBLE_EQ(lambdaTargets(steps, 0.5, 1.0)[0], 1.0);
+}
+
+TEST(QTargets, LearnNothingFromTheStepAtWhichAnEpisodeIsCutOff) {
+  std::vector<QTransition> steps = twoSteps();
+  steps[1].timed_out = true;
+  steps[1].estimate = 3.0;
+  const std::vector<double> targets = lambdaTargets(steps, 0.5, 1.0);
+  EXPECT_DOUBLE_EQ(targets[1], 3.0);
+  EXPECT_DOUBLE_EQ(targets[0], 1.0 + 0.5 * 4.0);
+}
+
+TEST(QTargets, HuberDerivativeIsTheErrorUpToItsLimit) {
+  EXPECT_DOUBLE_EQ(huberDerivative(-1.5, 2.0), -1.5);
+  EXPECT_DOUBLE_EQ(huberDerivative(7.0, 2.0), 2.0);
+  EXPECT_DOUBLE_EQ(huberDerivative(-7.0, 2.0), -2.0);
+}
+
+TEST(ThesisReward, CountsNearWallsDistanceAndTurnAsCosts) {
+  GridMemory memory;
+  memory.start();
+  GridObservation observation;
+  observation.cell = {4, 4};
+  observation.goal = {4, 7};
+  observation.ranges = {1, 2, 2, 4, 4, 4, 4, 50};
+  memory.observe(observation);
+  const ThesisRewardWeights weights{1.0, 10.0, 100.0};
+  const double proximity = 1.0 + 0.5 + 0.5 + 4 * 0.25 + 0.02;
+  EXPECT_NEAR(thesisReward(memory, weights), -(proximity + 10.0 * 3.0), 1e-12);
+  // It came from the west, so that the goal, along the columns, is a quarter turn away.
+  memory.step(0);
+  EXPECT_NEAR(thesisReward(memory, weights), -(proximity + 10.0 * 3.0 + 100.0 * M_PI / 2), 1e-9);
+}
+
+}  // namespace
+}  // namespace lstm_planner
