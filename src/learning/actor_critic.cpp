@@ -10,32 +10,13 @@
 #include "actor_critic_tile.hpp"
 #include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
+#include "optimiser_json.hpp"
 #include "parallel_for.hpp"
 
 namespace lstm_planner {
 namespace {
 
 constexpr const char* kCheckpointFormat = "lstm_planner actor-critic 1";
-
-nlohmann::json toJson(const Eigen::VectorXf& values) {
-  return std::vector<float>(values.data(), values.data() + values.size());
-}
-
-Eigen::VectorXf vectorFrom(const nlohmann::json& content) {
-  const auto values = content.get<std::vector<float>>();
-  return Eigen::Map<const Eigen::VectorXf>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-nlohmann::json toJson(const Optimiser::State& state) {
-  return {{"velocity", toJson(state.velocity)},
-          {"squared_average", toJson(state.squared_average)},
-          {"updates", state.updates}};
-}
-
-Optimiser::State stateFrom(const nlohmann::json& content) {
-  return {vectorFrom(content.at("velocity")), vectorFrom(content.at("squared_average")),
-          content.at("updates").get<long>()};
-}
 
 OptimiserParameters optimiserParameters(double learning_rate, double max_norm) {
   OptimiserParameters parameters;
@@ -138,10 +119,10 @@ class ActorCritic::Implementation {
   std::vector<std::uint8_t> checkpoint() const {
     nlohmann::json content;
     content["format"] = kCheckpointFormat;
-    content["policy"] = toJson(policy_parameters_);
-    content["critic"] = toJson(critic_parameters_);
-    content["policy_optimiser"] = toJson(policy_optimiser_.state());
-    content["critic_optimiser"] = toJson(critic_optimiser_.state());
+    content["policy"] = vectorToJson(policy_parameters_);
+    content["critic"] = vectorToJson(critic_parameters_);
+    content["policy_optimiser"] = optimiserToJson(policy_optimiser_.state());
+    content["critic_optimiser"] = optimiserToJson(critic_optimiser_.state());
     content["advantage_variances"] = advantage_variances_;
     content["steps"] = all_steps_;
     content["updates"] = updates_;
@@ -151,13 +132,13 @@ class ActorCritic::Implementation {
   void restore(const std::vector<std::uint8_t>& checkpoint) try {
     const nlohmann::json content = nlohmann::json::from_cbor(checkpoint);
     if (content.at("format") != kCheckpointFormat) throw std::invalid_argument("another format");
-    const Eigen::VectorXf policy = vectorFrom(content.at("policy"));
-    const Eigen::VectorXf critic = vectorFrom(content.at("critic"));
+    const Eigen::VectorXf policy = vectorFromJson(content.at("policy"));
+    const Eigen::VectorXf critic = vectorFromJson(content.at("critic"));
     if (policy.size() != policy_parameters_.size() || critic.size() != critic_parameters_.size()) {
       throw std::invalid_argument("networks of other sizes");
     }
-    policy_optimiser_.setState(stateFrom(content.at("policy_optimiser")));
-    critic_optimiser_.setState(stateFrom(content.at("critic_optimiser")));
+    policy_optimiser_.setState(optimiserFromJson(content.at("policy_optimiser")));
+    critic_optimiser_.setState(optimiserFromJson(content.at("critic_optimiser")));
     advantage_variances_ = content.at("advantage_variances").get<std::vector<double>>();
     all_steps_ = content.at("steps").get<double>();
     updates_ = content.at("updates").get<int>();

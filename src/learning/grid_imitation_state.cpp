@@ -3,6 +3,7 @@
 #include <string>
 
 #include "lstm_planner/learning/grid_imitation.hpp"
+#include "optimiser_json.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -14,11 +15,6 @@ constexpr const char* kFormat = "lstm_planner grid imitation 1";
 template <typename Vector>
 Json valuesOf(const Vector& vector) {
   return std::vector<typename Vector::Scalar>(vector.data(), vector.data() + vector.size());
-}
-
-Eigen::VectorXf vectorFrom(const Json& json) {
-  const auto values = json.get<std::vector<float>>();
-  return Eigen::Map<const Eigen::VectorXf>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
 Json toJson(const LossSum& sum) {
@@ -90,11 +86,11 @@ GridImitationState gridImitationStateFrom(const std::vector<std::uint8_t>& bytes
   const Json json = Json::from_cbor(bytes);
   if (json.at("format") != kFormat) throw std::invalid_argument("another format");
   GridImitationState state;
-  for (const Json& learner : json.at("learners")) state.learners.push_back(vectorFrom(learner));
-  state.training.weights = vectorFrom(json.at("weights"));
-  state.training.best_weights = vectorFrom(json.at("best_weights"));
-  state.training.optimiser.velocity = vectorFrom(json.at("velocity"));
-  state.training.optimiser.squared_average = vectorFrom(json.at("squared_average"));
+  for (const Json& learner : json.at("learners")) state.learners.push_back(vectorFromJson(learner));
+  state.training.weights = vectorFromJson(json.at("weights"));
+  state.training.best_weights = vectorFromJson(json.at("best_weights"));
+  state.training.optimiser.velocity = vectorFromJson(json.at("velocity"));
+  state.training.optimiser.squared_average = vectorFromJson(json.at("squared_average"));
   state.training.optimiser.updates = json.at("updates").get<long>();
   state.curve = curveFrom(json.at("curve"));
   state.training.curve = curveFrom(json.at("round_curve"));
