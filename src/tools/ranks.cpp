@@ -70,7 +70,10 @@ MpiSession::MpiSession(int* argc, char*** argv) {
 }
 
 MpiSession::~MpiSession() {
-  if (communicator) MPI_Finalize();
+  if (!communicator) return;
+  // Where one returns another status than 0, mpirun ends the others: not before the first has written its files.
+  MPI_Barrier(MPI_COMM_WORLD);
+  MPI_Finalize();
   communicator.reset();
 }
 
