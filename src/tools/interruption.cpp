@@ -27,8 +27,10 @@ Interruption::~Interruption() {
 }
 
 bool Interruption::wanted() const {
-  caught_signal = largestOfRanks(ranks(), caught_signal);
-  return caught_signal != 0;
+  // A signal that comes while the ranks exchange is asked about the next time.
+  const int agreed = largestOfRanks(ranks(), caught_signal);
+  if (agreed != 0) caught_signal = agreed;
+  return agreed != 0;
 }
 
 int Interruption::exitStatus() const { return 128 + caught_signal; }

@@ -93,7 +93,7 @@ class MpiTool : public ::testing::Test {
     const Outcome two = byRanks(2, trainingWith(method_options, "model"));
     ASSERT_EQ(two.status, 0) << two.output;
     EXPECT_GT(checkpoint.size(), 1000u);
-    EXPECT_EQ(contentOf(in("model.checkpoint")), checkpoint);
+    EXPECT_TRUE(contentOf(in("model.checkpoint")) == checkpoint);  // EXPECT_EQ would print them
     EXPECT_EQ(timesIn(two.output, "wrote "), 1u) << two.output;
   }
 
