@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "lstm_planner/agent/network_grid_agent.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
+#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/simulation/random.hpp"
+
+namespace lstm_planner {
+namespace {
+
+std::string shippedModel(const std::string& name) {
+  return std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/" + name + ".onnx";
+}
+
+CellIndex passableCell(const PassableGrid& grid, Random& random) {
+  while (true) {
+    const CellIndex cell{static_cast<int>(uniformIndex(random, static_cast<std::size_t>(grid.columns()))),
+                         static_cast<int>(uniformIndex(random, static_cast<std::size_t>(grid.rows())))};
+    if (grid.passable(cell)) return cell;
+  }
+}
+
+class ShippedGridModel : public testing::TestWithParam<const char*> {};
+
+TEST_P(ShippedGridModel, ArrivesEverywhereInAMazeWithoutCollision) {
+  MazeParameters parameters;
+  parameters.columns = 100;
+  parameters.rows = 100;
+  parameters.corridor_width = 8;
+  const PassableGrid maze = generateMaze(parameters, 5);
+  NetworkGridAgent agent(readModelFile(shippedModel(GetParam())), {});
+  Random random(9);
+  for (int episode = 0; episode < 10; ++episode) {
+    const CellIndex goal = passableCell(maze, random);
+    CellIndex cell = passableCell(maze, random);
+    agent.start(cell, goal);
+    // Boundary following alone needs at most 1.25 steps a cell in small grids; the patience comes on top of it.
+    int steps_left = 50 * 100 * 100;
+    while (std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) > 1 && --steps_left > 0) {
+      agent.observe({cell, goal, senseRanges(maze, cell)});
+      const int direction = agent.decide();
+      ASSERT_TRUE(direction != kNoWay && movePossible(maze, cell, direction, CornerCutting::kForbidden));
+      cell = cellBeside(cell, direction);
+      agent.step(direction, true);
+    }
+    ASSERT_GT(steps_left, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedGridModel,
+                         testing::Values("grid_lstm", "grid_lstm_trace", "grid_lstm_2x8", "grid_rnn_2x16",
+                                         "grid_mlp_4x64", "grid_qlearning"));
+
+TEST(ShippedGridModels, TheTwoMainOnesAreNoLargerThanTheThesissAndNeedAtMost64KiB) {
+  for (const char* name : {"grid_lstm", "grid_lstm_trace"}) {
+    const Model model = readModelFile(shippedModel(name));
+    EXPECT_LE(countWeights(model.layers), 1256u);
+    EXPECT_LE(NetworkGridAgent(model, {}).peakBytes(), 64u * 1024u);
+  }
+}
+
+}  // namespace
+}  // namespace lstm_planner
