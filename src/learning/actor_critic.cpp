@@ -1,7 +1,6 @@
 #include "lstm_planner/learning/actor_critic.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 #include "actor_critic_tile.hpp"
 #include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
+#include "lstm_planner/parameter_check.hpp"
 #include "optimiser_json.hpp"
 #include "parallel_for.hpp"
 
@@ -28,9 +28,15 @@ OptimiserParameters optimiserParameters(double learning_rate, double max_norm) {
 }  // namespace
 
 void validate(const ActorCriticParameters& parameters) {
-  if (parameters.updates < 1 || parameters.agents < 1 || parameters.window < 1) {
-    throw std::invalid_argument("updates, agents and window must be at least 1");
-  }
+  checkParameter(parameters.updates >= 1, "updates", parameters.updates, "at least 1");
+  checkParameter(parameters.agents >= 1, "agents", parameters.agents, "at least 1");
+  checkParameter(parameters.window >= 1, "window", parameters.window, "at least 1");
+  checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
+  checkParameter(parameters.threads >= 1, "threads", parameters.threads, "at least 1");
+  checkParameter(parameters.discount > 0.0 && parameters.discount <= 1.0, "discount", parameters.discount,
+                 "a number in (0, 1]");
+  checkParameter(parameters.advantage_decay >= 0.0 && parameters.advantage_decay <= 1.0, "advantage_decay",
+                 parameters.advantage_decay, "a number in [0, 1]");
 }
 
 class ActorCritic::Implementation {

@@ -22,7 +22,6 @@ class VisitTrace {
  public:
   enum Scale { kCell = 0, kSmallBlock = 1, kLargeBlock = 2 };
   static constexpr int kScales = 3;
-  static constexpr std::array<int, kScales> kBlockSizes = {1, 4, 8};
 
   VisitTrace();
 
@@ -37,7 +36,6 @@ class VisitTrace {
   static std::size_t bytes();
 
  private:
-  static constexpr std::array<int, kScales> kWindows = {32, 32, 64};  ///< blocks a side, powers of two
   struct Entry {
     std::uint16_t stamp = 0;
     std::uint8_t count = 0;

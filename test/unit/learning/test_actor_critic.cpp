@@ -103,6 +103,15 @@ TEST(ActorCritic, RefusesWhatIsNotItsCheckpoint) {
   EXPECT_THROW(training.restore(ActorCritic(other, smallPolicy(other)).checkpoint()), std::invalid_argument);
 }
 
+TEST(ActorCritic, RefusesParametersOutOfRange) {
+  ActorCriticParameters parameters = smallTraining(1);
+  parameters.window = 0;
+  EXPECT_THROW(validate(parameters), std::invalid_argument);
+  parameters = smallTraining(1);
+  parameters.discount = 1.5;
+  EXPECT_THROW(validate(parameters), std::invalid_argument);
+}
+
 TEST(ActorCritic, LearnsToGoRoundWalls) {
   ActorCriticParameters parameters = smallTraining(2);
   parameters.agents = 64;
