@@ -6,6 +6,7 @@ void perceive(const LaserScan& scan, const SensorMount& mount, const ScanLimits&
               Situation* situation) {
   situation->sectors = averageSectors(scan, mount, limits, range_cap);
   toPoints(scan, mount, limits, &situation->obstacles);
+  toProfile(scan, mount, limits, &situation->profile);
 }
 
 }  // namespace lstm_planner

@@ -14,9 +14,10 @@ struct Situation {
   Pose2 pose;                     ///< base in the odometry frame
   Sectors sectors;                ///< for the network
   std::vector<Point2> obstacles;  ///< measured returns in the base frame, m; for shield, escape and controller
+  RangeProfile profile;           ///< the same scan by direction, in the base frame; for what is seen to be free
 };
 
-/// Fills sectors and obstacles from a scan, reusing the memory of `situation`. Throws UnusableScan.
+/// Fills sectors, obstacles and profile from a scan, reusing the memory of `situation`. Throws UnusableScan.
 void perceive(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, double range_cap,
               Situation* situation);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "lstm_planner/geometry.hpp"
@@ -35,6 +36,21 @@ struct ScanLimits {
 /// True when the reading is a measured range: finite, positive, inside [range_min, range_max], not a no-return code.
 /// +inf, NaN, 0, values below range_min or above range_max and 65.53 are all "no return".
 bool isMeasuredRange(float range, const LaserScan& scan, const ScanLimits& limits = {});
+
+/// The ranges of a scan by direction, in the base frame: what lies between the scanner and a range was seen to be free.
+struct RangeProfile {
+  Point2 origin;                 ///< where the scanner is, m
+  double first_direction = 0.0;  ///< rad, of ranges[0]
+  double increment = 0.0;        ///< rad from one range to the next; may be negative
+  std::vector<float> ranges;     ///< m; +inf = nothing there, 0 = not known (lost beams, readings below range_min)
+
+  double direction(std::size_t beam) const { return first_direction + static_cast<double>(beam) * increment; }
+  /// Index of the beam nearest to `direction` (rad, base frame); -1 when none is within an increment of it.
+  long beamTowards(double direction) const;
+};
+
+/// Fills a profile from a scan; its memory is reused.
+void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, RangeProfile* profile);
 
 /// The measured returns as points in the base frame, m, in the order of the beams; no returns are left out.
 /// `points` is overwritten; its memory is reused.
