@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kSmallestScale = 1e-3;
 constexpr double kLargestScale = 1e6;
-constexpr char kSectorPrefix[] = "sector_";
 
 // The classic locale: a decimal comma of the user's locale must not change a model file.
 std::string toText(double value) {
@@ -47,12 +46,16 @@ void checkScale(const std::string& name, double value) {
   }
 }
 
-/// The sector that an input name asks for, -1 when it is no sector.
-int sectorOf(const std::string& name) {
-  for (int sector = 0; sector < kSectorCount; ++sector) {
-    if (name == kSectorPrefix + std::to_string(sector)) return sector;
-  }
-  return -1;
+/// Splits "sector_3" into the name "sector_" and 3; false when `name` does not end in one of the digits 0 .. 7.
+bool splitNumbered(const std::string& name, std::string* stem, std::size_t* index) {
+  if (name.size() < 2 || name[name.size() - 2] != '_' || name.back() < '0' || name.back() > '7') return false;
+  *stem = name.substr(0, name.size() - 1);
+  *index = static_cast<std::size_t>(name.back() - '0');
+  return true;
+}
+
+bool hasEvents(const std::vector<std::string>& layout) {
+  return std::any_of(layout.begin(), layout.end(), [](const std::string& name) { return name.rfind("event_", 0) == 0; });
 }
 
 }  // namespace
@@ -61,15 +64,9 @@ void validate(const EncoderParameters& parameters) {
   if (parameters.input_layout.empty()) {
     throw std::invalid_argument("input_layout is empty, expected at least one input name");
   }
-  static const std::set<std::string> kNames = {"goal_distance", "goal_bearing", "goal_bearing_sin", "goal_bearing_cos",
-                                               "heading",       "heading_sin",  "heading_cos",      "previous_action"};
   std::set<std::string> seen;
   for (const std::string& name : parameters.input_layout) {
-    if (sectorOf(name) < 0 && kNames.count(name) == 0) {
-      throw std::invalid_argument("input_layout names '" + name +
-                                  "', expected sector_0 .. sector_7, goal_distance, goal_bearing, goal_bearing_sin, "
-                                  "goal_bearing_cos, heading, heading_sin, heading_cos or previous_action");
-    }
+    Encoder::inputNamed(name);
     if (!seen.insert(name).second) {
       throw std::invalid_argument("input_layout names '" + name + "' twice, expected each input once");
     }
@@ -89,6 +86,7 @@ void validate(const EncoderParameters& parameters) {
     throw std::invalid_argument("position_cell is " + toText(parameters.position_cell) +
                                 ", expected a number in [0, 1000000]");
   }
+  checkScale("event_range", parameters.event_range);
 }
 
 void writeMetadata(const EncoderParameters& parameters, std::map<std::string, std::string>* metadata) {
@@ -102,6 +100,7 @@ void writeMetadata(const EncoderParameters& parameters, std::map<std::string, st
   (*metadata)["angle_scale"] = toText(parameters.angle_scale);
   (*metadata)["action_scale"] = toText(parameters.action_scale);
   (*metadata)["position_cell"] = toText(parameters.position_cell);
+  if (hasEvents(parameters.input_layout)) (*metadata)["event_range"] = toText(parameters.event_range);
 }
 
 EncoderParameters readEncoderParameters(const std::map<std::string, std::string>& metadata) {
@@ -124,24 +123,41 @@ EncoderParameters readEncoderParameters(const std::map<std::string, std::string>
   parameters.angle_scale = readNumber(metadata, "angle_scale");
   parameters.action_scale = readNumber(metadata, "action_scale");
   parameters.position_cell = readNumber(metadata, "position_cell");
+  if (hasEvents(parameters.input_layout)) parameters.event_range = readNumber(metadata, "event_range");
   validate(parameters);
   return parameters;
 }
 
 Encoder::Encoder(EncoderParameters parameters) : parameters_(std::move(parameters)) {
   validate(parameters_);
-  static const std::map<std::string, Feature> kFeatures = {{"goal_distance", Feature::kGoalDistance},
-                                                           {"goal_bearing", Feature::kGoalBearing},
-                                                           {"goal_bearing_sin", Feature::kGoalBearingSin},
-                                                           {"goal_bearing_cos", Feature::kGoalBearingCos},
-                                                           {"heading", Feature::kHeading},
-                                                           {"heading_sin", Feature::kHeadingSin},
-                                                           {"heading_cos", Feature::kHeadingCos},
-                                                           {"previous_action", Feature::kPreviousAction}};
-  for (const std::string& name : parameters_.input_layout) {
-    const int sector = sectorOf(name);
-    features_.push_back(sector >= 0 ? Input{Feature::kSector, sector} : Input{kFeatures.at(name), 0});
+  for (const std::string& name : parameters_.input_layout) features_.push_back(inputNamed(name));
+}
+
+Encoder::Input Encoder::inputNamed(const std::string& name) {
+  static const std::map<std::string, Feature> kSingle = {{"goal_distance", Feature::kGoalDistance},
+                                                         {"goal_bearing", Feature::kGoalBearing},
+                                                         {"goal_bearing_sin", Feature::kGoalBearingSin},
+                                                         {"goal_bearing_cos", Feature::kGoalBearingCos},
+                                                         {"heading", Feature::kHeading},
+                                                         {"heading_sin", Feature::kHeadingSin},
+                                                         {"heading_cos", Feature::kHeadingCos},
+                                                         {"previous_action", Feature::kPreviousAction},
+                                                         {"route_bearing_sin", Feature::kRouteBearingSin},
+                                                         {"route_bearing_cos", Feature::kRouteBearingCos},
+                                                         {"route_detour", Feature::kRouteDetour}};
+  static const std::map<std::string, Feature> kNumbered = {
+      {"sector_", Feature::kSector}, {"event_", Feature::kEvent}, {"visits_", Feature::kVisits}};
+  const auto single = kSingle.find(name);
+  if (single != kSingle.end()) return {single->second, 0};
+  std::string stem;
+  std::size_t index = 0;
+  if (splitNumbered(name, &stem, &index)) {
+    const auto numbered = kNumbered.find(stem);
+    if (numbered != kNumbered.end()) return {numbered->second, index};
   }
+  std::string expected = "sector_0 .. sector_7, event_0 .. event_7, visits_0 .. visits_7";
+  for (const auto& entry : kSingle) expected += ", " + entry.first;
+  throw std::invalid_argument("input_layout names '" + name + "', expected one of " + expected);
 }
 
 void Encoder::encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf> input) const {
@@ -157,7 +173,7 @@ void Encoder::encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf>
 double Encoder::value(const Input& input, const Observation& observation) const {
   switch (input.feature) {
     case Feature::kSector: {
-      const double range = observation.sector_ranges[static_cast<std::size_t>(input.sector)];
+      const double range = observation.sector_ranges[input.index];
       return std::clamp(range / parameters_.range_cap, 0.0, 1.0);
     }
     case Feature::kGoalDistance: {
@@ -178,6 +194,20 @@ double Encoder::value(const Input& input, const Observation& observation) const 
       return std::cos(observation.heading);
     case Feature::kPreviousAction:
       return normalizeAngle(observation.previous_action) / parameters_.action_scale;
+    case Feature::kEvent:
+      return observation.sector_ranges[input.index] < parameters_.event_range ? 1.0 : 0.0;
+    case Feature::kRouteBearingSin:
+      return std::sin(observation.route_bearing);
+    case Feature::kRouteBearingCos:
+      return std::cos(observation.route_bearing);
+    case Feature::kRouteDetour: {
+      const double distance = std::max(0.0, observation.goal_distance);
+      return observation.route_length > distance ? 1.0 - distance / observation.route_length : 0.0;
+    }
+    case Feature::kVisits: {
+      const double visits = std::max(0.0, observation.visits[input.index]);
+      return visits / (visits + 1.0);
+    }
   }
   return 0.0;
 }

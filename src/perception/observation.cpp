@@ -22,6 +22,8 @@ Observation observe(const Sectors& sectors, const Pose2& pose, const Point2& goa
       observation.goal_distance > 0.0 ? normalizeAngle(directionTo(position, goal) - pose.yaw) : 0.0;
   observation.heading = normalizeAngle(pose.yaw);
   observation.previous_action = previous_action;
+  observation.route_bearing = observation.goal_bearing;
+  observation.route_length = observation.goal_distance;
   return observation;
 }
 

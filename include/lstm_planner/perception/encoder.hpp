@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,7 +14,9 @@ namespace lstm_planner {
 /// Everything needed to turn an Observation into the network's input; it travels in the model file's metadata.
 struct EncoderParameters {
   /// Names of the inputs in their order: sector_0 .. sector_7, goal_distance, goal_bearing, goal_bearing_sin,
-  /// goal_bearing_cos, heading, heading_sin, heading_cos, previous_action.
+  /// goal_bearing_cos, heading, heading_sin, heading_cos, previous_action; event_0 .. event_7 (1 where a sector's range
+  /// is below event_range: thesis 4.3.1); of what the agent remembers route_bearing_sin, route_bearing_cos,
+  /// route_detour (the share of the route that is longer than the straight way), visits_0 .. visits_7.
   std::vector<std::string> input_layout = {"sector_0", "sector_1", "sector_2", "sector_3", "sector_4",
                                            "sector_5", "sector_6", "sector_7", "goal_distance",
                                            "goal_bearing_sin", "goal_bearing_cos", "heading_sin", "heading_cos",
@@ -25,13 +28,15 @@ struct EncoderParameters {
   double angle_scale = M_PI;      ///< rad; bearing and heading are encoded as angle / angle_scale
   double action_scale = M_PI_2;   ///< rad; the previous action is encoded as angle / action_scale
   double position_cell = 0.0;     ///< m; see observe(); 0 = odometry as it is
+  double event_range = 1.0;       ///< m; a sector with less is an event
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const EncoderParameters& parameters);
 
 /// To and from the metadata of a model file (keys: input_layout, sector_count, angle_span, range_cap, distance_scale,
-/// angle_scale, action_scale, position_cell). Reading throws std::invalid_argument for a missing or malformed key.
+/// angle_scale, action_scale, position_cell, event_range where there are events). Reading throws std::invalid_argument
+/// for a missing or malformed key.
 void writeMetadata(const EncoderParameters& parameters, std::map<std::string, std::string>* metadata);
 EncoderParameters readEncoderParameters(const std::map<std::string, std::string>& metadata);
 
@@ -48,12 +53,14 @@ class Encoder {
  private:
   enum class Feature {
     kSector, kGoalDistance, kGoalBearing, kGoalBearingSin, kGoalBearingCos, kHeading, kHeadingSin, kHeadingCos,
-    kPreviousAction
+    kPreviousAction, kEvent, kRouteBearingSin, kRouteBearingCos, kRouteDetour, kVisits
   };
   struct Input {
     Feature feature;
-    int sector;  ///< for kSector
+    std::size_t index;  ///< of the sector or direction, for features of which there are eight
   };
+  friend void validate(const EncoderParameters& parameters);
+  static Input inputNamed(const std::string& name);
   double value(const Input& input, const Observation& observation) const;
 
   EncoderParameters parameters_;

@@ -32,18 +32,54 @@ TEST(Encoder, FollowsTheLayout) {
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(input[i], expected[i], 1e-6) << i;
 }
 
+TEST(Encoder, TellsWhatTheAgentRemembers) {
+  EncoderParameters parameters;
+  parameters.input_layout = {"route_bearing_sin", "route_bearing_cos", "route_detour", "visits_0", "visits_7"};
+  Observation observation;
+  observation.goal_distance = 3.0;
+  observation.route_bearing = -M_PI / 6.0;
+  observation.route_length = 4.0;
+  observation.visits = {0.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 3.0};
+  const Eigen::VectorXf input = encode(parameters, observation);
+  EXPECT_NEAR(input[0], -0.5, 1e-6);
+  EXPECT_NEAR(input[1], std::sqrt(0.75), 1e-6);
+  EXPECT_NEAR(input[2], 0.25, 1e-6) << "a quarter of the route is detour";
+  EXPECT_EQ(input[3], 0.0f);
+  EXPECT_NEAR(input[4], 0.75, 1e-6);
+  observation.route_length = 2.0;  // noise made the route shorter than the straight way
+  EXPECT_EQ(encode(parameters, observation)[2], 0.0f);
+}
+
+TEST(Encoder, MakesEventsOfRangesBelowTheirThreshold) {
+  EncoderParameters parameters;
+  parameters.input_layout = {"event_0", "event_3", "event_7"};
+  parameters.event_range = 0.8;
+  Observation observation;
+  observation.sector_ranges = {0.79, 0.0, 0.0, 0.8, 0.0, 0.0, 0.0, 0.1};
+  const Eigen::VectorXf input = encode(parameters, observation);
+  EXPECT_EQ(input[0], 1.0f);
+  EXPECT_EQ(input[1], 0.0f);
+  EXPECT_EQ(input[2], 1.0f);
+}
+
 TEST(Encoder, StaysFiniteForEveryFiniteObservation) {
   const double largest = std::numeric_limits<double>::max();
   for (const double value : {largest, -largest, 0.0, 1e-300}) {
     EncoderParameters parameters;
-    parameters.input_layout.insert(parameters.input_layout.end(), {"goal_bearing", "heading"});
+    parameters.input_layout.insert(parameters.input_layout.end(), {"goal_bearing", "heading", "event_0", "route_bearing_sin",
+                                                                      "route_bearing_cos", "route_detour", "visits_4"});
     Observation observation;
     observation.sector_ranges.fill(value);
     observation.goal_distance = value;
     observation.goal_bearing = value;
     observation.heading = value;
     observation.previous_action = value;
-    EXPECT_TRUE(encode(parameters, observation).allFinite()) << value;
+    observation.route_bearing = value;
+    observation.visits.fill(value);
+    for (const double length : {value, std::numeric_limits<double>::infinity()}) {
+      observation.route_length = length;
+      EXPECT_TRUE(encode(parameters, observation).allFinite()) << value;
+    }
   }
 }
 
@@ -65,6 +101,19 @@ TEST(EncoderParameters, SurviveTheMetadataBitForBit) {
   EXPECT_EQ(read.range_cap, written.range_cap);
   EXPECT_EQ(read.angle_span, written.angle_span);
   EXPECT_EQ(read.position_cell, written.position_cell);
+}
+
+TEST(EncoderParameters, TellTheEventRangeOnlyWhereThereAreEvents) {
+  std::map<std::string, std::string> metadata;
+  writeMetadata({}, &metadata);
+  EXPECT_EQ(metadata.count("event_range"), 0u) << "a model without events is written as ever";
+  EncoderParameters written;
+  written.input_layout.push_back("event_0");
+  written.event_range = 0.6;
+  writeMetadata(written, &metadata);
+  EXPECT_EQ(readEncoderParameters(metadata).event_range, 0.6);
+  metadata.erase("event_range");
+  EXPECT_THROW(readEncoderParameters(metadata), std::invalid_argument);
 }
 
 TEST(EncoderParameters, NameWhatIsWrongInTheMetadata) {

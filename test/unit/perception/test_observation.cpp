@@ -36,6 +36,13 @@ TEST(Observe, RoundsThePositionToTheCentreOfItsCell) {
   EXPECT_NEAR(observe({}, {-0.1, 0.1, 0.0}, {0.825, 0.175}, 0.0, 0.35).goal_distance, 1.0, 1e-12);
 }
 
+TEST(Observe, TakesTheStraightWayForTheRouteOfAnAgentThatRemembersNothing) {
+  const Observation observation = observe({}, {1.0, 1.0, M_PI_2}, {-2.0, 1.0}, 0.0);
+  EXPECT_EQ(observation.route_bearing, observation.goal_bearing);
+  EXPECT_EQ(observation.route_length, observation.goal_distance);
+  for (const double visits : observation.visits) EXPECT_EQ(visits, 0.0);
+}
+
 TEST(YawOfQuaternion, IsTheYawAndNotAComponent) {
   for (const double yaw : {-3.0, -1.0, 0.0, 0.5, 2.0, M_PI}) {
     EXPECT_NEAR(yawOfQuaternion(0.0, 0.0, std::sin(yaw / 2.0), std::cos(yaw / 2.0)), yaw, 1e-12);
