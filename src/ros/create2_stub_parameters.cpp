@@ -33,6 +33,7 @@ void readRobot(ParameterReader* reader, Create2Parameters* robot) {
   reader->read("robot/max_wheel_acceleration", &robot->max_wheel_acceleration);
   reader->read("robot/slip", &robot->slip);
   reader->read("robot/drift", &robot->drift);
+  reader->read("robot/odometry_error", &robot->odometry_error);
   validate(*robot);
 }
 

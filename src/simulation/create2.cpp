@@ -9,10 +9,11 @@
 namespace lstm_planner {
 namespace {
 
-/// Moves along the arc whose wheels travelled `left` and `right` metres.
-Pose2 alongArc(const Pose2& pose, double left, double right, double axle_length) {
-  const double distance = 0.5 * (left + right);
-  const double turn = (right - left) / axle_length;
+/// rad per root of a metre, of the heading's random walk, per share of odometry_error.
+constexpr double kHeadingWalk = 0.5;
+
+/// Moves along an arc of that length (m) which turns by `turn` (rad).
+Pose2 alongArc(const Pose2& pose, double distance, double turn) {
   // The chord of the arc; its direction is the mean of the two headings.
   const double half_turn = 0.5 * turn;
   const double chord = std::abs(half_turn) > 1e-9 ? distance * std::sin(half_turn) / half_turn : distance;
@@ -31,12 +32,19 @@ void validate(const Create2Parameters& parameters) {
   checkPositive("max_wheel_acceleration", parameters.max_wheel_acceleration);
   checkParameter(parameters.slip >= 0.0 && parameters.slip <= 1.0, "slip", parameters.slip, "a share in [0, 1]");
   checkParameter(std::abs(parameters.drift) <= 1.0, "drift", parameters.drift, "a share in [-1, 1]");
+  checkParameter(parameters.odometry_error >= 0.0 && parameters.odometry_error <= 0.5, "odometry_error",
+                 parameters.odometry_error, "a share in [0, 0.5]");
 }
 
 Create2::Create2(const Create2Parameters& parameters, const Pose2& true_pose, std::uint64_t seed)
     : parameters_(parameters), true_pose_(true_pose), random_(seed) {
   validate(parameters_);
   if (!isFinite(true_pose)) throw std::invalid_argument("the robot's first pose is not finite");
+  const double error = parameters_.odometry_error;
+  if (error > 0.0) {
+    length_error_ = uniform(random_, -error, error);
+    turn_error_ = uniform(random_, -error, error);
+  }
 }
 
 void Create2::command(const Twist2& twist) {
@@ -60,13 +68,23 @@ double Create2::advance(Wheel* wheel, double seconds) {
   return distance;
 }
 
+/// Odometry is what the encoders say, so its errors show in where the robot really gets to.
+void Create2::moveTruly(double left, double right) {
+  const double distance = 0.5 * (left + right) * (1.0 + length_error_);
+  double turn = (right - left) / parameters_.axle_length * (1.0 + turn_error_);
+  if (parameters_.odometry_error > 0.0 && distance != 0.0) {
+    turn += kHeadingWalk * parameters_.odometry_error * std::sqrt(std::abs(distance)) * normal(random_);
+  }
+  true_pose_ = alongArc(true_pose_, distance, turn);
+}
+
 void Create2::step(double seconds) {
   if (!(seconds > 0.0) || !std::isfinite(seconds)) return;
   const double left_slip = parameters_.slip > 0.0 ? parameters_.slip * normal(random_) : 0.0;
   const double right_slip = parameters_.slip > 0.0 ? parameters_.slip * normal(random_) : 0.0;
   const double left = advance(&left_, seconds) * (1.0 + parameters_.drift + left_slip);
   const double right = advance(&right_, seconds) * (1.0 - parameters_.drift + right_slip);
-  true_pose_ = alongArc(true_pose_, left, right, parameters_.axle_length);
+  moveTruly(left, right);
 
   const double tick_length = M_PI * parameters_.wheel_diameter / parameters_.ticks_per_revolution;
   const auto countTicks = [tick_length](Wheel* wheel) {

@@ -11,6 +11,8 @@ namespace lstm_planner {
 namespace {
 
 constexpr std::size_t kNoiseTableSize = 8192;
+constexpr double kFar = 10.0;      // m
+constexpr double kFarNoise = 3.0;  // times the noise nearby
 constexpr int kMostBeams = 100000;
 
 }  // namespace
@@ -61,7 +63,9 @@ void Hokuyo::scan(const World& world, const Pose2& base_pose, double stamp, Lase
     if (chance < parameters_.dropout) {
       scan->ranges[beam] = std::numeric_limits<float>::quiet_NaN();
     } else {
-      const double reading = ranges_[beam] + noise_[draw % kNoiseTableSize];  // +inf stays +inf
+      const double range = ranges_[beam];
+      const double noise = noise_[draw % kNoiseTableSize] * (range > kFar ? kFarNoise : 1.0);
+      const double reading = range + noise;  // +inf stays +inf
       scan->ranges[beam] = static_cast<float>(std::max(0.0, reading));
     }
   }

@@ -36,6 +36,7 @@ bool readOptions(const std::vector<std::string>& arguments, DriveOptions* option
   namespace po = boost::program_options;
   HokuyoParameters& scanner = options->drive.robot.scanner;
   Create2Parameters& base = options->drive.robot.base;
+  options->drive.robot.latency = 0.1;
   po::options_description description;
   // clang-format off
   description.add_options()
@@ -50,7 +51,11 @@ bool readOptions(const std::vector<std::string>& arguments, DriveOptions* option
       ("noise", po::value(&scanner.noise)->default_value(scanner.noise), "m, standard deviation of a range")
       ("dropout", po::value(&scanner.dropout)->default_value(scanner.dropout), "probability of a lost beam")
       ("slip", po::value(&base.slip)->default_value(base.slip), "standard deviation of a wheel's slip")
-      ("drift", po::value(&base.drift)->default_value(base.drift), "relative error between the wheels")
+      ("wheel-error", po::value(&base.drift)->default_value(base.drift), "relative error between the wheels")
+      ("drift", po::value(&base.odometry_error)->default_value(base.odometry_error),
+       "of the odometry, as a share of the way: 0.02 = 2 %")
+      ("latency", po::value(&options->drive.robot.latency)->default_value(options->drive.robot.latency),
+       "s from a command to the wheels")
       ("no-escape", "switch the escape off")
       ("no-shield", "switch the shield off")
       ("threads", po::value(&options->threads)->default_value(options->threads), "drives at a time")

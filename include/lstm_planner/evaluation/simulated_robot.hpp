@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 
 #include "lstm_planner/agent/situation.hpp"
 #include "lstm_planner/simulation/create2.hpp"
@@ -17,12 +18,14 @@ class SimulatedRobot {
     Create2Parameters base;
     HokuyoParameters scanner;
     double physics_period = 0.02;  ///< s
+    double latency = 0.0;          ///< s from a command to the wheels, to a whole physics period
   };
 
   /// `world` must outlive the robot.
   SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
 
-  void command(const Twist2& twist) { base_.command(twist); }
+  /// Takes effect when the latency has passed.
+  void command(const Twist2& twist) { commands_.push_back({time_ + parameters_.latency, twist}); }
 
   /// Lets that much time pass, s.
   void advance(double seconds);
@@ -38,11 +41,18 @@ class SimulatedRobot {
   double pathLength() const { return path_length_; }  ///< m truly driven
 
  private:
+  struct Command {
+    double time = 0.0;  ///< s, when it takes effect
+    Twist2 twist;
+  };
+  void obeyCommands();
+
   const World& world_;
   Parameters parameters_;
   Create2 base_;
   Hokuyo scanner_;
   LaserScan scan_;
+  std::deque<Command> commands_;
   double time_ = 0.0;
   int contacts_ = 0;
   bool touching_ = false;

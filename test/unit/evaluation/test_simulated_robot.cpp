@@ -58,6 +58,22 @@ TEST(SimulatedRobot, TimePassesInWholeAndBrokenPeriods) {
   EXPECT_NEAR(robot.time(), 0.133, 1e-12);
 }
 
+TEST(SimulatedRobot, ObeysCommandsWhenTheLatencyHasPassed) {
+  const CircleWorld world({});
+  SimulatedRobot::Parameters parameters;
+  parameters.base.max_wheel_acceleration = 1e9;
+  parameters.latency = 0.1;
+  SimulatedRobot robot(world, parameters, {}, 1);
+  robot.command({0.3, 0.0});
+  robot.advance(0.1);
+  EXPECT_EQ(robot.truePose().x, 0.0);
+  robot.command({0.0, 0.0});  // on the way while the first one acts
+  robot.advance(0.1);
+  EXPECT_NEAR(robot.truePose().x, 0.03, 1e-9);
+  robot.advance(1.0);
+  EXPECT_NEAR(robot.truePose().x, 0.03, 1e-9);
+}
+
 TEST(SimulatedRobot, RefusesAPhysicsPeriodWithWhichTimeWouldNotPass) {
   const CircleWorld world({});
   SimulatedRobot::Parameters parameters;
@@ -65,6 +81,9 @@ TEST(SimulatedRobot, RefusesAPhysicsPeriodWithWhichTimeWouldNotPass) {
     parameters.physics_period = period;
     EXPECT_THROW(SimulatedRobot(world, parameters, {}, 1), std::invalid_argument);
   }
+  parameters = {};
+  parameters.latency = -0.1;
+  EXPECT_THROW(SimulatedRobot(world, parameters, {}, 1), std::invalid_argument);
 }
 
 }  // namespace

@@ -120,6 +120,52 @@ TEST(Create2, DriftsByTheErrorOfItsWheels) {
   EXPECT_EQ(robot.odometry().yaw, 0.0) << "the encoders do not see it";
 }
 
+/// Root mean square over many robots of how far each is from where its odometry puts it, after a straight way, m.
+double typicalError(double share, double way) {
+  constexpr int kRobots = 400;
+  double squares = 0.0;
+  for (std::uint64_t seed = 1; seed <= kRobots; ++seed) {
+    Create2Parameters parameters = instantAcceleration();
+    parameters.odometry_error = share;
+    Create2 robot(parameters, {}, seed);
+    drive(&robot, {0.3, 0.0}, static_cast<int>(std::lround(way / 0.3 / 0.1)), 0.1);
+    const double error = distanceBetween(robot.truePose(), robot.odometry());
+    squares += error * error / kRobots;
+  }
+  return std::sqrt(squares);
+}
+
+TEST(Create2, ErrsByAboutTwoPercentOfTheWay) {
+  for (const double way : {9.0, 18.0}) {
+    // Lengths are wrong by a uniform share, 0.02 / sqrt(3). A heading that wanders by 0.01 rad a root of a metre leads
+    // aside by the integral of a random walk, 0.01 sqrt(way^3 / 3).
+    const double lengthwise = 0.02 * way / std::sqrt(3.0);
+    const double aside = 0.01 * std::sqrt(way * way * way / 3.0);
+    const double expected = std::hypot(lengthwise, aside);
+    // The root mean square of 400 draws is known to 1 / sqrt(800), that is 3.5 %; three times that.
+    EXPECT_NEAR(typicalError(0.02, way), expected, 0.11 * expected);
+    EXPECT_GT(expected, 0.019 * way);
+    EXPECT_LT(expected, 0.03 * way);
+  }
+}
+
+TEST(Create2, ErrsInItsTurnsByOneShareForEachRobot) {
+  Create2Parameters parameters = instantAcceleration();
+  parameters.odometry_error = 0.02;
+  double previous = 0.0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Create2 robot(parameters, {}, seed);
+    drive(&robot, {0.0, 1.0}, 300);  // 3 rad on the spot: no way, so no wandering
+    const double share = robot.truePose().yaw / 3.0 - 1.0;
+    EXPECT_LE(std::abs(share), 0.02);
+    EXPECT_NE(share, previous);
+    EXPECT_NEAR(robot.odometry().yaw, 3.0, 2.0 * kTickLength / 0.235);
+    drive(&robot, {0.0, -1.0}, 300);
+    EXPECT_NEAR(robot.truePose().yaw, 0.0, 1e-7) << "the error of a turn is undone by turning back";
+    previous = share;
+  }
+}
+
 TEST(Create2, SlipsAlikeForTheSameSeed) {
   Create2Parameters parameters;
   parameters.slip = 0.05;
@@ -139,6 +185,9 @@ TEST(Create2, RefusesImpossibleParameters) {
   EXPECT_THROW(Create2(parameters, {}, 1), std::invalid_argument);
   parameters = {};
   parameters.slip = -0.1;
+  EXPECT_THROW(validate(parameters), std::invalid_argument);
+  parameters = {};
+  parameters.odometry_error = -0.02;
   EXPECT_THROW(validate(parameters), std::invalid_argument);
   EXPECT_THROW(Create2({}, {HUGE_VAL, 0.0, 0.0}, 1), std::invalid_argument);
 }

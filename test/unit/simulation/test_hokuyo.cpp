@@ -51,31 +51,57 @@ TEST(Hokuyo, SeesNoFartherThanItsSight) {
   EXPECT_TRUE(std::isinf(scan.ranges[540]));
 }
 
+/// What one beam says over and over again.
+struct Readings {
+  int count = 0;
+  int dropped = 0;
+  double mean = 0.0;
+  double deviation = 0.0;
+};
+
+Readings readOften(Hokuyo* hokuyo, const World& world, std::size_t beam, int count) {
+  Readings readings;
+  LaserScan scan;
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int i = 0; i < count; ++i) {
+    hokuyo->scan(world, {}, 0.0, &scan);
+    const double range = scan.ranges[beam];
+    if (std::isnan(range)) {
+      ++readings.dropped;
+      continue;
+    }
+    ++readings.count;
+    sum += range;
+    squares += range * range;
+  }
+  readings.mean = sum / readings.count;
+  readings.deviation = std::sqrt(squares / readings.count - readings.mean * readings.mean);
+  return readings;
+}
+
 TEST(Hokuyo, SpreadsAndDropsRangesAsItIsTold) {
   HokuyoParameters parameters;
   parameters.noise = 0.02;
   parameters.dropout = 0.1;
   Hokuyo hokuyo(parameters, 5);
-  LaserScan scan;
-  int dropped = 0;
-  double sum = 0.0;
-  double squares = 0.0;
   constexpr int kScans = 4000;
-  for (int i = 0; i < kScans; ++i) {
-    hokuyo.scan(pillars(), {}, 0.0, &scan);
-    if (std::isnan(scan.ranges[540])) {
-      ++dropped;
-      continue;
-    }
-    const double error = scan.ranges[540] - 2.9;
-    sum += error;
-    squares += error * error;
-  }
-  const int kept = kScans - dropped;
+  const Readings readings = readOften(&hokuyo, pillars(), 540, kScans);
   // Four standard errors of a share of 0.1, of a mean and of a standard deviation.
-  EXPECT_NEAR(dropped, 0.1 * kScans, 4.0 * std::sqrt(0.1 * 0.9 * kScans));
-  EXPECT_NEAR(sum / kept, 0.0, 4.0 * 0.02 / std::sqrt(kept));
-  EXPECT_NEAR(std::sqrt(squares / kept), 0.02, 4.0 * 0.02 / std::sqrt(2.0 * kept));
+  EXPECT_NEAR(readings.dropped, 0.1 * kScans, 4.0 * std::sqrt(0.1 * 0.9 * kScans));
+  EXPECT_NEAR(readings.mean, 2.9, 4.0 * 0.02 / std::sqrt(readings.count));
+  EXPECT_NEAR(readings.deviation, 0.02, 4.0 * 0.02 / std::sqrt(2.0 * readings.count));
+}
+
+TEST(Hokuyo, IsThreeTimesAsNoisyBeyondTenMetres) {
+  HokuyoParameters parameters = exact();
+  parameters.noise = 0.01;
+  Hokuyo hokuyo(parameters, 5);
+  const CircleWorld world({{{10.5, 0.0}, 0.1}, {{0.0, 9.5}, 0.1}});
+  constexpr int kScans = 2000;
+  const double error = 4.0 / std::sqrt(2.0 * kScans);  // relative, four standard errors
+  EXPECT_NEAR(readOften(&hokuyo, world, 540, kScans).deviation, 0.03, 0.03 * error);
+  EXPECT_NEAR(readOften(&hokuyo, world, 900, kScans).deviation, 0.01, 0.01 * error);
 }
 
 TEST(Hokuyo, RepeatsItselfForTheSameSeed) {
