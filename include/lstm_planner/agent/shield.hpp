@@ -6,11 +6,14 @@
 
 namespace lstm_planner {
 
-/// Tells how far a disc can be moved in a straight line before it comes too near to something that the scanner
-/// measured.
+/// Where a pose comes to that moves `length` metres forward along an arc of that curvature (1/m, positive to the left).
+Pose2 alongArc(const Pose2& from, double curvature, double length);
+
+/// Tells how far a disc can be moved along a straight line or an arc before it comes too near to something that the
+/// scanner measured. Exact for the returns taken as points.
 ///
-/// All points and directions are in the base frame of the scan that was shown last. The robot's footprint is taken as
-/// its circumscribed disc, which turning in place does not move.
+/// All points, poses and directions are in the base frame of the scan that was shown last. The robot's footprint is
+/// taken as its circumscribed disc, which turning in place does not move: that is always free.
 class Shield {
  public:
   /// `footprint_radius`: of the circumscribed disc, m. `hard_margin`: m, see freeDistance(). `reach`: farthest obstacle
@@ -26,8 +29,16 @@ class Shield {
   /// scanner cannot lure it closer bit by bit. 0 when the first millimetre is blocked.
   double freeDistance(const Point2& from, double direction, double limit, double clearance) const;
 
+  /// The same along the arc that begins at the pose `from`, forward, with that curvature (1/m, positive to the left; 0
+  /// is the straight line): length of arc in m. This is the way that a differential drive really takes when it is
+  /// commanded linear and angular = curvature * linear.
+  double freeArc(const Pose2& from, double curvature, double limit, double clearance) const;
+
   /// Distance from `from` to the nearest return, less the footprint radius, m; `reach` when nothing is that near.
   double gap(const Point2& from) const;
+
+  /// The smallest gap() on that arc of that length (m, 0 or more); `reach` when nothing is that near.
+  double arcGap(const Pose2& from, double curvature, double length) const;
 
   double footprintRadius() const { return footprint_radius_; }
 
