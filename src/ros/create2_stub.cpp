@@ -2,6 +2,7 @@
 
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
+#include <ros/callback_queue.h>
 #include <std_msgs/UInt32.h>
 #include <tf2/LinearMath/Quaternion.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
@@ -23,6 +24,7 @@ constexpr double kClockRate = 100.0;                    // Hz
 constexpr double kTimeIncrement = 1.7361e-5;            // s between two beams
 constexpr std::uint64_t kClockStart = 100'000'000'000;  // ns; later than any buffer or time-out reaches back from
 constexpr std::uint64_t kLongestGap = 1'000'000'000;    // ns that are made up for when the node was held up
+const ros::WallDuration kCommandPatience(0.5);          // for a controller that is at work
 constexpr double kStaleReport = 10.0;                   // s between two warnings
 
 geometry_msgs::TransformStamped transform(const std::string& parent, const std::string& child, const ros::Time& stamp,
@@ -63,6 +65,9 @@ Create2Stub::Create2Stub(const Create2StubParameters& parameters)
   contacts_publisher_ = private_node_.advertise<std_msgs::UInt32>("contacts", 10, true);
   pause_service_ = private_node_.advertiseService("pause_scan", &Create2Stub::pauseScan, this);
   jump_service_ = private_node_.advertiseService("jump_odometry", &Create2Stub::jumpOdometry, this);
+  if (parameters_.publish_clock && parameters_.command_period > 0.0) {
+    command_subscriber_ = node_.subscribe("cmd_vel", 10, &Create2Stub::onCommand, this);
+  }
   if (parameters_.publish_clock) clock_publisher_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 10);
   scan_message_.header.frame_id = parameters_.laser_frame;
   scan_message_.time_increment = static_cast<float>(kTimeIncrement);
@@ -86,12 +91,28 @@ void Create2Stub::runOwnClock() {
   ros::WallTime next = ros::WallTime::now();
   while (ros::ok()) {
     ros::spinOnce();
+    waitForCommand();
     advance();
     next += step;
     // Time that was lost is not made up for: the others would be flooded.
     if (ros::WallTime::now() - next > longest_delay) next = ros::WallTime::now();
     ros::WallTime::sleepUntil(next);
   }
+}
+
+void Create2Stub::waitForCommand() {
+  const auto period = static_cast<std::uint64_t>(1e9 * parameters_.command_period);
+  const ros::WallTime deadline = ros::WallTime::now() + kCommandPatience;
+  while (controlled_ && time_ >= command_time_ + period && ros::ok()) {
+    // A controller that has ended its work says nothing any more; it is waited for once.
+    controlled_ = ros::WallTime::now() < deadline;
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.005));
+  }
+}
+
+void Create2Stub::onCommand(const geometry_msgs::Twist::ConstPtr&) {
+  controlled_ = true;
+  command_time_ = time_;
 }
 
 void Create2Stub::runGivenClock() {

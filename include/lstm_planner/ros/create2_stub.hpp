@@ -1,5 +1,6 @@
 #pragma once
 
+#include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/LaserScan.h>
@@ -51,6 +52,8 @@ class Create2Stub {
 
  private:
   void runOwnClock();
+  void waitForCommand();
+  void onCommand(const geometry_msgs::Twist::ConstPtr& message);
   void runGivenClock();
   void restartAt(const ros::Time& time);
   void advance();
@@ -78,10 +81,13 @@ class Create2Stub {
   sensor_msgs::LaserScan scan_message_;
   bool scan_paused_ = false;
   unsigned contacts_published_ = 0;
+  bool controlled_ = false;         ///< by a controller that sends command after command
+  std::uint64_t command_time_ = 0;  ///< ns, when the last command came
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  ros::Subscriber command_subscriber_;
   ros::Publisher scan_publisher_;
   ros::Publisher truth_publisher_;
   ros::Publisher contacts_publisher_;
