@@ -31,9 +31,20 @@ void validate(const AgentParameters& parameters) {
   checkParameter(shield.reach >= needed_reach, "shield/reach", shield.reach,
                  "at least step, footprint radius and clearance together = " + std::to_string(needed_reach));
 
+  const MemoryParameters& memory = parameters.memory;
+  checkPositive("memory/resolution", memory.resolution);
+  const double coarsest = 0.29 * shield.footprint_radius;
+  checkParameter(memory.resolution <= coarsest, "memory/resolution", memory.resolution,
+                 "at most 0.29 shield/footprint_radius = " + std::to_string(coarsest));
+  checkParameter(memory.width >= 4.0 && memory.width <= 2000.0 * memory.resolution, "memory/width", memory.width,
+                 "at least 4 m and at most 2000 memory/resolution = " + std::to_string(2000.0 * memory.resolution));
+  checkPositive("memory/reach", memory.reach);
+  checkParameter(memory.tightness >= 1.0, "memory/tightness", memory.tightness, "1 or more");
+
   const EscapeParameters& escape = parameters.escape;
   checkParameter(escape.patience_steps > 0, "escape/patience_steps", escape.patience_steps, "a positive number");
   checkPositive("escape/patience_distance", escape.patience_distance);
+  checkParameter(escape.last_resort >= 1.0, "escape/last_resort", escape.last_resort, "1 or more");
   checkPositive("escape/progress", escape.progress);
   checkPositive("escape/follow_step", escape.follow_step);
   checkParameter(escape.probe_angle > 0.0 && escape.probe_angle < M_PI_4, "escape/probe_angle", escape.probe_angle,
@@ -48,6 +59,8 @@ void validate(const AgentParameters& parameters) {
   checkPositive("goal_tolerance", parameters.goal_tolerance);
   checkParameter(parameters.step.reached < parameters.goal_tolerance, "step/reached", parameters.step.reached,
                  "less than goal_tolerance = " + std::to_string(parameters.goal_tolerance));
+  checkParameter(parameters.goal_drift >= 0.0 && parameters.goal_drift < 1.0, "goal_drift", parameters.goal_drift,
+                 "a share in [0, 1)");
   checkParameter(parameters.goal_in_sight >= 0.0, "goal_in_sight", parameters.goal_in_sight, "zero or more");
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace lstm_planner {
@@ -12,6 +13,8 @@ const char* toString(Decision::Source source) {
       return "network";
     case Decision::Source::kGoalInSight:
       return "goal in sight";
+    case Decision::Source::kRoute:
+      return "route";
     case Decision::Source::kEscape:
       return "escape";
     case Decision::Source::kLookAround:
@@ -24,11 +27,25 @@ const char* toString(Decision::Source source) {
   return "unknown";
 }
 
+namespace {
+
+constexpr double kVisitRadius = 0.8;  ///< m to the places whose visits the network is told
+
+bool asksForRoute(const EncoderParameters& encoder) {
+  const std::vector<std::string>& layout = encoder.input_layout;
+  return std::any_of(layout.begin(), layout.end(),
+                     [](const std::string& name) { return name.rfind("route_", 0) == 0; });
+}
+
+}  // namespace
+
 NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& parameters)
     : policy_(std::move(policy)),
       parameters_((validate(parameters), parameters)),
       shield_(parameters.shield.footprint_radius, parameters.shield.tight_clearance, parameters.shield.reach),
-      escape_(parameters.escape, parameters.shield) {
+      escape_(parameters.escape, parameters.shield),
+      guide_(parameters),
+      network_knows_route_(parameters.memory.enabled && asksForRoute(policy_.description().encoder)) {
   checkFits(policy_.description(), parameters.step.length, parameters.shield.footprint_radius);
   const auto actions = static_cast<std::size_t>(policy_.description().actions.size());
   decision_.preferences.resize(actions);
@@ -37,9 +54,14 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
 
 void NavigationAgent::setGoal(const Point2& goal) {
   goal_ = goal;
+  decision_.destination = goal;
   policy_.reset();
+  guide_.begin(goal);
+  guide_status_ = RouteGuide::Status::kRoute;
+  trace_.clear();
+  decision_.way_on.clear();
   has_step_ = false;
-  escaping_ = false;
+  leader_ = Leader::kNetwork;
   best_distance_ = 0.0;
   steps_since_best_ = 0;
   driven_since_best_ = 0.0;
@@ -49,24 +71,38 @@ void NavigationAgent::setGoal(const Point2& goal) {
   decision_.step = 0;
 }
 
+void NavigationAgent::restart() {
+  guide_.forget();
+  setGoal(goal_);
+}
+
 const Decision& NavigationAgent::update(const Situation& situation) {
   shield_.show(situation.obstacles);
   if (decision_.source == Decision::Source::kNoWay) {
     return decision_;
   }
-  if (distanceBetween(situation.pose, goal_) <= parameters_.goal_tolerance) {
-    goTo(situation, Decision::Source::kArrived, directionTo(situation.pose, goal_),
-         distanceBetween(situation.pose, goal_));
+  if (distanceBetween(situation.pose, decision_.destination) <= parameters_.goal_tolerance) {
+    goTo(situation, Decision::Source::kArrived, directionTo(situation.pose, decision_.destination),
+         distanceBetween(situation.pose, decision_.destination));
+    decision_.way_on.clear();
     return decision_;
   }
   if (!has_step_ || stepIsOver(situation)) {
     noteProgress(situation);
+    guide(situation);
     advanceNetwork(situation);
     choose(situation);
   } else if (isStalled(situation)) {
     stall_time_ = situation.time;
-    lookAround(situation);
+    if (decision_.on_route) {
+      guide_.blockAhead(situation);
+      guide(situation);
+      choose(situation);
+    } else {
+      lookAround(situation);
+    }
   } else if (!wayIsFree(situation)) {
+    guide(situation);
     choose(situation);
   }
   return decision_;
@@ -127,10 +163,27 @@ void NavigationAgent::noteProgress(const Situation& situation) {
     best_distance_ = distance;
     steps_since_best_ = 0;
     driven_since_best_ = 0.0;
+    guide_.noteProgress();
+    lead(Leader::kNetwork);
   } else {
     ++steps_since_best_;
     driven_since_best_ += distanceBetween(step_pose_, situation.pose);
   }
+}
+
+void NavigationAgent::lead(Leader leader) {
+  if (leader == Leader::kBoundary && leader_ != leader) {
+    escape_.begin(best_distance_ - parameters_.escape.progress);
+  }
+  leader_ = leader;
+}
+
+void NavigationAgent::guide(const Situation& situation) {
+  if (!parameters_.memory.enabled) {
+    return;
+  }
+  guide_status_ = guide_.update(situation);
+  decision_.destination = guide_status_ == RouteGuide::Status::kRoute ? guide_.end() : goal_;
 }
 
 void NavigationAgent::advanceNetwork(const Situation& situation) {
@@ -143,8 +196,15 @@ void NavigationAgent::advanceNetwork(const Situation& situation) {
     previous =
         description.actions.angle(description.actions.nearest(normalizeAngle(decision_.direction - step_pose_.yaw)));
   }
-  const Observation observation =
+  Observation observation =
       observe(situation.sectors, situation.pose, goal_, previous, description.encoder.position_cell);
+  trace_.visit({situation.pose.x, situation.pose.y});
+  observation.visits = trace_.around(situation.pose, kVisitRadius);
+  if (parameters_.memory.enabled && guide_status_ == RouteGuide::Status::kRoute) {
+    const Point2 ahead = guide_.pointAhead(parameters_.step.length);
+    observation.route_bearing = normalizeAngle(directionTo(situation.pose, ahead) - situation.pose.yaw);
+    observation.route_length = guide_.route().length;
+  }
   const Eigen::VectorXf& preferences = policy_.advance(observation);
   std::copy(preferences.data(), preferences.data() + preferences.size(), decision_.preferences.begin());
   step_pose_ = situation.pose;
@@ -154,109 +214,6 @@ void NavigationAgent::advanceNetwork(const Situation& situation) {
   has_step_ = true;
   ++decision_.step;
   imposed_action_ = step_listener_ ? step_listener_(situation, observation) : std::nullopt;
-}
-
-void NavigationAgent::choose(const Situation& situation) {
-  const EscapeParameters& escape = parameters_.escape;
-  const bool impatient = steps_since_best_ >= escape.patience_steps || driven_since_best_ >= escape.patience_distance;
-  if (escape.enabled && !escaping_ && impatient) {
-    escaping_ = true;
-    escape_.begin(best_distance_ - escape.progress);
-  }
-  if (chooseGoalInSight(situation)) {
-    return;
-  }
-  if (escaping_) {
-    chooseEscape(situation);
-  } else {
-    chooseAction(situation);
-  }
-}
-
-void NavigationAgent::chooseEscape(const Situation& situation) {
-  Heading move;
-  switch (escape_.decide(situation, shield_, goal_, &move)) {
-    case Escape::Outcome::kMove:
-      goTo(situation, move.distance > 0.0 ? Decision::Source::kEscape : Decision::Source::kLookAround, move.direction,
-           std::max(move.distance, parameters_.shield.shortest_step));
-      return;
-    case Escape::Outcome::kNoWay:
-      goTo(situation, Decision::Source::kNoWay, situation.pose.yaw, 0.0);
-      return;
-    case Escape::Outcome::kDone:
-      escaping_ = false;
-      best_distance_ = distanceBetween(situation.pose, goal_);
-      steps_since_best_ = 0;
-      driven_since_best_ = 0.0;
-      chooseAction(situation);
-      return;
-  }
-}
-
-void NavigationAgent::chooseAction(const Situation& situation) {
-  const ActionSet& actions = policy_.description().actions;
-  const ShieldParameters& shield = parameters_.shield;
-  for (const double clearance : {shield.clearance, shield.tight_clearance}) {
-    int best = -1;
-    double best_free = 0.0;
-    for (int action = 0; action < actions.size(); ++action) {
-      const auto i = static_cast<std::size_t>(action);
-      const double free = parameters_.shield_enabled ? freeDistance(situation, step_pose_.yaw + actions.angle(action),
-                                                                    parameters_.step.length, clearance)
-                                                     : parameters_.step.length;
-      decision_.allowed[i] = free >= shield.shortest_step;
-      const bool preferred =
-          best < 0 || imposed_action_ == action ||
-          (imposed_action_ != best && decision_.preferences[i] > decision_.preferences[static_cast<std::size_t>(best)]);
-      if (decision_.allowed[i] && preferred) {
-        best = action;
-        best_free = free;
-      }
-    }
-    if (best >= 0) {
-      goTo(situation, Decision::Source::kNetwork, step_pose_.yaw + actions.angle(best), best_free);
-      decision_.action = best;
-      look_around_turn_ = 0.0;
-      return;
-    }
-  }
-  lookAround(situation);
-}
-
-bool NavigationAgent::chooseGoalInSight(const Situation& situation) {
-  const double distance = distanceBetween(situation.pose, goal_);
-  if (!parameters_.shield_enabled || distance > parameters_.goal_in_sight) {
-    return false;
-  }
-  const double direction = directionTo(situation.pose, goal_);
-  const bool seen = std::abs(normalizeAngle(direction - situation.pose.yaw)) <= M_PI_2;
-  if (!seen || freeDistance(situation, direction, distance, parameters_.shield.tight_clearance) <
-                   distance - 0.5 * parameters_.goal_tolerance) {
-    return false;
-  }
-  goTo(situation, Decision::Source::kGoalInSight, direction, distance);
-  return true;
-}
-
-void NavigationAgent::lookAround(const Situation& situation) {
-  if (look_around_turn_ == 0.0) {
-    const double bearing = normalizeAngle(directionTo(situation.pose, goal_) - situation.pose.yaw);
-    look_around_turn_ = bearing < 0.0 ? -1.0 : 1.0;
-  }
-  goTo(situation, Decision::Source::kLookAround, situation.pose.yaw + look_around_turn_ * 2.0,
-       parameters_.shield.shortest_step);
-}
-
-void NavigationAgent::goTo(const Situation& situation, Decision::Source source, double direction, double distance) {
-  decision_.source = source;
-  decision_.action = -1;
-  decision_.direction = normalizeAngle(direction);
-  decision_.waypoint = pointAlong(situation.pose, direction, distance);
-}
-
-double NavigationAgent::freeDistance(const Situation& situation, double direction, double limit,
-                                     double clearance) const {
-  return shield_.freeDistance({}, direction - situation.pose.yaw, limit, clearance);
 }
 
 }  // namespace lstm_planner

@@ -53,11 +53,14 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
   plan->push_back(situation.pose);
   if (decision.source != Decision::Source::kArrived) {
     lineTo(decision.waypoint, parameters.spacing, plan);
-    const Point2 local_goal = toLocalFrame(situation.pose, {goal.x, goal.y});
+    for (const Point2& corner : decision.way_on) {
+      lineTo(corner, parameters.spacing, plan);
+    }
+    const Point2 local_goal = toLocalFrame(situation.pose, decision.destination);
     Point2 at = toLocalFrame(situation.pose, decision.waypoint);
     double direction = decision.direction - situation.pose.yaw;
     double left = distanceBetween(at, local_goal);
-    const bool moves = decision.source != Decision::Source::kLookAround;
+    const bool moves = decision.way_on.empty() && decision.source != Decision::Source::kLookAround;
     for (int step = 0; moves && step < parameters.steps && left > agent.goal_tolerance; ++step) {
       if (!stepTowards(local_goal, shield, agent, actions, direction, &at, &direction) ||
           distanceBetween(at, local_goal) > left) {
@@ -67,11 +70,12 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
       lineTo(toParentFrame(situation.pose, at), parameters.spacing, plan);
     }
   }
-  lineTo({goal.x, goal.y}, parameters.spacing, plan);
+  lineTo(decision.destination, parameters.spacing, plan);
+  const Pose2 last{decision.destination.x, decision.destination.y, goal.yaw};
   if (plan->size() == 1) {
-    plan->push_back(goal);
+    plan->push_back(last);
   }
-  plan->back() = goal;
+  plan->back() = last;
 }
 
 }  // namespace lstm_planner

@@ -51,7 +51,7 @@ std::vector<geometry_msgs::PoseStamped> PlanMaker::makePlan(const geometry_msgs:
   if (decision.source == Decision::Source::kNoWay) {
     throw PlanRefused("there is no way to the goal: the boundary of what is in the way was followed to its end");
   }
-  return inGlobalFrame(goal_in_global_frame);
+  return inGlobalFrame(decision, goal_in_global_frame);
 }
 
 void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const {
@@ -94,7 +94,7 @@ Decision PlanMaker::decide(const GoalInFrame& goal, const SensorReading& reading
                                    : agent_.preview(situation_, position);
   rollOut(situation_, decision, shield_, odometry_goal, parameters_.agent, parameters_.rollout, &plan_);
   if (driven) {
-    publish(reading, decision, odometry_goal, inGlobalFrame(*goal_in_global_frame));
+    publish(reading, decision, odometry_goal, inGlobalFrame(decision, *goal_in_global_frame));
   }
   return decision;
 }
@@ -106,8 +106,9 @@ const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading
     setGoal({goal.x, goal.y}, reading);
     markers_.clearTrace();
   } else if (reading.jumps != jumps_) {
-    ROS_WARN("the odometry jumped, the way so far is forgotten; the goal stays");
+    ROS_WARN("the odometry jumped, the way so far and what was seen are forgotten; the goal stays");
     setGoal({goal.x, goal.y}, reading);
+    agent_.restart();
     markers_.clearTrace();
   } else if (distanceBetween(agent_.goal(), goal) > kGoalShift) {
     ROS_WARN("the goal moved by %.2f m in the odometry frame, the way so far is forgotten",
@@ -122,7 +123,7 @@ void PlanMaker::setGoal(const Point2& goal, const SensorReading& reading) {
   jumps_ = reading.jumps;
 }
 
-std::vector<geometry_msgs::PoseStamped> PlanMaker::inGlobalFrame(const Pose2& goal) const {
+std::vector<geometry_msgs::PoseStamped> PlanMaker::inGlobalFrame(const Decision& decision, const Pose2& goal) const {
   geometry_msgs::PoseStamped stamped;
   stamped.header.frame_id = global_frame_;
   stamped.header.stamp = now_;
@@ -132,7 +133,10 @@ std::vector<geometry_msgs::PoseStamped> PlanMaker::inGlobalFrame(const Pose2& go
     stamped.pose = toMessage(compose(global_from_odometry_, pose));
     plan.push_back(stamped);
   }
-  plan.back().pose = toMessage(goal);  // free of the rounding of there and back again
+  const Point2 position = toLocalFrame(global_from_odometry_, {goal.x, goal.y});
+  if (distanceBetween(decision.destination, position) < 1e-6) {
+    plan.back().pose = toMessage(goal);  // free of the rounding of there and back again
+  }
   return plan;
 }
 

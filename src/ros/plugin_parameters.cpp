@@ -38,10 +38,19 @@ void readShield(ParameterReader* reader, AgentParameters* agent) {
   reader->read("shield/reach", &agent->shield.reach);
 }
 
+void readMemory(ParameterReader* reader, MemoryParameters* memory) {
+  reader->read("memory/enabled", &memory->enabled);
+  reader->read("memory/width", &memory->width);
+  reader->read("memory/resolution", &memory->resolution);
+  reader->read("memory/reach", &memory->reach);
+  reader->read("memory/tightness", &memory->tightness);
+}
+
 void readEscape(ParameterReader* reader, EscapeParameters* escape) {
   reader->read("escape/enabled", &escape->enabled);
   reader->read("escape/patience_steps", &escape->patience_steps);
   reader->read("escape/patience_distance", &escape->patience_distance);
+  reader->read("escape/last_resort", &escape->last_resort);
   reader->read("escape/progress", &escape->progress);
   reader->read("escape/follow_step", &escape->follow_step);
   reader->read("escape/probe_angle", &escape->probe_angle);
@@ -87,9 +96,11 @@ void readParameters(ParameterReader* reader, GlobalPlannerParameters* parameters
   readSensors(reader, &parameters->sensors);
   readStep(reader, &parameters->agent.step);
   readShield(reader, &parameters->agent);
+  readMemory(reader, &parameters->agent.memory);
   readEscape(reader, &parameters->agent.escape);
   reader->read("goal_tolerance", &parameters->agent.goal_tolerance);
   reader->read("goal_in_sight", &parameters->agent.goal_in_sight);
+  reader->read("goal_drift", &parameters->agent.goal_drift);
   reader->read("rollout/spacing", &parameters->rollout.spacing);
   reader->read("rollout/steps", &parameters->rollout.steps);
   reader->read("trace_length", &parameters->trace_length);

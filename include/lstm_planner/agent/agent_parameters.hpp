@@ -22,11 +22,22 @@ struct ShieldParameters {
   double reach = 6.0;                 ///< m; returns farther away are not looked at
 };
 
+/// What is remembered of the obstacles that were seen, and how ways through them are found.
+struct MemoryParameters {
+  bool enabled = true;
+  double width = 76.8;       ///< m, side of the square around the robot in which obstacles are remembered
+  double resolution = 0.05;  ///< m; at most 0.29 footprint radii, or ways would lead through walls
+  double reach = 12.0;       ///< m; returns farther away are not remembered
+  double tightness = 3.0;    ///< how many times its length a way counts where there is less room than shield/clearance
+};
+
 /// The way out when the network makes no progress: boundary following with the doubling search.
 struct EscapeParameters {
   bool enabled = true;
-  int patience_steps = 120;         ///< steps without a new best distance to the goal before the escape takes over
-  double patience_distance = 24.0;  ///< m driven without a new best distance before the escape takes over
+  int patience_steps = 120;         ///< steps without a new best distance to the goal before the way through what is
+                                    ///< remembered is followed whatever the network says
+  double patience_distance = 24.0;  ///< m driven likewise
+  double last_resort = 10.0;        ///< times that patience before boundaries are followed instead
   double progress = 0.25;           ///< m; nearer to the goal than ever by this much is a new best
   double follow_step = 0.25;        ///< m to the waypoint while following a boundary
   double probe_angle = 0.08727;     ///< rad between probed directions (5 degrees)
@@ -41,10 +52,13 @@ struct EscapeParameters {
 struct AgentParameters {
   StepParameters step;
   ShieldParameters shield;
+  MemoryParameters memory;
   EscapeParameters escape;
   bool shield_enabled = true;
   double goal_tolerance = 0.15;  ///< m; nearer than this is arrived
   double goal_in_sight = 1.5;    ///< m; a goal this near with a free straight way is driven to directly
+  double goal_drift = 0.03;      ///< share of the way driven by which odometry may be wrong: a goal that turns out to
+                                 ///< lie in an obstacle counts as reached from that far away
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -9,6 +9,8 @@
 #include "lstm_planner/agent/agent_parameters.hpp"
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/agent/escape.hpp"
+#include "lstm_planner/agent/place_trace.hpp"
+#include "lstm_planner/agent/route_guide.hpp"
 #include "lstm_planner/agent/shield.hpp"
 #include "lstm_planner/agent/situation.hpp"
 
@@ -19,6 +21,7 @@ struct Decision {
   enum class Source {
     kNetwork,      ///< the allowed action that the network prefers
     kGoalInSight,  ///< the goal is near and the straight way free
+    kRoute,        ///< the way through what is remembered; the network made no progress
     kEscape,       ///< boundary following
     kLookAround,   ///< nothing is free in sight: turn
     kArrived,      ///< within the goal tolerance
@@ -30,12 +33,22 @@ struct Decision {
   int action = -1;                 ///< index of the steering angle; -1 when the waypoint is not one of them
   std::vector<float> preferences;  ///< the network's, one an action
   std::vector<char> allowed;       ///< the shield's word, one an action
+  bool on_route = false;           ///< the waypoint lies on, or beside, the way through what is remembered
+  Point2 destination;              ///< where the plan ends: the goal, or where the footprint still fits when the goal
+                                   ///< lies in something (AgentParameters::goal_drift)
+  std::vector<Point2> way_on;      ///< from the waypoint to the destination through what is remembered; empty when there
+                                   ///< is no such way, or no memory
   long step = 0;                   ///< counts the steps since the goal was set
 };
 
 const char* toString(Decision::Source source);
 
 /// Decides, step by step, where the robot goes: network -> shield -> choice -> escape.
+///
+/// What was seen on the way is remembered (RouteGuide), and where the way through it begins is among the network's
+/// inputs if the model asks for it. The steering angle that the network chooses says which way to go; if the route leads
+/// that way, too, it says exactly where. Without progress the route is followed whatever the network says, and if even
+/// that leads nowhere boundaries are (Escape).
 ///
 /// The hidden state advances once a step (StepParameters) and at no other time: asking twice gives the same answer. Not
 /// thread safe. All poses and goals are in the odometry frame.
@@ -44,9 +57,12 @@ class NavigationAgent {
   /// Throws std::invalid_argument for bad parameters or a policy that does not fit them.
   NavigationAgent(DrivePolicy policy, const AgentParameters& parameters);
 
-  /// A new goal: forgets the hidden state, the step and the escape.
+  /// A new goal: forgets the hidden state, the step and the escape, but not what was seen on the way.
   void setGoal(const Point2& goal);
   const Point2& goal() const { return goal_; }
+
+  /// The odometry jumped: what was seen is somewhere else now. Forgets it, and all that setGoal() forgets.
+  void restart();
 
   /// The decision that holds now; makes a new one when the last step is over or its way is blocked.
   const Decision& update(const Situation& situation);
@@ -67,33 +83,47 @@ class NavigationAgent {
   double bestDistance() const { return best_distance_; }
 
  private:
+  /// Who leads while there is no progress.
+  enum class Leader { kNetwork, kRoute, kBoundary };
+
   bool stepIsOver(const Situation& situation) const;
   bool hasStirred(const Situation& situation, const Pose2& since) const;
   double elapsed(const Situation& situation) const;
   bool isStalled(const Situation& situation);
   bool wayIsFree(const Situation& situation) const;
   void noteProgress(const Situation& situation);
+  void lead(Leader leader);
+  void guide(const Situation& situation);
   void advanceNetwork(const Situation& situation);
   void choose(const Situation& situation);
   void chooseEscape(const Situation& situation);
+  void chooseRoute(const Situation& situation);
   void chooseAction(const Situation& situation);
+  int preferredAction(const Situation& situation, double clearance, int on_route, double* free);
+  bool followRoute(const Situation& situation, Decision::Source source);
   bool chooseGoalInSight(const Situation& situation);
   void lookAround(const Situation& situation);
   void goTo(const Situation& situation, Decision::Source source, double direction, double distance);
+  void planWayOn();
   double freeDistance(const Situation& situation, double direction, double limit, double clearance) const;
 
   DrivePolicy policy_;
   AgentParameters parameters_;
   Shield shield_;
   Escape escape_;
+  RouteGuide guide_;
+  RouteGuide::Status guide_status_ = RouteGuide::Status::kRoute;
+  PlaceTrace trace_;
+  bool network_knows_route_;  ///< the model has the route among its inputs
   Point2 goal_;
+  Route route_on_;  ///< of planWayOn()
   Decision decision_;
   Pose2 step_pose_;          ///< where the current step began
   double step_time_ = 0.0;   ///< s
   Pose2 stall_pose_;         ///< where the robot has been since stall_time_
   double stall_time_ = 0.0;  ///< s
   bool has_step_ = false;
-  bool escaping_ = false;
+  Leader leader_ = Leader::kNetwork;
   double best_distance_ = 0.0;  ///< m
   StepListener step_listener_;
   std::optional<int> imposed_action_;

@@ -46,7 +46,7 @@ class PlanMaker {
   Decision decide(const GoalInFrame& goal, const SensorReading& reading, Pose2* goal_in_global_frame);
   const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
   void setGoal(const Point2& goal, const SensorReading& reading);
-  std::vector<geometry_msgs::PoseStamped> inGlobalFrame(const Pose2& goal) const;
+  std::vector<geometry_msgs::PoseStamped> inGlobalFrame(const Decision& decision, const Pose2& goal) const;
   void publish(const SensorReading& reading, const Decision& decision, const Pose2& goal,
                const std::vector<geometry_msgs::PoseStamped>& plan);
 

@@ -20,9 +20,11 @@ const double kFollowDistance = kRadius + kDefaults.shield.clearance;  ///< m fro
 /// Following is done in chords of the probing's directions and with a noisy scanner: longer than the boundary by this.
 constexpr double kWobble = 1.25;
 
-/// The network is of no help in these worlds: the escape need not wait for it long.
+/// The network is of no help in these worlds: the escape need not wait for it long. Nor is it spared by a memory of
+/// obstacles, which would find the way out first.
 AgentParameters impatient() {
   AgentParameters parameters;
+  parameters.memory.enabled = false;
   parameters.escape.patience_steps = 20;
   parameters.escape.patience_distance = 4.0;
   return parameters;
@@ -158,6 +160,7 @@ TEST(EscapeDrives, TurnsBackWhenTheWallIsLongOnOneSide) {
     }
   }
   AgentParameters parameters;
+  parameters.memory.enabled = false;
   parameters.escape.patience_steps = 3;  // the network is of no help here
   parameters.escape.first_leg = 1.0;
   const DriveResult result = driveStubbornly(GridWorld(grid), {0.0, 0.0, M_PI_2}, {0.0, 5.0}, 1800.0, parameters);

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/agent/agent_parameters.hpp"
+#include "lstm_planner/agent/situation.hpp"
+
+namespace lstm_planner {
+
+/// Remembers where obstacles were seen in a window that moves along with the robot, and forgets those that the scanner
+/// sees through later. Bounded: about 0.4 MB with the defaults, however large the world and long the way.
+///
+/// All positions are in the odometry frame. Obstacles are kept in squares of MemoryParameters::resolution, one bit
+/// each; four by four of them are a cell, the unit of the route search. Whether the footprint fits into a cell is
+/// decided at the best of its 16 squares: finer than the cell itself, and still no two neighbouring cells lie on
+/// different sides of a wall, since the footprint is wider than both together. What was never seen counts as free.
+class ObstacleMemory {
+ public:
+  enum class Passage : std::uint8_t {
+    kBlocked,  ///< the footprint does not fit
+    kTight,    ///< it fits
+    kRoomy,    ///< it fits with the shield's clearance around it
+    kClear     ///< nothing is near
+  };
+
+  /// Throws as validate(AgentParameters) for parameters that do not fit together.
+  ObstacleMemory(const MemoryParameters& parameters, const ShieldParameters& shield);
+
+  /// Nothing is known any more.
+  void forget();
+
+  /// Takes in what is seen from where the robot is: forgets what the scan looks through, then marks the returns.
+  void look(const Situation& situation);
+
+  /// A place that turned out not to be passable although nothing is seen there; until forget(), or until so many others
+  /// were blocked.
+  void block(const Point2& place);
+
+  int side() const { return side_; }  ///< cells a side of the window
+  double cellSize() const { return cell_size_; }
+  /// Index of the cell at a position, row by row; -1 outside the window.
+  int cellAt(const Point2& position) const;
+  Point2 centerOf(int cell) const;
+  Passage passage(int cell);
+  /// The place in a cell that is farthest from all obstacles.
+  Point2 bestPlace(int cell);
+
+  /// True when a disc of the shield's footprint, grown by the shield's clearance if `roomy`, can be moved straight from
+  /// one place to the other; ends outside the window are never free.
+  bool isFree(const Point2& from, const Point2& to, bool roomy);
+
+ private:
+  struct Square {
+    int column;
+    int row;
+  };
+  static constexpr int kSquares = 4;  ///< squares a side of a cell
+  static constexpr std::uint8_t kUnknown = 0xff;
+
+  Square squareAt(const Point2& position) const;
+  Point2 centerOf(const Square& square) const;
+  void moveWindow(const Pose2& pose);
+  void forgetSeenThrough(const Situation& situation);
+  void set(const Square& square, bool occupied);
+  void outdate(const Square& square);
+  std::uint8_t judge(int cell) const;
+  void collect(int column, int row, int reach, std::vector<Point2>* squares) const;
+  double gap(const Point2& position) const;
+
+  MemoryParameters parameters_;
+  int side_;
+  double cell_size_;        ///< m
+  double footprint_radius_; ///< m
+  double tight_radius_;     ///< m from the middle of the footprint to the middle of an occupied square
+  double roomy_radius_;     ///< m
+  int near_cells_;          ///< cells within which an obstacle matters
+  int origin_column_ = 0;   ///< of the window, in cells of the odometry frame
+  int origin_row_ = 0;
+  bool placed_ = false;
+  std::vector<std::uint16_t> occupied_;  ///< a bit a square
+  std::vector<std::uint8_t> judged_;     ///< passage << 4 | best square; kUnknown = to be judged anew
+  std::vector<Point2> blocks_;
+  mutable std::vector<Point2> nearby_;   ///< of judge() and gap()
+};
+
+}  // namespace lstm_planner

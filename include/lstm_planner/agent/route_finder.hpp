@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/agent/obstacle_memory.hpp"
+
+namespace lstm_planner {
+
+/// A way to the goal through what is remembered; what was never seen counts as free.
+struct Route {
+  std::vector<Point2> points;  ///< odometry frame, from the start to the goal; straight between them
+  double length = 0.0;         ///< m
+  double cost = 0.0;           ///< m, tight places counted several times
+};
+
+/// Finds the shortest way through an ObstacleMemory: A* on its cells, tight ones costing more, corners pulled straight
+/// near the start. Beyond the window the way is taken as straight. The memory needed is allocated once.
+class RouteFinder {
+ public:
+  /// `tightness`: how many times its length a way through a tight place costs, at least 1.
+  explicit RouteFinder(double tightness);
+
+  /// False when there is no way: obstacles that were seen enclose the start, or the goal, all around. The goal counts as
+  /// reached from `tolerance` (m) away.
+  bool find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance, Route* route);
+
+  /// Cost of a route under what is remembered now, m; +inf when it is blocked. Looks at its first `distance` m.
+  double costOf(ObstacleMemory& memory, const Route& route, double distance) const;
+
+ private:
+  struct Open {
+    std::uint32_t estimate;
+    std::uint32_t cell;
+  };
+  bool search(ObstacleMemory& memory, int start, const Point2& goal, double tolerance, int* end);
+  void pullStraight(ObstacleMemory& memory, Route* route) const;
+
+  double tightness_;
+  std::vector<std::uint16_t> costs_;  ///< tenths of a cell, from the start
+  std::vector<std::uint8_t> from_;    ///< direction of the last step
+  std::vector<Open> open_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "lstm_planner/agent/agent_parameters.hpp"
+#include "lstm_planner/agent/obstacle_memory.hpp"
+#include "lstm_planner/agent/route_finder.hpp"
+#include "lstm_planner/agent/situation.hpp"
+
+namespace lstm_planner {
+
+/// Keeps the way to the goal through what is remembered, and finds out when there is none.
+///
+/// Remembered obstacles can be wrong (the odometry drifts, people go away). So when they enclose the goal everything is
+/// forgotten and looked at anew, all around; only what is closed then, seen from one place, several times in a row, is
+/// believed.
+class RouteGuide {
+ public:
+  enum class Status {
+    kRoute,       ///< follow route()
+    kLookAround,  ///< turn on the spot, so that everything around is seen
+    kClosed,      ///< no way to the goal from here
+    kLost         ///< the memory was wrong too often: find the goal by other means
+  };
+
+  explicit RouteGuide(const AgentParameters& parameters);
+
+  /// A new goal; what is remembered of the obstacles stays.
+  void begin(const Point2& goal);
+
+  /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
+  void noteProgress() { forgotten_ = 0; }
+
+  /// Takes in the situation and finds the way anew; one that is hardly better than the last one is not taken.
+  Status update(const Situation& situation);
+
+  /// The start of the route turned out to be blocked although the memory does not know why.
+  void blockAhead(const Situation& situation);
+
+  /// From the robot to the goal, or to where the footprint still fits when the goal lies in something.
+  const Route& route() const { return route_; }
+
+  /// The point that lies that far (m) along the route.
+  Point2 pointAhead(double distance) const;
+
+  /// The corners of the route farther along than `distance` (m).
+  void pointsAhead(double distance, std::vector<Point2>* points) const;
+
+  /// Where the route ends.
+  Point2 end() const { return route_.points.empty() ? goal_ : route_.points.back(); }
+
+  /// A route from somewhere else through the same memory; false when there is none.
+  bool findFrom(const Point2& start, Route* route);
+
+  /// Everything is forgotten, e.g. because the odometry jumped.
+  void forget();
+
+ private:
+  double tolerance() const;
+  bool keepRoute(const Situation& situation);
+  Status lookAround(const Situation& situation);
+
+  AgentParameters parameters_;
+  ObstacleMemory memory_;
+  RouteFinder finder_;
+  Point2 goal_;
+  Route route_;
+  Route candidate_;
+  Pose2 last_pose_;
+  bool has_pose_ = false;
+  double driven_ = 0.0;        ///< m since the goal was set
+  bool looking_ = false;       ///< turning, after everything was forgotten
+  double turned_ = 0.0;        ///< rad, while looking
+  int closed_in_a_row_ = 0;
+  int forgotten_ = 0;          ///< times since the last progress
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lstm_planner/agent/navigation_agent.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// Directions beside the route that are tried when its first metres are not free: steps and farthest, rad.
+constexpr double kAsideStep = 0.0873;
+constexpr double kFarthestAside = 1.05;
+
+}  // namespace
+
+void NavigationAgent::choose(const Situation& situation) {
+  const EscapeParameters& escape = parameters_.escape;
+  const auto patience = [&](double times) {
+    return steps_since_best_ >= times * escape.patience_steps || driven_since_best_ >= times * escape.patience_distance;
+  };
+  if (escape.enabled && leader_ == Leader::kNetwork && patience(1.0)) {
+    lead(parameters_.memory.enabled ? Leader::kRoute : Leader::kBoundary);
+  }
+  const bool lost = parameters_.memory.enabled && guide_status_ == RouteGuide::Status::kLost;
+  if (escape.enabled && leader_ != Leader::kBoundary && (lost || patience(escape.last_resort))) {
+    lead(Leader::kBoundary);
+  }
+  decision_.on_route = false;
+  if (!chooseGoalInSight(situation)) {
+    if (leader_ == Leader::kBoundary) {
+      chooseEscape(situation);
+    } else if (leader_ == Leader::kRoute || network_knows_route_) {
+      chooseRoute(situation);
+    } else {
+      chooseAction(situation);
+    }
+  }
+  planWayOn();
+}
+
+void NavigationAgent::chooseEscape(const Situation& situation) {
+  Heading move;
+  switch (escape_.decide(situation, shield_, goal_, &move)) {
+    case Escape::Outcome::kMove:
+      goTo(situation, move.distance > 0.0 ? Decision::Source::kEscape : Decision::Source::kLookAround, move.direction,
+           std::max(move.distance, parameters_.shield.shortest_step));
+      return;
+    case Escape::Outcome::kNoWay:
+      goTo(situation, Decision::Source::kNoWay, situation.pose.yaw, 0.0);
+      return;
+    case Escape::Outcome::kDone:
+      leader_ = Leader::kNetwork;
+      best_distance_ = distanceBetween(situation.pose, goal_);
+      steps_since_best_ = 0;
+      driven_since_best_ = 0.0;
+      guide_.noteProgress();
+      chooseAction(situation);
+      return;
+  }
+}
+
+void NavigationAgent::chooseRoute(const Situation& situation) {
+  constexpr int kBlocks = 3;
+  for (int blocks = 0; blocks <= kBlocks; ++blocks) {
+    switch (guide_status_) {
+      case RouteGuide::Status::kClosed:
+        goTo(situation, Decision::Source::kNoWay, situation.pose.yaw, 0.0);
+        return;
+      case RouteGuide::Status::kLookAround:
+      case RouteGuide::Status::kLost:
+        lookAround(situation);
+        return;
+      case RouteGuide::Status::kRoute:
+        break;
+    }
+    if (leader_ == Leader::kNetwork) {
+      chooseAction(situation);
+      if (decision_.source != Decision::Source::kLookAround) {
+        return;
+      }
+    } else if (followRoute(situation, Decision::Source::kRoute)) {
+      return;
+    }
+    guide_.blockAhead(situation);
+    guide(situation);
+  }
+  lookAround(situation);
+}
+
+void NavigationAgent::chooseAction(const Situation& situation) {
+  const ActionSet& actions = policy_.description().actions;
+  const ShieldParameters& shield = parameters_.shield;
+  int on_route = -1;
+  if (network_knows_route_ && guide_status_ == RouteGuide::Status::kRoute) {
+    const Point2 ahead = guide_.pointAhead(parameters_.step.length);
+    on_route = actions.nearest(normalizeAngle(directionTo(situation.pose, ahead) - situation.pose.yaw));
+  }
+  for (const double clearance : {shield.clearance, shield.tight_clearance}) {
+    double free = 0.0;
+    const int best = preferredAction(situation, clearance, on_route, &free);
+    if (best < 0) {
+      continue;
+    }
+    if (best == on_route) {
+      if (followRoute(situation, Decision::Source::kNetwork)) {
+        decision_.action = best;
+        return;
+      }
+      if (free < shield.shortest_step) {
+        break;
+      }
+    }
+    goTo(situation, Decision::Source::kNetwork, step_pose_.yaw + actions.angle(best), free);
+    decision_.action = best;
+    look_around_turn_ = 0.0;
+    return;
+  }
+  lookAround(situation);
+}
+
+int NavigationAgent::preferredAction(const Situation& situation, double clearance, int on_route, double* best_free) {
+  const ActionSet& actions = policy_.description().actions;
+  int best = -1;
+  for (int action = 0; action < actions.size(); ++action) {
+    const auto i = static_cast<std::size_t>(action);
+    const double free = parameters_.shield_enabled ? freeDistance(situation, step_pose_.yaw + actions.angle(action),
+                                                                  parameters_.step.length, clearance)
+                                                   : parameters_.step.length;
+    decision_.allowed[i] = free >= parameters_.shield.shortest_step || action == on_route;
+    const bool preferred =
+        best < 0 || imposed_action_ == action ||
+        (imposed_action_ != best && decision_.preferences[i] > decision_.preferences[static_cast<std::size_t>(best)]);
+    if (decision_.allowed[i] && preferred) {
+      best = action;
+      *best_free = free;
+    }
+  }
+  return best;
+}
+
+bool NavigationAgent::followRoute(const Situation& situation, Decision::Source source) {
+  const ShieldParameters& shield = parameters_.shield;
+  for (const double ahead : {1.0, 0.5}) {
+    const Point2 target = guide_.pointAhead(ahead * parameters_.step.length);
+    const double distance = distanceBetween(situation.pose, target);
+    const double wanted = std::min(distance, shield.shortest_step);
+    const double direction = directionTo(situation.pose, target);
+    for (double aside = 0.0; aside < (ahead < 1.0 ? kFarthestAside : 0.5 * kAsideStep); aside += kAsideStep) {
+      for (const double side : {1.0, -1.0}) {
+        const double free =
+            freeDistance(situation, direction + side * aside, std::max(distance, wanted), shield.tight_clearance);
+        if (free >= wanted && (free >= 0.9 * distance || ahead < 1.0)) {
+          goTo(situation, source, direction + side * aside, free);
+          decision_.on_route = true;
+          look_around_turn_ = 0.0;
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+bool NavigationAgent::chooseGoalInSight(const Situation& situation) {
+  const double distance = distanceBetween(situation.pose, decision_.destination);
+  if (!parameters_.shield_enabled || distance > parameters_.goal_in_sight) {
+    return false;
+  }
+  const double direction = directionTo(situation.pose, decision_.destination);
+  const bool seen = std::abs(normalizeAngle(direction - situation.pose.yaw)) <= M_PI_2;
+  if (!seen || freeDistance(situation, direction, distance, parameters_.shield.tight_clearance) <
+                   distance - 0.5 * parameters_.goal_tolerance) {
+    return false;
+  }
+  goTo(situation, Decision::Source::kGoalInSight, direction, distance);
+  return true;
+}
+
+void NavigationAgent::lookAround(const Situation& situation) {
+  if (look_around_turn_ == 0.0) {
+    const double bearing = normalizeAngle(directionTo(situation.pose, goal_) - situation.pose.yaw);
+    look_around_turn_ = bearing < 0.0 ? -1.0 : 1.0;
+  }
+  goTo(situation, Decision::Source::kLookAround, situation.pose.yaw + look_around_turn_ * 2.0,
+       parameters_.shield.shortest_step);
+  decision_.way_on.clear();
+}
+
+void NavigationAgent::goTo(const Situation& situation, Decision::Source source, double direction, double distance) {
+  decision_.source = source;
+  decision_.action = -1;
+  decision_.on_route = false;
+  decision_.direction = normalizeAngle(direction);
+  decision_.waypoint = pointAlong(situation.pose, direction, distance);
+}
+
+void NavigationAgent::planWayOn() {
+  std::vector<Point2>& way_on = decision_.way_on;
+  way_on.clear();
+  const bool leads_on = decision_.source == Decision::Source::kNetwork || decision_.source == Decision::Source::kRoute ||
+                        decision_.source == Decision::Source::kEscape;
+  if (!leads_on || !parameters_.memory.enabled || guide_status_ != RouteGuide::Status::kRoute) {
+    return;
+  }
+  if (decision_.on_route) {
+    guide_.pointsAhead(distanceBetween(step_pose_, decision_.waypoint), &way_on);
+  } else if (guide_.findFrom(decision_.waypoint, &route_on_)) {
+    way_on.assign(route_on_.points.begin() + 1, route_on_.points.end());
+  }
+}
+
+double NavigationAgent::freeDistance(const Situation& situation, double direction, double limit,
+                                     double clearance) const {
+  return shield_.freeDistance({}, direction - situation.pose.yaw, limit, clearance);
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,184 @@
+#include "lstm_planner/agent/route_finder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr std::uint16_t kFar = std::numeric_limits<std::uint16_t>::max();
+constexpr int kStraight = 5;  ///< cost of a step; its diagonal is 7, 1 % less than the true ratio
+constexpr int kDiagonal = 7;
+constexpr int kColumns[8] = {1, 1, 0, -1, -1, -1, 0, 1};
+constexpr int kRows[8] = {0, 1, 1, 1, 0, -1, -1, -1};
+
+/// Corners are pulled straight this far from the start, m: the rest is a guess that will be made anew anyway.
+constexpr double kStraightened = 8.0;
+constexpr std::size_t kLongestPull = 24;  ///< cells
+
+/// Cost of the way between two cells if nothing is in between.
+std::uint32_t octile(int columns, int rows) {
+  const int longer = std::max(std::abs(columns), std::abs(rows));
+  const int shorter = std::min(std::abs(columns), std::abs(rows));
+  return static_cast<std::uint32_t>(kStraight * (longer - shorter) + kDiagonal * shorter);
+}
+
+double lengthOf(const std::vector<Point2>& points) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += distanceBetween(points[i - 1], points[i]);
+  }
+  return length;
+}
+
+}  // namespace
+
+RouteFinder::RouteFinder(double tightness) : tightness_(tightness) {}
+
+bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance,
+                       Route* route) {
+  route->points.clear();
+  const int first = memory.cellAt(start);
+  int end = -1;
+  if (first < 0 || !search(memory, first, goal, tolerance, &end)) {
+    return false;
+  }
+  const bool goal_is_free = memory.cellAt(goal) == end || memory.cellAt(goal) < 0;
+  if (goal_is_free) {
+    route->points.push_back(goal);
+  }
+  for (int cell = end; cell != first;) {
+    if (memory.cellAt(goal) != cell) {
+      route->points.push_back(memory.bestPlace(cell));
+    }
+    const int direction = from_[static_cast<std::size_t>(cell)];
+    cell -= kRows[direction] * memory.side() + kColumns[direction];
+  }
+  route->points.push_back(start);
+  std::reverse(route->points.begin(), route->points.end());
+  route->cost = costs_[static_cast<std::size_t>(end)] * memory.cellSize() / kStraight;
+  if (memory.cellAt(goal) < 0) {
+    route->cost += distanceBetween(route->points[route->points.size() - 2], goal);
+  }
+  pullStraight(memory, route);
+  route->length = lengthOf(route->points);
+  return true;
+}
+
+bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& goal, double tolerance, int* end) {
+  using Passage = ObstacleMemory::Passage;
+  const int side = memory.side();
+  costs_.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), kFar);
+  from_.resize(costs_.size());
+  open_.clear();
+  const auto later = [](const Open& a, const Open& b) { return a.estimate > b.estimate; };
+
+  const int goal_cell = memory.cellAt(goal);
+  const bool goal_is_blocked = goal_cell >= 0 && memory.passage(goal_cell) == Passage::kBlocked;
+  const Point2 origin = memory.centerOf(start);
+  const int goal_column = start % side + static_cast<int>(std::lround((goal.x - origin.x) / memory.cellSize()));
+  const int goal_row = start / side + static_cast<int>(std::lround((goal.y - origin.y) / memory.cellSize()));
+  const auto tight = static_cast<int>(std::lround(tightness_ * 2.0));
+
+  costs_[static_cast<std::size_t>(start)] = 0;
+  open_.push_back({octile(goal_column - start % side, goal_row - start / side), static_cast<std::uint32_t>(start)});
+  while (!open_.empty()) {
+    std::pop_heap(open_.begin(), open_.end(), later);
+    const Open next = open_.back();
+    open_.pop_back();
+    const int cell = static_cast<int>(next.cell);
+    const int column = cell % side;
+    const int row = cell / side;
+    const int cost = costs_[next.cell];
+    if (next.estimate != static_cast<std::uint32_t>(cost) + octile(goal_column - column, goal_row - row)) {
+      continue;  // a cheaper way to it was found meanwhile
+    }
+    const bool at_border = column == 0 || row == 0 || column == side - 1 || row == side - 1;
+    const bool near_enough = goal_is_blocked && distanceBetween(memory.bestPlace(cell), goal) <= tolerance;
+    if (cell == goal_cell || near_enough || (goal_cell < 0 && at_border)) {
+      *end = cell;
+      return true;
+    }
+    if (at_border) {
+      continue;
+    }
+    bool open_side[8];
+    for (int direction = 0; direction < 8; direction += 2) {
+      const int neighbour = cell + kRows[direction] * side + kColumns[direction];
+      open_side[direction] = memory.passage(neighbour) != Passage::kBlocked;
+    }
+    for (int direction = 0; direction < 8; ++direction) {
+      const bool diagonal = direction % 2 != 0;
+      const int neighbour = cell + kRows[direction] * side + kColumns[direction];
+      const auto i = static_cast<std::size_t>(neighbour);
+      const bool reachable = diagonal ? open_side[direction - 1] && open_side[(direction + 1) % 8] : open_side[direction];
+      if (!reachable) {
+        continue;
+      }
+      const Passage passage = memory.passage(neighbour);
+      if (passage == Passage::kBlocked) {
+        continue;
+      }
+      const int step = diagonal ? kDiagonal : kStraight;
+      const int sum = cost + (passage == Passage::kTight ? step * tight / 2 : step);
+      if (sum < costs_[i]) {
+        costs_[i] = static_cast<std::uint16_t>(sum);
+        from_[i] = static_cast<std::uint8_t>(direction);
+        open_.push_back({static_cast<std::uint32_t>(sum) +
+                             octile(goal_column - neighbour % side, goal_row - neighbour / side),
+                         static_cast<std::uint32_t>(neighbour)});
+        std::push_heap(open_.begin(), open_.end(), later);
+      }
+    }
+  }
+  return false;
+}
+
+void RouteFinder::pullStraight(ObstacleMemory& memory, Route* route) const {
+  std::vector<Point2>& points = route->points;
+  std::vector<Point2> pulled = {points.front()};
+  double length = 0.0;
+  std::size_t at = 0;
+  while (at + 1 < points.size()) {
+    std::size_t next = at + 1;
+    if (length < kStraightened) {
+      bool roomy = true;
+      for (std::size_t to = at + 1; to < std::min(points.size(), at + 1 + kLongestPull); ++to) {
+        const int cell = memory.cellAt(points[to]);
+        roomy = roomy && cell >= 0 && memory.passage(cell) >= ObstacleMemory::Passage::kRoomy;
+        if (to > at + 1 && !memory.isFree(points[at], points[to], roomy)) {
+          break;
+        }
+        next = to;
+      }
+    }
+    length += distanceBetween(points[at], points[next]);
+    pulled.push_back(points[next]);
+    at = next;
+  }
+  points.swap(pulled);
+}
+
+double RouteFinder::costOf(ObstacleMemory& memory, const Route& route, double distance) const {
+  double cost = 0.0;
+  for (std::size_t i = 1; i < route.points.size(); ++i) {
+    const Point2& from = route.points[i - 1];
+    const Point2& to = route.points[i];
+    const double length = distanceBetween(from, to);
+    if (distance > 0.0 && memory.cellAt(to) >= 0 && memory.cellAt(from) >= 0) {
+      const bool roomy = memory.isFree(from, to, true);
+      if (!roomy && !memory.isFree(from, to, false)) {
+        return std::numeric_limits<double>::infinity();
+      }
+      cost += roomy ? length : tightness_ * length;
+    } else {
+      cost += length;
+    }
+    distance -= length;
+  }
+  return cost;
+}
+
+}  // namespace lstm_planner
