@@ -1,16 +1,27 @@
 #include "lstm_planner/evaluation/simulated_robot.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
+namespace {
+
+constexpr double kStanding = 0.02;  // m/s; who is slower towards somebody is not driving into him
+
+}  // namespace
 
 SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
     : world_(world), parameters_(parameters), base_(parameters.base, start, seed), scanner_(parameters.scanner, ~seed) {
   checkPositive("physics_period", parameters.physics_period);
   checkParameter(parameters.latency >= 0.0 && parameters.latency <= 10.0, "latency", parameters.latency,
                  "a time in [0, 10] s");
+}
+
+SimulatedRobot::SimulatedRobot(Crowd* crowd, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
+    : SimulatedRobot(*crowd, parameters, start, seed) {
+  crowd_ = crowd;
 }
 
 void SimulatedRobot::obeyCommands() {
@@ -20,20 +31,39 @@ void SimulatedRobot::obeyCommands() {
   }
 }
 
+/// Moves unless something is in the way; returns the velocity that the robot had or wanted, m/s in the world.
+Point2 SimulatedRobot::move(double seconds) {
+  const Pose2 before = base_.truePose();
+  base_.step(seconds);
+  const Pose2 after = base_.truePose();
+  const Point2 velocity{(after.x - before.x) / seconds, (after.y - before.y) / seconds};
+  const bool touches = world_.touches({after.x, after.y}, 0.5 * parameters_.base.base_diameter);
+  if (touches) {
+    contacts_ += touching_ ? 0 : 1;
+    base_.holdPosition({before.x, before.y, after.yaw});
+  }
+  touching_ = touches;
+  path_length_ += distanceBetween(before, base_.truePose());
+  return velocity;
+}
+
+void SimulatedRobot::letWalk(double seconds, const Point2& velocity) {
+  const Point2 here{base_.truePose().x, base_.truePose().y};
+  for (const Circle& walker : crowd_->advance(seconds, {here, 0.5 * parameters_.base.base_diameter})) {
+    if (touching_) continue;  // counted already
+    const double direction = directionTo(here, walker.center);
+    const double approach = velocity.x * std::cos(direction) + velocity.y * std::sin(direction);
+    ++(approach > kStanding ? contacts_ : bumped_);
+  }
+}
+
 void SimulatedRobot::advance(double seconds) {
   double left = seconds;
   while (left > 1e-9) {
     const double period = std::min(left, parameters_.physics_period);
     obeyCommands();
-    const Pose2 before = base_.truePose();
-    base_.step(period);
-    const bool touches = world_.touches({base_.truePose().x, base_.truePose().y}, 0.5 * parameters_.base.base_diameter);
-    if (touches) {
-      contacts_ += touching_ ? 0 : 1;
-      base_.holdPosition({before.x, before.y, base_.truePose().yaw});
-    }
-    touching_ = touches;
-    path_length_ += distanceBetween(before, base_.truePose());
+    const Point2 velocity = move(period);
+    if (crowd_ != nullptr) letWalk(period, velocity);
     time_ += period;
     left -= period;
   }

@@ -102,6 +102,8 @@ const char* toString(DriveResult::End end) {
       return "timeout";
     case DriveResult::End::kNoWay:
       return "no way";
+    case DriveResult::End::kElsewhere:
+      return "elsewhere";
   }
   return "";
 }

@@ -18,6 +18,17 @@ struct DriveTask {
   double shortest = 0.0;  ///< m, shortest way of the footprint; 0 = not known
 };
 
+/// Who says that the robot has arrived.
+enum class Arrival {
+  /// The robot does, as in a building: its controller is within its tolerance of the goal by odometry. It knows no
+  /// better than odometry, so the true position may be off by more than the goal's radius: by the odometry's error
+  /// times the driven way, and in a drive without contacts by all that odometry is wrong by (after a contact wheels may
+  /// have spun, and that counts).
+  kRobotSays,
+  /// A referee does who knows the true position, and ends the drive there (BARN). The robot's own word ends it too.
+  kTruePosition
+};
+
 /// How a drive is run and judged.
 struct DriveParameters {
   SimulatedRobot::Parameters robot;
@@ -27,24 +38,37 @@ struct DriveParameters {
   int plan_every = 2;           ///< commands between plans
   double time_limit = 1800.0;   ///< s
   double goal_radius = 0.3;     ///< m between true position and goal to count as arrival
+  Arrival arrival = Arrival::kRobotSays;
 };
 
 /// What happened.
 struct DriveResult {
-  enum class End { kReached, kTimeout, kNoWay };
+  enum class End {
+    kReached,
+    kTimeout,
+    kNoWay,     ///< the robot said that there is none
+    kElsewhere  ///< the robot said that it had arrived, and had not
+  };
   End end = End::kTimeout;
-  int contacts = 0;
+  int contacts = 0;          ///< the robot's own doing, see SimulatedRobot
+  int bumped = 0;            ///< people who ran into it
   double time = 0.0;         ///< s
   double path_length = 0.0;  ///< m
   double shortest = 0.0;     ///< m, of the task
+  double goal_error = 0.0;   ///< m from the true position to the goal in the end
   long steps = 0;
   long escape_steps = 0;       ///< steps that the escape decided
   std::vector<Pose2> trace;    ///< true poses, one a command
   std::vector<char> escaping;  ///< whether the escape decided, one a pose of the trace
+  std::vector<Point2> contact_places;               ///< where the robot was
+  std::vector<std::vector<Point2>> walker_traces;  ///< by walker, one place a pose of the trace
 };
 
 /// Drives one task with agent and controller in closed loop, without ROS. The agent is given the goal anew.
 DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
+                  NavigationAgent* agent);
+/// Among people, who walk on from where they are.
+DriveResult drive(Crowd* crowd, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
                   NavigationAgent* agent);
 
 /// Totals over many drives; ratios are path / shortest of those that arrived.
@@ -52,11 +76,14 @@ struct DriveSummary {
   int goals = 0;
   int reached = 0;
   int contacts = 0;
+  int bumped = 0;
   int no_way = 0;
   int timeouts = 0;
+  int elsewhere = 0;
   double mean_ratio = 0.0;
   double p95_ratio = 0.0;
-  double mean_time = 0.0;  ///< s, of those that arrived
+  double mean_time = 0.0;        ///< s, of those that arrived
+  double mean_goal_error = 0.0;  ///< m, of those that arrived
 };
 DriveSummary summarize(const std::vector<DriveResult>& results);
 

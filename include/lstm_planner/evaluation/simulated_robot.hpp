@@ -5,13 +5,17 @@
 
 #include "lstm_planner/agent/situation.hpp"
 #include "lstm_planner/simulation/create2.hpp"
+#include "lstm_planner/simulation/crowd.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
 #include "lstm_planner/simulation/world.hpp"
 
 namespace lstm_planner {
 
 /// A Create 2 with a Hokuyo in a world: moves, senses, counts contacts. No ROS, no real time; the same for the same
-/// seed.
+/// seed. Where people walk about, they move as time passes for the robot.
+///
+/// A contact is the robot's own doing: it drove into something, or met a walker towards whom it was driving. A walker
+/// who runs into a robot that stands, or goes elsewhere, has bumped into it.
 class SimulatedRobot {
  public:
   struct Parameters {
@@ -23,6 +27,8 @@ class SimulatedRobot {
 
   /// `world` must outlive the robot.
   SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
+  /// Among people, who must outlive the robot.
+  SimulatedRobot(Crowd* crowd, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
 
   /// Takes effect when the latency has passed.
   void command(const Twist2& twist) { commands_.push_back({time_ + parameters_.latency, twist}); }
@@ -38,6 +44,7 @@ class SimulatedRobot {
   const Pose2& odometry() const { return base_.odometry(); }
   const Twist2& measuredTwist() const { return base_.measuredTwist(); }
   int contacts() const { return contacts_; }          ///< how often the footprint began to touch something
+  int bumped() const { return bumped_; }              ///< how often a walker ran into the robot
   double pathLength() const { return path_length_; }  ///< m truly driven
 
  private:
@@ -46,6 +53,8 @@ class SimulatedRobot {
     Twist2 twist;
   };
   void obeyCommands();
+  Point2 move(double seconds);
+  void letWalk(double seconds, const Point2& velocity);
 
   const World& world_;
   Parameters parameters_;
@@ -54,7 +63,9 @@ class SimulatedRobot {
   LaserScan scan_;
   std::deque<Command> commands_;
   double time_ = 0.0;
+  Crowd* crowd_ = nullptr;
   int contacts_ = 0;
+  int bumped_ = 0;
   bool touching_ = false;
   double path_length_ = 0.0;
 };

@@ -9,7 +9,7 @@
 
 namespace lstm_planner {
 
-/// A static world that a laser sees and a robot can touch. Thread safe to read.
+/// What a laser sees and a robot can touch. Thread safe to read.
 class World {
  public:
   virtual ~World() = default;
@@ -49,6 +49,10 @@ struct Circle {
   Point2 center;
   double radius = 0.0;
 };
+
+/// Lowers those ranges, of beams as in World::castRays(), that the circle cuts short.
+void castRaysAtCircle(const Circle& circle, const Point2& origin, double first_direction, double increment,
+                      double max_range, std::vector<double>* ranges);
 
 /// Cylinders on an endless floor (BARN worlds). Throws std::invalid_argument for a circle that is not finite or has a
 /// negative radius.

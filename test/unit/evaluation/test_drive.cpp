@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -22,15 +23,21 @@ DriveResult resultOf(DriveResult::End end, double path_length, double shortest, 
 TEST(Summarize, CountsEnds) {
   std::vector<DriveResult> results = {
       resultOf(DriveResult::End::kReached, 1.0, 1.0, 10.0), resultOf(DriveResult::End::kReached, 3.0, 1.0, 20.0),
-      resultOf(DriveResult::End::kTimeout, 90.0, 1.0, 1800.0), resultOf(DriveResult::End::kNoWay, 50.0, 1.0, 500.0)};
+      resultOf(DriveResult::End::kTimeout, 90.0, 1.0, 1800.0), resultOf(DriveResult::End::kNoWay, 50.0, 1.0, 500.0),
+      resultOf(DriveResult::End::kElsewhere, 2.0, 1.0)};
   results[1].contacts = 2;
+  results[1].goal_error = 0.2;
+  results[3].bumped = 3;
   results[2].contacts = 1;
   const DriveSummary summary = summarize(results);
-  EXPECT_EQ(summary.goals, 4);
+  EXPECT_EQ(summary.goals, 5);
   EXPECT_EQ(summary.reached, 2);
   EXPECT_EQ(summary.timeouts, 1);
   EXPECT_EQ(summary.no_way, 1);
+  EXPECT_EQ(summary.elsewhere, 1);
   EXPECT_EQ(summary.contacts, 3);
+  EXPECT_EQ(summary.bumped, 3);
+  EXPECT_DOUBLE_EQ(summary.mean_goal_error, 0.1);
   EXPECT_DOUBLE_EQ(summary.mean_ratio, 2.0);  // only of those that arrived
   EXPECT_DOUBLE_EQ(summary.mean_time, 15.0);
 }
@@ -140,6 +147,55 @@ TEST(Drive, EndsAtTheTimeLimit) {
   const DriveResult result = drive(world, {{1.0, 2.0, 0.0}, {5.0, 2.0}, 4.0}, test::quickDrive(3.0), 1, &agent);
   EXPECT_EQ(result.end, DriveResult::End::kTimeout);
   EXPECT_NEAR(result.time, 3.0, 0.1 + 1e-9);
+}
+
+/// The robot drives 8 m straight on; its odometry errs as it does for that seed.
+DriveResult driveWithDrift(double odometry_error, Arrival arrival, std::uint64_t seed) {
+  NavigationAgent agent(test::straightAheadPolicy(), {});
+  DriveParameters parameters = test::quickDrive(120.0);
+  parameters.robot.base.odometry_error = odometry_error;
+  parameters.arrival = arrival;
+  return drive(CircleWorld({}), {{}, {8.0, 0.0}, 8.0}, parameters, seed, &agent);
+}
+
+TEST(Drive, BelievesTheRobotAsFarAsItsOdometryCanKnow) {
+  // 30 % of 8 m: nearly every robot ends more than the goal's radius away, where the referee does not see it arrive.
+  int elsewhere = 0;
+  double error = 0.0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    EXPECT_EQ(driveWithDrift(0.3, Arrival::kRobotSays, seed).end, DriveResult::End::kReached);
+    const DriveResult judged = driveWithDrift(0.3, Arrival::kTruePosition, seed);
+    elsewhere += judged.end == DriveResult::End::kElsewhere ? 1 : 0;
+    error = std::max(error, judged.goal_error);
+  }
+  EXPECT_GE(elsewhere, 5);
+  EXPECT_GT(error, 0.3);
+}
+
+TEST(Drive, DoesNotBelieveARobotWhoseWheelsSpin) {
+  // It sees nothing at all and drives against a pillar, where its odometry counts on.
+  const CircleWorld pillar({{{3.0, 0.0}, 0.3}});
+  NavigationAgent agent(test::straightAheadPolicy(), {});
+  DriveParameters blind = test::quickDrive(120.0);
+  blind.robot.scanner.dropout = 1.0;
+  const DriveResult result = drive(pillar, {{}, {8.0, 0.0}, 8.0}, blind, 1, &agent);
+  EXPECT_EQ(result.end, DriveResult::End::kElsewhere);
+  EXPECT_EQ(result.contacts, 1);
+  ASSERT_EQ(result.contact_places.size(), 1u);
+  EXPECT_NEAR(result.contact_places[0].x, 3.0 - 0.3 - 0.17425, 0.01);
+}
+
+TEST(Drive, KeepsTheWaysOfThePeopleAround) {
+  const GridWorld world(test::emptyHall(6.0, 4.0));
+  const std::vector<Point2> places = standingPlaces(world, 0.3);
+  CrowdParameters two;
+  two.walkers = 2;
+  Crowd crowd(world, places, two, {1.0, 2.0}, 3);
+  NavigationAgent agent(test::straightAheadPolicy(), {});
+  const DriveResult result = drive(&crowd, {{1.0, 2.0, 0.0}, {5.0, 2.0}, 4.0}, test::quickDrive(5.0), 1, &agent);
+  ASSERT_EQ(result.walker_traces.size(), 2u);
+  EXPECT_EQ(result.walker_traces[0].size(), result.trace.size());
+  EXPECT_GT(distanceBetween(result.walker_traces[0].front(), result.walker_traces[0].back()), 0.0);
 }
 
 TEST(Drive, RefusesParametersWithWhichItWouldNotEnd) {

@@ -58,6 +58,50 @@ TEST(SimulatedRobot, TimePassesInWholeAndBrokenPeriods) {
   EXPECT_NEAR(robot.time(), 0.133, 1e-12);
 }
 
+TEST(SimulatedRobot, IsBumpedIntoWhenItStands) {
+  const CircleWorld floor({});
+  std::vector<Point2> places{{3.0, 0.0}};
+  CrowdParameters parameters;
+  parameters.walkers = 1;
+  Crowd crowd(floor, places, parameters, {}, 1);
+  places[0] = {-3.0, 0.0};  // from the second destination on
+  SimulatedRobot robot(&crowd, {}, {}, 1);
+  robot.advance(30.0);
+  EXPECT_EQ(robot.contacts(), 0);
+  EXPECT_EQ(robot.bumped(), 1);
+}
+
+TEST(SimulatedRobot, HasAContactWhenItDrivesIntoAWalker) {
+  const CircleWorld floor({});
+  const std::vector<Point2> places{{2.0, 0.0}};
+  CrowdParameters parameters;
+  parameters.walkers = 1;
+  Crowd crowd(floor, places, parameters, {}, 1);  // it has nowhere else to go
+  SimulatedRobot robot(&crowd, {}, {}, 1);
+  robot.command({0.3, 0.0});
+  robot.advance(10.0);
+  EXPECT_EQ(robot.contacts(), 1);
+  EXPECT_EQ(robot.bumped(), 0);
+  EXPECT_LT(robot.truePose().x, 2.0);
+}
+
+TEST(SimulatedRobot, IsBumpedIntoFromBehind) {
+  const CircleWorld floor({});
+  std::vector<Point2> places{{-2.0, 0.0}};
+  CrowdParameters parameters;
+  parameters.walkers = 1;
+  parameters.slowest = parameters.fastest = 1.0;
+  parameters.shortest_stand = parameters.longest_stand = 5.0;
+  Crowd crowd(floor, places, parameters, {}, 1);
+  places[0] = {8.0, 0.0};
+  SimulatedRobot robot(&crowd, {}, {}, 1);
+  robot.command({0.2, 0.0});
+  robot.advance(4.0);
+  EXPECT_EQ(robot.contacts(), 0);
+  EXPECT_EQ(robot.bumped(), 1);
+  EXPECT_NEAR(robot.truePose().x, 0.8, 0.05) << "a bump does not stop it";
+}
+
 TEST(SimulatedRobot, ObeysCommandsWhenTheLatencyHasPassed) {
   const CircleWorld world({});
   SimulatedRobot::Parameters parameters;

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace lstm_planner {
+
+/// Some columns of numbers from a CSV file whose first line names its columns. Lines may end with CR LF, columns may be
+/// in any order, blank lines are skipped. Throws std::invalid_argument naming the file, the line and what was expected.
+class CsvFile {
+ public:
+  CsvFile(const std::string& path, const std::vector<std::string>& columns);
+
+  std::size_t lines() const { return numbers_.size(); }
+  /// `column` as in the constructor's list.
+  double number(std::size_t line, std::size_t column) const { return numbers_[line][column]; }
+
+ private:
+  std::vector<std::vector<double>> numbers_;
+};
+
+}  // namespace lstm_planner
