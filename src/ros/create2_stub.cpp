@@ -110,8 +110,9 @@ void Create2Stub::waitForCommand() {
   }
 }
 
-void Create2Stub::onCommand(const geometry_msgs::Twist::ConstPtr&) {
-  controlled_ = true;
+void Create2Stub::onCommand(const geometry_msgs::Twist::ConstPtr& command) {
+  // To stand still is the last thing that most say before they fall silent.
+  controlled_ = command->linear.x != 0.0 || command->angular.z != 0.0;
   command_time_ = time_;
 }
 
