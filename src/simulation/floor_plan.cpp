@@ -1,21 +1,12 @@
 #include "lstm_planner/simulation/floor_plan.hpp"
 
-#include <sstream>
-#include <string>
-
-#include "lstm_planner/parameter_check.hpp"
 #include "simulation/building.hpp"
+#include "simulation/check_range.hpp"
 
 namespace lstm_planner {
 namespace {
 
 constexpr double kLongestSide = 500.0;
-
-void checkRange(const std::string& name, double value, double low, double high) {
-  std::ostringstream expected;
-  expected << "a number in [" << low << ", " << high << "]";
-  checkParameter(value >= low && value <= high, name, value, expected.str());
-}
 
 }  // namespace
 

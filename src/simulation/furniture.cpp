@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <opencv2/imgproc.hpp>
 
-#include "lstm_planner/grid/distance_field.hpp"
 #include "simulation/building.hpp"
+#include "simulation/open_areas.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -131,17 +130,8 @@ class Furnisher {
 
 /// Parts of the floor that the robot fits in and that it cannot go between.
 int separateAreas(const OccupancyGrid& grid) {
-  const DistanceField distances(grid, true);
-  // Half a diagonal: the distance joins the centres of cells, and the obstacle begins at the edge of its own.
-  const double clearance = kRobotRadius + grid.resolution() * M_SQRT1_2;
-  cv::Mat fits(grid.rows(), grid.columns(), CV_8U);
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      fits.at<std::uint8_t>(row, column) = distances.at({column, row}) >= clearance ? 1 : 0;
-    }
-  }
-  cv::Mat labels;
-  return cv::connectedComponents(fits, labels, 4) - 1;
+  cv::Mat1i labels;
+  return labelOpenAreas(grid, kRobotRadius, &labels);
 }
 
 }  // namespace

@@ -57,10 +57,10 @@ struct DriveResult {
   double shortest = 0.0;     ///< m, of the task
   double goal_error = 0.0;   ///< m from the true position to the goal in the end
   long steps = 0;
-  long escape_steps = 0;       ///< steps that the escape decided
-  std::vector<Pose2> trace;    ///< true poses, one a command
-  std::vector<char> escaping;  ///< whether the escape decided, one a pose of the trace
-  std::vector<Point2> contact_places;               ///< where the robot was
+  long escape_steps = 0;                           ///< steps that the escape decided
+  std::vector<Pose2> trace;                        ///< true poses, one a command
+  std::vector<char> escaping;                      ///< whether the escape decided, one a pose of the trace
+  std::vector<Point2> contact_places;              ///< where the robot was
   std::vector<std::vector<Point2>> walker_traces;  ///< by walker, one place a pose of the trace
 };
 

@@ -9,14 +9,14 @@ namespace lstm_planner {
 
 /// The iRobot Create 2 (create_robot's CREATE_2 model) and how its wheels cheat.
 struct Create2Parameters {
-  double axle_length = 0.235;          ///< m between the wheels
-  double wheel_diameter = 0.072;       ///< m
+  double axle_length = 0.235;     ///< m between the wheels
+  double wheel_diameter = 0.072;  ///< m
   double ticks_per_revolution = 508.8;
-  double max_wheel_speed = 0.5;        ///< m/s; each wheel is clipped on its own, so the curvature changes
-  double base_diameter = 0.3485;       ///< m
-  double max_wheel_acceleration = 2.0; ///< m/s^2
-  double slip = 0.0;    ///< standard deviation of each wheel's true travel relative to what its encoder counts, per step
-  double drift = 0.0;   ///< constant relative error of the left wheel's travel, -drift for the right wheel
+  double max_wheel_speed = 0.5;         ///< m/s; each wheel is clipped on its own, so the curvature changes
+  double base_diameter = 0.3485;        ///< m
+  double max_wheel_acceleration = 2.0;  ///< m/s^2
+  double slip = 0.0;   ///< standard deviation of each wheel's true travel relative to what its encoder counts, per step
+  double drift = 0.0;  ///< constant relative error of the left wheel's travel, -drift for the right wheel
   /// How far odometry errs, as a share of the way: each robot draws, from its seed, one error of the lengths and one of
   /// the turns that it counts, both uniform in +-odometry_error, and its heading wanders off by a random walk of half
   /// as many radians per root of a metre. 0.02 leaves a robot that goes straight on some 2 % of the way beside where it

@@ -6,18 +6,19 @@
 
 namespace lstm_planner {
 
-/// A random office building: a rectangle cut recursively by corridors and into rooms, a door from every room to a corridor
-/// where it has one beside it and to a neighbour otherwise, boxes along the walls and in the middle, round pillars.
+/// A random office building: a rectangle cut recursively by corridors and into rooms, a door from every room to a
+/// corridor where it has one beside it and to a neighbour otherwise, boxes along the walls and in the middle, round
+/// pillars.
 struct FloorPlanParameters {
-  double width = 20.0;            ///< m
-  double height = 14.0;           ///< m
-  double resolution = 0.05;       ///< m a cell
-  double wall_thickness = 0.15;   ///< m
-  double smallest_room = 3.0;     ///< m, shortest side
-  double door_width = 0.9;        ///< m
-  double extra_doors = 0.3;       ///< probability of a second way through a wall
-  double furniture = 0.06;        ///< share of the floor that is covered by boxes and round things
-  double smallest_gap = 0.7;      ///< m kept free around furniture, but for the walls that it stands flush against
+  double width = 20.0;           ///< m
+  double height = 14.0;          ///< m
+  double resolution = 0.05;      ///< m a cell
+  double wall_thickness = 0.15;  ///< m
+  double smallest_room = 3.0;    ///< m, shortest side
+  double door_width = 0.9;       ///< m
+  double extra_doors = 0.3;      ///< probability of a second way through a wall
+  double furniture = 0.06;       ///< share of the floor that is covered by boxes and round things
+  double smallest_gap = 0.7;     ///< m kept free around furniture, but for the walls that it stands flush against
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

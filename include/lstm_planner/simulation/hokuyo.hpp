@@ -13,23 +13,23 @@ namespace lstm_planner {
 /// 10 mm up to 10 m and of 30 mm up to 30 m (standard deviations).
 struct HokuyoParameters {
   int beams = 1081;
-  double angle_min = -2.35619;             ///< rad
-  double angle_increment = 0.00436332;     ///< rad
-  double range_min = 0.023;                ///< m, as the driver reports it
-  double range_max = 60.0;                 ///< m, as the driver reports it
-  double sight = 30.0;                     ///< m, farthest obstacle that is really seen
-  double noise = 0.01;                     ///< m, standard deviation of a range up to 10 m; three times that beyond
-  double dropout = 0.001;                  ///< probability that a beam returns nothing
-  double rate = 40.0;                      ///< Hz
-  SensorMount mount;                       ///< in the base frame
+  double angle_min = -2.35619;          ///< rad
+  double angle_increment = 0.00436332;  ///< rad
+  double range_min = 0.023;             ///< m, as the driver reports it
+  double range_max = 60.0;              ///< m, as the driver reports it
+  double sight = 30.0;                  ///< m, farthest obstacle that is really seen
+  double noise = 0.01;                  ///< m, standard deviation of a range up to 10 m; three times that beyond
+  double dropout = 0.001;               ///< probability that a beam returns nothing
+  double rate = 40.0;                   ///< Hz
+  SensorMount mount;                    ///< in the base frame
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const HokuyoParameters& parameters);
 
 /// Takes scans of a world. No return is +inf, a drop-out NaN, as the driver reports them; a reading below range_min is
-/// passed on as it is. All beams of a scan are taken from one pose: the sweep does not shear. The noise comes from a table
-/// of normal numbers made from the seed, one random draw a beam. Deterministic for a seed.
+/// passed on as it is. All beams of a scan are taken from one pose: the sweep does not shear. The noise comes from a
+/// table of normal numbers made from the seed, one random draw a beam. Deterministic for a seed.
 class Hokuyo {
  public:
   Hokuyo(const HokuyoParameters& parameters, std::uint64_t seed);

@@ -19,13 +19,14 @@ class World {
   virtual void castRays(const Point2& origin, double first_direction, double increment, double max_range,
                         std::vector<double>* ranges) const = 0;
 
-  /// True when a disc of that radius (m) overlaps an obstacle: exact, cells are squares and circles are circles; one that
-  /// only meets it at a point does not overlap. Throws std::invalid_argument for a disc that is not finite.
+  /// True when a disc of that radius (m) overlaps an obstacle: exact, cells are squares and circles are circles; one
+  /// that only meets it at a point does not overlap. Throws std::invalid_argument for a disc that is not finite.
   virtual bool touches(const Point2& center, double radius) const = 0;
 };
 
-/// The occupied cells of a map_server map (unknown cells are neither seen nor touched). Rays are exact at the borders of
-/// the cells; one that meets a corner passes unless both cells beside the corner, or the one behind it, are occupied.
+/// The occupied cells of a map_server map (unknown cells are neither seen nor touched). Rays are exact at the borders
+/// of the cells; one that meets a corner passes unless both cells beside the corner, or the one behind it, are
+/// occupied.
 class GridWorld : public World {
  public:
   explicit GridWorld(OccupancyGrid grid);
@@ -40,8 +41,8 @@ class GridWorld : public World {
   double castRay(double column, double row, double dx, double dy, double max_cells) const;
   OccupancyGrid grid_;
   DistanceField distances_;
-  /// A cell each: 0 = occupied, otherwise 1 + whole cells that a ray can go on from anywhere in the cell without meeting
-  /// an occupied one. A byte each, so that a building fits in the cache.
+  /// A cell each: 0 = occupied, otherwise 1 + whole cells that a ray can go on from anywhere in the cell without
+  /// meeting an occupied one. A byte each, so that a building fits in the cache.
   std::vector<std::uint8_t> leaps_;
 };
 

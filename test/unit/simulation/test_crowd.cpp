@@ -9,7 +9,7 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kPeriod = 0.02;                // s
+constexpr double kPeriod = 0.02;                  // s
 const Circle kNobody{{-100.0, -100.0}, 0.17425};  // a robot far away
 
 class InAHall : public ::testing::Test {
@@ -65,8 +65,7 @@ TEST_F(CrowdTest, StandsBeforeTheRobotAndThenGoesElsewhere) {
   // In the walker's way, half a metre of air between them.
   const Crowd::Walker walker = people.walkers()[0];
   const double distance = walker.body.radius + 0.17425 + 0.5;
-  const Point2 ahead =
-      pointAlong(walker.body.center, directionTo(walker.body.center, walker.destination), distance);
+  const Point2 ahead = pointAlong(walker.body.center, directionTo(walker.body.center, walker.destination), distance);
   ASSERT_GT(distanceBetween(walker.body.center, walker.destination), distance);
   const Circle robot{ahead, 0.17425};
   double stood = 0.0;
