@@ -18,6 +18,8 @@ double clamp(double value, double limit) { return std::max(-limit, std::min(limi
 void validate(const MotionParameters& parameters) {
   checkPositive("max_linear", parameters.max_linear);
   checkPositive("max_angular", parameters.max_angular);
+  checkPositive("max_wheel_speed", parameters.max_wheel_speed);
+  checkPositive("axle_length", parameters.axle_length);
   checkPositive("linear_acceleration", parameters.linear_acceleration);
   checkPositive("lookahead", parameters.lookahead);
   checkPositive("nearest_target", parameters.nearest_target);
@@ -53,21 +55,20 @@ Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& po
     return {};  // the plan is not finite
   }
   // What lies behind may be a little to the left now and a little to the right next time: go on turning the way we
-  // turn.
-  if (std::abs(error) > kBehind && error * current.angular < 0.0) {
+  // turn. Only when that is fast: where commands take their time, a slow turn may be the answer to the one before last.
+  const bool turns = std::abs(current.angular) > 0.5 * parameters_.max_angular;
+  if (std::abs(error) > kBehind && turns && error * current.angular < 0.0) {
     error -= std::copysign(2.0 * M_PI, error);
   }
-  Twist2 twist;
-  twist.angular = clamp(parameters_.heading_gain * error, parameters_.max_angular);
+  Twist2 twist{0.0, clamp(parameters_.heading_gain * error, parameters_.max_angular)};
   if (std::abs(error) < parameters_.turn_in_place) {
     const double brakes = std::sqrt(2.0 * parameters_.linear_acceleration * to_goal);
-    const double nearness = std::min(1.0, std::max(0.0, shield.gap({}) / parameters_.slow_gap));
-    const double cautious = parameters_.slow_speed + nearness * (parameters_.max_linear - parameters_.slow_speed);
-    const double wanted = std::min({parameters_.max_linear * std::cos(error), brakes, cautious});
     const double reachable = std::max(0.0, current.linear) + parameters_.linear_acceleration * period;
-    twist.linear = safeSpeed(std::min(wanted, reachable), twist.angular, std::max(0.0, current.linear), shield);
+    twist.linear = std::min({parameters_.max_linear * std::cos(error), brakes, reachable});
+    twist = withinWheelLimits(twist);
+    twist.linear = safeSpeed(twist, current, shield, period);
   }
-  return twist;
+  return withinWheelLimits(twist);
 }
 
 bool MotionController::goalReached(const Pose2& pose, const Pose2& goal) const {
@@ -112,29 +113,82 @@ Pose2 MotionController::target(const std::vector<Pose2>& plan, const Pose2& pose
   return plan[ahead];
 }
 
-double MotionController::safeSpeed(double linear, double angular, double current, const Shield& shield) const {
-  constexpr int kTries = 6;
-  constexpr int kSamples = 6;
-  for (int trial = 0; trial < kTries; ++trial) {
-    const double speed = linear * (kTries - trial) / kTries;
-    // Until the command acts the robot goes on as it does now.
-    const double length =
-        std::max(speed, current) * parameters_.reaction_time + speed * speed / (2.0 * parameters_.linear_acceleration);
-    const double curvature = speed > 1e-6 ? angular / speed : 0.0;
-    Pose2 at;
-    bool safe = true;
-    for (int i = 0; i < kSamples && safe; ++i) {
-      const double part = length / kSamples;
-      const double direction = at.yaw + 0.5 * curvature * part;
-      safe = shield.freeDistance({at.x, at.y}, direction, part, parameters_.safety_margin) >= part;
-      const Point2 next = pointAlong(at, direction, part);
-      at = {next.x, next.y, at.yaw + curvature * part};
-    }
-    if (safe) {
+Twist2 MotionController::withinWheelLimits(const Twist2& twist) const {
+  const double fastest = std::abs(twist.linear) + 0.5 * parameters_.axle_length * std::abs(twist.angular);
+  const double share = std::min(1.0, parameters_.max_wheel_speed / fastest);
+  return fastest > 0.0 ? Twist2{share * twist.linear, share * twist.angular} : twist;
+}
+
+double MotionController::safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield,
+                                   double period) const {
+  constexpr int kTries = 8;
+  constexpr double kCreep = 0.005;  // m/s; slower is standing
+  double speed = std::min(wanted.linear, cautiousSpeed(wanted, shield));
+  for (int i = 0; i < kTries && speed >= kCreep; ++i) {
+    const double allowed = allowedSpeed({speed, wanted.angular}, current, shield, period);
+    if (allowed >= speed) {
       return speed;
     }
+    // A slower robot that turns as fast takes a narrower arc, which must be looked at anew.
+    speed = allowed;
   }
   return 0.0;
+}
+
+double MotionController::cautiousSpeed(const Twist2& twist, const Shield& shield) const {
+  if (parameters_.slow_speed >= parameters_.max_linear || twist.linear <= 0.0) {
+    return twist.linear;
+  }
+  const double now = shield.gap({});
+  if (now >= parameters_.slow_gap + parameters_.lookahead) {
+    return parameters_.max_linear;
+  }
+  const double then = std::max(0.0, shield.arcGap({}, twist.angular / twist.linear, stoppingWay(parameters_.max_linear)));
+  const double nearness = std::max(0.0, 1.0 - then / parameters_.slow_gap);
+  // Beside a wall that it goes along, the robot comes no nearer to it.
+  const double approach = std::min(1.0, 2.0 * std::max(0.0, now - then) / stoppingWay(parameters_.max_linear));
+  return parameters_.max_linear - nearness * approach * (parameters_.max_linear - parameters_.slow_speed);
+}
+
+double MotionController::stoppingWay(double speed) const {
+  return speed * parameters_.reaction_time + speed * speed / (2.0 * parameters_.linear_acceleration);
+}
+
+double MotionController::allowedSpeed(const Twist2& twist, const Twist2& current, const Shield& shield,
+                                      double period) const {
+  const double margin = parameters_.safety_margin;
+  const double acceleration = parameters_.linear_acceleration;
+  const double curvature = twist.angular / twist.linear;
+  const double present = std::max(0.0, current.linear);
+  const double slack = 1e-9;  // m
+  // The command may act at once: the present speed, if that is higher, is then braked away along the new arc.
+  const double length = std::max(twist.linear, present) * parameters_.reaction_time +
+                        twist.linear * twist.linear / (2.0 * acceleration);
+  double allowed = twist.linear;
+  double free = shield.freeArc({}, curvature, length, margin);
+  if (free < length - slack) {
+    const double reaction = parameters_.reaction_time;
+    allowed = acceleration * (std::sqrt(reaction * reaction + 2.0 * free / acceleration) - reaction);
+    if (allowed < present) {
+      allowed = std::sqrt(2.0 * acceleration * std::max(0.0, free - present * reaction));
+    }
+  }
+  // Or the robot goes on as it does now until the last moment.
+  const double delay = std::max(0.0, parameters_.reaction_time - period);
+  Pose2 later{0.0, 0.0, current.angular * delay};
+  if (present > 0.0) {
+    later = alongArc({}, current.angular / present, present * delay);
+    if (shield.freeArc({}, current.angular / present, present * delay, margin) < present * delay - slack) {
+      return 0.0;
+    }
+  }
+  const double hold = parameters_.reaction_time - delay;
+  const double rest = twist.linear * hold + twist.linear * twist.linear / (2.0 * acceleration);
+  free = shield.freeArc(later, curvature, rest, margin);
+  if (free < rest - slack) {
+    allowed = std::min(allowed, acceleration * (std::sqrt(hold * hold + 2.0 * free / acceleration) - hold));
+  }
+  return allowed;
 }
 
 }  // namespace lstm_planner

@@ -16,6 +16,22 @@ constexpr std::size_t kMostBlocks = 32;
 constexpr double kBehind = 0.1;
 constexpr long kBeamsBeside = 2;
 
+constexpr std::uint8_t kExitsKnown = 0x40;
+
+/// The eight neighbours, counter-clockwise from the one along x.
+constexpr int kColumns[8] = {1, 1, 0, -1, -1, -1, 0, 1};
+constexpr int kRows[8] = {0, 1, 1, 1, 0, -1, -1, -1};
+
+double squaredDistanceToLine(const Point2& point, const Point2& from, const Point2& to) {
+  const Point2 line{to.x - from.x, to.y - from.y};
+  const Point2 off{point.x - from.x, point.y - from.y};
+  const double length = line.x * line.x + line.y * line.y;
+  const double share = length > 0.0 ? std::clamp((off.x * line.x + off.y * line.y) / length, 0.0, 1.0) : 0.0;
+  const double dx = off.x - share * line.x;
+  const double dy = off.y - share * line.y;
+  return dx * dx + dy * dy;
+}
+
 /// The nearest that any of a few neighbouring beams sees; 0 when one of them knows nothing.
 float nearestRange(const RangeProfile& profile, long beam) {
   const long last = static_cast<long>(profile.ranges.size()) - 1;
@@ -33,12 +49,14 @@ ObstacleMemory::ObstacleMemory(const MemoryParameters& parameters, const ShieldP
       side_(static_cast<int>(std::ceil(parameters.width / (kSquares * parameters.resolution)))),
       cell_size_(kSquares * parameters.resolution),
       footprint_radius_(shield.footprint_radius),
+      tight_clearance_(shield.tight_clearance),
       tight_radius_(shield.footprint_radius + 0.5 * shield.tight_clearance),
       roomy_radius_(shield.footprint_radius + shield.clearance + parameters.resolution),
       near_cells_(static_cast<int>(std::ceil(roomy_radius_ / cell_size_))) {
   const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
   occupied_.resize(cells);
   judged_.resize(cells);
+  exits_.resize(cells);
   blocks_.reserve(kMostBlocks);
   forget();
 }
@@ -83,6 +101,14 @@ void ObstacleMemory::block(const Point2& place) {
   outdate(squareAt(place));
 }
 
+void ObstacleMemory::squeeze(bool on) {
+  const double radius = footprint_radius_ + (on ? -0.5 * parameters_.resolution : 0.5 * tight_clearance_);
+  if (radius != tight_radius_) {
+    tight_radius_ = radius;
+    std::fill(judged_.begin(), judged_.end(), kUnknown);
+  }
+}
+
 int ObstacleMemory::cellAt(const Point2& position) const {
   const int column = static_cast<int>(std::floor(position.x / cell_size_)) - origin_column_;
   const int row = static_cast<int>(std::floor(position.y / cell_size_)) - origin_row_;
@@ -98,7 +124,7 @@ ObstacleMemory::Passage ObstacleMemory::passage(int cell) {
   if (judged == kUnknown) {
     judged = judge(cell);
   }
-  return static_cast<Passage>(judged >> 4);
+  return static_cast<Passage>(judged >> 4 & 3);
 }
 
 Point2 ObstacleMemory::bestPlace(int cell) {
@@ -106,6 +132,16 @@ Point2 ObstacleMemory::bestPlace(int cell) {
   const int square = judged_[static_cast<std::size_t>(cell)] & 0xf;
   return centerOf({(origin_column_ + cell % side_) * kSquares + square % kSquares,
                    (origin_row_ + cell / side_) * kSquares + square / kSquares});
+}
+
+std::uint8_t ObstacleMemory::exits(int cell) {
+  passage(cell);
+  const auto i = static_cast<std::size_t>(cell);
+  if ((judged_[i] & kExitsKnown) == 0) {
+    exits_[i] = judgeExits(cell);
+    judged_[i] |= kExitsKnown;
+  }
+  return exits_[i];
 }
 
 bool ObstacleMemory::isFree(const Point2& from, const Point2& to, bool roomy) {
@@ -208,9 +244,10 @@ void ObstacleMemory::outdate(const Square& square) {
   }
   const int column = cell % side_;
   const int row = cell / side_;
-  for (int r = std::max(0, row - near_cells_); r <= std::min(side_ - 1, row + near_cells_); ++r) {
-    const int first = std::max(0, column - near_cells_);
-    const int last = std::min(side_ - 1, column + near_cells_);
+  const int reach = near_cells_ + 1;  // the exits depend on the neighbours, too
+  for (int r = std::max(0, row - reach); r <= std::min(side_ - 1, row + reach); ++r) {
+    const int first = std::max(0, column - reach);
+    const int last = std::min(side_ - 1, column + reach);
     std::fill(judged_.begin() + r * side_ + first, judged_.begin() + r * side_ + last + 1, kUnknown);
   }
 }
@@ -242,6 +279,34 @@ std::uint8_t ObstacleMemory::judge(int cell) const {
                           : best < roomy_radius_ * roomy_radius_ ? Passage::kTight
                                                                  : Passage::kRoomy;
   return static_cast<std::uint8_t>(static_cast<int>(passage) << 4 | best_square);
+}
+
+std::uint8_t ObstacleMemory::judgeExits(int cell) {
+  const int column = cell % side_;
+  const int row = cell / side_;
+  if (column == 0 || row == 0 || column == side_ - 1 || row == side_ - 1 || passage(cell) == Passage::kBlocked) {
+    return 0;
+  }
+  bool enters[8];
+  for (int direction = 0; direction < 8; ++direction) {
+    enters[direction] = passage(cell + kRows[direction] * side_ + kColumns[direction]) != Passage::kBlocked;
+  }
+  collect(column, row, near_cells_ + 1, &nearby_);
+  // The squares round: a way from best place to best place may come this much nearer in between.
+  const double radius = tight_radius_ - 0.5 * parameters_.resolution;
+  const Point2 from = bestPlace(cell);
+  std::uint8_t exits = 0;
+  for (int direction = 0; direction < 8; ++direction) {
+    if (!enters[direction]) {
+      continue;
+    }
+    const Point2 to = bestPlace(cell + kRows[direction] * side_ + kColumns[direction]);
+    const bool free = std::none_of(nearby_.begin(), nearby_.end(), [&](const Point2& obstacle) {
+      return squaredDistanceToLine(obstacle, from, to) < radius * radius;
+    });
+    exits = static_cast<std::uint8_t>(exits | (free ? 1u << direction : 0u));
+  }
+  return exits;
 }
 
 void ObstacleMemory::collect(int column, int row, int reach, std::vector<Point2>* squares) const {

@@ -101,26 +101,15 @@ bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& goal, 
       *end = cell;
       return true;
     }
-    if (at_border) {
-      continue;
-    }
-    bool open_side[8];
-    for (int direction = 0; direction < 8; direction += 2) {
-      const int neighbour = cell + kRows[direction] * side + kColumns[direction];
-      open_side[direction] = memory.passage(neighbour) != Passage::kBlocked;
-    }
+    const std::uint8_t exits = memory.exits(cell);
     for (int direction = 0; direction < 8; ++direction) {
+      if ((exits >> direction & 1) == 0) {
+        continue;
+      }
       const bool diagonal = direction % 2 != 0;
       const int neighbour = cell + kRows[direction] * side + kColumns[direction];
       const auto i = static_cast<std::size_t>(neighbour);
-      const bool reachable = diagonal ? open_side[direction - 1] && open_side[(direction + 1) % 8] : open_side[direction];
-      if (!reachable) {
-        continue;
-      }
       const Passage passage = memory.passage(neighbour);
-      if (passage == Passage::kBlocked) {
-        continue;
-      }
       const int step = diagonal ? kDiagonal : kStraight;
       const int sum = cost + (passage == Passage::kTight ? step * tight / 2 : step);
       if (sum < costs_[i]) {

@@ -28,7 +28,13 @@ void RouteGuide::begin(const Point2& goal) {
   driven_ = 0.0;
   looking_ = false;
   closed_in_a_row_ = 0;
+  noteProgress();
+}
+
+void RouteGuide::noteProgress() {
   forgotten_ = 0;
+  squeezing_ = false;
+  memory_.squeeze(false);
 }
 
 void RouteGuide::forget() {
@@ -97,18 +103,24 @@ bool RouteGuide::keepRoute(const Situation& situation) {
 
 RouteGuide::Status RouteGuide::lookAround(const Situation& situation) {
   route_.points.clear();
-  if (!looking_ || turned_ >= kFullTurn) {
-    if (looking_ && ++closed_in_a_row_ >= kClosedLooks) {
-      return Status::kClosed;
-    }
-    if (!looking_ && ++forgotten_ > kMostForgotten) {
-      return Status::kLost;
-    }
-    looking_ = true;
-    turned_ = 0.0;
-    memory_.forget();
-    memory_.look(situation);
+  if (looking_ && turned_ < kFullTurn) {
+    return Status::kLookAround;
   }
+  if (looking_ && !squeezing_) {
+    squeezing_ = true;
+    memory_.squeeze(true);
+    return Status::kLookAround;
+  }
+  if (looking_ && ++closed_in_a_row_ >= kClosedLooks) {
+    return Status::kClosed;
+  }
+  if (!looking_ && ++forgotten_ > kMostForgotten) {
+    return Status::kLost;
+  }
+  looking_ = true;
+  turned_ = 0.0;
+  memory_.forget();
+  memory_.look(situation);
   return Status::kLookAround;
 }
 

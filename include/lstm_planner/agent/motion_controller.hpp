@@ -11,6 +11,8 @@ namespace lstm_planner {
 struct MotionParameters {
   double max_linear = 0.3;           ///< m/s (a Create 2 really reaches 0.33)
   double max_angular = 2.0;          ///< rad/s
+  double max_wheel_speed = 0.5;      ///< m/s; the base clips each wheel at it, which would bend the way
+  double axle_length = 0.235;        ///< m between the wheels
   double linear_acceleration = 0.6;  ///< m/s^2, speeding up and braking
   double lookahead = 0.35;           ///< m along the plan to the point that is steered for
   double nearest_target = 0.06;      ///< m; points of the plan nearer than this have no direction to steer for
@@ -45,7 +47,11 @@ class MotionController {
 
  private:
   Pose2 target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const;
-  double safeSpeed(double linear, double angular, double current, const Shield& shield) const;
+  Twist2 withinWheelLimits(const Twist2& twist) const;
+  double safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield, double period) const;
+  double cautiousSpeed(const Twist2& twist, const Shield& shield) const;
+  double allowedSpeed(const Twist2& twist, const Twist2& current, const Shield& shield, double period) const;
+  double stoppingWay(double speed) const;
 
   MotionParameters parameters_;
 };

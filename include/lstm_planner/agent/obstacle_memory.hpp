@@ -13,8 +13,8 @@ namespace lstm_planner {
 ///
 /// All positions are in the odometry frame. Obstacles are kept in squares of MemoryParameters::resolution, one bit
 /// each; four by four of them are a cell, the unit of the route search. Whether the footprint fits into a cell is
-/// decided at the best of its 16 squares: finer than the cell itself, and still no two neighbouring cells lie on
-/// different sides of a wall, since the footprint is wider than both together. What was never seen counts as free.
+/// decided at the best of its 16 squares, and whether it fits through to a neighbour on the straight line between the
+/// best squares of both. What was never seen counts as free.
 class ObstacleMemory {
  public:
   enum class Passage : std::uint8_t {
@@ -37,6 +37,10 @@ class ObstacleMemory {
   /// were blocked.
   void block(const Point2& place);
 
+  /// Whether places count as passable that are narrower by the blur of noise and squares than what the shield lets
+  /// through. Seldom right, but where there is no other way it is worth a try.
+  void squeeze(bool on);
+
   int side() const { return side_; }  ///< cells a side of the window
   double cellSize() const { return cell_size_; }
   /// Index of the cell at a position, row by row; -1 outside the window.
@@ -45,6 +49,10 @@ class ObstacleMemory {
   Passage passage(int cell);
   /// The place in a cell that is farthest from all obstacles.
   Point2 bestPlace(int cell);
+
+  /// To which of its eight neighbours the footprint can go from a cell, best place to best place: a bit each,
+  /// counter-clockwise from the neighbour along x. 0 at the border of the window.
+  std::uint8_t exits(int cell);
 
   /// True when a disc of the shield's footprint, grown by the shield's clearance if `roomy`, can be moved straight from
   /// one place to the other; ends outside the window are never free.
@@ -65,6 +73,7 @@ class ObstacleMemory {
   void set(const Square& square, bool occupied);
   void outdate(const Square& square);
   std::uint8_t judge(int cell) const;
+  std::uint8_t judgeExits(int cell);
   void collect(int column, int row, int reach, std::vector<Point2>* squares) const;
   double gap(const Point2& position) const;
 
@@ -72,6 +81,7 @@ class ObstacleMemory {
   int side_;
   double cell_size_;        ///< m
   double footprint_radius_; ///< m
+  double tight_clearance_;  ///< m
   double tight_radius_;     ///< m from the middle of the footprint to the middle of an occupied square
   double roomy_radius_;     ///< m
   int near_cells_;          ///< cells within which an obstacle matters
@@ -79,7 +89,8 @@ class ObstacleMemory {
   int origin_row_ = 0;
   bool placed_ = false;
   std::vector<std::uint16_t> occupied_;  ///< a bit a square
-  std::vector<std::uint8_t> judged_;     ///< passage << 4 | best square; kUnknown = to be judged anew
+  std::vector<std::uint8_t> judged_;     ///< exits known << 6 | passage << 4 | best square; kUnknown = to be judged
+  std::vector<std::uint8_t> exits_;
   std::vector<Point2> blocks_;
   mutable std::vector<Point2> nearby_;   ///< of judge() and gap()
 };

@@ -10,8 +10,8 @@ namespace lstm_planner {
 /// Keeps the way to the goal through what is remembered, and finds out when there is none.
 ///
 /// Remembered obstacles can be wrong (the odometry drifts, people go away). So when they enclose the goal everything is
-/// forgotten and looked at anew, all around; only what is closed then, seen from one place, several times in a row, is
-/// believed.
+/// forgotten and looked at anew, all around, then narrower places are tried; only what is closed even so, seen from one
+/// place, several times in a row, is believed.
 class RouteGuide {
  public:
   enum class Status {
@@ -27,7 +27,7 @@ class RouteGuide {
   void begin(const Point2& goal);
 
   /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
-  void noteProgress() { forgotten_ = 0; }
+  void noteProgress();
 
   /// Takes in the situation and finds the way anew; one that is hardly better than the last one is not taken.
   Status update(const Situation& situation);
@@ -69,6 +69,7 @@ class RouteGuide {
   double driven_ = 0.0;        ///< m since the goal was set
   bool looking_ = false;       ///< turning, after everything was forgotten
   double turned_ = 0.0;        ///< rad, while looking
+  bool squeezing_ = false;     ///< no way was found otherwise
   int closed_in_a_row_ = 0;
   int forgotten_ = 0;          ///< times since the last progress
 };
