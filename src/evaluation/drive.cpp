@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "lstm_planner/parameter_check.hpp"
-#include "lstm_planner/simulation/random.hpp"
 
 namespace lstm_planner {
 
@@ -34,6 +30,7 @@ class Run {
   DriveResult run() {
     const double range_cap = agent_.policy().description().encoder.range_cap;
     agent_.setGoal({goal_.x, goal_.y});
+    agent_.restart();  // what it remembers of another drive is in another odometry frame
     for (int tick = 0; robot_.time() < parameters_.time_limit; ++tick) {
       if (parameters_.arrival == Arrival::kTruePosition && isAtGoal(parameters_.goal_radius)) {
         result_.end = DriveResult::End::kReached;
@@ -67,7 +64,7 @@ class Run {
       result_.end = DriveResult::End::kNoWay;
       return true;
     }
-    if (!controller_.goalReached(situation_.pose, goal_)) return false;
+    if (!controller_.goalReached(situation_.pose, {decision.destination.x, decision.destination.y, 0.0})) return false;
     result_.end = isAtGoal(allowedRadius()) ? DriveResult::End::kReached : DriveResult::End::kElsewhere;
     return true;
   }
@@ -83,7 +80,8 @@ class Run {
   }
 
   void note(const Decision& decision) {
-    const bool escaping = decision.source == Decision::Source::kEscape;
+    const bool escaping =
+        decision.source == Decision::Source::kEscape || decision.source == Decision::Source::kRoute;
     result_.escape_steps += escaping && decision.step != result_.steps ? 1 : 0;
     result_.steps = decision.step;
     result_.trace.push_back(robot_.truePose());
@@ -175,44 +173,6 @@ DriveSummary summarize(const std::vector<DriveResult>& results) {
     summary.p95_ratio = ratios[rank - 1];
   }
   return summary;
-}
-
-std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footprint_radius, double clearance,
-                                 double shortest, std::uint64_t seed) {
-  const OccupancyGrid& grid = world.grid();
-  // Distances are between centres of cells, the obstacle begins half a cell before.
-  const double needed = footprint_radius + clearance + 0.5 * grid.resolution();
-  const DistanceField distances(grid, true);
-  std::vector<CellIndex> standing;
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      if (grid.at({column, row}) == Cell::kFree && distances.at({column, row}) >= needed) {
-        standing.push_back({column, row});
-      }
-    }
-  }
-  if (standing.empty()) {
-    throw std::invalid_argument("the map has no place for a disc of radius " + std::to_string(needed) + " m");
-  }
-  std::mt19937_64 random(seed);
-  std::vector<DriveTask> tasks;
-  GeodesicField::Options options;
-  options.clearance = needed;
-  for (int failures = 0; static_cast<int>(tasks.size()) < count; ++failures) {
-    if (failures > 100 * count) {
-      throw std::invalid_argument("the map has no two places at least " + std::to_string(shortest) +
-                                  " m apart that can be reached from one another");
-    }
-    const CellIndex goal = standing[uniformIndex(random, standing.size())];
-    const CellIndex start = standing[uniformIndex(random, standing.size())];
-    const double yaw = (2.0 * uniform(random) - 1.0) * M_PI;
-    const double length = GeodesicField(grid, distances, goal, options).at(start);
-    if (std::isfinite(length) && length >= shortest) {
-      const Point2 from = grid.centerOf(start);
-      tasks.push_back({{from.x, from.y, yaw}, grid.centerOf(goal), length});
-    }
-  }
-  return tasks;
 }
 
 }  // namespace lstm_planner
