@@ -87,8 +87,9 @@ struct DriveSummary {
 };
 DriveSummary summarize(const std::vector<DriveResult>& results);
 
-/// Random starts and goals which a disc of `footprint_radius` + `clearance` (m) can reach from one another, at least
-/// `shortest` metres of way apart; the same for the same seed. Throws std::invalid_argument when the map has none.
+/// Random starts and goals between free cells which a disc of `footprint_radius` + `clearance` (m) can reach from one
+/// another, at least `shortest` metres of way apart; the same for the same seed. Throws std::invalid_argument when the
+/// map has none.
 std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footprint_radius, double clearance,
                                  double shortest, std::uint64_t seed);
 

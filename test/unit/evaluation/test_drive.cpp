@@ -90,8 +90,7 @@ TEST(DrawTasks, EveryTaskCanBeDriven) {
     EXPECT_EQ(task.start.x < 4.0, task.goal.x < 4.0);  // never from hall to hall
     EXPECT_GE(task.shortest, 1.0);
     EXPECT_GE(task.shortest, distanceBetween(task.start, task.goal) - 1e-4);
-    // An 8-connected way in the open is at most 1 / cos(22.5 degrees) longer than the straight one.
-    EXPECT_LE(task.shortest, distanceBetween(task.start, task.goal) * 1.0824 + 1e-4);
+    EXPECT_LE(task.shortest, distanceBetween(task.start, task.goal) + 1e-4) << "nothing is in between";
   }
 }
 
