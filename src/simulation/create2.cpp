@@ -9,8 +9,9 @@
 namespace lstm_planner {
 namespace {
 
-/// rad per root of a metre, of the heading's random walk, per share of odometry_error.
-constexpr double kHeadingWalk = 0.5;
+/// How the heading wanders (an Ornstein-Uhlenbeck process): rad per share of odometry_error, and over how many m.
+constexpr double kHeadingError = 1.5;
+constexpr double kHeadingMemory = 20.0;
 
 /// Moves along an arc of that length (m) which turns by `turn` (rad).
 Pose2 alongArc(const Pose2& pose, double distance, double turn) {
@@ -73,7 +74,11 @@ void Create2::moveTruly(double left, double right) {
   const double distance = 0.5 * (left + right) * (1.0 + length_error_);
   double turn = (right - left) / parameters_.axle_length * (1.0 + turn_error_);
   if (parameters_.odometry_error > 0.0 && distance != 0.0) {
-    turn += kHeadingWalk * parameters_.odometry_error * std::sqrt(std::abs(distance)) * normal(random_);
+    const double share = std::abs(distance) / kHeadingMemory;
+    const double change = kHeadingError * parameters_.odometry_error * std::sqrt(2.0 * share) * normal(random_) -
+                          share * heading_error_;
+    heading_error_ += change;
+    turn += change;
   }
   true_pose_ = alongArc(true_pose_, distance, turn);
 }

@@ -18,9 +18,10 @@ struct Create2Parameters {
   double slip = 0.0;   ///< standard deviation of each wheel's true travel relative to what its encoder counts, per step
   double drift = 0.0;  ///< constant relative error of the left wheel's travel, -drift for the right wheel
   /// How far odometry errs, as a share of the way: each robot draws, from its seed, one error of the lengths and one of
-  /// the turns that it counts, both uniform in +-odometry_error, and its heading wanders off by a random walk of half
-  /// as many radians per root of a metre. 0.02 leaves a robot that goes straight on some 2 % of the way beside where it
-  /// thinks it is after 10 m, and 3 % after 20 m (root mean square).
+  /// the turns that it counts, both uniform in +-odometry_error; and its heading wanders about the true one, as that of
+  /// a gyroscope with something to hold on to does: normal, 1.5 odometry_error rad, forgotten within 20 m. A robot that
+  /// goes straight on is then that share of the way beside where it thinks it is (root mean square), after 10 m as
+  /// after 100 m.
   double odometry_error = 0.0;
 };
 
@@ -65,6 +66,7 @@ class Create2 {
   Wheel left_;
   Wheel right_;
   Random random_;
+  double heading_error_ = 0.0;  ///< rad by which the true heading has wandered from the counted one
   double length_error_ = 0.0;  ///< relative, of every length that odometry counts
   double turn_error_ = 0.0;    ///< relative, of every turn that odometry counts
 };

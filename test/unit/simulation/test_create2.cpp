@@ -136,16 +136,18 @@ double typicalError(double share, double way) {
 }
 
 TEST(Create2, ErrsByAboutTwoPercentOfTheWay) {
-  for (const double way : {9.0, 18.0}) {
-    // Lengths are wrong by a uniform share, 0.02 / sqrt(3). A heading that wanders by 0.01 rad a root of a metre leads
-    // aside by the integral of a random walk, 0.01 sqrt(way^3 / 3).
+  for (const double way : {9.0, 18.0, 90.0}) {
+    // Lengths are wrong by a uniform share, 0.02 / sqrt(3). A heading that wanders from 0 by 0.03 rad with a memory of
+    // L = 20 m leads aside by the integral of an Ornstein-Uhlenbeck process, whose variance is
+    // 0.03^2 (2 L way - L^2 (3 - 4 exp(-way / L) + exp(-2 way / L))).
     const double lengthwise = 0.02 * way / std::sqrt(3.0);
-    const double aside = 0.01 * std::sqrt(way * way * way / 3.0);
+    const double past = std::exp(-way / 20.0);
+    const double aside = 0.03 * std::sqrt(40.0 * way - 400.0 * (3.0 - 4.0 * past + past * past));
     const double expected = std::hypot(lengthwise, aside);
     // The root mean square of 400 draws is known to 1 / sqrt(800), that is 3.5 %; three times that.
     EXPECT_NEAR(typicalError(0.02, way), expected, 0.11 * expected);
-    EXPECT_GT(expected, 0.019 * way);
-    EXPECT_LT(expected, 0.03 * way);
+    EXPECT_GT(expected, 0.017 * way);
+    EXPECT_LT(expected, 0.022 * way);
   }
 }
 
