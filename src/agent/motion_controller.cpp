@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kBehind = 2.7;  // rad of heading error
 
+/// m/s that the robot may be faster than it measures: encoders count whole ticks.
+constexpr double kSpeedError = 0.02;
+
 double clamp(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
 
 }  // namespace
@@ -159,7 +162,7 @@ double MotionController::allowedSpeed(const Twist2& twist, const Twist2& current
   const double margin = parameters_.safety_margin;
   const double acceleration = parameters_.linear_acceleration;
   const double curvature = twist.angular / twist.linear;
-  const double present = std::max(0.0, current.linear);
+  const double present = std::max(0.0, current.linear) + kSpeedError;
   const double slack = 1e-9;  // m
   // The command may act at once: the present speed, if that is higher, is then braked away along the new arc.
   const double length = std::max(twist.linear, present) * parameters_.reaction_time +
@@ -175,13 +178,11 @@ double MotionController::allowedSpeed(const Twist2& twist, const Twist2& current
   }
   // Or the robot goes on as it does now until the last moment.
   const double delay = std::max(0.0, parameters_.reaction_time - period);
-  Pose2 later{0.0, 0.0, current.angular * delay};
-  if (present > 0.0) {
-    later = alongArc({}, current.angular / present, present * delay);
-    if (shield.freeArc({}, current.angular / present, present * delay, margin) < present * delay - slack) {
-      return 0.0;
-    }
+  const double present_curvature = current.angular / present;
+  if (shield.freeArc({}, present_curvature, present * delay, margin) < present * delay - slack) {
+    return 0.0;
   }
+  const Pose2 later = alongArc({}, present_curvature, present * delay);
   const double hold = parameters_.reaction_time - delay;
   const double rest = twist.linear * hold + twist.linear * twist.linear / (2.0 * acceleration);
   free = shield.freeArc(later, curvature, rest, margin);

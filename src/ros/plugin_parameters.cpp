@@ -64,6 +64,8 @@ void readEscape(ParameterReader* reader, EscapeParameters* escape) {
 void readMotion(ParameterReader* reader, MotionParameters* motion) {
   reader->read("max_linear", &motion->max_linear);
   reader->read("max_angular", &motion->max_angular);
+  reader->read("max_wheel_speed", &motion->max_wheel_speed);
+  reader->read("axle_length", &motion->axle_length);
   reader->read("linear_acceleration", &motion->linear_acceleration);
   reader->read("lookahead", &motion->lookahead);
   reader->read("nearest_target", &motion->nearest_target);

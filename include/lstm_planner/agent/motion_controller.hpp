@@ -16,12 +16,12 @@ struct MotionParameters {
   double linear_acceleration = 0.6;  ///< m/s^2, speeding up and braking
   double lookahead = 0.35;           ///< m along the plan to the point that is steered for
   double nearest_target = 0.06;      ///< m; points of the plan nearer than this have no direction to steer for
-  double turn_in_place = 0.6;        ///< rad; a larger heading error is turned away on the spot
+  double turn_in_place = 1.2;        ///< rad; a larger heading error is turned away on the spot
   double heading_gain = 2.5;         ///< rad/s a rad of heading error
   double reaction_time = 0.25;       ///< s from a measurement to the wheels, latch of the driver included
   double safety_margin = 0.03;       ///< m between the footprint and any return, at the least
-  double slow_gap = 0.15;            ///< m; nearer to something than this the robot slows down
-  double slow_speed = 0.15;          ///< m/s next to an obstacle
+  double slow_gap = 0.15;            ///< m; the robot slows down where its way leads nearer to something than this
+  double slow_speed = 0.15;          ///< m/s on the way towards an obstacle that it nearly touches
   double position_tolerance = 0.2;   ///< m
   double heading_tolerance = 3.15;   ///< rad; pi or more = any heading will do
 };
@@ -30,7 +30,9 @@ struct MotionParameters {
 void validate(const MotionParameters& parameters);
 
 /// Turns and drives along a plan; never commands a motion which, braking included, comes nearer to a return than the
-/// safety margin.
+/// safety margin. What is looked at is the way that the robot really takes: on with the present twist until the command
+/// acts, which may be at once or after the reaction time, then along the commanded arc until it stands. Only turning in
+/// place is always allowed.
 class MotionController {
  public:
   explicit MotionController(const MotionParameters& parameters);
