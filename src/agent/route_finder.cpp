@@ -35,6 +35,35 @@ double lengthOf(const std::vector<Point2>& points) {
 
 }  // namespace
 
+namespace {
+
+/// The place nearest to `position` that the footprint fits on, at most `tolerance` away; false when there is none.
+bool nearestPlace(ObstacleMemory& memory, const Point2& position, double tolerance, Point2* place) {
+  const int cell = memory.cellAt(position);
+  const int reach = static_cast<int>(std::ceil(tolerance / memory.cellSize()));
+  double nearest = tolerance;
+  bool found = false;
+  for (int rows = -reach; rows <= reach; ++rows) {
+    for (int columns = -reach; columns <= reach; ++columns) {
+      const int other = cell + rows * memory.side() + columns;
+      const int column = cell % memory.side() + columns;
+      if (column < 0 || column >= memory.side() || other < 0 || other >= memory.side() * memory.side() ||
+          memory.passage(other) == ObstacleMemory::Passage::kBlocked) {
+        continue;
+      }
+      const double distance = distanceBetween(memory.bestPlace(other), position);
+      if (distance <= nearest) {
+        nearest = distance;
+        *place = memory.bestPlace(other);
+        found = true;
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
 RouteFinder::RouteFinder(double tightness) : tightness_(tightness) {}
 
 bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance,
@@ -42,9 +71,20 @@ bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2
   route->points.clear();
   const int first = memory.cellAt(start);
   int end = -1;
-  if (first < 0 || !search(memory, first, goal, tolerance, &end)) {
+  if (first < 0) {
     return false;
   }
+  const int goal_cell = memory.cellAt(goal);
+  const bool blocked = goal_cell >= 0 && memory.passage(goal_cell) == ObstacleMemory::Passage::kBlocked;
+  Point2 instead;
+  if (blocked && nearestPlace(memory, goal, tolerance, &instead) && search(memory, first, instead, 0.0, &end)) {
+    return trace(memory, start, end, instead, route);
+  }
+  return search(memory, first, goal, blocked ? tolerance : 0.0, &end) && trace(memory, start, end, goal, route);
+}
+
+bool RouteFinder::trace(ObstacleMemory& memory, const Point2& start, int end, const Point2& goal, Route* route) {
+  const int first = memory.cellAt(start);
   const bool goal_is_free = memory.cellAt(goal) == end || memory.cellAt(goal) < 0;
   if (goal_is_free) {
     route->points.push_back(goal);
@@ -76,7 +116,6 @@ bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& goal, 
   const auto later = [](const Open& a, const Open& b) { return a.estimate > b.estimate; };
 
   const int goal_cell = memory.cellAt(goal);
-  const bool goal_is_blocked = goal_cell >= 0 && memory.passage(goal_cell) == Passage::kBlocked;
   const Point2 origin = memory.centerOf(start);
   const int goal_column = start % side + static_cast<int>(std::lround((goal.x - origin.x) / memory.cellSize()));
   const int goal_row = start / side + static_cast<int>(std::lround((goal.y - origin.y) / memory.cellSize()));
@@ -96,7 +135,7 @@ bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& goal, 
       continue;  // a cheaper way to it was found meanwhile
     }
     const bool at_border = column == 0 || row == 0 || column == side - 1 || row == side - 1;
-    const bool near_enough = goal_is_blocked && distanceBetween(memory.bestPlace(cell), goal) <= tolerance;
+    const bool near_enough = tolerance > 0.0 && distanceBetween(memory.bestPlace(cell), goal) <= tolerance;
     if (cell == goal_cell || near_enough || (goal_cell < 0 && at_border)) {
       *end = cell;
       return true;

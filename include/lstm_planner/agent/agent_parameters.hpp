@@ -57,7 +57,7 @@ struct AgentParameters {
   bool shield_enabled = true;
   double goal_tolerance = 0.15;  ///< m; nearer than this is arrived
   double goal_in_sight = 1.5;    ///< m; a goal this near with a free straight way is driven to directly
-  double goal_drift = 0.03;      ///< share of the way driven by which odometry may be wrong: a goal that turns out to
+  double goal_drift = 0.02;      ///< share of the way driven by which odometry may be wrong: a goal that turns out to
                                  ///< lie in an obstacle counts as reached from that far away
 };
 

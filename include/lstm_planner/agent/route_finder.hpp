@@ -21,8 +21,9 @@ class RouteFinder {
   /// `tightness`: how many times its length a way through a tight place costs, at least 1.
   explicit RouteFinder(double tightness);
 
-  /// False when there is no way: obstacles that were seen enclose the start, or the goal, all around. The goal counts as
-  /// reached from `tolerance` (m) away.
+  /// False when there is no way: obstacles that were seen enclose the start, or the goal, all around. A goal that lies in
+  /// something is replaced by the nearest place that the footprint fits on, or else by one that can be reached, at most
+  /// `tolerance` (m) away.
   bool find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance, Route* route);
 
   /// Cost of a route under what is remembered now, m; +inf when it is blocked. Looks at its first `distance` m.
@@ -33,7 +34,10 @@ class RouteFinder {
     std::uint32_t estimate;
     std::uint32_t cell;
   };
+  /// Ends at the cell of the goal, or at the first cell nearer to the goal than `tolerance`, or at the border of the
+  /// window when the goal lies outside.
   bool search(ObstacleMemory& memory, int start, const Point2& goal, double tolerance, int* end);
+  bool trace(ObstacleMemory& memory, const Point2& start, int end, const Point2& goal, Route* route);
   void pullStraight(ObstacleMemory& memory, Route* route) const;
 
   double tightness_;
