@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <vector>
+
+#include "lstm_planner/geometry.hpp"
+#include "lstm_planner/perception/laser_scan.hpp"
+
+namespace lstm_planner {
+
+/// When a return counts as moving. The margins cover the noise of a scanner, 2 % of odometry error and 10 ms between
+/// the clocks of scan and odometry.
+struct MovingReturnsParameters {
+  double range = 4.0;            ///< m; farther returns are not looked at
+  double youngest = 0.2;         ///< s; what was seen less long ago than this is not compared with:
+  double oldest = 0.6;           ///< s; or longer ago. The first gives the time to notice, the second the slowest motion
+  double range_margin = 0.1;     ///< m behind a return that must have been seen free before it counts as moving
+  double lateral_margin = 0.05;  ///< m beside it, and
+  double angle_margin = 0.03;    ///< rad beside it, too
+  int fewest_beams = 4;             ///< neighbouring beams that must agree
+  double hold = 1.0;             ///< s; a thing that stands still counts as moving for this long, then as static
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const MovingReturnsParameters& parameters);
+
+/// Tells which returns of a scan belong to things that move: those that lie where an earlier scan looked through. What
+/// was hidden before, such as a wall behind a corner, was not seen free and does not count; nor does what goes away
+/// from the scanner. Remembers such places for a while in the odometry frame.
+class MovingReturns {
+ public:
+  explicit MovingReturns(const MovingReturnsParameters& parameters);
+
+  /// Takes in a scan from `pose` (base in the odometry frame) at `time`, s. A time that goes back forgets all.
+  void show(const RangeProfile& profile, const Pose2& pose, double time);
+
+  /// Returns of the last scan that move, and places out of its sight where something has just moved; base frame, m.
+  const std::vector<Point2>& points() const { return points_; }
+
+  /// Forgets all: after a jump of the odometry, for instance.
+  void reset();
+
+ private:
+  struct View {
+    RangeProfile profile;
+    Pose2 pose;
+    double time = 0.0;
+  };
+  struct Place {
+    Point2 point;       ///< odometry frame
+    double time = 0.0;  ///< s, when something moved there last
+  };
+  enum class Sight { kFree, kTaken, kUnknown };
+
+  Sight sightOf(const Point2& point, const View& view) const;
+  bool wasSeenFree(const Point2& point) const;
+  void findMoving(const View& view);
+  void notePlace(const Point2& point, double time);
+  void forgetPlaces(const View& view);
+  void collectPoints(const View& view);
+
+  MovingReturnsParameters parameters_;
+  std::deque<View> views_;                 ///< the oldest first, the last scan at the end
+  std::vector<const View*> references_;    ///< those that the last scan is compared with
+  std::vector<Point2> returns_;            ///< of the last scan, odometry frame, in the order of the beams
+  std::vector<Place> places_;
+  std::vector<Point2> points_;
+};
+
+}  // namespace lstm_planner
