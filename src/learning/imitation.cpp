@@ -4,12 +4,13 @@
 #include <atomic>
 #include <iterator>
 #include <limits>
-#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "learning/parallel_for.hpp"
 #include "lstm_planner/learning/initialisation.hpp"
+#include "lstm_planner/learning/step_drive.hpp"
 #include "lstm_planner/parameter_check.hpp"
 #include "lstm_planner/simulation/random.hpp"
 
@@ -22,6 +23,7 @@ struct Episode {
   std::vector<Observation> observations;
   std::vector<int> labels;  ///< -1 where the teacher had no answer
   bool arrived = false;
+  double efficiency = 0.0;  ///< shortest / driven way if it arrived, else 0
 };
 
 /// Who is at the wheel.
@@ -31,54 +33,26 @@ enum class Driver {
   kLearner
 };
 
-FloorPlanParameters randomPlan(Random& random) {
-  FloorPlanParameters plan;
-  plan.width = uniform(random, 8.0, 24.0);
-  plan.height = uniform(random, 8.0, 18.0);
-  plan.smallest_room = uniform(random, 2.2, 4.5);
-  plan.door_width = uniform(random, 0.75, 1.3);
-  plan.extra_doors = uniform(random, 0.0, 0.6);
-  plan.furniture = uniform(random, 0.0, 0.1);
-  return plan;
-}
-
-DriveParameters driveParameters(const ImitationParameters& parameters) {
-  DriveParameters drive;
-  // A third of the beams: the averages hardly change and the simulation is three times as fast.
-  drive.robot.scanner.beams = 361;
-  drive.robot.scanner.angle_increment = 2.0 * 2.35619 / 360.0;
-  drive.robot.physics_period = 0.05;
-  drive.time_limit = parameters.episode_limit;
-  return drive;
-}
-
-AgentParameters agentParameters(const PolicyDescription& policy) {
-  AgentParameters agent;
-  agent.step.length = policy.step_length;
-  agent.shield.footprint_radius = policy.footprint_radius;
-  agent.escape.enabled = false;
-  return agent;
-}
-
 /// Drives once, asks the teacher at every step and lets the driver choose.
-Episode driveEpisode(const GridWorld& world, const DriveTask& task, const ImitationParameters& parameters,
+Episode driveEpisode(const DriveExercise& exercise, const DriveTask& task, const ImitationParameters& parameters,
                      const LayerStack& layers, Driver driver, std::uint64_t seed) {
-  const Teacher teacher(world, task.goal, {});
-  NavigationAgent agent(DrivePolicy(parameters.policy, layers), agentParameters(parameters.policy));
+  Random random(seed);
+  const StepDriveConditions conditions = drawConditions(random);
+  NavigationAgent agent(DrivePolicy(parameters.policy, layers), practiceAgent(parameters.policy));
+  StepDrive drive(*exercise.world, task, conditions, parameters.policy.footprint_radius, random());
   Episode episode;
   double best = std::numeric_limits<double>::infinity();
   int since_best = 0;
   int rescue = 0;
-  agent.setStepListener([&](const Situation& situation, const Observation& observation) -> std::optional<int> {
-    const Point2 position = toParentFrame(task.start, {situation.pose.x, situation.pose.y});
+  agent.setStepListener([&](const Situation&, const Observation& observation) -> std::optional<int> {
+    const Pose2& pose = drive.truePose();
     double direction = 0.0;
-    const bool known = teacher.direction(position, &direction);
-    const double heading = task.start.yaw + situation.pose.yaw;
-    const int label = known ? parameters.policy.actions.nearest(normalizeAngle(direction - heading)) : -1;
+    const bool known = exercise.teacher->direction({pose.x, pose.y}, &direction);
+    const int label = known ? parameters.policy.actions.nearest(normalizeAngle(direction - pose.yaw)) : -1;
     episode.observations.push_back(observation);
     episode.labels.push_back(label);
 
-    const double left = teacher.distanceToGo(position);
+    const double left = exercise.teacher->distanceToGo({pose.x, pose.y});
     since_best = left < best - 0.1 ? 0 : since_best + 1;
     best = std::min(best, left);
     if (driver == Driver::kRescuedLearner && since_best >= parameters.stuck_steps) {
@@ -89,30 +63,9 @@ Episode driveEpisode(const GridWorld& world, const DriveTask& task, const Imitat
     rescue = std::max(0, rescue - 1);
     return teacher_drives ? std::optional<int>(label) : std::nullopt;
   });
-  const DriveResult result = drive(world, task, driveParameters(parameters), seed, &agent);
-  episode.arrived = result.end == DriveResult::End::kReached;
+  episode.arrived = drive.run(parameters.max_steps, &agent) == DriveResult::End::kReached;
+  if (episode.arrived) episode.efficiency = task.shortest / std::max(task.shortest, drive.pathLength());
   return episode;
-}
-
-/// A floor plan and its drives, all from one seed.
-struct Exercise {
-  std::unique_ptr<GridWorld> world;
-  std::vector<DriveTask> tasks;
-};
-
-Exercise makeExercise(int episodes, std::uint64_t seed) {
-  Random random(seed);
-  Exercise exercise;
-  exercise.world = std::make_unique<GridWorld>(generateFloorPlan(randomPlan(random), random()));
-  exercise.tasks = drawTasks(*exercise.world, episodes, Teacher::Parameters{}.footprint_radius, 0.12, 2.0, random());
-  return exercise;
-}
-
-/// Seeds of training and validation plans never meet: the upper half of the numbers is for validation.
-std::uint64_t planSeed(std::uint64_t seed, bool validation, int round, int plan) {
-  Random random(seed * 1000003ULL + static_cast<std::uint64_t>(round) * 8191ULL + static_cast<std::uint64_t>(plan));
-  const std::uint64_t number = random() >> 1;
-  return validation ? number | (1ULL << 63) : number;
 }
 
 /// Calls `choose_driver` for each drive of a round and lets that driver drive it.
@@ -120,24 +73,27 @@ template <typename ChooseDriver>
 std::vector<Episode> collect(const ImitationParameters& parameters, const LayerStack& layers, int round,
                              bool validation, const ChooseDriver& choose_driver,
                              const std::function<void(int)>& report) {
-  const int plans = validation ? parameters.validation_plans : parameters.plans;
-  std::vector<std::vector<Episode>> episodes(static_cast<std::size_t>(plans));
+  const int worlds = validation ? parameters.validation_worlds : parameters.worlds;
+  std::vector<std::vector<Episode>> episodes(static_cast<std::size_t>(worlds));
   std::atomic<int> done{0};
-  const auto work = [&](int plan, int thread) {
-    const std::uint64_t seed = planSeed(parameters.seed, validation, round, plan);
-    const Exercise exercise = makeExercise(parameters.episodes, seed);
-    Random random(seed + 1);
-    for (const DriveTask& task : exercise.tasks) {
-      const Driver driver = choose_driver(random);
-      episodes[static_cast<std::size_t>(plan)].push_back(
-          driveEpisode(*exercise.world, task, parameters, layers, driver, random()));
+  const auto work = [&](int world, int thread) {
+    const int number = round * parameters.worlds + world;
+    const WorldUse use = validation ? WorldUse::kValidation : WorldUse::kTraining;
+    Random random(parameters.seed * 1000003ULL + static_cast<std::uint64_t>(2 * number + (validation ? 1 : 0)));
+    for (const DriveExercise& exercise :
+         makeDriveExercises(parameters.course, use, parameters.seed, number, parameters.goals, parameters.starts)) {
+      for (const DriveTask& task : exercise.tasks) {
+        const Driver driver = choose_driver(random);
+        episodes[static_cast<std::size_t>(world)].push_back(
+            driveEpisode(exercise, task, parameters, layers, driver, random()));
+      }
     }
     ++done;
     if (thread == 0) {
       report(done);
     }
   };
-  parallelFor(plans, parameters.threads, work);
+  parallelFor(worlds, parameters.threads, work);
   std::vector<Episode> all;
   for (std::vector<Episode>& some : episodes) {
     std::move(some.begin(), some.end(), std::back_inserter(all));
@@ -173,21 +129,34 @@ void cutIntoSequences(const std::vector<Episode>& episodes, const ImitationParam
   }
 }
 
+DriveScore scoreOf(const std::vector<Episode>& episodes) {
+  DriveScore score;
+  score.drives = static_cast<int>(episodes.size());
+  for (const Episode& episode : episodes) {
+    score.arrival += (episode.arrived ? 1.0 : 0.0) / score.drives;
+    score.efficiency += episode.efficiency / score.drives;
+  }
+  return score;
+}
+
 }  // namespace
 
 void validate(const ImitationParameters& parameters) {
   checkParameter(parameters.rounds > 0, "rounds", parameters.rounds, "a positive number");
-  checkParameter(parameters.plans > 0, "plans", parameters.plans, "a positive number");
-  checkParameter(parameters.episodes > 0, "episodes", parameters.episodes, "a positive number");
-  checkParameter(parameters.validation_plans > 0, "validation_plans", parameters.validation_plans, "a positive number");
+  checkParameter(parameters.worlds > 0, "worlds", parameters.worlds, "a positive number");
+  checkParameter(parameters.goals > 0, "goals", parameters.goals, "a positive number");
+  checkParameter(parameters.starts > 0, "starts", parameters.starts, "a positive number");
+  checkParameter(parameters.validation_worlds > 0, "validation_worlds", parameters.validation_worlds,
+                 "a positive number");
   checkParameter(parameters.learner_share >= 0.0 && parameters.learner_share <= 1.0, "learner_share",
                  parameters.learner_share, "a share in [0, 1]");
-  checkParameter(parameters.episode_limit > 0.0, "episode_limit", parameters.episode_limit, "a positive number");
+  checkParameter(parameters.max_steps > 0, "max_steps", parameters.max_steps, "a positive number");
   checkParameter(parameters.burn_in_steps >= 0, "burn_in_steps", parameters.burn_in_steps, "zero or more");
   checkParameter(parameters.sequence_steps > parameters.burn_in_steps, "sequence_steps", parameters.sequence_steps,
                  "more than burn_in_steps");
   checkParameter(parameters.threads > 0, "threads", parameters.threads, "a positive number");
   validate(parameters.policy.encoder);
+  validate(parameters.course);
   validate(parameters.trainer);
 }
 
@@ -198,13 +167,13 @@ ImitationResult imitate(const ImitationParameters& parameters, const ProgressCal
   LayerStack layers = makeLstmStack(encoder.size(), parameters.cells, parameters.policy.actions.size());
   initialise({}, parameters.seed, layers);
 
-  // Training costs little beside the simulation: progress counts plans.
-  const double plans_a_round = parameters.plans + parameters.validation_plans;
-  const double all_plans = parameters.rounds * plans_a_round + parameters.validation_plans;
-  double plans_before = 0.0;
-  const auto report = [&](int plans) {
+  // Training costs little beside the simulation: progress counts worlds.
+  const double worlds_a_round = parameters.worlds + parameters.validation_worlds;
+  const double all_worlds = parameters.rounds * worlds_a_round + parameters.validation_worlds;
+  double worlds_before = 0.0;
+  const auto report = [&](int worlds) {
     if (progress) {
-      progress((plans_before + plans) / all_plans);
+      progress((worlds_before + worlds) / all_worlds);
     }
   };
 
@@ -214,19 +183,19 @@ ImitationResult imitate(const ImitationParameters& parameters, const ProgressCal
     return uniform(random) < parameters.learner_share ? Driver::kRescuedLearner : Driver::kTeacher;
   };
 
-  // The same plans judge every round: first as the teacher drives there, then, added to that, as each learner did.
+  // The same worlds judge every round: first as the teacher drives there, then, added to that, as each learner did.
   std::vector<Sequence> validation;
   cutIntoSequences(collect(parameters, layers, 0, true, teacher, report), parameters, &validation);
-  plans_before += parameters.validation_plans;
+  worlds_before += parameters.validation_worlds;
 
   ImitationResult result;
   std::vector<Sequence> training;
   std::size_t steps = 0;
-  double best_arrival = -1.0;
+  double best_efficiency = -1.0;
   for (int round = 0; round < parameters.rounds; ++round) {
     const std::vector<Episode> episodes = round == 0 ? collect(parameters, layers, round, false, teacher, report)
                                                      : collect(parameters, layers, round, false, mixture, report);
-    plans_before += parameters.plans;
+    worlds_before += parameters.worlds;
     for (const Episode& episode : episodes) {
       steps += episode.labels.size();
     }
@@ -239,12 +208,11 @@ ImitationResult imitate(const ImitationParameters& parameters, const ProgressCal
     layers = outcome.training.layers;
 
     const std::vector<Episode> judged = collect(parameters, layers, 0, true, learner, report);
-    plans_before += parameters.validation_plans;
-    const auto arrived = std::count_if(judged.begin(), judged.end(), [](const Episode& e) { return e.arrived; });
-    outcome.arrival = static_cast<double>(arrived) / static_cast<double>(judged.size());
+    worlds_before += parameters.validation_worlds;
+    outcome.score = scoreOf(judged);
     cutIntoSequences(judged, parameters, &validation);
-    if (outcome.arrival >= best_arrival) {
-      best_arrival = outcome.arrival;
+    if (outcome.score.efficiency >= best_efficiency) {
+      best_efficiency = outcome.score.efficiency;
       result.layers = layers;
     }
     if (round_done) {

@@ -15,6 +15,9 @@ struct Choice {
   bool search = false;
 };
 
+constexpr const char* kRobotMethod = "dagger";
+constexpr const char* kGridMethod = "actor-critic";
+
 Choice readChoice(const std::vector<std::string>& arguments) {
   namespace po = boost::program_options;
   Choice choice;
@@ -22,7 +25,7 @@ Choice readChoice(const std::vector<std::string>& arguments) {
   // clang-format off
   description.add_options()
       ("task", po::value(&choice.task)->default_value("robot"))
-      ("method", po::value(&choice.method)->default_value("actor-critic"))
+      ("method", po::value(&choice.method))
       ("search", po::bool_switch(&choice.search));
   // clang-format on
   // Without guessing: --m of another training is not to be taken for --method.
@@ -31,6 +34,7 @@ Choice readChoice(const std::vector<std::string>& arguments) {
   po::store(po::command_line_parser(arguments).options(description).style(style).allow_unregistered().run(), values);
   po::notify(values);
   if (values["task"].defaulted() && choice.search) choice.task = "grid";
+  if (choice.method.empty()) choice.method = choice.task == "robot" ? kRobotMethod : kGridMethod;
   return choice;
 }
 
@@ -44,7 +48,11 @@ std::string trainCommandLine(const std::vector<std::string>& arguments) {
 
 int runTrain(const std::vector<std::string>& arguments) {
   const Choice choice = readChoice(arguments);
-  if (choice.task == "robot") return trainRobot(arguments);
+  if (choice.task == "robot") {
+    if (choice.method == "dagger") return trainRobotByDagger(arguments);
+    if (choice.method == "actor-critic") return trainRobotByActorCritic(arguments);
+    throw std::invalid_argument("--method is '" + choice.method + "', expected dagger or actor-critic");
+  }
   if (choice.task != "grid") {
     throw std::invalid_argument("--task is '" + choice.task + "', expected robot or grid");
   }

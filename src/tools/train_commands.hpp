@@ -7,8 +7,9 @@ namespace lstm_planner {
 
 // What `lstm_planner train` can do. Each takes the arguments behind the command's name and returns the exit status.
 
-/// The robot, by imitation in generated floor plans: --task robot.
-int trainRobot(const std::vector<std::string>& arguments);
+/// The robot in generated worlds: --task robot, by --method.
+int trainRobotByDagger(const std::vector<std::string>& arguments);
+int trainRobotByActorCritic(const std::vector<std::string>& arguments);
 
 /// Agents of the grid world: --task grid, by --method.
 int trainGridByImitation(const std::vector<std::string>& arguments);

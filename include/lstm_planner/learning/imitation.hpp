@@ -5,27 +5,28 @@
 #include <vector>
 
 #include "lstm_planner/agent/drive_policy.hpp"
-#include "lstm_planner/evaluation/drive.hpp"
+#include "lstm_planner/learning/drive_course.hpp"
+#include "lstm_planner/learning/drive_judge.hpp"
 #include "lstm_planner/learning/sequence.hpp"
-#include "lstm_planner/learning/teacher.hpp"
 #include "lstm_planner/learning/trainer.hpp"
-#include "lstm_planner/simulation/floor_plan.hpp"
 
 namespace lstm_planner {
 
-/// Learning to drive from a teacher that knows the map, in generated floor plans (DAgger: Ross, Gordon and Bagnell, "A
+/// Learning to drive from a teacher that knows the map, in generated worlds and under random conditions (DAgger: Ross, Gordon and Bagnell, "A
 /// reduction of imitation learning and structured prediction to no-regret online learning", AISTATS 2011).
 struct ImitationParameters {
   PolicyDescription policy;
+  DriveCourseParameters course;
   std::vector<int> cells = {8, 8};  ///< LSTM layers
   int rounds = 10;                  ///< collect, then train on everything collected so far
-  int plans = 120;                  ///< floor plans a round
-  int episodes = 3;                 ///< drives a floor plan
-  int validation_plans = 40;        ///< floor plans that are never trained on
+  int worlds = 120;                 ///< generated worlds a round
+  int goals = 2;                    ///< a world
+  int starts = 2;                   ///< drives to a goal
+  int validation_worlds = 60;       ///< worlds that are never trained on
   double learner_share = 0.8;       ///< share of drives with the learner at the wheel, from the second round on
   int stuck_steps = 24;             ///< steps without progress after which the teacher takes the wheel
   int rescue_steps = 16;            ///< and for how long
-  double episode_limit = 120.0;     ///< s
+  int max_steps = 300;              ///< of a drive
   int sequence_steps = 96;          ///< length of a training sequence
   int burn_in_steps = 32;           ///< of these, steps that only bring the hidden state up to date
   std::uint64_t seed = 1;
@@ -40,12 +41,12 @@ void validate(const ImitationParameters& parameters);
 struct ImitationRound {
   int round = 0;          ///< from 1
   std::size_t steps = 0;  ///< collected so far
-  double arrival = 0.0;   ///< share of the validation drives that arrived, without escape, after the round
+  DriveScore score;       ///< of the validation drives, by the learner alone, after the round
   TrainingResult training;
 };
 
 struct ImitationResult {
-  LayerStack layers;  ///< of the round with the best arrival
+  LayerStack layers;  ///< of the most efficient round
   std::vector<ImitationRound> rounds;
 };
 

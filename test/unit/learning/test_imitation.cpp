@@ -13,10 +13,11 @@ ImitationParameters tinyImitation(int threads) {
   ImitationParameters parameters;
   parameters.cells = {4};
   parameters.rounds = 2;
-  parameters.plans = 3;
-  parameters.episodes = 1;
-  parameters.validation_plans = 2;
-  parameters.episode_limit = 20.0;
+  parameters.worlds = 3;
+  parameters.goals = 1;
+  parameters.starts = 1;
+  parameters.validation_worlds = 2;
+  parameters.max_steps = 40;
   parameters.threads = threads;
   parameters.trainer.epochs = 2;
   parameters.trainer.threads = threads;
@@ -35,9 +36,9 @@ TEST(Imitation, GivesTheSameWeightsForAnyNumberOfThreads) {
   for (std::size_t round = 0; round < 2; ++round) {
     EXPECT_EQ(one.rounds[round].round, static_cast<int>(round) + 1);
     EXPECT_EQ(one.rounds[round].steps, two.rounds[round].steps);
-    EXPECT_EQ(one.rounds[round].arrival, two.rounds[round].arrival);
-    EXPECT_GE(one.rounds[round].arrival, 0.0);
-    EXPECT_LE(one.rounds[round].arrival, 1.0);
+    EXPECT_EQ(one.rounds[round].score.arrival, two.rounds[round].score.arrival);
+    EXPECT_GE(one.rounds[round].score.arrival, 0.0);
+    EXPECT_LE(one.rounds[round].score.arrival, 1.0);
   }
   EXPECT_GT(one.rounds[1].steps, one.rounds[0].steps);  // everything collected before is kept
 
@@ -59,8 +60,8 @@ TEST(Imitation, RefusesParametersWithWhichNothingIsLearned) {
   };
   EXPECT_FALSE(refused([](ImitationParameters*) {}));
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->rounds = 0; }));
-  EXPECT_TRUE(refused([](ImitationParameters* p) { p->plans = 0; }));
-  EXPECT_TRUE(refused([](ImitationParameters* p) { p->validation_plans = 0; }));
+  EXPECT_TRUE(refused([](ImitationParameters* p) { p->worlds = 0; }));
+  EXPECT_TRUE(refused([](ImitationParameters* p) { p->validation_worlds = 0; }));
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->learner_share = 1.1; }));
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->sequence_steps = p->burn_in_steps; }));
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->threads = 0; }));

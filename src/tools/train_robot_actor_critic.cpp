@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <stdexcept>
+
+#include "lstm_planner/learning/drive_actor_critic.hpp"
+#include "lstm_planner/learning/training_checkpoint.hpp"
+#include "tools/interruption.hpp"
+#include "tools/options.hpp"
+#include "tools/output_file.hpp"
+#include "tools/progress.hpp"
+#include "tools/train_commands.hpp"
+#include "tools/train_robot_options.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// Times that the network is judged, and a checkpoint written, in a whole training.
+constexpr int kJudgements = 10;
+
+struct ReinforcementOptions : RobotTrainingOptions {
+  std::string init;
+  std::string checkpoint;
+  DriveActorCriticParameters learner;
+  nlohmann::json settings;
+};
+
+bool readOptions(const std::vector<std::string>& arguments, ReinforcementOptions* options) {
+  namespace po = boost::program_options;
+  DriveActorCriticParameters& p = options->learner;
+  po::options_description description("the robot, by reinforcement of a network that drives already");
+  addRobotTrainingOptions(options, &description);
+  // clang-format off
+  description.add_options()
+      ("init", po::value(&options->init)->required(), "model file to begin with; decides inputs and shape")
+      ("checkpoint", po::value(&options->checkpoint), "file to go on from and to write to")
+      ("iterations", po::value(&p.iterations)->default_value(p.iterations), "of collecting and learning")
+      ("worlds", po::value(&p.worlds)->default_value(p.worlds), "an iteration")
+      ("goals", po::value(&p.goals)->default_value(p.goals), "a world")
+      ("starts", po::value(&p.starts)->default_value(p.starts), "drives to a goal")
+      ("window", po::value(&p.window)->default_value(p.window), "steps that errors go back at most")
+      ("passes", po::value(&p.passes)->default_value(p.passes), "over what was collected")
+      ("critic", po::value(&p.critic_units)->multitoken(), "units of each of the critic's layers (default: 48 32)")
+      ("sharpness", po::value(&p.sharpness)->default_value(p.sharpness), "times the first network's preferences")
+      ("clip", po::value(&p.clip)->default_value(p.clip), "how far a probability may change at once")
+      ("discount", po::value(&p.discount)->default_value(p.discount), "a step")
+      ("advantage-decay", po::value(&p.advantage_decay)->default_value(p.advantage_decay), "lambda")
+      ("entropy-start", po::value(&p.entropy_start)->default_value(p.entropy_start), "weight of the entropy at first")
+      ("entropy-end", po::value(&p.entropy_end)->default_value(p.entropy_end), "and at last")
+      ("step-cost", po::value(&p.step_cost)->default_value(p.step_cost), "m")
+      ("arrival-bonus", po::value(&p.arrival_bonus)->default_value(p.arrival_bonus), "m")
+      ("rate", po::value(&p.learning_rate)->default_value(p.learning_rate), "learning rate")
+      ("critic-rate", po::value(&p.critic_learning_rate)->default_value(p.critic_learning_rate), "of the critic");
+  // clang-format on
+  po::variables_map values;
+  if (!parseOptions("train", description, arguments, &values)) return false;
+  finishRobotTrainingOptions(arguments, options);
+  p.course = options->course;
+  p.max_steps = options->max_steps;
+  p.seed = options->seed;
+  p.threads = options->threads;
+  options->settings = settingsOf(*options);
+  options->settings.update({{"method", "actor-critic"},
+                            {"init", options->init},
+                            {"iterations", p.iterations},
+                            {"worlds", p.worlds},
+                            {"goals", p.goals},
+                            {"starts", p.starts},
+                            {"window", p.window},
+                            {"passes", p.passes},
+                            {"critic", p.critic_units},
+                            {"sharpness", p.sharpness},
+                            {"clip", p.clip},
+                            {"discount", p.discount},
+                            {"advantage-decay", p.advantage_decay},
+                            {"entropy-start", p.entropy_start},
+                            {"entropy-end", p.entropy_end},
+                            {"step-cost", p.step_cost},
+                            {"arrival-bonus", p.arrival_bonus},
+                            {"rate", p.learning_rate},
+                            {"critic-rate", p.critic_learning_rate}});
+  return true;
+}
+
+class RobotReinforcement {
+ public:
+  RobotReinforcement(const ReinforcementOptions& options, LayerStack layers)
+      : options_(options), learner_(options.learner, std::move(layers)) {}
+
+  int run() {
+    const Interruption interruption;
+    restore();
+    std::cout << "iteration     steps  reward  arrival  entropy  explained | validation drives" << std::endl;
+    if (learner_.iterations() == 0) judge();
+    const int interval = std::max(1, options_.learner.iterations / kJudgements);
+    while (learner_.iterations() < options_.learner.iterations) {
+      print(learner_.iterate());
+      const int done = learner_.iterations();
+      bar_.show(static_cast<double>(done) / options_.learner.iterations);
+      const bool stop = interruption.wanted();
+      if (stop || done % interval == 0 || done == options_.learner.iterations) {
+        judge();
+        writeCheckpoint();
+      }
+      if (stop && done < options_.learner.iterations) {
+        std::cout << "interrupted; "
+                  << (options_.checkpoint.empty() ? "without --checkpoint the training cannot be gone on with"
+                                                  : "the same command goes on from here")
+                  << std::endl;
+        return interruption.exitStatus();
+      }
+    }
+    std::cout << "wrote " << options_.output << ": efficiency " << best_ << std::endl;
+    return 0;
+  }
+
+ private:
+  static void print(const DriveActorCriticReport& report) {
+    std::cout << std::fixed << std::setw(9) << report.iteration << std::setprecision(0) << std::setw(10) << report.steps
+              << std::setprecision(3) << std::setw(8) << report.reward << std::setw(9) << report.arrival << std::setw(9)
+              << report.entropy << std::setw(11) << report.explained << std::endl;
+  }
+
+  /// Keeps the most efficient network.
+  void judge() {
+    const DriveScore score = judgeDrives(DrivePolicy(options_.learner.policy, learner_.layers()), options_.course,
+                                         options_.validation, options_.max_steps, options_.seed, options_.threads);
+    const bool best = score.efficiency > best_;
+    if (best) {
+      best_ = score.efficiency;
+      writeRobotModel(options_, options_.learner.policy, learner_.layers(), score);
+    }
+    std::cout << std::string(58, ' ') << "| " << toText(score) << (best ? " (best)" : "") << std::endl;
+  }
+
+  void restore() {
+    if (options_.checkpoint.empty()) return;
+    const auto checkpoint = readTrainingCheckpoint(options_.checkpoint, options_.settings);
+    if (!checkpoint) return;
+    learner_.restore(checkpoint->learner);
+    const bool kept = checkpoint->progress.value("output", "") == options_.output &&
+                      std::filesystem::exists(options_.output);
+    if (kept) best_ = checkpoint->progress.at("best").get<double>();
+    std::cout << "going on from " << options_.checkpoint << " after iteration " << learner_.iterations() << std::endl;
+  }
+
+  void writeCheckpoint() const {
+    if (options_.checkpoint.empty()) return;
+    writeTrainingCheckpoint(options_.checkpoint, {options_.settings,
+                                                  {{"best", best_}, {"output", options_.output}},
+                                                  learner_.checkpoint()});
+  }
+
+  const ReinforcementOptions& options_;
+  DriveActorCritic learner_;
+  Progress bar_;
+  double best_ = -1.0;
+};
+
+}  // namespace
+
+int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
+  ReinforcementOptions options;
+  if (!readOptions(arguments, &options)) return 0;
+  Model model = readModelFile(options.init);
+  options.learner.policy = readPolicyDescription(model.metadata);
+  checkWritable(options.output);
+  return RobotReinforcement(options, std::move(model.layers)).run();
+}
+
+}  // namespace lstm_planner

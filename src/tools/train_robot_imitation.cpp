@@ -1,0 +1,102 @@
+#include <iomanip>
+#include <iostream>
+
+#include "lstm_planner/learning/imitation.hpp"
+#include "lstm_planner/learning/learning_curve.hpp"
+#include "tools/options.hpp"
+#include "tools/progress.hpp"
+#include "tools/ranks.hpp"
+#include "tools/train_commands.hpp"
+#include "tools/train_robot_options.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+struct ImitationOptions : RobotTrainingOptions {
+  std::string curve;
+  std::vector<std::string> inputs;
+  ImitationParameters imitation;
+};
+
+bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* options) {
+  namespace po = boost::program_options;
+  ImitationParameters& imitation = options->imitation;
+  imitation.trainer.epochs = 12;
+  imitation.trainer.optimiser.learning_rate = 0.01;
+  EncoderParameters& encoder = imitation.policy.encoder;
+  po::options_description description(
+      "the robot, by imitation in generated worlds; --method actor-critic learns on by reinforcement");
+  addRobotTrainingOptions(options, &description);
+  // clang-format off
+  description.add_options()
+      ("inputs", po::value(&options->inputs)->multitoken(), "beside the thesis's: events, visits, route")
+      ("event-range", po::value(&encoder.event_range)->default_value(encoder.event_range), "m; nearer is an event")
+      ("position-cell", po::value(&encoder.position_cell)->default_value(encoder.position_cell),
+       "m, to which the odometry is rounded; 0: not at all")
+      ("curve", po::value(&options->curve), "PNG file for the accuracy curve; a CSV file is written beside it")
+      ("cells", po::value(&imitation.cells)->multitoken(), "memory cells of each LSTM layer (default: 8 8)")
+      ("rounds", po::value(&imitation.rounds)->default_value(imitation.rounds), "of collecting and training")
+      ("worlds", po::value(&imitation.worlds)->default_value(imitation.worlds), "a round")
+      ("goals", po::value(&imitation.goals)->default_value(imitation.goals), "a world")
+      ("starts", po::value(&imitation.starts)->default_value(imitation.starts), "drives to a goal")
+      ("epochs", po::value(&imitation.trainer.epochs)->default_value(imitation.trainer.epochs), "a round")
+      ("rate", po::value(&imitation.trainer.optimiser.learning_rate)
+                   ->default_value(imitation.trainer.optimiser.learning_rate), "learning rate")
+      ("learner-share", po::value(&imitation.learner_share)->default_value(imitation.learner_share),
+       "share of drives with the learner at the wheel");
+  // clang-format on
+  po::variables_map values;
+  if (!parseOptions("train", description, arguments, &values)) return false;
+  finishRobotTrainingOptions(arguments, options);
+  addInputs(options->inputs, &encoder);
+  imitation.course = options->course;
+  imitation.validation_worlds = options->validation;
+  imitation.max_steps = options->max_steps;
+  imitation.threads = imitation.trainer.threads = options->threads;
+  imitation.seed = imitation.trainer.seed = options->seed;
+  imitation.trainer.communicator = ranks();
+  validate(imitation);
+  return true;
+}
+
+std::vector<EpochReport> wholeCurve(const ImitationResult& result) {
+  std::vector<EpochReport> curve;
+  for (const ImitationRound& round : result.rounds) {
+    for (EpochReport report : round.training.curve) {
+      report.epoch = static_cast<int>(curve.size()) + 1;
+      curve.push_back(std::move(report));
+    }
+  }
+  return curve;
+}
+
+}  // namespace
+
+int trainRobotByDagger(const std::vector<std::string>& arguments) {
+  ImitationOptions options;
+  if (!readOptions(arguments, &options)) return 0;
+  Progress progress;
+  DriveScore best;
+  std::cout << std::fixed << std::setprecision(3) << "round    steps  accuracy  arrival alone  efficiency" << std::endl;
+  const auto report = [&](const ImitationRound& round) {
+    const EpochReport& epoch = round.training.curve[static_cast<std::size_t>(round.training.best_epoch - 1)];
+    std::cout << std::setw(5) << round.round << std::setw(9) << round.steps << std::setw(10)
+              << epoch.validation.accuracy() << std::setw(15) << round.score.arrival << std::setw(12)
+              << round.score.efficiency << std::endl;
+    if (round.score.efficiency >= best.efficiency) best = round.score;
+  };
+  const ImitationResult result = imitate(
+      options.imitation, [&](double share) { progress.show(share); }, report);
+  progress.show(1.0);
+  if (!isFirstRank()) return 0;
+  writeRobotModel(options, options.imitation.policy, result.layers, best);
+  std::cout << "wrote " << options.output << ": " << toText(best) << "\n";
+  if (!options.curve.empty()) {
+    const std::string stem = options.curve.substr(0, options.curve.rfind('.'));
+    writeLearningCurve(stem + ".csv", options.curve, wholeCurve(result));
+  }
+  return 0;
+}
+
+}  // namespace lstm_planner

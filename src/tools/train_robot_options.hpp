@@ -1,0 +1,49 @@
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/learning/drive_course.hpp"
+#include "lstm_planner/learning/drive_judge.hpp"
+#include "lstm_planner/network/model_file.hpp"
+
+namespace lstm_planner {
+
+/// Options that all ways of training the robot have in common.
+struct RobotTrainingOptions {
+  std::string command;  ///< the whole command line
+  std::string output = "models/create2_lstm_2x8.onnx";
+  DriveCourseParameters course;
+  int validation = 60;  ///< worlds
+  int max_steps = 300;  ///< of a drive
+  std::uint64_t seed = 1;
+  int threads = 2;
+
+  std::vector<std::string> kinds;  ///< as given, until checked
+};
+
+/// `options` holds the defaults.
+void addRobotTrainingOptions(RobotTrainingOptions* options, boost::program_options::options_description* description);
+
+/// Takes over what was parsed. Throws std::invalid_argument with a sentence for values that make no sense.
+void finishRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTrainingOptions* options);
+
+/// What a result depends on, for the checkpoint; a method adds its own.
+nlohmann::json settingsOf(const RobotTrainingOptions& options);
+
+/// Inputs beside the thesis's, by the names of the groups: events, visits, route. Throws std::invalid_argument for
+/// another name.
+void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder);
+
+/// Writes the model with its description, the command and the score.
+void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescription& policy, const LayerStack& layers,
+                     const DriveScore& score);
+
+/// "arrival 0.950, efficiency 0.800"
+std::string toText(const DriveScore& score);
+
+}  // namespace lstm_planner
