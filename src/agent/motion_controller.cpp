@@ -32,6 +32,9 @@ void validate(const MotionParameters& parameters) {
   checkPositive("safety_margin", parameters.safety_margin);
   checkPositive("slow_gap", parameters.slow_gap);
   checkPositive("slow_speed", parameters.slow_speed);
+  validate(parameters.moving);
+  checkPositive("person_speed", parameters.person_speed);
+  checkPositive("person_margin", parameters.person_margin);
   checkPositive("position_tolerance", parameters.position_tolerance);
   checkPositive("heading_tolerance", parameters.heading_tolerance);
 }
@@ -40,7 +43,7 @@ MotionController::MotionController(const MotionParameters& parameters)
     : parameters_((validate(parameters), parameters)) {}
 
 Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current,
-                                 const Shield& shield, double period) const {
+                                 const Shield& shield, double period, const std::vector<Point2>& moving) const {
   if (plan.empty() || !isFinite(pose)) {
     return {};
   }
@@ -69,7 +72,9 @@ Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& po
     const double reachable = std::max(0.0, current.linear) + parameters_.linear_acceleration * period;
     twist.linear = std::min({parameters_.max_linear * std::cos(error), brakes, reachable});
     twist = withinWheelLimits(twist);
-    twist.linear = safeSpeed(twist, current, shield, period);
+    Shield persons(shield.footprintRadius(), 0.0, yieldingReach(shield.footprintRadius()));
+    persons.show(moving);
+    twist.linear = safeSpeed(twist, current, shield, persons, period);
   }
   return withinWheelLimits(twist);
 }
@@ -83,7 +88,7 @@ bool MotionController::goalReached(const Pose2& pose, const Pose2& goal) const {
 Pose2 MotionController::target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const {
   std::size_t nearest = 0;
   double nearest_distance = distanceBetween(plan[0], pose);
-  // Only as far as one lookahead: the plan may come by here again later.
+  // Only as long as it comes nearer, or nearly: the plan may come by here again later.
   double length = 0.0;
   for (std::size_t i = 1; i < plan.size() && length < 2.0 * parameters_.lookahead; ++i) {
     length += distanceBetween(plan[i - 1], plan[i]);
@@ -91,6 +96,7 @@ Pose2 MotionController::target(const std::vector<Pose2>& plan, const Pose2& pose
     if (distance < nearest_distance) {
       nearest = i;
       nearest_distance = distance;
+      length = 0.0;
     }
   }
   // As far ahead as the plan leads away and one can go straight: to cut a corner must not lead into what the plan goes
@@ -123,12 +129,13 @@ Twist2 MotionController::withinWheelLimits(const Twist2& twist) const {
 }
 
 double MotionController::safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield,
-                                   double period) const {
+                                   const Shield& persons, double period) const {
   constexpr int kTries = 8;
   constexpr double kCreep = 0.005;  // m/s; slower is standing
   double speed = std::min(wanted.linear, cautiousSpeed(wanted, shield));
   for (int i = 0; i < kTries && speed >= kCreep; ++i) {
-    const double allowed = allowedSpeed({speed, wanted.angular}, current, shield, period);
+    const Twist2 twist{speed, wanted.angular};
+    const double allowed = std::min(allowedSpeed(twist, current, shield, period), yieldingSpeed(twist, persons));
     if (allowed >= speed) {
       return speed;
     }
@@ -146,11 +153,24 @@ double MotionController::cautiousSpeed(const Twist2& twist, const Shield& shield
   if (now >= parameters_.slow_gap + parameters_.lookahead) {
     return parameters_.max_linear;
   }
-  const double then = std::max(0.0, shield.arcGap({}, twist.angular / twist.linear, stoppingWay(parameters_.max_linear)));
+  const double way = stoppingWay(parameters_.max_linear);
+  const double then = std::max(0.0, shield.arcGap({}, twist.angular / twist.linear, way));
   const double nearness = std::max(0.0, 1.0 - then / parameters_.slow_gap);
   // Beside a wall that it goes along, the robot comes no nearer to it.
-  const double approach = std::min(1.0, 2.0 * std::max(0.0, now - then) / stoppingWay(parameters_.max_linear));
+  const double approach = std::min(1.0, 2.0 * std::max(0.0, now - then) / way);
   return parameters_.max_linear - nearness * approach * (parameters_.max_linear - parameters_.slow_speed);
+}
+
+double MotionController::yieldingReach(double footprint_radius) const {
+  const double time = parameters_.reaction_time + parameters_.max_linear / parameters_.linear_acceleration;
+  return footprint_radius + stoppingWay(parameters_.max_linear) + parameters_.person_margin +
+         parameters_.person_speed * time + footprint_radius;
+}
+
+double MotionController::yieldingSpeed(const Twist2& twist, const Shield& persons) const {
+  const double gap = persons.arcGap({}, twist.angular / twist.linear, stoppingWay(twist.linear));
+  const double time = (gap - parameters_.person_margin) / parameters_.person_speed;
+  return std::max(0.0, (time - parameters_.reaction_time) * parameters_.linear_acceleration);
 }
 
 double MotionController::stoppingWay(double speed) const {

@@ -20,7 +20,8 @@ class Run {
         task_(task),
         parameters_(parameters),
         agent_(*agent),
-        controller_(parameters.motion) {
+        controller_(parameters.motion),
+        moving_(parameters.motion.moving) {
     const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry begins at the start
     goal_ = {goal.x, goal.y, 0.0};
     result_.shortest = task.shortest;
@@ -43,8 +44,9 @@ class Run {
         rollOut(situation_, decision, agent_.shield(), goal_, agent_.parameters(), parameters_.rollout, &plan_);
       }
       note(decision);
+      moving_.show(situation_.profile, situation_.pose, situation_.time);
       robot_.command(controller_.compute(plan_, situation_.pose, robot_.measuredTwist(), agent_.shield(),
-                                         parameters_.control_period));
+                                         parameters_.control_period, moving_.points()));
       move();
     }
     result_.contacts = robot_.contacts();
@@ -103,6 +105,7 @@ class Run {
   const DriveParameters& parameters_;
   NavigationAgent& agent_;
   MotionController controller_;
+  MovingReturns moving_;
   Pose2 goal_;  ///< odometry frame
   Situation situation_;
   std::vector<Pose2> plan_;

@@ -64,6 +64,7 @@ void MovingReturns::show(const RangeProfile& profile, const Pose2& pose, double 
   }
   const View view{profile, pose, time};
   findMoving(view);
+  references_.clear();
   forgetPlaces(view);
   collectPoints(view);
   if (views_.empty() || time - views_.back().time >= kViewSpacing) {
@@ -103,8 +104,17 @@ MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& vie
 }
 
 bool MovingReturns::wasSeenFree(const Point2& point) const {
-  return std::any_of(references_.begin(), references_.end(),
-                     [&](const View* view) { return sightOf(point, *view) == Sight::kFree; });
+  for (const View* view : references_) {
+    // Nearly every return stands where it stood: one beam tells.
+    const Point2 local = toLocalFrame(view->pose, point);
+    const long beam = view->profile.beamTowards(directionTo(view->profile.origin, local));
+    const double needed = distanceBetween(view->profile.origin, local) + parameters_.range_margin;
+    const double range = beam < 0 ? 0.0 : view->profile.ranges[static_cast<std::size_t>(beam)];
+    if ((range == 0.0 || range > needed) && sightOf(point, *view) == Sight::kFree) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void MovingReturns::findMoving(const View& view) {

@@ -22,7 +22,8 @@ PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const
       frames_(tf),
       sensors_(callbacks_.nodeHandle(), parameters.sensors, frameName(base_frame), tf),
       controller_(parameters.motion),
-      shield_(parameters.footprint_radius, parameters.motion.safety_margin, kShieldReach) {}
+      shield_(parameters.footprint_radius, parameters.motion.safety_margin, kShieldReach),
+      moving_(parameters.motion.moving) {}
 
 void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   plan_.clear();
@@ -54,7 +55,7 @@ Twist2 PlanFollower::compute() {
   planToOdometry(reading.odometry_frame);
   look(reading);
   return controller_.compute(odometry_plan_, reading.scan_pose, reading.twist, shield_,
-                             1.0 / parameters_.controller_frequency);
+                             1.0 / parameters_.controller_frequency, moving_.points());
 }
 
 bool PlanFollower::goalReached() {
@@ -90,6 +91,12 @@ void PlanFollower::look(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
   toPoints(scan_, reading.mount, {}, &obstacles_);
   shield_.show(obstacles_);
+  toProfile(scan_, reading.mount, {}, &profile_);
+  if (reading.jumps != jumps_) {
+    moving_.reset();
+    jumps_ = reading.jumps;
+  }
+  moving_.show(profile_, reading.scan_pose, reading.scan->header.stamp.toSec());
 }
 
 }  // namespace lstm_planner

@@ -61,6 +61,17 @@ void readEscape(ParameterReader* reader, EscapeParameters* escape) {
   reader->read("escape/loop_length", &escape->loop_length);
 }
 
+void readMoving(ParameterReader* reader, MovingReturnsParameters* moving) {
+  reader->read("moving/range", &moving->range);
+  reader->read("moving/youngest", &moving->youngest);
+  reader->read("moving/oldest", &moving->oldest);
+  reader->read("moving/range_margin", &moving->range_margin);
+  reader->read("moving/lateral_margin", &moving->lateral_margin);
+  reader->read("moving/angle_margin", &moving->angle_margin);
+  reader->read("moving/fewest_beams", &moving->fewest_beams);
+  reader->read("moving/hold", &moving->hold);
+}
+
 void readMotion(ParameterReader* reader, MotionParameters* motion) {
   reader->read("max_linear", &motion->max_linear);
   reader->read("max_angular", &motion->max_angular);
@@ -75,6 +86,9 @@ void readMotion(ParameterReader* reader, MotionParameters* motion) {
   reader->read("safety_margin", &motion->safety_margin);
   reader->read("slow_gap", &motion->slow_gap);
   reader->read("slow_speed", &motion->slow_speed);
+  readMoving(reader, &motion->moving);
+  reader->read("person_speed", &motion->person_speed);
+  reader->read("person_margin", &motion->person_margin);
   reader->read("position_tolerance", &motion->position_tolerance);
   reader->read("heading_tolerance", &motion->heading_tolerance);
 }

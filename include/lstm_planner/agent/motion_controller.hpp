@@ -4,6 +4,7 @@
 
 #include "lstm_planner/agent/shield.hpp"
 #include "lstm_planner/geometry.hpp"
+#include "lstm_planner/perception/moving_returns.hpp"
 
 namespace lstm_planner {
 
@@ -22,6 +23,9 @@ struct MotionParameters {
   double safety_margin = 0.03;       ///< m between the footprint and any return, at the least
   double slow_gap = 0.15;            ///< m; the robot slows down where its way leads nearer to something than this
   double slow_speed = 0.15;          ///< m/s on the way towards an obstacle that it nearly touches
+  MovingReturnsParameters moving;    ///< how people are found
+  double person_speed = 1.0;         ///< m/s at which whatever moves may come towards the robot
+  double person_margin = 0.15;       ///< m between what moves and the footprint, by then the robot stands
   double position_tolerance = 0.2;   ///< m
   double heading_tolerance = 3.15;   ///< rad; pi or more = any heading will do
 };
@@ -33,14 +37,18 @@ void validate(const MotionParameters& parameters);
 /// safety margin. What is looked at is the way that the robot really takes: on with the present twist until the command
 /// acts, which may be at once or after the reaction time, then along the commanded arc until it stands. Only turning in
 /// place is always allowed.
+///
+/// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
+/// speed of a person could reach the margin around it. It waits there, and goes on when nothing moves near it.
 class MotionController {
  public:
   explicit MotionController(const MotionParameters& parameters);
 
   /// The next command. `plan` and `pose` are in the same frame, `current` is the measured twist, `shield` has been
-  /// shown the latest scan, `period` is the time to the next command, s. Zero for an empty plan.
+  /// shown the latest scan, `period` is the time to the next command, s; `moving` are points of things that move, base
+  /// frame (MovingReturns). Zero for an empty plan.
   Twist2 compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current, const Shield& shield,
-                 double period) const;
+                 double period, const std::vector<Point2>& moving = {}) const;
 
   /// At the plan's last pose within the tolerances.
   bool goalReached(const Pose2& pose, const Pose2& goal) const;
@@ -50,9 +58,12 @@ class MotionController {
  private:
   Pose2 target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const;
   Twist2 withinWheelLimits(const Twist2& twist) const;
-  double safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield, double period) const;
+  double safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield, const Shield& persons,
+                   double period) const;
   double cautiousSpeed(const Twist2& twist, const Shield& shield) const;
   double allowedSpeed(const Twist2& twist, const Twist2& current, const Shield& shield, double period) const;
+  double yieldingSpeed(const Twist2& twist, const Shield& persons) const;
+  double yieldingReach(double footprint_radius) const;
   double stoppingWay(double speed) const;
 
   MotionParameters parameters_;

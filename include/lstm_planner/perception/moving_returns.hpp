@@ -18,7 +18,7 @@ struct MovingReturnsParameters {
   double range_margin = 0.1;     ///< m behind a return that must have been seen free before it counts as moving
   double lateral_margin = 0.05;  ///< m beside it, and
   double angle_margin = 0.03;    ///< rad beside it, too
-  int fewest_beams = 4;             ///< neighbouring beams that must agree
+  int fewest_beams = 4;          ///< neighbouring beams that must agree
   double hold = 1.0;             ///< s; a thing that stands still counts as moving for this long, then as static
 };
 

@@ -10,6 +10,7 @@
 
 #include "lstm_planner/agent/motion_controller.hpp"
 #include "lstm_planner/agent/shield.hpp"
+#include "lstm_planner/perception/moving_returns.hpp"
 #include "lstm_planner/ros/callback_thread.hpp"
 #include "lstm_planner/ros/frame_transformer.hpp"
 #include "lstm_planner/ros/plugin_parameters.hpp"
@@ -52,6 +53,7 @@ class PlanFollower {
   SensorListener sensors_;
   MotionController controller_;
   Shield shield_;
+  MovingReturns moving_;
 
   ros::Time plan_time_;                 ///< when the plan was set
   std::string plan_frame_;
@@ -59,6 +61,8 @@ class PlanFollower {
   std::vector<Pose2> odometry_plan_;    ///< of the current call
   LaserScan scan_;                      ///< of the current call
   std::vector<Point2> obstacles_;       ///< of the current call
+  RangeProfile profile_;                ///< of the current call
+  long jumps_ = 0;                      ///< of the odometry, until the last call
 };
 
 }  // namespace lstm_planner

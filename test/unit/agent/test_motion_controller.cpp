@@ -8,6 +8,7 @@
 
 #include "lstm_planner/agent/motion_controller.hpp"
 #include "unit/agent/agent_fixtures.hpp"
+#include "unit/agent/plan_along.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -16,20 +17,7 @@ constexpr double kPeriod = 0.1;
 constexpr double kRadius = 0.17425;
 const double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// Poses 5 cm apart along straight lines.
-std::vector<Pose2> planAlong(const std::vector<Point2>& corners, double last_yaw = 0.0) {
-  std::vector<Pose2> plan = {{corners[0].x, corners[0].y, 0.0}};
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    const double length = distanceBetween(corners[i - 1], corners[i]);
-    const double direction = directionTo(corners[i - 1], corners[i]);
-    for (double along = 0.05; along < length + 0.01; along += 0.05) {
-      const Point2 point = pointAlong(corners[i - 1], direction, along);
-      plan.push_back({point.x, point.y, direction});
-    }
-  }
-  plan.back().yaw = last_yaw;
-  return plan;
-}
+using test::planAlong;
 
 class MotionControllerTest : public ::testing::Test {
  protected:
@@ -68,6 +56,12 @@ TEST_F(MotionControllerTest, FollowsAPlanThatTurnsBackToWhereItTurns) {
   const Twist2 twist = compute(planAlong({{0.0, 0.0}, {0.2, 0.0}, {-2.0, 0.0}}));
   EXPECT_GT(twist.linear, 0.0);
   EXPECT_NEAR(twist.angular, 0.0, 1e-9);
+}
+
+TEST_F(MotionControllerTest, FindsItsPlaceOnAnOldPlan) {
+  const Twist2 twist = compute(planAlong({{0.0, 0.0}, {5.0, 0.0}, {5.0, 3.0}}), {4.0, 0.02, 0.0});
+  EXPECT_GT(twist.linear, 0.29);
+  EXPECT_NEAR(twist.angular, 0.0, 0.2);
 }
 
 TEST_F(MotionControllerTest, DoesNotCutACornerThroughAnObstacle) {
@@ -212,6 +206,30 @@ TEST_F(MotionControllerTest, StopsInTimeFromFullSpeedWithTheWorstReactionTime) {
   EXPECT_GE(gap, controller_.parameters().safety_margin);
   EXPECT_LT(gap, 0.1);  // and it does drive up to it
   EXPECT_NEAR(robot.measuredTwist().linear, 0.0, 1e-9);
+}
+
+TEST_F(MotionControllerTest, IsNeverFasterThanLetsItStandBeforeAPersonComes) {
+  const MotionParameters& limits = controller_.parameters();
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {5.0, 0.0}});
+  double before = limits.max_linear;
+  for (double gap = 1.5; gap > 0.0; gap -= 0.01) {
+    const std::vector<Point2> person = {{kRadius + gap, 0.0}};
+    const double speed = controller_.compute(plan, {}, {0.3, 0.0}, shield_, kPeriod, person).linear;
+    const double time = limits.reaction_time + speed / limits.linear_acceleration;
+    const double way = speed * limits.reaction_time + speed * speed / (2.0 * limits.linear_acceleration);
+    ASSERT_TRUE(speed == 0.0 || gap - way - limits.person_speed * time >= limits.person_margin - 1e-9) << gap;
+    ASSERT_LE(speed, before) << gap;
+    before = speed;
+  }
+  EXPECT_EQ(before, 0.0);
+  EXPECT_DOUBLE_EQ(
+      controller_.compute(plan, {}, {0.3, 0.0}, shield_, kPeriod, {{kRadius + 1.1, 0.0}}).linear, limits.max_linear);
+}
+
+TEST_F(MotionControllerTest, TurnsThoughAPersonIsNear) {
+  const Twist2 twist = controller_.compute(planAlong({{0.0, 0.0}, {0.0, 5.0}}), {}, {}, shield_, kPeriod, {{0.3, 0.0}});
+  EXPECT_EQ(twist.linear, 0.0);
+  EXPECT_GT(twist.angular, 1.0);
 }
 
 TEST_F(MotionControllerTest, RefusesLimitsThatAreNotPositive) {
