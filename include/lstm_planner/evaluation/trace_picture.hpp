@@ -5,6 +5,7 @@
 
 #include "lstm_planner/geometry.hpp"
 #include "lstm_planner/grid/occupancy_grid.hpp"
+#include "lstm_planner/simulation/world.hpp"
 
 namespace lstm_planner {
 
@@ -15,15 +16,20 @@ struct TracePicture {
     std::string label;
     bool reached = true;
   };
-  std::vector<std::vector<Point2>> traces;  ///< red, as in the thesis's figures
-  std::vector<Pose2> starts;                ///< blue arrows
-  std::vector<Goal> goals;                  ///< green discs with their label; missed ones are orange and crossed out
-  std::vector<Point2> contacts;             ///< magenta crosses
-  double robot_radius = 0.17425;            ///< m, drawn around starts and goals
+  std::vector<std::vector<Point2>> traces;   ///< red, as in the thesis's figures
+  std::vector<std::vector<Point2>> escapes;  ///< blue: the parts of the traces that the escape decided
+  std::vector<std::vector<Point2>> walkers;  ///< thin grey ways of people, with a disc where each ended
+  std::vector<Circle> circles;               ///< obstacles that are not in the map
+  std::vector<Pose2> starts;                 ///< dark blue arrows
+  std::vector<Goal> goals;                   ///< green discs with their label; missed ones are orange and crossed out
+  std::vector<Point2> contacts;              ///< magenta crosses
+  double robot_radius = 0.17425;             ///< m, drawn around starts and goals
+  std::string title;                         ///< below the map
+  bool legend = false;                       ///< says below the map what is what
 };
 
 /// Draws the map (obstacles black, unknown grey) with what is given and a scale bar, and writes it in the format that
-/// the file's extension names (png, jpg ...). The longer side has about `longest_side` pixels. Throws
+/// the file's extension names (png, jpg ...). The map's longer side has about `longest_side` pixels. Throws
 /// std::invalid_argument for an empty map, std::runtime_error naming the file when it cannot be written.
 void writeTracePicture(const std::string& path, const OccupancyGrid& map, const TracePicture& picture,
                        int longest_side = 1600);

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/evaluation/drive.hpp"
+
+namespace lstm_planner {
+
+/// What `lstm_planner drive` is asked to do.
+struct DriveOptions {
+  // Where: one of the three, or none for an empty room with walkers.
+  std::vector<std::string> maps;  ///< each FILE or FILE=FREE_THRESHOLD
+  std::string barn;
+  std::string kind;  ///< of generated worlds
+
+  std::string model = "models/create2_lstm_2x8.onnx";
+  std::optional<int> goals;
+  std::vector<int> only;  ///< numbers of the goals or worlds to drive; all when empty
+  std::optional<double> shortest;
+  std::optional<double> time_limit;
+  double free_threshold = -1.0;
+  std::uint64_t seed = 1;
+  int threads = 2;
+  CrowdParameters crowd;
+  DriveParameters drive;
+  AgentParameters agent;
+
+  std::string json;
+  std::string details;
+  std::string pictures;
+};
+
+/// Returns false when only the help was asked for. Throws with a sentence for options that make no sense.
+bool readDriveOptions(const std::vector<std::string>& arguments, DriveOptions* options);
+
+}  // namespace lstm_planner

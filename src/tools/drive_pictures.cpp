@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "lstm_planner/evaluation/trace_picture.hpp"
+#include "tools/drive_report.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kMargin = 0.5;          // m around what is drawn
+constexpr double kBackground = 0.05;     // m a cell where there is no map
+constexpr std::size_t kMostMisses = 40;  // pictures
+constexpr int kLongestSide = 1200;       // pixels
+
+struct Drive {
+  const DriveWorld& world;
+  const DriveExercise& exercise;
+  const DriveResult& result;
+};
+
+bool wentWell(const Drive& drive) {
+  return drive.result.end == DriveResult::End::kReached && drive.result.contacts == 0;
+}
+
+/// The ratio to the shortest way; of what is not known, the length.
+double detour(const Drive& drive) {
+  return drive.result.shortest > 0.0 ? drive.result.path_length / drive.result.shortest : drive.result.path_length;
+}
+
+/// A map without the unknown surroundings of the building.
+OccupancyGrid knownPart(const OccupancyGrid& map) {
+  CellIndex low{map.columns(), map.rows()};
+  CellIndex high{-1, -1};
+  for (int row = 0; row < map.rows(); ++row) {
+    for (int column = 0; column < map.columns(); ++column) {
+      if (map.at({column, row}) == Cell::kUnknown) continue;
+      low = {std::min(low.column, column), std::min(low.row, row)};
+      high = {std::max(high.column, column), std::max(high.row, row)};
+    }
+  }
+  if (high.column < 0) return map;
+  const Point2 corner = toParentFrame(map.origin(), {low.column * map.resolution(), low.row * map.resolution()});
+  OccupancyGrid part(high.column - low.column + 1, high.row - low.row + 1, map.resolution(),
+                     {corner.x, corner.y, map.origin().yaw});
+  for (int row = 0; row < part.rows(); ++row) {
+    for (int column = 0; column < part.columns(); ++column) {
+      part.set({column, row}, map.at({low.column + column, low.row + row}));
+    }
+  }
+  return part;
+}
+
+/// An empty floor under circles and the way between them.
+OccupancyGrid floorUnder(const Drive& drive) {
+  Point2 low = drive.exercise.task.goal;
+  Point2 high = low;
+  const auto include = [&](double x, double y) {
+    low = {std::min(low.x, x), std::min(low.y, y)};
+    high = {std::max(high.x, x), std::max(high.y, y)};
+  };
+  for (const Circle& circle : drive.world.circles) include(circle.center.x, circle.center.y);
+  for (const Pose2& pose : drive.result.trace) include(pose.x, pose.y);
+  const auto cells = [](double from, double to) {
+    return static_cast<int>((to - from + 2.0 * kMargin) / kBackground) + 1;
+  };
+  return OccupancyGrid(cells(low.x, high.x), cells(low.y, high.y), kBackground,
+                       {low.x - kMargin, low.y - kMargin, 0.0});
+}
+
+/// The parts of the way that the escape decided, each from where it took over to where it handed back.
+std::vector<std::vector<Point2>> escapesOf(const DriveResult& result) {
+  std::vector<std::vector<Point2>> escapes;
+  bool escaping = false;
+  for (std::size_t i = 0; i < result.trace.size(); ++i) {
+    const Point2 here{result.trace[i].x, result.trace[i].y};
+    if (escaping) escapes.back().push_back(here);
+    if (result.escaping[i] != 0 && !escaping) escapes.push_back({here});
+    escaping = result.escaping[i] != 0;
+  }
+  return escapes;
+}
+
+std::string titleOf(const Drive& drive) {
+  const DriveResult& result = drive.result;
+  char text[200];
+  std::snprintf(text, sizeof(text), "%s, %d: %s after %.1f s, %.1f m", drive.world.name.c_str(), drive.exercise.number,
+                toString(result.end), result.time, result.path_length);
+  std::string title = text;
+  if (result.shortest > 0.0) {
+    std::snprintf(text, sizeof(text), " (shortest %.1f m)", result.shortest);
+    title += text;
+  }
+  if (result.contacts > 0) title += ", contacts: " + std::to_string(result.contacts);
+  if (result.bumped > 0) title += ", bumped: " + std::to_string(result.bumped);
+  return title;
+}
+
+void draw(const std::string& path, const Drive& drive) {
+  TracePicture picture;
+  picture.title = titleOf(drive);
+  picture.legend = true;
+  picture.starts = {drive.exercise.task.start};
+  picture.goals = {{drive.exercise.task.goal, "", drive.result.end == DriveResult::End::kReached}};
+  picture.traces.emplace_back();
+  for (const Pose2& pose : drive.result.trace) picture.traces.back().push_back({pose.x, pose.y});
+  picture.escapes = escapesOf(drive.result);
+  picture.contacts = drive.result.contact_places;
+  picture.circles = drive.world.circles;
+  picture.walkers = drive.result.walker_traces;
+  writeTracePicture(path, drive.world.map != nullptr ? knownPart(*drive.world.map) : floorUnder(drive), picture,
+                    kLongestSide);
+}
+
+}  // namespace
+
+void drawDrives(const std::string& folder, const DriveCourse& course, const DriveResults& results) {
+  std::vector<Drive> good;
+  std::size_t misses = 0;
+  const auto nameOf = [&](const std::string& what, const Drive& drive) {
+    return folder + "/" + what + "_" + drive.world.name + "_" + std::to_string(drive.exercise.number) + ".png";
+  };
+  for (std::size_t i = 0; i < course.worlds.size(); ++i) {
+    for (std::size_t k = 0; k < results[i].size(); ++k) {
+      const Drive drive{course.worlds[i], course.worlds[i].exercises[k], results[i][k]};
+      if (wentWell(drive)) {
+        good.push_back(drive);
+      } else if (misses++ < kMostMisses) {
+        draw(nameOf(drive.result.contacts > 0 ? "contact" : "missed", drive), drive);
+      }
+    }
+  }
+  if (good.empty()) return;
+  std::vector<const Drive*> order;
+  for (const Drive& drive : good) order.push_back(&drive);
+  std::stable_sort(order.begin(), order.end(), [](const Drive* a, const Drive* b) { return detour(*a) < detour(*b); });
+  draw(nameOf("best", *order.front()), *order.front());
+  draw(nameOf("median", *order[order.size() / 2]), *order[order.size() / 2]);
+  draw(nameOf("worst", *order.back()), *order.back());
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,137 @@
+#include "tools/drive_report.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <sstream>
+
+#include "lstm_planner/evaluation/barn.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr std::size_t kMostLines = 30;
+
+std::vector<DriveResult> together(const DriveResults& results) {
+  std::vector<DriveResult> all;
+  for (const auto& world : results) all.insert(all.end(), world.begin(), world.end());
+  return all;
+}
+
+double meanBarnScore(const std::vector<DriveResult>& results, double k) {
+  double sum = 0.0;
+  for (const DriveResult& result : results) sum += barnScore(result, k) / static_cast<double>(results.size());
+  return sum;
+}
+
+void printHead(std::ostream& out, int width) {
+  out << std::left << std::setw(width) << "world" << std::right
+      << "  goals  reached  contacts  bumped  no way  timeouts  elsewhere  path / shortest: mean    p95  mean time\n";
+}
+
+void printLine(std::ostream& out, int width, const std::string& name, const DriveSummary& summary) {
+  out << std::left << std::setw(width) << name << std::right << std::setw(7) << summary.goals << std::setw(9)
+      << summary.reached << std::setw(10) << summary.contacts << std::setw(8) << summary.bumped << std::setw(8)
+      << summary.no_way << std::setw(10) << summary.timeouts << std::setw(11) << summary.elsewhere << std::fixed
+      << std::setprecision(2) << std::setw(23) << summary.mean_ratio << std::setw(7) << summary.p95_ratio
+      << std::setprecision(1) << std::setw(9) << summary.mean_time << " s\n";
+}
+
+nlohmann::json toJson(const std::vector<DriveResult>& results, bool is_barn) {
+  const DriveSummary summary = summarize(results);
+  nlohmann::json json = {{"goals", summary.goals},
+                         {"reached", summary.reached},
+                         {"contacts", summary.contacts},
+                         {"bumped", summary.bumped},
+                         {"timeouts", summary.timeouts},
+                         {"no_way", summary.no_way},
+                         {"elsewhere", summary.elsewhere},
+                         {"mean_ratio", summary.mean_ratio},
+                         {"p95_ratio", summary.p95_ratio},
+                         {"mean_time_s", summary.mean_time},
+                         {"mean_goal_error_m", summary.mean_goal_error}};
+  if (is_barn) {
+    json["barn_score_k4"] = meanBarnScore(results, 4.0);
+    json["barn_score_k2"] = meanBarnScore(results, 2.0);
+  }
+  return json;
+}
+
+}  // namespace
+
+const char* toString(DriveResult::End end) {
+  switch (end) {
+    case DriveResult::End::kReached:
+      return "reached";
+    case DriveResult::End::kTimeout:
+      return "timeout";
+    case DriveResult::End::kNoWay:
+      return "no way";
+    case DriveResult::End::kElsewhere:
+      return "elsewhere";
+  }
+  return "";
+}
+
+void printDriveSummary(std::ostream& out, const DriveCourse& course, const DriveResults& results) {
+  std::size_t width = 5;
+  for (const DriveWorld& world : course.worlds) width = std::max(width, world.name.size());
+  const int columns = static_cast<int>(width);
+  printHead(out, columns);
+  if (course.worlds.size() > 1 && course.worlds.size() <= kMostLines) {
+    for (std::size_t i = 0; i < course.worlds.size(); ++i) {
+      printLine(out, columns, course.worlds[i].name, summarize(results[i]));
+    }
+  }
+  const std::vector<DriveResult> all = together(results);
+  printLine(out, columns, course.worlds.size() == 1 ? course.worlds[0].name : "all", summarize(all));
+  if (course.is_barn) {
+    out << std::setprecision(4) << "BARN score: " << meanBarnScore(all, 4.0) << " (k = 4), " << meanBarnScore(all, 2.0)
+        << " (k = 2)\n";
+  }
+}
+
+std::string driveJson(const DriveOptions& options, const DriveCourse& course, const DriveResults& results) {
+  nlohmann::json json = toJson(together(results), course.is_barn);
+  const SimulatedRobot::Parameters& robot = course.rules.robot;
+  json["map"] = course.source;
+  json["model"] = options.model;
+  json["seed"] = options.seed;
+  json["walkers"] = options.crowd.walkers;
+  json["noise_m"] = robot.scanner.noise;
+  json["dropout"] = robot.scanner.dropout;
+  json["drift"] = robot.base.odometry_error;
+  json["slip"] = robot.base.slip;
+  json["wheel_error"] = robot.base.drift;
+  json["latency_s"] = robot.latency;
+  json["time_limit_s"] = course.rules.time_limit;
+  json["worlds"] = nlohmann::json::array();
+  for (std::size_t i = 0; i < course.worlds.size(); ++i) {
+    if (results[i].empty()) continue;
+    nlohmann::json world = toJson(results[i], course.is_barn);
+    world["name"] = course.worlds[i].name;
+    json["worlds"].push_back(std::move(world));
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
+  std::ostringstream csv;
+  csv << "world,number,start_x,start_y,start_yaw,goal_x,goal_y,end,contacts,bumped,time_s,path_m,shortest_m,"
+         "goal_error_m,steps,escape_steps\n";
+  for (std::size_t i = 0; i < course.worlds.size(); ++i) {
+    for (std::size_t k = 0; k < results[i].size(); ++k) {
+      const DriveExercise& exercise = course.worlds[i].exercises[k];
+      const DriveTask& task = exercise.task;
+      const DriveResult& result = results[i][k];
+      csv << course.worlds[i].name << ',' << exercise.number << ',' << task.start.x << ',' << task.start.y << ','
+          << task.start.yaw << ',' << task.goal.x << ',' << task.goal.y << ',' << toString(result.end) << ','
+          << result.contacts << ',' << result.bumped << ',' << result.time << ',' << result.path_length << ','
+          << result.shortest << ',' << result.goal_error << ',' << result.steps << ',' << result.escape_steps << '\n';
+    }
+  }
+  return csv.str();
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/evaluation/drive.hpp"
+#include "tools/drive_options.hpp"
+#include "tools/drive_worlds.hpp"
+
+namespace lstm_planner {
+
+/// By world, by exercise.
+using DriveResults = std::vector<std::vector<DriveResult>>;
+
+/// "reached", "timeout", "no way", "elsewhere".
+const char* toString(DriveResult::End end);
+
+/// For people: a line a world where there are not too many, and one for all.
+void printDriveSummary(std::ostream& out, const DriveCourse& course, const DriveResults& results);
+
+std::string driveJson(const DriveOptions& options, const DriveCourse& course, const DriveResults& results);
+
+/// A line a goal.
+std::string driveCsv(const DriveCourse& course, const DriveResults& results);
+
+/// Draws the drives that went wrong and, by path / shortest, the worst, the middle and the best of the others.
+void drawDrives(const std::string& folder, const DriveCourse& course, const DriveResults& results);
+
+}  // namespace lstm_planner

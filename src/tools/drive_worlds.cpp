@@ -1,0 +1,144 @@
+#include "tools/drive_worlds.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "lstm_planner/evaluation/barn.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
+#include "lstm_planner/simulation/world_generators.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr int kGoals = 100;
+constexpr double kShortest = 5.0;         // m
+constexpr double kShortestInMap = 2.0;    // m
+constexpr double kTimeLimit = 1800.0;     // s
+constexpr double kRoomTimeLimit = 120.0;  // s
+constexpr double kRoomSize = 10.0;        // m
+
+bool isWanted(const DriveOptions& options, int number) {
+  return options.only.empty() || std::find(options.only.begin(), options.only.end(), number) != options.only.end();
+}
+
+DriveWorld gridWorld(const std::string& name, OccupancyGrid grid, const DriveOptions& options) {
+  auto world = std::make_unique<GridWorld>(std::move(grid));
+  DriveWorld result;
+  result.name = name;
+  result.map = &world->grid();
+  if (options.crowd.walkers > 0) result.walker_places = standingPlaces(*world, options.crowd.largest_radius);
+  result.world = std::move(world);
+  return result;
+}
+
+std::vector<DriveTask> draw(const DriveWorld& world, int count, double shortest, std::uint64_t seed,
+                            const DriveOptions& options) {
+  const ShieldParameters& shield = options.agent.shield;
+  return drawTasks(static_cast<const GridWorld&>(*world.world), count, shield.footprint_radius, shield.clearance,
+                   options.shortest.value_or(shortest), seed);
+}
+
+/// Many goals in one world.
+void addGoals(double shortest, const DriveOptions& options, DriveWorld* world) {
+  int number = 0;
+  for (const DriveTask& task : draw(*world, options.goals.value_or(kGoals), shortest, options.seed, options)) {
+    if (isWanted(options, number)) {
+      world->exercises.push_back({number, task, options.seed + static_cast<std::uint64_t>(number)});
+    }
+    ++number;
+  }
+}
+
+/// FILE or FILE=FREE_THRESHOLD.
+std::pair<std::string, double> splitMap(const std::string& text, double free_threshold) {
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos) return {text, free_threshold};
+  std::istringstream stream(text.substr(sign + 1));
+  double threshold = 0.0;
+  if (!(stream >> threshold) || !stream.eof()) return {text, free_threshold};
+  return {text.substr(0, sign), threshold};
+}
+
+void addMaps(const DriveOptions& options, DriveCourse* course) {
+  for (const std::string& text : options.maps) {
+    const auto [file, threshold] = splitMap(text, options.free_threshold);
+    const std::string name = std::filesystem::path(file).stem().string();
+    course->worlds.push_back(gridWorld(name, readMapServerMap(file, threshold), options));
+    addGoals(kShortestInMap, options, &course->worlds.back());
+    course->source += (course->source.empty() ? "" : " ") + file;
+  }
+}
+
+void addRoom(const DriveOptions& options, DriveCourse* course) {
+  RoomsWorldParameters room;
+  room.columns = room.rows = 1;
+  room.room_size = kRoomSize;
+  course->source = "room";
+  course->rules.time_limit = kRoomTimeLimit;
+  course->worlds.push_back(gridWorld("room", generateRoomsWorld(room, 1), options));
+  addGoals(kShortest, options, &course->worlds.back());
+}
+
+void addGeneratedWorlds(const DriveOptions& options, DriveCourse* course) {
+  const WorldKind kind = worldKindOf(options.kind);
+  course->source = options.kind;
+  for (int number = 0; number < options.goals.value_or(kGoals); ++number) {
+    if (!isWanted(options, number)) continue;
+    const std::uint64_t seed = worldSeed(WorldUse::kJudging, options.seed, static_cast<std::uint64_t>(number));
+    const std::string name = options.kind + "-" + std::to_string(number);
+    course->worlds.push_back(gridWorld(name, generateWorld(kind, seed), options));
+    DriveWorld& world = course->worlds.back();
+    world.exercises.push_back({number, draw(world, 1, kShortest, seed, options)[0], seed});
+  }
+}
+
+void addBarn(const DriveOptions& options, DriveCourse* course) {
+  course->source = options.barn;
+  course->is_barn = true;
+  course->rules = barnRules(course->rules);
+  int left = options.goals.value_or(-1);
+  for (BarnWorld& barn : readBarnWorlds(options.barn)) {
+    if (left-- == 0) break;
+    if (!isWanted(options, barn.number)) continue;
+    DriveWorld world;
+    world.name = "barn-" + std::to_string(barn.number);
+    world.world = std::make_unique<CircleWorld>(barn.circles);
+    if (options.crowd.walkers > 0) {
+      const Point2 low{barn.task.start.x - 2.0, barn.task.start.y};
+      const Point2 high{barn.task.start.x + 2.0, barn.task.goal.y};
+      world.walker_places = standingPlaces(*world.world, low, high, options.crowd.largest_radius);
+    }
+    world.circles = std::move(barn.circles);
+    world.exercises.push_back({barn.number, barn.task, options.seed + static_cast<std::uint64_t>(barn.number)});
+    course->worlds.push_back(std::move(world));
+  }
+}
+
+}  // namespace
+
+DriveCourse makeDriveCourse(const DriveOptions& options) {
+  DriveCourse course;
+  course.rules = options.drive;
+  course.rules.time_limit = kTimeLimit;
+  if (!options.maps.empty()) {
+    addMaps(options, &course);
+  } else if (!options.barn.empty()) {
+    addBarn(options, &course);
+  } else if (!options.kind.empty()) {
+    addGeneratedWorlds(options, &course);
+  } else {
+    addRoom(options, &course);
+  }
+  if (options.time_limit) course.rules.time_limit = *options.time_limit;
+  const auto isEmpty = [](const DriveWorld& world) { return world.exercises.empty(); };
+  if (std::all_of(course.worlds.begin(), course.worlds.end(), isEmpty)) {
+    throw std::invalid_argument("--only leaves nothing to drive");
+  }
+  return course;
+}
+
+}  // namespace lstm_planner

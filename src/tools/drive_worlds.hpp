@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/evaluation/drive.hpp"
+#include "lstm_planner/simulation/world.hpp"
+#include "tools/drive_options.hpp"
+
+namespace lstm_planner {
+
+/// A task of a world, and the seed of what chance does in it.
+struct DriveExercise {
+  int number = 0;  ///< of the goal in a map or the room, of the world otherwise
+  DriveTask task;
+  std::uint64_t seed = 0;
+};
+
+/// A world and what is driven in it.
+struct DriveWorld {
+  std::string name;
+  std::unique_ptr<World> world;
+  const OccupancyGrid* map = nullptr;  ///< of `world`; nullptr where it consists of circles
+  std::vector<Circle> circles;
+  std::vector<Point2> walker_places;
+  std::vector<DriveExercise> exercises;
+};
+
+/// All that is driven in one run of the tool.
+struct DriveCourse {
+  std::string source;  ///< what was asked for: the files, or the kind of worlds
+  std::vector<DriveWorld> worlds;
+  DriveParameters rules;
+  bool is_barn = false;
+};
+
+DriveCourse makeDriveCourse(const DriveOptions& options);
+
+}  // namespace lstm_planner
