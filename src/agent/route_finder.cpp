@@ -18,6 +18,8 @@ constexpr int kRows[8] = {0, 1, 1, 1, 0, -1, -1, -1};
 constexpr double kStraightened = 8.0;
 constexpr std::size_t kLongestPull = 24;  ///< cells
 
+constexpr double kDetour = 3.0;  ///< times the tolerance
+
 /// Cost of the way between two cells if nothing is in between.
 std::uint32_t octile(int columns, int rows) {
   const int longer = std::max(std::abs(columns), std::abs(rows));
@@ -68,7 +70,6 @@ RouteFinder::RouteFinder(double tightness) : tightness_(tightness) {}
 
 bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance,
                        Route* route) {
-  route->points.clear();
   const int first = memory.cellAt(start);
   int end = -1;
   if (first < 0) {
@@ -77,13 +78,19 @@ bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2
   const int goal_cell = memory.cellAt(goal);
   const bool blocked = goal_cell >= 0 && memory.passage(goal_cell) == ObstacleMemory::Passage::kBlocked;
   Point2 instead;
-  if (blocked && nearestPlace(memory, goal, tolerance, &instead) && search(memory, first, instead, 0.0, &end)) {
-    return trace(memory, start, end, instead, route);
+  if (blocked && nearestPlace(memory, goal, tolerance, &instead) && search(memory, first, instead, 0.0, &end) &&
+      trace(memory, start, end, instead, route)) {
+    // Who is near enough already does not make a long detour for a place that is hardly nearer.
+    const bool detour = distanceBetween(start, goal) <= tolerance && route->length > kDetour * tolerance;
+    if (!detour) {
+      return true;
+    }
   }
   return search(memory, first, goal, blocked ? tolerance : 0.0, &end) && trace(memory, start, end, goal, route);
 }
 
 bool RouteFinder::trace(ObstacleMemory& memory, const Point2& start, int end, const Point2& goal, Route* route) {
+  route->points.clear();
   const int first = memory.cellAt(start);
   const bool goal_is_free = memory.cellAt(goal) == end || memory.cellAt(goal) < 0;
   if (goal_is_free) {
