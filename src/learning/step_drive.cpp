@@ -38,7 +38,7 @@ AgentParameters practiceAgent(const PolicyDescription& policy) {
     if (name.rfind("route_", 0) == 0) agent.memory.enabled = true;
   }
   agent.memory.width = 38.4;
-  agent.memory.reach = 6.0;
+  agent.memory.reach = 4.0;
   return agent;
 }
 
