@@ -67,18 +67,19 @@ class Run {
       return true;
     }
     if (!controller_.goalReached(situation_.pose, {decision.destination.x, decision.destination.y, 0.0})) return false;
-    result_.end = isAtGoal(allowedRadius()) ? DriveResult::End::kReached : DriveResult::End::kElsewhere;
+    result_.end = isAtGoal(allowedRadius(distanceBetween(decision.destination, goal_))) ? DriveResult::End::kReached : DriveResult::End::kElsewhere;
     return true;
   }
 
-  double allowedRadius() const {
+  /// `beside`: m between the goal and the place that the robot went to instead.
+  double allowedRadius(double beside) const {
     if (parameters_.arrival == Arrival::kTruePosition) return parameters_.goal_radius;
     double error = parameters_.robot.base.odometry_error * robot_.pathLength();
     if (robot_.contacts() == 0) {
       const Point2 believed = toParentFrame(task_.start, {robot_.odometry().x, robot_.odometry().y});
       error = std::max(error, distanceBetween(robot_.truePose(), believed));
     }
-    return parameters_.goal_radius + error;
+    return parameters_.goal_radius + error + std::min(beside, error);
   }
 
   void note(const Decision& decision) {

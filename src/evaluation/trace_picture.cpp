@@ -5,7 +5,10 @@
 #include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "evaluation/map_canvas.hpp"
 
@@ -17,6 +20,7 @@ const cv::Scalar kObstacle(40, 40, 40);
 const cv::Scalar kTrace(40, 40, 220);
 const cv::Scalar kEscape(235, 130, 20);
 const cv::Scalar kWalker(165, 150, 120);
+const cv::Scalar kWalkerBefore(225, 218, 205);
 const cv::Scalar kStart(130, 40, 0);
 const cv::Scalar kReached(60, 160, 30);
 const cv::Scalar kMissed(0, 140, 255);
@@ -25,7 +29,8 @@ const cv::Scalar kText(0, 0, 0);
 
 constexpr double kTraceWidth = 2.0;  // thousandths of the longer side
 constexpr double kWalkerWidth = 1.0;
-constexpr double kWalkerRadius = 0.25;  // m
+constexpr double kWalkerRadius = 0.25;      // m
+constexpr std::size_t kRecentPlaces = 100;  // 10 s
 
 void drawStart(const Pose2& start, double radius, MapCanvas* canvas) {
   canvas->circle({start.x, start.y}, radius, kStart, canvas->line(2.0));
@@ -42,11 +47,22 @@ void drawGoal(const TracePicture::Goal& goal, double radius, MapCanvas* canvas) 
   canvas->text(canvas->pixelAt(goal.position) + above, goal.label, color);
 }
 
-void drawScale(MapCanvas* canvas) {
+/// A round length that is easy to see, m.
+double scaleOf(const MapCanvas& canvas) {
   double length = 1.0;
-  while (canvas->pixelsOf(length) < 80.0 * canvas->unit()) length *= length == 2.0 ? 2.5 : 2.0;
+  while (canvas.pixelsOf(length) < 80.0 * canvas.unit()) length *= length == 2.0 ? 2.5 : 2.0;
+  return length;
+}
+
+std::string inMetres(double length) {
   char label[32];
   std::snprintf(label, sizeof(label), "%g m", length);
+  return label;
+}
+
+/// In the lower left corner of the map.
+void drawScale(MapCanvas* canvas) {
+  const double length = scaleOf(*canvas);
   const int margin = canvas->line(14.0);
   const cv::Point left(margin, canvas->image().rows - margin);
   const cv::Point right(margin + static_cast<int>(canvas->pixelsOf(length)), left.y);
@@ -54,78 +70,114 @@ void drawScale(MapCanvas* canvas) {
   const int height = canvas->line(30.0);
   cv::rectangle(canvas->image(), {left.x - rim, left.y - height}, {right.x + rim, right.y + rim}, kPaper, cv::FILLED);
   cv::line(canvas->image(), left, right, kText, canvas->line(2.0));
-  canvas->text(left + cv::Point(rim, -rim), label, kText);
+  canvas->text(left + cv::Point(rim, -rim), inMetres(length), kText);
 }
 
+/// Where people went, pale, and where they came from last and are now.
 void drawWalkers(const TracePicture& picture, MapCanvas* canvas) {
+  for (const std::vector<Point2>& walker : picture.walkers) canvas->polyline(walker, kWalkerBefore, kWalkerWidth);
   for (const std::vector<Point2>& walker : picture.walkers) {
-    canvas->polyline(walker, kWalker, kWalkerWidth);
-    if (!walker.empty()) canvas->circle(walker.back(), kWalkerRadius, kWalker, canvas->line(1.5));
+    if (walker.empty()) continue;
+    const std::size_t recent = std::min(walker.size(), kRecentPlaces);
+    canvas->polyline({walker.end() - static_cast<std::ptrdiff_t>(recent), walker.end()}, kWalker, kWalkerWidth);
+    canvas->circle(walker.back(), kWalkerRadius, kWalker, canvas->line(1.5));
   }
 }
 
-/// A line or a disc of a colour, and what it means.
+/// A line (or a disc, when it has no width) of a colour, and what it means.
 struct LegendEntry {
   std::string text;
   cv::Scalar color;
-  bool is_line = true;
+  int width = 0;  ///< pixels
 };
 
 /// Only of what there is in the picture.
-std::vector<LegendEntry> legendOf(const TracePicture& picture) {
+std::vector<LegendEntry> legendOf(const TracePicture& picture, const MapCanvas& canvas) {
   std::vector<LegendEntry> entries;
-  const auto add = [&](bool there, const char* text, const cv::Scalar& color, bool is_line) {
-    if (there) entries.push_back({text, color, is_line});
+  const int dash = 2 * canvas.sizeOf("m").width;
+  const auto add = [&](bool there, const std::string& text, const cv::Scalar& color, int width) {
+    if (there) entries.push_back({text, color, width});
   };
   const auto isReached = [](const TracePicture::Goal& goal) { return goal.reached; };
   const auto& goals = picture.goals;
-  add(!picture.starts.empty(), "start", kStart, false);
-  add(std::any_of(goals.begin(), goals.end(), isReached), "goal", kReached, false);
-  add(!std::all_of(goals.begin(), goals.end(), isReached), "goal, missed", kMissed, false);
-  add(!picture.traces.empty(), "driven", kTrace, true);
-  add(!picture.escapes.empty(), "driven by the escape", kEscape, true);
-  add(!picture.walkers.empty(), "people", kWalker, true);
-  add(!picture.contacts.empty(), "contact", kContact, false);
+  add(!picture.starts.empty(), "start", kStart, 0);
+  add(std::any_of(goals.begin(), goals.end(), isReached), "goal", kReached, 0);
+  add(!std::all_of(goals.begin(), goals.end(), isReached), "goal, missed", kMissed, 0);
+  add(!picture.traces.empty(), "driven", kTrace, dash);
+  add(!picture.escapes.empty(), "driven by the escape", kEscape, dash);
+  add(!picture.walkers.empty(), "people", kWalker, dash);
+  add(!picture.contacts.empty(), "contact", kContact, 0);
+  const double scale = scaleOf(canvas);
+  add(true, inMetres(scale), kText, static_cast<int>(canvas.pixelsOf(scale)));
   return entries;
 }
 
-/// Title and legend below the map, as many lines as they need.
-void drawStrip(const TracePicture& picture, MapCanvas* canvas) {
-  const int gap = canvas->sizeOf("m").width;
-  const int line_height = 3 * canvas->sizeOf("M").height;
-  const int mark = 3 * gap;
-  const std::vector<LegendEntry> entries = picture.legend ? legendOf(picture) : std::vector<LegendEntry>();
-  const auto widthOf = [&](const LegendEntry& entry) { return mark + canvas->sizeOf(entry.text).width + 3 * gap; };
-  int lines = (picture.title.empty() ? 0 : 1) + (entries.empty() ? 0 : 1);
-  int right = gap;
-  for (const LegendEntry& entry : entries) {
-    const bool wraps = right > gap && right + widthOf(entry) > canvas->image().cols;
-    lines += wraps ? 1 : 0;
-    right = (wraps ? gap : right) + widthOf(entry);
-  }
-  if (lines == 0) return;
-  int baseline = canvas->addStrip(lines * line_height + line_height / 3) + 2 * line_height / 3;
-  if (!picture.title.empty()) {
-    canvas->text({gap, baseline}, picture.title, kText);
-    baseline += line_height;
-  }
-  right = gap;
-  for (const LegendEntry& entry : entries) {
-    if (right > gap && right + widthOf(entry) > canvas->image().cols) {
-      right = gap;
-      baseline += line_height;
+/// Broken between words where it is wider than the picture.
+std::vector<std::string> linesOf(const std::string& text, const MapCanvas& canvas, int width) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (lines.empty() || canvas.sizeOf(lines.back() + " " + word).width > width) {
+      lines.push_back(word);
+    } else {
+      lines.back() += " " + word;
     }
-    const int middle = baseline - line_height / 6;
-    if (entry.is_line) {
-      cv::line(canvas->image(), {right, middle}, {right + 2 * gap, middle}, entry.color, canvas->line(3.0),
+  }
+  return lines;
+}
+
+/// Title and legend below the map, as many lines as they need.
+class Strip {
+ public:
+  Strip(const TracePicture& picture, MapCanvas* canvas)
+      : canvas_(*canvas),
+        gap_(canvas->sizeOf("m").width),
+        line_height_(3 * canvas->sizeOf("M").height),
+        title_(linesOf(picture.title, *canvas, canvas->image().cols - 2 * gap_)) {
+    if (picture.legend) entries_ = legendOf(picture, *canvas);
+  }
+
+  void draw() {
+    std::vector<cv::Point> places;  // of the entries, from the left end of the first line
+    cv::Point place(gap_, 0);
+    for (const LegendEntry& entry : entries_) {
+      if (place.x > gap_ && place.x + widthOf(entry) > canvas_.image().cols) place = {gap_, place.y + line_height_};
+      places.push_back(place);
+      place.x += widthOf(entry);
+    }
+    const int lines = static_cast<int>(title_.size()) + (entries_.empty() ? 0 : places.back().y / line_height_ + 1);
+    if (lines == 0) return;
+    cv::Point corner(0, canvas_.addStrip(lines * line_height_ + line_height_ / 3) + 2 * line_height_ / 3);
+    for (const std::string& line : title_) {
+      canvas_.text(corner + cv::Point(gap_, 0), line, kText);
+      corner.y += line_height_;
+    }
+    for (std::size_t i = 0; i < entries_.size(); ++i) draw(entries_[i], corner + places[i]);
+  }
+
+ private:
+  int markOf(const LegendEntry& entry) const { return std::max(entry.width, 2 * gap_); }
+  int widthOf(const LegendEntry& entry) const {
+    return markOf(entry) + gap_ + canvas_.sizeOf(entry.text).width + 2 * gap_;
+  }
+
+  void draw(const LegendEntry& entry, const cv::Point& place) {
+    const cv::Point middle = place - cv::Point(0, line_height_ / 6);
+    if (entry.width > 0) {
+      cv::line(canvas_.image(), middle, middle + cv::Point(entry.width, 0), entry.color, canvas_.line(3.0),
                cv::LINE_AA);
     } else {
-      cv::circle(canvas->image(), {right + gap, middle}, line_height / 5, entry.color, cv::FILLED, cv::LINE_AA);
+      cv::circle(canvas_.image(), middle + cv::Point(gap_, 0), line_height_ / 5, entry.color, cv::FILLED, cv::LINE_AA);
     }
-    canvas->text({right + mark, baseline}, entry.text, kText);
-    right += widthOf(entry);
+    canvas_.text(place + cv::Point(markOf(entry) + gap_, 0), entry.text, kText);
   }
-}
+
+  MapCanvas& canvas_;
+  int gap_;
+  int line_height_;
+  std::vector<std::string> title_;
+  std::vector<LegendEntry> entries_;
+};
 
 }  // namespace
 
@@ -143,8 +195,8 @@ void writeTracePicture(const std::string& path, const OccupancyGrid& map, const 
   for (const Pose2& start : picture.starts) drawStart(start, picture.robot_radius, &canvas);
   for (const TracePicture::Goal& goal : picture.goals) drawGoal(goal, picture.robot_radius, &canvas);
   for (const Point2& contact : picture.contacts) canvas.cross(contact, picture.robot_radius, kContact, 2.5);
-  drawScale(&canvas);
-  drawStrip(picture, &canvas);
+  if (!picture.legend) drawScale(&canvas);
+  Strip(picture, &canvas).draw();
   bool written = false;
   try {
     written = cv::imwrite(path, canvas.image());

@@ -84,8 +84,8 @@ std::vector<std::vector<Point2>> escapesOf(const DriveResult& result) {
 std::string titleOf(const Drive& drive) {
   const DriveResult& result = drive.result;
   char text[200];
-  std::snprintf(text, sizeof(text), "%s, %d: %s after %.1f s, %.1f m", drive.world.name.c_str(), drive.exercise.number,
-                toString(result.end), result.time, result.path_length);
+  std::snprintf(text, sizeof(text), "%s: %s after %.1f s, %.1f m", drive.exercise.name.c_str(), toString(result.end),
+                result.time, result.path_length);
   std::string title = text;
   if (result.shortest > 0.0) {
     std::snprintf(text, sizeof(text), " (shortest %.1f m)", result.shortest);
@@ -118,7 +118,7 @@ void drawDrives(const std::string& folder, const DriveCourse& course, const Driv
   std::vector<Drive> good;
   std::size_t misses = 0;
   const auto nameOf = [&](const std::string& what, const Drive& drive) {
-    return folder + "/" + what + "_" + drive.world.name + "_" + std::to_string(drive.exercise.number) + ".png";
+    return folder + "/" + what + "_" + drive.exercise.name + ".png";
   };
   for (std::size_t i = 0; i < course.worlds.size(); ++i) {
     for (std::size_t k = 0; k < results[i].size(); ++k) {

@@ -47,7 +47,8 @@ void addGoals(double shortest, const DriveOptions& options, DriveWorld* world) {
   int number = 0;
   for (const DriveTask& task : draw(*world, options.goals.value_or(kGoals), shortest, options.seed, options)) {
     if (isWanted(options, number)) {
-      world->exercises.push_back({number, task, options.seed + static_cast<std::uint64_t>(number)});
+      const std::string name = world->name + "-goal-" + std::to_string(number);
+      world->exercises.push_back({name, number, task, options.seed + static_cast<std::uint64_t>(number)});
     }
     ++number;
   }
@@ -92,7 +93,7 @@ void addGeneratedWorlds(const DriveOptions& options, DriveCourse* course) {
     const std::string name = options.kind + "-" + std::to_string(number);
     course->worlds.push_back(gridWorld(name, generateWorld(kind, seed), options));
     DriveWorld& world = course->worlds.back();
-    world.exercises.push_back({number, draw(world, 1, kShortest, seed, options)[0], seed});
+    world.exercises.push_back({name, number, draw(world, 1, kShortest, seed, options)[0], seed});
   }
 }
 
@@ -113,7 +114,8 @@ void addBarn(const DriveOptions& options, DriveCourse* course) {
       world.walker_places = standingPlaces(*world.world, low, high, options.crowd.largest_radius);
     }
     world.circles = std::move(barn.circles);
-    world.exercises.push_back({barn.number, barn.task, options.seed + static_cast<std::uint64_t>(barn.number)});
+    world.exercises.push_back(
+        {world.name, barn.number, barn.task, options.seed + static_cast<std::uint64_t>(barn.number)});
     course->worlds.push_back(std::move(world));
   }
 }

@@ -13,6 +13,7 @@ namespace lstm_planner {
 
 /// A task of a world, and the seed of what chance does in it.
 struct DriveExercise {
+  std::string name;
   int number = 0;  ///< of the goal in a map or the room, of the world otherwise
   DriveTask task;
   std::uint64_t seed = 0;

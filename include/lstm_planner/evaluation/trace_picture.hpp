@@ -18,14 +18,15 @@ struct TracePicture {
   };
   std::vector<std::vector<Point2>> traces;   ///< red, as in the thesis's figures
   std::vector<std::vector<Point2>> escapes;  ///< blue: the parts of the traces that the escape decided
-  std::vector<std::vector<Point2>> walkers;  ///< thin grey ways of people, with a disc where each ended
-  std::vector<Circle> circles;               ///< obstacles that are not in the map
-  std::vector<Pose2> starts;                 ///< dark blue arrows
-  std::vector<Goal> goals;                   ///< green discs with their label; missed ones are orange and crossed out
-  std::vector<Point2> contacts;              ///< magenta crosses
-  double robot_radius = 0.17425;             ///< m, drawn around starts and goals
-  std::string title;                         ///< below the map
-  bool legend = false;                       ///< says below the map what is what
+  std::vector<std::vector<Point2>>
+      walkers;                    ///< thin grey ways of people, pale but for the last 100 places; a disc at the end
+  std::vector<Circle> circles;    ///< obstacles that are not in the map
+  std::vector<Pose2> starts;      ///< dark blue arrows
+  std::vector<Goal> goals;        ///< green discs with their label; missed ones are orange and crossed out
+  std::vector<Point2> contacts;   ///< magenta crosses
+  double robot_radius = 0.17425;  ///< m, drawn around starts and goals
+  std::string title;              ///< below the map
+  bool legend = false;            ///< says below the map what is what, with the scale
 };
 
 /// Draws the map (obstacles black, unknown grey) with what is given and a scale bar, and writes it in the format that

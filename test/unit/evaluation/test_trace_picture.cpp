@@ -28,6 +28,7 @@ cv::Mat draw(const OccupancyGrid& grid, const TracePicture& picture, int longest
 cv::Vec3b pixel(const cv::Mat& image, int column, int row) { return image.at<cv::Vec3b>(row, column); }
 
 bool isRed(const cv::Vec3b& color) { return color[2] > 150 && color[0] < 120 && color[1] < 120; }
+bool isBlue(const cv::Vec3b& color) { return color[0] > 150 && color[2] < 120; }
 bool isGreen(const cv::Vec3b& color) { return color[1] > 120 && color[0] < 120 && color[2] < 120; }
 
 TEST(TracePicture, PutsRowZeroOfTheMapAtTheBottom) {
@@ -55,6 +56,39 @@ TEST(TracePicture, TellsReachedGoalsFromMissedOnes) {
   EXPECT_TRUE(isGreen(pixel(image, 300, 300)));
   EXPECT_FALSE(isGreen(pixel(image, 600, 300)));
   EXPECT_NE(pixel(image, 600, 300), cv::Vec3b(255, 255, 255));
+}
+
+TEST(TracePicture, DrawsEscapesOverTracesAndCirclesUnderThem) {
+  TracePicture picture;
+  picture.traces = {{{0.0, 3.0}, {4.0, 3.0}}};
+  picture.escapes = {{{1.0, 3.0}, {2.0, 3.0}}};
+  picture.circles = {{{3.0, 3.0}, 0.5}};
+  const cv::Mat image = draw(room(), picture, 1000);
+  EXPECT_TRUE(isRed(pixel(image, 250, 299)) || isRed(pixel(image, 250, 300)));
+  EXPECT_TRUE(isBlue(pixel(image, 350, 299)) || isBlue(pixel(image, 350, 300)));
+  EXPECT_TRUE(isRed(pixel(image, 500, 299)) || isRed(pixel(image, 500, 300)));
+  EXPECT_LT(pixel(image, 500, 270)[0], 60) << "0.3 m above the middle of the circle";
+}
+
+TEST(TracePicture, ShowsPeopleWhereTheyAre) {
+  TracePicture picture;
+  picture.walkers = {std::vector<Point2>(200, Point2{1.0, 3.0})};
+  const cv::Mat image = draw(room(), picture, 1000);
+  EXPECT_LT(pixel(image, 325, 299)[2], 200) << "the rim of a disc of 0.25 m";
+  EXPECT_EQ(pixel(image, 340, 299), cv::Vec3b(255, 255, 255));
+}
+
+TEST(TracePicture, ExplainsItselfBelowTheMap) {
+  TracePicture picture;
+  picture.title = "a title";
+  picture.legend = true;
+  const int one_line = draw(room(), picture, 1000).rows;
+  EXPECT_GT(one_line, 500);
+  EXPECT_LT(pixel(draw(room(), picture, 1000), 700, 495)[2], 60) << "the map stays where it was";
+  for (int i = 0; i < 40; ++i) picture.title += " that is long";
+  const cv::Mat image = draw(room(), picture, 1000);
+  EXPECT_GT(image.rows, one_line) << "more lines";
+  EXPECT_EQ(image.cols, 1000);
 }
 
 TEST(TracePicture, ShrinksMapsWithMoreCellsThanPixels) {
