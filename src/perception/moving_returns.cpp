@@ -62,7 +62,7 @@ void MovingReturns::show(const RangeProfile& profile, const Pose2& pose, double 
   if (references_.size() > 2) {
     references_ = {references_.front(), references_.back()};
   }
-  const View view{profile, pose, time};
+  const View view(profile, pose, time);
   findMoving(view);
   references_.clear();
   forgetPlaces(view);
@@ -74,7 +74,7 @@ void MovingReturns::show(const RangeProfile& profile, const Pose2& pose, double 
 
 MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& view) const {
   const RangeProfile& profile = view.profile;
-  const Point2 local = toLocalFrame(view.pose, point);
+  const Point2 local = view.toBase(point);
   const double distance = distanceBetween(profile.origin, local);
   const double direction = directionTo(profile.origin, local);
   const double aside = parameters_.angle_margin + parameters_.lateral_margin / std::max(distance, 0.1);
@@ -106,7 +106,7 @@ MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& vie
 bool MovingReturns::wasSeenFree(const Point2& point) const {
   for (const View* view : references_) {
     // Nearly every return stands where it stood: one beam tells.
-    const Point2 local = toLocalFrame(view->pose, point);
+    const Point2 local = view->toBase(point);
     const long beam = view->profile.beamTowards(directionTo(view->profile.origin, local));
     const double needed = distanceBetween(view->profile.origin, local) + parameters_.range_margin;
     const double range = beam < 0 ? 0.0 : view->profile.ranges[static_cast<std::size_t>(beam)];
@@ -133,7 +133,9 @@ void MovingReturns::findMoving(const View& view) {
     if (!(range > 0.0) || range > parameters_.range) {
       continue;
     }
-    const Point2 point = toParentFrame(view.pose, pointAlong(profile.origin, profile.direction(beam), range));
+    const Point2 local = pointAlong(profile.origin, profile.direction(beam), range);
+    const Point2 point{view.pose.x + view.cosine * local.x - view.sine * local.y,
+                       view.pose.y + view.sine * local.x + view.cosine * local.y};
     returns_.push_back(point);
     if (!wasSeenFree(point)) {
       continue;
@@ -173,12 +175,12 @@ void MovingReturns::collectPoints(const View& view) {
   for (const Point2& point : returns_) {
     const auto near = [&](const Place& place) { return distanceBetween(place.point, point) < kSameThing; };
     if (std::any_of(places_.begin(), places_.end(), near)) {
-      points_.push_back(toLocalFrame(view.pose, point));
+      points_.push_back(view.toBase(point));
     }
   }
   for (const Place& place : places_) {
     if (sightOf(place.point, view) == Sight::kUnknown) {
-      points_.push_back(toLocalFrame(view.pose, place.point));
+      points_.push_back(view.toBase(place.point));
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <vector>
@@ -43,9 +44,18 @@ class MovingReturns {
 
  private:
   struct View {
+    View(const RangeProfile& scan, const Pose2& base, double when)
+        : profile(scan), pose(base), cosine(std::cos(base.yaw)), sine(std::sin(base.yaw)), time(when) {}
+    Point2 toBase(const Point2& point) const {
+      const double dx = point.x - pose.x;
+      const double dy = point.y - pose.y;
+      return {cosine * dx + sine * dy, cosine * dy - sine * dx};
+    }
     RangeProfile profile;
     Pose2 pose;
-    double time = 0.0;
+    double cosine;  ///< of the pose's yaw, which all returns are turned by
+    double sine;
+    double time;
   };
   struct Place {
     Point2 point;       ///< odometry frame
