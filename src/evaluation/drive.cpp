@@ -67,7 +67,8 @@ class Run {
       return true;
     }
     if (!controller_.goalReached(situation_.pose, {decision.destination.x, decision.destination.y, 0.0})) return false;
-    result_.end = isAtGoal(allowedRadius(distanceBetween(decision.destination, goal_))) ? DriveResult::End::kReached : DriveResult::End::kElsewhere;
+    result_.end = isAtGoal(allowedRadius(distanceBetween(decision.destination, goal_))) ? DriveResult::End::kReached
+                                                                                        : DriveResult::End::kElsewhere;
     return true;
   }
 
@@ -83,8 +84,7 @@ class Run {
   }
 
   void note(const Decision& decision) {
-    const bool escaping =
-        decision.source == Decision::Source::kEscape || decision.source == Decision::Source::kRoute;
+    const bool escaping = decision.source == Decision::Source::kEscape || decision.source == Decision::Source::kRoute;
     result_.escape_steps += escaping && decision.step != result_.steps ? 1 : 0;
     result_.steps = decision.step;
     result_.trace.push_back(robot_.truePose());

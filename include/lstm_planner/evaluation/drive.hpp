@@ -59,9 +59,9 @@ struct DriveResult {
   double shortest = 0.0;     ///< m, of the task
   double goal_error = 0.0;   ///< m from the true position to the goal in the end
   long steps = 0;
-  long escape_steps = 0;                           ///< steps that the escape decided
+  long escape_steps = 0;                           ///< steps that the escape or the remembered way decided
   std::vector<Pose2> trace;                        ///< true poses, one a command
-  std::vector<char> escaping;                      ///< whether the escape decided, one a pose of the trace
+  std::vector<char> escaping;                      ///< whether they decided, one a pose of the trace
   std::vector<Point2> contact_places;              ///< where the robot was
   std::vector<std::vector<Point2>> walker_traces;  ///< by walker, one place a pose of the trace
 };

@@ -1,0 +1,133 @@
+// The command `lstm_planner drive` as a user runs it.
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "real_data.hpp"
+
+namespace lstm_planner {
+namespace {
+
+struct Outcome {
+  int status = -1;
+  std::string output;  ///< with what went to standard error
+};
+
+class DriveTool : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = ::testing::TempDir() + "drive_tool_XXXXXX";
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override {
+    std::error_code unknown;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, unknown);
+  }
+
+  std::string in(const std::string& name) const { return folder_ + "/" + name; }
+
+  static Outcome drive(const std::string& arguments) {
+    const std::string command = std::string("exec 2>&1; ") + LSTM_PLANNER_TOOL + " drive " + arguments;
+    Outcome outcome;
+    FILE* pipe = ::popen(command.c_str(), "r");
+    if (pipe == nullptr) return outcome;
+    char buffer[4096];
+    for (std::size_t count; (count = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;) {
+      outcome.output.append(buffer, count);
+    }
+    const int status = ::pclose(pipe);
+    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+  }
+
+  /// Drives with the shipped model and reads the JSON file that comes out.
+  nlohmann::json result(const std::string& arguments) const {
+    const Outcome outcome = drive("--model " + shippedModel() + " --json " + in("out.json") + " " + arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    std::ifstream file(in("out.json"));
+    return nlohmann::json::parse(file, nullptr, false);
+  }
+
+  std::size_t picturesNamed(const std::string& begin) const {
+    std::size_t count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(in("pictures"))) {
+      count += entry.path().filename().string().rfind(begin, 0) == 0 ? 1 : 0;
+    }
+    return count;
+  }
+
+  std::string folder_;
+};
+
+int ends(const nlohmann::json& json) {
+  return json["reached"].get<int>() + json["timeouts"].get<int>() + json["no_way"].get<int>() +
+         json["elsewhere"].get<int>();
+}
+
+TEST_F(DriveTool, JudgesDrivesAmongPeopleAlikeByAnyNumberOfThreads) {
+  const std::string arguments = "--walkers 3 --goals 3 --drift 0.02 --seed 4 --time-limit 40 ";
+  const nlohmann::json by_one = result(arguments + "--threads 1 --details " + in("details.csv"));
+  EXPECT_EQ(by_one["goals"], 3);
+  EXPECT_EQ(ends(by_one), 3);
+  EXPECT_EQ(by_one["walkers"], 3);
+  EXPECT_EQ(by_one["drift"], 0.02);
+  for (const char* key : {"contacts", "bumped", "mean_ratio", "p95_ratio", "mean_time_s", "mean_goal_error_m"}) {
+    EXPECT_TRUE(by_one[key].is_number()) << key;
+  }
+  ASSERT_EQ(by_one["worlds"].size(), 1u);
+  EXPECT_EQ(by_one["worlds"][0]["name"], "room");
+  std::ifstream details(in("details.csv"));
+  EXPECT_EQ(std::count(std::istreambuf_iterator<char>(details), {}, '\n'), 4) << "a head and a line a goal";
+  EXPECT_EQ(by_one, result(arguments + "--threads 2"));
+}
+
+TEST_F(DriveTool, ScoresBarnWorlds) {
+  std::ofstream(in("cylinders.csv")) << "world,x,y\n3,-2.25,7\n5,-4,7\n5,-0.5,7\n";
+  std::ofstream(in("barn_reference_paths.csv")) << "world,path_length_m\n3,10.1\n5,10\n";
+  const nlohmann::json json = result("--barn " + in("cylinders.csv") + " --only 5");
+  EXPECT_EQ(json["goals"], 1);
+  EXPECT_EQ(json["reached"], 1) << "nothing is in the way";
+  EXPECT_EQ(json["worlds"][0]["name"], "barn-5");
+  // The reference's time is 5 s. 9 m at 0.3 m/s take 30 s, and 8 times the reference, the limit, is 40 s.
+  EXPECT_GT(json["barn_score_k4"].get<double>(), 1.0 / 8.0);
+  EXPECT_LE(json["barn_score_k4"].get<double>(), 5.0 / 30.0);
+  EXPECT_EQ(json["barn_score_k4"], json["barn_score_k2"]) << "too slow for the difference";
+}
+
+TEST_F(DriveTool, DrawsPicturesOfGeneratedWorlds) {
+  const nlohmann::json json = result("--worlds open --goals 3 --time-limit 5 --pictures " + in("pictures"));
+  EXPECT_EQ(json["timeouts"], 3) << "5 m in 5 s";
+  EXPECT_EQ(json["worlds"].size(), 3u);
+  EXPECT_EQ(picturesNamed("missed_open-"), 3u);
+  result("--worlds open --goals 3 --pictures " + in("pictures"));
+  for (const char* name : {"best_open-", "median_open-", "worst_open-"}) EXPECT_EQ(picturesNamed(name), 1u) << name;
+}
+
+TEST_F(DriveTool, RefusesBadOptionsWithASentence) {
+  const auto complaint = [](const std::string& arguments) {
+    const Outcome outcome = drive(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    return outcome.output;
+  };
+  EXPECT_NE(complaint("").find("one of --map, --barn, --worlds and --walkers is needed"), std::string::npos);
+  EXPECT_NE(complaint("--map a.yaml --worlds open").find("exclude each other"), std::string::npos);
+  EXPECT_NE(complaint("--worlds jungle").find("mazes, offices"), std::string::npos);
+  EXPECT_NE(complaint("--walkers -1").find("walkers is -1, expected 0 to 1000"), std::string::npos);
+  EXPECT_NE(complaint("--walkers 1 --drift 2").find("odometry_error is 2"), std::string::npos);
+  EXPECT_NE(complaint("--walkers 1 --goals 0").find("--goals"), std::string::npos);
+  EXPECT_NE(complaint("--barn " + in("none.csv")).find("none.csv' cannot be read"), std::string::npos);
+  EXPECT_NE(complaint("--walkers 1 --goals 1 --only 7").find("--only leaves nothing"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lstm_planner
