@@ -36,6 +36,7 @@ COMBINATIONS = ["lstm+steering", "lstm+dwa", "lstm+trajectory", "navfn+dwa", "na
                 "global_planner+trajectory"]
 
 STARTUP = 120.0  # s of the computer's clock beside the driving
+ATTEMPTS = 3  # at a run that ends without a result: on a busy machine ROS's master may come too late
 SLOWEST = 0.2  # simulated seconds in a second; slower is taken for a hang
 
 
@@ -98,22 +99,26 @@ def run_once(run, combination, real_time_factor, log_folder, extra=()):
     port = free_port()
     environment = dict(os.environ, ROS_MASTER_URI="http://localhost:%d" % port, ROS_HOME=home, ROS_HOSTNAME="localhost")
     environment.pop("ROS_LOG_DIR", None)
-    command = ["roslaunch", "-p", str(port), os.path.join(FOLDER, "navigation_stack.launch"),
-               "global_planner:=" + GLOBAL_PLANNERS[global_planner], "local_planner:=" + LOCAL_PLANNERS[local_planner],
-               "real_time_factor:=%g" % real_time_factor, "start:=%s" % run["start"]] + run["world"] + list(extra)
+    launch_command = ["roslaunch", "-p", str(port), os.path.join(FOLDER, "navigation_stack.launch"),
+                      "global_planner:=" + GLOBAL_PLANNERS[global_planner],
+                      "local_planner:=" + LOCAL_PLANNERS[local_planner],
+                      "real_time_factor:=%g" % real_time_factor, "start:=%s" % run["start"]] + run["world"] + list(extra)
+    driver_command = ["/usr/bin/python3", os.path.join(FOLDER, "drive_to_goal.py"), "--radius", str(run["radius"]),
+                      "--time-limit", str(run["time_limit"]), "--start"] + [str(value) for value in run["start"]]
+    driver_command += ["--goal"] + [str(value) for value in run["goal"]] + (["--pass-by"] if run["pass_by"] else [])
     log_path = os.path.join(log_folder, "%s_%s_%s.log" % (combination, run["group"].replace(" ", "_"), run["name"]))
     with open(log_path, "w") as log:
-        launch = subprocess.Popen(command, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=log,
+        launch = subprocess.Popen(launch_command, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=log,
                                   start_new_session=True)
-        try:
-            driver = [os.path.join(FOLDER, "drive_to_goal.py"), "--radius", str(run["radius"]), "--time-limit",
-                      str(run["time_limit"]), "--start"] + [str(value) for value in run["start"]]
-            driver += ["--goal"] + [str(value) for value in run["goal"]] + (["--pass-by"] if run["pass_by"] else [])
-            output = subprocess.run(["/usr/bin/python3"] + driver, env=environment, stdout=subprocess.PIPE, stderr=log,
-                                    timeout=STARTUP + run["time_limit"] / SLOWEST, text=True, check=True).stdout
-            result = json.loads(output.strip().splitlines()[-1])
-        except (subprocess.SubprocessError, ValueError, IndexError) as error:
-            result = {"error": str(error)}
+        driver = subprocess.Popen(driver_command, env=environment, stdout=subprocess.PIPE, stderr=log, text=True,
+                                  start_new_session=True)
+        deadline = time.monotonic() + STARTUP + run["time_limit"] / SLOWEST
+        while driver.poll() is None and launch.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.1)
+        result = {"error": "roslaunch ended" if launch.poll() is not None else "no result, see %s" % log_path}
+        if driver.poll() == 0:
+            result = json.loads(driver.stdout.read().strip().splitlines()[-1])
+        stop(driver)
         result["clean"] = stop(launch)
     shutil.rmtree(home, ignore_errors=True)
     return dict(result, combination=combination, group=run["group"], run=run["name"])
@@ -141,7 +146,10 @@ def run_all(runs, combinations, arguments, extra=()):
             except queue.Empty:
                 return
             begin = time.monotonic()
-            result = run_once(run, combination, arguments.real_time_factor, arguments.logs, extra)
+            for _ in range(ATTEMPTS):
+                result = run_once(run, combination, arguments.real_time_factor, arguments.logs, extra)
+                if "error" not in result:
+                    break
             result["wall"] = time.monotonic() - begin
             with lock:
                 results.append(result)
