@@ -99,12 +99,12 @@ class RobotReinforcement {
       print(learner_.iterate());
       const int done = learner_.iterations();
       bar_.show(static_cast<double>(done) / options_.learner.iterations);
-      const bool stop = interruption.wanted();
-      if (stop || done % interval == 0 || done == options_.learner.iterations) {
-        judge();
-        writeCheckpoint();
-      }
-      if (stop && done < options_.learner.iterations) {
+      const bool stop = interruption.wanted() && done < options_.learner.iterations;
+      // A break leaves no trace: it is judged only where nothing else is kept.
+      const bool due = done % interval == 0 || done == options_.learner.iterations;
+      if (due || (stop && options_.checkpoint.empty())) judge();
+      if (due || stop) writeCheckpoint();
+      if (stop) {
         std::cout << "interrupted; "
                   << (options_.checkpoint.empty() ? "without --checkpoint the training cannot be gone on with"
                                                   : "the same command goes on from here")
