@@ -48,10 +48,11 @@ required_packages() {
 }
 
 # Packages that add something where the distribution has them: an independent reader of model files for the tests, the
-# driver's own messages, MPI for several processes, Google Benchmark, a viewer when there is a display.
+# driver's own messages, the navigation stack's other planners to compare with, MPI for several processes, Google
+# Benchmark, a viewer when there is a display.
 optional_packages() {
   printf '%s\n' libbenchmark-dev libopenmpi-dev openmpi-bin python3-onnx
-  [ "$1" = noetic ] && echo ros-noetic-create-msgs
+  [ "$1" = noetic ] && printf 'ros-noetic-%s\n' create-msgs dwa-local-planner dynamic-reconfigure global-planner
   if [ -n "${DISPLAY:-}" ]; then
     if [ "$1" = noetic ]; then echo ros-noetic-rviz; else echo rviz; fi
   fi

@@ -34,8 +34,8 @@ list_unit_tests() {
 run_tests() {
   local filter="$1" unit_tests ros_tests status=0
   unit_tests="$(list_unit_tests | grep -E -- "$filter" | paste -sd:)"
-  ros_tests="$(find "$source_dir/test/ros" -name '*.test' -printf '%f\n' 2>/dev/null | grep -E -- "$filter" |
-    sed 's/\.test$//' | sort | paste -sd'|')"
+  ros_tests="$(find "$source_dir/test/ros" -name '*.test' -printf '%P\n' 2>/dev/null | tr / _ |
+    grep -E -- "$filter" | sed 's/\.test$//' | sort | paste -sd'|')"
   [ -n "$unit_tests$ros_tests" ] || fail "no test matches '$filter'."
 
   cd "$workspace/build" || exit 1
