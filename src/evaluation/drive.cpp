@@ -51,6 +51,7 @@ class Run {
     }
     result_.contacts = robot_.contacts();
     result_.bumped = robot_.bumped();
+    result_.bumped_moving = robot_.bumpedMoving();
     result_.time = robot_.time();
     result_.path_length = robot_.pathLength();
     result_.goal_error = distanceBetween(robot_.truePose(), task_.goal);
@@ -144,6 +145,7 @@ DriveSummary summarize(const std::vector<DriveResult>& results) {
     ++summary.goals;
     summary.contacts += result.contacts;
     summary.bumped += result.bumped;
+    summary.bumped_moving += result.bumped_moving;
     switch (result.end) {
       case DriveResult::End::kReached:
         ++summary.reached;

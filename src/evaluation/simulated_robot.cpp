@@ -53,7 +53,9 @@ void SimulatedRobot::letWalk(double seconds, const Point2& velocity) {
     if (touching_) continue;  // counted already
     const double direction = directionTo(here, walker.center);
     const double approach = velocity.x * std::cos(direction) + velocity.y * std::sin(direction);
+    const bool moves = std::hypot(velocity.x, velocity.y) > kStanding;
     ++(approach > kStanding ? contacts_ : bumped_);
+    bumped_moving_ += moves && approach <= kStanding ? 1 : 0;
   }
 }
 

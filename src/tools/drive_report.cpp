@@ -44,6 +44,7 @@ nlohmann::json toJson(const std::vector<DriveResult>& results, bool is_barn) {
                          {"reached", summary.reached},
                          {"contacts", summary.contacts},
                          {"bumped", summary.bumped},
+                         {"bumped_moving", summary.bumped_moving},
                          {"timeouts", summary.timeouts},
                          {"no_way", summary.no_way},
                          {"elsewhere", summary.elsewhere},
@@ -118,7 +119,8 @@ std::string driveJson(const DriveOptions& options, const DriveCourse& course, co
 
 std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
   std::ostringstream csv;
-  csv << "world,number,start_x,start_y,start_yaw,goal_x,goal_y,end,contacts,bumped,time_s,path_m,shortest_m,"
+  csv << "world,number,start_x,start_y,start_yaw,goal_x,goal_y,end,contacts,bumped,bumped_moving,time_s,path_m,"
+         "shortest_m,"
          "goal_error_m,steps,escape_steps\n";
   for (std::size_t i = 0; i < course.worlds.size(); ++i) {
     for (std::size_t k = 0; k < results[i].size(); ++k) {
@@ -127,8 +129,9 @@ std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
       const DriveResult& result = results[i][k];
       csv << course.worlds[i].name << ',' << exercise.number << ',' << task.start.x << ',' << task.start.y << ','
           << task.start.yaw << ',' << task.goal.x << ',' << task.goal.y << ',' << toString(result.end) << ','
-          << result.contacts << ',' << result.bumped << ',' << result.time << ',' << result.path_length << ','
-          << result.shortest << ',' << result.goal_error << ',' << result.steps << ',' << result.escape_steps << '\n';
+          << result.contacts << ',' << result.bumped << ',' << result.bumped_moving << ',' << result.time << ','
+          << result.path_length << ',' << result.shortest << ',' << result.goal_error << ',' << result.steps << ','
+          << result.escape_steps << '\n';
     }
   }
   return csv.str();

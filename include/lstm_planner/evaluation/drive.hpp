@@ -54,6 +54,7 @@ struct DriveResult {
   End end = End::kTimeout;
   int contacts = 0;          ///< the robot's own doing, see SimulatedRobot
   int bumped = 0;            ///< people who ran into it
+  int bumped_moving = 0;     ///< of those, while it moved aside or away from them
   double time = 0.0;         ///< s
   double path_length = 0.0;  ///< m
   double shortest = 0.0;     ///< m, of the task
@@ -79,6 +80,7 @@ struct DriveSummary {
   int reached = 0;
   int contacts = 0;
   int bumped = 0;
+  int bumped_moving = 0;
   int no_way = 0;
   int timeouts = 0;
   int elsewhere = 0;

@@ -43,9 +43,10 @@ class SimulatedRobot {
   const Pose2& truePose() const { return base_.truePose(); }
   const Pose2& odometry() const { return base_.odometry(); }
   const Twist2& measuredTwist() const { return base_.measuredTwist(); }
-  int contacts() const { return contacts_; }          ///< how often the footprint began to touch something
-  int bumped() const { return bumped_; }              ///< how often a walker ran into the robot
-  double pathLength() const { return path_length_; }  ///< m truly driven
+  int contacts() const { return contacts_; }           ///< how often the footprint began to touch something
+  int bumped() const { return bumped_; }               ///< how often a walker ran into the robot
+  int bumpedMoving() const { return bumped_moving_; }  ///< of those, while it moved aside or away from him
+  double pathLength() const { return path_length_; }   ///< m truly driven
 
  private:
   struct Command {
@@ -66,6 +67,7 @@ class SimulatedRobot {
   Crowd* crowd_ = nullptr;
   int contacts_ = 0;
   int bumped_ = 0;
+  int bumped_moving_ = 0;
   bool touching_ = false;
   double path_length_ = 0.0;
 };

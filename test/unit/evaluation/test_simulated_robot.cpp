@@ -69,6 +69,7 @@ TEST(SimulatedRobot, IsBumpedIntoWhenItStands) {
   robot.advance(30.0);
   EXPECT_EQ(robot.contacts(), 0);
   EXPECT_EQ(robot.bumped(), 1);
+  EXPECT_EQ(robot.bumpedMoving(), 0);
 }
 
 TEST(SimulatedRobot, HasAContactWhenItDrivesIntoAWalker) {
@@ -99,6 +100,7 @@ TEST(SimulatedRobot, IsBumpedIntoFromBehind) {
   robot.advance(4.0);
   EXPECT_EQ(robot.contacts(), 0);
   EXPECT_EQ(robot.bumped(), 1);
+  EXPECT_EQ(robot.bumpedMoving(), 1);
   EXPECT_NEAR(robot.truePose().x, 0.8, 0.05) << "a bump does not stop it";
 }
 
