@@ -39,6 +39,8 @@ void validate(const AgentParameters& parameters) {
   checkParameter(memory.width >= 4.0 && memory.width <= 2000.0 * memory.resolution, "memory/width", memory.width,
                  "at least 4 m and at most 2000 memory/resolution = " + std::to_string(2000.0 * memory.resolution));
   checkPositive("memory/reach", memory.reach);
+  checkParameter(memory.comfort >= 0.0, "memory/comfort", memory.comfort, "zero or more");
+  checkParameter(memory.freedom >= 0.0, "memory/freedom", memory.freedom, "zero or more");
   checkParameter(memory.tightness >= 1.0, "memory/tightness", memory.tightness, "1 or more");
 
   const EscapeParameters& escape = parameters.escape;

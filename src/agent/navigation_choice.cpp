@@ -11,6 +11,9 @@ namespace {
 constexpr double kAsideStep = 0.0873;
 constexpr double kFarthestAside = 1.05;
 
+/// A steering angle that is no farther than this from the route's bearing agrees with it, rad (45 degrees and a bit).
+constexpr double kAgreement = 0.8;
+
 }  // namespace
 
 void NavigationAgent::choose(const Situation& situation) {
@@ -90,25 +93,25 @@ void NavigationAgent::chooseRoute(const Situation& situation) {
 void NavigationAgent::chooseAction(const Situation& situation) {
   const ActionSet& actions = policy_.description().actions;
   const ShieldParameters& shield = parameters_.shield;
-  int on_route = -1;
-  if (network_knows_route_ && guide_status_ == RouteGuide::Status::kRoute) {
-    const Point2 ahead = guide_.pointAhead(parameters_.step.length);
-    on_route = actions.nearest(normalizeAngle(directionTo(situation.pose, ahead) - situation.pose.yaw));
-  }
+  const bool guided = network_knows_route_ && guide_status_ == RouteGuide::Status::kRoute;
+  const Point2 ahead = guided ? guide_.pointAhead(parameters_.step.length) : Point2{};
+  const double bearing = guided ? normalizeAngle(directionTo(situation.pose, ahead) - situation.pose.yaw) : 0.0;
+  const int on_route = guided ? actions.nearest(bearing) : -1;
   for (const double clearance : {shield.clearance, shield.tight_clearance}) {
     double free = 0.0;
     const int best = preferredAction(situation, clearance, on_route, &free);
     if (best < 0) {
       continue;
     }
-    if (best == on_route) {
-      if (followRoute(situation, Decision::Source::kNetwork)) {
-        decision_.action = best;
-        return;
-      }
-      if (free < shield.shortest_step) {
-        break;
-      }
+    // The next steering angle to it is no contradiction: the route lies between the two.
+    const bool agrees = guided && (best == on_route || std::abs(actions.angle(best) - bearing) <= kAgreement);
+    const bool follows = agrees || (guided && !leadsOn(situation, step_pose_.yaw + actions.angle(best), free));
+    if (follows && followRoute(situation, Decision::Source::kNetwork)) {
+      decision_.action = agrees ? best : on_route;
+      return;
+    }
+    if (best == on_route && free < shield.shortest_step) {
+      break;
     }
     goTo(situation, Decision::Source::kNetwork, step_pose_.yaw + actions.angle(best), free);
     decision_.action = best;
@@ -116,6 +119,12 @@ void NavigationAgent::chooseAction(const Situation& situation) {
     return;
   }
   lookAround(situation);
+}
+
+bool NavigationAgent::leadsOn(const Situation& situation, double direction, double distance) {
+  const Point2 waypoint = pointAlong(situation.pose, direction, distance);
+  return guide_.findFrom(waypoint, &route_on_) &&
+         distance + route_on_.length <= guide_.route().length + parameters_.memory.freedom;
 }
 
 int NavigationAgent::preferredAction(const Situation& situation, double clearance, int on_route, double* best_free) {
@@ -198,7 +207,8 @@ void NavigationAgent::planWayOn() {
   std::vector<Point2>& way_on = decision_.way_on;
   way_on.clear();
   const bool leads_on = decision_.source == Decision::Source::kNetwork || decision_.source == Decision::Source::kRoute ||
-                        decision_.source == Decision::Source::kEscape;
+                        decision_.source == Decision::Source::kEscape ||
+                        decision_.source == Decision::Source::kLookAround;
   if (!leads_on || !parameters_.memory.enabled || guide_status_ != RouteGuide::Status::kRoute) {
     return;
   }

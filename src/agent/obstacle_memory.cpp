@@ -16,6 +16,8 @@ constexpr std::size_t kMostBlocks = 32;
 constexpr double kBehind = 0.1;
 constexpr long kBeamsBeside = 2;
 
+/// Bits of a judgement.
+constexpr std::uint8_t kNothingNear = 0x80;
 constexpr std::uint8_t kExitsKnown = 0x40;
 
 /// The eight neighbours, counter-clockwise from the one along x.
@@ -51,7 +53,8 @@ ObstacleMemory::ObstacleMemory(const MemoryParameters& parameters, const ShieldP
       footprint_radius_(shield.footprint_radius),
       tight_clearance_(shield.tight_clearance),
       tight_radius_(shield.footprint_radius + 0.5 * shield.tight_clearance),
-      roomy_radius_(shield.footprint_radius + shield.clearance + parameters.resolution),
+      narrow_radius_(shield.footprint_radius + shield.clearance + 0.5 * parameters.resolution),
+      roomy_radius_(std::max(shield.footprint_radius + parameters.comfort, narrow_radius_)),
       near_cells_(static_cast<int>(std::ceil(roomy_radius_ / cell_size_))) {
   const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
   occupied_.resize(cells);
@@ -144,16 +147,23 @@ std::uint8_t ObstacleMemory::exits(int cell) {
   return exits_[i];
 }
 
-bool ObstacleMemory::isFree(const Point2& from, const Point2& to, bool roomy) {
+bool ObstacleMemory::isFree(const Point2& from, const Point2& to, Passage passage_wanted) {
+  const double wanted = passage_wanted == Passage::kRoomy    ? roomy_radius_
+                        : passage_wanted == Passage::kNarrow ? narrow_radius_
+                                                             : tight_radius_;
   // The squares round: a way from best place to best place may come this much nearer in between.
-  const double radius = (roomy ? roomy_radius_ : tight_radius_) - 0.5 * parameters_.resolution;
+  const double radius = wanted - 0.5 * parameters_.resolution;
   const double length = distanceBetween(from, to);
   const int parts = std::max(1, static_cast<int>(std::ceil(length / (2.0 * parameters_.resolution))));
   for (int i = 0; i <= parts; ++i) {
     const double share = static_cast<double>(i) / parts;
     const Point2 at{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
     const int cell = cellAt(at);
-    if (cell < 0 || (passage(cell) != Passage::kClear && gap(at) < radius)) {
+    if (cell < 0) {
+      return false;
+    }
+    passage(cell);
+    if ((judged_[static_cast<std::size_t>(cell)] & kNothingNear) == 0 && gap(at) < radius) {
       return false;
     }
   }
@@ -258,7 +268,7 @@ std::uint8_t ObstacleMemory::judge(int cell) const {
   collect(column, row, near_cells_, &nearby_);
   int best_square = kSquares / 2 * kSquares + kSquares / 2;
   if (nearby_.empty()) {
-    return static_cast<std::uint8_t>(static_cast<int>(Passage::kClear) << 4 | best_square);
+    return static_cast<std::uint8_t>(kNothingNear | static_cast<int>(Passage::kRoomy) << 4 | best_square);
   }
   double best = -1.0;
   for (int square = 0; square < kSquares * kSquares; ++square) {
@@ -275,9 +285,10 @@ std::uint8_t ObstacleMemory::judge(int cell) const {
       best_square = square;
     }
   }
-  const Passage passage = best < tight_radius_ * tight_radius_   ? Passage::kBlocked
-                          : best < roomy_radius_ * roomy_radius_ ? Passage::kTight
-                                                                 : Passage::kRoomy;
+  const Passage passage = best < tight_radius_ * tight_radius_     ? Passage::kBlocked
+                          : best < narrow_radius_ * narrow_radius_ ? Passage::kTight
+                          : best < roomy_radius_ * roomy_radius_   ? Passage::kNarrow
+                                                                   : Passage::kRoomy;
   return static_cast<std::uint8_t>(static_cast<int>(passage) << 4 | best_square);
 }
 

@@ -77,16 +77,16 @@ bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2
   }
   const int goal_cell = memory.cellAt(goal);
   const bool blocked = goal_cell >= 0 && memory.passage(goal_cell) == ObstacleMemory::Passage::kBlocked;
-  Point2 instead;
-  if (blocked && nearestPlace(memory, goal, tolerance, &instead) && search(memory, first, instead, 0.0, &end) &&
-      trace(memory, start, end, instead, route)) {
+  Point2 end_point = goal;
+  const bool fits = !blocked || nearestPlace(memory, goal, tolerance, &end_point);
+  if (fits && search(memory, first, end_point, 0.0, &end) && trace(memory, start, end, end_point, route)) {
     // Who is near enough already does not make a long detour for a place that is hardly nearer.
-    const bool detour = distanceBetween(start, goal) <= tolerance && route->length > kDetour * tolerance;
-    if (!detour) {
+    const bool near = distanceBetween(start, goal) <= tolerance;
+    if (!near || route->length <= kDetour * tolerance) {
       return true;
     }
   }
-  return search(memory, first, goal, blocked ? tolerance : 0.0, &end) && trace(memory, start, end, goal, route);
+  return search(memory, first, goal, tolerance, &end) && trace(memory, start, end, goal, route);
 }
 
 bool RouteFinder::trace(ObstacleMemory& memory, const Point2& start, int end, const Point2& goal, Route* route) {
@@ -126,7 +126,9 @@ bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& goal, 
   const Point2 origin = memory.centerOf(start);
   const int goal_column = start % side + static_cast<int>(std::lround((goal.x - origin.x) / memory.cellSize()));
   const int goal_row = start / side + static_cast<int>(std::lround((goal.y - origin.y) / memory.cellSize()));
+  // In halves; blocked cells are never entered.
   const auto tight = static_cast<int>(std::lround(tightness_ * 2.0));
+  const int factors[] = {tight, tight, static_cast<int>(std::lround(narrowness() * 2.0)), 2};
 
   costs_[static_cast<std::size_t>(start)] = 0;
   open_.push_back({octile(goal_column - start % side, goal_row - start / side), static_cast<std::uint32_t>(start)});
@@ -157,7 +159,7 @@ bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& goal, 
       const auto i = static_cast<std::size_t>(neighbour);
       const Passage passage = memory.passage(neighbour);
       const int step = diagonal ? kDiagonal : kStraight;
-      const int sum = cost + (passage == Passage::kTight ? step * tight / 2 : step);
+      const int sum = cost + step * factors[static_cast<int>(passage)] / 2;
       if (sum < costs_[i]) {
         costs_[i] = static_cast<std::uint16_t>(sum);
         from_[i] = static_cast<std::uint8_t>(direction);
@@ -179,11 +181,13 @@ void RouteFinder::pullStraight(ObstacleMemory& memory, Route* route) const {
   while (at + 1 < points.size()) {
     std::size_t next = at + 1;
     if (length < kStraightened) {
-      bool roomy = true;
+      ObstacleMemory::Passage passage = ObstacleMemory::Passage::kRoomy;
       for (std::size_t to = at + 1; to < std::min(points.size(), at + 1 + kLongestPull); ++to) {
         const int cell = memory.cellAt(points[to]);
-        roomy = roomy && cell >= 0 && memory.passage(cell) >= ObstacleMemory::Passage::kRoomy;
-        if (to > at + 1 && !memory.isFree(points[at], points[to], roomy)) {
+        if (cell >= 0 && to + 1 < points.size()) {
+          passage = std::min(passage, memory.passage(cell));
+        }
+        if (to > at + 1 && !memory.isFree(points[at], points[to], passage)) {
           break;
         }
         next = to;
@@ -203,11 +207,13 @@ double RouteFinder::costOf(ObstacleMemory& memory, const Route& route, double di
     const Point2& to = route.points[i];
     const double length = distanceBetween(from, to);
     if (distance > 0.0 && memory.cellAt(to) >= 0 && memory.cellAt(from) >= 0) {
-      const bool roomy = memory.isFree(from, to, true);
-      if (!roomy && !memory.isFree(from, to, false)) {
+      using Passage = ObstacleMemory::Passage;
+      if (!memory.isFree(from, to, Passage::kTight)) {
         return std::numeric_limits<double>::infinity();
       }
-      cost += roomy ? length : tightness_ * length;
+      cost += memory.isFree(from, to, Passage::kRoomy)    ? length
+              : memory.isFree(from, to, Passage::kNarrow) ? narrowness() * length
+                                                          : tightness_ * length;
     } else {
       cost += length;
     }

@@ -80,7 +80,8 @@ bool RouteGuide::keepRoute(const Situation& situation) {
     if (here > 0.25 && beyond * beyond > leg * leg + here * here) {
       break;
     }
-    if (here > 0.25 && !memory_.isFree({situation.pose.x, situation.pose.y}, route_.points[next + 1], false)) {
+    if (here > 0.25 && !memory_.isFree({situation.pose.x, situation.pose.y}, route_.points[next + 1],
+                                       ObstacleMemory::Passage::kTight)) {
       break;
     }
     ++next;

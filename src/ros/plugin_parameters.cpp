@@ -43,6 +43,8 @@ void readMemory(ParameterReader* reader, MemoryParameters* memory) {
   reader->read("memory/width", &memory->width);
   reader->read("memory/resolution", &memory->resolution);
   reader->read("memory/reach", &memory->reach);
+  reader->read("memory/comfort", &memory->comfort);
+  reader->read("memory/freedom", &memory->freedom);
   reader->read("memory/tightness", &memory->tightness);
 }
 

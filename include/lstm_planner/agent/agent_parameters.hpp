@@ -28,6 +28,8 @@ struct MemoryParameters {
   double width = 76.8;       ///< m, side of the square around the robot in which obstacles are remembered
   double resolution = 0.05;  ///< m; at most 0.29 footprint radii, or ways would lead through walls
   double reach = 12.0;       ///< m; returns farther away are not remembered
+  double comfort = 0.12;     ///< m kept between the footprint and obstacles by ways where there is room
+  double freedom = 0.3;      ///< m that the way by the network's step may be longer than the shortest one remembered
   double tightness = 3.0;    ///< how many times its length a way counts where there is less room than shield/clearance
 };
 
@@ -57,8 +59,8 @@ struct AgentParameters {
   bool shield_enabled = true;
   double goal_tolerance = 0.15;  ///< m; nearer than this is arrived
   double goal_in_sight = 1.5;    ///< m; a goal this near with a free straight way is driven to directly
-  double goal_drift = 0.02;      ///< share of the way driven by which odometry may be wrong: a goal that turns out to
-                                 ///< lie in an obstacle counts as reached from that far away
+  double goal_drift = 0.03;      ///< share of the way driven by which odometry may be wrong: a goal that turns out to
+                                 ///< lie in, or behind, an obstacle counts as reached from that far away
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

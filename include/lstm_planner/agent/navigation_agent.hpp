@@ -100,6 +100,7 @@ class NavigationAgent {
   void chooseRoute(const Situation& situation);
   void chooseAction(const Situation& situation);
   int preferredAction(const Situation& situation, double clearance, int on_route, double* free);
+  bool leadsOn(const Situation& situation, double direction, double distance);
   bool followRoute(const Situation& situation, Decision::Source source);
   bool chooseGoalInSight(const Situation& situation);
   void lookAround(const Situation& situation);

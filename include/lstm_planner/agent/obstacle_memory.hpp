@@ -20,8 +20,8 @@ class ObstacleMemory {
   enum class Passage : std::uint8_t {
     kBlocked,  ///< the footprint does not fit
     kTight,    ///< it fits
-    kRoomy,    ///< it fits with the shield's clearance around it
-    kClear     ///< nothing is near
+    kNarrow,   ///< it fits with the shield's clearance around it
+    kRoomy     ///< it fits with the comfortable clearance around it
   };
 
   /// Throws as validate(AgentParameters) for parameters that do not fit together.
@@ -54,9 +54,9 @@ class ObstacleMemory {
   /// counter-clockwise from the neighbour along x. 0 at the border of the window.
   std::uint8_t exits(int cell);
 
-  /// True when a disc of the shield's footprint, grown by the shield's clearance if `roomy`, can be moved straight from
-  /// one place to the other; ends outside the window are never free.
-  bool isFree(const Point2& from, const Point2& to, bool roomy);
+  /// True when the way straight from one place to the other is a passage at least that good; ends outside the window are
+  /// never free.
+  bool isFree(const Point2& from, const Point2& to, Passage passage);
 
  private:
   struct Square {
@@ -83,13 +83,14 @@ class ObstacleMemory {
   double footprint_radius_; ///< m
   double tight_clearance_;  ///< m
   double tight_radius_;     ///< m from the middle of the footprint to the middle of an occupied square
+  double narrow_radius_;    ///< m
   double roomy_radius_;     ///< m
   int near_cells_;          ///< cells within which an obstacle matters
   int origin_column_ = 0;   ///< of the window, in cells of the odometry frame
   int origin_row_ = 0;
   bool placed_ = false;
   std::vector<std::uint16_t> occupied_;  ///< a bit a square
-  std::vector<std::uint8_t> judged_;     ///< exits known << 6 | passage << 4 | best square; kUnknown = to be judged
+  std::vector<std::uint8_t> judged_;     ///< nothing near, exits known, passage (2 bits), best square (4 bits)
   std::vector<std::uint8_t> exits_;
   std::vector<Point2> blocks_;
   mutable std::vector<Point2> nearby_;   ///< of judge() and gap()

@@ -18,12 +18,13 @@ struct Route {
 /// near the start. Beyond the window the way is taken as straight. The memory needed is allocated once.
 class RouteFinder {
  public:
-  /// `tightness`: how many times its length a way through a tight place costs, at least 1.
+  /// `tightness`: how many times its length a way through a tight place costs, at least 1; through a narrow one, a
+  /// quarter of what is above 1.
   explicit RouteFinder(double tightness);
 
   /// False when there is no way: obstacles that were seen enclose the start, or the goal, all around. A goal that lies in
-  /// something is replaced by the nearest place that the footprint fits on, or else by one that can be reached, at most
-  /// `tolerance` (m) away.
+  /// something is replaced by the nearest place that the footprint fits on, and one that cannot be reached, or only by a
+  /// long detour from a start that is near it, by the first place on the way: at most `tolerance` (m) from the goal.
   bool find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance, Route* route);
 
   /// Cost of a route under what is remembered now, m; +inf when it is blocked. Looks at its first `distance` m.
@@ -39,6 +40,8 @@ class RouteFinder {
   bool search(ObstacleMemory& memory, int start, const Point2& goal, double tolerance, int* end);
   bool trace(ObstacleMemory& memory, const Point2& start, int end, const Point2& goal, Route* route);
   void pullStraight(ObstacleMemory& memory, Route* route) const;
+
+  double narrowness() const { return 1.0 + 0.25 * (tightness_ - 1.0); }
 
   double tightness_;
   std::vector<std::uint16_t> costs_;  ///< tenths of a cell, from the start
