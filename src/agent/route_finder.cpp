@@ -76,7 +76,9 @@ bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2
     return false;
   }
   const int goal_cell = memory.cellAt(goal);
-  const bool blocked = goal_cell >= 0 && memory.passage(goal_cell) == ObstacleMemory::Passage::kBlocked;
+  // A cell that the footprint fits on somewhere may have places that it does not fit on.
+  const bool blocked = goal_cell >= 0 && (memory.passage(goal_cell) == ObstacleMemory::Passage::kBlocked ||
+                                          !memory.isFree(goal, goal, ObstacleMemory::Passage::kTight));
   Point2 end_point = goal;
   const bool fits = !blocked || nearestPlace(memory, goal, tolerance, &end_point);
   if (fits && search(memory, first, end_point, 0.0, &end) && trace(memory, start, end, end_point, route)) {
