@@ -227,6 +227,7 @@ def parse(argv=None):
     parser.add_argument("--results", help="file to which results are added; runs that it holds are not run again")
     parser.add_argument("--logs", default=os.path.join(tempfile.gettempdir(), "lstm_planner_compare"),
                         help="folder of the runs' output")
+    parser.add_argument("--model", help="ONNX file of our planner's network; default: the planner's own")
     parser.add_argument("--print-only", action="store_true", help="only the table of what the results file holds")
     arguments = parser.parse_args(argv)
     for combination in arguments.combinations:
@@ -241,7 +242,8 @@ def main():
     runs = load_runs(arguments.runs)
     if arguments.only:
         runs = [run for run in runs if run["group"] in arguments.only]
-    results = run_all([] if arguments.print_only else runs, arguments.combinations, arguments)
+    extra = ["model:=" + os.path.abspath(arguments.model)] if arguments.model else []
+    results = run_all([] if arguments.print_only else runs, arguments.combinations, arguments, extra)
     groups = list(dict.fromkeys(run["group"] for run in runs))
     print(table(results, groups, arguments.combinations))
     return 1 if any("error" in result for result in results) else 0
