@@ -82,7 +82,8 @@ bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2
   Point2 end_point = goal;
   const bool fits = !blocked || nearestPlace(memory, goal, tolerance, &end_point);
   if (fits && search(memory, first, end_point, 0.0, &end) && trace(memory, start, end, end_point, route)) {
-    // Who is near enough already does not make a long detour for a place that is hardly nearer.
+    // Who is near enough already does not make a long detour for a place that is hardly nearer: more likely odometry
+    // has put it behind the wall.
     const bool near = distanceBetween(start, goal) <= tolerance;
     if (!near || route->length <= kDetour * tolerance) {
       return true;

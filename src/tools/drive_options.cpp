@@ -39,6 +39,7 @@ void addWorldOptions(DriveOptions* options, po::options_description* all) {
       ("worlds", po::value(&options->kind), "generated worlds: mazes, offices, corridors, forest, open or rooms")
       ("walkers", withDefault(&options->crowd.walkers), "people who walk about in each world")
       ("free-threshold", withDefault(&options->free_threshold), "replaces the free_thresh of all maps")
+      ("open-unknown", "what a map does not know can be seen and driven through; it is solid otherwise")
       ("goals", optional(&options->goals),
        "starts and goals in each map or in the room (100), or number of worlds with one each (100; all of BARN)")
       ("only", po::value(&options->only)->multitoken(), "drive only the goals, or worlds, of these numbers")
@@ -116,6 +117,7 @@ bool readDriveOptions(const std::vector<std::string>& arguments, DriveOptions* o
   po::variables_map values;
   if (!parseOptions("drive", description, arguments, &values)) return false;
   options->agent.escape.enabled = values.count("no-escape") == 0;
+  options->open_unknown = values.count("open-unknown") != 0;
   options->agent.shield_enabled = values.count("no-shield") == 0;
   check(*options);
   return true;

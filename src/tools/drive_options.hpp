@@ -22,6 +22,7 @@ struct DriveOptions {
   std::optional<double> shortest;
   std::optional<double> time_limit;
   double free_threshold = -1.0;
+  bool open_unknown = false;
   std::uint64_t seed = 1;
   int threads = 2;
   CrowdParameters crowd;

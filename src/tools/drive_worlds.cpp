@@ -54,6 +54,16 @@ void addGoals(double shortest, const DriveOptions& options, DriveWorld* world) {
   }
 }
 
+/// What was never mapped becomes solid: the shortest way does not lead through it either, and a robot that could would
+/// leave the building through the gaps of its map.
+void closeUnknown(OccupancyGrid* grid) {
+  for (int row = 0; row < grid->rows(); ++row) {
+    for (int column = 0; column < grid->columns(); ++column) {
+      if (grid->at({column, row}) == Cell::kUnknown) grid->set({column, row}, Cell::kOccupied);
+    }
+  }
+}
+
 /// FILE or FILE=FREE_THRESHOLD.
 std::pair<std::string, double> splitMap(const std::string& text, double free_threshold) {
   const std::size_t sign = text.rfind('=');
@@ -68,7 +78,9 @@ void addMaps(const DriveOptions& options, DriveCourse* course) {
   for (const std::string& text : options.maps) {
     const auto [file, threshold] = splitMap(text, options.free_threshold);
     const std::string name = std::filesystem::path(file).stem().string();
-    course->worlds.push_back(gridWorld(name, readMapServerMap(file, threshold), options));
+    OccupancyGrid grid = readMapServerMap(file, threshold);
+    if (!options.open_unknown) closeUnknown(&grid);
+    course->worlds.push_back(gridWorld(name, std::move(grid), options));
     addGoals(kShortestInMap, options, &course->worlds.back());
     course->source += (course->source.empty() ? "" : " ") + file;
   }

@@ -44,7 +44,7 @@ struct EscapeParameters {
   double follow_step = 0.25;        ///< m to the waypoint while following a boundary
   double probe_angle = 0.08727;     ///< rad between probed directions (5 degrees)
   double wall_turn = 1.7453;        ///< rad; how far back towards the boundary the probing starts (100 degrees)
-  double leave_margin = 0.1;        ///< m nearer to the goal than where the boundary was met before it is left
+  double leave_margin = 0.2;        ///< m nearer to the goal than where the boundary was met before it is left
   double first_leg = 24.0;          ///< m of boundary before the first turning back; doubles each time
   double loop_tolerance = 0.4;      ///< m; coming back this near to where the boundary was met closes the loop
   double loop_length = 3.0;         ///< m; a shorter loop than this is not believed
@@ -59,7 +59,7 @@ struct AgentParameters {
   bool shield_enabled = true;
   double goal_tolerance = 0.15;  ///< m; nearer than this is arrived
   double goal_in_sight = 1.5;    ///< m; a goal this near with a free straight way is driven to directly
-  double goal_drift = 0.03;      ///< share of the way driven by which odometry may be wrong: a goal that turns out to
+  double goal_drift = 0.02;      ///< share of the way driven by which odometry may be wrong: a goal that turns out to
                                  ///< lie in, or behind, an obstacle counts as reached from that far away
 };
 
