@@ -52,7 +52,9 @@ RouteGuide::Status RouteGuide::update(const Situation& situation) {
   has_pose_ = true;
   memory_.look(situation);
   const Point2 here{situation.pose.x, situation.pose.y};
-  if (!finder_.find(memory_, here, goal_, tolerance(), &candidate_)) {
+  // While it looks around, what lies behind the robot is not known and seems free.
+  const bool still_looking = looking_ && turned_ < kFullTurn;
+  if (still_looking || !finder_.find(memory_, here, goal_, tolerance(), &candidate_)) {
     return lookAround(situation);
   }
   looking_ = false;
