@@ -27,8 +27,7 @@ bool PlaceTrace::placeOf(const Point2& position, Place* place) {
   const auto window_of = [](int index) { return index >= 0 ? index / kWindow : -1 - (-1 - index) / kWindow; };
   const int window_column = window_of(column);
   const int window_row = window_of(row);
-  place->entry =
-      static_cast<std::size_t>((row - window_row * kWindow) * kWindow + (column - window_column * kWindow));
+  place->entry = static_cast<std::size_t>((row - window_row * kWindow) * kWindow + (column - window_column * kWindow));
   place->column = static_cast<std::int16_t>(window_column);
   place->row = static_cast<std::int16_t>(window_row);
   return true;

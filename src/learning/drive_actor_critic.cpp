@@ -110,8 +110,8 @@ class DriveActorCritic::Implementation {
         }
         const double steps = batch.criticGradient(critic_parameters_, &gradient);
         if (steps > 0.0) {
-          critic_optimiser_.update(gradient * static_cast<float>(1.0 / steps),
-                                   parameters_.critic_learning_rate * rate, critic_parameters_);
+          critic_optimiser_.update(gradient * static_cast<float>(1.0 / steps), parameters_.critic_learning_rate * rate,
+                                   critic_parameters_);
         }
       }
     }

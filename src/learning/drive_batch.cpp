@@ -30,8 +30,8 @@ DriveBatch::DriveBatch(const DriveActorCriticParameters& parameters, const Layer
 void DriveBatch::pack(const std::vector<PracticeEpisode>& episodes) {
   std::vector<std::vector<Slot>> lanes(kLanes);
   for (const PracticeEpisode& episode : episodes) {
-    auto& lane = *std::min_element(lanes.begin(), lanes.end(),
-                                   [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    auto& lane =
+        *std::min_element(lanes.begin(), lanes.end(), [](const auto& a, const auto& b) { return a.size() < b.size(); });
     for (std::size_t step = 0; step < episode.steps.size(); ++step) lane.push_back({&episode, step, 0.0f, 0.0f});
   }
   std::size_t longest = 0;

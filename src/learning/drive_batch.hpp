@@ -32,8 +32,7 @@ class DriveBatch {
   bool next();
 
   /// Gradients of the errors, summed over the window; both return over how many steps. Once a window each.
-  double policyGradient(const Eigen::VectorXf& parameters, const DriveBatchWeights& weights,
-                        Eigen::VectorXf* gradient);
+  double policyGradient(const Eigen::VectorXf& parameters, const DriveBatchWeights& weights, Eigen::VectorXf* gradient);
   double criticGradient(const Eigen::VectorXf& parameters, Eigen::VectorXf* gradient);
 
   double entropy() const { return steps_seen_ > 0.0 ? entropy_ / steps_seen_ : 0.0; }  ///< mean so far, nat

@@ -64,8 +64,8 @@ void validate(const DriveCourseParameters& parameters) {
                  parameters.dead_end_share, "a share in [0, 1]");
 }
 
-std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& parameters, WorldUse use,
-                                              std::uint64_t seed, int number, int goals, int starts) {
+std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& parameters, WorldUse use, std::uint64_t seed,
+                                              int number, int goals, int starts) {
   constexpr int kTries = 10;
   const std::uint64_t world_seed = worldSeed(use, seed, static_cast<std::uint64_t>(number));
   Random random(~world_seed);

@@ -60,7 +60,8 @@ class Practice {
     if (!episode_.steps.empty()) {
       PracticeEpisode::Step& last = episode_.steps.back();
       const int contacts = drive_.contacts() - contacts_before_;
-      last.reward = static_cast<float>(left_before_ - left - parameters_.step_cost - parameters_.contact_cost * contacts);
+      last.reward =
+          static_cast<float>(left_before_ - left - parameters_.step_cost - parameters_.contact_cost * contacts);
       const Decision& decision = agent_.decision();
       last.chosen = last.chosen && decision.source == Decision::Source::kNetwork && decision.action == last.action;
     }

@@ -20,7 +20,7 @@ struct PracticeEpisode {
     bool chosen = false;  ///< the policy chose the action; otherwise there was nothing to choose
     float reward = 0.0f;
   };
-  std::size_t kind = 0;              ///< of world
+  std::size_t kind = 0;  ///< of world
   std::vector<Step> steps;
   std::vector<float> inputs;         ///< the encoder's, then the privileged ones, step by step
   std::vector<float> probabilities;  ///< of the actions, 0 where the shield forbids one, step by step

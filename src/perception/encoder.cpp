@@ -55,7 +55,8 @@ bool splitNumbered(const std::string& name, std::string* stem, std::size_t* inde
 }
 
 bool hasEvents(const std::vector<std::string>& layout) {
-  return std::any_of(layout.begin(), layout.end(), [](const std::string& name) { return name.rfind("event_", 0) == 0; });
+  return std::any_of(layout.begin(), layout.end(),
+                     [](const std::string& name) { return name.rfind("event_", 0) == 0; });
 }
 
 }  // namespace

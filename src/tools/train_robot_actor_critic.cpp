@@ -140,17 +140,16 @@ class RobotReinforcement {
     const auto checkpoint = readTrainingCheckpoint(options_.checkpoint, options_.settings);
     if (!checkpoint) return;
     learner_.restore(checkpoint->learner);
-    const bool kept = checkpoint->progress.value("output", "") == options_.output &&
-                      std::filesystem::exists(options_.output);
+    const bool kept =
+        checkpoint->progress.value("output", "") == options_.output && std::filesystem::exists(options_.output);
     if (kept) best_ = checkpoint->progress.at("best").get<double>();
     std::cout << "going on from " << options_.checkpoint << " after iteration " << learner_.iterations() << std::endl;
   }
 
   void writeCheckpoint() const {
     if (options_.checkpoint.empty()) return;
-    writeTrainingCheckpoint(options_.checkpoint, {options_.settings,
-                                                  {{"best", best_}, {"output", options_.output}},
-                                                  learner_.checkpoint()});
+    writeTrainingCheckpoint(options_.checkpoint,
+                            {options_.settings, {{"best", best_}, {"output", options_.output}}, learner_.checkpoint()});
   }
 
   const ReinforcementOptions& options_;

@@ -75,8 +75,8 @@ void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescriptio
   model.layers = layers;
   writeMetadata(policy, &model.metadata);
   model.metadata["training_command"] = options.command;
-  model.metadata["score"] = std::to_string(score.drives) + " validation drives by the network and the shield: " +
-                            toText(score);
+  model.metadata["score"] =
+      std::to_string(score.drives) + " validation drives by the network and the shield: " + toText(score);
   writeModelFile(options.output, model);
 }
 

@@ -18,22 +18,22 @@ struct DriveActorCriticParameters {
   PolicyDescription policy;
   DriveCourseParameters course;
   std::vector<int> critic_units = {48, 32};
-  int iterations = 60;        ///< collect, then update
-  int worlds = 16;            ///< an iteration, new ones each time
-  int goals = 2;              ///< a world
-  int starts = 8;             ///< drives to a goal
-  int max_steps = 300;        ///< of a drive
-  int window = 32;            ///< steps that errors go back at most
-  int passes = 4;             ///< over what was collected
-  double sharpness = 3.0;     ///< times the first policy's preferences, which imitation leaves too close for drawing
-  double clip = 0.2;          ///< how far from 1 a probability's change still counts
-  double discount = 0.99;     ///< a step
+  int iterations = 60;     ///< collect, then update
+  int worlds = 16;         ///< an iteration, new ones each time
+  int goals = 2;           ///< a world
+  int starts = 8;          ///< drives to a goal
+  int max_steps = 300;     ///< of a drive
+  int window = 32;         ///< steps that errors go back at most
+  int passes = 4;          ///< over what was collected
+  double sharpness = 3.0;  ///< times the first policy's preferences, which imitation leaves too close for drawing
+  double clip = 0.2;       ///< how far from 1 a probability's change still counts
+  double discount = 0.99;  ///< a step
   double advantage_decay = 0.95;
   double entropy_start = 0.003;  ///< weight of the entropy, sinking linearly
   double entropy_end = 0.0003;
-  double step_cost = 0.05;       ///< m
-  double arrival_bonus = 3.0;    ///< m
-  double contact_cost = 0.5;     ///< m
+  double step_cost = 0.05;     ///< m
+  double arrival_bonus = 3.0;  ///< m
+  double contact_cost = 0.5;   ///< m
   double learning_rate = 0.002;
   double critic_learning_rate = 0.005;
   double max_gradient_norm = 0.5;

@@ -31,8 +31,8 @@ struct DriveExercise {
 };
 
 /// The `number`-th world for a use, with up to `goals` goals of `starts` drives each; the same for the same seed.
-std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& parameters, WorldUse use,
-                                              std::uint64_t seed, int number, int goals, int starts);
+std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& parameters, WorldUse use, std::uint64_t seed,
+                                              int number, int goals, int starts);
 
 /// Where a robot ends that goes from `start` nearer and nearer to the goal as the crow flies: places at least
 /// `clearance` (m) from all obstacles, in steps of a cell.

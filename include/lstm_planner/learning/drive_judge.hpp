@@ -11,8 +11,8 @@ namespace lstm_planner {
 struct DriveScore {
   int drives = 0;
   double arrival = 0.0;  ///< share of the drives
-  /// Mean of shortest / driven way, 0 for those that did not arrive ("success weighted by path length": Anderson et al.,
-  /// "On evaluation of embodied navigation agents", 2018).
+  /// Mean of shortest / driven way, 0 for those that did not arrive ("success weighted by path length": Anderson et
+  /// al., "On evaluation of embodied navigation agents", 2018).
   double efficiency = 0.0;
 };
 

@@ -12,8 +12,9 @@
 
 namespace lstm_planner {
 
-/// Learning to drive from a teacher that knows the map, in generated worlds and under random conditions (DAgger: Ross, Gordon and Bagnell, "A
-/// reduction of imitation learning and structured prediction to no-regret online learning", AISTATS 2011).
+/// Learning to drive from a teacher that knows the map, in generated worlds and under random conditions (DAgger: Ross,
+/// Gordon and Bagnell, "A reduction of imitation learning and structured prediction to no-regret online learning",
+/// AISTATS 2011).
 struct ImitationParameters {
   PolicyDescription policy;
   DriveCourseParameters course;

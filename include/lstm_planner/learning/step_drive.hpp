@@ -12,13 +12,13 @@ namespace lstm_planner {
 
 /// Under which conditions a robot practises: what differs from robot to robot and from day to day.
 struct StepDriveConditions {
-  HokuyoParameters scanner;       ///< with few beams: the averages hardly change
-  double period = 0.5;            ///< s between scans, and steps
-  double speed = 0.3;             ///< m/s
-  double latency = 0.0;           ///< s from a decision to the wheels; until then the last one is carried on with
-  double travel_error = 0.0;      ///< of the odometry, relative
-  double turn_error = 0.0;        ///< of the odometry, rad a metre
-  double slip = 0.0;              ///< standard deviation of what a step truly travels and turns, relative
+  HokuyoParameters scanner;   ///< with few beams: the averages hardly change
+  double period = 0.5;        ///< s between scans, and steps
+  double speed = 0.3;         ///< m/s
+  double latency = 0.0;       ///< s from a decision to the wheels; until then the last one is carried on with
+  double travel_error = 0.0;  ///< of the odometry, relative
+  double turn_error = 0.0;    ///< of the odometry, rad a metre
+  double slip = 0.0;          ///< standard deviation of what a step truly travels and turns, relative
 };
 
 /// The conditions without any randomness but the scanner's: a Create 2 with every eighth beam of a UTM-30LX.

@@ -1,9 +1,9 @@
-#include "lstm_planner/agent/place_trace.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
+
+#include "lstm_planner/agent/place_trace.hpp"
 
 namespace lstm_planner {
 namespace {

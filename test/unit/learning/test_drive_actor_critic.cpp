@@ -1,10 +1,9 @@
-#include "lstm_planner/learning/drive_actor_critic.hpp"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <utility>
 
+#include "lstm_planner/learning/drive_actor_critic.hpp"
 #include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
 

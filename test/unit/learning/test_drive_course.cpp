@@ -1,9 +1,9 @@
-#include "lstm_planner/learning/drive_course.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
+
+#include "lstm_planner/learning/drive_course.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,9 +1,8 @@
-#include "lstm_planner/learning/step_drive.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "lstm_planner/learning/step_drive.hpp"
 #include "unit/agent/agent_fixtures.hpp"
 
 namespace lstm_planner {
@@ -42,6 +41,14 @@ TEST(StepDrive, LetsTheOdometryErr) {
   ASSERT_EQ(drive.run(300, &agent), DriveResult::End::kReached) << "as far as the odometry can tell";
   // Arrived at 9.8 to 10 m by an odometry that counts 5 % too much.
   EXPECT_NEAR(drive.truePose().x, 9.9 / 1.05, 0.2);
+}
+
+TEST(PracticeAgent, RemembersObstaclesOnlyForANetworkThatIsToldTheWayThroughThem) {
+  PolicyDescription policy;
+  EXPECT_FALSE(practiceAgent(policy).memory.enabled);
+  policy.encoder.input_layout.push_back("route_detour");
+  EXPECT_TRUE(practiceAgent(policy).memory.enabled);
+  EXPECT_FALSE(practiceAgent(policy).escape.enabled) << "it is to learn to get out by itself";
 }
 
 TEST(StepDrive, IsTheSameForTheSameSeed) {

@@ -66,8 +66,9 @@ TEST(Encoder, StaysFiniteForEveryFiniteObservation) {
   const double largest = std::numeric_limits<double>::max();
   for (const double value : {largest, -largest, 0.0, 1e-300}) {
     EncoderParameters parameters;
-    parameters.input_layout.insert(parameters.input_layout.end(), {"goal_bearing", "heading", "event_0", "route_bearing_sin",
-                                                                      "route_bearing_cos", "route_detour", "visits_4"});
+    parameters.input_layout.insert(
+        parameters.input_layout.end(),
+        {"goal_bearing", "heading", "event_0", "route_bearing_sin", "route_bearing_cos", "route_detour", "visits_4"});
     Observation observation;
     observation.sector_ranges.fill(value);
     observation.goal_distance = value;
