@@ -12,9 +12,8 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from move_base_robot import NAVFN, OURS, Robot  # noqa: E402
 
 START = (1.5, 2.5, 1.5708)
-FAR = (2.0, 8.25)  # in another room
-NEAR = (1.6, 4.0)
-BEHIND = (1.6, 2.0)
+FAR = (1.6, 4.4)  # outside the global costmap, seen from the start
+NEAR = (1.55, 3.9)  # inside
 TOLERANCE = 0.2  # m, of the local planner
 ODOMETRY_ERROR = 0.1  # m between where the robot is and where it thinks it is, on these ways
 
@@ -25,6 +24,11 @@ class Pitfalls(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.robot = Robot(START)
+
+    def setUp(self):
+        self.robot.send(START[:2])
+        self.assertEqual(self.robot.finish(), GoalStatus.SUCCEEDED)
+        self.robot.recoveries.clear()
 
     def tearDown(self):
         self.robot.client.cancel_goal()
@@ -38,20 +42,19 @@ class Pitfalls(unittest.TestCase):
         self.assertEqual(robot.finish(), GoalStatus.SUCCEEDED)
         self.assertLess(robot.distance(FAR), TOLERANCE + ODOMETRY_ERROR)
         # The local planner takes the last pose for the goal, wherever the network steers for.
-        self.assertGreater(len(robot.plans), 10)
+        self.assertGreater(len(robot.plans), 5)
         for plan in robot.plans:
             self.assertLess(robot.plan_end(plan.poses, FAR), 1e-6)
         self.assertEqual(robot.judge.contacts, 0)
 
     def test_2_questions_of_others_change_nothing(self):
         robot = self.robot
-        robot.send(START[:2])
+        robot.send(FAR)
         robot.wait("a plan", lambda: robot.plans)
-        robot.pass_time(3.0)
         steps = []
         for _ in range(10):
             # This move_base refuses while it drives; another one may not.
-            robot.make_plan(FAR, tolerance=0.5)
+            robot.make_plan(START, tolerance=0.5)
             robot.pass_time(0.2)
             steps.append(self.step())
         self.assertEqual(steps, sorted(steps), "the steps were counted anew")
@@ -61,8 +64,8 @@ class Pitfalls(unittest.TestCase):
         robot.pass_time(1.0)
         decisions, step = len(robot.decisions), self.step()
         for _ in range(5):
-            plan = robot.make_plan(NEAR, tolerance=0.5)
-            self.assertLess(robot.plan_end(plan, NEAR), 1e-3)
+            plan = robot.make_plan(START, tolerance=0.5)
+            self.assertLess(robot.plan_end(plan, START), 1e-3)
         robot.pass_time(1.0)
         self.assertEqual(len(robot.decisions), decisions, "a question was taken for a goal")
         self.assertEqual(self.step(), step)
@@ -73,13 +76,12 @@ class Pitfalls(unittest.TestCase):
 
     def test_3_a_new_goal_takes_the_place_of_the_old_one_and_a_cancel_stops_the_robot(self):
         robot = self.robot
+        robot.send(FAR)
+        robot.wait("the robot to drive", lambda: robot.distance(START[:2]) > 0.5)
         robot.send(START[:2])
-        robot.pass_time(2.0)
-        here = robot.judge.position
-        robot.send(here)
         self.assertEqual(robot.finish(), GoalStatus.SUCCEEDED)
-        self.assertLess(robot.distance(here), 2.0 * (TOLERANCE + ODOMETRY_ERROR))
-        robot.send(START[:2])
+        self.assertLess(robot.distance(START[:2]), TOLERANCE + ODOMETRY_ERROR)
+        robot.send(FAR)
         robot.wait("the robot to drive", lambda: robot.command.linear.x > 0.1)
         robot.client.cancel_goal()
         self.assertEqual(robot.finish(), GoalStatus.PREEMPTED)
@@ -88,18 +90,17 @@ class Pitfalls(unittest.TestCase):
 
     def test_4_the_planner_can_be_exchanged_while_the_robot_drives(self):
         robot = self.robot
-        robot.send(START[:2])
+        robot.send(NEAR)
         robot.wait("a plan", lambda: robot.plans)
         robot.choose_planner(NAVFN)
         robot.plans.clear()
         path = robot.judge.path
-        robot.pass_time(4.0)
+        robot.wait("the robot to drive by the other planner's plans", lambda: robot.judge.path > path + 0.2)
         self.assertEqual(robot.plans, [])
-        self.assertGreater(robot.judge.path, path + 0.1, "the robot does not drive by the other planner's plans")
         robot.choose_planner(OURS)
         robot.wait("a plan of the planner that came back", lambda: robot.plans)
         self.assertEqual(robot.finish(), GoalStatus.SUCCEEDED)
-        self.assertLess(robot.distance(START), TOLERANCE + ODOMETRY_ERROR)
+        self.assertLess(robot.distance(NEAR), TOLERANCE + ODOMETRY_ERROR)
 
     def test_5_the_planner_outlives_recovery_behaviours(self):
         robot = self.robot
