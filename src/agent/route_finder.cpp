@@ -39,25 +39,35 @@ double lengthOf(const std::vector<Point2>& points) {
 
 namespace {
 
-/// The place nearest to `position` that the footprint fits on, at most `tolerance` away; false when there is none.
+/// The square nearest to `position` that the footprint fits on, at most `tolerance` away; false when there is none.
 bool nearestPlace(ObstacleMemory& memory, const Point2& position, double tolerance, Point2* place) {
   const int cell = memory.cellAt(position);
   const int reach = static_cast<int>(std::ceil(tolerance / memory.cellSize()));
   double nearest = tolerance;
   bool found = false;
-  for (int rows = -reach; rows <= reach; ++rows) {
-    for (int columns = -reach; columns <= reach; ++columns) {
-      const int other = cell + rows * memory.side() + columns;
-      const int column = cell % memory.side() + columns;
-      if (column < 0 || column >= memory.side() || other < 0 || other >= memory.side() * memory.side() ||
-          memory.passage(other) == ObstacleMemory::Passage::kBlocked) {
-        continue;
-      }
-      const double distance = distanceBetween(memory.bestPlace(other), position);
-      if (distance <= nearest) {
+  const auto lookInto = [&](int other) {
+    const Point2 middle = memory.centerOf(other);
+    for (int square = 0; square < 16; ++square) {
+      const Point2 at{middle.x + (square % 4 - 1.5) * 0.25 * memory.cellSize(),
+                      middle.y + (square / 4 - 1.5) * 0.25 * memory.cellSize()};
+      const double distance = distanceBetween(at, position);
+      if (distance <= nearest && memory.isFree(at, at, ObstacleMemory::Passage::kTight)) {
         nearest = distance;
-        *place = memory.bestPlace(other);
+        *place = at;
         found = true;
+      }
+    }
+  };
+  // Ring by ring, until no nearer one can come.
+  for (int ring = 0; ring <= reach && (ring - 1) * memory.cellSize() <= nearest; ++ring) {
+    for (int rows = -ring; rows <= ring; ++rows) {
+      for (int columns = -ring; columns <= ring; columns += std::abs(rows) == ring ? 1 : std::max(1, 2 * ring)) {
+        const int column = cell % memory.side() + columns;
+        const int row = cell / memory.side() + rows;
+        const bool inside = column >= 0 && column < memory.side() && row >= 0 && row < memory.side();
+        if (inside && memory.passage(row * memory.side() + column) != ObstacleMemory::Passage::kBlocked) {
+          lookInto(row * memory.side() + column);
+        }
       }
     }
   }

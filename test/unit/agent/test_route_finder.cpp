@@ -189,6 +189,22 @@ TEST_F(RouteFinderTest, EndsWhereTheFootprintFitsHoweverNearToAWallTheGoalIs) {
   EXPECT_GT(moved, 50);
 }
 
+TEST_F(RouteFinderTest, FindsTheNearestPlaceBesideAWallWhereverItLiesOnTheSquares) {
+  // The fourth square from the wall's is the first that is free: 0.2 m from its middle, at most 0.225 m from the wall.
+  // That is no more than 0.105 m from the goal, and half a square aside.
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> shift(0.0, 0.2);
+  for (int i = 0; i < 100; ++i) {
+    const double wall = 3.0 + shift(random);
+    memory_.forget();
+    remember(test::wall({wall, -3.0}, {wall, 3.0}));
+    const Point2 goal{wall - 0.12, shift(random)};
+    ASSERT_TRUE(find({0.0, 0.0}, goal, 0.15)) << "wall at " << wall;
+    ASSERT_LT(route_.points.back().x, wall);
+    ASSERT_LE(distanceBetween(route_.points.back(), goal), std::hypot(0.105, 0.025) + 1e-9);
+  }
+}
+
 TEST_F(RouteFinderTest, SettlesForAPlaceBeforeAThinWallRatherThanALongDetour) {
   // The goal lies 0.25 m behind a wall that is 8 m longer on both sides; the start is near it already.
   remember(test::wall({1.0, -8.0}, {1.0, 8.0}));
