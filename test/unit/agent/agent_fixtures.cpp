@@ -4,8 +4,12 @@
 
 namespace lstm_planner::test {
 
-DrivePolicy policyPreferring(const std::vector<float>& preferences) {
+DrivePolicy policyPreferring(const std::vector<float>& preferences, bool knows_route) {
   PolicyDescription description;
+  if (knows_route) {
+    description.encoder.input_layout.push_back("route_bearing_sin");
+    description.encoder.input_layout.push_back("route_bearing_cos");
+  }
   const auto inputs = static_cast<Eigen::Index>(description.encoder.input_layout.size());
   // h' = tanh(h / 2 + 0.1) grows from step to step.
   RecurrentLayer memory;

@@ -37,6 +37,19 @@ TEST(AgentParameters, NamesTheParameterThatIsWrong) {
       {"shield/clearance", [](AgentParameters* p) { p->shield.clearance = 0.02; }},
       {"shield/shortest_step", [](AgentParameters* p) { p->shield.shortest_step = 0.5; }},
       {"shield/reach", [](AgentParameters* p) { p->shield.reach = 0.6; }},
+      {"memory/resolution", [](AgentParameters* p) { p->memory.resolution = 0.0; }},
+      {"memory/resolution", [](AgentParameters* p) { p->memory.resolution = 0.3 * p->shield.footprint_radius; }},
+      {"memory/width", [](AgentParameters* p) { p->memory.width = 3.9; }},
+      {"memory/width", [](AgentParameters* p) { p->memory.width = 2001.0 * p->memory.resolution; }},
+      {"memory/width", [&](AgentParameters* p) { p->memory.width = nan; }},
+      {"memory/reach", [](AgentParameters* p) { p->memory.reach = 0.0; }},
+      {"memory/comfort", [](AgentParameters* p) { p->memory.comfort = -0.01; }},
+      {"memory/freedom", [](AgentParameters* p) { p->memory.freedom = -0.01; }},
+      {"memory/freedom", [&](AgentParameters* p) { p->memory.freedom = infinity; }},
+      {"memory/tightness", [](AgentParameters* p) { p->memory.tightness = 0.9; }},
+      {"escape/last_resort", [](AgentParameters* p) { p->escape.last_resort = 0.5; }},
+      {"goal_drift", [](AgentParameters* p) { p->goal_drift = -0.01; }},
+      {"goal_drift", [](AgentParameters* p) { p->goal_drift = 1.0; }},
       {"escape/patience_steps", [](AgentParameters* p) { p->escape.patience_steps = 0; }},
       {"escape/probe_angle", [](AgentParameters* p) { p->escape.probe_angle = 1.0; }},
       {"escape/wall_turn", [](AgentParameters* p) { p->escape.wall_turn = 3.2; }},
@@ -47,6 +60,19 @@ TEST(AgentParameters, NamesTheParameterThatIsWrong) {
     EXPECT_EQ(complaintAbout(change).find(std::string("parameter ") + name + " is "), 0u)
         << name << ": " << complaintAbout(change);
   }
+}
+
+TEST(AgentParameters, TakesTheLimitsOfTheMemory) {
+  EXPECT_EQ(complaintAbout([](AgentParameters* p) {
+              p->memory.resolution = 0.29 * p->shield.footprint_radius;
+              p->memory.width = 4.0;
+              p->memory.comfort = 0.0;
+              p->memory.freedom = 0.0;
+              p->memory.tightness = 1.0;
+              p->escape.last_resort = 1.0;
+              p->goal_drift = 0.0;
+            }),
+            "");
 }
 
 TEST(AgentParameters, AWaypointMustNotBeReachedWhereItIsChosen) {
