@@ -123,7 +123,7 @@ void NavigationAgent::chooseAction(const Situation& situation) {
 
 bool NavigationAgent::leadsOn(const Situation& situation, double direction, double distance) {
   const Point2 waypoint = pointAlong(situation.pose, direction, distance);
-  return guide_.findFrom(waypoint, &route_on_) &&
+  return guide_.isPassable({situation.pose.x, situation.pose.y}, waypoint) && guide_.findFrom(waypoint, &route_on_) &&
          distance + route_on_.length <= guide_.route().length + parameters_.memory.freedom;
 }
 

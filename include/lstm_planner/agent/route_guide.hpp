@@ -50,6 +50,11 @@ class RouteGuide {
   /// A route from somewhere else through the same memory; false when there is none.
   bool findFrom(const Point2& start, Route* route);
 
+  /// Whether the footprint fits through on the straight way from one place to the other, as far as is remembered.
+  bool isPassable(const Point2& from, const Point2& to) {
+    return memory_.isFree(from, to, ObstacleMemory::Passage::kTight);
+  }
+
   /// Everything is forgotten, e.g. because the odometry jumped.
   void forget();
 
