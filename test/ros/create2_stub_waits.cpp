@@ -1,0 +1,86 @@
+// The stub's own clock waits for a controller that is at work (parameter command_period, here 0.06 s).
+#include <geometry_msgs/Twist.h>
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
+
+#include <functional>
+
+namespace {
+
+constexpr double kDeadline = 30.0;  // s of the computer's clock after which a test has failed
+constexpr double kPeriod = 0.06;    // s, simulated, as in the .test file
+constexpr double kPatience = 0.5;   // s of the computer's clock that the stub waits at most
+
+class Create2StubWaits : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    clock_ = node_.subscribe("/clock", 100, &Create2StubWaits::onClock, this);
+    commands_ = node_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
+    ASSERT_TRUE(eventually([this] { return now_ > 0.0 && commands_.getNumSubscribers() > 0; }));
+  }
+
+  void onClock(const rosgraph_msgs::Clock::ConstPtr& message) { now_ = message->clock.toSec(); }
+
+  void command(double speed) {
+    geometry_msgs::Twist message;
+    message.linear.x = speed;
+    commands_.publish(message);
+  }
+
+  /// Simulated seconds that pass while the computer's clock goes on by `seconds`.
+  double passIn(double seconds) {
+    const double begin = now_;
+    const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
+    while (ros::WallTime::now() < end) spin();
+    return now_ - begin;
+  }
+
+  static bool eventually(const std::function<bool()>& condition) {
+    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kDeadline);
+    while (!condition()) {
+      if (ros::WallTime::now() > deadline) return false;
+      spin();
+    }
+    return true;
+  }
+
+  static void spin() {
+    ros::spinOnce();
+    ros::WallDuration(0.001).sleep();
+  }
+
+  ros::NodeHandle node_;
+  ros::Subscriber clock_;
+  ros::Publisher commands_;
+  double now_ = 0.0;  ///< s, simulated
+};
+
+TEST_F(Create2StubWaits, ForTheNextCommandWhileTheRobotIsToldToMove) {
+  // On a busy computer a command may be on its way for longer than the stub has patience.
+  EXPECT_TRUE(eventually([this] {
+    command(0.1);
+    passIn(0.2 * kPatience);
+    return passIn(0.3 * kPatience) <= kPeriod;
+  })) << "25 times that passes without waiting";
+}
+
+TEST_F(Create2StubWaits, NotForEver) {
+  command(0.1);
+  const double begin = now_;
+  EXPECT_TRUE(eventually([&] { return now_ > begin + 20.0 * kPeriod; }));
+}
+
+TEST_F(Create2StubWaits, NotForOneThatLetsTheRobotStand) {
+  command(0.0);
+  const double begin = now_;
+  EXPECT_TRUE(eventually([&] { return now_ > begin + 50.0 * kPeriod; }));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "create2_stub_waits");
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
