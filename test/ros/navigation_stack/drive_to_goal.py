@@ -14,6 +14,7 @@ from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 from nav_msgs.msg import Odometry
 from std_msgs.msg import Float64MultiArray, UInt32
 
+ENDED = (GoalStatus.SUCCEEDED, GoalStatus.ABORTED, GoalStatus.REJECTED, GoalStatus.PREEMPTED)
 PATIENCE = 60.0  # s of the computer's clock without ground truth or an action server
 
 
@@ -90,7 +91,7 @@ def drive(start, goal, radius, time_limit, pass_by):
     while not arrived and judge.time - begin < time_limit:
         time.sleep(0.02)
         judge.check_alive()
-        if client.get_state() in (GoalStatus.SUCCEEDED, GoalStatus.ABORTED, GoalStatus.REJECTED, GoalStatus.PREEMPTED):
+        if client.get_state() in ENDED:
             break
         arrived = pass_by and math.dist(judge.position, goal) <= radius
     state = client.get_state()
@@ -98,7 +99,7 @@ def drive(start, goal, radius, time_limit, pass_by):
     result = {
         "arrived": arrived or (state == GoalStatus.SUCCEEDED and remaining <= radius),
         "early": state == GoalStatus.SUCCEEDED and remaining > radius,
-        "text": "" if arrived else client.get_goal_status_text() or "time limit",
+        "text": client.get_goal_status_text() if state in ENDED else "" if arrived else "time limit",
         "time": judge.time - begin,
         "path": judge.path - path_before,
         "remaining": remaining,
