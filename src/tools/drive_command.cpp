@@ -14,7 +14,7 @@
 namespace lstm_planner {
 namespace {
 
-DriveResult driveOnce(const DriveOptions& options, const DriveWorld& world, const DriveExercise& exercise,
+DriveResult driveOnce(const DriveOptions& options, const DriveWorld& world, const NumberedDrive& exercise,
                       const DriveParameters& rules, const DrivePolicy& policy) {
   NavigationAgent agent(policy, options.agent);
   if (options.crowd.walkers == 0) return drive(*world.world, exercise.task, rules, exercise.seed, &agent);

@@ -15,7 +15,7 @@ constexpr int kLongestSide = 1200;       // pixels
 
 struct Drive {
   const DriveWorld& world;
-  const DriveExercise& exercise;
+  const NumberedDrive& exercise;
   const DriveResult& result;
 };
 

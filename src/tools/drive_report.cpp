@@ -124,7 +124,7 @@ std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
          "goal_error_m,steps,escape_steps\n";
   for (std::size_t i = 0; i < course.worlds.size(); ++i) {
     for (std::size_t k = 0; k < results[i].size(); ++k) {
-      const DriveExercise& exercise = course.worlds[i].exercises[k];
+      const NumberedDrive& exercise = course.worlds[i].exercises[k];
       const DriveTask& task = exercise.task;
       const DriveResult& result = results[i][k];
       csv << course.worlds[i].name << ',' << exercise.number << ',' << task.start.x << ',' << task.start.y << ','

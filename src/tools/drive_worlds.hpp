@@ -12,7 +12,7 @@
 namespace lstm_planner {
 
 /// A task of a world, and the seed of what chance does in it.
-struct DriveExercise {
+struct NumberedDrive {
   std::string name;
   int number = 0;  ///< of the goal in a map or the room, of the world otherwise
   DriveTask task;
@@ -26,7 +26,7 @@ struct DriveWorld {
   const OccupancyGrid* map = nullptr;  ///< of `world`; nullptr where it consists of circles
   std::vector<Circle> circles;
   std::vector<Point2> walker_places;
-  std::vector<DriveExercise> exercises;
+  std::vector<NumberedDrive> exercises;
 };
 
 /// All that is driven in one run of the tool.
