@@ -114,8 +114,10 @@ void Escape::measureBoundary(const Pose2& pose) {
     return;
   }
   const double direction = directionTo(last_position_, pose);
-  if (along_ == 0.0) {
-    departure_direction_ = direction;  // how the boundary runs where it was met; the turn away from the goal is no part
+  // How the boundary runs where it was met: the turn away from the goal, which may be driven as an arc, is no part of it.
+  const bool departing = turned_ == 0.0 && std::abs(along_) < 2.0 * parameters_.follow_step;
+  if (departing) {
+    departure_direction_ = direction;
   } else {
     turned_ += turnOf(direction);
   }
