@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "lstm_planner/agent/observer.hpp"
+
 namespace lstm_planner {
 
 const char* toString(Decision::Source source) {
@@ -28,8 +30,6 @@ const char* toString(Decision::Source source) {
 }
 
 namespace {
-
-constexpr double kVisitRadius = 0.8;  ///< m to the places whose visits the network is told
 
 bool asksForRoute(const EncoderParameters& encoder) {
   const std::vector<std::string>& layout = encoder.input_layout;
@@ -196,15 +196,9 @@ void NavigationAgent::advanceNetwork(const Situation& situation) {
     previous =
         description.actions.angle(description.actions.nearest(normalizeAngle(decision_.direction - step_pose_.yaw)));
   }
-  Observation observation =
-      observe(situation.sectors, situation.pose, goal_, previous, description.encoder.position_cell);
-  trace_.visit({situation.pose.x, situation.pose.y});
-  observation.visits = trace_.around(situation.pose, kVisitRadius);
-  if (parameters_.memory.enabled && guide_status_ == RouteGuide::Status::kRoute) {
-    const Point2 ahead = guide_.pointAhead(parameters_.step.length);
-    observation.route_bearing = normalizeAngle(directionTo(situation.pose, ahead) - situation.pose.yaw);
-    observation.route_length = guide_.route().length;
-  }
+  const bool knows_route = parameters_.memory.enabled && guide_status_ == RouteGuide::Status::kRoute;
+  const Observation observation = observe(situation, goal_, previous, description.encoder.position_cell,
+                                          knows_route ? &guide_ : nullptr, parameters_.step.length, &trace_);
   const Eigen::VectorXf& preferences = policy_.advance(observation);
   std::copy(preferences.data(), preferences.data() + preferences.size(), decision_.preferences.begin());
   step_pose_ = situation.pose;

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "lstm_planner/perception/laser_scan.hpp"
-#include "lstm_planner/ros/odometry_history.hpp"
+#include "lstm_planner/perception/odometry_history.hpp"
 #include "lstm_planner/ros/plugin_parameters.hpp"
 
 namespace lstm_planner {

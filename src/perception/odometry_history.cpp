@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/odometry_history.hpp"
+#include "lstm_planner/perception/odometry_history.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "lstm_planner/agent/place_trace.hpp"
+#include "lstm_planner/agent/route_guide.hpp"
+#include "lstm_planner/agent/situation.hpp"
+#include "lstm_planner/perception/observation.hpp"
+
+namespace lstm_planner {
+
+/// Composes what the network is told from what is seen and what is remembered: the one place where this is done, for the
+/// agent that drives and for the recorder that watches somebody drive.
+///
+/// `guide`: knows the way through what is remembered; null where none is known or nothing is remembered. `trace`: counts
+/// the robot's visits; the robot is noted to be at the situation's pose. `step_length`: m, how far along the route its
+/// bearing is taken. `position_cell`: m, see observe().
+Observation observe(const Situation& situation, const Point2& goal, double previous_action, double position_cell,
+                    const RouteGuide* guide, double step_length, PlaceTrace* trace);
+
+/// What a recorder remembers of a drive, as the agent would: obstacles and places.
+class Observer {
+ public:
+  explicit Observer(const AgentParameters& parameters) : parameters_(parameters), guide_(parameters) {}
+
+  /// A new goal (odometry frame): the visits are forgotten, the obstacles not.
+  void begin(const Point2& goal);
+  /// The odometry jumped: everything is forgotten.
+  void forget();
+  /// What the network would be told at this step; the position is not rounded.
+  Observation look(const Situation& situation, const Point2& goal, double previous_action);
+
+ private:
+  AgentParameters parameters_;
+  RouteGuide guide_;
+  PlaceTrace trace_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/agent/action_set.hpp"
+#include "lstm_planner/agent/observer.hpp"
+#include "lstm_planner/agent/situation.hpp"
+#include "lstm_planner/dataset/drive_step.hpp"
+#include "lstm_planner/dataset/event_order.hpp"
+#include "lstm_planner/dataset/recorder_parameters.hpp"
+#include "lstm_planner/perception/odometry_history.hpp"
+
+namespace lstm_planner {
+
+/// Cuts a drive into labelled steps (thesis 4.2, Eq. 4.1-4.2).
+///
+/// A look is taken every `period`: the first scan then is paired with the pose at its stamp, interpolated between the two
+/// odometry messages around it. It begins a step if the robot has moved since the last one; the pose where the next step
+/// begins is what labels it, and only then it is given to the sink. The same events give the same steps, in whatever order
+/// they arrive within RecorderParameters::delay, live or from a file. Not thread safe.
+class DriveRecorder {
+ public:
+  /// Where the origin of a frame is in the odometry frame at a time (s); empty when that is not known.
+  using FrameLookup = std::function<std::optional<Pose2>(const std::string& frame, double stamp)>;
+
+  /// `sink` must outlive the recorder. Throws std::invalid_argument (validate).
+  DriveRecorder(const RecorderParameters& parameters, StepSink* sink, FrameLookup lookup);
+
+  void add(DriveEvent event);
+
+  /// Something was heard that could not become an event.
+  void reject(Rejection rejection) { sink_->reject(rejection); }
+
+  /// Works on all that was heard and ends the episode.
+  void finish();
+
+  /// While paused nothing becomes a step. Pausing ends the episode; afterwards the goal is still the goal.
+  void setPaused(bool paused);
+  bool paused() const { return paused_; }
+
+  /// Ends the running episode, if there is one, for this reason.
+  void endEpisode(EpisodeEnd end);
+
+  /// The goal that is being driven to, in its frame; empty when there is none.
+  const std::optional<GoalInFrame>& goal() const { return goal_; }
+  /// The last look: empty before the first.
+  const std::optional<Situation>& situation() const { return situation_; }
+  bool inEpisode() const { return in_episode_; }
+
+ private:
+  void work(const OdometryHeard& odometry);
+  void work(const GoalHeard& goal);
+  void work(const GoalGivenUp& given_up);
+  void work(ScanHeard scan);
+  void workOn(DriveEvent event);
+  void lookAtWaitingScans();
+  void look(const ScanHeard& scan);
+  bool hasMoved(const Pose2& pose) const;
+  void arrive(double stamp);
+  void startEpisode(double stamp);
+  DriveStep begin(const ScanHeard& scan, const Point2& goal);
+  void label(const DriveStep& next);
+
+  RecorderParameters parameters_;
+  ActionSet actions_;
+  StepSink* sink_;
+  FrameLookup lookup_;
+  EventOrder order_;
+  OdometryHistory history_;
+  long jumps_ = 0;
+  double last_odometry_ = 0.0;  ///< s
+  double last_scan_ = 0.0;      ///< s
+  std::vector<ScanHeard> waiting_;  ///< scans whose odometry has not come yet
+  Observer observer_;
+  std::optional<Situation> situation_;
+
+  std::optional<GoalInFrame> goal_;
+  std::string goal_source_;
+  bool in_episode_ = false;
+  bool paused_ = false;
+  double newest_ = 0.0;     ///< s
+  double next_look_ = 0.0;  ///< s
+  std::optional<DriveStep> step_;  ///< not labelled yet
+  double previous_action_ = 0.0;   ///< rad
+  long number_ = 0;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/dataset/dataset_writer.hpp"
+#include "lstm_planner/dataset/hindsight.hpp"
+#include "lstm_planner/perception/laser_scan.hpp"
+
+namespace lstm_planner {
+
+/// What a bag does not say itself.
+struct BagDriveOptions {
+  std::string scan_topic;        ///< empty: the bag's only topic of scans
+  std::string odometry_topic;    ///< empty: the bag's only topic of odometry; where there is none, from tf
+  std::string odometry_frame = "odom";   ///< for odometry from tf
+  std::string base_frame = "base_link";  ///< where the odometry does not name it, and for odometry from tf
+  std::optional<SensorMount> mount;      ///< where the scanner sits; empty: from tf
+  std::vector<std::string> goal_topics;  ///< PoseStamped or MoveBaseActionGoal; empty: move_base/goal,
+                                         ///< move_base_simple/goal and dataset_recorder/goal
+  bool hindsight = false;                ///< goals are places the driver went to, not the bag's
+  HindsightParameters hindsight_parameters;
+};
+
+/// What was made of a bag.
+struct BagDriveResult {
+  long scans = 0;
+  long odometry = 0;
+  long goals = 0;
+  double duration = 0.0;  ///< s
+  std::string scan_topic;
+  std::string odometry_source;  ///< a topic, or "tf"
+  bool mount_known = true;      ///< false: no transform; the scanner was taken to sit at the base's origin, looking ahead
+};
+
+/// Replays a bag into a recorder: the steps are those that the recorder's node would have made of the same messages.
+/// Throws std::invalid_argument, naming the bag and what was expected, when it cannot be read or has no scans, no odometry,
+/// several topics to choose from, or no goals.
+BagDriveResult recordBag(const std::string& path, const BagDriveOptions& options, const RecorderParameters& parameters,
+                         StepSink* sink);
+
+}  // namespace lstm_planner
