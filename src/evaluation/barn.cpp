@@ -6,7 +6,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "evaluation/csv_file.hpp"
+#include "lstm_planner/evaluation/csv_file.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,8 +1,9 @@
-#include "evaluation/csv_file.hpp"
+#include "lstm_planner/evaluation/csv_file.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -33,15 +34,19 @@ double toNumber(const std::string& text, const std::string& where, const std::st
 
 }  // namespace
 
-CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& columns) {
+CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& columns,
+                 const std::vector<std::string>& optional_columns) {
   std::ifstream file(path);
   std::string line;
   if (!file || !std::getline(file, line)) throw std::invalid_argument("'" + path + "' cannot be read");
   const std::vector<std::string> names = split(line);
+  std::vector<std::string> wanted = columns;
+  wanted.insert(wanted.end(), optional_columns.begin(), optional_columns.end());
   std::vector<std::size_t> places;
-  for (const std::string& column : columns) {
+  for (const std::string& column : wanted) {
     const auto found = std::find(names.begin(), names.end(), column);
-    if (found == names.end()) {
+    has_.push_back(found != names.end());
+    if (!has_.back() && has_.size() <= columns.size()) {
       throw std::invalid_argument("'" + path + "', line 1: '" + line.substr(0, 80) + "' names no column '" + column +
                                   "'");
     }
@@ -51,9 +56,9 @@ CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& column
     if (line.find_first_not_of(kBlank) == std::string::npos) continue;
     const std::string where = "'" + path + "', line " + std::to_string(number);
     const std::vector<std::string> fields = split(line);
-    std::vector<double> numbers;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      numbers.push_back(toNumber(places[i] < fields.size() ? fields[places[i]] : "", where, columns[i]));
+    std::vector<double> numbers(wanted.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (has_[i]) numbers[i] = toNumber(places[i] < fields.size() ? fields[places[i]] : "", where, wanted[i]);
     }
     numbers_.push_back(std::move(numbers));
   }

@@ -1,10 +1,9 @@
 #include "lstm_planner/ros/create2_stub_world.hpp"
 
-#include <algorithm>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
+#include "lstm_planner/evaluation/csv_file.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
 
 namespace lstm_planner {
@@ -14,65 +13,20 @@ constexpr double kContactEnds = 0.01;    // m of air after which touching again 
 constexpr double kBumperTravel = 0.005;  // m
 constexpr double kBumperBearing = 0.7;   // rad, middle of each half of the bumper
 
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> fields;
-  std::istringstream stream(line);
-  for (std::string field; std::getline(stream, field, ',');) {
-    const auto first = field.find_first_not_of(" \t\r");
-    const auto last = field.find_last_not_of(" \t\r");
-    fields.push_back(first == std::string::npos ? "" : field.substr(first, last - first + 1));
-  }
-  return fields;
-}
-
-/// One line of a csv file by column name.
-class CsvRow {
- public:
-  CsvRow(const std::string& where, const std::vector<std::string>& columns, const std::string& line)
-      : where_(where), columns_(columns), fields_(split(line)) {}
-
-  double number(const std::string& column) const {
-    const auto found = std::find(columns_.begin(), columns_.end(), column);
-    const auto index = static_cast<std::size_t>(found - columns_.begin());
-    const std::string text = index < fields_.size() ? fields_[index] : "";
-    std::istringstream stream(text);
-    double value = 0.0;
-    if (!(stream >> value) || !stream.eof()) {
-      throw std::invalid_argument(where_ + ": column " + column + " is '" + text + "', expected a number");
-    }
-    return value;
-  }
-
- private:
-  std::string where_;
-  const std::vector<std::string>& columns_;
-  std::vector<std::string> fields_;
-};
-
 }  // namespace
 
 std::vector<Circle> readCircles(const std::string& path, double default_radius, int world) {
-  std::ifstream file(path);
-  std::string line;
-  if (!file || !std::getline(file, line)) throw std::invalid_argument("circles '" + path + "' cannot be read");
-  const std::vector<std::string> columns = split(line);
-  const auto has = [&columns](const char* name) {
-    return std::find(columns.begin(), columns.end(), name) != columns.end();
-  };
-  if (!has("x") || !has("y")) {
-    throw std::invalid_argument("circles '" + path + "': the first line is '" + line +
-                                "', expected the names of the columns, x and y among them");
-  }
+  enum Column { kX, kY, kRadius, kWorld };
+  const CsvFile file(path, {"x", "y"}, {"radius", "world"});
   std::vector<Circle> circles;
-  for (int number = 2; std::getline(file, line); ++number) {
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    const CsvRow row("circles '" + path + "', line " + std::to_string(number), columns, line);
-    if (has("world") && static_cast<int>(row.number("world")) != world) continue;
-    circles.push_back({{row.number("x"), row.number("y")}, has("radius") ? row.number("radius") : default_radius});
+  for (std::size_t line = 0; line < file.lines(); ++line) {
+    if (file.has(kWorld) && static_cast<int>(file.number(line, kWorld)) != world) continue;
+    const double radius = file.has(kRadius) ? file.number(line, kRadius) : default_radius;
+    circles.push_back({{file.number(line, kX), file.number(line, kY)}, radius});
   }
   if (circles.empty()) {
-    throw std::invalid_argument("circles '" + path + "' holds none" +
-                                (has("world") ? " of world " + std::to_string(world) : ""));
+    throw std::invalid_argument("'" + path + "' holds no circles" +
+                                (file.has(kWorld) ? " of world " + std::to_string(world) : ""));
   }
   return circles;
 }
