@@ -1,5 +1,7 @@
 #include "lstm_planner/ros/parameter_reader.hpp"
 
+#include <ros/console.h>
+
 #include <stdexcept>
 
 namespace lstm_planner {
@@ -29,6 +31,10 @@ void ParameterReader::read(const std::string& name, bool* value) { readAs(name, 
 
 void ParameterReader::read(const std::string& name, std::string* value) { readAs(name, "a text", value); }
 
+void ParameterReader::read(const std::string& name, std::vector<double>* value) {
+  readAs(name, "a list of numbers", value);
+}
+
 std::vector<std::string> ParameterReader::unknownParameters() const {
   std::vector<std::string> names;
   node_handle_.getParamNames(names);
@@ -40,6 +46,12 @@ std::vector<std::string> ParameterReader::unknownParameters() const {
     }
   }
   return unknown;
+}
+
+void ParameterReader::warnOfUnknown() const {
+  for (const std::string& name : unknownParameters()) {
+    ROS_WARN("parameter %s is set, but there is none of that name", name.c_str());
+  }
 }
 
 }  // namespace lstm_planner

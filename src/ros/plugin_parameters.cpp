@@ -1,6 +1,5 @@
 #include "lstm_planner/ros/plugin_parameters.hpp"
 
-#include <ros/console.h>
 #include <ros/package.h>
 
 #include <stdexcept>
@@ -36,16 +35,6 @@ void readShield(ParameterReader* reader, AgentParameters* agent) {
   reader->read("shield/tight_clearance", &agent->shield.tight_clearance);
   reader->read("shield/shortest_step", &agent->shield.shortest_step);
   reader->read("shield/reach", &agent->shield.reach);
-}
-
-void readMemory(ParameterReader* reader, MemoryParameters* memory) {
-  reader->read("memory/enabled", &memory->enabled);
-  reader->read("memory/width", &memory->width);
-  reader->read("memory/resolution", &memory->resolution);
-  reader->read("memory/reach", &memory->reach);
-  reader->read("memory/comfort", &memory->comfort);
-  reader->read("memory/freedom", &memory->freedom);
-  reader->read("memory/tightness", &memory->tightness);
 }
 
 void readEscape(ParameterReader* reader, EscapeParameters* escape) {
@@ -101,20 +90,24 @@ void check(const SensorParameters& sensors) {
   checkPositive("max_speed", sensors.max_speed);
 }
 
-void warnOfUnknown(const ParameterReader& reader) {
-  for (const std::string& name : reader.unknownParameters()) {
-    ROS_WARN("parameter %s is set, but there is none of that name", name.c_str());
-  }
-}
-
 }  // namespace
+
+void readParameters(ParameterReader* reader, MemoryParameters* memory) {
+  reader->read("memory/enabled", &memory->enabled);
+  reader->read("memory/width", &memory->width);
+  reader->read("memory/resolution", &memory->resolution);
+  reader->read("memory/reach", &memory->reach);
+  reader->read("memory/comfort", &memory->comfort);
+  reader->read("memory/freedom", &memory->freedom);
+  reader->read("memory/tightness", &memory->tightness);
+}
 
 void readParameters(ParameterReader* reader, GlobalPlannerParameters* parameters) {
   reader->read("model", &parameters->model);
   readSensors(reader, &parameters->sensors);
   readStep(reader, &parameters->agent.step);
   readShield(reader, &parameters->agent);
-  readMemory(reader, &parameters->agent.memory);
+  readParameters(reader, &parameters->agent.memory);
   readEscape(reader, &parameters->agent.escape);
   reader->read("goal_tolerance", &parameters->agent.goal_tolerance);
   reader->read("goal_in_sight", &parameters->agent.goal_in_sight);
@@ -135,7 +128,7 @@ GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_
   GlobalPlannerParameters parameters;
   ParameterReader reader(node_handle);
   readParameters(&reader, &parameters);
-  warnOfUnknown(reader);
+  reader.warnOfUnknown();
 
   check(parameters.sensors);
   validate(parameters.agent);
@@ -149,7 +142,7 @@ SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHan
   SteeringControllerParameters parameters;
   ParameterReader reader(node_handle);
   readParameters(&reader, &parameters);
-  warnOfUnknown(reader);
+  reader.warnOfUnknown();
   ParameterReader(ros::NodeHandle("~")).read("controller_frequency", &parameters.controller_frequency);
 
   check(parameters.sensors);

@@ -29,11 +29,8 @@ class MarkerPublisher {
 
  private:
   void extendTrace(const Pose2& pose);
-  void addSectors(const std_msgs::Header& header, const Situation& situation);
   void addPreferences(const std_msgs::Header& header, const Situation& situation, const Decision& decision);
   void addWaypoint(const std_msgs::Header& header, const Decision& decision);
-  void addTrace(const std_msgs::Header& header);
-  void addGoal(const std_msgs::Header& header, const Pose2& goal);
 
   PolicyDescription description_;
   std::size_t trace_length_;

@@ -19,9 +19,11 @@ class ParameterReader {
   void read(const std::string& name, int* value);
   void read(const std::string& name, bool* value);
   void read(const std::string& name, std::string* value);
+  void read(const std::string& name, std::vector<double>* value);
 
   /// Full names of parameters of the namespace that are set but were never read: misspelt ones.
   std::vector<std::string> unknownParameters() const;
+  void warnOfUnknown() const;  ///< a line in the log for each
 
   /// Full names of parameters that were read and are not set, or set to something else than their default.
   const std::set<std::string>& unsetParameters() const { return unset_; }
