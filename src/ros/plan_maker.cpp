@@ -31,7 +31,7 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       sensors_(callbacks_.nodeHandle(), parameters.sensors, frameName(base_frame), tf_),
       goals_(callbacks_.nodeHandle("~")),
       tracker_(goalPatience()),
-      markers_(ros::NodeHandle("~/" + name), agent_.policy().description(), parameters.trace_length),
+      markers_(ros::NodeHandle("~/" + name), agent_.description(), parameters.trace_length),
       decisions_(ros::NodeHandle("~/" + name)),
       plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)),
       shield_(agent_.shield()) {}
@@ -68,12 +68,8 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
 
 void PlanMaker::look(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
-  checkFits(agent_.policy().description(), parameters_.agent.step.length, parameters_.agent.shield.footprint_radius,
-            scan_.range_max);
-  perceive(scan_, reading.mount, {}, agent_.policy().description().encoder.range_cap, &situation_);
-  situation_.pose = reading.scan_pose;
-  situation_.time = scan_.stamp > 0.0 ? scan_.stamp : now_.toSec();
-  shield_.show(situation_.obstacles);
+  agent_.look(scan_, reading.mount, reading.scan_pose, scan_.stamp > 0.0 ? scan_.stamp : now_.toSec());
+  shield_.show(agent_.situation().obstacles);
 }
 
 Decision PlanMaker::decide(const GoalInFrame& goal, const SensorReading& reading, Pose2* goal_in_global_frame) {
@@ -91,8 +87,8 @@ Decision PlanMaker::decide(const GoalInFrame& goal, const SensorReading& reading
   const Pose2 odometry_goal{position.x, position.y, goal_in_global_frame->yaw - global_from_odometry_.yaw};
   const bool driven = verdict != GoalTracker::Verdict::kQuestion;
   const Decision decision = driven ? drive(odometry_goal, reading, verdict == GoalTracker::Verdict::kNewGoal)
-                                   : agent_.preview(situation_, position);
-  rollOut(situation_, decision, shield_, odometry_goal, parameters_.agent, parameters_.rollout, &plan_);
+                                   : agent_.preview(position);
+  rollOut(agent_.situation(), decision, shield_, odometry_goal, parameters_.agent, parameters_.rollout, &plan_);
   if (driven) {
     publish(reading, decision, odometry_goal, inGlobalFrame(decision, *goal_in_global_frame));
   }
@@ -100,27 +96,23 @@ Decision PlanMaker::decide(const GoalInFrame& goal, const SensorReading& reading
 }
 
 const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading, bool is_new) {
-  constexpr double kGoalShift = 0.25;  // m; more than localisation corrects while the odometry is sound
-  if (is_new) {
-    ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
-    setGoal({goal.x, goal.y}, reading);
-    markers_.clearTrace();
-  } else if (reading.jumps != jumps_) {
-    ROS_WARN("the odometry jumped, the way so far and what was seen are forgotten; the goal stays");
-    setGoal({goal.x, goal.y}, reading);
-    agent_.restart();
-    markers_.clearTrace();
-  } else if (distanceBetween(agent_.goal(), goal) > kGoalShift) {
-    ROS_WARN("the goal moved by %.2f m in the odometry frame, the way so far is forgotten",
-             distanceBetween(agent_.goal(), goal));
-    setGoal({goal.x, goal.y}, reading);
+  const Point2 last_goal = agent_.goal();
+  switch (agent_.drive({goal.x, goal.y}, is_new, reading.jumps)) {
+    case OnlineAgent::Fresh::kNewGoal:
+      ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
+      markers_.clearTrace();
+      break;
+    case OnlineAgent::Fresh::kJump:
+      ROS_WARN("the odometry jumped, the way so far and what was seen are forgotten; the goal stays");
+      markers_.clearTrace();
+      break;
+    case OnlineAgent::Fresh::kGoalMoved:
+      ROS_WARN("the goal moved by %.2f m in the odometry frame, the way so far is forgotten",
+               distanceBetween(last_goal, goal));
+      break;
+    case OnlineAgent::Fresh::kNo: break;
   }
-  return agent_.update(situation_);
-}
-
-void PlanMaker::setGoal(const Point2& goal, const SensorReading& reading) {
-  agent_.setGoal(goal);
-  jumps_ = reading.jumps;
+  return agent_.decision();
 }
 
 std::vector<geometry_msgs::PoseStamped> PlanMaker::inGlobalFrame(const Decision& decision, const Pose2& goal) const {
@@ -148,8 +140,8 @@ void PlanMaker::publish(const SensorReading& reading, const Decision& decision, 
   std_msgs::Header header;
   header.frame_id = reading.odometry_frame;
   header.stamp = now_;
-  markers_.publish(header, situation_, decision, goal);
-  decisions_.publish(header, situation_, decision, goal);
+  markers_.publish(header, agent_.situation(), decision, goal);
+  decisions_.publish(header, agent_.situation(), decision, goal);
   if (plan_publisher_.getNumSubscribers() > 0) {
     nav_msgs::Path path;
     path.header = plan.front().header;

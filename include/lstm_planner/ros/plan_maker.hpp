@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lstm_planner/agent/goal_tracker.hpp"
-#include "lstm_planner/agent/navigation_agent.hpp"
+#include "lstm_planner/agent/online_agent.hpp"
 #include "lstm_planner/ros/callback_thread.hpp"
 #include "lstm_planner/ros/decision_publisher.hpp"
 #include "lstm_planner/ros/frame_transformer.hpp"
@@ -45,14 +45,13 @@ class PlanMaker {
   void look(const SensorReading& reading);
   Decision decide(const GoalInFrame& goal, const SensorReading& reading, Pose2* goal_in_global_frame);
   const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
-  void setGoal(const Point2& goal, const SensorReading& reading);
   std::vector<geometry_msgs::PoseStamped> inGlobalFrame(const Decision& decision, const Pose2& goal) const;
   void publish(const SensorReading& reading, const Decision& decision, const Pose2& goal,
                const std::vector<geometry_msgs::PoseStamped>& plan);
 
   GlobalPlannerParameters parameters_;
   std::string global_frame_;
-  NavigationAgent agent_;
+  OnlineAgent agent_;
 
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
@@ -68,11 +67,9 @@ class PlanMaker {
   ros::Time now_;                ///< of the current call
   Pose2 global_from_odometry_;   ///< of the current call
   LaserScan scan_;               ///< of the current call
-  Situation situation_;          ///< of the current call
   Shield shield_;                ///< shows the current call's scan
   std::vector<Pose2> plan_;      ///< of the current call, odometry frame
   Pose2 driven_goal_;            ///< global frame
-  long jumps_ = 0;               ///< of the odometry, when the agent's goal was set
 };
 
 }  // namespace lstm_planner

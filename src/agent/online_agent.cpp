@@ -1,0 +1,40 @@
+#include "lstm_planner/agent/online_agent.hpp"
+
+#include <utility>
+
+namespace lstm_planner {
+
+OnlineAgent::OnlineAgent(DrivePolicy policy, const AgentParameters& parameters)
+    : agent_(std::move(policy), parameters) {}
+
+void OnlineAgent::look(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time) {
+  const AgentParameters& parameters = agent_.parameters();
+  checkFits(description(), parameters.step.length, parameters.shield.footprint_radius, scan.range_max);
+  perceive(scan, mount, {}, description().encoder.range_cap, &situation_);
+  situation_.pose = pose;
+  situation_.time = time;
+}
+
+OnlineAgent::Fresh OnlineAgent::drive(const Point2& goal, bool is_new, long jumps) {
+  constexpr double kGoalShift = 0.25;  // m
+  const bool jumped = jumps != jumps_;
+  Fresh fresh = Fresh::kNo;
+  if (is_new) {
+    fresh = Fresh::kNewGoal;
+  } else if (jumped) {
+    fresh = Fresh::kJump;
+  } else if (distanceBetween(agent_.goal(), goal) > kGoalShift) {
+    fresh = Fresh::kGoalMoved;
+  }
+  if (fresh != Fresh::kNo) {
+    agent_.setGoal(goal);
+  }
+  if (jumped) {
+    agent_.restart();
+    jumps_ = jumps;
+  }
+  agent_.update(situation_);
+  return fresh;
+}
+
+}  // namespace lstm_planner
