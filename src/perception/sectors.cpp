@@ -89,6 +89,7 @@ void addBeams(const LaserScan& scan, const ScanLimits& limits, double range_cap,
       const bool measured = isMeasuredRange(range, scan, limits);
       sectors->range[sector] += measured ? std::min<double>(range, range_cap) : range_cap;
       sectors->measured[sector] += measured ? 1 : 0;
+      if (measured) sectors->nearest[sector] = std::min<double>(sectors->nearest[sector], range);
     }
     sectors->beams[sector] += static_cast<int>(std::max(0L, end - begin));
   }

@@ -17,10 +17,11 @@ namespace lstm_planner {
 
 /// Cuts a drive into labelled steps (thesis 4.2, Eq. 4.1-4.2).
 ///
-/// A look is taken every `period`: the first scan then is paired with the pose at its stamp, interpolated between the two
-/// odometry messages around it. It begins a step if the robot has moved since the last one; the pose where the next step
-/// begins is what labels it, and only then it is given to the sink. The same events give the same steps, in whatever order
-/// they arrive within RecorderParameters::delay, live or from a file. Not thread safe.
+/// A look is taken once in every `period` of the stamps' clock: its first scan is paired with the pose at its stamp,
+/// interpolated between the two odometry messages around it (the nearest one can be half an odometry period away). It
+/// begins a step if the robot has moved since the last one; the pose where the next step begins labels it, and only then
+/// it is given to the sink. The same events give the same steps, in whatever order they arrive within
+/// RecorderParameters::delay, live or from a file. Not thread safe.
 class DriveRecorder {
  public:
   /// Where the origin of a frame is in the odometry frame at a time (s); empty when that is not known.
@@ -54,38 +55,38 @@ class DriveRecorder {
   void work(const OdometryHeard& odometry);
   void work(const GoalHeard& goal);
   void work(const GoalGivenUp& given_up);
-  void work(ScanHeard scan);
-  void workOn(DriveEvent event);
-  void lookAtWaitingScans();
+  void work(const ScanHeard& scan);
+  void workOnWhatIsDue(bool all);
   void look(const ScanHeard& scan);
-  bool hasMoved(const Pose2& pose) const;
-  void arrive(double stamp);
-  void startEpisode(double stamp);
-  DriveStep begin(const ScanHeard& scan, const Point2& goal);
-  void label(const DriveStep& next);
+  bool see(const ScanHeard& scan);
+  bool hasMovedSinceStep() const;
+  bool isAt(const Point2& goal, const Pose2& pose) const;
+  void beginEpisode();
+  void beginStep(const ScanHeard& scan);
+  void labelStep();
 
   RecorderParameters parameters_;
   ActionSet actions_;
   StepSink* sink_;
   FrameLookup lookup_;
   EventOrder order_;
+  double newest_ = 0.0;  ///< s, of what was heard
+  double now_ = 0.0;     ///< s, of what is being worked on
+
   OdometryHistory history_;
-  long jumps_ = 0;
-  double last_odometry_ = 0.0;  ///< s
-  double last_scan_ = 0.0;      ///< s
-  std::vector<ScanHeard> waiting_;  ///< scans whose odometry has not come yet
+  std::vector<ScanHeard> waiting_;      ///< scans that are newer than the odometry
+  std::optional<double> last_look_;     ///< number of its period
+  std::optional<Situation> situation_;  ///< at the last look
   Observer observer_;
-  std::optional<Situation> situation_;
 
   std::optional<GoalInFrame> goal_;
   std::string goal_source_;
+  Point2 goal_position_;  ///< odometry frame, at the last look
   bool in_episode_ = false;
   bool paused_ = false;
-  double newest_ = 0.0;     ///< s
-  double next_look_ = 0.0;  ///< s
   std::optional<DriveStep> step_;  ///< not labelled yet
   double previous_action_ = 0.0;   ///< rad
-  long number_ = 0;
+  long number_ = 0;                ///< of the next step
 };
 
 }  // namespace lstm_planner

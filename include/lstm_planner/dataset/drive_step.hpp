@@ -28,7 +28,7 @@ struct ScanGeometry {
 /// One step of somebody's drive, as it was measured: what was seen, where the goal was, and which way was taken. Nothing
 /// in it is scaled, so that it can be encoded for any network later.
 struct DriveStep {
-  long number = 0;          ///< in its episode, from 0
+  long number = 0;          ///< in its episode, from 0; a gap is a step that no allowed angle was near enough to
   double stamp = 0.0;       ///< s, of the scan
   double next_stamp = 0.0;  ///< s, of the next step's scan: when the label became known
   Pose2 pose;               ///< base in the odometry frame at `stamp`

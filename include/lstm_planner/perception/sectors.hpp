@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <stdexcept>
 
 #include "lstm_planner/perception/laser_scan.hpp"
@@ -13,8 +14,11 @@ constexpr int kSectorCount = 8;
 /// (-90) to left (+90) (thesis 4.2, Fig. 4.4).
 struct Sectors {
   std::array<double, kSectorCount> range{};  ///< m, in (0, range cap]; no return counts as the range cap
+  std::array<double, kSectorCount> nearest;  ///< m, the nearest measured range, not capped; +inf where there is none
   std::array<int, kSectorCount> beams{};     ///< beams that fell into the sector
   std::array<int, kSectorCount> measured{};  ///< of these, beams with a measured range
+
+  Sectors() { nearest.fill(std::numeric_limits<double>::infinity()); }
 
   /// False when nothing was measured in the sector: its range is then the cap and says only "nothing seen".
   bool hasMeasurement(int sector) const { return measured[sector] > 0; }

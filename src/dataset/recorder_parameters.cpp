@@ -1,0 +1,67 @@
+#include "lstm_planner/dataset/recorder_parameters.hpp"
+
+#include "lstm_planner/agent/action_set.hpp"
+#include "lstm_planner/parameter_check.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// Calls `visit(name, value)` for every number of the parameters, for both directions of the conversion.
+template <typename Parameters, typename Visitor>
+void visitNumbers(Parameters& parameters, Visitor visit) {
+  visit("period", parameters.period);
+  visit("min_step_distance", parameters.min_step_distance);
+  visit("min_step_turn", parameters.min_step_turn);
+  visit("max_gap", parameters.max_gap);
+  visit("max_label_error", parameters.max_label_error);
+  visit("range_cap", parameters.range_cap);
+  visit("max_speed", parameters.max_speed);
+  visit("goal_tolerance", parameters.goal_tolerance);
+  visit("delay", parameters.delay);
+  visit("keep_scans", parameters.keep_scans);
+  visit("action_angles", parameters.action_angles);
+  visit("footprint_radius", parameters.agent.shield.footprint_radius);
+  visit("step_length", parameters.agent.step.length);
+  visit("memory_enabled", parameters.agent.memory.enabled);
+  visit("memory_width", parameters.agent.memory.width);
+  visit("memory_resolution", parameters.agent.memory.resolution);
+  visit("memory_reach", parameters.agent.memory.reach);
+  visit("goal_drift", parameters.agent.goal_drift);
+}
+
+}  // namespace
+
+void validate(const RecorderParameters& parameters) {
+  checkPositive("period", parameters.period);
+  checkPositive("min_step_distance", parameters.min_step_distance);
+  checkParameter(parameters.min_step_turn >= 0.0 && parameters.min_step_turn <= M_PI, "min_step_turn",
+                 parameters.min_step_turn, "zero, or an angle up to pi");
+  checkParameter(parameters.max_gap > parameters.period, "max_gap", parameters.max_gap,
+                 "more than period = " + std::to_string(parameters.period));
+  checkParameter(parameters.max_label_error > 0.0 && parameters.max_label_error <= M_PI, "max_label_error",
+                 parameters.max_label_error, "an angle in (0, pi]");
+  checkPositive("range_cap", parameters.range_cap);
+  checkPositive("max_speed", parameters.max_speed);
+  checkPositive("goal_tolerance", parameters.goal_tolerance);
+  checkParameter(parameters.delay >= 0.0 && parameters.delay < parameters.max_gap, "delay", parameters.delay,
+                 "zero or more, and less than max_gap = " + std::to_string(parameters.max_gap));
+  const ActionSet actions(parameters.action_angles);
+  validate(parameters.agent);
+}
+
+nlohmann::json toJson(const RecorderParameters& parameters) {
+  nlohmann::json json;
+  visitNumbers(parameters, [&](const char* name, const auto& value) { json[name] = value; });
+  return json;
+}
+
+RecorderParameters recorderParametersFromJson(const nlohmann::json& json) {
+  RecorderParameters parameters;
+  visitNumbers(parameters, [&](const char* name, auto& value) {
+    if (json.contains(name)) json.at(name).get_to(value);
+  });
+  return parameters;
+}
+
+}  // namespace lstm_planner
