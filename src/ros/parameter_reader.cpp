@@ -35,6 +35,25 @@ void ParameterReader::read(const std::string& name, std::vector<double>* value) 
   readAs(name, "a list of numbers", value);
 }
 
+void ParameterReader::read(const std::string& name, std::vector<XmlRpc::XmlRpcValue>* value) {
+  const std::string full_name = node_handle_.resolveName(name);
+  known_.insert(full_name);
+  XmlRpc::XmlRpcValue list;
+  if (!node_handle_.getParam(name, list)) {
+    unset_.insert(full_name);
+    return;
+  }
+  if (list.getType() != XmlRpc::XmlRpcValue::TypeArray) {
+    throw std::invalid_argument("parameter " + full_name + " is not a list");
+  }
+  std::vector<XmlRpc::XmlRpcValue> elements;
+  for (int i = 0; i < list.size(); ++i) elements.push_back(list[i]);
+  if (elements != *value) {
+    changed_.insert(full_name);
+  }
+  *value = elements;
+}
+
 std::vector<std::string> ParameterReader::unknownParameters() const {
   std::vector<std::string> names;
   node_handle_.getParamNames(names);

@@ -37,6 +37,16 @@ void readShield(ParameterReader* reader, AgentParameters* agent) {
   reader->read("shield/reach", &agent->shield.reach);
 }
 
+void readMemory(ParameterReader* reader, MemoryParameters* memory) {
+  reader->read("memory/enabled", &memory->enabled);
+  reader->read("memory/width", &memory->width);
+  reader->read("memory/resolution", &memory->resolution);
+  reader->read("memory/reach", &memory->reach);
+  reader->read("memory/comfort", &memory->comfort);
+  reader->read("memory/freedom", &memory->freedom);
+  reader->read("memory/tightness", &memory->tightness);
+}
+
 void readEscape(ParameterReader* reader, EscapeParameters* escape) {
   reader->read("escape/enabled", &escape->enabled);
   reader->read("escape/patience_steps", &escape->patience_steps);
@@ -92,22 +102,12 @@ void check(const SensorParameters& sensors) {
 
 }  // namespace
 
-void readParameters(ParameterReader* reader, MemoryParameters* memory) {
-  reader->read("memory/enabled", &memory->enabled);
-  reader->read("memory/width", &memory->width);
-  reader->read("memory/resolution", &memory->resolution);
-  reader->read("memory/reach", &memory->reach);
-  reader->read("memory/comfort", &memory->comfort);
-  reader->read("memory/freedom", &memory->freedom);
-  reader->read("memory/tightness", &memory->tightness);
-}
-
 void readParameters(ParameterReader* reader, GlobalPlannerParameters* parameters) {
   reader->read("model", &parameters->model);
   readSensors(reader, &parameters->sensors);
   readStep(reader, &parameters->agent.step);
   readShield(reader, &parameters->agent);
-  readParameters(reader, &parameters->agent.memory);
+  readMemory(reader, &parameters->agent.memory);
   readEscape(reader, &parameters->agent.escape);
   reader->read("goal_tolerance", &parameters->agent.goal_tolerance);
   reader->read("goal_in_sight", &parameters->agent.goal_in_sight);

@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 
 #include "lstm_planner/ros/plugin_parameters.hpp"
+#include "lstm_planner/ros/recorder_node_parameters.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -24,6 +25,10 @@ TEST(ShippedParameters, PlannerYamlListsEveryParameterWithItsDefault) {
 
 TEST(ShippedParameters, ControllerYamlListsEveryParameterWithItsDefault) {
   expectYamlIsTheDefaults<SteeringControllerParameters>("SteeringController");
+}
+
+TEST(ShippedParameters, RecorderYamlListsEveryParameterWithItsDefault) {
+  expectYamlIsTheDefaults<RecorderNodeParameters>("DatasetRecorder");
 }
 
 }  // namespace

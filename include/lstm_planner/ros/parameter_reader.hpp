@@ -20,6 +20,7 @@ class ParameterReader {
   void read(const std::string& name, bool* value);
   void read(const std::string& name, std::string* value);
   void read(const std::string& name, std::vector<double>* value);
+  void read(const std::string& name, std::vector<XmlRpc::XmlRpcValue>* value);  ///< a list of anything
 
   /// Full names of parameters of the namespace that are set but were never read: misspelt ones.
   std::vector<std::string> unknownParameters() const;

@@ -46,8 +46,6 @@ SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHan
 /// What the two do before they check: read every parameter into its variable.
 void readParameters(ParameterReader* reader, GlobalPlannerParameters* parameters);
 void readParameters(ParameterReader* reader, SteeringControllerParameters* parameters);
-/// Those below memory/, the same for all that remember obstacles.
-void readParameters(ParameterReader* reader, MemoryParameters* memory);
 
 /// The file behind package://NAME/PATH; any other path as it is. Throws std::invalid_argument for an unknown package.
 std::string resolvePackagePath(const std::string& path);
