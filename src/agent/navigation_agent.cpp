@@ -95,7 +95,7 @@ const Decision& NavigationAgent::update(const Situation& situation) {
   } else if (isStalled(situation)) {
     stall_time_ = situation.time;
     if (decision_.on_route) {
-      guide_.blockAhead(situation);
+      guide_.blockAhead();
       guide(situation);
       choose(situation);
     } else {

@@ -84,7 +84,7 @@ void NavigationAgent::chooseRoute(const Situation& situation) {
     } else if (followRoute(situation, Decision::Source::kRoute)) {
       return;
     }
-    guide_.blockAhead(situation);
+    guide_.blockAhead();
     guide(situation);
   }
   lookAround(situation);

@@ -1,8 +1,11 @@
 #include "lstm_planner/agent/obstacle_memory.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+
+#include "lstm_planner/grid/grid_rays.hpp"
 
 namespace lstm_planner {
 
@@ -19,10 +22,6 @@ constexpr long kBeamsBeside = 2;
 /// Bits of a judgement.
 constexpr std::uint8_t kNothingNear = 0x80;
 constexpr std::uint8_t kExitsKnown = 0x40;
-
-/// The eight neighbours, counter-clockwise from the one along x.
-constexpr int kColumns[8] = {1, 1, 0, -1, -1, -1, 0, 1};
-constexpr int kRows[8] = {0, 1, 1, 1, 0, -1, -1, -1};
 
 double squaredDistanceToLine(const Point2& point, const Point2& from, const Point2& to) {
   const Point2 line{to.x - from.x, to.y - from.y};
@@ -298,20 +297,22 @@ std::uint8_t ObstacleMemory::judgeExits(int cell) {
   if (column == 0 || row == 0 || column == side_ - 1 || row == side_ - 1 || passage(cell) == Passage::kBlocked) {
     return 0;
   }
-  bool enters[8];
-  for (int direction = 0; direction < 8; ++direction) {
-    enters[direction] = passage(cell + kRows[direction] * side_ + kColumns[direction]) != Passage::kBlocked;
+  std::array<int, kGridRayCount> neighbours;
+  std::array<bool, kGridRayCount> enters;
+  for (std::size_t direction = 0; direction < neighbours.size(); ++direction) {
+    neighbours[direction] = cell + kGridRaySteps[direction].row * side_ + kGridRaySteps[direction].column;
+    enters[direction] = passage(neighbours[direction]) != Passage::kBlocked;
   }
   collect(column, row, near_cells_ + 1, &nearby_);
   // The squares round: a way from best place to best place may come this much nearer in between.
   const double radius = tight_radius_ - 0.5 * parameters_.resolution;
   const Point2 from = bestPlace(cell);
   std::uint8_t exits = 0;
-  for (int direction = 0; direction < 8; ++direction) {
+  for (std::size_t direction = 0; direction < neighbours.size(); ++direction) {
     if (!enters[direction]) {
       continue;
     }
-    const Point2 to = bestPlace(cell + kRows[direction] * side_ + kColumns[direction]);
+    const Point2 to = bestPlace(neighbours[direction]);
     const bool free = std::none_of(nearby_.begin(), nearby_.end(), [&](const Point2& obstacle) {
       return squaredDistanceToLine(obstacle, from, to) < radius * radius;
     });

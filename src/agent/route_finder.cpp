@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lstm_planner/grid/grid_rays.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -11,8 +13,6 @@ namespace {
 constexpr std::uint16_t kFar = std::numeric_limits<std::uint16_t>::max();
 constexpr int kStraight = 5;  ///< cost of a step; its diagonal is 7, 1 % less than the true ratio
 constexpr int kDiagonal = 7;
-constexpr int kColumns[8] = {1, 1, 0, -1, -1, -1, 0, 1};
-constexpr int kRows[8] = {0, 1, 1, 1, 0, -1, -1, -1};
 
 /// Corners are pulled straight this far from the start, m: the rest is a guess that will be made anew anyway.
 constexpr double kStraightened = 8.0;
@@ -26,18 +26,6 @@ std::uint32_t octile(int columns, int rows) {
   const int shorter = std::min(std::abs(columns), std::abs(rows));
   return static_cast<std::uint32_t>(kStraight * (longer - shorter) + kDiagonal * shorter);
 }
-
-double lengthOf(const std::vector<Point2>& points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    length += distanceBetween(points[i - 1], points[i]);
-  }
-  return length;
-}
-
-}  // namespace
-
-namespace {
 
 /// The square nearest to `position` that the footprint fits on, at most `tolerance` away; false when there is none.
 bool nearestPlace(ObstacleMemory& memory, const Point2& position, double tolerance, Point2* place) {
@@ -76,6 +64,14 @@ bool nearestPlace(ObstacleMemory& memory, const Point2& position, double toleran
 
 }  // namespace
 
+double lengthOf(const std::vector<Point2>& points) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    length += distanceBetween(points[i - 1], points[i]);
+  }
+  return length;
+}
+
 RouteFinder::RouteFinder(double tightness) : tightness_(tightness) {}
 
 bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance,
@@ -113,8 +109,8 @@ bool RouteFinder::trace(ObstacleMemory& memory, const Point2& start, int end, co
     if (memory.cellAt(goal) != cell) {
       route->points.push_back(memory.bestPlace(cell));
     }
-    const int direction = from_[static_cast<std::size_t>(cell)];
-    cell -= kRows[direction] * memory.side() + kColumns[direction];
+    const CellIndex step = kGridRaySteps[from_[static_cast<std::size_t>(cell)]];
+    cell -= step.row * memory.side() + step.column;
   }
   route->points.push_back(start);
   std::reverse(route->points.begin(), route->points.end());
@@ -163,12 +159,12 @@ bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& goal, 
       return true;
     }
     const std::uint8_t exits = memory.exits(cell);
-    for (int direction = 0; direction < 8; ++direction) {
+    for (std::size_t direction = 0; direction < kGridRaySteps.size(); ++direction) {
       if ((exits >> direction & 1) == 0) {
         continue;
       }
       const bool diagonal = direction % 2 != 0;
-      const int neighbour = cell + kRows[direction] * side + kColumns[direction];
+      const int neighbour = cell + kGridRaySteps[direction].row * side + kGridRaySteps[direction].column;
       const auto i = static_cast<std::size_t>(neighbour);
       const Passage passage = memory.passage(neighbour);
       const int step = diagonal ? kDiagonal : kStraight;

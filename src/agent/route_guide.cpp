@@ -97,10 +97,7 @@ bool RouteGuide::keepRoute(const Situation& situation) {
   if (!same_end || !(old_cost <= new_cost * (1.0 + kWorthTurning) + kWorthTurningMetres)) {
     return false;
   }
-  route_.length = 0.0;
-  for (std::size_t i = 1; i < route_.points.size(); ++i) {
-    route_.length += distanceBetween(route_.points[i - 1], route_.points[i]);
-  }
+  route_.length = lengthOf(route_.points);
   return true;
 }
 
@@ -127,7 +124,7 @@ RouteGuide::Status RouteGuide::lookAround(const Situation& situation) {
   return Status::kLookAround;
 }
 
-void RouteGuide::blockAhead(const Situation&) {
+void RouteGuide::blockAhead() {
   if (route_.points.size() >= 2) {
     memory_.block(pointAhead(kBlockedAhead));
   }

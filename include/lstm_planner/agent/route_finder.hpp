@@ -14,6 +14,9 @@ struct Route {
   double cost = 0.0;           ///< m, tight places counted several times
 };
 
+/// Length of a way that is straight between its points, m.
+double lengthOf(const std::vector<Point2>& points);
+
 /// Finds the shortest way through an ObstacleMemory: A* on its cells, tight ones costing more, corners pulled straight
 /// near the start. Beyond the window the way is taken as straight. The memory needed is allocated once.
 class RouteFinder {

@@ -33,7 +33,7 @@ class RouteGuide {
   Status update(const Situation& situation);
 
   /// The start of the route turned out to be blocked although the memory does not know why.
-  void blockAhead(const Situation& situation);
+  void blockAhead();
 
   /// From the robot to the goal, or to where the footprint still fits when the goal lies in something.
   const Route& route() const { return route_; }

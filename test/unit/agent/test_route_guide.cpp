@@ -213,7 +213,7 @@ TEST_F(RouteGuideTest, BlockedAheadItLeadsAnotherWay) {
   guide_.begin({4.0, 0.0});
   const Situation here = returnsAt({});
   ASSERT_EQ(guide_.update(here), Status::kRoute);
-  guide_.blockAhead(here);
+  guide_.blockAhead();
   ASSERT_EQ(guide_.update(here), Status::kRoute);
   // Round a place 0.3 m ahead, at the footprint's distance at least.
   EXPECT_GT(guide_.route().length, 4.05);
