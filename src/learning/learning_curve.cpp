@@ -16,6 +16,10 @@ bool hasValidation(const std::vector<EpochReport>& curve) {
   return !curve.empty() && curve.front().validation.confusion.size() != 0;
 }
 
+bool hasAverage(const std::vector<EpochReport>& curve) {
+  return !curve.empty() && curve.front().averaged.confusion.size() != 0;
+}
+
 int bestEpoch(const std::vector<EpochReport>& curve) {
   int best = 0;
   for (const EpochReport& report : curve) {
@@ -29,13 +33,17 @@ std::string gnuplotScript(const std::string& csv_path, const std::string& png_pa
                           const std::vector<EpochReport>& curve) {
   const std::string csv = quotedForGnuplot(csv_path);
   std::ostringstream script;
-  const auto plot = [&](const char* label, int training_column, const char* scale) {
+  const auto plot = [&](const char* label, int training_column, int averaged_column, const char* scale) {
     script << "set ylabel '" << label << "'; "
            << "plot " << csv << " using 1:($" << training_column << scale
            << ") title 'training' with linespoints pt 7 ps 0.4";
     if (hasValidation(curve)) {
       script << ", " << csv << " using 1:($" << training_column + 2 << scale
              << ") title 'validation' with linespoints pt 7 ps 0.4";
+    }
+    if (hasAverage(curve)) {
+      script << ", " << csv << " using 1:($" << averaged_column << scale
+             << ") title 'validation of the averaged weights' with lines lw 2";
     }
     script << "; ";
   };
@@ -47,9 +55,9 @@ std::string gnuplotScript(const std::string& csv_path, const std::string& png_pa
   const int best = bestEpoch(curve);
   script << "set arrow from " << best << ", graph 0 to " << best << ", graph 1 nohead dt 2 lc 'gray40'; "
          << "set key right bottom; ";
-  plot("accuracy [%]", 3, "*100");
+  plot("accuracy [%]", 3, 8, "*100");
   script << "set key right top; ";
-  plot("cross-entropy", 4, "*1");
+  plot("cross-entropy", 4, 9, "*1");
   script << "unset multiplot; ";
   return script.str();
 }
@@ -59,15 +67,19 @@ std::string gnuplotScript(const std::string& csv_path, const std::string& png_pa
 void writeLearningCurveCsv(const std::string& csv_path, const std::vector<EpochReport>& curve) {
   std::ofstream file(csv_path);
   file.precision(std::numeric_limits<double>::max_digits10);
-  file << "epoch,learning_rate,training_accuracy,training_loss,validation_accuracy,validation_loss,best\n";
   const bool has_validation = hasValidation(curve);
+  const bool has_average = hasAverage(curve);
+  file << "epoch,learning_rate,training_accuracy,training_loss,validation_accuracy,validation_loss,best"
+       << (has_average ? ",averaged_accuracy,averaged_loss\n" : "\n");
   for (const EpochReport& report : curve) {
     file << report.epoch << ',' << report.learning_rate << ',' << report.training.accuracy() << ','
          << report.training.meanLoss() << ',';
     if (has_validation) file << report.validation.accuracy();
     file << ',';
     if (has_validation) file << report.validation.meanLoss();
-    file << ',' << (report.best ? 1 : 0) << '\n';
+    file << ',' << (report.best ? 1 : 0);
+    if (has_average) file << ',' << report.averaged.accuracy() << ',' << report.averaged.meanLoss();
+    file << '\n';
   }
   file.close();
   if (!file) throw std::runtime_error("learning curve '" + csv_path + "' cannot be written: " + std::strerror(errno));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lstm_planner/learning/parameter_vector.hpp"
+#include "lstm_planner/parameter_check.hpp"
 #include "lstm_planner/simulation/random.hpp"
 #include "parallel_for.hpp"
 
@@ -170,16 +171,19 @@ class Trainer {
         order_(pointersTo(training)),
         validation_(cut(pointersTo(validation), parameters.batch_size)),
         random_(parameters.seed),
-        weights_(parameterVector(layers)) {}
+        weights_(parameterVector(layers)) {
+    if (parameters.averaging > 0.0) averaged_weights_ = weights_;
+  }
 
   TrainingResult run(const LayerStack& layers, const EpochCallback& callback, TrainingState* state) {
     if (!state->curve.empty()) goOnFrom(*state);
     while (static_cast<int>(state->curve.size()) < parameters_.epochs) {
       EpochReport report = runEpoch(static_cast<int>(state->curve.size()) + 1);
       const EpochReport* best = bestOf(state->curve);
-      report.best = best == nullptr || validation_.empty() || isBetter(report.validation, best->validation);
-      if (report.best) state->best_weights = weights_;
+      report.best = best == nullptr || validation_.empty() || isBetter(report.kept(), best->kept());
+      if (report.best) state->best_weights = averages() ? averaged_weights_ : weights_;
       state->weights = weights_;
+      state->averaged_weights = averaged_weights_;
       state->optimiser = optimiser_.state();
       state->curve.push_back(std::move(report));
       if (callback && !callback(state->curve.back())) break;
@@ -199,12 +203,19 @@ class Trainer {
     return best == curve.rend() ? nullptr : &*best;
   }
 
+  bool averages() const { return parameters_.averaging > 0.0; }
+
   void goOnFrom(const TrainingState& state) {
     if (state.weights.size() != weights_.size() || state.best_weights.size() != weights_.size()) {
       throw std::invalid_argument("the training's state has " + std::to_string(state.weights.size()) +
                                   " weights, the layers have " + std::to_string(weights_.size()));
     }
+    if (state.averaged_weights.size() != averaged_weights_.size()) {
+      throw std::invalid_argument("the training's state has " + std::to_string(state.averaged_weights.size()) +
+                                  " averaged weights, expected " + std::to_string(averaged_weights_.size()));
+    }
     weights_ = state.weights;
+    averaged_weights_ = state.averaged_weights;
     optimiser_.setState(state.optimiser);
     for (std::size_t epoch = 0; epoch < state.curve.size(); ++epoch) shuffle(&order_, random_);
     update_ = static_cast<long>(state.curve.size() * cut(order_, parameters_.batch_size).size());
@@ -221,13 +232,22 @@ class Trainer {
       requireFinite(sum, "training", epoch);
       report.learning_rate = learningRate(parameters_.optimiser, update_++, updates);
       report.training += sum;
+      report.mean_batch_accuracy += sum.accuracy() / static_cast<double>(batches.size());
       if (sum.weight <= 0.0) continue;
       mean_gradient_ *= static_cast<float>(1.0 / sum.weight);
       optimiser_.update(mean_gradient_, report.learning_rate, weights_);
+      if (averages()) average();
     }
     report.validation = sumOfLosses(weights_, validation_, gradient_);
     requireFinite(report.validation, "validation", epoch);
+    if (averages()) report.averaged = sumOfLosses(averaged_weights_, validation_, gradient_);
     return report;
+  }
+
+  void average() {
+    const double updates = static_cast<double>(optimiser_.state().updates);
+    const double kept = std::min(parameters_.averaging, (1.0 + updates) / (10.0 + updates));
+    averaged_weights_ += static_cast<float>(1.0 - kept) * (weights_ - averaged_weights_);
   }
 
   const TrainerParameters& parameters_;
@@ -237,6 +257,7 @@ class Trainer {
   std::vector<Batch> validation_;
   Random random_;
   Eigen::VectorXf weights_;
+  Eigen::VectorXf averaged_weights_;  ///< empty without averaging
   Eigen::VectorXf mean_gradient_;
   long update_ = 0;
 };
@@ -248,6 +269,8 @@ void validate(const TrainerParameters& parameters) {
   requireAtLeastOne("batch_size", parameters.batch_size);
   requireAtLeastOne("shards", parameters.shards);
   requireAtLeastOne("threads", parameters.threads);
+  checkParameter(parameters.averaging >= 0.0 && parameters.averaging < 1.0, "averaging", parameters.averaging,
+                 "a share in [0, 1)");
   validate(parameters.optimiser);
 }
 

@@ -8,7 +8,8 @@
 namespace lstm_planner {
 
 /// Writes one line an epoch: epoch, learning_rate, training_accuracy, training_loss, validation_accuracy,
-/// validation_loss, best (accuracies in [0, 1]; validation columns empty without a validation set).
+/// validation_loss, best (accuracies in [0, 1]; validation columns empty without a validation set); where weights are
+/// averaged averaged_accuracy and averaged_loss, too, on the validation set.
 /// Throws std::runtime_error when the file cannot be written.
 void writeLearningCurveCsv(const std::string& csv_path, const std::vector<EpochReport>& curve);
 

@@ -20,6 +20,12 @@ struct TrainerParameters {
   Communicator* communicator = oneProcess();  ///< ranks that share the shards; does not change the result
   std::uint64_t seed = 1;                     ///< of the order of the sequences
   OptimiserParameters optimiser;
+
+  /// In [0, 1): share of the averaged weights that an update leaves; the rest is the weights after it (Polyak and
+  /// Juditsky, "Acceleration of stochastic approximation by averaging", 1992, in its exponential form). The average
+  /// takes no part in the training, but it is what is kept. Less while there are few updates: at most
+  /// (1 + updates) / (10 + updates). 0: no average.
+  double averaging = 0.0;
 };
 
 /// Throws std::invalid_argument with one sentence naming the parameter, its value and its range.
@@ -32,6 +38,14 @@ struct EpochReport {
   LossSum training;            ///< while the weights were moving: each batch before its own update
   LossSum validation;          ///< after the epoch; empty without a validation set
   bool best = false;           ///< better on the validation set than all before
+  LossSum averaged = {};       ///< `validation` of the averaged weights; empty when there are none
+
+  /// Mean over the batches of each one's accuracy before its update, what the thesis calls the accuracy of an epoch
+  /// (Eq. 4.5). No weights ever had it.
+  double mean_batch_accuracy = 0.0;
+
+  /// On the validation set, of the weights that are kept from this epoch if any are.
+  const LossSum& kept() const { return averaged.confusion.size() > 0 ? averaged : validation; }
 };
 
 struct TrainingResult {
@@ -44,6 +58,7 @@ struct TrainingResult {
 struct TrainingState {
   Eigen::VectorXf weights;
   Optimiser::State optimiser;
+  Eigen::VectorXf averaged_weights;  ///< empty without averaging
   Eigen::VectorXf best_weights;
   std::vector<EpochReport> curve;  ///< of the epochs that are done; empty: not begun
 };
@@ -54,7 +69,7 @@ using EpochCallback = std::function<bool(const EpochReport&)>;
 /// Supervised learning by mini-batches, starting from the weights of `layers`.
 ///
 /// The epoch with the highest accuracy on the validation set is kept, of equals the one with the lower loss; without a
-/// validation set the last. The same input gives the same weights, bit for bit, for any number of threads and ranks; of
+/// validation set the last. With averaging that means the averaged weights: theirs is the accuracy that is compared. The same input gives the same weights, bit for bit, for any number of threads and ranks; of
 /// several ranks each has to call it, and their callbacks have to answer alike. A `state` that has begun is gone on
 /// with as if there had been no break; it is kept up to date, before each callback. Throws std::invalid_argument for
 /// parameters, layers or sequences that are not valid or when no training step has a weight; std::runtime_error when

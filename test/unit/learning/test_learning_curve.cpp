@@ -66,6 +66,14 @@ TEST_F(LearningCurve, ColumnsOfAMissingValidationSetAreEmpty) {
   EXPECT_NE(content("curve.csv").find("\n1,0.5,0.25,1.5,,,1\n"), std::string::npos);
 }
 
+TEST_F(LearningCurve, AveragedWeightsHaveColumnsOfTheirOwn) {
+  auto with_average = curve();
+  for (EpochReport& report : with_average) report.averaged = lossSum(0.25, 7, 1);
+  writeLearningCurveCsv(file("curve.csv"), with_average);
+  EXPECT_NE(content("curve.csv").find(",best,averaged_accuracy,averaged_loss\n"), std::string::npos);
+  EXPECT_NE(content("curve.csv").find("\n1,0.5,0.25,1.5,0.5,2,1,0.875,0.25\n"), std::string::npos);
+}
+
 TEST_F(LearningCurve, PictureIsAPng) {
   if (std::system("command -v gnuplot > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
   writeLearningCurve(file("curve.csv"), file("curve.png"), curve());
@@ -74,6 +82,10 @@ TEST_F(LearningCurve, PictureIsAPng) {
   for (EpochReport& report : without) report.validation = {};
   writeLearningCurve(file("curve.csv"), file("without.png"), without);
   EXPECT_EQ(content("without.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
+  auto with_average = curve();
+  for (EpochReport& report : with_average) report.averaged = lossSum(0.25, 7, 1);
+  writeLearningCurve(file("curve.csv"), file("average.png"), with_average);
+  EXPECT_EQ(content("average.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
 }
 
 TEST_F(LearningCurve, MissingGnuplotIsSaidAndTheCsvIsThere) {

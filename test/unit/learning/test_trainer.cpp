@@ -17,6 +17,12 @@ LayerStack startingLayers() {
   return layers;
 }
 
+LayerStack startingRecallLayers() {
+  LayerStack layers = makeLstmStack(3, {8}, 2);
+  initialise({}, 1, layers);
+  return layers;
+}
+
 /// Lengths differ, so that shards get different work and threads finish in any order.
 std::vector<Sequence> raggedParitySequences() {
   std::vector<Sequence> sequences;
@@ -134,12 +140,81 @@ TEST(Trainer, ReportsEachEpochAndEndsWhenTold) {
   EXPECT_EQ(result.best_epoch, 3);
 }
 
+TEST(Trainer, AveragingLeavesTheTrainingAsItIsAndKeepsTheAverage) {
+  TrainerParameters parameters;
+  parameters.epochs = 3;
+  parameters.batch_size = 40;
+  const std::vector<Sequence> training = raggedParitySequences();
+  TrainingState plain;
+  train(startingLayers(), training, {}, parameters, {}, &plain);
+  EXPECT_EQ(plain.averaged_weights.size(), 0);
+  EXPECT_EQ(plain.best_weights, plain.weights);
+  parameters.averaging = 0.9;
+  TrainingState averaged;
+  const TrainingResult result = train(startingLayers(), training, {}, parameters, {}, &averaged);
+  EXPECT_EQ(averaged.weights, plain.weights);
+  EXPECT_EQ(parameterVector(result.layers), averaged.averaged_weights);
+  EXPECT_NE(averaged.averaged_weights, averaged.weights);
+}
+
+TEST(Trainer, AverageForgetsSlowerTheMoreUpdatesThereWere) {
+  // One update an epoch, so that the weights after each are seen.
+  const auto sequences = paritySequences(20, 5, 1);
+  TrainerParameters parameters;
+  parameters.epochs = 12;
+  parameters.averaging = 0.5;
+  Eigen::VectorXf expected = parameterVector(startingLayers());
+  TrainingState state;
+  const auto follow = [&](const EpochReport& report) {
+    // (1 + updates) / (10 + updates) reaches the half after 8 updates.
+    const double kept = std::min(0.5, (1.0 + report.epoch) / (10.0 + report.epoch));
+    expected += static_cast<float>(1.0 - kept) * (state.weights - expected);
+    EXPECT_LT((state.averaged_weights - expected).cwiseAbs().maxCoeff(), 1e-6f) << "epoch " << report.epoch;
+    return true;
+  };
+  train(startingLayers(), sequences, {}, parameters, follow, &state);
+}
+
+TEST(Trainer, BestEpochIsThatOfTheAveragedWeights) {
+  TrainerParameters parameters;
+  parameters.epochs = 15;
+  parameters.batch_size = 8;
+  parameters.optimiser.learning_rate = 0.05;
+  parameters.averaging = 0.95;
+  const auto training = recallSequences(128, 2, 1);
+  const auto validation = recallSequences(64, 2, 2);
+  const TrainingResult result = train(startingRecallLayers(), training, validation, parameters);
+  double best = 0.0;
+  for (const EpochReport& report : result.curve) {
+    best = std::max(best, report.averaged.accuracy());
+    EXPECT_EQ(report.kept().confusion, report.averaged.confusion);
+  }
+  const EpochReport& kept = result.curve[static_cast<std::size_t>(result.best_epoch - 1)];
+  EXPECT_EQ(kept.averaged.accuracy(), best);
+  EXPECT_EQ(evaluate(result.layers, validation).confusion, kept.averaged.confusion);
+}
+
+TEST(Trainer, AccuracyOfAnEpochIsTheMeanOverItsBatches) {
+  LayerStack layers = makeDenseStack(1, {}, 2);
+  std::get<DenseLayer>(layers[0]).bias << 1.0f, 0.0f;  // always answers 0
+  Sequence right{Eigen::MatrixXf::Zero(1, 4), Eigen::VectorXi::Zero(4), Eigen::VectorXf::Ones(4)};
+  Sequence wrong{Eigen::MatrixXf::Zero(1, 1), Eigen::VectorXi::Ones(1), Eigen::VectorXf::Ones(1)};
+  TrainerParameters parameters;
+  parameters.epochs = 1;
+  parameters.batch_size = 1;
+  parameters.optimiser.learning_rate = 1e-6;  // as good as no update
+  const EpochReport report = train(layers, {right, wrong}, {}, parameters).curve[0];
+  EXPECT_DOUBLE_EQ(report.mean_batch_accuracy, 0.5);  // of 1 and 0
+  EXPECT_DOUBLE_EQ(report.training.accuracy(), 0.8);  // of five steps
+}
+
 TEST(Trainer, GoesOnAfterABreakAsIfThereHadBeenNone) {
   for (const OptimiserKind kind : {OptimiserKind::kMomentum, OptimiserKind::kAdam}) {
     TrainerParameters parameters;
     parameters.epochs = 6;
     parameters.batch_size = 40;
     parameters.optimiser.kind = kind;
+    parameters.averaging = kind == OptimiserKind::kMomentum ? 0.9 : 0.0;
     const std::vector<Sequence> training = raggedParitySequences();
     const std::vector<Sequence> validation = paritySequences(5, 12, 1);
     const TrainingResult whole = train(startingLayers(), training, validation, parameters);
@@ -169,6 +244,8 @@ TEST(Trainer, RefusesTheStateOfAnotherNetwork) {
   parameters.epochs = 2;
   LayerStack other = makeLstmStack(1, {3}, 2);
   EXPECT_THROW(train(other, paritySequences(4, 5, 1), {}, parameters, {}, &state), std::invalid_argument);
+  parameters.averaging = 0.9;  // the state has no average
+  EXPECT_THROW(train(startingLayers(), paritySequences(4, 5, 1), {}, parameters, {}, &state), std::invalid_argument);
 }
 
 TEST(Trainer, ConfusionCountsLabelsByRowAndAnswersByColumn) {
@@ -205,6 +282,7 @@ TEST(Trainer, RefusesBadParametersAndSets) {
   refused([](TrainerParameters& p) { p.batch_size = 0; });
   refused([](TrainerParameters& p) { p.shards = 0; });
   refused([](TrainerParameters& p) { p.threads = -1; });
+  refused([](TrainerParameters& p) { p.averaging = 1.0; });
   refused([](TrainerParameters& p) { p.optimiser.learning_rate = -1.0; });
   EXPECT_THROW(train(layers, {}, {}, {}), std::invalid_argument);
   auto without_weights = good;
