@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/learning/sequence.hpp"
+
+namespace lstm_planner {
+
+/// How recorded drives become what a network learns from.
+struct DatasetSequenceParameters {
+  PolicyDescription policy;  ///< of the network; its encoder encodes, as it does for the planner
+  int sequence_steps = 0;    ///< episodes are cut into pieces of this many steps; 0: not at all
+  int burn_in_steps = 0;     ///< of the same episode before each piece, with weight 0: they only bring the hidden state
+                             ///< up to date
+
+  /// m; 0: labels as they were recorded, from the next step (thesis Eq. 4.1). Otherwise Eq. 4.1 with the first later
+  /// pose of the episode that is at least so far away, or its last: a planner whose waypoint lies several recorded steps
+  /// ahead is then taught the way to there, and not the driver's corrections in between.
+  double label_distance = 0.0;
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const DatasetSequenceParameters& parameters);
+
+/// What a network for these recordings is told about the robot: their range cap, allowed angles, step length and radius.
+/// Throws std::invalid_argument when there is no recording, or when they differ.
+PolicyDescription policyOf(const Dataset& dataset);
+
+/// Whether scans are needed to encode the dataset for such a network, since it was recorded with another range cap.
+bool needsScans(const Dataset& dataset, const PolicyDescription& policy);
+
+/// All episodes that are not discarded, one after the other; no sequence has steps of two. All weights are 1, but those
+/// of burn-in steps. The previous action is always that of the label of the step before, as it is when the planner
+/// drives. Throws std::invalid_argument when a recording does not fit the policy: the route is among the inputs but
+/// nothing was remembered while recording, or the range cap differs and no scans were kept.
+std::vector<Sequence> datasetSequences(const Dataset& dataset, const DatasetSequenceParameters& parameters);
+
+/// Two parts of a dataset.
+struct DatasetParts {
+  Dataset training;
+  Dataset validation;
+};
+
+/// Draws whole episodes until the validation part has at least that share (in (0, 1)) of the steps. Discarded episodes
+/// and those without steps are left out. Throws std::invalid_argument when a part would be empty.
+DatasetParts splitEpisodes(const Dataset& dataset, double validation_share, std::uint64_t seed);
+
+}  // namespace lstm_planner
