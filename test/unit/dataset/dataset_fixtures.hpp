@@ -1,0 +1,110 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "lstm_planner/agent/action_set.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/simulation/random.hpp"
+
+namespace lstm_planner {
+
+/// A folder of its own for each test.
+class DatasetTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = ::testing::TempDir() + "dataset_XXXXXX";
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override {
+    std::error_code unknown;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, unknown);
+  }
+  std::string in(const std::string& name) const { return folder_ + "/" + name; }
+
+  std::string folder_;
+};
+
+inline RecordingDescription exampleDescription(const std::string& source = "live") {
+  RecordingDescription description;
+  description.parameters.period = 0.4;
+  description.software_version = softwareVersion();
+  description.source = source;
+  description.odometry_frame = "odom";
+  description.begun = "2026-11-21T12:00:00Z";
+  return description;
+}
+
+/// A robot that drives about as a recorder would see it: every number follows from the ones that it depends on, and none
+/// is round.
+inline RecordedEpisode exampleEpisode(int steps, unsigned seed, int beams = 16) {
+  constexpr double kCap = 6.0;
+  Random random(seed);
+  const ActionSet actions(RecorderParameters().action_angles);
+  RecordedEpisode recorded;
+  Episode& episode = recorded.episode;
+  episode.goal = {"map", {uniform(random, 3.0, 4.0), 1.0 / 3.0, 0.1}};
+  episode.goal_source = "move_base/goal";
+  episode.begun = 1700000000.0 + uniform(random, 0.0, 1e6);
+  episode.end = EpisodeEnd::kArrived;
+
+  Pose2 pose{uniform(random), uniform(random), uniform(random, -3.0, 3.0)};
+  double stamp = episode.begun;
+  double previous_action = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    DriveStep step;
+    step.number = i;
+    step.stamp = stamp;
+    step.next_stamp = stamp + uniform(random, 0.45, 0.55);
+    step.pose = pose;
+    const int label = static_cast<int>(uniformIndex(random, 5));
+    const double direction = pose.yaw + actions.angle(label) + uniform(random, -0.3, 0.3);
+    const Point2 next = pointAlong(pose, direction, 0.15);
+    step.next_pose = {next.x, next.y, direction};
+    step.twist = {uniform(random, 0.1, 0.3), uniform(random, -0.5, 0.5)};
+    step.goal = {episode.goal.pose.x + 0.01, episode.goal.pose.y - 0.02};
+    Sectors sectors;
+    for (std::size_t sector = 0; sector < kSectorCount; ++sector) {
+      const bool is_empty = sector == 3;
+      step.beams[sector] = sectors.beams[sector] = 90;
+      step.measured[sector] = sectors.measured[sector] = is_empty ? 0 : 80 + static_cast<int>(sector);
+      sectors.range[sector] = is_empty ? kCap : uniform(random, 1.0, kCap);
+      step.minimum_ranges[sector] = is_empty ? std::numeric_limits<double>::infinity() : sectors.range[sector] * 0.7;
+    }
+    step.observation = observe(sectors, pose, step.goal, previous_action);
+    step.observation.visits[2] = 1.5;
+    step.driven_angle = drivenAngle(step.pose, step.next_pose, RecorderParameters().min_step_distance);
+    step.label = actions.nearest(step.driven_angle);
+    step.geometry = {"laser", -M_PI_2, M_PI / 15.0, 16, 0.02, 30.0, {{0.1, 0.0, 0.01}, true}};
+    for (int beam = 0; beam < beams; ++beam) step.ranges.push_back(static_cast<float>(uniform(random, 0.1, 9.0)));
+    if (beams > 2) step.ranges[2] = std::numeric_limits<float>::quiet_NaN();
+    previous_action = actions.angle(step.label);
+    pose = step.next_pose;
+    stamp = step.next_stamp;
+    recorded.steps.push_back(step);
+  }
+  episode.ended = stamp;
+  return recorded;
+}
+
+/// A finished recording of `episodes` drives of 4, 5, 6 ... steps.
+inline Recording exampleRecording(int episodes, unsigned seed, const std::string& source = "live") {
+  Recording recording;
+  recording.description = exampleDescription(source);
+  recording.finished = true;
+  recording.rejections[static_cast<std::size_t>(Rejection::kStanding)] = 7;
+  for (int i = 0; i < episodes; ++i) {
+    recording.episodes.push_back(exampleEpisode(4 + i, seed + 100 * static_cast<unsigned>(i)));
+  }
+  return recording;
+}
+
+}  // namespace lstm_planner
