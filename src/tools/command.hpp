@@ -19,5 +19,6 @@ int runTrain(const std::vector<std::string>& arguments);
 int runEvaluate(const std::vector<std::string>& arguments);
 int runReport(const std::vector<std::string>& arguments);
 int runMaps(const std::vector<std::string>& arguments);
+int runDataset(const std::vector<std::string>& arguments);
 
 }  // namespace lstm_planner

@@ -16,6 +16,7 @@ constexpr lstm_planner::Command kCommands[] = {
     {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate, true},
     {"report", "compare agents with each other and with the thesis", lstm_planner::runReport, true},
     {"maps", "generate floor plans, or maps and scenarios of the grid world", lstm_planner::runMaps},
+    {"dataset", "look at, check, merge, split and export recorded drives", lstm_planner::runDataset},
 };
 
 void printUsage(std::ostream& out) {
