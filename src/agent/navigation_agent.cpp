@@ -160,15 +160,19 @@ bool NavigationAgent::wayIsFree(const Situation& situation) const {
 void NavigationAgent::noteProgress(const Situation& situation) {
   const double distance = distanceBetween(situation.pose, goal_);
   if (!has_step_ || distance < best_distance_ - parameters_.escape.progress) {
-    best_distance_ = distance;
-    steps_since_best_ = 0;
-    driven_since_best_ = 0.0;
-    guide_.noteProgress();
-    lead(Leader::kNetwork);
+    beginFrom(situation);
   } else {
     ++steps_since_best_;
     driven_since_best_ += distanceBetween(step_pose_, situation.pose);
   }
+}
+
+void NavigationAgent::beginFrom(const Situation& situation) {
+  best_distance_ = distanceBetween(situation.pose, goal_);
+  steps_since_best_ = 0;
+  driven_since_best_ = 0.0;
+  guide_.noteProgress();
+  lead(Leader::kNetwork);
 }
 
 void NavigationAgent::lead(Leader leader) {

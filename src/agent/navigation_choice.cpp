@@ -52,11 +52,7 @@ void NavigationAgent::chooseEscape(const Situation& situation) {
       goTo(situation, Decision::Source::kNoWay, situation.pose.yaw, 0.0);
       return;
     case Escape::Outcome::kDone:
-      leader_ = Leader::kNetwork;
-      best_distance_ = distanceBetween(situation.pose, goal_);
-      steps_since_best_ = 0;
-      driven_since_best_ = 0.0;
-      guide_.noteProgress();
+      beginFrom(situation);
       chooseAction(situation);
       return;
   }
@@ -94,8 +90,7 @@ void NavigationAgent::chooseAction(const Situation& situation) {
   const ActionSet& actions = policy_.description().actions;
   const ShieldParameters& shield = parameters_.shield;
   const bool guided = network_knows_route_ && guide_status_ == RouteGuide::Status::kRoute;
-  const Point2 ahead = guided ? guide_.pointAhead(parameters_.step.length) : Point2{};
-  const double bearing = guided ? normalizeAngle(directionTo(situation.pose, ahead) - situation.pose.yaw) : 0.0;
+  const double bearing = guided ? guide_.bearingAhead(situation.pose, parameters_.step.length) : 0.0;
   const int on_route = guided ? actions.nearest(bearing) : -1;
   for (const double clearance : {shield.clearance, shield.tight_clearance}) {
     double free = 0.0;

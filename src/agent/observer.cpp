@@ -9,8 +9,7 @@ Observation observe(const Situation& situation, const Point2& goal, double previ
   trace->visit({situation.pose.x, situation.pose.y});
   observation.visits = trace->around(situation.pose, kVisitRadius);
   if (guide != nullptr) {
-    const Point2 ahead = guide->pointAhead(step_length);
-    observation.route_bearing = normalizeAngle(directionTo(situation.pose, ahead) - situation.pose.yaw);
+    observation.route_bearing = guide->bearingAhead(situation.pose, step_length);
     observation.route_length = guide->route().length;
   }
   return observation;

@@ -141,6 +141,10 @@ Point2 RouteGuide::pointAhead(double distance) const {
   return end();
 }
 
+double RouteGuide::bearingAhead(const Pose2& pose, double distance) const {
+  return normalizeAngle(directionTo(pose, pointAhead(distance)) - pose.yaw);
+}
+
 void RouteGuide::pointsAhead(double distance, std::vector<Point2>* points) const {
   points->clear();
   for (std::size_t i = 1; i < route_.points.size(); ++i) {

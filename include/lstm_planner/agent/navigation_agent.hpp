@@ -92,6 +92,7 @@ class NavigationAgent {
   bool isStalled(const Situation& situation);
   bool wayIsFree(const Situation& situation) const;
   void noteProgress(const Situation& situation);
+  void beginFrom(const Situation& situation);
   void lead(Leader leader);
   void guide(const Situation& situation);
   void advanceNetwork(const Situation& situation);

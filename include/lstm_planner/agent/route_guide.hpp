@@ -41,6 +41,9 @@ class RouteGuide {
   /// The point that lies that far (m) along the route.
   Point2 pointAhead(double distance) const;
 
+  /// Where it lies as seen from `pose`, rad, counter-clockwise from straight ahead.
+  double bearingAhead(const Pose2& pose, double distance) const;
+
   /// The corners of the route farther along than `distance` (m).
   void pointsAhead(double distance, std::vector<Point2>* points) const;
 
