@@ -1,11 +1,8 @@
 #include "lstm_planner/agent/obstacle_memory.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-
-#include "lstm_planner/grid/grid_rays.hpp"
 
 namespace lstm_planner {
 
@@ -18,20 +15,6 @@ constexpr std::size_t kMostBlocks = 32;
 /// graze a wall must not take it away.
 constexpr double kBehind = 0.1;
 constexpr long kBeamsBeside = 2;
-
-/// Bits of a judgement.
-constexpr std::uint8_t kNothingNear = 0x80;
-constexpr std::uint8_t kExitsKnown = 0x40;
-
-double squaredDistanceToLine(const Point2& point, const Point2& from, const Point2& to) {
-  const Point2 line{to.x - from.x, to.y - from.y};
-  const Point2 off{point.x - from.x, point.y - from.y};
-  const double length = line.x * line.x + line.y * line.y;
-  const double share = length > 0.0 ? std::clamp((off.x * line.x + off.y * line.y) / length, 0.0, 1.0) : 0.0;
-  const double dx = off.x - share * line.x;
-  const double dy = off.y - share * line.y;
-  return dx * dx + dy * dy;
-}
 
 /// The nearest that any of a few neighbouring beams sees; 0 when one of them knows nothing.
 float nearestRange(const RangeProfile& profile, long beam) {
@@ -47,8 +30,8 @@ float nearestRange(const RangeProfile& profile, long beam) {
 
 ObstacleMemory::ObstacleMemory(const MemoryParameters& parameters, const ShieldParameters& shield)
     : parameters_(parameters),
-      side_(static_cast<int>(std::ceil(parameters.width / (kSquares * parameters.resolution)))),
-      cell_size_(kSquares * parameters.resolution),
+      side_(static_cast<int>(std::ceil(parameters.width / (kSide * parameters.resolution)))),
+      cell_size_(kSide * parameters.resolution),
       footprint_radius_(shield.footprint_radius),
       tight_clearance_(shield.tight_clearance),
       tight_radius_(shield.footprint_radius + 0.5 * shield.tight_clearance),
@@ -121,57 +104,14 @@ Point2 ObstacleMemory::centerOf(int cell) const {
   return {(origin_column_ + cell % side_ + 0.5) * cell_size_, (origin_row_ + cell / side_ + 0.5) * cell_size_};
 }
 
-ObstacleMemory::Passage ObstacleMemory::passage(int cell) {
-  std::uint8_t& judged = judged_[static_cast<std::size_t>(cell)];
-  if (judged == kUnknown) {
-    judged = judge(cell);
-  }
-  return static_cast<Passage>(judged >> 4 & 3);
-}
-
-Point2 ObstacleMemory::bestPlace(int cell) {
-  passage(cell);
-  const int square = judged_[static_cast<std::size_t>(cell)] & 0xf;
-  return centerOf({(origin_column_ + cell % side_) * kSquares + square % kSquares,
-                   (origin_row_ + cell / side_) * kSquares + square / kSquares});
-}
-
-std::uint8_t ObstacleMemory::exits(int cell) {
-  passage(cell);
-  const auto i = static_cast<std::size_t>(cell);
-  if ((judged_[i] & kExitsKnown) == 0) {
-    exits_[i] = judgeExits(cell);
-    judged_[i] |= kExitsKnown;
-  }
-  return exits_[i];
-}
-
-bool ObstacleMemory::isFree(const Point2& from, const Point2& to, Passage passage_wanted) {
-  const double wanted = passage_wanted == Passage::kRoomy    ? roomy_radius_
-                        : passage_wanted == Passage::kNarrow ? narrow_radius_
-                                                             : tight_radius_;
-  // The squares round: a way from best place to best place may come this much nearer in between.
-  const double radius = wanted - 0.5 * parameters_.resolution;
-  const double length = distanceBetween(from, to);
-  const int parts = std::max(1, static_cast<int>(std::ceil(length / (2.0 * parameters_.resolution))));
-  for (int i = 0; i <= parts; ++i) {
-    const double share = static_cast<double>(i) / parts;
-    const Point2 at{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
-    const int cell = cellAt(at);
-    if (cell < 0) {
-      return false;
-    }
-    passage(cell);
-    if ((judged_[static_cast<std::size_t>(cell)] & kNothingNear) == 0 && gap(at) < radius) {
-      return false;
-    }
-  }
-  return true;
-}
-
 ObstacleMemory::Square ObstacleMemory::squareAt(const Point2& position) const {
   return {static_cast<int>(std::floor(position.x / parameters_.resolution)),
           static_cast<int>(std::floor(position.y / parameters_.resolution))};
+}
+
+ObstacleMemory::Square ObstacleMemory::squareOf(int cell, int square) const {
+  return {(origin_column_ + cell % side_) * kSide + square % kSide,
+          (origin_row_ + cell / side_) * kSide + square / kSide};
 }
 
 Point2 ObstacleMemory::centerOf(const Square& square) const {
@@ -214,13 +154,13 @@ void ObstacleMemory::forgetSeenThrough(const Situation& situation) {
   for (int row = std::max(0, middle_row - reach); row <= std::min(side_ - 1, middle_row + reach); ++row) {
     for (int column = std::max(0, middle_column - reach); column <= std::min(side_ - 1, middle_column + reach);
          ++column) {
-      const std::uint16_t mask = occupied_[static_cast<std::size_t>(row * side_ + column)];
+      const int cell = row * side_ + column;
+      const std::uint16_t mask = occupied_[static_cast<std::size_t>(cell)];
       for (int bit = 0; mask >> bit != 0; ++bit) {
         if ((mask >> bit & 1) == 0) {
           continue;
         }
-        const Square square{(origin_column_ + column) * kSquares + bit % kSquares,
-                            (origin_row_ + row) * kSquares + bit / kSquares};
+        const Square square = squareOf(cell, bit);
         const Point2 center = centerOf(square);
         const long beam = profile.beamTowards(directionTo(scanner, center) - situation.pose.yaw);
         if (beam >= 0 && nearestRange(profile, beam) > distanceBetween(scanner, center) + kBehind) {
@@ -236,7 +176,7 @@ void ObstacleMemory::set(const Square& square, bool occupied) {
   if (cell < 0) {
     return;
   }
-  const int bit = (square.row & (kSquares - 1)) * kSquares + (square.column & (kSquares - 1));
+  const int bit = (square.row & (kSide - 1)) * kSide + (square.column & (kSide - 1));
   std::uint16_t& mask = occupied_[static_cast<std::size_t>(cell)];
   const auto changed =
       static_cast<std::uint16_t>(occupied ? mask | 1u << bit : mask & ~(1u << bit));
@@ -259,97 +199,6 @@ void ObstacleMemory::outdate(const Square& square) {
     const int last = std::min(side_ - 1, column + reach);
     std::fill(judged_.begin() + r * side_ + first, judged_.begin() + r * side_ + last + 1, kUnknown);
   }
-}
-
-std::uint8_t ObstacleMemory::judge(int cell) const {
-  const int column = cell % side_;
-  const int row = cell / side_;
-  collect(column, row, near_cells_, &nearby_);
-  int best_square = kSquares / 2 * kSquares + kSquares / 2;
-  if (nearby_.empty()) {
-    return static_cast<std::uint8_t>(kNothingNear | static_cast<int>(Passage::kRoomy) << 4 | best_square);
-  }
-  double best = -1.0;
-  for (int square = 0; square < kSquares * kSquares; ++square) {
-    const Point2 center = centerOf({(origin_column_ + column) * kSquares + square % kSquares,
-                                    (origin_row_ + row) * kSquares + square / kSquares});
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Point2& obstacle : nearby_) {
-      const double dx = obstacle.x - center.x;
-      const double dy = obstacle.y - center.y;
-      nearest = std::min(nearest, dx * dx + dy * dy);
-    }
-    if (nearest > best) {
-      best = nearest;
-      best_square = square;
-    }
-  }
-  const Passage passage = best < tight_radius_ * tight_radius_     ? Passage::kBlocked
-                          : best < narrow_radius_ * narrow_radius_ ? Passage::kTight
-                          : best < roomy_radius_ * roomy_radius_   ? Passage::kNarrow
-                                                                   : Passage::kRoomy;
-  return static_cast<std::uint8_t>(static_cast<int>(passage) << 4 | best_square);
-}
-
-std::uint8_t ObstacleMemory::judgeExits(int cell) {
-  const int column = cell % side_;
-  const int row = cell / side_;
-  if (column == 0 || row == 0 || column == side_ - 1 || row == side_ - 1 || passage(cell) == Passage::kBlocked) {
-    return 0;
-  }
-  std::array<int, kGridRayCount> neighbours;
-  std::array<bool, kGridRayCount> enters;
-  for (std::size_t direction = 0; direction < neighbours.size(); ++direction) {
-    neighbours[direction] = cell + kGridRaySteps[direction].row * side_ + kGridRaySteps[direction].column;
-    enters[direction] = passage(neighbours[direction]) != Passage::kBlocked;
-  }
-  collect(column, row, near_cells_ + 1, &nearby_);
-  // The squares round: a way from best place to best place may come this much nearer in between.
-  const double radius = tight_radius_ - 0.5 * parameters_.resolution;
-  const Point2 from = bestPlace(cell);
-  std::uint8_t exits = 0;
-  for (std::size_t direction = 0; direction < neighbours.size(); ++direction) {
-    if (!enters[direction]) {
-      continue;
-    }
-    const Point2 to = bestPlace(neighbours[direction]);
-    const bool free = std::none_of(nearby_.begin(), nearby_.end(), [&](const Point2& obstacle) {
-      return squaredDistanceToLine(obstacle, from, to) < radius * radius;
-    });
-    exits = static_cast<std::uint8_t>(exits | (free ? 1u << direction : 0u));
-  }
-  return exits;
-}
-
-void ObstacleMemory::collect(int column, int row, int reach, std::vector<Point2>* squares) const {
-  squares->clear();
-  for (int r = std::max(0, row - reach); r <= std::min(side_ - 1, row + reach); ++r) {
-    for (int c = std::max(0, column - reach); c <= std::min(side_ - 1, column + reach); ++c) {
-      const std::uint16_t mask = occupied_[static_cast<std::size_t>(r * side_ + c)];
-      for (int bit = 0; mask >> bit != 0; ++bit) {
-        if ((mask >> bit & 1) != 0) {
-          squares->push_back(centerOf({(origin_column_ + c) * kSquares + bit % kSquares,
-                                       (origin_row_ + r) * kSquares + bit / kSquares}));
-        }
-      }
-    }
-  }
-  const Point2 middle{(origin_column_ + column + 0.5) * cell_size_, (origin_row_ + row + 0.5) * cell_size_};
-  for (const Point2& block : blocks_) {
-    if (distanceBetween(block, middle) < (reach + 1) * cell_size_) {
-      squares->push_back(block);
-    }
-  }
-}
-
-double ObstacleMemory::gap(const Point2& position) const {
-  const int cell = cellAt(position);
-  collect(cell % side_, cell / side_, near_cells_, &nearby_);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Point2& obstacle : nearby_) {
-    nearest = std::min(nearest, distanceBetween(position, obstacle));
-  }
-  return nearest;
 }
 
 }  // namespace lstm_planner

@@ -34,10 +34,8 @@ bool nearestPlace(ObstacleMemory& memory, const Point2& position, double toleran
   double nearest = tolerance;
   bool found = false;
   const auto lookInto = [&](int other) {
-    const Point2 middle = memory.centerOf(other);
-    for (int square = 0; square < 16; ++square) {
-      const Point2 at{middle.x + (square % 4 - 1.5) * 0.25 * memory.cellSize(),
-                      middle.y + (square / 4 - 1.5) * 0.25 * memory.cellSize()};
+    for (int square = 0; square < ObstacleMemory::kCellSquares; ++square) {
+      const Point2 at = memory.centerOf(other, square);
       const double distance = distanceBetween(at, position);
       if (distance <= nearest && memory.isFree(at, at, ObstacleMemory::Passage::kTight)) {
         nearest = distance;

@@ -24,6 +24,9 @@ class ObstacleMemory {
     kRoomy     ///< it fits with the comfortable clearance around it
   };
 
+  static constexpr int kSide = 4;                     ///< squares a side of a cell
+  static constexpr int kCellSquares = kSide * kSide;  ///< squares of a cell
+
   /// Throws as validate(AgentParameters) for parameters that do not fit together.
   ObstacleMemory(const MemoryParameters& parameters, const ShieldParameters& shield);
 
@@ -46,6 +49,8 @@ class ObstacleMemory {
   /// Index of the cell at a position, row by row; -1 outside the window.
   int cellAt(const Point2& position) const;
   Point2 centerOf(int cell) const;
+  /// Middle of one of the squares of a cell: 0 to kCellSquares - 1, row by row.
+  Point2 centerOf(int cell, int square) const { return centerOf(squareOf(cell, square)); }
   Passage passage(int cell);
   /// The place in a cell that is farthest from all obstacles.
   Point2 bestPlace(int cell);
@@ -63,10 +68,10 @@ class ObstacleMemory {
     int column;
     int row;
   };
-  static constexpr int kSquares = 4;  ///< squares a side of a cell
   static constexpr std::uint8_t kUnknown = 0xff;
 
   Square squareAt(const Point2& position) const;
+  Square squareOf(int cell, int square) const;
   Point2 centerOf(const Square& square) const;
   void moveWindow(const Pose2& pose);
   void forgetSeenThrough(const Situation& situation);
@@ -74,8 +79,10 @@ class ObstacleMemory {
   void outdate(const Square& square);
   std::uint8_t judge(int cell) const;
   std::uint8_t judgeExits(int cell);
-  void collect(int column, int row, int reach, std::vector<Point2>* squares) const;
+  void collectNearby(int cell, int reach) const;
   double gap(const Point2& position) const;
+  /// The squares round: a way from best place to best place may come this much nearer to an obstacle in between.
+  double onTheWay(double radius) const { return radius - 0.5 * parameters_.resolution; }
 
   MemoryParameters parameters_;
   int side_;
@@ -93,7 +100,7 @@ class ObstacleMemory {
   std::vector<std::uint8_t> judged_;     ///< nothing near, exits known, passage (2 bits), best square (4 bits)
   std::vector<std::uint8_t> exits_;
   std::vector<Point2> blocks_;
-  mutable std::vector<Point2> nearby_;   ///< of judge() and gap()
+  mutable std::vector<Point2> nearby_;   ///< of collectNearby()
 };
 
 }  // namespace lstm_planner
