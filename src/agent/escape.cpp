@@ -21,6 +21,11 @@ void Escape::begin(double target_distance) {
   rounds_ = 0;
 }
 
+void Escape::moveGoal(const Point2& from, const Point2& to, double target_distance) {
+  target_distance_ = target_distance;
+  leave_below_ += distanceBetween(hit_position_, to) - distanceBetween(hit_position_, from);
+}
+
 Escape::Outcome Escape::decide(const Situation& situation, const Shield& shield, const Point2& goal, Heading* move) {
   const double distance = distanceBetween(situation.pose, goal);
   const double open = openTowardsGoal(situation, shield, goal, distance);

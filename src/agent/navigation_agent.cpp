@@ -71,6 +71,26 @@ void NavigationAgent::setGoal(const Point2& goal) {
   decision_.step = 0;
 }
 
+void NavigationAgent::moveGoal(const Point2& goal) {
+  const auto isGoal = [this](const Point2& place) { return distanceBetween(place, goal_) < 1e-6; };
+  if (isGoal(decision_.waypoint)) {
+    decision_.waypoint = goal;
+    decision_.direction = directionTo(step_pose_, goal);
+  }
+  if (isGoal(decision_.destination)) {
+    decision_.destination = goal;
+  }
+  if (!decision_.way_on.empty() && isGoal(decision_.way_on.back())) {
+    decision_.way_on.back() = goal;
+  }
+  if (has_step_) {
+    best_distance_ = distanceBetween(best_position_, goal);
+  }
+  guide_.moveGoal(goal);
+  escape_.moveGoal(goal_, goal, targetDistance());
+  goal_ = goal;
+}
+
 void NavigationAgent::restart() {
   guide_.forget();
   setGoal(goal_);
@@ -159,7 +179,7 @@ bool NavigationAgent::wayIsFree(const Situation& situation) const {
 
 void NavigationAgent::noteProgress(const Situation& situation) {
   const double distance = distanceBetween(situation.pose, goal_);
-  if (!has_step_ || distance < best_distance_ - parameters_.escape.progress) {
+  if (!has_step_ || distance < targetDistance()) {
     beginFrom(situation);
   } else {
     ++steps_since_best_;
@@ -168,7 +188,8 @@ void NavigationAgent::noteProgress(const Situation& situation) {
 }
 
 void NavigationAgent::beginFrom(const Situation& situation) {
-  best_distance_ = distanceBetween(situation.pose, goal_);
+  best_position_ = {situation.pose.x, situation.pose.y};
+  best_distance_ = distanceBetween(best_position_, goal_);
   steps_since_best_ = 0;
   driven_since_best_ = 0.0;
   guide_.noteProgress();
@@ -177,7 +198,7 @@ void NavigationAgent::beginFrom(const Situation& situation) {
 
 void NavigationAgent::lead(Leader leader) {
   if (leader == Leader::kBoundary && leader_ != leader) {
-    escape_.begin(best_distance_ - parameters_.escape.progress);
+    escape_.begin(targetDistance());
   }
   leader_ = leader;
 }

@@ -17,17 +17,20 @@ void OnlineAgent::look(const LaserScan& scan, const SensorMount& mount, const Po
 
 OnlineAgent::Fresh OnlineAgent::drive(const Point2& goal, bool is_new, long jumps) {
   constexpr double kGoalShift = 0.25;  // m
+  const double shift = distanceBetween(agent_.goal(), goal);
   const bool jumped = jumps != jumps_;
   Fresh fresh = Fresh::kNo;
   if (is_new) {
     fresh = Fresh::kNewGoal;
   } else if (jumped) {
     fresh = Fresh::kJump;
-  } else if (distanceBetween(agent_.goal(), goal) > kGoalShift) {
+  } else if (shift > kGoalShift) {
     fresh = Fresh::kGoalMoved;
   }
   if (fresh != Fresh::kNo) {
     agent_.setGoal(goal);
+  } else if (shift > 0.0) {
+    agent_.moveGoal(goal);
   }
   if (jumped) {
     agent_.restart();

@@ -31,6 +31,14 @@ void RouteGuide::begin(const Point2& goal) {
   noteProgress();
 }
 
+void RouteGuide::moveGoal(const Point2& goal) {
+  if (!route_.points.empty() && distanceBetween(end(), goal_) == 0.0) {
+    route_.points.back() = goal;
+    route_.length = lengthOf(route_.points);
+  }
+  goal_ = goal;
+}
+
 void RouteGuide::noteProgress() {
   forgotten_ = 0;
   squeezing_ = false;

@@ -126,10 +126,8 @@ std::vector<geometry_msgs::PoseStamped> PlanMaker::inGlobalFrame(const Decision&
     plan.push_back(stamped);
   }
   const Point2 position = toLocalFrame(global_from_odometry_, {goal.x, goal.y});
-  const double replaced =
-      std::min(distanceBetween(decision.destination, position), distanceBetween(decision.destination, agent_.goal()));
-  if (replaced < 1e-6) {
-    // Free of the rounding of there and back again, and of what localisation has corrected since the goal was set.
+  if (distanceBetween(decision.destination, position) < 1e-6) {
+    // Free of the rounding of there and back again.
     plan.back().pose = toMessage(goal);
   }
   return plan;

@@ -33,6 +33,10 @@ class Escape {
   /// Starts from here; done when the distance to the goal is below `target_distance` (m).
   void begin(double target_distance);
 
+  /// The same goal lies a little elsewhere. `target_distance` as in begin(); the other distances that are remembered
+  /// change as the one from where the boundary was met.
+  void moveGoal(const Point2& from, const Point2& to, double target_distance);
+
   /// The next step from the current situation. `shield` has been shown the situation's obstacles.
   Outcome decide(const Situation& situation, const Shield& shield, const Point2& goal, Heading* move);
 

@@ -61,6 +61,9 @@ class NavigationAgent {
   void setGoal(const Point2& goal);
   const Point2& goal() const { return goal_; }
 
+  /// The same goal lies a little elsewhere in the odometry frame, because localisation was corrected: forgets nothing.
+  void moveGoal(const Point2& goal);
+
   /// The odometry jumped: what was seen is somewhere else now. Forgets it, and all that setGoal() forgets.
   void restart();
 
@@ -93,6 +96,8 @@ class NavigationAgent {
   bool wayIsFree(const Situation& situation) const;
   void noteProgress(const Situation& situation);
   void beginFrom(const Situation& situation);
+  /// How near to the goal, m, counts as progress.
+  double targetDistance() const { return best_distance_ - parameters_.escape.progress; }
   void lead(Leader leader);
   void guide(const Situation& situation);
   void advanceNetwork(const Situation& situation);
@@ -126,7 +131,8 @@ class NavigationAgent {
   double stall_time_ = 0.0;  ///< s
   bool has_step_ = false;
   Leader leader_ = Leader::kNetwork;
-  double best_distance_ = 0.0;  ///< m
+  Point2 best_position_;        ///< where the robot was nearest to the goal
+  double best_distance_ = 0.0;  ///< m, from there to the goal
   StepListener step_listener_;
   std::optional<int> imposed_action_;
   int steps_since_best_ = 0;

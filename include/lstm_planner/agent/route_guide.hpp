@@ -26,6 +26,9 @@ class RouteGuide {
   /// A new goal; what is remembered of the obstacles stays.
   void begin(const Point2& goal);
 
+  /// The same goal lies a little elsewhere: a route that ended at it ends at it still.
+  void moveGoal(const Point2& goal);
+
   /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
   void noteProgress();
 

@@ -102,6 +102,60 @@ TEST_F(NavigationAgentTest, ForgetsEverythingAtANewGoal) {
   EXPECT_DOUBLE_EQ(agent_.bestDistance(), 10.0);
 }
 
+TEST_F(NavigationAgentTest, AGoalThatMovesALittleIsFollowedAndNothingIsForgotten) {
+  agent_.update(situationAt({}));
+  agent_.update(situationAt({0.4, 0.0, 0.0}, 1.0));
+  const Network::HiddenState before = hiddenState();
+  const Decision decided = agent_.decision();
+  const Point2 goal{10.1, 0.2};
+  agent_.moveGoal(goal);
+  EXPECT_EQ(agent_.goal().x, goal.x);
+  EXPECT_EQ(agent_.goal().y, goal.y);
+  const Decision& decision = agent_.update(situationAt({0.4, 0.0, 0.0}, 1.1));
+  EXPECT_EQ(hiddenState(), before);
+  EXPECT_EQ(decision.step, decided.step);
+  EXPECT_EQ(decision.action, decided.action);
+  EXPECT_EQ(decision.waypoint.x, decided.waypoint.x);
+  EXPECT_EQ(decision.destination.x, goal.x);
+  EXPECT_EQ(decision.destination.y, goal.y);
+  ASSERT_FALSE(decision.way_on.empty());
+  EXPECT_EQ(decision.way_on.back().x, goal.x);
+  EXPECT_EQ(decision.way_on.back().y, goal.y);
+}
+
+TEST_F(NavigationAgentTest, AGoalThatMovesTowardsTheRobotIsNoProgress) {
+  const double progress = AgentParameters{}.escape.progress;
+  agent_.update(situationAt({}));
+  double goal = 10.0;
+  for (int i = 1; i <= 10; ++i) {
+    goal -= 0.2;
+    agent_.moveGoal({goal, 0.0});
+    agent_.update(situationAt({0.9 * progress, 0.0, 0.0}, i));
+    EXPECT_DOUBLE_EQ(agent_.bestDistance(), goal) << "from where the robot was at first";
+  }
+  agent_.update(situationAt({1.1 * progress, 0.0, 0.0}, 11.0));
+  EXPECT_DOUBLE_EQ(agent_.bestDistance(), goal - 1.1 * progress);
+}
+
+TEST_F(NavigationAgentTest, AGoalInSightIsFollowedAtOnce) {
+  agent_.setGoal({1.0, -1.0});
+  agent_.update(situationAt({}));
+  agent_.moveGoal({1.2, -1.0});
+  const Decision& decision = agent_.update(situationAt({}, 0.1));
+  EXPECT_EQ(decision.source, Source::kGoalInSight);
+  EXPECT_EQ(decision.step, 1);
+  EXPECT_EQ(decision.waypoint.x, 1.2);
+  EXPECT_EQ(decision.waypoint.y, -1.0);
+  EXPECT_DOUBLE_EQ(decision.direction, std::atan2(-1.0, 1.2));
+}
+
+TEST_F(NavigationAgentTest, HasArrivedWhereTheGoalMovedTo) {
+  agent_.setGoal({1.0, 0.0});
+  EXPECT_EQ(agent_.update(situationAt({0.7, 0.0, 0.0})).source, Source::kGoalInSight);
+  agent_.moveGoal({0.8, 0.0});
+  EXPECT_EQ(agent_.update(situationAt({0.7, 0.0, 0.0}, 0.1)).source, Source::kArrived);
+}
+
 TEST_F(NavigationAgentTest, PreviewChangesNothing) {
   agent_.update(situationAt({}));
   const Network::HiddenState before = hiddenState();

@@ -111,6 +111,12 @@ TEST_F(NavigationRoutes, TheDestinationIsBesideAGoalThatLiesInSomething) {
   EXPECT_LE(beside, 0.6);
   ASSERT_FALSE(decision.way_on.empty());
   EXPECT_EQ(decision.way_on.back().x, decision.destination.x);
+  // It stays there when the goal moves, until the way is found anew.
+  const Point2 destination = decision.destination;
+  agent.moveGoal({goal.x + 0.1, goal.y});
+  EXPECT_EQ(agent.decision().destination.x, destination.x);
+  EXPECT_EQ(agent.decision().way_on.back().x, destination.x);
+  EXPECT_LE(distanceBetween(agent.update(returnsAt(pillar, {0.4, 0.0, 0.0})).destination, agent.goal()), 0.6);
 }
 
 TEST_F(NavigationRoutes, AskingTwiceChangesNothing) {

@@ -209,6 +209,24 @@ TEST_F(RouteGuideTest, TakesAMuchBetterWayAndLeavesOneThatIsBlocked) {
   EXPECT_DOUBLE_EQ(guide_.route().length, 4.0);
 }
 
+TEST_F(RouteGuideTest, KeepsItsWayToAGoalThatMovesALittle) {
+  const Situation wall = returnsAt(test::wall({2.0, -1.1}, {2.0, 1.0}));
+  const Point2 moved{4.0, -0.2};
+  guide_.begin({4.0, 0.0});
+  ASSERT_EQ(guide_.update(wall), Status::kRoute);
+  ASSERT_TRUE(goesAbove());
+  guide_.moveGoal(moved);
+  EXPECT_EQ(guide_.end().y, moved.y);
+  EXPECT_DOUBLE_EQ(guide_.route().length, lengthOf(guide_.route().points));
+  ASSERT_EQ(guide_.update(wall), Status::kRoute);
+  EXPECT_TRUE(goesAbove());
+  EXPECT_EQ(guide_.end().y, moved.y);
+  // Who sets out for it anew goes below, where it is nearer now.
+  guide_.begin(moved);
+  ASSERT_EQ(guide_.update(wall), Status::kRoute);
+  EXPECT_FALSE(goesAbove());
+}
+
 TEST_F(RouteGuideTest, BlockedAheadItLeadsAnotherWay) {
   guide_.begin({4.0, 0.0});
   const Situation here = returnsAt({});
