@@ -25,13 +25,11 @@ namespace {
 constexpr double kCallPeriod = 0.5;  // s
 constexpr double kGoalAhead = 2.0;   // m of the robot's way between a new goal and the robot
 
-/// A goal that lies in something seen is replaced by a place within the goal tolerance, with the goal's yaw; and what a
-/// recorded localisation moves it by since it was set is followed from 0.25 m on.
+/// A goal that lies in something seen is replaced by a place within the goal tolerance, with the goal's yaw.
 bool isAt(const geometry_msgs::PoseStamped& stamped, const Pose2& pose) {
   constexpr double kRounding = 1e-6;
-  constexpr double kGoalShift = 0.25;  // m
   const Pose2 is = fromMessage(stamped.pose);
-  return distanceBetween(is, pose) < AgentParameters().goal_tolerance + kGoalShift + kRounding &&
+  return distanceBetween(is, pose) < AgentParameters().goal_tolerance + kRounding &&
          std::abs(normalizeAngle(is.yaw - pose.yaw)) < kRounding;
 }
 
