@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/program_options.hpp>
 #include <stdexcept>
 
@@ -18,6 +19,12 @@ struct Choice {
 constexpr const char* kRobotMethod = "dagger";
 constexpr const char* kGridMethod = "actor-critic";
 
+bool namesDataset(const std::vector<std::string>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+    return argument == "--dataset" || argument.rfind("--dataset=", 0) == 0;
+  });
+}
+
 Choice readChoice(const std::vector<std::string>& arguments) {
   namespace po = boost::program_options;
   Choice choice;
@@ -34,6 +41,7 @@ Choice readChoice(const std::vector<std::string>& arguments) {
   po::store(po::command_line_parser(arguments).options(description).style(style).allow_unregistered().run(), values);
   po::notify(values);
   if (values["task"].defaulted() && choice.search) choice.task = "grid";
+  if (choice.method.empty() && namesDataset(arguments)) choice.method = "dataset";
   if (choice.method.empty()) choice.method = choice.task == "robot" ? kRobotMethod : kGridMethod;
   return choice;
 }
@@ -48,10 +56,11 @@ std::string trainCommandLine(const std::vector<std::string>& arguments) {
 
 int runTrain(const std::vector<std::string>& arguments) {
   const Choice choice = readChoice(arguments);
+  if (choice.method == "dataset") return trainRobotByDataset(arguments);
   if (choice.task == "robot") {
     if (choice.method == "dagger") return trainRobotByDagger(arguments);
     if (choice.method == "actor-critic") return trainRobotByActorCritic(arguments);
-    throw std::invalid_argument("--method is '" + choice.method + "', expected dagger or actor-critic");
+    throw std::invalid_argument("--method is '" + choice.method + "', expected dagger, actor-critic or dataset");
   }
   if (choice.task != "grid") {
     throw std::invalid_argument("--task is '" + choice.task + "', expected robot or grid");

@@ -11,6 +11,9 @@ namespace lstm_planner {
 int trainRobotByDagger(const std::vector<std::string>& arguments);
 int trainRobotByActorCritic(const std::vector<std::string>& arguments);
 
+/// The robot from recorded drives: --dataset.
+int trainRobotByDataset(const std::vector<std::string>& arguments);
+
 /// Agents of the grid world: --task grid, by --method.
 int trainGridByImitation(const std::vector<std::string>& arguments);
 int trainGridByDagger(const std::vector<std::string>& arguments);

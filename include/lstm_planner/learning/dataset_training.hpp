@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "lstm_planner/learning/dataset_sequences.hpp"
+#include "lstm_planner/learning/label_balance.hpp"
+#include "lstm_planner/learning/sequence.hpp"
+#include "lstm_planner/learning/trainer.hpp"
+
+namespace lstm_planner {
+
+/// How a network learns from recorded drives.
+struct DatasetTrainingParameters {
+  DatasetSequenceParameters sequences;
+  LabelBalance balance = LabelBalance::kNone;
+  TrainerParameters trainer;
+};
+
+/// The training of the thesis: table 4.2, sequences of 30 steps, an update after each. The thesis names no limit of the
+/// gradient's length; 1 is taken here. What is kept are averaged weights, over some ten epochs of 3,000 steps; they take
+/// no part in the training itself.
+DatasetTrainingParameters thesisDatasetTraining();
+
+/// The same in a way that does not jump: many sequences an update, a learning rate that sinks to 0, hidden states that
+/// are right at each sequence's first counted step, averaged weights.
+DatasetTrainingParameters stableDatasetTraining();
+
+/// As stableDatasetTraining(), for a network that drives already and is to get used to somebody's own drives: shorter,
+/// and with smaller steps.
+DatasetTrainingParameters fineTuning();
+
+/// What is learned from and what it is judged by.
+struct DatasetTrainingSets {
+  std::vector<Sequence> training;    ///< cut into pieces and weighed as the parameters say
+  std::vector<Sequence> validation;  ///< whole episodes, as the planner drives them, each step with weight 1
+  std::vector<long> training_labels;
+  std::vector<long> validation_labels;
+  std::vector<double> label_weights;  ///< of the training set
+};
+
+/// Throws std::invalid_argument as datasetSequences(), and when a set has no steps.
+DatasetTrainingSets makeTrainingSets(const DatasetParts& parts, const DatasetTrainingParameters& parameters);
+
+}  // namespace lstm_planner

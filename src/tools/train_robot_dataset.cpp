@@ -1,0 +1,201 @@
+#include <chrono>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/learning/confusion.hpp"
+#include "lstm_planner/learning/initialisation.hpp"
+#include "lstm_planner/learning/learning_curve.hpp"
+#include "lstm_planner/learning/training_stability.hpp"
+#include "lstm_planner/network/model_file.hpp"
+#include "tools/interruption.hpp"
+#include "tools/progress.hpp"
+#include "tools/ranks.hpp"
+#include "tools/train_commands.hpp"
+#include "tools/train_robot_dataset_options.hpp"
+#include "tools/train_robot_options.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr int kLines = 20;  ///< printed, at most, besides the last
+
+Dataset readDatasets(const std::vector<std::string>& paths, bool with_scans) {
+  Dataset all;
+  for (const std::string& path : paths) {
+    Dataset dataset = readDataset(path, with_scans);
+    std::move(dataset.recordings.begin(), dataset.recordings.end(), std::back_inserter(all.recordings));
+  }
+  return all;
+}
+
+/// Like "-45": degrees, to the left positive.
+std::vector<std::string> namesOf(const ActionSet& actions) {
+  std::vector<std::string> names;
+  for (const double angle : actions.angles()) {
+    std::ostringstream name;
+    name << std::round(angle * 1800.0 / M_PI) / 10.0;
+    names.push_back(name.str());
+  }
+  return names;
+}
+
+std::string percent(double share) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << 100.0 * share << " %";
+  return text.str();
+}
+
+std::string toText(const LossSum& sum) {
+  return "accuracy " + percent(sum.accuracy()) + ", balanced " + percent(balancedAccuracy(sum.confusion));
+}
+
+class DatasetTraining {
+ public:
+  explicit DatasetTraining(DatasetTrainingOptions options) : options_(std::move(options)) {
+    Dataset training = readDatasets(options_.datasets, false);
+    Dataset validation = readDatasets(options_.validation_datasets, false);
+    makePolicy(training);
+    const PolicyDescription& policy = options_.training.sequences.policy;
+    if (needsScans(training, policy)) training = readDatasets(options_.datasets, true);
+    if (needsScans(validation, policy)) validation = readDatasets(options_.validation_datasets, true);
+    DatasetParts parts{std::move(training), std::move(validation)};
+    if (options_.validation_datasets.empty()) {
+      parts = splitEpisodes(parts.training, options_.validation_share, options_.seed);
+    }
+    sets_ = makeTrainingSets(parts, options_.training);
+  }
+
+  int run() {
+    printLabels();
+    const LossSum before = evaluate(layers_, sets_.validation, options_.training.trainer.threads);
+    if (options_.fromModel()) std::cout << options_.init << " as it is: " << toText(before) << std::endl;
+    const Interruption interruption;
+    const auto begun = std::chrono::steady_clock::now();
+    std::cout << "epoch  training accuracy  validation accuracy  of the averaged weights" << std::endl;
+    TrainingState state;
+    bool interrupted = false;
+    const auto epoch_done = [&](const EpochReport& report) {
+      printEpoch(report);
+      bar_.show(static_cast<double>(report.epoch) / options_.training.trainer.epochs);
+      if (!options_.stability.empty()) {
+        stability_.push_back(measureEpoch(layers_, state, sets_.training, options_.training.trainer.threads));
+      }
+      interrupted = interruption.wanted();
+      return !interrupted;
+    };
+    const TrainingResult result =
+        train(layers_, sets_.training, sets_.validation, options_.training.trainer, epoch_done, &state);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
+    std::cout << result.curve.size() << " epochs in " << std::setprecision(1) << seconds.count() << " s" << std::endl;
+    finish(result);
+    if (!interrupted) return 0;
+    std::cout << "interrupted; this was the best until then" << std::endl;
+    return interruption.exitStatus();
+  }
+
+ private:
+  void makePolicy(const Dataset& training) {
+    PolicyDescription& policy = options_.training.sequences.policy;
+    if (options_.fromModel()) {
+      Model model = readModelFile(options_.init);
+      policy = readPolicyDescription(model.metadata);
+      layers_ = std::move(model.layers);
+      DrivePolicy(policy, layers_);  // throws unless they fit together
+      return;
+    }
+    policy = policyOf(training);
+    policy.encoder.position_cell = options_.position_cell;
+    policy.encoder.event_range = options_.event_range;
+    addInputs(options_.inputs, &policy.encoder);
+    const int inputs = static_cast<int>(policy.encoder.input_layout.size());
+    layers_ = makeLstmStack(inputs, options_.cells, policy.actions.size());
+    initialise({}, options_.seed, layers_);
+  }
+
+  /// How many labels of each kind there are, so that nobody takes the most frequent one for a result.
+  void printLabels() const {
+    const std::vector<std::string> names = namesOf(options_.training.sequences.policy.actions);
+    std::cout << std::fixed << std::setprecision(2) << "label [deg]";
+    for (const std::string& name : names) std::cout << std::setw(8) << name;
+    const auto print = [](const char* title, const auto& values) {
+      std::cout << std::left << std::setw(11) << title << std::right;
+      for (const auto& value : values) std::cout << std::setw(8) << value;
+    };
+    std::cout << "\n";
+    print("training", sets_.training_labels);
+    std::cout << "   " << stepsOf(sets_.training_labels) << " steps in " << sets_.training.size() << " sequences\n";
+    print("validation", sets_.validation_labels);
+    std::cout << "   " << stepsOf(sets_.validation_labels) << " steps in " << sets_.validation.size() << " episodes\n";
+    print("weight", sets_.label_weights);
+    std::cout << "   --balance " << toString(options_.training.balance) << "\nalways the most frequent label: accuracy "
+              << percent(constantAnswerAccuracy(sets_.validation_labels)) << " on the validation set" << std::endl;
+  }
+
+  static long stepsOf(const std::vector<long>& labels) {
+    long steps = 0;
+    for (const long count : labels) steps += count;
+    return steps;
+  }
+
+  void printEpoch(const EpochReport& report) const {
+    const int epochs = options_.training.trainer.epochs;
+    const int interval = (epochs + kLines - 1) / kLines;
+    if (report.epoch % interval != 0 && report.epoch != epochs) return;
+    std::cout << std::setw(5) << report.epoch << std::setprecision(4) << std::setw(19) << report.training.accuracy()
+              << std::setw(21) << report.validation.accuracy();
+    if (report.averaged.confusion.size() > 0) std::cout << std::setw(25) << report.averaged.accuracy();
+    std::cout << std::endl;
+  }
+
+  void finish(const TrainingResult& result) const {
+    const EpochReport& best = result.curve[static_cast<std::size_t>(result.best_epoch - 1)];
+    const PolicyDescription& policy = options_.training.sequences.policy;
+    const std::vector<std::string> names = namesOf(policy.actions);
+    std::cout << "validation set by the " << (options_.training.trainer.averaging > 0.0 ? "averaged " : "")
+              << "weights of epoch " << best.epoch << ":\n"
+              << confusionText(best.kept().confusion, names);
+    if (!stability_.empty()) std::cout << stabilityText(stability_);
+    if (!isFirstRank()) return;
+    writeModel(result, best.kept());
+    std::cout << "wrote " << options_.output << ": " << toText(best.kept()) << std::endl;
+    if (!options_.confusion.empty()) writeConfusion(options_.confusion, best.kept().confusion, names);
+    if (!options_.stability.empty()) writeStability(options_.stability, stability_);
+    if (!options_.curve.empty()) {
+      const std::string stem = options_.curve.substr(0, options_.curve.rfind('.'));
+      writeLearningCurve(stem + ".csv", options_.curve, result.curve);
+    }
+  }
+
+  void writeModel(const TrainingResult& result, const LossSum& validation) const {
+    Model model;
+    model.layers = result.layers;
+    writeMetadata(options_.training.sequences.policy, &model.metadata);
+    model.metadata["training_command"] = options_.command;
+    model.metadata["score"] = std::to_string(stepsOf(sets_.validation_labels)) + " recorded validation steps: " +
+                              toText(validation) + "; always the most frequent label: " +
+                              percent(constantAnswerAccuracy(sets_.validation_labels));
+    writeModelFile(options_.output, model);
+  }
+
+  DatasetTrainingOptions options_;
+  LayerStack layers_;
+  DatasetTrainingSets sets_;
+  std::vector<EpochAccuracies> stability_;
+  Progress bar_;
+};
+
+}  // namespace
+
+int trainRobotByDataset(const std::vector<std::string>& arguments) {
+  DatasetTrainingOptions options;
+  if (!readDatasetTrainingOptions(arguments, &options)) return 0;
+  return DatasetTraining(std::move(options)).run();
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/learning/dataset_training.hpp"
+
+namespace lstm_planner {
+
+/// What `lstm_planner train --dataset` is asked to do.
+struct DatasetTrainingOptions {
+  std::string command;  ///< the whole command line
+  std::vector<std::string> datasets;
+  std::vector<std::string> validation_datasets;
+  double validation_share = 0.25;  ///< of the steps, where there are no validation_datasets
+  std::string preset = "stable";
+  std::string init;  ///< model to begin with; empty: a new network
+  std::vector<std::string> inputs;
+  std::vector<int> cells = {8, 8};
+  std::string output;
+  std::string curve;      ///< PNG files; empty: none
+  std::string confusion;
+  std::string stability;
+  std::uint64_t seed = 1;
+  DatasetTrainingParameters training;  ///< `sequences.policy` is not known yet
+  double position_cell = 0.0;          ///< m
+  double event_range = 1.0;            ///< m
+
+  bool fromModel() const { return !init.empty(); }
+};
+
+/// Returns false when only the help was asked for. Throws with a sentence for options that make no sense.
+bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, DatasetTrainingOptions* options);
+
+}  // namespace lstm_planner
