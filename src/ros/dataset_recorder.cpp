@@ -72,6 +72,7 @@ void DatasetRecorder::Implementation::guarded(const std::function<void()>& work)
 
 void DatasetRecorder::Implementation::onScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
   guarded([&] {
+    ++scans_heard_;
     last_scan_ = ros::WallTime::now();
     messages_.hear(*scan, ros::Time::now());
     afterSensing();
@@ -81,6 +82,7 @@ void DatasetRecorder::Implementation::onScan(const sensor_msgs::LaserScan::Const
 void DatasetRecorder::Implementation::onOdometry(const nav_msgs::Odometry::ConstPtr& odometry) {
   if (!file_.isOpen() && !exit_code_) openFile(frameName(odometry->header.frame_id));
   guarded([&] {
+    ++odometry_heard_;
     const ros::Time now = ros::Time::now();
     last_odometry_ = ros::WallTime::now();
     odometry_stamp_ = odometry->header.stamp.isZero() ? now : odometry->header.stamp;
@@ -100,19 +102,31 @@ void DatasetRecorder::Implementation::openFile(const std::string& odometry_frame
 }
 
 void DatasetRecorder::Implementation::onActionGoal(const move_base_msgs::MoveBaseActionGoal::ConstPtr& goal) {
-  guarded([&] { messages_.hear(*goal, "move_base/goal", goalHeardNow()); });
+  guarded([&] {
+    ++goals_heard_;
+    messages_.hear(*goal, "move_base/goal", goalHeardNow());
+  });
 }
 
 void DatasetRecorder::Implementation::onSimpleGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
-  guarded([&] { messages_.hearGoal(*goal, "move_base_simple/goal", goalHeardNow()); });
+  guarded([&] {
+    ++goals_heard_;
+    messages_.hearGoal(*goal, "move_base_simple/goal", goalHeardNow());
+  });
 }
 
 void DatasetRecorder::Implementation::onCancel(const actionlib_msgs::GoalID::ConstPtr& cancel) {
-  guarded([&] { messages_.hear(*cancel, ros::Time::now()); });
+  guarded([&] {
+    ++goals_heard_;
+    messages_.hear(*cancel, ros::Time::now());
+  });
 }
 
 void DatasetRecorder::Implementation::onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result) {
-  guarded([&] { messages_.hear(*result, ros::Time::now()); });
+  guarded([&] {
+    ++goals_heard_;
+    messages_.hear(*result, ros::Time::now());
+  });
 }
 
 ros::Time DatasetRecorder::Implementation::goalHeardNow() {

@@ -68,6 +68,9 @@ class DatasetRecorder::Implementation {
   std::optional<int> exit_code_;  ///< once nothing is recorded any more
   std::string problem_;           ///< what nobody expected to go wrong
 
+  long scans_heard_ = 0;
+  long odometry_heard_ = 0;
+  long goals_heard_ = 0;         ///< and their ends
   ros::WallTime last_scan_;      ///< zero before the first
   ros::WallTime last_odometry_;  ///< zero before the first
   ros::Time odometry_stamp_;     ///< of the newest

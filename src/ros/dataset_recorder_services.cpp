@@ -11,6 +11,7 @@ bool DatasetRecorder::Implementation::pause(std_srvs::SetBool::Request& request,
   response.success = static_cast<unsigned char>(messages_.recorder().paused() == (request.data != 0));
   response.message = (messages_.recorder().paused() ? "paused with " : "recording on with ") +
                      std::to_string(progress_.steps()) + " steps";
+  publishStatus();
   return true;
 }
 
@@ -34,6 +35,7 @@ bool DatasetRecorder::Implementation::discardEpisode(std_srvs::Trigger::Request&
                        " steps is not to be learned from; " + std::to_string(progress_.steps()) + " steps are left";
   });
   ROS_INFO("%s", response.message.c_str());
+  publishStatus();
   return true;
 }
 
@@ -96,6 +98,9 @@ RecordingStatus DatasetRecorder::Implementation::status() const {
   status.message_problem = messages_.problem();
   status.scan_topic = subscribers_.at(0).getTopic();
   status.odometry_topic = subscribers_.at(1).getTopic();
+  status.scans_heard = scans_heard_;
+  status.odometry_heard = odometry_heard_;
+  status.goals_heard = goals_heard_;
   status.scan_silence = silenceSince(last_scan_);
   status.odometry_silence = silenceSince(last_odometry_);
   status.longest_silence = std::max(kShortestAlarm, parameters_.recorder.max_gap);

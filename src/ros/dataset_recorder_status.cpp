@@ -52,7 +52,9 @@ std::optional<std::string> uselessness(const RecordingStatus& status) {
   if (status.recent_steps > 0) return std::nullopt;
   RejectionCounts troubles = status.recent_rejections;
   for (int i = 0; i < kRejectionCount; ++i) {
-    if (!isTrouble(static_cast<Rejection>(i))) troubles[static_cast<std::size_t>(i)] = 0;
+    const auto rejection = static_cast<Rejection>(i);
+    const bool mended = rejection == Rejection::kNoGoal && status.goal;
+    if (mended || !isTrouble(rejection)) troubles[static_cast<std::size_t>(i)] = 0;
   }
   const auto most = std::max_element(troubles.begin(), troubles.end());
   if (*most == 0) return std::nullopt;
@@ -116,6 +118,9 @@ DiagnosticStatus toDiagnostic(const RecordingStatus& status) {
     add("rejected: " + std::string(toString(static_cast<Rejection>(i))),
         progress.rejections()[static_cast<std::size_t>(i)], &message);
   }
+  add("scans heard", status.scans_heard, &message);
+  add("odometry heard", status.odometry_heard, &message);
+  add("goals heard", status.goals_heard, &message);
   add("disk left (MB)", fixed(status.disk_left, 0), &message);
   add("problem", status.write_problem.empty() ? status.problem : status.write_problem, &message);
   return message;

@@ -26,6 +26,9 @@ struct RecordingStatus {
 
   std::string scan_topic;
   std::string odometry_topic;
+  long scans_heard = 0;
+  long odometry_heard = 0;
+  long goals_heard = 0;  ///< and their ends
   std::optional<double> scan_silence;      ///< s of the computer's clock since the last; empty: there was none
   std::optional<double> odometry_silence;  ///< the same
   double longest_silence = 0.0;            ///< s that are nothing to worry about

@@ -77,6 +77,25 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(self.parameter(config, "/urg_node/serial_port"), "/dev/ttyACM0")
         self.assertNotIn("/urg_node/ip_address", config.params)
 
+    def test_recording_hands_its_arguments_on(self):
+        config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "output:=/o.sqlite", "scan:=base_scan",
+                      "odom:=odometry/filtered", "seed:=7")
+        self.assertEqual(self.parameter(config, "/dataset_recorder/output"), "/o.sqlite")
+        self.assertEqual(self.parameter(config, "/dataset_recorder/scan_topic"), "base_scan")
+        self.assertEqual(self.parameter(config, "/dataset_recorder/odom_topic"), "odometry/filtered")
+        self.assertEqual(self.parameter(config, "/dataset_recorder/seed"), 7)
+        self.assertEqual(self.parameter(config, "/dataset_recorder/way_points"), [])
+        self.check(config)
+
+    def test_recording_drives_the_simulated_robot_where_there_is_a_map(self):
+        nodes = {node.type for node in load("record_dataset.launch", "teleop:=none", "rviz:=false", "map:=/m.yaml").nodes}
+        self.assertIn("create2_stub", nodes)
+        self.assertNotIn("create_driver", nodes)
+
+    def test_recording_leaves_a_robot_alone_that_runs_already(self):
+        config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "base:=false", "laser:=false", "tf:=false")
+        self.assertEqual({node.type for node in config.nodes}, {"dataset_recorder"})
+
 
 if __name__ == "__main__":
     rostest.rosrun("lstm_planner", "launch_files", LaunchFiles)
