@@ -71,8 +71,10 @@ void SimulatedRobot::advance(double seconds) {
   }
 }
 
+void SimulatedRobot::scan(LaserScan* scan) { scanner_.scan(world_, base_.truePose(), time_, scan); }
+
 void SimulatedRobot::sense(double range_cap, Situation* situation) {
-  scanner_.scan(world_, base_.truePose(), time_, &scan_);
+  scan(&scan_);
   perceive(scan_, parameters_.scanner.mount, {}, range_cap, situation);
   situation->time = time_;
   situation->pose = base_.odometry();

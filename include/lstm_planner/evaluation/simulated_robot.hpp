@@ -39,6 +39,9 @@ class SimulatedRobot {
   /// Scans from where the robot stands; `situation` is in the odometry frame.
   void sense(double range_cap, Situation* situation);
 
+  /// The scan from where the robot stands, as the driver would publish it; `scan` is overwritten and its memory reused.
+  void scan(LaserScan* scan);
+
   double time() const { return time_; }  ///< s since the start
   const Pose2& truePose() const { return base_.truePose(); }
   const Pose2& odometry() const { return base_.odometry(); }
