@@ -10,6 +10,8 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
+constexpr int kQueue = 1000;  // a recording that is replayed as fast as possible has many decisions at a time
+
 template <typename T>
 std::string text(const T& value) {
   std::ostringstream stream;
@@ -44,7 +46,7 @@ unsigned char levelOf(Decision::Source source) {
 }  // namespace
 
 DecisionPublisher::DecisionPublisher(ros::NodeHandle node_handle)
-    : publisher_(node_handle.advertise<diagnostic_msgs::DiagnosticArray>("decision", 10)) {}
+    : publisher_(node_handle.advertise<diagnostic_msgs::DiagnosticArray>("decision", kQueue)) {}
 
 void DecisionPublisher::publish(const std_msgs::Header& header, const Situation& situation, const Decision& decision,
                                 const Pose2& goal) {
@@ -58,6 +60,7 @@ void DecisionPublisher::publish(const std_msgs::Header& header, const Situation&
   add("step", text(decision.step), &status);
   add("goal_distance", text(distanceBetween(situation.pose, goal)), &status);
   add("goal_bearing", text(normalizeAngle(directionTo(situation.pose, goal) - situation.pose.yaw)), &status);
+  add("action", text(decision.action), &status);
   add("steering_angle", text(normalizeAngle(decision.direction - situation.pose.yaw)), &status);
   add("preferences", listText(decision.preferences), &status);
   add("allowed", listText(decision.allowed), &status);

@@ -12,13 +12,13 @@ namespace lstm_planner {
 
 /// What the planner would have done at one step of somebody's drive, beside what the driver did.
 struct ReplayedDecision {
-  long episode = 0;       ///< from 0
-  double stamp = 0.0;     ///< s, of the scan that was decided about
+  long episode = 0;         ///< from 0
+  double stamp = 0.0;       ///< s, of the scan that was decided about
   double next_stamp = 0.0;  ///< s, of the next step: where the driver had got by then is what he did
-  Pose2 pose;             ///< base in the odometry frame at `stamp`
-  Pose2 next_pose;        ///< the same at `next_stamp`
-  Pose2 goal;             ///< odometry frame; the yaw as it was given
-  Sectors sectors;        ///< that the planner saw
+  Pose2 pose;               ///< base in the odometry frame at `stamp`
+  Pose2 next_pose;          ///< the same at `next_stamp`
+  Pose2 goal;               ///< odometry frame; the yaw as it was given
+  Sectors sectors;          ///< that the planner saw
   Decision decision;
   double steering_angle = 0.0;  ///< rad in (-pi, pi], the planner's, relative to the heading
   int action = 0;               ///< index of the steering angle that is nearest to it
@@ -26,8 +26,9 @@ struct ReplayedDecision {
   int driven_action = 0;        ///< index of the steering angle that is nearest to it
 };
 
-/// Asks the planner's agent at every step of a drive what it would do there. The steps come from a DriveRecorder, or from
-/// a dataset that has scans: nothing else is heard and no clock is read, so the same recording gives the same decisions.
+/// Asks the planner's agent at every step of a drive what it would do there. The steps come from a DriveRecorder, or
+/// from a dataset that has scans: nothing else is heard and no clock is read, so the same recording gives the same
+/// decisions.
 ///
 /// As in the robot the agent remembers what it has seen; a new episode is a new goal to it unless only the clock or the
 /// odometry has jumped.
@@ -62,8 +63,8 @@ RecorderParameters replayParameters(const PolicyDescription& description, const 
 /// How often planner and driver did the same.
 struct Agreement {
   long decisions = 0;
-  long same_action = 0;           ///< the same steering angle
-  double mean_difference = 0.0;   ///< rad, between the planner's angle and the driver's
+  long same_action = 0;          ///< the same steering angle
+  double mean_difference = 0.0;  ///< rad, between the planner's angle and the driver's
 };
 Agreement agreementOf(const std::vector<ReplayedDecision>& decisions);
 

@@ -11,14 +11,16 @@ namespace lstm_planner {
 /// Publishes each decision and where it came from as diagnostic_msgs/DiagnosticArray on `decision`.
 ///
 /// One status, whose message is the decision's source; a warning when the network does not decide although it should
-/// (looking around), an error when there is no way. Values: step, goal_distance (m), goal_bearing (rad), steering_angle
-/// (rad), preferences, allowed.
+/// (looking around), an error when there is no way. Values: step, goal_distance (m), goal_bearing (rad), action
+/// (its index, -1 for none), steering_angle (rad), preferences, allowed.
 class DecisionPublisher {
  public:
   explicit DecisionPublisher(ros::NodeHandle node_handle);
 
   /// `header`: time and odometry frame. Cheap while nobody listens.
   void publish(const std_msgs::Header& header, const Situation& situation, const Decision& decision, const Pose2& goal);
+
+  bool isListenedTo() const { return publisher_.getNumSubscribers() > 0; }
 
  private:
   ros::Publisher publisher_;

@@ -27,6 +27,8 @@ class MarkerPublisher {
 
   void clearTrace() { trace_.clear(); }
 
+  bool isListenedTo() const { return publisher_.getNumSubscribers() > 0; }
+
  private:
   void extendTrace(const Pose2& pose);
   void addPreferences(const std_msgs::Header& header, const Situation& situation, const Decision& decision);

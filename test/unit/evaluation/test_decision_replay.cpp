@@ -1,11 +1,10 @@
-#include "lstm_planner/evaluation/decision_replay.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <sstream>
 
 #include "../agent/agent_fixtures.hpp"
+#include "lstm_planner/evaluation/decision_replay.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,0 +1,126 @@
+#include "lstm_planner/ros/bag_replay.hpp"
+
+#include <ros/ros.h>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "lstm_planner/ros/bag_replay_player.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+std::string joined(const std::map<std::string, long>& counts, bool name_first) {
+  std::string text;
+  for (const auto& [name, count] : counts) {
+    const std::string number = std::to_string(count);
+    text += (text.empty() ? "" : ", ") + (name_first ? name + " " + number : number + " " + name);
+  }
+  return text;
+}
+
+}  // namespace
+
+BagReplay::BagReplay(const BagReplayParameters& parameters)
+    : parameters_(parameters),
+      replay_(DrivePolicy::fromFile(resolvePackagePath(parameters.planner.model)), parameters.planner.agent),
+      // The way is the driver's here, and BagReplayDriver shows it.
+      markers_(ros::NodeHandle("~/LstmGlobalPlanner"), replay_.description(), 0),
+      decisions_(ros::NodeHandle("~/LstmGlobalPlanner")),
+      driver_(ros::NodeHandle("~")) {
+  drive_ = recordBag(parameters_.bag, parameters_.drive,
+                     replayParameters(replay_.description(), parameters_.planner.agent), &replay_);
+  if (replay_.decisions().empty()) {
+    throw std::invalid_argument("there is nothing to decide about in '" + parameters_.bag +
+                                "': " + describeReplay(replay_));
+  }
+  if (!parameters_.decisions.empty()) {
+    writeDecisionsFile();
+  }
+}
+
+void BagReplay::writeDecisionsFile() const {
+  std::ofstream file(parameters_.decisions);
+  writeDecisions(replay_.decisions(), &file);
+  file.close();
+  if (!file) {
+    throw std::invalid_argument("'" + parameters_.decisions + "' cannot be written");
+  }
+}
+
+void BagReplay::run() {
+  const bool from_transforms = drive_.odometry_source == "tf";
+  BagReplayPlayer player(parameters_.bag, {drive_.scan_topic, from_transforms ? "" : drive_.odometry_source});
+  const bool names_frame = !from_transforms && !player.odometryFrame().empty();
+  odometry_frame_ = names_frame ? player.odometryFrame() : parameters_.drive.odometry_frame;
+  if (parameters_.drive.mount || !drive_.mount_known) {
+    player.placeScanner(parameters_.drive.mount.value_or(SensorMount()),
+                        player.baseFrame().empty() ? parameters_.drive.base_frame : player.baseFrame());
+  }
+  waitForListeners();
+  player.play(parameters_.rate, [this](const ros::Time& time) { showDecisionsUntil(time); });
+  ROS_INFO("%s: %s", parameters_.bag.c_str(), describeReplay(replay_).c_str());
+  if (parameters_.stay) {
+    ros::spin();
+  }
+}
+
+void BagReplay::waitForListeners() const {
+  const ros::WallTime given_up = ros::WallTime::now() + ros::WallDuration(parameters_.patience);
+  while (ros::ok() && ros::WallTime::now() < given_up && !markers_.isListenedTo() && !decisions_.isListenedTo() &&
+         !driver_.isListenedTo()) {
+    ros::WallDuration(0.05).sleep();
+  }
+}
+
+void BagReplay::showDecisionsUntil(const ros::Time& time) {
+  while (shown_ < replay_.decisions().size() && ros::Time(replay_.decisions()[shown_].stamp) <= time) {
+    show(replay_.decisions()[shown_++]);
+  }
+}
+
+void BagReplay::show(const ReplayedDecision& replayed) {
+  std_msgs::Header header;
+  header.frame_id = odometry_frame_;
+  header.stamp = ros::Time(replayed.stamp);
+  Situation situation;
+  situation.time = replayed.stamp;
+  situation.pose = replayed.pose;
+  situation.sectors = replayed.sectors;
+  markers_.publish(header, situation, replayed.decision, replayed.goal);
+  decisions_.publish(header, situation, replayed.decision, replayed.goal);
+  driver_.add(replayed, odometry_frame_);
+}
+
+std::string describeReplay(const DecisionReplay& replay) {
+  std::map<std::string, long> sources;
+  for (const ReplayedDecision& replayed : replay.decisions()) {
+    ++sources[toString(replayed.decision.source)];
+  }
+  std::map<std::string, long> rejections;
+  for (int i = 0; i < kRejectionCount; ++i) {
+    const long count = replay.rejections()[static_cast<std::size_t>(i)];
+    if (count > 0) rejections[toString(static_cast<Rejection>(i))] = count;
+  }
+  const Agreement agreement = agreementOf(replay.decisions());
+  std::ostringstream text;
+  text << agreement.decisions << " decisions";
+  if (agreement.decisions > 0) {
+    text << " in " << replay.decisions().back().episode + 1 << " episodes (" << joined(sources, true)
+         << "): the planner took the driver's steering angle at " << agreement.same_action << " ("
+         << std::lround(100.0 * static_cast<double>(agreement.same_action) / static_cast<double>(agreement.decisions))
+         << " %), their angles differ by " << std::lround(agreement.mean_difference * 180.0 / M_PI)
+         << " degrees on average";
+  }
+  if (!rejections.empty()) {
+    text << "; not decided about: " << joined(rejections, false);
+  }
+  return text.str();
+}
+
+}  // namespace lstm_planner
