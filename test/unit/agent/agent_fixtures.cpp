@@ -1,6 +1,7 @@
 #include "unit/agent/agent_fixtures.hpp"
 
 #include <cmath>
+#include <string>
 
 namespace lstm_planner::test {
 
@@ -54,17 +55,6 @@ std::vector<Point2> ring(double radius) {
   return points;
 }
 
-OccupancyGrid drawnGrid(const std::vector<std::string>& rows, double resolution) {
-  OccupancyGrid grid(static_cast<int>(rows.front().size()), static_cast<int>(rows.size()), resolution);
-  for (int row = 0; row < grid.rows(); ++row) {
-    const std::string& cells = rows[rows.size() - 1 - static_cast<std::size_t>(row)];
-    for (int column = 0; column < grid.columns(); ++column) {
-      grid.set({column, row}, cells.at(static_cast<std::size_t>(column)) == '#' ? Cell::kOccupied : Cell::kFree);
-    }
-  }
-  return grid;
-}
-
 OccupancyGrid emptyHall(double width, double height, double resolution) {
   OccupancyGrid grid(static_cast<int>(std::lround(width / resolution)),
                      static_cast<int>(std::lround(height / resolution)), resolution);
@@ -84,6 +74,35 @@ void fillBox(double left, double bottom, double right, double top, OccupancyGrid
       }
     }
   }
+}
+
+OccupancyGrid spiral() {
+  const std::vector<std::string> rows = {
+      "##################",
+      "#................#",
+      "#................#",
+      "#..############..#",
+      "#..#..........#..#",
+      "#..#..........#..#",
+      "#..#..######..#..#",
+      "#..#..#....#..#..#",
+      "#..#..#....#..#..#",
+      "#..#..#..###..#..#",
+      "#..#..#.......#..#",
+      "#..#..#.......#..#",
+      "#..#..#########..#",
+      "#..#.............#",
+      "#..#.............#",
+      "##################",
+  };
+  OccupancyGrid grid(static_cast<int>(rows.front().size()), static_cast<int>(rows.size()), 0.4);
+  for (int row = 0; row < grid.rows(); ++row) {
+    const std::string& cells = rows[rows.size() - 1 - static_cast<std::size_t>(row)];
+    for (int column = 0; column < grid.columns(); ++column) {
+      grid.set({column, row}, cells[static_cast<std::size_t>(column)] == '#' ? Cell::kOccupied : Cell::kFree);
+    }
+  }
+  return grid;
 }
 
 DriveParameters quickDrive(double time_limit) {

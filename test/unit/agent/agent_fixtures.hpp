@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "lstm_planner/agent/drive_policy.hpp"
@@ -29,14 +28,14 @@ std::vector<Point2> wall(const Point2& begin, const Point2& end);
 /// Points all around the origin, a degree apart.
 std::vector<Point2> ring(double radius);
 
-/// A map drawn with '#' for occupied and '.' for free cells, the uppermost row first; all rows are equally long.
-OccupancyGrid drawnGrid(const std::vector<std::string>& rows, double resolution);
-
 /// A free map with a wall along the outside, and walls drawn with fillBox().
 OccupancyGrid emptyHall(double width, double height, double resolution = 0.05);
 
 /// Occupies all cells whose centres lie in the box (m).
 void fillBox(double left, double bottom, double right, double top, OccupancyGrid* grid);
+
+/// A hall of 7.2 x 6.4 m with a spiral of walls around (3.4, 3), whose lanes are 0.8 m wide.
+OccupancyGrid spiral();
 
 /// Default parameters but with a third of the beams, which makes drives three times as fast.
 DriveParameters quickDrive(double time_limit);

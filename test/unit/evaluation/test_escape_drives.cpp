@@ -70,26 +70,7 @@ TEST(EscapeDrives, IsNotLuredBackByAGoalThatTheScannerCannotSee) {
 }
 
 TEST(EscapeDrives, GetsOutOfASpiral) {
-  const GridWorld world(test::drawnGrid(
-      {
-          "##################",
-          "#................#",
-          "#................#",
-          "#..############..#",
-          "#..#..........#..#",
-          "#..#..........#..#",
-          "#..#..######..#..#",
-          "#..#..#....#..#..#",
-          "#..#..#....#..#..#",
-          "#..#..#..###..#..#",
-          "#..#..#.......#..#",
-          "#..#..#.......#..#",
-          "#..#..#########..#",
-          "#..#.............#",
-          "#..#.............#",
-          "##################",
-      },
-      0.4));
+  const GridWorld world(test::spiral());
   // From the middle of the spiral to the lower left corner, where a straight line crosses three walls.
   const DriveResult result = driveStubbornly(world, {3.4, 3.0, 0.0}, {0.8, 0.8}, 1800.0);
   expectEnd(result, End::kReached);
