@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "lstm_planner/learning/actor_critic.hpp"
+#include "tools/actor_critic_options.hpp"
 #include "tools/options.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
@@ -44,17 +45,9 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* p
   description.add_options()
       ("agents", po::value(&p.agents)->default_value(p.agents), "at a time")
       ("window", po::value(&p.window)->default_value(p.window), "steps of each agent an update")
-      ("max-steps", po::value(&p.max_steps)->default_value(p.max_steps), "of a training episode")
-      ("critic", po::value(&p.critic_units)->multitoken(), "units of each of the critic's layers (default: 48 32)")
-      ("discount", po::value(&p.discount)->default_value(p.discount), "a step")
-      ("advantage-decay", po::value(&p.advantage_decay)->default_value(p.advantage_decay), "lambda")
-      ("entropy-start", po::value(&p.entropy_start)->default_value(p.entropy_start), "weight of the entropy at first")
-      ("entropy-end", po::value(&p.entropy_end)->default_value(p.entropy_end), "and at last")
-      ("step-cost", po::value(&p.step_cost)->default_value(p.step_cost), "cells")
-      ("arrival-bonus", po::value(&p.arrival_bonus)->default_value(p.arrival_bonus), "cells")
-      ("rate", po::value(&p.learning_rate)->default_value(p.learning_rate), "learning rate")
-      ("critic-rate", po::value(&p.critic_learning_rate)->default_value(p.critic_learning_rate), "of the critic");
+      ("max-steps", po::value(&p.max_steps)->default_value(p.max_steps), "of a training episode");
   // clang-format on
+  addActorCriticOptions("cells", &p, &description);
   po::variables_map values;
   if (!parseOptions("train", description, arguments, &values)) return false;
   finishGridTrainingOptions(values, arguments, &options);
@@ -65,18 +58,8 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* p
   p.threads = options.threads;
   p.communicator = ranks();
   validate(p);
-  plan->settings.update({{"agents", p.agents},
-                         {"window", p.window},
-                         {"max-steps", p.max_steps},
-                         {"critic", p.critic_units},
-                         {"discount", p.discount},
-                         {"advantage-decay", p.advantage_decay},
-                         {"entropy-start", p.entropy_start},
-                         {"entropy-end", p.entropy_end},
-                         {"step-cost", p.step_cost},
-                         {"arrival-bonus", p.arrival_bonus},
-                         {"rate", p.learning_rate},
-                         {"critic-rate", p.critic_learning_rate}});
+  plan->settings.update({{"agents", p.agents}, {"window", p.window}, {"max-steps", p.max_steps}});
+  plan->settings.update(actorCriticSettings(p));
   return true;
 }
 

@@ -6,6 +6,7 @@
 
 #include "lstm_planner/learning/drive_actor_critic.hpp"
 #include "lstm_planner/learning/training_checkpoint.hpp"
+#include "tools/actor_critic_options.hpp"
 #include "tools/interruption.hpp"
 #include "tools/options.hpp"
 #include "tools/output_file.hpp"
@@ -42,18 +43,10 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementOptions
       ("starts", po::value(&p.starts)->default_value(p.starts), "drives to a goal")
       ("window", po::value(&p.window)->default_value(p.window), "steps that errors go back at most")
       ("passes", po::value(&p.passes)->default_value(p.passes), "over what was collected")
-      ("critic", po::value(&p.critic_units)->multitoken(), "units of each of the critic's layers (default: 48 32)")
       ("sharpness", po::value(&p.sharpness)->default_value(p.sharpness), "times the first network's preferences")
-      ("clip", po::value(&p.clip)->default_value(p.clip), "how far a probability may change at once")
-      ("discount", po::value(&p.discount)->default_value(p.discount), "a step")
-      ("advantage-decay", po::value(&p.advantage_decay)->default_value(p.advantage_decay), "lambda")
-      ("entropy-start", po::value(&p.entropy_start)->default_value(p.entropy_start), "weight of the entropy at first")
-      ("entropy-end", po::value(&p.entropy_end)->default_value(p.entropy_end), "and at last")
-      ("step-cost", po::value(&p.step_cost)->default_value(p.step_cost), "m")
-      ("arrival-bonus", po::value(&p.arrival_bonus)->default_value(p.arrival_bonus), "m")
-      ("rate", po::value(&p.learning_rate)->default_value(p.learning_rate), "learning rate")
-      ("critic-rate", po::value(&p.critic_learning_rate)->default_value(p.critic_learning_rate), "of the critic");
+      ("clip", po::value(&p.clip)->default_value(p.clip), "how far a probability may change at once");
   // clang-format on
+  addActorCriticOptions("m", &p, &description);
   po::variables_map values;
   if (!parseOptions("train", description, arguments, &values)) return false;
   finishRobotTrainingOptions(arguments, options);
@@ -70,17 +63,9 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementOptions
                             {"starts", p.starts},
                             {"window", p.window},
                             {"passes", p.passes},
-                            {"critic", p.critic_units},
                             {"sharpness", p.sharpness},
-                            {"clip", p.clip},
-                            {"discount", p.discount},
-                            {"advantage-decay", p.advantage_decay},
-                            {"entropy-start", p.entropy_start},
-                            {"entropy-end", p.entropy_end},
-                            {"step-cost", p.step_cost},
-                            {"arrival-bonus", p.arrival_bonus},
-                            {"rate", p.learning_rate},
-                            {"critic-rate", p.critic_learning_rate}});
+                            {"clip", p.clip}});
+  options->settings.update(actorCriticSettings(p));
   return true;
 }
 
