@@ -77,6 +77,7 @@ void fillBox(double left, double bottom, double right, double top, OccupancyGrid
 }
 
 OccupancyGrid spiral() {
+  // clang-format off
   const std::vector<std::string> rows = {
       "##################",
       "#................#",
@@ -95,6 +96,7 @@ OccupancyGrid spiral() {
       "#..#.............#",
       "##################",
   };
+  // clang-format on
   OccupancyGrid grid(static_cast<int>(rows.front().size()), static_cast<int>(rows.size()), 0.4);
   for (int row = 0; row < grid.rows(); ++row) {
     const std::string& cells = rows[rows.size() - 1 - static_cast<std::size_t>(row)];
