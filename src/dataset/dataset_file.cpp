@@ -102,8 +102,8 @@ void DatasetFile::checkLength() {
   std::error_code error;
   const auto length = std::filesystem::file_size(path_, error);
   if (error || static_cast<long>(length) < expected) {
-    throw DatasetError("dataset '" + path_ + "' is damaged: it is " + std::to_string(length) + " bytes long, expected " +
-                       std::to_string(expected));
+    throw DatasetError("dataset '" + path_ + "' is damaged: it is " + std::to_string(length) +
+                       " bytes long, expected " + std::to_string(expected));
   }
 }
 

@@ -72,8 +72,9 @@ std::vector<std::string> stepColumns() {
 DatasetRows::DatasetRows(DatasetFile* file) : file_(file) {}
 
 void DatasetRows::addRecording(long id, const RecordingDescription& description) {
-  file_->session() << "INSERT INTO recordings (id, source, software_version, odometry_frame, begun, parameters, finished) "
-                      "VALUES (?, ?, ?, ?, ?, ?, 0)",
+  file_->session()
+      << "INSERT INTO recordings (id, source, software_version, odometry_frame, begun, parameters, finished) "
+         "VALUES (?, ?, ?, ?, ?, ?, 0)",
       bind(Int64{id}), bind(description.source), bind(description.software_version), bind(description.odometry_frame),
       bind(description.begun), bind(toJson(description.parameters).dump()), now;
 }
@@ -114,15 +115,17 @@ Int64 DatasetRows::geometryOf(const DriveStep& step) {
   if (last_geometry_ && *last_geometry_ == geometry) return last_geometry_id_;
   const Pose2& mount = geometry.mount.pose;
   Poco::Nullable<Int64> id;
-  file_->session() << "SELECT id FROM geometries WHERE frame = ? AND angle_min = ? AND angle_increment = ? AND beams = ? "
-                      "AND range_min = ? AND range_max = ? AND mount_x = ? AND mount_y = ? AND mount_yaw = ? AND "
-                      "upside_down = ?",
+  file_->session()
+      << "SELECT id FROM geometries WHERE frame = ? AND angle_min = ? AND angle_increment = ? AND beams = ? "
+         "AND range_min = ? AND range_max = ? AND mount_x = ? AND mount_y = ? AND mount_yaw = ? AND "
+         "upside_down = ?",
       into(id), bind(geometry.frame), bind(geometry.angle_min), bind(geometry.angle_increment), bind(geometry.beams),
       bind(geometry.range_min), bind(geometry.range_max), bind(mount.x), bind(mount.y), bind(mount.yaw),
       bind(int{geometry.mount.upside_down}), limit(1), now;
   if (id.isNull()) {
-    file_->session() << "INSERT INTO geometries (frame, angle_min, angle_increment, beams, range_min, range_max, mount_x, "
-                        "mount_y, mount_yaw, upside_down) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+    file_->session()
+        << "INSERT INTO geometries (frame, angle_min, angle_increment, beams, range_min, range_max, mount_x, "
+           "mount_y, mount_yaw, upside_down) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
         bind(geometry.frame), bind(geometry.angle_min), bind(geometry.angle_increment), bind(geometry.beams),
         bind(geometry.range_min), bind(geometry.range_max), bind(mount.x), bind(mount.y), bind(mount.yaw),
         bind(int{geometry.mount.upside_down}), now;
@@ -176,7 +179,8 @@ std::map<Int64, Recording> readRecordings(Poco::Data::Session& session) {
   std::string parameters;
   int finished = 0;
   Statement query(session);
-  query << "SELECT id, source, software_version, odometry_frame, begun, parameters, finished FROM recordings ORDER BY id",
+  query
+      << "SELECT id, source, software_version, odometry_frame, begun, parameters, finished FROM recordings ORDER BY id",
       into(id), into(description.source), into(description.software_version), into(description.odometry_frame),
       into(description.begun), into(parameters), into(finished);
   forEachRow(&query, [&] {

@@ -27,7 +27,8 @@ struct StepRow {
 /// Names of the columns of table steps, in the order in which bindColumns() takes them.
 std::vector<std::string> stepColumns();
 
-/// Writes the rows of a dataset, inside transactions of the caller. Numbers of recordings and episodes are the caller's.
+/// Writes the rows of a dataset, inside transactions of the caller. Numbers of recordings and episodes are the
+/// caller's.
 class DatasetRows {
  public:
   /// `file` must outlive the object.

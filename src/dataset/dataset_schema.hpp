@@ -11,8 +11,9 @@ constexpr int kDatasetApplicationId = 0x4c53544d;
 constexpr int kDatasetSchemaVersion = 1;
 
 /// The tables of a dataset file, with the unit and the frame of every column; SQLite keeps the comments, so that
-/// `sqlite3 FILE .schema` explains the file. Angles are positive to the left. Columns that end in _0 .. _7 go from right
-/// to left: sectors of [-90, +90) degrees around the heading, or, for visits, directions of heading + i * 45 degrees.
+/// `sqlite3 FILE .schema` explains the file. Angles are positive to the left. Columns that end in _0 .. _7 go from
+/// right to left: sectors of [-90, +90) degrees around the heading, or, for visits, directions of heading + i * 45
+/// degrees.
 constexpr std::array<const char*, 6> kDatasetSchema = {
     R"sql(CREATE TABLE recordings (
   id INTEGER PRIMARY KEY,          -- in the order in which they were begun or merged

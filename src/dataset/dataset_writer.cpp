@@ -25,8 +25,8 @@ constexpr int kPatience = 100;            // ms; longer would hold up whoever re
 constexpr int kPatienceToFinish = 10000;  // ms
 constexpr long kMostWaiting = 10000;      // steps; with scans of 1080 beams some 50 MB
 constexpr std::size_t kMostEntries = 2 * kMostWaiting;
-constexpr long kLostEpisode = -1;  // its steps are lost, too
-constexpr std::size_t kBatch = 200;       // calls a transaction, so that a backlog goes out piece by piece
+constexpr long kLostEpisode = -1;    // its steps are lost, too
+constexpr std::size_t kBatch = 200;  // calls a transaction, so that a backlog goes out piece by piece
 
 struct BeginEpisode {
   long id = 0;

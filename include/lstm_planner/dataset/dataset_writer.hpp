@@ -27,15 +27,16 @@ class DatasetWriter : public StepSink {
   /// Counted in memory; written with the next of the others.
   void reject(Rejection rejection) override;
 
-  /// Marks the episode that was begun last, and is not discarded yet, as not to be learned from. False when there is none.
+  /// Marks the episode that was begun last, and is not discarded yet, as not to be learned from. False when there is
+  /// none.
   bool discardEpisode();
 
   /// Writes what is waiting and marks the recording as finished. Throws DatasetError saying how much is lost.
   void finish();
 
-  long stored() const;   ///< steps that are on the disk
-  long waiting() const;  ///< steps that could not be written yet
-  long lost() const;     ///< steps that were given up because too many were waiting
+  long stored() const;                 ///< steps that are on the disk
+  long waiting() const;                ///< steps that could not be written yet
+  long lost() const;                   ///< steps that were given up because too many were waiting
   const std::string& problem() const;  ///< why steps are waiting; empty when none are
   const std::string& path() const;
 

@@ -43,8 +43,8 @@ inline RecordingDescription exampleDescription(const std::string& source = "live
   return description;
 }
 
-/// A robot that drives about as a recorder would see it: every number follows from the ones that it depends on, and none
-/// is round.
+/// A robot that drives about as a recorder would see it: every number follows from the ones that it depends on, and
+/// none is round.
 inline RecordedEpisode exampleEpisode(int steps, unsigned seed, int beams = 16) {
   constexpr double kCap = 6.0;
   Random random(seed);

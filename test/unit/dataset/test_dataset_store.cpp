@@ -218,8 +218,8 @@ TEST_F(DatasetStore, RefusesANewerSchemaAndOtherDatabases) {
   for (const char* name : {"newer.db", "other.db"}) writeDataset(in(name), dataset);
   setByte(in("newer.db"), 63, 2);
   setByte(in("other.db"), 68, 'X');
-  EXPECT_EQ(refusal("newer.db"), "dataset '" + in("newer.db") +
-                                     "' has schema version 2, expected 1: it was made by a newer lstm_planner");
+  EXPECT_EQ(refusal("newer.db"),
+            "dataset '" + in("newer.db") + "' has schema version 2, expected 1: it was made by a newer lstm_planner");
   EXPECT_EQ(refusal("other.db"), "'" + in("other.db") + "' is a database, but not a dataset of lstm_planner");
   EXPECT_THROW(DatasetWriter(in("newer.db"), exampleDescription()), DatasetError);
 }
@@ -248,7 +248,8 @@ TEST_F(DatasetStore, ReadsOrRefusesAFileWithWrongBytes) {
   for (int i = 0; i < 200; ++i) {
     std::filesystem::copy_file(in("whole.db"), in("a.db"), std::filesystem::copy_options::overwrite_existing);
     for (int k = 0; k < 20; ++k) {
-      setByte(in("a.db"), static_cast<long>(uniformIndex(random, length)), static_cast<char>(uniformIndex(random, 256)));
+      setByte(in("a.db"), static_cast<long>(uniformIndex(random, length)),
+              static_cast<char>(uniformIndex(random, 256)));
     }
     refused += refusal("a.db") == "read" ? 0 : 1;
   }

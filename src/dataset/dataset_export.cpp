@@ -1,0 +1,53 @@
+#include "lstm_planner/dataset/dataset_export.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "dataset/dataset_columns.hpp"
+#include "dataset/step_quantities.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+void writeNames(std::ostream& out, std::size_t beams) {
+  out << "recording,episode,number";
+  DriveStep step;
+  visitColumns(step, [&](const std::string& name, const char*, auto&) { out << ',' << name; });
+  for (std::size_t beam = 0; beam < beams; ++beam) out << ",beam_" << beam;
+  out << '\n';
+}
+
+template <typename Number>
+void writeNumber(std::ostream& out, Number number) {
+  out << ',';
+  if (std::isfinite(static_cast<double>(number))) out << number;
+}
+
+}  // namespace
+
+void exportCsv(const std::string& path, const Dataset& dataset, bool with_scans) {
+  std::ofstream out(path);
+  if (!out) throw DatasetError("'" + path + "' cannot be written: " + std::strerror(errno));
+  const std::size_t beams = with_scans ? mostBeams(dataset) : 0;
+  writeNames(out, beams);
+  forEachStep(dataset, [&](long recording, long episode, const DriveStep& step) {
+    out << recording << ',' << episode << ',' << step.number;
+    out.precision(std::numeric_limits<double>::max_digits10);
+    visitColumns(step, [&](const std::string&, const char*, const auto& number) { writeNumber(out, number); });
+    out.precision(std::numeric_limits<float>::max_digits10);
+    for (std::size_t beam = 0; beam < beams; ++beam) {
+      writeNumber(out, beam < step.ranges.size() ? step.ranges[beam] : std::numeric_limits<float>::quiet_NaN());
+    }
+    out << '\n';
+  });
+  out.close();
+  if (!out) throw DatasetError("'" + path + "' cannot be written: " + std::strerror(errno));
+}
+
+}  // namespace lstm_planner
