@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "lstm_planner/dataset/dataset_check.hpp"
+#include "lstm_planner/dataset/dataset_edit.hpp"
+#include "lstm_planner/dataset/dataset_export.hpp"
+#include "lstm_planner/dataset/dataset_summary.hpp"
+#include "tools/dataset_commands.hpp"
+#include "tools/dataset_options.hpp"
+#include "tools/dataset_report.hpp"
+#include "tools/output_file.hpp"
+
+namespace lstm_planner {
+
+namespace po = boost::program_options;
+
+int datasetInfo(const std::vector<std::string>& arguments) {
+  std::string file;
+  std::string picture;
+  po::options_description options("says what a dataset holds; it may be being recorded");
+  // clang-format off
+  options.add_options()
+      ("file", po::value(&file)->required(), "the dataset")
+      ("picture", po::value(&picture), "draw labels, ranges and driven ways into this PNG file");
+  // clang-format on
+  po::variables_map values;
+  if (!parseDatasetOptions("info", options, "file", arguments, &values)) return 0;
+  const Dataset dataset = readDataset(file, true);
+  printDatasetSummary(std::cout, summarise(dataset));
+  if (!picture.empty()) drawDataset(picture, dataset);
+  return 0;
+}
+
+int datasetCheck(const std::vector<std::string>& arguments) {
+  std::string file;
+  std::size_t most = 20;
+  po::options_description options("looks for what is wrong with a dataset; the status is 1 where something is");
+  // clang-format off
+  options.add_options()
+      ("file", po::value(&file)->required(), "the dataset")
+      ("most", po::value(&most)->default_value(most), "sentences to print");
+  // clang-format on
+  po::variables_map values;
+  if (!parseDatasetOptions("check", options, "file", arguments, &values)) return 0;
+  const std::vector<std::string> sentences = checkDatasetFile(file);
+  for (std::size_t i = 0; i < std::min(most, sentences.size()); ++i) std::cout << sentences[i] << "\n";
+  if (sentences.size() > most) std::cout << "... and " << sentences.size() - most << " more\n";
+  if (sentences.empty()) std::cout << "nothing is wrong with " << stepCount(readDataset(file)) << " steps\n";
+  return sentences.empty() ? 0 : 1;
+}
+
+int datasetMerge(const std::vector<std::string>& arguments) {
+  std::vector<std::string> files;
+  std::string output;
+  po::options_description options("puts the recordings of several datasets into a new one");
+  // clang-format off
+  options.add_options()
+      ("files", po::value(&files)->required(), "the datasets")
+      ("output", po::value(&output)->required(), "the new dataset; there must be no such file");
+  // clang-format on
+  po::variables_map values;
+  if (!parseDatasetOptions("merge", options, "files", arguments, &values)) return 0;
+  const Dataset merged = mergeDatasets(files);
+  writeDataset(output, merged);
+  std::cout << files.size() << " datasets, " << merged.recordings.size() << " recordings, " << stepCount(merged)
+            << " steps\n";
+  return 0;
+}
+
+int datasetSplit(const std::vector<std::string>& arguments) {
+  std::string file;
+  std::string training;
+  std::string validation;
+  double share = 0.25;
+  std::uint64_t seed = 1;
+  po::options_description options("divides a dataset by whole episodes");
+  // clang-format off
+  options.add_options()
+      ("file", po::value(&file)->required(), "the dataset")
+      ("share", po::value(&share)->default_value(share), "of the steps, for the validation set")
+      ("seed", po::value(&seed)->default_value(seed), "of the episodes that are drawn")
+      ("training", po::value(&training)->required(), "new dataset of the other episodes")
+      ("validation", po::value(&validation)->required(), "new dataset of the episodes that are drawn");
+  // clang-format on
+  po::variables_map values;
+  if (!parseDatasetOptions("split", options, "file", arguments, &values)) return 0;
+  const DatasetSplit split = splitDataset(readDataset(file, true), share, seed);
+  writeDataset(training, split.training);
+  try {
+    writeDataset(validation, split.validation);
+  } catch (const DatasetError&) {
+    std::filesystem::remove(training);
+    throw;
+  }
+  for (const auto& [name, part] : {std::make_pair("training", &split.training), {"validation", &split.validation}}) {
+    const DatasetSummary summary = summarise(*part);
+    std::cout << name << ": " << summary.episodes << " episodes, " << summary.steps << " steps\n";
+    printLabels(std::cout, summary);
+  }
+  return 0;
+}
+
+int datasetExport(const std::vector<std::string>& arguments) {
+  std::string file;
+  std::string output;
+  bool with_scans = false;
+  po::options_description options("writes a dataset for other programs; discarded episodes are left out");
+  // clang-format off
+  options.add_options()
+      ("file", po::value(&file)->required(), "the dataset")
+      ("output", po::value(&output)->required(), "FILE.csv: a row a step; FILE.npz: arrays for NumPy")
+      ("scans", po::bool_switch(&with_scans), "whole scans, too");
+  // clang-format on
+  po::variables_map values;
+  if (!parseDatasetOptions("export", options, "file", arguments, &values)) return 0;
+  const std::string extension = std::filesystem::path(output).extension().string();
+  if (extension != ".csv" && extension != ".npz") {
+    throw std::invalid_argument("--output is '" + output + "', expected a name that ends in .csv or .npz");
+  }
+  const Dataset dataset = readDataset(file, with_scans);
+  std::error_code unknown;
+  if (std::filesystem::equivalent(file, output, unknown)) {
+    throw std::invalid_argument("--output is the dataset itself, '" + file + "'");
+  }
+  checkWritable(output);
+  (extension == ".csv" ? exportCsv : exportNumpy)(output, dataset, with_scans);
+  std::cout << stepCount(dataset) << " steps\n";
+  return 0;
+}
+
+}  // namespace lstm_planner
