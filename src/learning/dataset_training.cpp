@@ -1,7 +1,11 @@
 #include "lstm_planner/learning/dataset_training.hpp"
 
+#include <iterator>
 #include <stdexcept>
 #include <string>
+
+#include "lstm_planner/learning/drive_symmetry.hpp"
+#include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -36,8 +40,10 @@ DatasetTrainingParameters stableDatasetTraining() {
   DatasetTrainingParameters parameters;
   parameters.sequences.sequence_steps = 60;
   parameters.sequences.burn_in_steps = 30;
+  parameters.sequences.label_distance = 0.4;
+  parameters.variants = 7;
   TrainerParameters& trainer = parameters.trainer;
-  trainer.epochs = 200;
+  trainer.epochs = 60;
   trainer.batch_size = 16;
   trainer.shards = 2;
   trainer.averaging = 0.98;
@@ -49,12 +55,19 @@ DatasetTrainingParameters stableDatasetTraining() {
 
 DatasetTrainingParameters fineTuning() {
   DatasetTrainingParameters parameters = stableDatasetTraining();
-  parameters.trainer.epochs = 50;
+  parameters.trainer.epochs = 30;
   parameters.trainer.optimiser.learning_rate = 0.002;
   return parameters;
 }
 
+void validate(const DatasetTrainingParameters& parameters) {
+  validate(parameters.sequences);
+  checkParameter(parameters.variants >= 0, "variants", parameters.variants, "zero or more");
+  validate(parameters.trainer);
+}
+
 DatasetTrainingSets makeTrainingSets(const DatasetParts& parts, const DatasetTrainingParameters& parameters) {
+  validate(parameters);
   DatasetTrainingSets sets;
   const int classes = parameters.sequences.policy.actions.size();
   sets.training = datasetSequences(parts.training, parameters.sequences);
@@ -65,7 +78,12 @@ DatasetTrainingSets makeTrainingSets(const DatasetParts& parts, const DatasetTra
   requireSteps(sets.validation, "validation");
   sets.training_labels = countLabels(sets.training, classes);
   sets.validation_labels = countLabels(sets.validation, classes);
-  sets.label_weights = labelWeights(sets.training_labels, parameters.balance);
+  if (parameters.variants > 0) {
+    const Dataset variants = variantsOf(parts.training, parameters.variants, parameters.trainer.seed);
+    std::vector<Sequence> more = datasetSequences(variants, parameters.sequences);
+    std::move(more.begin(), more.end(), std::back_inserter(sets.training));
+  }
+  sets.label_weights = labelWeights(countLabels(sets.training, classes), parameters.balance);
   weigh(sets.label_weights, &sets.training);
   return sets;
 }

@@ -129,7 +129,8 @@ class DatasetTraining {
     };
     std::cout << "\n";
     print("training", sets_.training_labels);
-    std::cout << "   " << stepsOf(sets_.training_labels) << " steps in " << sets_.training.size() << " sequences\n";
+    std::cout << "   " << stepsOf(sets_.training_labels) << " steps; with --variants "
+              << options_.training.variants << ' ' << sets_.training.size() << " sequences\n";
     print("validation", sets_.validation_labels);
     std::cout << "   " << stepsOf(sets_.validation_labels) << " steps in " << sets_.validation.size() << " episodes\n";
     print("weight", sets_.label_weights);

@@ -52,7 +52,9 @@ void addDataOptions(DatasetTrainingOptions* o, po::options_description* all) {
       ("sequence", withDefault(&sequences.sequence_steps), "steps learned at once; 0: whole episodes")
       ("burn-in", withDefault(&sequences.burn_in_steps), "steps before them that only bring the memory up to date")
       ("balance", po::value<std::string>()->default_value(toString(o->training.balance)),
-       "weight of rare labels: none, sqrt or inverse");
+       "weight of rare labels: none, sqrt or inverse")
+      ("variants", withDefault(&o->training.variants),
+       "of each drive that are learned from, too: with another first heading, and every other one mirrored");
   // clang-format on
   all->add(description);
 }
@@ -139,8 +141,7 @@ bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, Datas
   options->training.balance = labelBalanceNamed(values["balance"].as<std::string>());
   options->training.trainer.seed = options->seed;
   options->training.trainer.communicator = ranks();
-  validate(options->training.sequences);
-  validate(options->training.trainer);
+  validate(options->training);
   check(values, *options);
   return true;
 }

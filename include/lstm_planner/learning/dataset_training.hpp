@@ -13,8 +13,12 @@ namespace lstm_planner {
 struct DatasetTrainingParameters {
   DatasetSequenceParameters sequences;
   LabelBalance balance = LabelBalance::kNone;
+  int variants = 0;  ///< of each training episode that are learned from besides itself: see variantsOf()
   TrainerParameters trainer;
 };
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const DatasetTrainingParameters& parameters);
 
 /// The training of the thesis: table 4.2, sequences of 30 steps, an update after each. The thesis names no limit of the
 /// gradient's length; 1 is taken here. What is kept are averaged weights, over some ten epochs of 3,000 steps; they take
@@ -22,7 +26,8 @@ struct DatasetTrainingParameters {
 DatasetTrainingParameters thesisDatasetTraining();
 
 /// The same in a way that does not jump: many sequences an update, a learning rate that sinks to 0, hidden states that
-/// are right at each sequence's first counted step, averaged weights.
+/// are right at each sequence's first counted step, averaged weights. Labels lead to where the planner's waypoints are,
+/// and each drive has seven variants.
 DatasetTrainingParameters stableDatasetTraining();
 
 /// As stableDatasetTraining(), for a network that drives already and is to get used to somebody's own drives: shorter,
@@ -33,12 +38,12 @@ DatasetTrainingParameters fineTuning();
 struct DatasetTrainingSets {
   std::vector<Sequence> training;    ///< cut into pieces and weighed as the parameters say
   std::vector<Sequence> validation;  ///< whole episodes, as the planner drives them, each step with weight 1
-  std::vector<long> training_labels;
+  std::vector<long> training_labels;  ///< as recorded, without variants
   std::vector<long> validation_labels;
   std::vector<double> label_weights;  ///< of the training set
 };
 
-/// Throws std::invalid_argument as datasetSequences(), and when a set has no steps.
+/// Throws std::invalid_argument as validate() and datasetSequences(), and when a set has no steps.
 DatasetTrainingSets makeTrainingSets(const DatasetParts& parts, const DatasetTrainingParameters& parameters);
 
 }  // namespace lstm_planner
