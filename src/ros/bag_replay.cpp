@@ -35,6 +35,10 @@ BagReplay::BagReplay(const BagReplayParameters& parameters)
       driver_(ros::NodeHandle("~")) {
   drive_ = recordBag(parameters_.bag, parameters_.drive,
                      replayParameters(replay_.description(), parameters_.planner.agent), &replay_);
+  if (!drive_.mount_known) {
+    ROS_WARN("'%s' does not tell where the scanner sits; it is taken to sit at the robot's centre and look ahead",
+             parameters_.bag.c_str());
+  }
   if (replay_.decisions().empty()) {
     throw std::invalid_argument("there is nothing to decide about in '" + parameters_.bag +
                                 "': " + describeReplay(replay_));
@@ -56,8 +60,6 @@ void BagReplay::writeDecisionsFile() const {
 void BagReplay::run() {
   const bool from_transforms = drive_.odometry_source == "tf";
   BagReplayPlayer player(parameters_.bag, {drive_.scan_topic, from_transforms ? "" : drive_.odometry_source});
-  const bool names_frame = !from_transforms && !player.odometryFrame().empty();
-  odometry_frame_ = names_frame ? player.odometryFrame() : parameters_.drive.odometry_frame;
   if (parameters_.drive.mount || !drive_.mount_known) {
     player.placeScanner(parameters_.drive.mount.value_or(SensorMount()),
                         player.baseFrame().empty() ? parameters_.drive.base_frame : player.baseFrame());
@@ -86,7 +88,7 @@ void BagReplay::showDecisionsUntil(const ros::Time& time) {
 
 void BagReplay::show(const ReplayedDecision& replayed) {
   std_msgs::Header header;
-  header.frame_id = odometry_frame_;
+  header.frame_id = drive_.odometry_frame;
   header.stamp = ros::Time(replayed.stamp);
   Situation situation;
   situation.time = replayed.stamp;
@@ -94,7 +96,7 @@ void BagReplay::show(const ReplayedDecision& replayed) {
   situation.sectors = replayed.sectors;
   markers_.publish(header, situation, replayed.decision, replayed.goal);
   decisions_.publish(header, situation, replayed.decision, replayed.goal);
-  driver_.add(replayed, odometry_frame_);
+  driver_.add(replayed, drive_.odometry_frame);
 }
 
 std::string describeReplay(const DecisionReplay& replay) {
@@ -111,7 +113,8 @@ std::string describeReplay(const DecisionReplay& replay) {
   std::ostringstream text;
   text << agreement.decisions << " decisions";
   if (agreement.decisions > 0) {
-    text << " in " << replay.decisions().back().episode + 1 << " episodes (" << joined(sources, true)
+    const long episodes = replay.decisions().back().episode + 1;
+    text << " in " << episodes << (episodes == 1 ? " episode (" : " episodes (") << joined(sources, true)
          << "): the planner took the driver's steering angle at " << agreement.same_action << " ("
          << std::lround(100.0 * static_cast<double>(agreement.same_action) / static_cast<double>(agreement.decisions))
          << " %), their angles differ by " << std::lround(agreement.mean_difference * 180.0 / M_PI)

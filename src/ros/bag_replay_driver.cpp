@@ -10,6 +10,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
+constexpr double kTextDistance = 1.2;  // m from the robot
 constexpr double kTextHeight = 0.2;    // m above the floor
 constexpr double kDrivenLength = 0.3;  // m of the arrows; the driver's is the longer and thicker one, so that it shows
 constexpr double kPlannedLength = 0.22;  // beneath a planner's that points the same way
@@ -70,7 +71,7 @@ void BagReplayDriver::add(const ReplayedDecision& replayed, const std::string& f
   char line[80];
   std::snprintf(line, sizeof(line), "same angle at %ld of %ld steps", agreed_, steps_);
   text.text = line;
-  text.pose.position = makePoint({replayed.pose.x, replayed.pose.y - 0.8}, kTextHeight);
+  text.pose.position = makePoint({replayed.pose.x, replayed.pose.y - kTextDistance}, kTextHeight);
 
   for (Marker& each : markers_.markers) {
     each.header.frame_id = frame;

@@ -1,5 +1,6 @@
 #include "lstm_planner/ros/bag_replay_player.hpp"
 
+#include <nav_msgs/OccupancyGrid.h>
 #include <rosbag/exceptions.h>
 #include <rosbag/view.h>
 #include <rosgraph_msgs/Clock.h>
@@ -41,7 +42,8 @@ BagReplayPlayer::BagReplayPlayer(const std::string& path, const Topics& topics)
       clock_(node_.advertise<rosgraph_msgs::Clock>("/clock", kQueue)),
       scans_(node_.advertise<sensor_msgs::LaserScan>("scan", kQueue)),
       odometry_(node_.advertise<nav_msgs::Odometry>("odom", kQueue)),
-      transforms_(node_.advertise<tf2_msgs::TFMessage>("/tf", kQueue)) {
+      transforms_(node_.advertise<tf2_msgs::TFMessage>("/tf", kQueue)),
+      map_(node_.advertise<nav_msgs::OccupancyGrid>("map", 1, true)) {
   try {
     bag_.open(path);
     readClock();
@@ -139,6 +141,8 @@ void BagReplayPlayer::publish(const rosbag::MessageInstance& message) {
   } else if (isStaticTransforms(topic)) {
     const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
     if (transforms) static_transforms_.sendTransform(transforms->transforms);
+  } else if (const auto map = message.instantiate<nav_msgs::OccupancyGrid>()) {
+    map_.publish(map);
   }
 }
 

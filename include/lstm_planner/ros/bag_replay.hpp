@@ -54,7 +54,6 @@ class BagReplay {
   BagReplayParameters parameters_;
   DecisionReplay replay_;
   BagDriveResult drive_;
-  std::string odometry_frame_;
   std::size_t shown_ = 0;  ///< decisions
 
   ros::NodeHandle node_;

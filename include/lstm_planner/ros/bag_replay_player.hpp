@@ -17,7 +17,7 @@
 
 namespace lstm_planner {
 
-/// Plays the scans, odometry and transforms of a bag on /clock, scan, odom, /tf and /tf_static.
+/// Plays the scans, odometry, transforms and map of a bag on /clock, scan, odom, /tf, /tf_static and map.
 ///
 /// The clock is the sensors': the recording computer's may differ from theirs, so the message that was on its way for
 /// the shortest time is taken to have arrived at its stamp. Where the bag has no transforms of its own, the robot's
@@ -33,9 +33,7 @@ class BagReplayPlayer {
   /// Throws std::invalid_argument when the bag cannot be read.
   BagReplayPlayer(const std::string& path, const Topics& topics);
 
-  /// Frames of the first odometry and scan; empty without.
-  const std::string& odometryFrame() const { return odometry_frame_; }
-  const std::string& scanFrame() const { return scan_frame_; }
+  /// The robot's, as the odometry names it; empty where it does not.
   const std::string& baseFrame() const { return base_frame_; }
 
   /// Tells viewers where the scanner sits, for bags that do not.
@@ -65,6 +63,7 @@ class BagReplayPlayer {
   ros::Publisher scans_;
   ros::Publisher odometry_;
   ros::Publisher transforms_;
+  ros::Publisher map_;
   tf2_ros::StaticTransformBroadcaster static_transforms_;
   std::optional<ros::Time> began_;  ///< of the recording
   ros::WallTime wall_began_;
