@@ -134,6 +134,13 @@ void addBarn(const DriveOptions& options, DriveCourse* course) {
 
 }  // namespace
 
+OccupancyGrid readClosedMap(const std::string& text, double free_threshold) {
+  const auto [file, threshold] = splitMap(text, free_threshold);
+  OccupancyGrid grid = readMapServerMap(file, threshold);
+  closeUnknown(&grid);
+  return grid;
+}
+
 DriveCourse makeDriveCourse(const DriveOptions& options) {
   DriveCourse course;
   course.rules = options.drive;

@@ -37,6 +37,9 @@ struct DriveCourse {
   bool is_barn = false;
 };
 
+/// The map that `text` names as --map does: FILE, or FILE=FREE_THRESHOLD. What it does not know is solid.
+OccupancyGrid readClosedMap(const std::string& text, double free_threshold);
+
 DriveCourse makeDriveCourse(const DriveOptions& options);
 
 }  // namespace lstm_planner

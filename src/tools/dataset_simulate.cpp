@@ -1,0 +1,143 @@
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "lstm_planner/dataset/dataset_summary.hpp"
+#include "lstm_planner/dataset/recording_sink.hpp"
+#include "lstm_planner/evaluation/recorded_drives.hpp"
+#include "tools/dataset_commands.hpp"
+#include "tools/dataset_report.hpp"
+#include "tools/drive_worlds.hpp"
+#include "tools/options.hpp"
+
+namespace lstm_planner {
+
+namespace po = boost::program_options;
+
+namespace {
+
+constexpr double kWayPointClearance = 0.18;  // m between the footprint and walls
+constexpr double kWayPointSpacing = 1.5;     // m
+
+struct SimulateOptions {
+  std::vector<std::string> maps;
+  double free_threshold = -1.0;
+  std::string way_points = "20";
+  std::uint64_t seed = 1;
+  std::string output;
+  bool without_scans = false;
+  RecordedDrivesParameters drives;
+};
+
+bool readOptions(const std::vector<std::string>& arguments, SimulateOptions* options) {
+  RecordedDrivesParameters& drives = options->drives;
+  drives.robot.base.odometry_error = 0.02;
+  po::options_description all("somebody drives a simulated Create 2 between way-points: a dataset without a robot");
+  const auto number = [](double* value) {
+    std::ostringstream text;
+    text << *value;
+    return po::value(value)->default_value(*value, text.str());
+  };
+  // clang-format off
+  all.add_options()
+      ("map", po::value(&options->maps)->multitoken()->required(),
+       "map_server yaml files, each gets its share of the steps; FILE=0.19 replaces the free_thresh of one of them")
+      ("free-threshold", number(&options->free_threshold), "replaces the free_thresh of all maps")
+      ("way-points", po::value(&options->way_points)->default_value(options->way_points),
+       "how many are drawn in each map, or a yaml file with a list of [x, y] or {x: , y: } (m, map frame), e.g. the "
+       "demo's goals")
+      ("steps", po::value(&drives.steps)->default_value(drives.steps), "labelled steps to record")
+      ("seed", po::value(&options->seed)->default_value(options->seed), "of way-points, goals, driver and noise")
+      ("drift", number(&drives.robot.base.odometry_error), "of the odometry, as a share of the way: 0.02 = 2 %")
+      ("speed", number(&drives.driver.speed), "m/s while the forward key is held")
+      ("turn-speed", number(&drives.driver.turn_speed), "rad/s while a turn key is held")
+      ("wander", number(&drives.driver.wander), "rad, how badly is aimed")
+      ("arcs", po::bool_switch(&drives.driver.drives_arcs), "turn keys are pressed while driving, too")
+      ("no-scans", po::bool_switch(&options->without_scans), "keep the sectors only")
+      ("output", po::value(&options->output)->required(), "the new dataset; there must be no such file");
+  // clang-format on
+  po::variables_map values;
+  if (!parseOptions("dataset simulate", all, arguments, &values)) return false;
+  drives.recorder.keep_scans = !options->without_scans;
+  if (drives.steps < static_cast<long>(options->maps.size())) {
+    throw std::invalid_argument("--steps is " + std::to_string(drives.steps) + ", expected at least one for each of " +
+                                std::to_string(options->maps.size()) + " maps");
+  }
+  validate(drives);
+  validate(drives.robot.base);
+  if (std::filesystem::exists(options->output)) {
+    throw std::invalid_argument("--output: there is a file " + options->output + " already");
+  }
+  return true;
+}
+
+Point2 wayPointOf(const YAML::Node& node) {
+  if (node.IsSequence() && node.size() >= 2) return {node[0].as<double>(), node[1].as<double>()};
+  if (node.IsMap() && node["x"] && node["y"]) return {node["x"].as<double>(), node["y"].as<double>()};
+  throw std::invalid_argument("expected [x, y] or {x: , y: }");
+}
+
+std::vector<Point2> readWayPoints(const std::string& path) {
+  std::vector<Point2> points;
+  try {
+    const YAML::Node file = YAML::LoadFile(path);
+    const YAML::Node list = file.IsSequence() ? file : file["goals"] ? file["goals"] : file["way_points"];
+    if (!list || !list.IsSequence()) throw std::invalid_argument("expected a list, or one called goals or way_points");
+    for (const char* frame : {"frame", "way_point_frame"}) {
+      if (file.IsMap() && file[frame] && file[frame].as<std::string>() != "map") {
+        throw std::invalid_argument(std::string(frame) + " is " + file[frame].as<std::string>() + ", expected map");
+      }
+    }
+    for (const YAML::Node& node : list) points.push_back(wayPointOf(node));
+  } catch (const std::exception& error) {
+    throw std::invalid_argument("way-points of " + path + ": " + error.what());
+  }
+  return points;
+}
+
+std::vector<Point2> wayPointsFor(const GridWorld& world, const SimulateOptions& options) {
+  const bool is_number = options.way_points.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number) return readWayPoints(options.way_points);
+  const double radius = options.drives.driver.footprint_radius + kWayPointClearance;
+  constexpr std::size_t kMostDigits = 6;
+  if (options.way_points.empty() || options.way_points.size() > kMostDigits) {
+    throw std::invalid_argument("--way-points is '" + options.way_points + "', expected a number below a million");
+  }
+  return drawWayPoints(world, std::stoi(options.way_points), radius, kWayPointSpacing, options.seed);
+}
+
+}  // namespace
+
+int datasetSimulate(const std::vector<std::string>& arguments) {
+  SimulateOptions options;
+  if (!readOptions(arguments, &options)) return 0;
+  Dataset dataset;
+  const auto maps = static_cast<long>(options.maps.size());
+  for (long i = 0; i < maps; ++i) {
+    const GridWorld world(readClosedMap(options.maps[static_cast<std::size_t>(i)], options.free_threshold));
+    RecordedDrivesParameters drives = options.drives;
+    drives.steps = options.drives.steps * (i + 1) / maps - options.drives.steps * i / maps;
+    RecordingDescription description;
+    description.parameters = drives.recorder;
+    description.software_version = softwareVersion();
+    description.source = "simulation in " + options.maps[static_cast<std::size_t>(i)];
+    description.odometry_frame = "odom";
+    RecordingSink sink(description);
+    const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(i);
+    const RecordedDrives result = recordDrives(world, wayPointsFor(world, options), drives, seed, &sink);
+    sink.recording().finished = true;
+    dataset.recordings.push_back(std::move(sink.recording()));
+    std::cout << options.maps[static_cast<std::size_t>(i)] << ": " << result.steps << " steps, " << result.reached
+              << " of " << result.goals << " goals reached, " << result.contacts << " contacts, "
+              << std::lround(result.path_length) << " m in " << std::lround(result.time) << " s" << std::endl;
+  }
+  writeDataset(options.output, dataset);
+  printLabels(std::cout, summarise(dataset));
+  return 0;
+}
+
+}  // namespace lstm_planner
