@@ -31,11 +31,16 @@ std::uint32_t octile(int columns, int rows) {
 bool nearestPlace(ObstacleMemory& memory, const Point2& position, double tolerance, Point2* place) {
   const int cell = memory.cellAt(position);
   const int reach = static_cast<int>(std::ceil(tolerance / memory.cellSize()));
+  const double square_size = memory.cellSize() / ObstacleMemory::kSide;
+  constexpr double kMiddleSquare = 0.5 * (ObstacleMemory::kSide - 1);
   double nearest = tolerance;
   bool found = false;
   const auto lookInto = [&](int other) {
+    const Point2 middle = memory.centerOf(other);
     for (int square = 0; square < ObstacleMemory::kCellSquares; ++square) {
-      const Point2 at = memory.centerOf(other, square);
+      // Of two squares as near the last bit decides: rounded otherwise, trained networks would not come out the same.
+      const Point2 at{middle.x + (square % ObstacleMemory::kSide - kMiddleSquare) * square_size,
+                      middle.y + (square / ObstacleMemory::kSide - kMiddleSquare) * square_size};
       const double distance = distanceBetween(at, position);
       if (distance <= nearest && memory.isFree(at, at, ObstacleMemory::Passage::kTight)) {
         nearest = distance;

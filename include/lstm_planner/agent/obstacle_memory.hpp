@@ -49,8 +49,6 @@ class ObstacleMemory {
   /// Index of the cell at a position, row by row; -1 outside the window.
   int cellAt(const Point2& position) const;
   Point2 centerOf(int cell) const;
-  /// Middle of one of the squares of a cell: 0 to kCellSquares - 1, row by row.
-  Point2 centerOf(int cell, int square) const { return centerOf(squareOf(cell, square)); }
   Passage passage(int cell);
   /// The place in a cell that is farthest from all obstacles.
   Point2 bestPlace(int cell);
@@ -71,8 +69,10 @@ class ObstacleMemory {
   static constexpr std::uint8_t kUnknown = 0xff;
 
   Square squareAt(const Point2& position) const;
+  /// `square`: 0 to kCellSquares - 1, row by row.
   Square squareOf(int cell, int square) const;
   Point2 centerOf(const Square& square) const;
+  Point2 centerOf(int cell, int square) const { return centerOf(squareOf(cell, square)); }
   void moveWindow(const Pose2& pose);
   void forgetSeenThrough(const Situation& situation);
   void set(const Square& square, bool occupied);
