@@ -17,8 +17,8 @@ int main(int argc, char** argv) {
   // ROS would be shut down by its own handler before what was heard is written and said.
   ros::init(argc, argv, "dataset_recorder", ros::init_options::NoSigintHandler);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, requestStop);
+  ros::NodeHandle private_node("~");  // out here, since nothing is logged any more when the last one has gone
   try {
-    ros::NodeHandle private_node("~");
     return lstm_planner::DatasetRecorder(lstm_planner::loadRecorderNodeParameters(private_node)).run(stop);
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());

@@ -92,6 +92,7 @@ RecordingStatus DatasetRecorder::Implementation::status() const {
     return last.isZero() ? std::nullopt : std::optional<double>((ros::WallTime::now() - last).toSec());
   };
   RecordingStatus status;
+  status.node = ros::this_node::getName().substr(1);
   file_.describe(&status);
   status.problem = problem_;
   status.disk_low = parameters_.disk_low;

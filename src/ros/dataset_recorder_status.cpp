@@ -99,7 +99,7 @@ DiagnosticStatus toDiagnostic(const RecordingStatus& status) {
   const RecordingProgress& progress = *status.progress;
   DiagnosticStatus message;
   message.level = static_cast<decltype(message.level)>(verdict.level);
-  message.name = "dataset_recorder: recording";
+  message.name = status.node + ": recording";
   message.message = verdict.text;
   add("file", status.file, &message);
   add("paused", status.paused ? "yes" : "no", &message);

@@ -14,6 +14,7 @@ namespace lstm_planner {
 
 /// What a driver wants to know of the recording, at one moment.
 struct RecordingStatus {
+  std::string node;  ///< its name
   std::string file;
   long stored = 0;    ///< steps that are on the disk, also those of discarded episodes
   long waiting = 0;   ///< steps that could not be written yet

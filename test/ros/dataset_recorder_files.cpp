@@ -1,0 +1,178 @@
+// What is in the file, and what the recorder says of it, whatever happens to the recorder.
+
+#include "ros/recorder_fixture.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr int kOk = diagnostic_msgs::DiagnosticStatus::OK;
+constexpr int kWarning = diagnostic_msgs::DiagnosticStatus::WARN;
+constexpr int kError = diagnostic_msgs::DiagnosticStatus::ERROR;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_F(RecorderTest, DiagnosticsSayWhatIsRecorded) {
+  start();
+  giveGoal(goalAt(5.0, 0.0));
+  drive({0.4, 0.0, 0.0}, 2.0);
+  drive({0.8, 0.4, 0.0}, 2.0);
+  drive({0.8, 0.4, 0.0}, 2.0);
+  EXPECT_EQ(count("level"), kOk) << value("message");
+  EXPECT_EQ(value("message"), "recording");
+  EXPECT_EQ(value("file"), file());
+  EXPECT_EQ(value("goal"), "(5.00, 0.00) in odom");
+  EXPECT_EQ(value("paused"), "no");
+  EXPECT_EQ(value("problem"), "");
+  EXPECT_EQ(count("episodes"), 1);
+  EXPECT_EQ(count("steps"), 8);
+  EXPECT_EQ(count("steps stored"), 8);
+  EXPECT_EQ(count("steps waiting"), 0);
+  EXPECT_EQ(count("label 0"), 4);
+  EXPECT_EQ(count("label 45"), 4);
+  EXPECT_EQ(count("label -90"), 0);
+  EXPECT_GE(count("rejected: standing"), 2);
+  EXPECT_GT(count("disk left (MB)"), 0);
+}
+
+TEST_F(RecorderTest, DiagnosticsWarnOfADriveWithoutAGoal) {
+  start();
+  ASSERT_TRUE(eventually([this] {
+    stand(kTick);
+    return count("level") == kWarning;
+  }));
+  EXPECT_TRUE(contains(value("message"), "no goal is set")) << value("message");
+}
+
+TEST_F(RecorderTest, ARobotThatIsNotThereIsSaidAndLeavesNoFile) {
+  recorder_ = launch("dataset_recorder", {});
+  const auto warned = [this] { return count("level") == kWarning; };
+  ASSERT_TRUE(eventually(warned) || eventually(warned));
+  EXPECT_EQ(value("message"), "no odometry on /odom yet");
+  EXPECT_TRUE(contains(trigger("finish").message, "no odometry was heard on /odom"));
+  EXPECT_EQ(recorder_->wait(), 0);
+  EXPECT_FALSE(std::filesystem::exists(file()));
+}
+
+TEST_F(RecorderTest, TheFileIsReadableWhileItIsRecorded) {
+  start();
+  giveGoal(goalAt(5.0, 0.0));
+  drive({0.4, 0.0, 0.0}, 2.0);
+  const Dataset dataset = readDataset(file(), true);
+  ASSERT_EQ(dataset.recordings.size(), 1U);
+  EXPECT_FALSE(dataset.recordings[0].finished);
+  ASSERT_EQ(dataset.recordings[0].episodes.size(), 1U);
+  ASSERT_EQ(dataset.recordings[0].episodes[0].steps.size(), 3U);
+  EXPECT_EQ(dataset.recordings[0].episodes[0].steps[0].ranges.size(), 271U) << "one beam a degree";
+  drive({0.8, 0.0, 0.0}, 2.0);
+  EXPECT_EQ(stepCount(finish()), 8);
+}
+
+TEST_F(RecorderTest, WhatWasSaidToBeStoredSurvivesBeingKilled) {
+  start();
+  giveGoal(goalAt(5.0, 0.0));
+  drive({0.6, 0.0, 0.0}, 3.0);
+  const long stored = count("steps stored");
+  EXPECT_EQ(stored, 5);
+  recorder_->signal(SIGKILL);
+  EXPECT_EQ(recorder_->wait(), -SIGKILL);
+  const Dataset dataset = readDataset(file());
+  EXPECT_GE(stepCount(dataset), stored);
+  EXPECT_FALSE(dataset.recordings.at(0).finished);
+
+  start();
+  giveGoal(goalAt(5.0, 0.0));
+  drive({1.0, 0.0, 0.0}, 2.0);
+  const Dataset both = finish();
+  ASSERT_EQ(both.recordings.size(), 2U) << "the same file goes on";
+  EXPECT_EQ(both.recordings[0].episodes.at(0).steps.size(), static_cast<std::size_t>(stepCount(dataset)));
+  EXPECT_TRUE(both.recordings[1].finished);
+}
+
+TEST_F(RecorderTest, BeingInterruptedWritesWhatWasHeard) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::filesystem::remove(file());
+    start();
+    giveGoal(goalAt(50.0, 0.0));
+    const Pose2 pose = robot_.pose();
+    drive({pose.x + 0.4, 0.0, 0.0}, 2.0);
+    EXPECT_EQ(count("steps"), 3) << "the last scans wait for what may come late";
+    recorder_->signal(signal);
+    EXPECT_EQ(recorder_->wait(), 0);
+    const Dataset dataset = readDataset(file());
+    EXPECT_EQ(stepCount(dataset), 4);
+    EXPECT_TRUE(dataset.recordings.at(0).finished);
+    EXPECT_TRUE(contains(recorder_->printed(), "4 steps in 1 episodes are in " + file())) << recorder_->printed();
+  }
+}
+
+TEST_F(RecorderTest, ASecondRecorderOfTheSameFileIsRefused) {
+  start();
+  const auto second = launch("second_recorder", {});
+  const auto ended = [&] {
+    stand(kTick);
+    return !second->running();
+  };
+  ASSERT_TRUE(eventually(ended) || eventually(ended));
+  EXPECT_EQ(second->wait(), 1);
+  EXPECT_TRUE(contains(second->printed(), file())) << second->printed();
+  giveGoal(goalAt(5.0, 0.0));
+  drive({0.4, 0.0, 0.0}, 2.0);
+  const Dataset dataset = finish();
+  EXPECT_EQ(dataset.recordings.size(), 1U);
+  EXPECT_GE(stepCount(dataset), 3);
+}
+
+TEST_F(RecorderTest, AFullDiskIsSaidAndNothingIsLostOnceThereIsRoomAgain) {
+  start();
+  giveGoal(goalAt(5.0, 0.0));
+  drive({0.4, 0.0, 0.0}, 2.0);
+  recorder_->limitFiles(1);
+  drive({0.8, 0.0, 0.0}, 2.0);
+  EXPECT_EQ(count("level"), kError);
+  EXPECT_TRUE(contains(value("message"), "cannot write")) << value("message");
+  EXPECT_GT(count("steps waiting"), 0);
+  EXPECT_NE(value("problem"), "");
+  EXPECT_TRUE(recorder_->running());
+  recorder_->limitFiles(std::nullopt);
+  drive({1.2, 0.0, 0.0}, 2.0);
+  EXPECT_EQ(count("level"), kOk) << value("message");
+  EXPECT_EQ(count("steps waiting"), 0);
+  const Dataset dataset = finish();
+  EXPECT_EQ(stepCount(dataset), 12);
+  EXPECT_EQ(dataset.recordings.at(0).episodes.size(), 1U);
+}
+
+TEST_F(RecorderTest, BadParametersEndTheNodeWithASentence) {
+  const auto period = launch("dataset_recorder", {"_period:=-1.0"});
+  EXPECT_EQ(period->wait(), 1);
+  EXPECT_TRUE(contains(period->printed(), "parameter period is -1, expected a positive number")) << period->printed();
+  ros::param::del("/dataset_recorder");
+
+  RecorderProcess folder("dataset_recorder", folder_ / "log", {"_output:=/proc/nowhere/drive.sqlite"});
+  EXPECT_EQ(folder.wait(), 1);
+  EXPECT_TRUE(contains(folder.printed(), "cannot make the folder of /proc/nowhere/drive.sqlite")) << folder.printed();
+}
+
+TEST_F(RecorderTest, AFileThatIsNoDatasetIsLeftAlone) {
+  std::ofstream(file()) << "a shopping list";
+  recorder_ = launch("dataset_recorder", {});
+  const auto ended = [&] {
+    robot_.again();
+    return !recorder_->running();
+  };
+  ASSERT_TRUE(eventually(ended) || eventually(ended));
+  EXPECT_EQ(recorder_->wait(), 1);
+  std::string text;
+  std::getline(std::ifstream(file()), text);
+  EXPECT_EQ(text, "a shopping list");
+}
+
+}  // namespace
+}  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "dataset_recorder_files");
+  testing::InitGoogleTest(&argc, argv);
+  const ros::NodeHandle node;  // keeps ROS up between tests
+  return RUN_ALL_TESTS();
+}
