@@ -123,9 +123,9 @@ class LogReader {
   long number_ = 0;                  ///< of the line
 };
 
-constexpr double kClockSet = 5.0;      // s
-constexpr double kPoseHolds = 1e-4;    // s
-constexpr double kLinesApart = 2e-4;   // s
+constexpr double kClockSet = 5.0;     // s
+constexpr double kPoseHolds = 1e-4;   // s
+constexpr double kLinesApart = 2e-4;  // s
 
 /// Gives lines that were stamped late the stamps in between their neighbours'. Returns how many.
 long mendLateStamps(std::vector<CarmenLine>* lines) {
@@ -156,8 +156,8 @@ void spreadStamps(std::vector<CarmenLine>* lines) {
   }
 }
 
-/// Where the laser is on the robot; empty when the line says that it is farther away than it can be: then only one of the
-/// poses was corrected.
+/// Where the laser is on the robot; empty when the line says that it is farther away than it can be: then only one of
+/// the poses was corrected.
 std::optional<SensorMount> mountIn(const CarmenLine& line) {
   constexpr double kFarthest = 1.0;  // m
   const Point2 place = toLocalFrame(line.robot, {line.laser.x, line.laser.y});

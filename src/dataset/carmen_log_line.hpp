@@ -12,8 +12,8 @@ struct CarmenLine {
   double stamp = 0.0;  ///< s, ipc_timestamp
   Pose2 robot;         ///< odometry frame
   bool has_scan = false;
-  LaserScan scan;      ///< without stamp
-  Pose2 laser;         ///< odometry frame
+  LaserScan scan;  ///< without stamp
+  Pose2 laser;     ///< odometry frame
 };
 
 /// Each reads what follows the line's first word. Throws std::invalid_argument saying what is wrong.

@@ -23,8 +23,7 @@ std::vector<Stretch> stretchesOf(const std::vector<OdometryHeard>& way, const Re
   for (std::size_t i = 0; i < way.size(); ++i) {
     const long jumps = history.jumps();
     history.add({way[i].stamp, way[i].pose, way[i].twist});
-    const bool follows =
-        i > 0 && history.jumps() == jumps && way[i].stamp - way[i - 1].stamp <= recorder.max_gap;
+    const bool follows = i > 0 && history.jumps() == jumps && way[i].stamp - way[i - 1].stamp <= recorder.max_gap;
     if (!follows) stretches.push_back({i, i});
     stretches.back().end = i + 1;
   }

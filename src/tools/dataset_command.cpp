@@ -16,6 +16,8 @@ const std::vector<Command>& actions() {
       {"merge", "put several datasets into one", datasetMerge},
       {"split", "divide a dataset into one to train and one to validate", datasetSplit},
       {"export", "write a dataset as CSV or for NumPy", datasetExport},
+      {"from-bag", "make a dataset of bags", datasetFromBag},
+      {"from-log", "make a dataset of CARMEN logs", datasetFromLog},
       {"simulate", "record somebody who drives a simulated robot", datasetSimulate},
   };
   return all;

@@ -19,15 +19,15 @@ struct CarmenLog {
   std::vector<DriveEvent> events;  ///< odometry and scans in the order of the lines; the frames are "odom" and "laser"
   std::string scan_kind;           ///< "FLASER" or "ROBOTLASER1": which comes first; the other one is ignored
   long scans = 0;
-  long odometry = 0;               ///< lines ODOM that are used
-  double duration = 0.0;           ///< s
-  bool mount_known = false;        ///< false: nothing says where the scanner sits; taken as the base's origin
+  long odometry = 0;                    ///< lines ODOM that are used
+  double duration = 0.0;                ///< s
+  bool mount_known = false;             ///< false: nothing says where the scanner sits; taken as the base's origin
   std::map<std::string, long> ignored;  ///< other lines by their first word, "#" for comments
-  long repeated = 0;               ///< lines ODOM left out: they repeat the pose of the scan before them, and programs that
-                                   ///< correct poses insert such lines with stamps that mean nothing
-  long late = 0;                   ///< lines with a stamp later than that of a line behind them; see readCarmenLog()
-  long malformed = 0;              ///< lines that do not have the numbers they should; left out
-  std::string first_malformed;     ///< "line N: ", and why
+  long repeated = 0;   ///< lines ODOM left out: they repeat the pose of the scan before them, and programs that
+                       ///< correct poses insert such lines with stamps that mean nothing
+  long late = 0;       ///< lines with a stamp later than that of a line behind them; see readCarmenLog()
+  long malformed = 0;  ///< lines that do not have the numbers they should; left out
+  std::string first_malformed;  ///< "line N: ", and why
 };
 
 /// Reads a log, plain or compressed by gzip.
@@ -35,7 +35,8 @@ struct CarmenLog {
 /// - Stamps are those of the messages (ipc_timestamp). Some loggers stamp single messages up to a second late, which
 ///   shows when the next line has an earlier stamp. The order of the lines is right, the poses in it are smooth: such a
 ///   line gets the stamp in between its neighbours. A stamp more than 5 s earlier is a clock that was set.
-/// - Poses are those of the robot's odometry (ODOM x y theta, FLASER and ROBOTLASER1 odom_x odom_y odom_theta), which in
+/// - Poses are those of the robot's odometry (ODOM x y theta, FLASER and ROBOTLASER1 odom_x odom_y odom_theta), which
+/// in
 ///   published logs often have been corrected by a mapping program. A scan's own pose holds at its stamp, and until
 ///   0.1 ms later: thus it lies between two odometry messages, however far away the others are.
 /// - Speeds are differences of poses, since correcting these leaves none that fit.

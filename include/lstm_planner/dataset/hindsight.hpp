@@ -13,9 +13,9 @@ namespace lstm_planner {
 
 /// Which places a driver who named no goals is taken to have driven to.
 struct HindsightParameters {
-  double stop = 2.0;       ///< s; where the robot stood this long it had arrived
-  double longest = 10.0;   ///< m of way; at the latest after this much there was a goal
-  double shortest = 2.0;   ///< m of way; nearer places are not goals
+  double stop = 2.0;      ///< s; where the robot stood this long it had arrived
+  double longest = 10.0;  ///< m of way; at the latest after this much there was a goal
+  double shortest = 2.0;  ///< m of way; nearer places are not goals
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

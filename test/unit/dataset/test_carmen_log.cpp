@@ -1,5 +1,3 @@
-#include "lstm_planner/dataset/carmen_log.hpp"
-
 #include <Poco/DeflatingStream.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "lstm_planner/dataset/carmen_log.hpp"
 #include "real_data.hpp"
 #include "step_list.hpp"
 
@@ -82,7 +81,7 @@ TEST(CarmenLogTest, AScanHasTheRobotsPoseAtItsStampAndJustAfter) {
   EXPECT_DOUBLE_EQ(poses[1].pose.x, 1.2);
   EXPECT_DOUBLE_EQ(poses[1].pose.y, 0.1);
   EXPECT_DOUBLE_EQ(poses[1].pose.yaw, -0.5);
-  EXPECT_NEAR(poses[1].twist.linear, 0.4, 1e-12);   // 0.2 m ahead in half a second
+  EXPECT_NEAR(poses[1].twist.linear, 0.4, 1e-12);  // 0.2 m ahead in half a second
   EXPECT_NEAR(poses[1].twist.angular, -1.0, 1e-12);
   EXPECT_NEAR(poses[2].stamp, 10.5001, 1e-9);
   EXPECT_DOUBLE_EQ(poses[2].pose.x, 1.2);
@@ -98,8 +97,13 @@ TEST(CarmenLogTest, AnglesFollowFromTheNumberOfReadings) {
     double first;      // degrees
     double increment;  // degrees
   };
-  for (const Expected& expected : {Expected{180, -90.0, 1.0}, {181, -90.0, 1.0}, {360, -90.0, 0.5}, {361, -90.0, 0.5},
-                                   {400, -50.0, 0.25}, {401, -50.0, 0.25}, {91, -90.0, 2.0}}) {
+  for (const Expected& expected : {Expected{180, -90.0, 1.0},
+                                   {181, -90.0, 1.0},
+                                   {360, -90.0, 0.5},
+                                   {361, -90.0, 0.5},
+                                   {400, -50.0, 0.25},
+                                   {401, -50.0, 0.25},
+                                   {91, -90.0, 2.0}}) {
     const CarmenLog log = parsed(frontLaser(1.0, "0 0 0", "0 0 0", expected.count));
     const LaserScan scan = all<ScanHeard>(log).at(0).scan;
     EXPECT_EQ(scan.ranges.size(), static_cast<std::size_t>(expected.count));
@@ -192,8 +196,7 @@ TEST(CarmenLogTest, OdometryThatRepeatsThePoseOfTheScanBeforeIsLeftOut) {
 
 TEST(CarmenLogTest, LinesThatAreNotUsedAreCounted) {
   const std::string scan = frontLaser(1.0, "0 0 0", "0 0 0");
-  const CarmenLog log = parsed("# a\n# b\n\nNEFF 30\nRLASER 1 2\nSYNC x\n" + scan + kRobotLaser +
-                               "\x01\x02 3\n");
+  const CarmenLog log = parsed("# a\n# b\n\nNEFF 30\nRLASER 1 2\nSYNC x\n" + scan + kRobotLaser + "\x01\x02 3\n");
   EXPECT_EQ(log.ignored, (std::map<std::string, long>{
                              {"#", 2}, {"?", 1}, {"NEFF", 1}, {"RLASER", 1}, {"ROBOTLASER1", 1}, {"SYNC", 1}}));
   EXPECT_EQ(log.scans, 1);
@@ -237,9 +240,10 @@ TEST(CarmenLogTest, WhatIsNoLogIsRefusedInASentence) {
   const std::string none = written("without_scans.log", odometry(1.0, 0.0) + "NEFF 3\n");
   EXPECT_EQ(refusalOf(none), "the log " + none + " holds no scans: expected lines FLASER or ROBOTLASER1 among its 2");
   const std::string malformed = written("malformed.log", "FLASER x\n");
-  EXPECT_EQ(refusalOf(malformed), "the log " + malformed +
-                                      " holds no scans: expected lines FLASER or ROBOTLASER1 as CARMEN writes them, but "
-                                      "line 1: FLASER has no number where a number of readings should be");
+  EXPECT_EQ(refusalOf(malformed),
+            "the log " + malformed +
+                " holds no scans: expected lines FLASER or ROBOTLASER1 as CARMEN writes them, but "
+                "line 1: FLASER has no number where a number of readings should be");
   const std::string long_line = written("long_line.log", std::string(2 << 20, 'x'));
   EXPECT_EQ(refusalOf(long_line),
             "the log " + long_line + " cannot be read on behind line 0: it is damaged, or no log");

@@ -1,10 +1,9 @@
-#include "lstm_planner/dataset/hindsight.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "lstm_planner/dataset/hindsight.hpp"
 #include "step_list.hpp"
 
 namespace lstm_planner {

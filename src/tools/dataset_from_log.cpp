@@ -1,0 +1,76 @@
+#include <iostream>
+
+#include "lstm_planner/dataset/carmen_log.hpp"
+#include "tools/dataset_commands.hpp"
+#include "tools/dataset_conversion.hpp"
+#include "tools/dataset_options.hpp"
+#include "tools/recorder_options.hpp"
+
+namespace lstm_planner {
+
+namespace po = boost::program_options;
+
+namespace {
+
+struct FromLogOptions {
+  std::vector<std::string> logs;
+  std::string output;
+  std::string mount;
+  HindsightParameters hindsight;
+  RecorderParameters recorder;
+};
+
+bool readOptions(const std::vector<std::string>& arguments, FromLogOptions* options) {
+  // Published logs are thinned: a scan every metre, or every few seconds.
+  options->recorder.max_gap = 10.0;
+  po::options_description log("makes a dataset of CARMEN logs (FLASER or ROBOTLASER1, plain or .gz)");
+  // clang-format off
+  log.add_options()
+      ("log", po::value(&options->logs)->required()->composing(), "logs; --log may be left out")
+      ("output", po::value(&options->output)->required(), "the new dataset; there must be no such file")
+      ("mount", po::value(&options->mount),
+       "\"x y yaw\" (m, m, rad): where the scanner sits in the robot's frame; default: from the log");
+  // clang-format on
+  po::options_description hindsight("goals: the places that were driven to, for logs name none");
+  addHindsightOptions(&options->hindsight, &hindsight);
+  po::options_description recorder("steps, as the parameters of dataset_recorder");
+  addRecorderOptions(&options->recorder, &recorder);
+  log.add(hindsight).add(recorder);
+  po::variables_map values;
+  return parseDatasetOptions("from-log", log, "log", arguments, &values);
+}
+
+void print(const CarmenLog& log) {
+  std::cout << "  " << log.duration << " s: " << log.scans << " scans " << log.scan_kind << ", " << log.odometry
+            << " lines ODOM\n";
+  if (!log.mount_known)
+    std::cout << "  where the scanner sits is not in the log: taken as the robot's origin (--mount)\n";
+  if (log.late > 0) std::cout << "  " << log.late << " lines were stamped late: they got the time in between\n";
+  if (log.repeated > 0) std::cout << "  " << log.repeated << " lines ODOM repeat the scan before them: left out\n";
+  if (log.malformed > 0) {
+    std::cout << "  " << log.malformed << " lines are malformed, the first: " << log.first_malformed << "\n";
+  }
+  const char* separator = "  not used: ";
+  for (const auto& [kind, count] : log.ignored) {
+    std::cout << separator << count << " lines " << kind;
+    separator = ", ";
+  }
+  std::cout << (log.ignored.empty() ? "" : "\n");
+}
+
+}  // namespace
+
+int datasetFromLog(const std::vector<std::string>& arguments) {
+  FromLogOptions options;
+  if (!readOptions(arguments, &options)) return 0;
+  const std::optional<SensorMount> mount = mountOption(options.mount);
+  convertIntoDataset(options.logs, options.recorder, options.output, [&](const std::string& path, RecordingSink* sink) {
+    const CarmenLog log = readCarmenLog(path, mount);
+    recordCarmenLog(log, options.hindsight, options.recorder, sink);
+    sink->recording().description.odometry_frame = "odom";
+    print(log);
+  });
+  return 0;
+}
+
+}  // namespace lstm_planner
