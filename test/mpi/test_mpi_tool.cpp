@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
-#include <sys/wait.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -13,29 +12,13 @@
 
 #include "lstm_planner/evaluation/scenario_generator.hpp"
 #include "lstm_planner/grid/map_generators.hpp"
+#include "tool_test.hpp"
 
 namespace lstm_planner {
 namespace {
 
-constexpr const char* kTool = LSTM_PLANNER_TOOL;
-
-struct Outcome {
-  int status = -1;
-  std::string output;  ///< with what went to standard error
-};
-
-Outcome runShell(const std::string& command) {
-  Outcome outcome;
-  FILE* pipe = ::popen(("exec 2>&1; " + command).c_str(), "r");
-  if (pipe == nullptr) return outcome;
-  char buffer[4096];
-  for (std::size_t count; (count = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;) {
-    outcome.output.append(buffer, count);
-  }
-  const int status = ::pclose(pipe);
-  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return outcome;
-}
+using test::Outcome;
+using test::runShell;
 
 std::string contentOf(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
@@ -50,7 +33,7 @@ std::size_t timesIn(const std::string& text, const std::string& part) {
   return count;
 }
 
-class MpiTool : public ::testing::Test {
+class MpiTool : public test::ToolTest {
  protected:
   void SetUp() override {
 #ifndef LSTM_PLANNER_HAVE_MPI
@@ -61,19 +44,9 @@ class MpiTool : public ::testing::Test {
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
     ::setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
-    std::string pattern = ::testing::TempDir() + "mpi_tool_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
+    ToolTest::SetUp();
   }
 
-  void TearDown() override {
-    std::error_code unknown;
-    if (!folder_.empty()) std::filesystem::remove_all(folder_, unknown);
-  }
-
-  std::string in(const std::string& name) const { return folder_ + "/" + name; }
-
-  static Outcome alone(const std::string& arguments) { return runShell(std::string(kTool) + " " + arguments); }
   static Outcome byRanks(int ranks, const std::string& arguments) {
     return runShell("mpirun -n " + std::to_string(ranks) + " " + kTool + " " + arguments);
   }
@@ -86,7 +59,7 @@ class MpiTool : public ::testing::Test {
   /// What two processes leave behind is to be what one does, byte for byte.
   void expectSameTraining(const std::string& method_options) {
     // Under the same name, as a checkpoint knows which model it belongs to.
-    const Outcome one = alone(trainingWith(method_options, "model"));
+    const Outcome one = runTool(trainingWith(method_options, "model"));
     ASSERT_EQ(one.status, 0) << one.output;
     const std::string checkpoint = contentOf(in("model.checkpoint"));
     ASSERT_EQ(std::remove(in("model.checkpoint").c_str()), 0);
@@ -96,8 +69,6 @@ class MpiTool : public ::testing::Test {
     EXPECT_TRUE(contentOf(in("model.checkpoint")) == checkpoint);  // EXPECT_EQ would print them
     EXPECT_EQ(timesIn(two.output, "wrote "), 1u) << two.output;
   }
-
-  std::string folder_;
 };
 
 TEST_F(MpiTool, RanksThatShareAnEvaluationFindWhatOneProcessFinds) {
@@ -112,7 +83,7 @@ TEST_F(MpiTool, RanksThatShareAnEvaluationFindWhatOneProcessFinds) {
     return set;
   };
   const std::string arguments = "evaluate --agent boundary --scenarios " + in("set") + " --json ";
-  const Outcome one = alone(arguments + in("one.json"));
+  const Outcome one = runTool(arguments + in("one.json"));
   ASSERT_EQ(one.status, 0) << one.output;
   const Outcome three = byRanks(3, arguments + in("three.json"));
   ASSERT_EQ(three.status, 0) << three.output;

@@ -1,11 +1,8 @@
 // The command `lstm_planner drive` as a user runs it.
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -13,46 +10,18 @@
 #include <string>
 
 #include "real_data.hpp"
+#include "tool_test.hpp"
 
 namespace lstm_planner {
 namespace {
 
-struct Outcome {
-  int status = -1;
-  std::string output;  ///< with what went to standard error
-};
-
-class DriveTool : public ::testing::Test {
+class DriveTool : public test::ToolTest {
  protected:
-  void SetUp() override {
-    std::string pattern = ::testing::TempDir() + "drive_tool_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override {
-    std::error_code unknown;
-    if (!folder_.empty()) std::filesystem::remove_all(folder_, unknown);
-  }
-
-  std::string in(const std::string& name) const { return folder_ + "/" + name; }
-
-  static Outcome drive(const std::string& arguments) {
-    const std::string command = std::string("exec 2>&1; ") + LSTM_PLANNER_TOOL + " drive " + arguments;
-    Outcome outcome;
-    FILE* pipe = ::popen(command.c_str(), "r");
-    if (pipe == nullptr) return outcome;
-    char buffer[4096];
-    for (std::size_t count; (count = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;) {
-      outcome.output.append(buffer, count);
-    }
-    const int status = ::pclose(pipe);
-    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
-  }
+  static test::Outcome drive(const std::string& arguments) { return runTool("drive " + arguments); }
 
   /// Drives with the shipped model and reads the JSON file that comes out.
   nlohmann::json result(const std::string& arguments) const {
-    const Outcome outcome = drive("--model " + shippedModel() + " --json " + in("out.json") + " " + arguments);
+    const test::Outcome outcome = drive("--model " + shippedModel() + " --json " + in("out.json") + " " + arguments);
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     std::ifstream file(in("out.json"));
     return nlohmann::json::parse(file, nullptr, false);
@@ -65,8 +34,6 @@ class DriveTool : public ::testing::Test {
     }
     return count;
   }
-
-  std::string folder_;
 };
 
 int ends(const nlohmann::json& json) {
@@ -115,7 +82,7 @@ TEST_F(DriveTool, DrawsPicturesOfGeneratedWorlds) {
 
 TEST_F(DriveTool, RefusesBadOptionsWithASentence) {
   const auto complaint = [](const std::string& arguments) {
-    const Outcome outcome = drive(arguments);
+    const test::Outcome outcome = drive(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments;
     return outcome.output;
   };
