@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "lstm_planner/parameter_check.hpp"
-#include "lstm_planner/simulation/random.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -138,22 +137,6 @@ void cut(const Sequence& episode, int piece, int burn_in, std::vector<Sequence>*
   }
 }
 
-struct EpisodePlace {
-  std::size_t recording;
-  std::size_t episode;
-};
-
-std::vector<EpisodePlace> usedEpisodes(const Dataset& dataset) {
-  std::vector<EpisodePlace> places;
-  for (std::size_t recording = 0; recording < dataset.recordings.size(); ++recording) {
-    const std::vector<RecordedEpisode>& episodes = dataset.recordings[recording].episodes;
-    for (std::size_t episode = 0; episode < episodes.size(); ++episode) {
-      if (isUsed(episodes[episode])) places.push_back({recording, episode});
-    }
-  }
-  return places;
-}
-
 }  // namespace
 
 void validate(const DatasetSequenceParameters& parameters) {
@@ -207,37 +190,6 @@ std::vector<Sequence> datasetSequences(const Dataset& dataset, const DatasetSequ
     }
   }
   return sequences;
-}
-
-DatasetParts splitEpisodes(const Dataset& dataset, double validation_share, std::uint64_t seed) {
-  checkParameter(validation_share > 0.0 && validation_share < 1.0, "validation_share", validation_share,
-                 "a share in (0, 1)");
-  std::vector<EpisodePlace> places = usedEpisodes(dataset);
-  if (places.size() < 2) {
-    throw std::invalid_argument("the dataset has " + std::to_string(places.size()) +
-                                " episodes with steps, expected at least 2 to keep some for validation");
-  }
-  Random random(seed);
-  shuffle(&places, random);
-  const double wanted = validation_share * static_cast<double>(stepCount(dataset));
-  DatasetParts parts;
-  for (const Recording& recording : dataset.recordings) {
-    Recording empty;
-    empty.description = recording.description;
-    empty.finished = recording.finished;
-    parts.training.recordings.push_back(empty);
-    parts.validation.recordings.push_back(std::move(empty));
-  }
-  double drawn = 0.0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const RecordedEpisode& episode = dataset.recordings[places[i].recording].episodes[places[i].episode];
-    // The last is left for training, whatever the share.
-    const bool validation = drawn < wanted && i + 1 < places.size();
-    Dataset& part = validation ? parts.validation : parts.training;
-    if (validation) drawn += static_cast<double>(episode.steps.size());
-    part.recordings[places[i].recording].episodes.push_back(episode);
-  }
-  return parts;
 }
 
 }  // namespace lstm_planner

@@ -66,7 +66,7 @@ void validate(const DatasetTrainingParameters& parameters) {
   validate(parameters.trainer);
 }
 
-DatasetTrainingSets makeTrainingSets(const DatasetParts& parts, const DatasetTrainingParameters& parameters) {
+DatasetTrainingSets makeTrainingSets(const DatasetSplit& parts, const DatasetTrainingParameters& parameters) {
   validate(parameters);
   DatasetTrainingSets sets;
   const int classes = parameters.sequences.policy.actions.size();

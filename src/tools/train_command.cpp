@@ -41,7 +41,7 @@ Choice readChoice(const std::vector<std::string>& arguments) {
   po::store(po::command_line_parser(arguments).options(description).style(style).allow_unregistered().run(), values);
   po::notify(values);
   if (values["task"].defaulted() && choice.search) choice.task = "grid";
-  if (choice.method.empty() && namesDataset(arguments)) choice.method = "dataset";
+  if (namesDataset(arguments)) choice.method = "dataset";
   if (choice.method.empty()) choice.method = choice.task == "robot" ? kRobotMethod : kGridMethod;
   return choice;
 }

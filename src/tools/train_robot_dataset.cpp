@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/dataset/dataset_edit.hpp"
 #include "lstm_planner/learning/confusion.hpp"
 #include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/learning/learning_curve.hpp"
@@ -64,9 +65,9 @@ class DatasetTraining {
     const PolicyDescription& policy = options_.training.sequences.policy;
     if (needsScans(training, policy)) training = readDatasets(options_.datasets, true);
     if (needsScans(validation, policy)) validation = readDatasets(options_.validation_datasets, true);
-    DatasetParts parts{std::move(training), std::move(validation)};
+    DatasetSplit parts{std::move(training), std::move(validation)};
     if (options_.validation_datasets.empty()) {
-      parts = splitEpisodes(parts.training, options_.validation_share, options_.seed);
+      parts = splitDataset(parts.training, options_.validation_share, options_.seed);
     }
     sets_ = makeTrainingSets(parts, options_.training);
   }

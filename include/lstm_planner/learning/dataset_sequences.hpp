@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "lstm_planner/agent/drive_policy.hpp"
@@ -37,15 +36,5 @@ bool needsScans(const Dataset& dataset, const PolicyDescription& policy);
 /// drives. Throws std::invalid_argument when a recording does not fit the policy: the route is among the inputs but
 /// nothing was remembered while recording, or the range cap differs and no scans were kept.
 std::vector<Sequence> datasetSequences(const Dataset& dataset, const DatasetSequenceParameters& parameters);
-
-/// Two parts of a dataset.
-struct DatasetParts {
-  Dataset training;
-  Dataset validation;
-};
-
-/// Draws whole episodes until the validation part has at least that share (in (0, 1)) of the steps. Discarded episodes
-/// and those without steps are left out. Throws std::invalid_argument when a part would be empty.
-DatasetParts splitEpisodes(const Dataset& dataset, double validation_share, std::uint64_t seed);
 
 }  // namespace lstm_planner

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lstm_planner/dataset/dataset_edit.hpp"
 #include "lstm_planner/learning/dataset_sequences.hpp"
 #include "lstm_planner/learning/label_balance.hpp"
 #include "lstm_planner/learning/sequence.hpp"
@@ -44,6 +45,6 @@ struct DatasetTrainingSets {
 };
 
 /// Throws std::invalid_argument as validate() and datasetSequences(), and when a set has no steps.
-DatasetTrainingSets makeTrainingSets(const DatasetParts& parts, const DatasetTrainingParameters& parameters);
+DatasetTrainingSets makeTrainingSets(const DatasetSplit& parts, const DatasetTrainingParameters& parameters);
 
 }  // namespace lstm_planner

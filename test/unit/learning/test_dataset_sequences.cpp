@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -223,33 +222,6 @@ TEST(DatasetSequences, PolicyIsThatOfTheRecordingsAndTheyMayNotDiffer) {
   dataset.recordings[1].description.parameters.action_angles = {-0.5, 0.0, 0.5};
   EXPECT_NE(refusal([&] { policyOf(dataset); }).find("differ in action_angles"), std::string::npos);
   EXPECT_NE(refusal([] { policyOf({}); }).find("no recording"), std::string::npos);
-}
-
-TEST(DatasetSequences, SplitDrawsWholeEpisodesAndKeepsAllOfThem) {
-  Dataset dataset = drivesAllAround(40, 25, 3);
-  dataset.recordings[0].episodes[7].episode.discarded = true;
-  const DatasetParts parts = splitEpisodes(dataset, 0.25, 1);
-  std::multiset<double> goals;
-  for (const Dataset* part : {&parts.training, &parts.validation}) {
-    for (const RecordedEpisode& episode : part->recordings.at(0).episodes) {
-      EXPECT_EQ(episode.steps.size(), 25u);
-      goals.insert(episode.episode.goal.pose.x);
-    }
-  }
-  EXPECT_EQ(goals.size(), 39u);
-  EXPECT_EQ(std::set<double>(goals.begin(), goals.end()).size(), 39u);  // none twice
-  EXPECT_EQ(parts.validation.recordings[0].episodes.size(), 10u);       // a quarter of 975 steps
-  EXPECT_EQ(splitEpisodes(dataset, 0.25, 1).validation.recordings[0].episodes[0].episode.goal.pose.x,
-            parts.validation.recordings[0].episodes[0].episode.goal.pose.x);
-}
-
-TEST(DatasetSequences, SplitLeavesSomethingInEachPart) {
-  Dataset dataset = drivesAllAround(2, 10, 1);
-  const DatasetParts parts = splitEpisodes(dataset, 0.99, 1);
-  EXPECT_EQ(parts.training.recordings[0].episodes.size(), 1u);
-  dataset.recordings[0].episodes.pop_back();
-  EXPECT_NE(refusal([&] { splitEpisodes(dataset, 0.25, 1); }).find("has 1 episodes"), std::string::npos);
-  EXPECT_NE(refusal([&] { splitEpisodes(dataset, 1.0, 1); }).find("validation_share is 1"), std::string::npos);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(DatasetTraining, SetsCountWhatWasRecordedAndWeighWhatIsLearned) {
   parameters.sequences.burn_in_steps = 5;
   parameters.variants = 1;
   parameters.balance = LabelBalance::kInverse;
-  const DatasetTrainingSets sets = makeTrainingSets(splitEpisodes(dataset, 0.25, 1), parameters);
+  const DatasetTrainingSets sets = makeTrainingSets(splitDataset(dataset, 0.25, 1), parameters);
   long training = 0;
   for (const long count : sets.training_labels) training += count;
   EXPECT_EQ(training, 15 * 40);
@@ -59,7 +59,7 @@ TEST(DatasetTraining, SetsCountWhatWasRecordedAndWeighWhatIsLearned) {
 
 TEST(DatasetTraining, BothPresetsLearnToDriveTowardsTheGoal) {
   const Dataset dataset = drivesAllAround(60, 25, 1);
-  const DatasetParts parts = splitEpisodes(dataset, 0.25, 1);
+  const DatasetSplit parts = splitDataset(dataset, 0.25, 1);
   for (DatasetTrainingParameters parameters : {thesisDatasetTraining(), stableDatasetTraining()}) {
     parameters.sequences.policy = policyOf(dataset);
     parameters.sequences.label_distance = 0.0;
