@@ -52,7 +52,7 @@ class EpisodeCheck {
   template <typename... Words>
   void say(const Words&... words) {
     std::ostringstream sentence;
-    sentence.precision(12);
+    sentence.precision(15);
     sentence << where_ << ": ";
     (sentence << ... << words);
     sentences_.push_back(sentence.str());
@@ -89,11 +89,11 @@ class EpisodeCheck {
       return;
     }
     if (step.number <= before->number) say("it comes after step ", before->number);
-    if (step.stamp < before->next_stamp) {
-      say("it is at ", step.stamp, " s, expected not before ", before->next_stamp, " s");
+    if (step.number != before->number + 1) {
+      if (step.stamp < before->next_stamp) say("it comes before the end of step ", before->number);
+      return;
     }
-    if (step.number != before->number + 1) return;
-    expectNear("its stamp", step.stamp, before->next_stamp);
+    if (step.stamp != before->next_stamp) say("its stamp is ", step.stamp, " s, expected ", before->next_stamp, " s");
     expectNear("pose_x", step.pose.x, before->next_pose.x);
     expectNear("pose_y", step.pose.y, before->next_pose.y);
     expectAngle("pose_yaw", step.pose.yaw, before->next_pose.yaw);

@@ -1,0 +1,126 @@
+// The command `lstm_planner dataset` as a user runs it.
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "unit/dataset/dataset_fixtures.hpp"
+
+namespace lstm_planner {
+namespace {
+
+struct Outcome {
+  int status = -1;
+  std::string output;  ///< with what went to standard error
+};
+
+class DatasetTool : public DatasetTest {
+ protected:
+  void SetUp() override {
+    DatasetTest::SetUp();
+    Dataset dataset;
+    dataset.recordings = {exampleRecording(8, 1)};
+    writeDataset(in("a.db"), dataset);
+  }
+
+  /// In the folder of the test.
+  Outcome run(const std::string& arguments) const {
+    const std::string command = "exec 2>&1; cd " + folder_ + "; " + LSTM_PLANNER_TOOL + " dataset " + arguments;
+    Outcome outcome;
+    FILE* pipe = ::popen(command.c_str(), "r");
+    if (pipe == nullptr) return outcome;
+    for (int c; (c = std::fgetc(pipe)) != EOF;) outcome.output += static_cast<char>(c);
+    const int status = ::pclose(pipe);
+    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return outcome;
+  }
+
+  std::string success(const std::string& arguments) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.output;
+    return outcome.output;
+  }
+  std::string complaint(const std::string& arguments) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    return outcome.output;
+  }
+};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST_F(DatasetTool, SaysWhatADatasetHolds) {
+  const std::string output = success("info a.db");
+  EXPECT_TRUE(contains(output, "1 recording\n8 episodes: 8 arrived\n60 steps, 60 with scan")) << output;
+  EXPECT_TRUE(contains(output, "rejected: 7 standing\n")) << output;
+  EXPECT_TRUE(contains(output, "  90 deg ")) << output;
+  for (const char* quantity : {"stamp", "pose_yaw", "sector_range", "label", "interval"}) {
+    EXPECT_TRUE(contains(output, std::string("\n") + quantity + " ")) << quantity;
+  }
+}
+
+TEST_F(DatasetTool, DrawsADataset) {
+  if (std::system("command -v gnuplot > /dev/null") != 0) GTEST_SKIP() << "SKIPPED: gnuplot is not installed";
+  success("info a.db --picture a.png");
+  std::ifstream picture(in("a.png"), std::ios::binary);
+  std::string begin(8, ' ');
+  picture.read(begin.data(), 8);
+  EXPECT_EQ(begin, "\x89PNG\r\n\x1a\n");
+  EXPECT_GT(std::filesystem::file_size(in("a.png")), 10000u) << "an empty page is smaller";
+}
+
+TEST_F(DatasetTool, TellsASoundDatasetFromOneWithFlaws) {
+  EXPECT_EQ(success("check a.db"), "nothing is wrong with 60 steps\n");
+  Dataset dataset = readDataset(in("a.db"));
+  for (DriveStep& step : dataset.recordings[0].episodes[7].steps) step.observation.heading += 0.1;
+  writeDataset(in("b.db"), dataset);
+  const Outcome outcome = run("check b.db --most 2");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(contains(outcome.output, "recording 0, episode 7, step 0: heading is ")) << outcome.output;
+  EXPECT_TRUE(contains(outcome.output, "... and 9 more")) << outcome.output;
+}
+
+TEST_F(DatasetTool, MergesWhatItHasSplit) {
+  const std::string output = success("split a.db --share 0.3 --training t.db --validation v.db");
+  EXPECT_TRUE(contains(output, "training: ")) << output;
+  EXPECT_TRUE(contains(output, "validation: ")) << output;
+  EXPECT_EQ(success("merge t.db v.db --output m.db"), "2 datasets, 2 recordings, 60 steps\n");
+  EXPECT_EQ(success("check m.db"), "nothing is wrong with 60 steps\n");
+}
+
+TEST_F(DatasetTool, ExportsForOtherPrograms) {
+  EXPECT_EQ(success("export a.db --output a.csv"), "60 steps\n");
+  EXPECT_EQ(success("export a.db --output a.npz --scans"), "60 steps\n");
+  std::ifstream csv(in("a.csv"));
+  EXPECT_EQ(std::count(std::istreambuf_iterator<char>(csv), {}, '\n'), 61) << "a head and a line a step";
+  std::ifstream npz(in("a.npz"), std::ios::binary);
+  EXPECT_EQ(npz.get(), 'P');
+  EXPECT_EQ(npz.get(), 'K');
+}
+
+TEST_F(DatasetTool, ListsItsActions) {
+  const std::string output = success("--help");
+  for (const char* action : {"info", "check", "merge", "split", "export"}) {
+    EXPECT_TRUE(contains(output, std::string("  ") + action + "\t")) << action;
+    EXPECT_TRUE(contains(success(std::string(action) + " --help"), std::string("lstm_planner dataset ") + action));
+  }
+}
+
+TEST_F(DatasetTool, RefusesWhatItCannotDoWithASentence) {
+  EXPECT_TRUE(contains(complaint(""), "an action is missing"));
+  EXPECT_TRUE(contains(complaint("paint a.db"), "there is no action 'paint'"));
+  EXPECT_TRUE(contains(complaint("info"), "--file"));
+  EXPECT_TRUE(contains(complaint("info none.db"), "there is no such file"));
+  EXPECT_TRUE(contains(complaint("export a.db --output a.txt"), "ends in .csv or .npz"));
+  EXPECT_TRUE(contains(complaint("merge a.db --output a.db"), "there is such a file already"));
+  EXPECT_TRUE(contains(complaint("split a.db --share 1 --training t.db --validation v.db"), "share"));
+  EXPECT_TRUE(contains(complaint("split a.db --training t.db --validation a.db"), "there is such a file already"));
+  EXPECT_FALSE(std::filesystem::exists(in("t.db"))) << "one part alone is of no use";
+}
+
+}  // namespace
+}  // namespace lstm_planner
