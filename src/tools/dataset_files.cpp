@@ -69,6 +69,16 @@ int datasetMerge(const std::vector<std::string>& arguments) {
   return 0;
 }
 
+namespace {
+
+void printPart(const char* name, const Dataset& part) {
+  const DatasetSummary summary = summarise(part);
+  std::cout << name << ": " << summary.episodes << " episodes, " << summary.steps << " steps\n";
+  printLabels(std::cout, summary);
+}
+
+}  // namespace
+
 int datasetSplit(const std::vector<std::string>& arguments) {
   std::string file;
   std::string training;
@@ -94,11 +104,8 @@ int datasetSplit(const std::vector<std::string>& arguments) {
     std::filesystem::remove(training);
     throw;
   }
-  for (const auto& [name, part] : {std::make_pair("training", &split.training), {"validation", &split.validation}}) {
-    const DatasetSummary summary = summarise(*part);
-    std::cout << name << ": " << summary.episodes << " episodes, " << summary.steps << " steps\n";
-    printLabels(std::cout, summary);
-  }
+  printPart("training", split.training);
+  printPart("validation", split.validation);
   return 0;
 }
 

@@ -46,8 +46,9 @@ struct Dataset {
 
 long stepCount(const Dataset& dataset);  ///< without those of discarded episodes
 
-/// Reads a whole dataset file; it may be being recorded. `with_scans`: DriveStep::ranges too. Throws DatasetError when
-/// it is not there, not a dataset, damaged, or of a newer schema.
+/// Reads a whole dataset file (an SQLite database, `sqlite3 FILE .schema` explains it); it may be being recorded.
+/// `with_scans`: DriveStep::ranges too. Throws DatasetError when it is not there, not a dataset, damaged, or of a newer
+/// schema.
 Dataset readDataset(const std::string& path, bool with_scans = false);
 
 /// Writes a new file that appears whole or not at all. Throws DatasetError, also when there is such a file.
