@@ -88,9 +88,18 @@ class LaunchFiles(unittest.TestCase):
         self.check(config)
 
     def test_recording_drives_the_simulated_robot_where_there_is_a_map(self):
-        nodes = {node.type for node in load("record_dataset.launch", "teleop:=none", "rviz:=false", "map:=/m.yaml").nodes}
-        self.assertIn("create2_stub", nodes)
-        self.assertNotIn("create_driver", nodes)
+        config = load("record_dataset.launch", "teleop:=scripted", "rviz:=false", "map:=/m.yaml")
+        self.assertEqual({node.type for node in config.nodes}, {"create2_stub", "dataset_recorder", "scripted_teleoperator"})
+        self.assertEqual(self.parameter(config, "/scripted_teleoperator/map"), "/m.yaml")
+        self.assertTrue(self.parameter(config, "/use_sim_time"))
+        self.check(config)
+
+    def test_recording_takes_its_way_points_from_a_file(self):
+        way_points = os.path.join(rospkg.RosPack().get_path("lstm_planner"), "config", "demo_way_points.yaml")
+        config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "way_points:=" + way_points)
+        self.assertGreaterEqual(len(self.parameter(config, "/dataset_recorder/way_points")), 2)
+        self.assertEqual(self.parameter(config, "/dataset_recorder/way_point_frame"), "map")
+        self.assertNotIn("/use_sim_time", config.params)
 
     def test_recording_leaves_a_robot_alone_that_runs_already(self):
         config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "base:=false", "laser:=false", "tf:=false")

@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -62,13 +64,13 @@ class RecorderTest : public testing::Test {
       return std::all_of(publishers.begin(), publishers.end(), hasSubscriber) &&
              ros::service::exists("dataset_recorder/pause", false);
     };
-    ASSERT_TRUE(eventually(connected) || eventually(connected));
+    insist("the recorder is not connected", [&] { return eventually(connected); });
     pause_ = node_.serviceClient<std_srvs::SetBool>("dataset_recorder/pause", true);
     // Until it knows where the scanner sits.
-    ASSERT_TRUE(eventually([this] {
+    insist("the recorder looks at no scan", [this] {
       stand(kTick);
       return count("rejected: no goal") > 0 || count("rejected: standing") > 0;
-    }));
+    });
     while (std::fmod(ros::Time::now().toSec(), 1.0) != 0.0) stand(kTick);
   }
 
@@ -132,7 +134,7 @@ class RecorderTest : public testing::Test {
     std_srvs::SetBool call;
     call.request.data = static_cast<unsigned char>(paused);
     is_paused_ = paused;
-    EXPECT_TRUE(pause_.call(call));
+    if (!pause_.call(call)) throw std::runtime_error("the recorder does not answer");
     EXPECT_TRUE(call.response.success);
     return call.response.message;
   }
@@ -151,11 +153,11 @@ class RecorderTest : public testing::Test {
 
   /// Waits until all that was published has been heard. The service makes the recorder say what it has heard.
   void synchronise() {
-    EXPECT_TRUE(eventually([this] {
+    insist("the recorder has not heard all", [this] {
       pause(is_paused_);
       return count("scans heard") >= published_.scans && count("odometry heard") >= published_.odometry &&
              count("goals heard") >= published_.goals;
-    }));
+    });
   }
 
   FakeRobot robot_;
@@ -169,6 +171,11 @@ class RecorderTest : public testing::Test {
     long odometry = 0;
     long goals = 0;
   };
+
+  /// Nothing that comes later would make sense: ends the test. A busy computer starts a process in many seconds.
+  static void insist(const std::string& otherwise, const std::function<bool()>& condition) {
+    if (!eventually(condition) && !eventually(condition)) throw std::runtime_error(otherwise);
+  }
 
   void publishClock() {
     rosgraph_msgs::Clock clock;
