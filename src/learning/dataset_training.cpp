@@ -40,7 +40,7 @@ DatasetTrainingParameters stableDatasetTraining() {
   DatasetTrainingParameters parameters;
   parameters.sequences.sequence_steps = 60;
   parameters.sequences.burn_in_steps = 30;
-  parameters.sequences.label_distance = 0.4;
+  parameters.sequences.label_distance = 0.6;
   parameters.variants = 7;
   TrainerParameters& trainer = parameters.trainer;
   trainer.epochs = 60;

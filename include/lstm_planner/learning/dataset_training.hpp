@@ -27,8 +27,9 @@ void validate(const DatasetTrainingParameters& parameters);
 DatasetTrainingParameters thesisDatasetTraining();
 
 /// The same in a way that does not jump: many sequences an update, a learning rate that sinks to 0, hidden states that
-/// are right at each sequence's first counted step, averaged weights. Labels lead to where the planner's waypoints are,
-/// and each drive has seven variants.
+/// are right at each sequence's first counted step, averaged weights. Labels lead a little farther than the planner's
+/// waypoints lie: the way of half a second is more of the driver's hand than of where he wants to go. Each drive has
+/// seven variants.
 DatasetTrainingParameters stableDatasetTraining();
 
 /// As stableDatasetTraining(), for a network that drives already and is to get used to somebody's own drives: shorter,

@@ -1,16 +1,14 @@
 // lstm_planner train --dataset, as a user runs it.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "lstm_planner/agent/drive_policy.hpp"
+#include "tool_test.hpp"
 #include "unit/learning/recorded_drives_fixtures.hpp"
 
 namespace lstm_planner {
@@ -18,60 +16,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int status = -1;
-  std::string output;  ///< with what went to standard error
-};
-
-class TrainDatasetTool : public ::testing::Test {
+class TrainDatasetTool : public test::ToolTest {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("train dataset " + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-    writeDataset(file("drives.dataset"), drivesAllAround(24, 25, 1));
+    test::ToolTest::SetUp();
+    writeDataset(in("drives.dataset"), drivesAllAround(24, 25, 1));
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
+  bool exists(const std::string& name) const { return fs::exists(in(name)); }
 
-  Outcome train(const std::string& options) const {
-    Outcome outcome;
-    const std::string command =
-        "cd '" + folder_.string() + "' && exec '" LSTM_PLANNER_TOOL "' train " + options + " 2>&1";
-    FILE* pipe = ::popen(command.c_str(), "r");
-    if (pipe == nullptr) return outcome;
-    char buffer[4096];
-    for (std::size_t count; (count = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;) {
-      outcome.output.append(buffer, count);
-    }
-    const int status = ::pclose(pipe);
-    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
+  test::Outcome train(const std::string& options) const {
+    return test::runShell("cd '" + folder_ + "' && '" + kTool + "' train " + options);
   }
 
   void expectRefusal(const std::string& options, const std::string& sentence) const {
-    const Outcome outcome = train(options);
+    const test::Outcome outcome = train(options);
     EXPECT_EQ(outcome.status, 2) << options;
     EXPECT_NE(outcome.output.find(sentence), std::string::npos) << outcome.output;
     EXPECT_FALSE(exists("model.onnx")) << options;
   }
-
-  fs::path folder_;
 };
 
 TEST_F(TrainDatasetTool, WritesAModelThatThePlannerTakesAndSaysWhatItCan) {
-  const Outcome outcome =
+  const test::Outcome outcome =
       train("--dataset drives.dataset --output model.onnx --inputs route --cells 6 --epochs 5 --threads 1");
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   for (const char* said : {"always the most frequent label: accuracy", "recall", "precision", "balanced", "5 epochs in",
                            "wrote model.onnx: accuracy"}) {
     EXPECT_NE(outcome.output.find(said), std::string::npos) << said << "\n" << outcome.output;
   }
-  const DrivePolicy policy = DrivePolicy::fromFile(file("model.onnx"));
+  const DrivePolicy policy = DrivePolicy::fromFile(in("model.onnx"));
   EXPECT_NO_THROW(checkFits(policy.description(), 0.4, 0.17425, 30.0));
   EXPECT_EQ(policy.description().encoder.input_layout.size(), 17u);
-  const Model model = readModelFile(file("model.onnx"));
+  const Model model = readModelFile(in("model.onnx"));
   EXPECT_NE(model.metadata.at("training_command").find("train --dataset drives.dataset"), std::string::npos);
   EXPECT_NE(model.metadata.at("score").find("recorded validation steps: accuracy"), std::string::npos);
 }
@@ -80,7 +57,7 @@ TEST_F(TrainDatasetTool, TheSameCommandGivesTheSameModelForAnyNumberOfThreads) {
   const std::string command = "--dataset drives.dataset --cells 4 --epochs 2 --output model.onnx --threads ";
   const auto layers = [&](const char* threads) {
     EXPECT_EQ(train(command + threads).status, 0);
-    DrivePolicy policy = DrivePolicy::fromFile(file("model.onnx"));
+    DrivePolicy policy = DrivePolicy::fromFile(in("model.onnx"));
     const Eigen::VectorXf& preferences = policy.advance(Observation());
     return std::vector<float>(preferences.data(), preferences.data() + preferences.size());
   };
@@ -89,20 +66,20 @@ TEST_F(TrainDatasetTool, TheSameCommandGivesTheSameModelForAnyNumberOfThreads) {
 
 TEST_F(TrainDatasetTool, FineTuningKeepsInputsAndShapeAndSaysWhatTheModelCouldBefore) {
   ASSERT_EQ(train("--dataset drives.dataset --output first.onnx --inputs route --cells 5 --epochs 2").status, 0);
-  const Outcome outcome =
+  const test::Outcome outcome =
       train("--dataset drives.dataset --init first.onnx --output model.onnx --epochs 2 --variants 0 --threads 1");
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_NE(outcome.output.find("first.onnx as it is: accuracy"), std::string::npos) << outcome.output;
-  const DrivePolicy policy = DrivePolicy::fromFile(file("model.onnx"));
+  const DrivePolicy policy = DrivePolicy::fromFile(in("model.onnx"));
   EXPECT_EQ(policy.description().encoder.input_layout.back(), "route_detour");
-  fs::remove(file("model.onnx"));
+  fs::remove(in("model.onnx"));
   expectRefusal("--dataset drives.dataset --init first.onnx --output model.onnx --cells 8",
                 "--cells is decided by the model of --init");
 }
 
 TEST_F(TrainDatasetTool, ThesisPresetMeasuresTheInstability) {
   if (std::system("command -v gnuplot > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
-  const Outcome outcome = train(
+  const test::Outcome outcome = train(
       "--preset thesis --epochs 4 --dataset drives.dataset --validation-dataset drives.dataset --output model.onnx "
       "--instability instability.png --curve curve.png --confusion confusion.png --threads 1");
   ASSERT_EQ(outcome.status, 0) << outcome.output;
@@ -127,7 +104,7 @@ TEST_F(TrainDatasetTool, BadOptionsAreRefusedWithASentenceBeforeAnythingIsWritte
   expectRefusal("--dataset drives.dataset --output model.onnx --validation-dataset drives.dataset --validation-share 0.5",
                 "exclude each other");
   expectRefusal("--dataset drives.dataset --output no_such_folder/model.onnx", "cannot write 'no_such_folder");
-  std::ofstream(file("text.dataset")) << "not a database";
+  std::ofstream(in("text.dataset")) << "not a database";
   expectRefusal("--dataset text.dataset --output model.onnx", "text.dataset");
 }
 
