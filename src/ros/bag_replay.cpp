@@ -9,11 +9,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lstm_planner/ros/bag_replay_player.hpp"
-
 namespace lstm_planner {
 
 namespace {
+
+const ros::WallDuration kSettling(0.5);  // within which a computer that is not too busy makes and serves connections
 
 std::string joined(const std::map<std::string, long>& counts, bool name_first) {
   std::string text;
@@ -29,19 +29,24 @@ std::string joined(const std::map<std::string, long>& counts, bool name_first) {
 BagReplay::BagReplay(const BagReplayParameters& parameters)
     : parameters_(parameters),
       replay_(DrivePolicy::fromFile(resolvePackagePath(parameters.planner.model)), parameters.planner.agent),
+      drive_(recordBag(parameters.bag, parameters.drive,
+                       replayParameters(replay_.description(), parameters.planner.agent), &replay_)),
+      player_(parameters.bag, {drive_.scan_topic, drive_.odometry_source == "tf" ? "" : drive_.odometry_source}),
       // The way is the driver's here, and BagReplayDriver shows it.
       markers_(ros::NodeHandle("~/LstmGlobalPlanner"), replay_.description(), 0),
       decisions_(ros::NodeHandle("~/LstmGlobalPlanner")),
       driver_(ros::NodeHandle("~")) {
-  drive_ = recordBag(parameters_.bag, parameters_.drive,
-                     replayParameters(replay_.description(), parameters_.planner.agent), &replay_);
+  if (replay_.decisions().empty()) {
+    throw std::invalid_argument("there is nothing to decide about in '" + parameters_.bag +
+                                "': " + describeReplay(replay_));
+  }
   if (!drive_.mount_known) {
     ROS_WARN("'%s' does not tell where the scanner sits; it is taken to sit at the robot's centre and look ahead",
              parameters_.bag.c_str());
   }
-  if (replay_.decisions().empty()) {
-    throw std::invalid_argument("there is nothing to decide about in '" + parameters_.bag +
-                                "': " + describeReplay(replay_));
+  if (parameters_.drive.mount || !drive_.mount_known) {
+    player_.placeScanner(parameters_.drive.mount.value_or(SensorMount()),
+                         player_.baseFrame().empty() ? parameters_.drive.base_frame : player_.baseFrame());
   }
   if (!parameters_.decisions.empty()) {
     writeDecisionsFile();
@@ -58,24 +63,23 @@ void BagReplay::writeDecisionsFile() const {
 }
 
 void BagReplay::run() {
-  const bool from_transforms = drive_.odometry_source == "tf";
-  BagReplayPlayer player(parameters_.bag, {drive_.scan_topic, from_transforms ? "" : drive_.odometry_source});
-  if (parameters_.drive.mount || !drive_.mount_known) {
-    player.placeScanner(parameters_.drive.mount.value_or(SensorMount()),
-                        player.baseFrame().empty() ? parameters_.drive.base_frame : player.baseFrame());
-  }
   waitForListeners();
-  player.play(parameters_.rate, [this](const ros::Time& time) { showDecisionsUntil(time); });
+  player_.play(parameters_.rate, [this](const ros::Time& time) { showDecisionsUntil(time); });
   ROS_INFO("%s: %s", parameters_.bag.c_str(), describeReplay(replay_).c_str());
   if (parameters_.stay) {
     ros::spin();
+  } else {
+    kSettling.sleep();  // so that the last messages still leave
   }
 }
 
 void BagReplay::waitForListeners() const {
   const ros::WallTime given_up = ros::WallTime::now() + ros::WallDuration(parameters_.patience);
-  while (ros::ok() && ros::WallTime::now() < given_up && !markers_.isListenedTo() && !decisions_.isListenedTo() &&
-         !driver_.isListenedTo()) {
+  while (ros::ok() && ros::WallTime::now() < given_up) {
+    if (markers_.isListenedTo() || decisions_.isListenedTo() || driver_.isListenedTo()) {
+      kSettling.sleep();  // its other subscriptions, and others that were started with it, come now
+      return;
+    }
     ros::WallDuration(0.05).sleep();
   }
 }

@@ -1,13 +1,8 @@
-// The global planner fed with recordings of other people's robots: a plan at every call, and none while the sensors are
-// silent. Nobody follows the plans; the goals are places that the robot came to later.
+// The global planner fed with recordings of other people's robots, and of the simulated one: a plan at every call, and
+// none while the sensors are silent. Nobody follows the plans; the goals are places that the robot came to later.
 
 #include <gtest/gtest.h>
-#include <pluginlib/class_loader.hpp>
-#include <ros/package.h>
-#include <rosbag/bag.h>
 #include <rosbag/view.h>
-#include <tf2_msgs/TFMessage.h>
-#include <tf2_ros/static_transform_broadcaster.h>
 
 #include <atomic>
 #include <cmath>
@@ -15,9 +10,7 @@
 #include <sstream>
 
 #include "lstm_planner/ros/plugin_parameters.hpp"
-#include "real_data.hpp"
-#include "ros/planner_fixture.hpp"
-#include "ros/recording.hpp"
+#include "ros/bag_planner.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -48,28 +41,24 @@ class Counter {
   ros::Subscriber subscriber_;
 };
 
-class RealBagTest : public testing::TestWithParam<Recording> {
+class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Recording> {
  protected:
-  RealBagTest() : loader_(pluginPackage(), "nav_core::BaseGlobalPlanner") {}
-  ~RealBagTest() override {
-    ros::param::del("~/LstmGlobalPlanner");
-    ros::param::del("~/planner_frequency");
-  }
-
   void SetUp() override {
-    const std::string path = realData("bags/" + GetParam().file);
-    if (!std::ifstream(path)) {
+    const Recording& recording = GetParam();
+    const std::string path = recording.is_shipped ? shippedBag(recording.file) : realData("bags/" + recording.file);
+    if (!recording.is_shipped && !std::ifstream(path)) {
       GTEST_SKIP() << "no recording " << path;
     }
     bag_.open(path);
     recorded_ = std::make_unique<RecordedWay>(bag_);
     ros::Time::setNow(recorded_->clockAt(rosbag::View(bag_).getBeginTime()));
-    makePlanner();
-    ASSERT_TRUE(eventually([&] {
-      return scan_publisher_.getNumSubscribers() > 0 && odometry_publisher_.getNumSubscribers() > 0 &&
-             tf_publisher_.getNumSubscribers() > 0 && goal_publisher_.getNumSubscribers() > 0 &&
-             decisions_.connected();
-    }));
+    if (!recording.scan_frame.empty()) {
+      // The racecar's scanner sits some 0.3 m before base_link; at base_link it does for a plan that nobody follows.
+      static_broadcaster_.sendTransform(identity("base_link", recording.scan_frame));
+    }
+    ros::param::set("~/LstmGlobalPlanner/goal_drift", 0.0);
+    makePlanner(recording.global_frame, recording.max_speed, kCallPeriod);
+    knows_global_frame_ = recording.global_frame == "odom";
   }
 
   /// Replays all of the recording and asks for a plan every half second of it.
@@ -95,41 +84,6 @@ class RealBagTest : public testing::TestWithParam<Recording> {
   int decided_by_network_ = 0;
 
  private:
-  static std::string pluginPackage() { return ros::package::getPath("nav_core").empty() ? "lstm_planner" : "nav_core"; }
-
-  void makePlanner() {
-    const Recording& recording = GetParam();
-    ros::param::set("~/LstmGlobalPlanner/model", shippedModel());
-    ros::param::set("~/LstmGlobalPlanner/max_speed", recording.max_speed);
-    ros::param::set("~/LstmGlobalPlanner/goal_drift", 0.0);
-    ros::param::set("~/planner_frequency", 1.0 / kCallPeriod);
-    ros::param::set("~/costmap/global_frame", recording.global_frame);
-    ros::param::set("~/costmap/robot_base_frame", "base_link");
-    ros::param::set("~/costmap/rolling_window", true);
-    ros::param::set("~/costmap/update_frequency", 0.0);
-    ros::param::set("~/costmap/plugins", std::vector<std::string>());
-    // A costmap wants to know where the robot is before it can be made. The planner listens to tf itself.
-    costmap_tf_.setUsingDedicatedThread(true);
-    costmap_tf_.setTransform(identity(recording.global_frame, "base_link"), "test", true);
-    costmap_ = std::make_unique<costmap_2d::Costmap2DROS>("costmap", costmap_tf_);
-    if (!recording.scan_frame.empty()) {
-      // The racecar's scanner sits some 0.3 m before base_link; at base_link it does for a plan that nobody follows.
-      static_broadcaster_.sendTransform(identity("base_link", recording.scan_frame));
-    }
-    planner_ = loader_.createInstance("lstm_planner/LstmGlobalPlanner");
-    planner_->initialize("LstmGlobalPlanner", costmap_.get());
-    knows_global_frame_ = recording.global_frame == "odom";
-  }
-
-  static geometry_msgs::TransformStamped identity(const std::string& parent, const std::string& child) {
-    geometry_msgs::TransformStamped transform;
-    transform.header.stamp = ros::Time::now();
-    transform.header.frame_id = parent;
-    transform.child_frame_id = child;
-    transform.transform.rotation.w = 1.0;
-    return transform;
-  }
-
   /// Messages are published as shared pointers: within a process these reach every subscriber's queue at once.
   void publish(const rosbag::MessageInstance& recorded) {
     if (const auto scan = recorded.instantiate<sensor_msgs::LaserScan>()) {
@@ -148,7 +102,11 @@ class RealBagTest : public testing::TestWithParam<Recording> {
           knows_global_frame_ = true;
         }
       }
-      tf_publisher_.publish(transforms);
+      if (recorded.getTopic() == "/tf_static") {
+        static_broadcaster_.sendTransform(transforms->transforms);
+      } else {
+        tf_publisher_.publish(transforms);
+      }
     }
   }
 
@@ -156,8 +114,7 @@ class RealBagTest : public testing::TestWithParam<Recording> {
   bool isFresh() const {
     const SensorParameters limits;
     const ros::Time now = ros::Time::now();
-    return (now - scan_stamp_).toSec() <= limits.scan_timeout &&
-           (now - odometry_stamp_).toSec() <= limits.odom_timeout;
+    return (now - scan_stamp_).toSec() <= limits.scan_timeout && (now - odometry_stamp_).toSec() <= limits.odom_timeout;
   }
 
   void ask() {
@@ -169,7 +126,7 @@ class RealBagTest : public testing::TestWithParam<Recording> {
     const geometry_msgs::PoseStamped start =
         stampedPose(GetParam().global_frame, compose(global_from_odometry_, robot_));
     if (!isFresh()) {
-      EXPECT_FALSE(planner_->makePlan(start, goal_, plan_)) << "from sensors that are silent";
+      EXPECT_FALSE(planner()->makePlan(start, goal_, plan_)) << "from sensors that are silent";
       EXPECT_TRUE(plan_.empty());
       ++refusals_;
       return;
@@ -178,9 +135,10 @@ class RealBagTest : public testing::TestWithParam<Recording> {
     // The planner's thread may hear of sensors and goal a moment later than this one; decisions are published for the
     // announced goal only.
     ASSERT_TRUE(eventually([&] {
-      return planner_->makePlan(start, goal_, plan_) && startsAtTheRobot(fromMessage(start.pose)) &&
+      return planner()->makePlan(start, goal_, plan_) && startsAtTheRobot(fromMessage(start.pose)) &&
              decisions_.count() > decisions_before;
-    })) << "no plan " << (ros::Time::now() - recorded_->way().front().stamp).toSec() << " s after the first odometry";
+    })) << "no plan "
+        << (ros::Time::now() - recorded_->way().front().stamp).toSec() << " s after the first odometry";
     ++plans_;
     checkPlan();
     checkDecision();
@@ -230,22 +188,10 @@ class RealBagTest : public testing::TestWithParam<Recording> {
   rosbag::Bag bag_;
   std::unique_ptr<RecordedWay> recorded_;
 
-  ros::NodeHandle node_handle_;
-  ros::Publisher scan_publisher_ = node_handle_.advertise<sensor_msgs::LaserScan>("scan", 10);
-  ros::Publisher odometry_publisher_ = node_handle_.advertise<nav_msgs::Odometry>("odom", 10);
-  ros::Publisher tf_publisher_ = node_handle_.advertise<tf2_msgs::TFMessage>("/tf", 10);
-  ros::Publisher goal_publisher_ = ros::NodeHandle("~").advertise<geometry_msgs::PoseStamped>("current_goal", 1);
-  tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   Counter<sensor_msgs::LaserScan> scans_heard_{"scan"};
   Counter<nav_msgs::Odometry> odometries_heard_{"odom"};
-  DecisionListener decisions_{"LstmGlobalPlanner"};
   int scans_ = 0;
   int odometries_ = 0;
-
-  tf2_ros::Buffer costmap_tf_;
-  std::unique_ptr<costmap_2d::Costmap2DROS> costmap_;
-  pluginlib::ClassLoader<nav_core::BaseGlobalPlanner> loader_;
-  boost::shared_ptr<nav_core::BaseGlobalPlanner> planner_;
 
   ros::Time scan_stamp_;
   ros::Time odometry_stamp_;
@@ -280,6 +226,13 @@ INSTANTIATE_TEST_SUITE_P(
         // Scan and odometry are silent in turn, for up to 17 s, or late. Not localised.
         Recording{"urg04lx_odom_2019jan17_expt04.bag", "odom", "", 1.0, true}),
     nameOf);
+
+// test/bags/README.md tells what is in them.
+INSTANTIATE_TEST_SUITE_P(ShippedBags, RealBagTest,
+                         testing::Values(Recording{"doors.bag", "odom", "", 1.0, false, true},
+                                         Recording{"dead_end.bag", "odom", "", 1.0, false, true},
+                                         Recording{"bad_floor.bag", "odom", "", 1.0, false, true}),
+                         nameOf);
 
 }  // namespace
 }  // namespace lstm_planner

@@ -23,6 +23,7 @@ struct Recording {
   std::string scan_frame;    ///< the scanner's, where the recording does not say where it sits; else empty
   double max_speed;          ///< m/s
   bool has_gaps;             ///< longer than the planner's timeouts
+  bool is_shipped = false;   ///< comes with the package
 };
 
 inline void PrintTo(const Recording& recording, std::ostream* out) { *out << recording.file; }

@@ -1,16 +1,15 @@
 #pragma once
 
 #include <ros/node_handle.h>
-#include <ros/publisher.h>
 #include <ros/time.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "lstm_planner/evaluation/decision_replay.hpp"
 #include "lstm_planner/ros/bag_drive.hpp"
 #include "lstm_planner/ros/bag_replay_driver.hpp"
+#include "lstm_planner/ros/bag_replay_player.hpp"
 #include "lstm_planner/ros/decision_publisher.hpp"
 #include "lstm_planner/ros/marker_publisher.hpp"
 #include "lstm_planner/ros/plugin_parameters.hpp"
@@ -54,9 +53,9 @@ class BagReplay {
   BagReplayParameters parameters_;
   DecisionReplay replay_;
   BagDriveResult drive_;
+  BagReplayPlayer player_;
   std::size_t shown_ = 0;  ///< decisions
 
-  ros::NodeHandle node_;
   MarkerPublisher markers_;
   DecisionPublisher decisions_;
   BagReplayDriver driver_;

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <ros/package.h>
+#include <rosbag/bag.h>
+#include <tf2_msgs/TFMessage.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+
+#include <memory>
+#include <pluginlib/class_loader.hpp>
+#include <string>
+#include <vector>
+
+#include "real_data.hpp"
+#include "ros/planner_fixture.hpp"
+#include "ros/recording.hpp"
+
+namespace lstm_planner {
+
+/// Path of a recording that comes with the package.
+inline std::string shippedBag(const std::string& file) {
+  return std::string(LSTM_PLANNER_SOURCE_DIR) + "/test/bags/" + file;
+}
+
+/// The global planner, loaded and made as move_base does, and the topics on which a recording is played to it.
+class BagPlannerTest : public testing::Test {
+ protected:
+  BagPlannerTest() : loader_(pluginPackage(), "nav_core::BaseGlobalPlanner") {}
+  ~BagPlannerTest() override {
+    ros::param::del("~/LstmGlobalPlanner");
+    ros::param::del("~/planner_frequency");
+  }
+
+  /// `global_frame`: of the costmap; `call_period`: s between questions.
+  void makePlanner(const std::string& global_frame, double max_speed, double call_period) {
+    ros::param::set("~/LstmGlobalPlanner/model", shippedModel());
+    ros::param::set("~/LstmGlobalPlanner/max_speed", max_speed);
+    ros::param::set("~/planner_frequency", 1.0 / call_period);
+    ros::param::set("~/costmap/global_frame", global_frame);
+    ros::param::set("~/costmap/robot_base_frame", "base_link");
+    ros::param::set("~/costmap/rolling_window", true);
+    ros::param::set("~/costmap/update_frequency", 0.0);
+    ros::param::set("~/costmap/plugins", std::vector<std::string>());
+    // A costmap wants to know where the robot is before it can be made. The planner listens to tf itself.
+    costmap_tf_.setUsingDedicatedThread(true);
+    costmap_tf_.setTransform(identity(global_frame, "base_link"), "test", true);
+    costmap_ = std::make_unique<costmap_2d::Costmap2DROS>("costmap", costmap_tf_);
+    planner_ = loader_.createInstance("lstm_planner/LstmGlobalPlanner");
+    planner_->initialize("LstmGlobalPlanner", costmap_.get());
+    ASSERT_TRUE(eventually([&] {
+      return scan_publisher_.getNumSubscribers() > 0 && odometry_publisher_.getNumSubscribers() > 0 &&
+             tf_publisher_.getNumSubscribers() > 0 && goal_publisher_.getNumSubscribers() > 0 && decisions_.connected();
+    }));
+  }
+
+  static geometry_msgs::TransformStamped identity(const std::string& parent, const std::string& child) {
+    geometry_msgs::TransformStamped transform;
+    transform.header.stamp = ros::Time::now();
+    transform.header.frame_id = parent;
+    transform.child_frame_id = child;
+    transform.transform.rotation.w = 1.0;
+    return transform;
+  }
+
+  ros::NodeHandle node_handle_;
+  ros::Publisher scan_publisher_ = node_handle_.advertise<sensor_msgs::LaserScan>("scan", 10);
+  ros::Publisher odometry_publisher_ = node_handle_.advertise<nav_msgs::Odometry>("odom", 10);
+  ros::Publisher tf_publisher_ = node_handle_.advertise<tf2_msgs::TFMessage>("/tf", 10);
+  ros::Publisher goal_publisher_ = ros::NodeHandle("~").advertise<geometry_msgs::PoseStamped>("current_goal", 1);
+  tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  DecisionListener decisions_{"LstmGlobalPlanner"};
+  boost::shared_ptr<nav_core::BaseGlobalPlanner> planner() { return planner_; }
+
+ private:
+  static std::string pluginPackage() { return ros::package::getPath("nav_core").empty() ? "lstm_planner" : "nav_core"; }
+
+  tf2_ros::Buffer costmap_tf_;
+  std::unique_ptr<costmap_2d::Costmap2DROS> costmap_;
+  pluginlib::ClassLoader<nav_core::BaseGlobalPlanner> loader_;
+  boost::shared_ptr<nav_core::BaseGlobalPlanner> planner_;
+};
+
+}  // namespace lstm_planner
