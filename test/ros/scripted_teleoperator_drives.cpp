@@ -1,0 +1,140 @@
+// Gives goals to scripted_teleoperator, which drives create2_stub through the demo building, and watches.
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Twist.h>
+#include <gtest/gtest.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <std_msgs/UInt32.h>
+
+#include <cmath>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/ros/conversions.hpp"
+#include "lstm_planner/ros/teleoperator_parameters.hpp"
+
+namespace lstm_planner {
+namespace {
+
+const ros::WallDuration kDeadline(60.0);  // of the computer's clock after which a test has failed
+constexpr double kArrival = 0.15 + 0.05;  // m, within which the driver lets go of the keys, and the braking
+
+class ScriptedTeleoperator : public ::testing::Test {
+ protected:
+  ScriptedTeleoperator() {
+    truth_subscriber_ = node_.subscribe("create2_stub/ground_truth", 100, &ScriptedTeleoperator::onTruth, this);
+    contacts_subscriber_ = node_.subscribe("create2_stub/contacts", 10, &ScriptedTeleoperator::onContacts, this);
+    command_subscriber_ = node_.subscribe("cmd_vel", 1000, &ScriptedTeleoperator::onCommand, this);
+  }
+
+  void onTruth(const nav_msgs::Odometry::ConstPtr& message) {
+    pose_ = fromMessage(message->pose.pose);
+    speed_ = message->twist.twist.linear.x;
+  }
+  void onContacts(const std_msgs::UInt32::ConstPtr& message) { contacts_ = static_cast<int>(message->data); }
+  void onCommand(const geometry_msgs::Twist::ConstPtr& message) {
+    command_ = {message->linear.x, message->angular.z};
+    ++commands_;
+  }
+
+  bool waitUntil(const std::function<bool()>& condition) const {
+    const ros::WallTime deadline = ros::WallTime::now() + kDeadline;
+    while (ros::ok() && ros::WallTime::now() < deadline) {
+      ros::spinOnce();
+      if (condition()) return true;
+      ros::WallDuration(0.001).sleep();
+    }
+    return false;
+  }
+
+  bool waitUntilAt(const Point2& place) {
+    return waitUntil(
+        [&] { return distanceBetween(pose_, place) < kArrival && command_.linear == 0.0 && command_.angular == 0.0; });
+  }
+
+  static geometry_msgs::PoseStamped goalAt(const std::string& frame, const Point2& place) {
+    geometry_msgs::PoseStamped goal;
+    goal.header.frame_id = frame;
+    goal.header.stamp = ros::Time::now();
+    goal.pose = toMessage({place.x, place.y, 0.0});
+    return goal;
+  }
+
+  ros::NodeHandle node_;
+  Pose2 pose_{1e6, 1e6, 0.0};
+  Twist2 command_{1.0, 0.0};
+  double speed_ = 0.0;
+  int contacts_ = -1;
+  long commands_ = 0;
+  ros::Subscriber truth_subscriber_;
+  ros::Subscriber contacts_subscriber_;
+  ros::Subscriber command_subscriber_;
+};
+
+TEST_F(ScriptedTeleoperator, DrivesToGoalsOfATopicInAnyFrameWithoutContacts) {
+  ros::Publisher goals = node_.advertise<geometry_msgs::PoseStamped>("dataset_recorder/goal", 1, true);
+  ASSERT_TRUE(waitUntil([&] { return goals.getNumSubscribers() > 0 && contacts_ == 0 && pose_.x < 1e5; }));
+  goals.publish(goalAt("map", {6.5, 1.25}));
+  EXPECT_TRUE(waitUntilAt({6.5, 1.25}));
+  goals.publish(goalAt("map", {6.5, 8.25}));
+  EXPECT_TRUE(waitUntilAt({6.5, 8.25}));
+  // Odometry begins at (1.5, 2.5), looking along the map's y axis.
+  goals.publish(goalAt("odom", {5.75, -0.5}));
+  EXPECT_TRUE(waitUntilAt({2.0, 8.25}));
+  EXPECT_EQ(contacts_, 0);
+}
+
+TEST_F(ScriptedTeleoperator, CommandsOftenEnoughForTheLatchAndStopsWhenTheGoalsSourceHasGone) {
+  ros::Publisher goals = node_.advertise<geometry_msgs::PoseStamped>("dataset_recorder/goal", 1, true);
+  ASSERT_TRUE(waitUntil([&] { return goals.getNumSubscribers() > 0 && pose_.x < 1e5; }));
+  goals.publish(goalAt("map", {15.2, 10.5}));
+  ASSERT_TRUE(waitUntil([&] { return speed_ > 0.2; }));
+  const ros::Time begin = ros::Time::now();
+  const long commands = commands_;
+  ASSERT_TRUE(waitUntil([&] { return ros::Time::now() - begin > ros::Duration(2.0); }));
+  // 20 Hz of simulated time; the clock ticks a hundred times a second, so up to one tick is lost each time.
+  EXPECT_GT(static_cast<double>(commands_ - commands) / (ros::Time::now() - begin).toSec(), 1.0 / (0.05 + 0.01));
+  goals.shutdown();
+  EXPECT_TRUE(waitUntil([&] { return command_.linear == 0.0 && command_.angular == 0.0 && std::abs(speed_) < 0.01; }));
+  const long commands_in_the_end = commands_;
+  const ros::Time end = ros::Time::now();
+  ASSERT_TRUE(waitUntil([&] { return ros::Time::now() - end > ros::Duration(2.0); }));
+  EXPECT_LE(commands_, commands_in_the_end + 1) << "it keeps quiet without a goal";
+  EXPECT_EQ(contacts_, 0);
+}
+
+TEST_F(ScriptedTeleoperator, DrivesToItsOwnWayPointsAndEnds) {
+  std::vector<std::string> announced;
+  const auto goals = node_.subscribe<geometry_msgs::PoseStamped>(
+      "scripted_teleoperator/goal", 10,
+      [&](const geometry_msgs::PoseStamped::ConstPtr& goal) { announced.push_back(goal->header.frame_id); });
+  ASSERT_TRUE(waitUntil([&] { return command_subscriber_.getNumPublishers() == 1; }));
+  EXPECT_TRUE(waitUntilAt({1.5, 2.0})) << "the second of two way-points";
+  EXPECT_TRUE(waitUntil([&] { return command_subscriber_.getNumPublishers() == 0; })) << "it does not end";
+  EXPECT_EQ(command_.linear, 0.0);
+  EXPECT_EQ(contacts_, 0);
+  ASSERT_FALSE(announced.empty());
+  EXPECT_EQ(announced.front(), "map");
+}
+
+TEST(ScriptedTeleoperatorYaml, ListsEveryParameterWithItsDefault) {
+  ParameterReader reader(ros::NodeHandle("~yaml"));
+  TeleoperatorParameters parameters;
+  readParameters(&reader, &parameters);
+  EXPECT_EQ(reader.unsetParameters(), std::set<std::string>()) << "missing in the yaml";
+  EXPECT_EQ(reader.changedParameters(), std::set<std::string>()) << "not the default in the yaml";
+  EXPECT_EQ(reader.unknownParameters(), std::vector<std::string>()) << "in the yaml, but not a parameter";
+  EXPECT_TRUE(parameters.way_points.empty());
+}
+
+}  // namespace
+}  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "scripted_teleoperator_drives");
+  ::testing::InitGoogleTest(&argc, argv);
+  ros::NodeHandle keep_alive;
+  return RUN_ALL_TESTS();
+}
