@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -271,6 +272,34 @@ TEST_F(DatasetDurability, GoesOnWhileAReaderHasTheFile) {
   EXPECT_EQ(writer.waiting(), 0);
   EXPECT_EQ(writer.problem(), "");
   EXPECT_EQ(reader.numberOf("SELECT count(*) FROM steps"), 3);
+}
+
+TEST_F(DatasetDurability, IsReadWhileItIsRecorded) {
+  const RecordedEpisode episode = exampleEpisode(40, 1, kBeams);
+  DatasetWriter writer(in("a.db"), exampleDescription());
+  writer.beginEpisode(Episode());
+  std::atomic<bool> is_recording{true};
+  long reads = 0;
+  std::thread reader([&] {
+    long last = 0;
+    while (is_recording || reads == 0) {
+      const Dataset dataset = readDataset(in("a.db"), true);
+      EXPECT_GE(stepCount(dataset), last) << "what was there stays there";
+      last = stepCount(dataset);
+      for (const DriveStep& step : dataset.recordings[0].episodes[0].steps) {
+        EXPECT_EQ(step.stamp, episode.steps[static_cast<std::size_t>(step.number)].stamp);
+        EXPECT_EQ(step.ranges.size(), static_cast<std::size_t>(kBeams));
+      }
+      ++reads;
+    }
+  });
+  for (const DriveStep& step : episode.steps) writer.addStep(step);
+  is_recording = false;
+  reader.join();
+  writer.finish();
+  EXPECT_EQ(writer.stored(), 40);
+  EXPECT_EQ(writer.lost(), 0);
+  EXPECT_EQ(stepCount(readDataset(in("a.db"))), 40);
 }
 
 TEST_F(DatasetDurability, SaysWhenTheFileIsMovedAwayAndWhatIsLost) {
