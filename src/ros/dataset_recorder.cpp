@@ -15,6 +15,7 @@ constexpr int kScanQueue = 200;
 constexpr int kOdometryQueue = 1000;
 constexpr int kGoalQueue = 20;
 const ros::WallDuration kStatusPeriod(1.0);
+constexpr double kLongestWay = 0.5;  // s that odometry is behind the clock, at the most
 
 }  // namespace
 
@@ -130,9 +131,8 @@ void DatasetRecorder::Implementation::onResult(const move_base_msgs::MoveBaseAct
 }
 
 ros::Time DatasetRecorder::Implementation::goalHeardNow() {
-  const ros::Time now = ros::Time::now();
-  goal_stamp_ = now;
-  return now;
+  goal_stamp_ = odometry_stamp_;
+  return ros::Time::now();
 }
 
 void DatasetRecorder::Implementation::afterSensing() {
@@ -146,9 +146,10 @@ void DatasetRecorder::Implementation::afterSensing() {
 void DatasetRecorder::Implementation::pickGoal() {
   const DriveRecorder& recorder = messages_.recorder();
   if (way_points_.empty() || recorder.paused() || recorder.goal() || !file_.isOpen()) return;
+  if (ros::Time::now().isZero()) return;  // a simulator's clock has not come yet
   // A goal that was heard is worked on only when everything before it is.
   const double since_goal = std::abs((odometry_stamp_ - goal_stamp_).toSec());
-  if (!goal_stamp_.isZero() && since_goal <= parameters_.recorder.delay) return;
+  if (!goal_stamp_.isZero() && since_goal <= parameters_.recorder.delay + kLongestWay) return;
 
   const RecorderNodeParameters::WayPoint& way_point = way_points_.next();
   geometry_msgs::PoseStamped goal;

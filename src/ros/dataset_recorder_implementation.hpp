@@ -74,7 +74,7 @@ class DatasetRecorder::Implementation {
   ros::WallTime last_scan_;      ///< zero before the first
   ros::WallTime last_odometry_;  ///< zero before the first
   ros::Time odometry_stamp_;     ///< of the newest
-  ros::Time goal_stamp_;         ///< when the newest goal was heard
+  ros::Time goal_stamp_;         ///< of the newest odometry when the newest goal was heard
   std::deque<Snapshot> snapshots_;  ///< of the last ten seconds, one a second
   long timer_calls_ = 0;
 

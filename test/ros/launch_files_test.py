@@ -89,7 +89,8 @@ class LaunchFiles(unittest.TestCase):
 
     def test_recording_drives_the_simulated_robot_where_there_is_a_map(self):
         config = load("record_dataset.launch", "teleop:=scripted", "rviz:=false", "map:=/m.yaml")
-        self.assertEqual({node.type for node in config.nodes}, {"create2_stub", "dataset_recorder", "scripted_teleoperator"})
+        self.assertEqual({node.type for node in config.nodes},
+                         {"create2_stub", "dataset_recorder", "scripted_teleoperator"})
         self.assertEqual(self.parameter(config, "/scripted_teleoperator/map"), "/m.yaml")
         self.assertTrue(self.parameter(config, "/use_sim_time"))
         self.check(config)
@@ -102,7 +103,8 @@ class LaunchFiles(unittest.TestCase):
         self.assertNotIn("/use_sim_time", config.params)
 
     def test_recording_leaves_a_robot_alone_that_runs_already(self):
-        config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "base:=false", "laser:=false", "tf:=false")
+        config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "base:=false", "laser:=false",
+                      "tf:=false")
         self.assertEqual({node.type for node in config.nodes}, {"dataset_recorder"})
 
 

@@ -17,12 +17,12 @@
 
 namespace lstm_planner {
 
-/// Tells a DriveRecorder what ROS messages say, the same for topics and for bags. `received` stands in for the stamps of
-/// messages that have none. Nothing is thrown: what cannot be used is rejected. Not thread safe.
+/// Tells a DriveRecorder what ROS messages say, the same for topics and for bags. `received` stands in for the stamps
+/// of messages that have none. Nothing is thrown: what cannot be used is rejected. Not thread safe.
 class DriveMessages {
  public:
-  /// `tf` and `sink` must outlive the object; the transforms need not be there yet. `base_frame`: the robot's, where the
-  /// odometry does not name it. `mount`: where the scanner sits; empty: from the transforms.
+  /// `tf` and `sink` must outlive the object; the transforms need not be there yet. `base_frame`: the robot's, where
+  /// the odometry does not name it. `mount`: where the scanner sits; empty: from the transforms.
   /// Throws std::invalid_argument for parameters that DriveRecorder refuses.
   DriveMessages(const tf2::BufferCore& tf, const std::string& base_frame, const std::optional<SensorMount>& mount,
                 const RecorderParameters& parameters, StepSink* sink);
@@ -30,14 +30,14 @@ class DriveMessages {
   void hear(const sensor_msgs::LaserScan& scan, const ros::Time& received);
   void hear(const nav_msgs::Odometry& odometry, const ros::Time& received);
 
-  /// What is said to move_base and by it: a goal, the end of one, the end of one unless it succeeded (arrival is told by
-  /// odometry). Ends of other goals than the newest are none of ours.
+  /// What is said to move_base and by it: a goal, the end of one, the end of one unless it succeeded (arrival is told
+  /// by odometry). Ends of other goals than the newest are none of ours.
   void hear(const move_base_msgs::MoveBaseActionGoal& goal, const std::string& source, const ros::Time& received);
   void hear(const actionlib_msgs::GoalID& cancel, const ros::Time& received);
   void hear(const move_base_msgs::MoveBaseActionResult& result, const ros::Time& received);
 
-  /// A goal that is driven to from now on. `source`: Episode::goal_source. The same goal heard twice, as move_base_simple's
-  /// from move_base, is one.
+  /// A goal that is driven to from now on. `source`: Episode::goal_source. The same goal heard twice, as
+  /// move_base_simple's from move_base, is one.
   void hearGoal(const geometry_msgs::PoseStamped& goal, const std::string& source, const ros::Time& received);
   /// The goal is not driven to any more: cancelled or given up. `stamp`: when.
   void hearEnd(const ros::Time& stamp);

@@ -38,8 +38,8 @@ RecorderNodeParameters loadRecorderNodeParameters(const ros::NodeHandle& node_ha
 /// another type.
 void readParameters(ParameterReader* reader, RecorderNodeParameters* parameters);
 
-/// The file that `output` means at a time: ~/ is the user's home, package://NAME/ a package's folder, and %Y and the like
-/// are replaced as by strftime, in UTC. Throws std::invalid_argument when that is none.
+/// The file that `output` means at a time: ~/ is the user's home, package://NAME/ a package's folder, and %Y and the
+/// like are replaced as by strftime, in UTC. Throws std::invalid_argument when that is none.
 std::string outputPath(const std::string& output, std::time_t now);
 
 }  // namespace lstm_planner
