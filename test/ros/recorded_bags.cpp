@@ -1,0 +1,318 @@
+#include <gtest/gtest.h>
+#include <rosbag/view.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <ostream>
+
+#include "lstm_planner/dataset/recording_sink.hpp"
+#include "lstm_planner/ros/bag_drive.hpp"
+#include "real_data.hpp"
+#include "ros/drive_bag.hpp"
+
+namespace lstm_planner {
+namespace {
+
+std::string pathOf(const std::string& name) { return testing::TempDir() + "recorded_bags_" + name; }
+
+std::string written(const std::string& name, const DriveBagContent& content = {}) {
+  DriveBag::write(pathOf(name), content);
+  return pathOf(name);
+}
+
+struct Outcome {
+  BagDriveResult result;
+  Recording recording;
+
+  long rejected(Rejection rejection) const { return recording.rejections[static_cast<std::size_t>(rejection)]; }
+  long steps() const {
+    Dataset dataset;
+    dataset.recordings = {recording};
+    return stepCount(dataset);
+  }
+};
+
+Outcome recorded(const std::string& path, const BagDriveOptions& options = {},
+                 const RecorderParameters& parameters = {}) {
+  RecordingSink sink({});
+  Outcome outcome;
+  outcome.result = recordBag(path, options, parameters, &sink);
+  outcome.recording = std::move(sink.recording());
+  return outcome;
+}
+
+std::string refusalOf(const std::string& path, const BagDriveOptions& options = {}) {
+  RecordingSink sink({});
+  try {
+    recordBag(path, options, {}, &sink);
+  } catch (const std::invalid_argument& error) {
+    EXPECT_TRUE(sink.recording().episodes.empty());
+    return std::string(error.what()).substr(std::string("the bag " + path + ": ").size());
+  }
+  return "";
+}
+
+/// The poses of a bag's odometry, and the one at a time between two of them.
+class BagOdometry {
+ public:
+  explicit BagOdometry(const std::string& path, const std::string& topic) {
+    rosbag::Bag bag(path);
+    rosbag::View view(bag, rosbag::TopicQuery(topic));
+    for (const rosbag::MessageInstance& message : view) {
+      const auto odometry = message.instantiate<nav_msgs::Odometry>();
+      poses_[odometry->header.stamp.toSec()] = fromMessage(odometry->pose.pose);
+    }
+  }
+
+  Pose2 at(double stamp) const {
+    const auto after = poses_.lower_bound(stamp);
+    if (after->first == stamp) return after->second;
+    const auto before = std::prev(after);
+    const double share = (stamp - before->first) / (after->first - before->first);
+    const Pose2& a = before->second;
+    const Pose2& b = after->second;
+    return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.yaw + share * normalizeAngle(b.yaw - a.yaw)};
+  }
+
+ private:
+  std::map<double, Pose2> poses_;
+};
+
+void expectPosesOf(const Recording& recording, const BagOdometry& odometry) {
+  for (const RecordedEpisode& drive : recording.episodes) {
+    for (const DriveStep& step : drive.steps) {
+      const Pose2 expected = odometry.at(step.stamp);
+      ASSERT_LT(distanceBetween(step.pose, expected), 1e-9) << "at " << step.stamp;
+      ASSERT_NEAR(normalizeAngle(step.pose.yaw - expected.yaw), 0.0, 1e-9);
+    }
+  }
+}
+
+TEST(RecordedBagTest, GoalsAndTheirEndsAreThoseOfTheBag) {
+  const std::string path = written("goals.bag");
+  const Outcome outcome = recorded(path);
+  EXPECT_EQ(outcome.result.scan_topic, "/scan");
+  EXPECT_EQ(outcome.result.odometry_source, "/odom");
+  EXPECT_EQ(outcome.result.odometry_frame, "odom");
+  EXPECT_EQ(outcome.result.goals, 6);    // one of the five was passed on
+  EXPECT_EQ(outcome.result.scans, 320);  // 32 s at 10 Hz
+  EXPECT_EQ(outcome.result.odometry, 320);
+  EXPECT_NEAR(outcome.result.begun, DriveBag::kStart, 0.2);
+  EXPECT_NEAR(outcome.result.duration, 32.0, 0.2);
+  EXPECT_TRUE(outcome.result.mount_known);
+
+  const auto& episodes = outcome.recording.episodes;
+  ASSERT_EQ(episodes.size(), 5u);
+  const EpisodeEnd ends[] = {EpisodeEnd::kArrived, EpisodeEnd::kArrived, EpisodeEnd::kAborted, EpisodeEnd::kAborted,
+                             EpisodeEnd::kFinished};
+  const char* const sources[] = {"move_base_simple/goal", "move_base/goal", "move_base_simple/goal", "move_base/goal",
+                                 "move_base_simple/goal"};
+  for (std::size_t i = 0; i < episodes.size(); ++i) {
+    EXPECT_EQ(episodes[i].episode.end, ends[i]) << i;
+    EXPECT_EQ(episodes[i].episode.goal_source, sources[i]) << i;
+  }
+  EXPECT_NEAR(episodes[2].episode.ended, DriveBag::kStart + 27.0, 0.1);
+  EXPECT_NEAR(episodes[3].episode.ended, DriveBag::kStart + 30.0, 0.1);
+  EXPECT_EQ(episodes[0].steps.front().geometry.mount.pose.x, DriveBag::kMount);
+  expectPosesOf(outcome.recording, BagOdometry(path, "/odom"));
+}
+
+TEST(RecordedBagTest, EveryLookIsAStepOrHasAReason) {
+  RecorderParameters parameters;
+  parameters.period = 0.05;  // every scan is a look
+  const Outcome outcome = recorded(written("looks.bag"), {}, parameters);
+  const RejectionCounts& rejections = outcome.recording.rejections;
+  EXPECT_EQ(outcome.rejected(Rejection::kLate), 0);  // none comes 0.3 s late
+  const long counted = outcome.steps() + std::accumulate(rejections.begin(), rejections.end(), 0L);
+  // Arriving takes a look that is neither, unless odometry tells of it before.
+  EXPECT_LE(counted, outcome.result.scans);
+  EXPECT_GE(counted, outcome.result.scans - 2);
+}
+
+TEST(RecordedBagTest, TransformsAreOdometryWhereThereIsNoOther) {
+  const std::string path = written("both.bag");
+  DriveBagContent content;
+  content.odometry = false;
+  BagDriveOptions options;
+  options.base_frame = "base_footprint";
+  for (const bool is_old : {false, true}) {
+    content.old_transforms = is_old;
+    const Outcome outcome = recorded(written("transforms.bag", content), options);
+    EXPECT_EQ(outcome.result.odometry_source, "tf");
+    EXPECT_EQ(outcome.result.odometry, 320);
+    EXPECT_EQ(outcome.steps(), recorded(path).steps());
+    expectPosesOf(outcome.recording, BagOdometry(path, "/odom"));
+    const DriveStep& step = outcome.recording.episodes[1].steps.at(8);
+    EXPECT_NEAR(step.twist.linear, 0.4, 1e-6);  // as it was driven there
+    EXPECT_NEAR(step.twist.angular, 0.0, 1e-6);
+  }
+}
+
+TEST(RecordedBagTest, TheMountIsTheTransformsOrTheGivenOneOrElseTheBasesOrigin) {
+  DriveBagContent content;
+  content.mount = false;
+  const std::string path = written("mount.bag", content);
+  const Outcome unknown = recorded(path);
+  EXPECT_FALSE(unknown.result.mount_known);
+  EXPECT_EQ(unknown.recording.episodes.at(0).steps.at(0).geometry.mount.pose.x, 0.0);
+  EXPECT_EQ(unknown.rejected(Rejection::kNoTransform), 0);
+  BagDriveOptions options;
+  options.mount = SensorMount{{-0.3, 0.1, 0.0}, false};
+  const Outcome given = recorded(path, options);
+  EXPECT_TRUE(given.result.mount_known);
+  EXPECT_EQ(given.recording.episodes.at(0).steps.at(0).geometry.mount.pose.x, -0.3);
+}
+
+TEST(RecordedBagTest, HindsightTakesThePlacesThatWereDrivenTo) {
+  DriveBagContent content;
+  content.goals = false;
+  BagDriveOptions options;
+  options.hindsight = true;
+  options.hindsight_parameters.longest = 5.0;
+  const Outcome outcome = recorded(written("hindsight.bag", content), options);
+  // 7 m up to where it stood for 3 s, in two parts, and 3.4 m on.
+  ASSERT_EQ(outcome.recording.episodes.size(), 3u);
+  EXPECT_EQ(outcome.result.goals, 3);
+  for (const RecordedEpisode& drive : outcome.recording.episodes) {
+    EXPECT_EQ(drive.episode.end, EpisodeEnd::kArrived);
+    EXPECT_EQ(drive.episode.goal_source, "hindsight");
+  }
+  EXPECT_NEAR(outcome.recording.episodes[1].episode.goal.pose.x, 4.0, 0.05);
+  EXPECT_NEAR(outcome.recording.episodes[1].episode.goal.pose.y, 3.0, 0.05);
+}
+
+TEST(RecordedBagTest, WhatIsMissingOrAmbiguousIsRefusedInASentence) {
+  DriveBagContent content;
+  content.goals = false;
+  EXPECT_EQ(refusalOf(written("no_goals.bag", content)),
+            "names no goals: expected some on move_base/goal, move_base_simple/goal or another --goal-topic; with "
+            "--hindsight they are the places that were driven to");
+  content.odometry = false;
+  content.transforms = false;
+  content.mount = false;
+  EXPECT_EQ(refusalOf(written("no_odometry.bag", content)),
+            "has no odometry: expected a topic of nav_msgs/Odometry, or /tf, among /scan (sensor_msgs/LaserScan)");
+  content.transforms = true;
+  EXPECT_EQ(refusalOf(written("no_base_link.bag", content)),
+            "has no odometry: expected a topic of nav_msgs/Odometry, or the transforms from odom to base_link");
+
+  const std::string path = written("two_scanners.bag");
+  {
+    rosbag::Bag bag(path, rosbag::bagmode::Append);
+    bag.write("/rear", ros::Time(DriveBag::kStart), sensor_msgs::LaserScan());
+  }
+  EXPECT_EQ(refusalOf(path),
+            "has several topics of sensor_msgs/LaserScan, expected one of /rear, /scan for --scan-topic");
+  BagDriveOptions options;
+  options.scan_topic = "scan";
+  EXPECT_EQ(recorded(path, options).result.scans, 320);
+  options.scan_topic = "/odom";
+  EXPECT_EQ(refusalOf(path, options).find("has no topic /odom of sensor_msgs/LaserScan, but /move_base/cancel"), 0u);
+  options = {};
+  options.scan_topic = "scan";
+  options.goal_topics = {"way/goal"};
+  EXPECT_EQ(refusalOf(path, options)
+                .find("has no topic /way/goal of geometry_msgs/PoseStamped or move_base_msgs/MoveBaseActionGoal, but"),
+            0u);
+}
+
+std::string bytesOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void writeBytes(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+
+TEST(RecordedBagTest, FilesThatAreNoBagsAreRefusedInASentence) {
+  EXPECT_EQ(refusalOf(pathOf("none.bag")).find("cannot be read: "), 0u);
+  EXPECT_EQ(refusalOf(testing::TempDir()).find("cannot be read: "), 0u) << refusalOf(testing::TempDir());
+  writeBytes(pathOf("text.bag"), "this is no bag\n");
+  EXPECT_EQ(refusalOf(pathOf("text.bag")).find("cannot be read: "), 0u);
+  writeBytes(pathOf("empty.bag"), "");
+  EXPECT_EQ(refusalOf(pathOf("empty.bag")).find("cannot be read: "), 0u);
+  { rosbag::Bag bag(pathOf("nothing.bag"), rosbag::bagmode::Write); }
+  EXPECT_EQ(refusalOf(pathOf("nothing.bag")), "has no scans: expected a topic of sensor_msgs/LaserScan among none");
+}
+
+TEST(RecordedBagTest, BagsThatWereCutOffAreRefusedInASentence) {
+  const std::string bytes = bytesOf(written("whole.bag"));
+  Random random(3);
+  for (int i = 0; i < 40; ++i) {
+    writeBytes(pathOf("cut_off.bag"), bytes.substr(0, uniformIndex(random, bytes.size())));
+    const std::string refusal = refusalOf(pathOf("cut_off.bag"));
+    EXPECT_TRUE(refusal.find("cannot be read: ") == 0 || refusal.find("has no index") == 0) << refusal;
+  }
+}
+
+TEST(RecordedBagTest, BagsWhoseRecordingWasCutOffHaveNoIndex) {
+  rosbag::Bag bag(pathOf("unfinished.bag"), rosbag::bagmode::Write);
+  bag.setChunkThreshold(1000);
+  for (int i = 0; i < 100; ++i) bag.write("/odom", ros::Time(1.0 + i), nav_msgs::Odometry());
+  writeBytes(pathOf("unindexed.bag"), bytesOf(pathOf("unfinished.bag")));
+  EXPECT_EQ(refusalOf(pathOf("unindexed.bag")),
+            "has no index, as when recording was cut off: rosbag reindex makes one");
+}
+
+struct RealBag {
+  const char* file;
+  const char* odometry;  ///< topic
+  long scans;            ///< as rosbag info counts them
+  double max_speed;      ///< m/s
+  bool mount_known;
+  long least_steps;  ///< of two a second where it moves; less where sensors are silent
+};
+
+void PrintTo(const RealBag& bag, std::ostream* out) { *out << bag.file; }
+
+class RealRecordedBagTest : public testing::TestWithParam<RealBag> {};
+
+TEST_P(RealRecordedBagTest, ConvertsWithHindsight) {
+  const RealBag& bag = GetParam();
+  const std::string path = realData(std::string("bags/") + bag.file);
+  if (!std::ifstream(path)) GTEST_SKIP() << "no " << path;
+  EXPECT_EQ(refusalOf(path).find("names no goals"), 0u);
+  BagDriveOptions options;
+  options.hindsight = true;
+  RecorderParameters parameters;
+  parameters.max_speed = bag.max_speed;
+  const Outcome outcome = recorded(path, options, parameters);
+  EXPECT_EQ(outcome.result.scans, bag.scans);
+  EXPECT_EQ(outcome.result.odometry_source, bag.odometry);
+  EXPECT_EQ(outcome.result.mount_known, bag.mount_known);
+  EXPECT_GE(outcome.steps(), bag.least_steps);
+  expectPosesOf(outcome.recording, BagOdometry(path, bag.odometry));
+
+  // A look every half second, or a reason: messages that come late and scans without odometry do not wait for a look.
+  long looks = outcome.steps();
+  for (const Rejection rejection : {Rejection::kNoGoal, Rejection::kStanding, Rejection::kUnusableScan,
+                                    Rejection::kNoAllowedAngle, Rejection::kNoNextStep}) {
+    looks += outcome.rejected(rejection);
+  }
+  EXPECT_LE(static_cast<double>(looks), outcome.result.duration / parameters.period + 2.0);
+}
+
+std::string nameOf(const testing::TestParamInfo<RealBag>& info) {
+  const std::string file = info.param.file;
+  return file.substr(0, file.find('.'));
+}
+
+INSTANTIATE_TEST_SUITE_P(Bags, RealRecordedBagTest,
+                         testing::Values(RealBag{"racecar_ust10lx_loc1.bag", "/vesc/odom", 281, 5.0, false, 7},
+                                         RealBag{"racecar_ust10lx_loc2.bag", "/vesc/odom", 348, 5.0, false, 8},
+                                         RealBag{"racecar_ust10lx_loc3.bag", "/vesc/odom", 218, 5.0, false, 5},
+                                         RealBag{"rplidar_odom_hrp.bag", "/odom", 102, 1.0, false, 14},
+                                         RealBag{"urg04lx_odom_2018dec13_before.bag", "/odom", 857, 1.0, true, 100},
+                                         RealBag{"urg04lx_odom_2018feb13_col.bag", "/odom", 920, 1.0, true, 120},
+                                         RealBag{"urg04lx_odom_2018may9_before1.bag", "/odom", 770, 1.0, true, 120},
+                                         RealBag{"urg04lx_odom_2019jan17_expt04.bag", "/odom", 962, 1.0, true, 100}),
+                         nameOf);
+
+}  // namespace
+}  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
