@@ -13,6 +13,11 @@ BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node)
   reader.read("bag", &parameters.bag);
   reader.read("scan_topic", &parameters.drive.scan_topic);
   reader.read("odometry_topic", &parameters.drive.odometry_topic);
+  std::string goal_topic;
+  reader.read("goal_topic", &goal_topic);
+  if (!goal_topic.empty()) {
+    parameters.drive.goal_topics = {goal_topic};
+  }
   reader.read("odometry_frame", &parameters.drive.odometry_frame);
   reader.read("base_frame", &parameters.drive.base_frame);
   reader.read("hindsight", &parameters.drive.hindsight);

@@ -107,6 +107,20 @@ class LaunchFiles(unittest.TestCase):
                       "tf:=false")
         self.assertEqual({node.type for node in config.nodes}, {"dataset_recorder"})
 
+    def test_a_replay_hands_its_arguments_on_and_decides_as_the_planner(self):
+        config = load("replay.launch", "bag:=/drive.bag", "rviz:=true", "rate:=0", "model:=/m.onnx",
+                      "mount:=[0.1, 0.0, 0.5]", "hindsight:=true", "goal_topic:=/goal")
+        self.check(config)
+        self.assertEqual(self.parameter(config, "/bag_replay/bag"), "/drive.bag")
+        self.assertEqual(self.parameter(config, "/bag_replay/rate"), 0)
+        self.assertEqual(self.parameter(config, "/bag_replay/LstmGlobalPlanner/model"), "/m.onnx")
+        self.assertEqual(self.parameter(config, "/bag_replay/mount"), [0.1, 0.0, 0.5])
+        self.assertEqual(self.parameter(config, "/bag_replay/goal_topic"), "/goal")
+        self.assertTrue(self.parameter(config, "/bag_replay/hindsight"))
+        self.assertTrue(self.parameter(config, "/bag_replay/stay"))
+        self.assertEqual(self.parameter(config, "/bag_replay/LstmGlobalPlanner/step/length"), 0.4)
+        self.assertTrue(self.parameter(config, "/use_sim_time"))
+
 
 if __name__ == "__main__":
     rostest.rosrun("lstm_planner", "launch_files", LaunchFiles)

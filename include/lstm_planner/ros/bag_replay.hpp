@@ -18,13 +18,14 @@ namespace lstm_planner {
 
 /// What `bag_replay` reads from its private namespace; launch/replay.launch has an argument for each.
 struct BagReplayParameters {
-  std::string bag;                  ///< ~bag: path of a recording with scan and odometry or tf
-  BagDriveOptions drive;            ///< ~scan_topic, ~odometry_topic, ~odometry_frame, ~base_frame, ~mount, ~hindsight
+  std::string bag;  ///< ~bag: path of a recording with scan and odometry or tf
+  /// ~scan_topic, ~odometry_topic, ~goal_topic, ~odometry_frame, ~base_frame, ~mount, ~hindsight
+  BagDriveOptions drive;
   GlobalPlannerParameters planner;  ///< ~LstmGlobalPlanner/...: as in move_base
   double rate = 1.0;                ///< ~rate: s of the recording in a second; 0 = as fast as possible
   double patience = 10.0;           ///< ~patience: s (the computer's) to wait at the start until somebody listens
-  bool stay = false;      ///< ~stay: whether to wait for Ctrl-C at the end, so that the last markers can be seen
-  std::string decisions;  ///< ~decisions: path of a CSV file for the decisions; none when empty
+  bool stay = false;                ///< ~stay: whether to wait for Ctrl-C at the end, so that the last can be seen
+  std::string decisions;            ///< ~decisions: path of a CSV file for the decisions; none when empty
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
