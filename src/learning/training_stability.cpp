@@ -56,7 +56,7 @@ std::string gnuplotScript(const std::string& csv_path, const std::string& png_pa
   std::ostringstream script;
   script << "set terminal pngcairo size 1000,900; set output " << quotedForGnuplot(png_path)
          << "; set datafile separator ','; set grid; set xlabel 'epoch'; set ylabel 'accuracy [%]'; set xrange [0:"
-         << epochs.back().epoch + 1 << "]; set key below; set multiplot layout 2,1; "
+         << epochs.back().epoch + 1 << "]; set key tmargin center; set multiplot layout 2,1; "
          << "set title 'training set'; plot " << file
          << "2*100) with lines lc rgb '#e69f00' title 'mean over batches while the weights move (Eq. 4.5)', " << file
          << "3*100) with lines lc rgb '#0072b2' title 'weights at the end of the epoch', " << file
