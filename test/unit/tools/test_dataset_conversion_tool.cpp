@@ -1,0 +1,99 @@
+// The commands `lstm_planner dataset from-bag` and `from-log` as a user runs them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "lstm_planner/dataset/dataset.hpp"
+#include "real_data.hpp"
+#include "tool_test.hpp"
+
+namespace lstm_planner {
+namespace {
+
+class DatasetConversionTool : public test::ToolTest {
+ protected:
+  static test::Outcome convert(const std::string& arguments) { return runTool("dataset " + arguments); }
+
+  /// A robot that drives 5 m straight ahead at 0.5 m/s, with a scan every half metre.
+  std::string log(const std::string& name) const {
+    std::ofstream file(in(name));
+    for (int i = 0; i <= 10; ++i) {
+      file << "FLASER 180";
+      for (int beam = 0; beam < 180; ++beam) file << " 3.5";
+      const std::string pose = " " + std::to_string(0.5 * i) + " 0 0";
+      file << pose << pose << " " << 100 + i << " host " << 100 + i << "\n";
+    }
+    return in(name);
+  }
+};
+
+TEST_F(DatasetConversionTool, LogsBecomeRecordingsOfOneDataset) {
+  const std::string first = log("first.log");
+  const std::string second = log("second.log");
+  const test::Outcome outcome =
+      convert("from-log " + first + " " + second + " --mount \"0.1 0 0\" --no-scans --output " + in("out.sqlite"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("11 scans FLASER"), std::string::npos) << outcome.output;
+  const Dataset dataset = readDataset(in("out.sqlite"), true);
+  ASSERT_EQ(dataset.recordings.size(), 2u);
+  EXPECT_EQ(dataset.recordings[0].description.source, first);
+  EXPECT_EQ(dataset.recordings[1].description.source, second);
+  for (const Recording& recording : dataset.recordings) {
+    EXPECT_TRUE(recording.finished);
+    EXPECT_FALSE(recording.description.parameters.keep_scans);
+    ASSERT_EQ(recording.episodes.size(), 1u);
+    // Steps begin at 0, 0.5 ... 4.5 m; the last, at the goal, is labelled by none.
+    ASSERT_EQ(recording.episodes[0].steps.size(), 9u);
+    EXPECT_TRUE(recording.episodes[0].steps[0].ranges.empty());
+    EXPECT_EQ(recording.episodes[0].steps[0].geometry.mount.pose.x, 0.1);
+  }
+}
+
+TEST_F(DatasetConversionTool, WhatCannotBeConvertedIsRefusedAndNothingIsWritten) {
+  std::ofstream(in("text.txt")) << "no log\n";
+  std::ofstream(in("there.sqlite")) << "something\n";
+  struct Case {
+    std::string arguments;
+    std::string sentence;
+  };
+  for (const Case& bad :
+       {Case{"from-log " + in("text.txt"), "holds no scans"},
+        {"from-log " + in("none.log"), "cannot be read"},
+        {"from-bag " + in("text.txt"), "cannot be read"},
+        {"from-bag " + in("none.bag") + " --hindsight", "none.bag"},
+        {"from-bag", "'--bag' is required"},
+        {"from-log " + log("a.log") + " --mount 1", "option --mount is '1', expected \"x y yaw\""},
+        {"from-log " + log("a.log") + " --period 0", "parameter period is 0, expected a positive number"},
+        {"from-log " + log("a.log") + " --shortest 0.2", "more than the goal tolerance"},
+        {"from-log " + log("a.log") + " " + in("text.txt"), "holds no scans"}}) {
+    const test::Outcome outcome = convert(bad.arguments + " --output " + in("out.sqlite"));
+    EXPECT_EQ(outcome.status, 2) << bad.arguments;
+    EXPECT_NE(outcome.output.find(bad.sentence), std::string::npos) << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(in("out.sqlite"))) << bad.arguments;
+  }
+  const test::Outcome outcome = convert("from-log " + log("a.log") + " --output " + in("there.sqlite"));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.output.find("already"), std::string::npos) << outcome.output;
+}
+
+TEST_F(DatasetConversionTool, BagsWithoutGoalsNameHindsight) {
+  const std::string bag = realData("bags/racecar_ust10lx_loc1.bag");
+  if (!std::ifstream(bag)) GTEST_SKIP() << "no " << bag;
+  const std::string arguments = "from-bag " + bag + " --max-speed 5 --output " + in("out.sqlite");
+  const test::Outcome refused = convert(arguments);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.output.find("--hindsight"), std::string::npos) << refused.output;
+  const test::Outcome outcome = convert(arguments + " --hindsight");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("where the scanner sits is not in the bag"), std::string::npos) << outcome.output;
+  const Dataset dataset = readDataset(in("out.sqlite"));
+  EXPECT_GE(stepCount(dataset), 7);  // two looks a second of 7 s, less standing and the last 0.3 m
+  EXPECT_EQ(dataset.recordings.at(0).description.begun, "2022-03-29T23:23:29Z");
+}
+
+}  // namespace
+}  // namespace lstm_planner
