@@ -1,8 +1,11 @@
 #include "lstm_planner/learning/dataset_training.hpp"
 
 #include <iterator>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "lstm_planner/learning/drive_symmetry.hpp"
 #include "lstm_planner/parameter_check.hpp"
@@ -13,6 +16,34 @@ namespace {
 void requireSteps(const std::vector<Sequence>& sequences, const char* name) {
   if (!sequences.empty()) return;
   throw std::invalid_argument(std::string("the ") + name + " set has no steps, expected at least one episode with some");
+}
+
+/// What tells a drive from all others.
+auto beginningOf(const RecordedEpisode& episode) {
+  const DriveStep& first = episode.steps.front();
+  return std::make_tuple(first.stamp, first.pose.x, first.pose.y, first.pose.yaw, first.observation.sector_ranges);
+}
+
+template <typename Function>
+void forEachDrive(const Dataset& dataset, const Function& function) {
+  for (const Recording& recording : dataset.recordings) {
+    for (const RecordedEpisode& episode : recording.episodes) {
+      if (!episode.steps.empty()) function(episode);
+    }
+  }
+}
+
+void requireDifferentDrives(const DatasetSplit& parts) {
+  std::set<decltype(beginningOf(RecordedEpisode()))> learned;
+  forEachDrive(parts.training, [&](const RecordedEpisode& episode) { learned.insert(beginningOf(episode)); });
+  forEachDrive(parts.validation, [&](const RecordedEpisode& episode) {
+    if (learned.count(beginningOf(episode)) == 0) return;
+    std::ostringstream message;
+    message.precision(12);
+    message << "the drive that begins at " << episode.steps.front().stamp
+            << " s is in the training set and in the validation set, expected other drives to judge what was learned";
+    throw std::invalid_argument(message.str());
+  });
 }
 
 }  // namespace
@@ -68,6 +99,7 @@ void validate(const DatasetTrainingParameters& parameters) {
 
 DatasetTrainingSets makeTrainingSets(const DatasetSplit& parts, const DatasetTrainingParameters& parameters) {
   validate(parameters);
+  requireDifferentDrives(parts);
   DatasetTrainingSets sets;
   const int classes = parameters.sequences.policy.actions.size();
   sets.training = datasetSequences(parts.training, parameters.sequences);

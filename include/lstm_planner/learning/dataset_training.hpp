@@ -45,7 +45,8 @@ struct DatasetTrainingSets {
   std::vector<double> label_weights;  ///< of the training set
 };
 
-/// Throws std::invalid_argument as validate() and datasetSequences(), and when a set has no steps.
+/// Throws std::invalid_argument as validate() and datasetSequences(), when a set has no steps, and when a drive is
+/// in both.
 DatasetTrainingSets makeTrainingSets(const DatasetSplit& parts, const DatasetTrainingParameters& parameters);
 
 }  // namespace lstm_planner

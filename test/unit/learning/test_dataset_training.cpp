@@ -75,6 +75,16 @@ TEST(DatasetTraining, BothPresetsLearnToDriveTowardsTheGoal) {
   }
 }
 
+TEST(DatasetTraining, ADriveCannotJudgeWhatWasLearnedFromIt) {
+  const Dataset dataset = drivesAllAround(4, 5, 1);
+  DatasetTrainingParameters parameters = stableDatasetTraining();
+  parameters.sequences.policy = policyOf(dataset);
+  Dataset validation = drivesAllAround(3, 5, 2);
+  EXPECT_NO_THROW(makeTrainingSets({dataset, validation}, parameters));
+  validation.recordings[0].episodes.push_back(dataset.recordings[0].episodes[2]);
+  EXPECT_THROW(makeTrainingSets({dataset, validation}, parameters), std::invalid_argument);
+}
+
 TEST(DatasetTraining, EmptySetsAndBadParametersAreRefused) {
   const Dataset dataset = drivesAllAround(4, 5, 1);
   DatasetTrainingParameters parameters = stableDatasetTraining();

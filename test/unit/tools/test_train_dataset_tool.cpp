@@ -80,7 +80,7 @@ TEST_F(TrainDatasetTool, FineTuningKeepsInputsAndShapeAndSaysWhatTheModelCouldBe
 TEST_F(TrainDatasetTool, ThesisPresetMeasuresTheInstability) {
   if (std::system("command -v gnuplot > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
   const test::Outcome outcome = train(
-      "--preset thesis --epochs 4 --dataset drives.dataset --validation-dataset drives.dataset --output model.onnx "
+      "--preset thesis --epochs 4 --dataset drives.dataset --output model.onnx "
       "--instability instability.png --curve curve.png --confusion confusion.png --threads 1");
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_NE(outcome.output.find("the accuracy of an epoch (Eq. 4.5) and that of the weights at its end"),
@@ -103,6 +103,8 @@ TEST_F(TrainDatasetTool, BadOptionsAreRefusedWithASentenceBeforeAnythingIsWritte
   expectRefusal("--dataset drives.dataset --output model.onnx --averaging 0 --instability i.png", "--averaging is 0");
   expectRefusal("--dataset drives.dataset --output model.onnx --validation-dataset drives.dataset --validation-share 0.5",
                 "exclude each other");
+  expectRefusal("--dataset drives.dataset --output model.onnx --validation-dataset drives.dataset",
+                "in the training set and in the validation set");
   expectRefusal("--dataset drives.dataset --output no_such_folder/model.onnx", "cannot write 'no_such_folder");
   std::ofstream(in("text.dataset")) << "not a database";
   expectRefusal("--dataset text.dataset --output model.onnx", "text.dataset");
