@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iostream>
 #include <sstream>
 
 #include "dataset_recorder_implementation.hpp"
@@ -59,6 +60,8 @@ std::string DatasetRecorder::Implementation::finish() {
       sentence << "no odometry was heard on " << subscribers_.at(1).getTopic() << ", so there is no file";
     }
     ROS_INFO("finished: %s", sentence.str().c_str());
+    // ROS's log is silent once it is shut down, as by rosnode kill.
+    if (!ros::ok()) std::cout << "finished: " << sentence.str() << std::endl;
   } catch (const std::exception& error) {
     exit_code_ = 1;
     sentence << error.what();
