@@ -33,17 +33,18 @@ required_packages() {
   printf '%s\n' cmake g++ make gnuplot-nox libboost-dev libboost-program-options-dev libeigen3-dev libgmock-dev \
     libgtest-dev libopencv-dev libpoco-dev libprotobuf-dev libyaml-cpp-dev nlohmann-json3-dev protobuf-compiler python3
   if [ "$1" = noetic ]; then
-    printf 'ros-noetic-%s\n' actionlib catkin costmap-2d diagnostic-msgs geometry-msgs move-base move-base-msgs \
-      nav-core nav-msgs pluginlib rosbag rosbash roscpp rosgraph-msgs roslaunch roslib rostest sensor-msgs std-msgs \
-      std-srvs tf2 tf2-geometry-msgs tf2-msgs tf2-ros visualization-msgs
+    printf 'ros-noetic-%s\n' actionlib actionlib-msgs catkin costmap-2d diagnostic-msgs geometry-msgs move-base \
+      move-base-msgs nav-core nav-msgs pluginlib rosbag rosbash roscpp rosgraph-msgs roslaunch roslib rosparam \
+      rosservice rostest sensor-msgs std-msgs std-srvs tf2 tf2-geometry-msgs tf2-msgs tf2-ros visualization-msgs
   else
-    printf '%s\n' catkin libactionlib-dev libdiagnostic-msgs-dev libgeometry-msgs-dev libmove-base-msgs-dev \
-      libnav-msgs-dev libros-rosgraph-msgs-dev librosbag-dev libroscpp-dev librostest-dev libsensor-msgs-dev \
-      libstd-msgs-dev libstd-srvs-dev libtf2-dev libtf2-geometry-msgs-dev libtf2-msgs-dev libtf2-ros-dev \
-      libvisualization-msgs-dev pluginlib-dev python3-actionlib python3-catkin python3-diagnostic-msgs \
-      python3-geometry-msgs python3-move-base-msgs python3-nav-msgs python3-rosbag python3-roslaunch python3-roslib \
-      python3-rospy python3-rostest python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs \
-      python3-tf2-ros python3-visualization-msgs ros-environment rosbash rosout rospack-tools
+    printf '%s\n' catkin libactionlib-dev libactionlib-msgs-dev libdiagnostic-msgs-dev libgeometry-msgs-dev \
+      libmove-base-msgs-dev libnav-msgs-dev libros-rosgraph-msgs-dev librosbag-dev libroscpp-dev librostest-dev \
+      libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev libtf2-dev libtf2-geometry-msgs-dev libtf2-msgs-dev \
+      libtf2-ros-dev libvisualization-msgs-dev pluginlib-dev python3-actionlib python3-catkin \
+      python3-diagnostic-msgs python3-geometry-msgs python3-move-base-msgs python3-nav-msgs python3-rosbag \
+      python3-roslaunch python3-roslib python3-rosparam python3-rosservice python3-rospy python3-rostest \
+      python3-rostopic python3-sensor-msgs python3-std-msgs python3-std-srvs python3-tf2-ros \
+      python3-visualization-msgs ros-environment rosbash rosout rospack-tools
   fi
 }
 
