@@ -12,8 +12,10 @@ namespace {
 constexpr double kLookPeriod = 0.1;     // s between two looks while nothing changes
 constexpr double kNearestWay = 0.4;     // m from a place too near to a wall to where a way begins
 constexpr double kForesight = 0.7;      // s of driving on that must not lead into anything
+constexpr double kInertia = 0.08;       // s that he knows his robot to take to do what the keys say
 constexpr double kForesightStep = 0.1;  // s
 constexpr double kMargin = 0.04;        // m between footprint and walls that is driven with where there is room
+constexpr double kAimedMargin = 0.02;   // m; by who is aimed well
 constexpr double kTightMargin = 0.005;  // m; and where there is not
 constexpr double kAimed = 0.1;          // rad; nearer to the direction of the way than this is aimed at it
 constexpr double kSteered = 0.2;        // rad away from it before a turn key is pressed while driving
@@ -144,7 +146,8 @@ bool ScriptedDriver::isSafe(const Pose2& pose, const Keys& keys) const {
     return world_.touches(center, parameters_.footprint_radius + margin) ||
            world_.grid().at(world_.grid().cellAt(center)) != Cell::kFree;
   };
-  const double margin = touches(pose, kMargin) ? kTightMargin : kMargin;
+  const double usual = is_aimed_ ? kAimedMargin : kMargin;
+  const double margin = touches(pose, usual) ? kTightMargin : usual;
   for (double seconds = kForesightStep; seconds < kForesight; seconds += kForesightStep) {
     if (touches(driveOn(pose, twistOf(keys), seconds), margin)) return false;
   }
@@ -166,11 +169,14 @@ bool ScriptedDriver::pauses(double time) {
 
 ScriptedDriver::Keys ScriptedDriver::steer(const Pose2& pose, double error) {
   const int side = error > 0.0 ? 1 : -1;
+  is_aimed_ = false;
   turning_ = std::abs(error) > (turning_ ? kAimed : parameters_.sharp_turn);
   if (turning_) return {false, side};
   const bool steers = parameters_.drives_arcs && std::abs(error) > (keys_.turn == side ? kAimed : kSteered);
   const Keys steering{true, side};
   if (steers && isSafe(pose, steering)) return steering;
+  // In a narrow passage he drives on when he is aimed well, or he would turn to and fro for ever.
+  is_aimed_ = std::abs(error) < kAimed;
   const Keys straight{true, 0};
   if (isSafe(pose, straight)) return straight;
   // Aimed too badly to drive on.
@@ -194,7 +200,7 @@ void ScriptedDriver::look(const Pose2& pose, double time) {
   next_look_ = time + kLookPeriod;
   const double reaction = uniform(random_, parameters_.shortest_reaction, parameters_.longest_reaction);
   const bool pause = pauses(time);
-  const Keys keys = decide(driveOn(pose, twistOf(keys_), reaction));
+  const Keys keys = decide(driveOn(pose, twistOf(keys_), reaction + kInertia));
   if (state_ != State::kDriving) return;
   decided_ = pause ? Keys{} : keys;
   if (*decided_ == keys_) {

@@ -97,6 +97,7 @@ class ScriptedDriver {
   double pause_end_ = 0.0;       ///< s
   double aim_error_ = 0.0;       ///< rad
   bool turning_ = false;         ///< in place
+  bool is_aimed_ = false;        ///< at the way ahead, so that there is little room needed
 };
 
 }  // namespace lstm_planner
