@@ -112,8 +112,9 @@ class GoalFinder {
   }
 
   void add(std::size_t from, std::size_t to) {
-    goals_->push_back(GoalHeard{way_[from].stamp, {frame_, way_[to].pose}, "hindsight"});
-    goals_->push_back(GoalGivenUp{way_[to].stamp});
+    const GoalHeard goal{way_[from].stamp, {frame_, way_[to].pose}, "hindsight"};
+    goals_->emplace_back(goal);
+    goals_->emplace_back(GoalGivenUp{way_[to].stamp});
   }
 
   const std::vector<OdometryHeard>& way_;

@@ -107,7 +107,9 @@ void DriveMessages::hearGoal(const geometry_msgs::PoseStamped& goal, const std::
   geometry_msgs::Quaternion& q = message.pose.orientation;
   // Where only the place matters people leave out the heading.
   if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) q.w = 1.0;
-  GoalHeard heard{recentStampOr(goal.header.stamp, received), {}, source};
+  GoalHeard heard;
+  heard.stamp = recentStampOr(goal.header.stamp, received);
+  heard.source = source;
   try {
     heard.goal = goalFromMessage(message);
   } catch (const std::invalid_argument& error) {
@@ -119,7 +121,7 @@ void DriveMessages::hearGoal(const geometry_msgs::PoseStamped& goal, const std::
   last_goal_ = LastGoal{heard.goal, source, heard.stamp};
   if (forwarded) return;
   action_goal_ = {};
-  recorder_.add(std::move(heard));
+  recorder_.add(heard);
 }
 
 void DriveMessages::hearEnd(const ros::Time& stamp) {
