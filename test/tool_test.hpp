@@ -1,12 +1,11 @@
 #pragma once
 
-#include <gtest/gtest.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <string>
+
+#include "folder_test.hpp"
 
 namespace lstm_planner::test {
 
@@ -30,25 +29,11 @@ inline Outcome runShell(const std::string& command) {
 }
 
 /// Runs the command-line tool as a user does, with a folder for what it writes.
-class ToolTest : public ::testing::Test {
+class ToolTest : public FolderTest {
  protected:
   static constexpr const char* kTool = LSTM_PLANNER_TOOL;
 
-  void SetUp() override {
-    std::string pattern = ::testing::TempDir() + "tool_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override {
-    std::error_code unknown;
-    if (!folder_.empty()) std::filesystem::remove_all(folder_, unknown);
-  }
-
-  std::string in(const std::string& name) const { return folder_ + "/" + name; }
-
   static Outcome runTool(const std::string& arguments) { return runShell(std::string(kTool) + " " + arguments); }
-
-  std::string folder_;
 };
 
 }  // namespace lstm_planner::test

@@ -8,7 +8,7 @@
 #include "lstm_planner/dataset/dataset_export.hpp"
 #include "lstm_planner/dataset/dataset_summary.hpp"
 #include "tools/dataset_commands.hpp"
-#include "tools/dataset_options.hpp"
+#include "tools/options.hpp"
 #include "tools/dataset_report.hpp"
 #include "tools/output_file.hpp"
 
@@ -26,7 +26,7 @@ int datasetInfo(const std::vector<std::string>& arguments) {
       ("picture", po::value(&picture), "draw labels, ranges and driven ways into this PNG file");
   // clang-format on
   po::variables_map values;
-  if (!parseDatasetOptions("info", options, "file", arguments, &values)) return 0;
+  if (!parseOptions("dataset info", options, arguments, &values, "file")) return 0;
   const Dataset dataset = readDataset(file, true);
   printDatasetSummary(std::cout, summarise(dataset));
   if (!picture.empty()) drawDataset(picture, dataset);
@@ -43,7 +43,7 @@ int datasetCheck(const std::vector<std::string>& arguments) {
       ("most", po::value(&most)->default_value(most), "sentences to print");
   // clang-format on
   po::variables_map values;
-  if (!parseDatasetOptions("check", options, "file", arguments, &values)) return 0;
+  if (!parseOptions("dataset check", options, arguments, &values, "file")) return 0;
   const std::vector<std::string> sentences = checkDatasetFile(file);
   for (std::size_t i = 0; i < std::min(most, sentences.size()); ++i) std::cout << sentences[i] << "\n";
   if (sentences.size() > most) std::cout << "... and " << sentences.size() - most << " more\n";
@@ -61,7 +61,7 @@ int datasetMerge(const std::vector<std::string>& arguments) {
       ("output", po::value(&output)->required(), "the new dataset; there must be no such file");
   // clang-format on
   po::variables_map values;
-  if (!parseDatasetOptions("merge", options, "files", arguments, &values)) return 0;
+  if (!parseOptions("dataset merge", options, arguments, &values, "files")) return 0;
   const Dataset merged = mergeDatasets(files);
   writeDataset(output, merged);
   std::cout << files.size() << " datasets, " << merged.recordings.size() << " recordings, " << stepCount(merged)
@@ -95,7 +95,7 @@ int datasetSplit(const std::vector<std::string>& arguments) {
       ("validation", po::value(&validation)->required(), "new dataset of the episodes that are drawn");
   // clang-format on
   po::variables_map values;
-  if (!parseDatasetOptions("split", options, "file", arguments, &values)) return 0;
+  if (!parseOptions("dataset split", options, arguments, &values, "file")) return 0;
   const DatasetSplit split = splitDataset(readDataset(file, true), share, seed);
   writeDataset(training, split.training);
   try {
@@ -121,7 +121,7 @@ int datasetExport(const std::vector<std::string>& arguments) {
       ("scans", po::bool_switch(&with_scans), "whole scans, too");
   // clang-format on
   po::variables_map values;
-  if (!parseDatasetOptions("export", options, "file", arguments, &values)) return 0;
+  if (!parseOptions("dataset export", options, arguments, &values, "file")) return 0;
   const std::string extension = std::filesystem::path(output).extension().string();
   if (extension != ".csv" && extension != ".npz") {
     throw std::invalid_argument("--output is '" + output + "', expected a name that ends in .csv or .npz");

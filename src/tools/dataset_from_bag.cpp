@@ -3,7 +3,7 @@
 #include "lstm_planner/ros/bag_drive.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_conversion.hpp"
-#include "tools/dataset_options.hpp"
+#include "tools/options.hpp"
 #include "tools/recorder_options.hpp"
 
 namespace lstm_planner {
@@ -47,7 +47,7 @@ bool readOptions(const std::vector<std::string>& arguments, FromBagOptions* opti
   addRecorderOptions(&options->recorder, &recorder);
   bag.add(hindsight).add(recorder);
   po::variables_map values;
-  if (!parseDatasetOptions("from-bag", bag, "bag", arguments, &values)) return false;
+  if (!parseOptions("dataset from-bag", bag, arguments, &values, "bag")) return false;
   drive.mount = mountOption(options->mount);
   return true;
 }

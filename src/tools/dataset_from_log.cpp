@@ -3,7 +3,7 @@
 #include "lstm_planner/dataset/carmen_log.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_conversion.hpp"
-#include "tools/dataset_options.hpp"
+#include "tools/options.hpp"
 #include "tools/recorder_options.hpp"
 
 namespace lstm_planner {
@@ -37,7 +37,7 @@ bool readOptions(const std::vector<std::string>& arguments, FromLogOptions* opti
   addRecorderOptions(&options->recorder, &recorder);
   log.add(hindsight).add(recorder);
   po::variables_map values;
-  return parseDatasetOptions("from-log", log, "log", arguments, &values);
+  return parseOptions("dataset from-log", log, arguments, &values, "log");
 }
 
 void print(const CarmenLog& log) {

@@ -1,37 +1,20 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <string>
-#include <system_error>
 #include <vector>
 
+#include "folder_test.hpp"
 #include "lstm_planner/agent/action_set.hpp"
 #include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/simulation/random.hpp"
 
 namespace lstm_planner {
 
-/// A folder of its own for each test.
-class DatasetTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    std::string pattern = ::testing::TempDir() + "dataset_XXXXXX";
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override {
-    std::error_code unknown;
-    if (!folder_.empty()) std::filesystem::remove_all(folder_, unknown);
-  }
-  std::string in(const std::string& name) const { return folder_ + "/" + name; }
-
-  std::string folder_;
-};
+using DatasetTest = test::FolderTest;
 
 inline RecordingDescription exampleDescription(const std::string& source = "live") {
   RecordingDescription description;

@@ -9,24 +9,10 @@
 #include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/evaluation/recorded_drives.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
+#include "unit/dataset/step_list.hpp"
 
 namespace lstm_planner {
 namespace {
-
-/// Keeps what is recorded.
-class MemorySink : public StepSink {
- public:
-  void beginEpisode(const Episode& episode) override { episodes.push_back({episode, {}}); }
-  void addStep(const DriveStep& step) override { episodes.back().steps.push_back(step); }
-  void endEpisode(double stamp, EpisodeEnd end) override {
-    episodes.back().episode.ended = stamp;
-    episodes.back().episode.end = end;
-  }
-  void reject(Rejection rejection) override { ++rejections.at(static_cast<std::size_t>(rejection)); }
-
-  std::vector<RecordedEpisode> episodes;
-  RejectionCounts rejections{};
-};
 
 const GridWorld& building() {
   static const GridWorld world(readMapServerMap(LSTM_PLANNER_SOURCE_DIR "/config/demo_building.yaml"));
@@ -42,7 +28,7 @@ RecordedDrivesParameters quickParameters() {
   return parameters;
 }
 
-RecordedDrives record(const RecordedDrivesParameters& parameters, std::uint64_t seed, MemorySink* sink) {
+RecordedDrives record(const RecordedDrivesParameters& parameters, std::uint64_t seed, StepList* sink) {
   return recordDrives(building(), drawWayPoints(building(), 20, 0.35, 1.5, 1), parameters, seed, sink);
 }
 
@@ -84,7 +70,7 @@ TEST(WayPoints, AreRefusedWhereThereAreNone) {
 TEST(RecordedDrives, GiveAsManyStepsAsWantedWithoutAnyContact) {
   RecordedDrivesParameters parameters = quickParameters();
   parameters.steps = 300;
-  MemorySink sink;
+  StepList sink;
   const RecordedDrives drives = record(parameters, 1, &sink);
   EXPECT_EQ(drives.steps, 300);
   EXPECT_EQ(drives.contacts, 0);
@@ -106,7 +92,7 @@ TEST(RecordedDrives, EndAtTheirGoalsThoughOdometryErrs) {
   RecordedDrivesParameters parameters = quickParameters();
   parameters.steps = 0;
   parameters.goals = 6;
-  MemorySink sink;
+  StepList sink;
   const RecordedDrives drives = record(parameters, 2, &sink);
   EXPECT_EQ(drives.goals, 6);
   EXPECT_EQ(drives.reached, 6);
@@ -125,7 +111,7 @@ TEST(RecordedDrives, EndAtTheirGoalsThoughOdometryErrs) {
 TEST(RecordedDrives, TurnOftenEnoughToLearnTurning) {
   RecordedDrivesParameters parameters = quickParameters();
   parameters.steps = 600;
-  MemorySink sink;
+  StepList sink;
   record(parameters, 3, &sink);
   std::array<int, 5> labels{};
   for (const RecordedEpisode& episode : sink.episodes) {
@@ -144,7 +130,7 @@ TEST(RecordedDrives, AreTheSameForTheSameSeedOnly) {
   RecordedDrivesParameters parameters = quickParameters();
   parameters.steps = 60;
   const auto anglesOf = [&](std::uint64_t seed) {
-    MemorySink sink;
+    StepList sink;
     record(parameters, seed, &sink);
     std::vector<double> angles;
     for (const RecordedEpisode& episode : sink.episodes) {
@@ -165,14 +151,14 @@ TEST(RecordedDrives, TurnToTheNextGoalWhereThereIsNoWay) {
   parameters.goals = 8;
   std::vector<Point2> way_points = drawWayPoints(building(), 3, 0.35, 1.5, 1);
   way_points.push_back({0.0, 0.0});  // in the wall
-  MemorySink sink;
+  StepList sink;
   const RecordedDrives drives = recordDrives(building(), way_points, parameters, 1, &sink);
   EXPECT_GT(drives.no_way, 0);
   EXPECT_EQ(drives.reached + drives.no_way, 8);
 }
 
 TEST(RecordedDrives, RefuseWayPointsThatLeadNowhere) {
-  MemorySink sink;
+  StepList sink;
   EXPECT_THROW(recordDrives(building(), {{2.0, 2.0}}, quickParameters(), 1, &sink), std::invalid_argument);
   // It begins at the first, and all others are in walls.
   EXPECT_THROW(recordDrives(building(), {drawWayPoints(building(), 1, 0.35, 1.5, 1)[0], {0.0, 0.0}, {0.0, 1.0}},
@@ -183,7 +169,7 @@ TEST(RecordedDrives, RefuseWayPointsThatLeadNowhere) {
 TEST(RecordedDrives, NeedAnEnd) {
   RecordedDrivesParameters parameters = quickParameters();
   parameters.steps = 0;
-  MemorySink sink;
+  StepList sink;
   EXPECT_THROW(record(parameters, 1, &sink), std::invalid_argument);
 }
 
