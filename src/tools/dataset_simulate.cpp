@@ -3,7 +3,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 
 #include "lstm_planner/dataset/dataset_summary.hpp"
@@ -13,6 +12,7 @@
 #include "tools/dataset_report.hpp"
 #include "tools/drive_worlds.hpp"
 #include "tools/options.hpp"
+#include "tools/recorder_options.hpp"
 
 namespace lstm_planner {
 
@@ -29,7 +29,6 @@ struct SimulateOptions {
   std::string way_points = "20";
   std::uint64_t seed = 1;
   std::string output;
-  bool without_scans = false;
   RecordedDrivesParameters drives;
 };
 
@@ -37,32 +36,26 @@ bool readOptions(const std::vector<std::string>& arguments, SimulateOptions* opt
   RecordedDrivesParameters& drives = options->drives;
   drives.robot.base.odometry_error = 0.02;
   po::options_description all("somebody drives a simulated Create 2 between way-points: a dataset without a robot");
-  const auto number = [](double* value) {
-    std::ostringstream text;
-    text << *value;
-    return po::value(value)->default_value(*value, text.str());
-  };
   // clang-format off
   all.add_options()
       ("map", po::value(&options->maps)->multitoken()->required(),
        "map_server yaml files, each gets its share of the steps; FILE=0.19 replaces the free_thresh of one of them")
-      ("free-threshold", number(&options->free_threshold), "replaces the free_thresh of all maps")
+      ("free-threshold", numberOption(&options->free_threshold), "replaces the free_thresh of all maps")
       ("way-points", po::value(&options->way_points)->default_value(options->way_points),
        "how many are drawn in each map, or a yaml file with a list of [x, y] or {x: , y: } (m, map frame), e.g. the "
        "demo's goals")
       ("steps", po::value(&drives.steps)->default_value(drives.steps), "labelled steps to record")
       ("seed", po::value(&options->seed)->default_value(options->seed), "of way-points, goals, driver and noise")
-      ("drift", number(&drives.robot.base.odometry_error), "of the odometry, as a share of the way: 0.02 = 2 %")
-      ("speed", number(&drives.driver.speed), "m/s while the forward key is held")
-      ("turn-speed", number(&drives.driver.turn_speed), "rad/s while a turn key is held")
-      ("wander", number(&drives.driver.wander), "rad, how badly is aimed")
+      ("drift", numberOption(&drives.robot.base.odometry_error), "of the odometry, as a share of the way: 0.02 = 2 %")
+      ("speed", numberOption(&drives.driver.speed), "m/s while the forward key is held")
+      ("turn-speed", numberOption(&drives.driver.turn_speed), "rad/s while a turn key is held")
+      ("wander", numberOption(&drives.driver.wander), "rad, how badly is aimed")
       ("arcs", po::bool_switch(&drives.driver.drives_arcs), "turn keys are pressed while driving, too")
-      ("no-scans", po::bool_switch(&options->without_scans), "keep the sectors only")
       ("output", po::value(&options->output)->required(), "the new dataset; there must be no such file");
   // clang-format on
+  addRecorderOptions(&drives.recorder, &all);
   po::variables_map values;
   if (!parseOptions("dataset simulate", all, arguments, &values)) return false;
-  drives.recorder.keep_scans = !options->without_scans;
   if (drives.steps < static_cast<long>(options->maps.size())) {
     throw std::invalid_argument("--steps is " + std::to_string(drives.steps) + ", expected at least one for each of " +
                                 std::to_string(options->maps.size()) + " maps");
