@@ -124,7 +124,6 @@ class LogReader {
 };
 
 constexpr double kClockSet = 5.0;     // s
-constexpr double kPoseHolds = 1e-4;   // s
 constexpr double kLinesApart = 2e-4;  // s
 
 /// Gives lines that were stamped late the stamps in between their neighbours'. Returns how many.
@@ -179,7 +178,6 @@ class EventMaker {
     ScanHeard heard{line.stamp, std::move(line.scan), mountOf(line), kScanFrame};
     heard.scan.stamp = line.stamp;
     log_->events.emplace_back(std::move(heard));
-    log_->events.emplace_back(OdometryHeard{line.stamp + kPoseHolds, line.robot, twist_});
   }
 
  private:

@@ -36,8 +36,7 @@ struct CarmenLog {
 ///   shows when the next line has an earlier stamp. The order of the lines is right, the poses in it are smooth: such a
 ///   line gets the stamp in between its neighbours. A stamp more than 5 s earlier is a clock that was set.
 /// - Poses are those of the robot's odometry: ODOM x y theta, FLASER and ROBOTLASER1 odom_x odom_y odom_theta. In
-///   published logs a mapping program often has corrected them. A scan's own pose holds at its stamp, and until 0.1 ms
-///   later: thus it lies between two odometry messages, however far away the others are.
+///   published logs a mapping program often has corrected them. A scan's own pose is odometry at the scan's stamp.
 /// - Speeds are differences of poses, since correcting these leaves none that fit.
 /// - FLASER does not say its angles: 180 or 181 readings are 1 degree apart, 360 or 361 half a degree, 400 or 401 a
 ///   quarter, others 180 degrees altogether, ahead in the middle, as CARMEN itself guesses for SICK's scanners.

@@ -69,22 +69,20 @@ std::vector<Event> all(const CarmenLog& log) {
   return found;
 }
 
-TEST(CarmenLogTest, AScanHasTheRobotsPoseAtItsStampAndJustAfter) {
+TEST(CarmenLogTest, AScanHasTheRobotsPoseAtItsStamp) {
   const CarmenLog log = parsed("# comment\n" + odometry(10.0, 1.0) + frontLaser(10.5, "9 9 9", "1.2 0.1 -0.5"));
   EXPECT_EQ(log.scans, 1);
   EXPECT_EQ(log.odometry, 1);
   EXPECT_DOUBLE_EQ(log.duration, 0.5);
   EXPECT_EQ(log.scan_kind, "FLASER");
   const auto poses = all<OdometryHeard>(log);
-  ASSERT_EQ(poses.size(), 3u);
+  ASSERT_EQ(poses.size(), 2u);
   EXPECT_DOUBLE_EQ(poses[1].stamp, 10.5);
   EXPECT_DOUBLE_EQ(poses[1].pose.x, 1.2);
   EXPECT_DOUBLE_EQ(poses[1].pose.y, 0.1);
   EXPECT_DOUBLE_EQ(poses[1].pose.yaw, -0.5);
   EXPECT_NEAR(poses[1].twist.linear, 0.4, 1e-12);  // 0.2 m ahead in half a second
   EXPECT_NEAR(poses[1].twist.angular, -1.0, 1e-12);
-  EXPECT_NEAR(poses[2].stamp, 10.5001, 1e-9);
-  EXPECT_DOUBLE_EQ(poses[2].pose.x, 1.2);
   const auto scans = all<ScanHeard>(log);
   ASSERT_EQ(scans.size(), 1u);
   EXPECT_DOUBLE_EQ(scans[0].stamp, 10.5);
@@ -173,7 +171,7 @@ TEST(CarmenLogTest, StampsAscendUnlessTheClockWasSet) {
                                frontLaser(300.0, "0.3 0 0", "0.3 0 0") + odometry(101.0, 0.4) + odometry(100.5, 0.5) +
                                frontLaser(103.0, "0.6 0 0", "0.6 0 0"));
   const auto poses = all<OdometryHeard>(log);
-  ASSERT_EQ(poses.size(), 9u);
+  ASSERT_EQ(poses.size(), 7u);
   int descents = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     EXPECT_NE(poses[i].stamp, poses[i - 1].stamp);
@@ -279,8 +277,8 @@ std::string corridorLog() {
 TEST(CarmenLogTest, RecordedLogsDriveToWhereTheRobotStopped) {
   StepList list;
   recordCarmenLog(parsed(corridorLog()), {}, {}, &list);
-  ASSERT_EQ(list.episodes.size(), 1u);
-  const RecordedEpisode& drive = list.episodes[0];
+  ASSERT_EQ(list.episodes().size(), 1u);
+  const RecordedEpisode& drive = list.episodes()[0];
   EXPECT_EQ(drive.episode.end, EpisodeEnd::kArrived);
   EXPECT_NEAR(drive.episode.goal.pose.x, 6.0, 1e-9);
   // A scan every 0.25 m up to 0.3 m before the goal: those at 0, 0.25, ... 5.5 m begin steps. The last has no next.
@@ -318,7 +316,7 @@ TEST_P(RealCarmenLogTest, EveryScanIsAccountedForAndStepsBeginAtTheirPoses) {
   long steps = 0;
   std::map<double, Pose2> poses;
   for (const OdometryHeard& heard : all<OdometryHeard>(log)) poses[heard.stamp] = heard.pose;
-  for (const RecordedEpisode& drive : list.episodes) {
+  for (const RecordedEpisode& drive : list.episodes()) {
     EXPECT_EQ(drive.episode.end, EpisodeEnd::kArrived) << "a place that the robot came to";
     steps += static_cast<long>(drive.steps.size());
     for (const DriveStep& step : drive.steps) {
@@ -326,7 +324,7 @@ TEST_P(RealCarmenLogTest, EveryScanIsAccountedForAndStepsBeginAtTheirPoses) {
       ASSERT_NEAR(normalizeAngle(step.pose.yaw - poses.at(step.stamp).yaw), 0.0, 1e-9);
     }
   }
-  EXPECT_EQ(steps + std::accumulate(list.rejections.begin(), list.rejections.end(), 0L), log.scans)
+  EXPECT_EQ(steps + std::accumulate(list.rejections().begin(), list.rejections().end(), 0L), log.scans)
       << "the odometry at a scan's stamp is worked on before it: it never arrives by a scan";
   EXPECT_EQ(list.rejected(Rejection::kNoOdometry), 0) << "each scan carries its pose";
   EXPECT_EQ(list.rejected(Rejection::kLate), 0) << "the stamps ascend";
