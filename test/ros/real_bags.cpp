@@ -41,10 +41,10 @@ class Counter {
   ros::Subscriber subscriber_;
 };
 
-class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Recording> {
+class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<RecordedBag> {
  protected:
   void SetUp() override {
-    const Recording& recording = GetParam();
+    const RecordedBag& recording = GetParam();
     const std::string path = recording.is_shipped ? shippedBag(recording.file) : realData("bags/" + recording.file);
     if (!recording.is_shipped && !std::ifstream(path)) {
       GTEST_SKIP() << "no recording " << path;
@@ -217,21 +217,21 @@ INSTANTIATE_TEST_SUITE_P(
     Bags, RealBagTest,
     testing::Values(
         // 1081 beams at 40 Hz, no return is 65.53, some readings are below range_min; it drives at up to 3 m/s.
-        Recording{"racecar_ust10lx_loc2.bag", "odom", "laser", 5.0, false},
+        RecordedBag{"racecar_ust10lx_loc2.bag", "odom", "laser", 5.0, false},
         // 726 beams at 10 Hz that see 5.6 m, one in eight NaN; localised in a map. Seven seconds of silence, after
         // which all that was sent meanwhile comes at once.
-        Recording{"urg04lx_odom_2018feb13_col.bag", "map", "", 1.0, true},
+        RecordedBag{"urg04lx_odom_2018feb13_col.bag", "map", "", 1.0, true},
         // Recorded by a computer whose clock is eight days ahead of the robot's.
-        Recording{"urg04lx_odom_2018dec13_before.bag", "map", "", 1.0, true},
+        RecordedBag{"urg04lx_odom_2018dec13_before.bag", "map", "", 1.0, true},
         // Scan and odometry are silent in turn, for up to 17 s, or late. Not localised.
-        Recording{"urg04lx_odom_2019jan17_expt04.bag", "odom", "", 1.0, true}),
+        RecordedBag{"urg04lx_odom_2019jan17_expt04.bag", "odom", "", 1.0, true}),
     nameOf);
 
 // test/bags/README.md tells what is in them.
 INSTANTIATE_TEST_SUITE_P(ShippedBags, RealBagTest,
-                         testing::Values(Recording{"doors.bag", "odom", "", 1.0, false, true},
-                                         Recording{"dead_end.bag", "odom", "", 1.0, false, true},
-                                         Recording{"bad_floor.bag", "odom", "", 1.0, false, true}),
+                         testing::Values(RecordedBag{"doors.bag", "odom", "", 1.0, false, true},
+                                         RecordedBag{"dead_end.bag", "odom", "", 1.0, false, true},
+                                         RecordedBag{"bad_floor.bag", "odom", "", 1.0, false, true}),
                          nameOf);
 
 }  // namespace

@@ -17,7 +17,7 @@
 namespace lstm_planner {
 
 /// A recording, and what it does not say itself.
-struct Recording {
+struct RecordedBag {
   std::string file;
   std::string global_frame;  ///< of the costmap; where it is not the odometry's, the recording has the transform
   std::string scan_frame;    ///< the scanner's, where the recording does not say where it sits; else empty
@@ -26,9 +26,9 @@ struct Recording {
   bool is_shipped = false;   ///< comes with the package
 };
 
-inline void PrintTo(const Recording& recording, std::ostream* out) { *out << recording.file; }
+inline void PrintTo(const RecordedBag& recording, std::ostream* out) { *out << recording.file; }
 
-inline std::string nameOf(const testing::TestParamInfo<Recording>& info) {
+inline std::string nameOf(const testing::TestParamInfo<RecordedBag>& info) {
   return info.param.file.substr(0, info.param.file.find('.'));
 }
 
