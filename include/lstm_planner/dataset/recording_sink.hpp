@@ -18,6 +18,7 @@ class RecordingSink : public StepSink {
   void reject(Rejection rejection) override { ++recording_.rejections[static_cast<std::size_t>(rejection)]; }
 
   Recording& recording() { return recording_; }
+  const Recording& recording() const { return recording_; }
 
  private:
   Recording recording_;

@@ -87,8 +87,8 @@ TEST_F(DriveRecorderTest, MakesAStepEveryPeriodOfADrive) {
   robot.drive(5.0, {0.3, 0.0});
   record(robot.events);
 
-  ASSERT_EQ(steps_.episodes.size(), 1u);
-  const auto& steps = steps_.episodes[0].steps;
+  ASSERT_EQ(steps_.episodes().size(), 1u);
+  const auto& steps = steps_.episodes()[0].steps;
   // Looks at 100.0, 100.5 ... 105.0; the last one labels the one before and has no next step itself.
   ASSERT_EQ(steps.size(), 10u);
   EXPECT_EQ(steps_.rejected(Rejection::kNoNextStep), 1);
@@ -111,9 +111,9 @@ TEST_F(DriveRecorderTest, TakesThePoseAtTheScansStampFromTheOdometryAroundIt) {
   robot.events.push_back(goalAt(robot.time(), 10.0, 0.0));
   robot.drive(1.5, {0.4, 0.0});
   record(robot.events);
-  ASSERT_GE(steps_.episodes.at(0).steps.size(), 2u);
+  ASSERT_GE(steps_.episodes().at(0).steps.size(), 2u);
   // The first scan at or after 100.5 is that of 100.515, between the odometry of 100.44 and of 100.54.
-  const DriveStep& step = steps_.episodes[0].steps[1];
+  const DriveStep& step = steps_.episodes()[0].steps[1];
   EXPECT_NEAR(step.stamp, 100.515, 1e-9);
   EXPECT_NEAR(step.pose.x, 0.4 * (100.515 - 100.04), 1e-9);
 }
@@ -128,7 +128,7 @@ TEST_F(DriveRecorderTest, LabelsAStepWithTheAngleThatWasDrivenToTheNext) {
   robot.drive(0.5, {0.3, 0.0});
   parameters_.min_step_turn = 0.0;
   record(robot.events);
-  const auto& steps = steps_.episodes.at(0).steps;
+  const auto& steps = steps_.episodes().at(0).steps;
   ASSERT_EQ(steps.size(), 3u);
   EXPECT_EQ(steps[0].label, 2);
   // Where the turn began, the way on lay 45 degrees to the left.
@@ -147,7 +147,7 @@ TEST_F(DriveRecorderTest, ATurnInPlaceIsAStepOfItsOwnWhenThatIsWanted) {
   robot.drive(1.0, {0.3, 0.0});
   parameters_.min_step_turn = M_PI_4 - 0.01;
   record(robot.events);
-  const auto& steps = steps_.episodes.at(0).steps;
+  const auto& steps = steps_.episodes().at(0).steps;
   ASSERT_EQ(steps.size(), 4u);
   EXPECT_NEAR(steps[0].driven_angle, -M_PI_4, 1e-9);
   EXPECT_EQ(steps[0].label, 1);
@@ -160,8 +160,8 @@ TEST_F(DriveRecorderTest, StandingMakesNoSteps) {
   robot.events.push_back(goalAt(robot.time(), 10.0, 0.0));
   robot.drive(3.0, {0.0, 0.0});
   record(robot.events);
-  ASSERT_EQ(steps_.episodes.size(), 1u);
-  EXPECT_TRUE(steps_.episodes[0].steps.empty());
+  ASSERT_EQ(steps_.episodes().size(), 1u);
+  EXPECT_TRUE(steps_.episodes()[0].steps.empty());
   EXPECT_EQ(steps_.rejected(Rejection::kStanding), 6);
 }
 
@@ -173,8 +173,8 @@ TEST_F(DriveRecorderTest, DrivingBackwardsHasNoLabel) {
   record(robot.events);
   EXPECT_EQ(steps_.rejected(Rejection::kNoAllowedAngle), 4);
   // What follows keeps its number: a sequence is not continued across the gap.
-  ASSERT_EQ(steps_.episodes.at(0).steps.size(), 2u);
-  EXPECT_EQ(steps_.episodes[0].steps[0].number, 4);
+  ASSERT_EQ(steps_.episodes().at(0).steps.size(), 2u);
+  EXPECT_EQ(steps_.episodes()[0].steps[0].number, 4);
 }
 
 TEST_F(DriveRecorderTest, ArrivalEndsTheEpisodeAndTheGoal) {
@@ -182,10 +182,10 @@ TEST_F(DriveRecorderTest, ArrivalEndsTheEpisodeAndTheGoal) {
   robot.events.push_back(goalAt(robot.time(), 1.0, 0.0));
   robot.drive(5.0, {0.3, 0.0});
   record(robot.events);
-  ASSERT_EQ(steps_.episodes.size(), 1u);
-  EXPECT_EQ(steps_.episodes[0].episode.end, EpisodeEnd::kArrived);
+  ASSERT_EQ(steps_.episodes().size(), 1u);
+  EXPECT_EQ(steps_.episodes()[0].episode.end, EpisodeEnd::kArrived);
   // 0.7 m at 0.3 m/s, and the next odometry.
-  EXPECT_NEAR(steps_.episodes[0].episode.ended, 102.4, 1e-9);
+  EXPECT_NEAR(steps_.episodes()[0].episode.ended, 102.4, 1e-9);
   EXPECT_GT(steps_.rejected(Rejection::kNoGoal), 0);
 }
 
@@ -198,11 +198,11 @@ TEST_F(DriveRecorderTest, AnotherGoalBeginsAnotherEpisodeAndTheSameOneDoesNot) {
   robot.events.push_back(goalAt(robot.time(), 10.0, 5.0));
   robot.drive(1.0, {0.3, 0.0});
   record(robot.events);
-  ASSERT_EQ(steps_.episodes.size(), 2u);
-  EXPECT_EQ(steps_.episodes[0].episode.end, EpisodeEnd::kNewGoal);
-  EXPECT_EQ(steps_.episodes[1].episode.end, EpisodeEnd::kFinished);
-  EXPECT_EQ(steps_.episodes[1].steps.front().number, 0);
-  EXPECT_EQ(steps_.episodes[1].steps.front().observation.previous_action, 0.0);
+  ASSERT_EQ(steps_.episodes().size(), 2u);
+  EXPECT_EQ(steps_.episodes()[0].episode.end, EpisodeEnd::kNewGoal);
+  EXPECT_EQ(steps_.episodes()[1].episode.end, EpisodeEnd::kFinished);
+  EXPECT_EQ(steps_.episodes()[1].steps.front().number, 0);
+  EXPECT_EQ(steps_.episodes()[1].steps.front().observation.previous_action, 0.0);
 }
 
 TEST_F(DriveRecorderTest, AGoalThatIsGivenUpEndsTheEpisode) {
@@ -212,8 +212,8 @@ TEST_F(DriveRecorderTest, AGoalThatIsGivenUpEndsTheEpisode) {
   robot.events.push_back(GoalGivenUp{robot.time()});
   robot.drive(1.0, {0.3, 0.0});
   record(robot.events);
-  ASSERT_EQ(steps_.episodes.size(), 1u);
-  EXPECT_EQ(steps_.episodes[0].episode.end, EpisodeEnd::kAborted);
+  ASSERT_EQ(steps_.episodes().size(), 1u);
+  EXPECT_EQ(steps_.episodes()[0].episode.end, EpisodeEnd::kAborted);
 }
 
 TEST_F(DriveRecorderTest, AJumpOfTheOdometryEndsTheEpisode) {
@@ -223,9 +223,9 @@ TEST_F(DriveRecorderTest, AJumpOfTheOdometryEndsTheEpisode) {
   robot.jump({5.0, 5.0, 1.0});
   robot.drive(2.0, {0.3, 0.0});
   record(robot.events);
-  ASSERT_EQ(steps_.episodes.size(), 2u);
-  EXPECT_EQ(steps_.episodes[0].episode.end, EpisodeEnd::kOdometryJump);
-  for (const auto& episode : steps_.episodes) {
+  ASSERT_EQ(steps_.episodes().size(), 2u);
+  EXPECT_EQ(steps_.episodes()[0].episode.end, EpisodeEnd::kOdometryJump);
+  for (const auto& episode : steps_.episodes()) {
     for (const DriveStep& step : episode.steps) EXPECT_LT(distanceBetween(step.pose, step.next_pose), 0.2);
   }
 }
@@ -239,11 +239,11 @@ TEST_F(DriveRecorderTest, AJumpOfTheClockEndsTheEpisodeInEitherDirection) {
     robot.wait(jump);
     robot.drive(2.0, {0.3, 0.0});
     record(robot.events);
-    ASSERT_EQ(steps_.episodes.size(), 2u) << jump;
-    EXPECT_EQ(steps_.episodes[0].episode.end, EpisodeEnd::kTimeJump) << jump;
-    EXPECT_EQ(steps_.episodes[0].steps.size(), 4u) << jump;
+    ASSERT_EQ(steps_.episodes().size(), 2u) << jump;
+    EXPECT_EQ(steps_.episodes()[0].episode.end, EpisodeEnd::kTimeJump) << jump;
+    EXPECT_EQ(steps_.episodes()[0].steps.size(), 4u) << jump;
     // Looks at the first odometry after the jump, 0.1 s later, and at four half seconds of the new time.
-    EXPECT_EQ(steps_.episodes[1].steps.size(), 4u) << jump;
+    EXPECT_EQ(steps_.episodes()[1].steps.size(), 4u) << jump;
   }
 }
 
@@ -253,9 +253,9 @@ TEST_F(DriveRecorderTest, AGoalFromAComputerWithAnotherClockIsTakenNow) {
   robot.events.push_back(goalAt(5.0e6, 10.0, 0.0));
   robot.drive(2.0, {0.3, 0.0});
   record(robot.events);
-  ASSERT_EQ(steps_.episodes.size(), 1u);
-  EXPECT_EQ(steps_.episodes[0].episode.end, EpisodeEnd::kFinished);
-  EXPECT_EQ(steps_.episodes[0].steps.size(), 4u);
+  ASSERT_EQ(steps_.episodes().size(), 1u);
+  EXPECT_EQ(steps_.episodes()[0].episode.end, EpisodeEnd::kFinished);
+  EXPECT_EQ(steps_.episodes()[0].steps.size(), 4u);
 }
 
 TEST_F(DriveRecorderTest, PausingEndsTheEpisodeAndTheGoalStays) {
@@ -268,8 +268,8 @@ TEST_F(DriveRecorderTest, PausingEndsTheEpisodeAndTheGoalStays) {
     recorder.add(event);
   }
   recorder.finish();
-  ASSERT_EQ(steps_.episodes.size(), 2u);
-  EXPECT_EQ(steps_.episodes[0].episode.end, EpisodeEnd::kPaused);
+  ASSERT_EQ(steps_.episodes().size(), 2u);
+  EXPECT_EQ(steps_.episodes()[0].episode.end, EpisodeEnd::kPaused);
   EXPECT_GT(steps_.rejected(Rejection::kPaused), 2);
 }
 
@@ -285,7 +285,7 @@ TEST_F(DriveRecorderTest, ScansWithoutOdometryAroundThemAreCounted) {
   record(events);
   // From 101.0, when odometry was last heard, to 102.1.
   EXPECT_EQ(steps_.rejected(Rejection::kNoOdometry), 43);
-  EXPECT_EQ(steps_.episodes.at(0).steps.size(), 7u);
+  EXPECT_EQ(steps_.episodes().at(0).steps.size(), 7u);
 }
 
 TEST_F(DriveRecorderTest, ScansThatCannotBeAveragedAreCountedAndTheNextIsTaken) {
@@ -298,8 +298,8 @@ TEST_F(DriveRecorderTest, ScansThatCannotBeAveragedAreCountedAndTheNextIsTaken) 
   }
   record(robot.events);
   EXPECT_EQ(steps_.rejected(Rejection::kUnusableScan), 1);
-  ASSERT_EQ(steps_.episodes.at(0).steps.size(), 4u);
-  EXPECT_NEAR(steps_.episodes[0].steps[2].stamp, 101.025, 1e-9);
+  ASSERT_EQ(steps_.episodes().at(0).steps.size(), 4u);
+  EXPECT_NEAR(steps_.episodes()[0].steps[2].stamp, 101.025, 1e-9);
 }
 
 TEST_F(DriveRecorderTest, AGoalInAFrameThatIsNotKnownIsCounted) {
@@ -307,7 +307,7 @@ TEST_F(DriveRecorderTest, AGoalInAFrameThatIsNotKnownIsCounted) {
   robot.events.push_back(GoalHeard{robot.time(), {"map", {10.0, 0.0, 0.0}}, "test"});
   robot.drive(1.0, {0.3, 0.0});
   record(robot.events);
-  EXPECT_TRUE(steps_.episodes.empty());
+  EXPECT_TRUE(steps_.episodes().empty());
   EXPECT_EQ(steps_.rejected(Rejection::kNoTransform), 3);
 }
 
@@ -319,7 +319,7 @@ TEST_F(DriveRecorderTest, TheOrderOfArrivalDoesNotMatter) {
   robot.drive(3.0, {0.3, 0.4});
   record(robot.events);
   const StepList in_order = steps_;
-  ASSERT_GT(in_order.episodes.at(0).steps.size(), 10u);
+  ASSERT_GT(in_order.episodes().at(0).steps.size(), 10u);
 
   std::mt19937 random(1);
   std::vector<std::pair<double, std::size_t>> arrivals;
@@ -333,14 +333,14 @@ TEST_F(DriveRecorderTest, TheOrderOfArrivalDoesNotMatter) {
   steps_ = {};
   record(shuffled);
 
-  ASSERT_EQ(steps_.episodes.size(), in_order.episodes.size());
-  EXPECT_EQ(steps_.rejections, in_order.rejections);
-  const auto& expected = in_order.episodes[0].steps;
-  ASSERT_EQ(steps_.episodes[0].steps.size(), expected.size());
+  ASSERT_EQ(steps_.episodes().size(), in_order.episodes().size());
+  EXPECT_EQ(steps_.rejections(), in_order.rejections());
+  const auto& expected = in_order.episodes()[0].steps;
+  ASSERT_EQ(steps_.episodes()[0].steps.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    EXPECT_EQ(steps_.episodes[0].steps[i].stamp, expected[i].stamp);
-    EXPECT_EQ(steps_.episodes[0].steps[i].pose.x, expected[i].pose.x);
-    EXPECT_EQ(steps_.episodes[0].steps[i].label, expected[i].label);
+    EXPECT_EQ(steps_.episodes()[0].steps[i].stamp, expected[i].stamp);
+    EXPECT_EQ(steps_.episodes()[0].steps[i].pose.x, expected[i].pose.x);
+    EXPECT_EQ(steps_.episodes()[0].steps[i].label, expected[i].label);
   }
 }
 

@@ -240,8 +240,8 @@ StepList recorded(const std::vector<OdometryHeard>& way) {
 TEST(HindsightTest, EveryEpisodeOfARecordedWayArrives) {
   const Way way = crookedWay();
   const StepList steps = recorded(way.odometry());
-  EXPECT_EQ(steps.episodes.size(), goalsOf(way).size());
-  for (const RecordedEpisode& episode : steps.episodes) {
+  EXPECT_EQ(steps.episodes().size(), goalsOf(way).size());
+  for (const RecordedEpisode& episode : steps.episodes()) {
     EXPECT_EQ(episode.episode.end, EpisodeEnd::kArrived);
     EXPECT_EQ(episode.episode.goal_source, "hindsight");
     EXPECT_FALSE(episode.steps.empty());
@@ -257,9 +257,9 @@ TEST(HindsightTest, ClocksThatAreSetBackTellEachGoalInItsTime) {
     way.push_back(heard);
   }
   const StepList steps = recorded(way);
-  ASSERT_EQ(steps.episodes.size(), 4u);
+  ASSERT_EQ(steps.episodes().size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Episode& episode = steps.episodes[i].episode;
+    const Episode& episode = steps.episodes()[i].episode;
     EXPECT_EQ(episode.end, EpisodeEnd::kArrived);
     EXPECT_NEAR(episode.goal.pose.x, i % 2 == 0 ? 5.0 : 10.0, 1e-9);
     EXPECT_NEAR(episode.begun, (i < 2 ? 100.0 : 50.0) + (i % 2 == 0 ? 0.0 : 13.0), 0.5) << "one look late at most";

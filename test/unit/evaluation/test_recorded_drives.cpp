@@ -77,10 +77,10 @@ TEST(RecordedDrives, GiveAsManyStepsAsWantedWithoutAnyContact) {
   EXPECT_EQ(drives.no_way, 0);
   EXPECT_EQ(drives.reached + 1, drives.goals) << "all but the one on the way to which the steps were complete";
   long steps = 0;
-  for (const RecordedEpisode& episode : sink.episodes) steps += static_cast<long>(episode.steps.size());
+  for (const RecordedEpisode& episode : sink.episodes()) steps += static_cast<long>(episode.steps.size());
   EXPECT_EQ(steps, 300);
   // It drives 0.3 m/s; odometry may take that for 2 % more.
-  for (const RecordedEpisode& episode : sink.episodes) {
+  for (const RecordedEpisode& episode : sink.episodes()) {
     for (const DriveStep& step : episode.steps) {
       const double seconds = step.next_stamp - step.stamp;
       EXPECT_LT(distanceBetween(step.pose, step.next_pose), 0.3 * seconds + 0.01);
@@ -96,16 +96,16 @@ TEST(RecordedDrives, EndAtTheirGoalsThoughOdometryErrs) {
   const RecordedDrives drives = record(parameters, 2, &sink);
   EXPECT_EQ(drives.goals, 6);
   EXPECT_EQ(drives.reached, 6);
-  ASSERT_EQ(sink.episodes.size(), 6u);
-  for (const RecordedEpisode& episode : sink.episodes) {
+  ASSERT_EQ(sink.episodes().size(), 6u);
+  for (const RecordedEpisode& episode : sink.episodes()) {
     EXPECT_EQ(episode.episode.end, EpisodeEnd::kArrived);
     EXPECT_EQ(episode.episode.goal_source, "way-points");
     EXPECT_EQ(episode.episode.goal.frame, "map");
   }
   // Only what happens between an arrival and the next goal is not about any goal.
-  EXPECT_LT(sink.rejections[static_cast<std::size_t>(Rejection::kNoGoal)], 6 * 10);
-  EXPECT_EQ(sink.rejections[static_cast<std::size_t>(Rejection::kNoOdometry)], 0);
-  EXPECT_EQ(sink.rejections[static_cast<std::size_t>(Rejection::kLate)], 0);
+  EXPECT_LT(sink.rejections()[static_cast<std::size_t>(Rejection::kNoGoal)], 6 * 10);
+  EXPECT_EQ(sink.rejections()[static_cast<std::size_t>(Rejection::kNoOdometry)], 0);
+  EXPECT_EQ(sink.rejections()[static_cast<std::size_t>(Rejection::kLate)], 0);
 }
 
 TEST(RecordedDrives, TurnOftenEnoughToLearnTurning) {
@@ -114,7 +114,7 @@ TEST(RecordedDrives, TurnOftenEnoughToLearnTurning) {
   StepList sink;
   record(parameters, 3, &sink);
   std::array<int, 5> labels{};
-  for (const RecordedEpisode& episode : sink.episodes) {
+  for (const RecordedEpisode& episode : sink.episodes()) {
     for (const DriveStep& step : episode.steps) ++labels.at(static_cast<std::size_t>(step.label));
   }
   // A building is mostly straight on; a network that always says so must be wrong one time in ten.
@@ -133,7 +133,7 @@ TEST(RecordedDrives, AreTheSameForTheSameSeedOnly) {
     StepList sink;
     record(parameters, seed, &sink);
     std::vector<double> angles;
-    for (const RecordedEpisode& episode : sink.episodes) {
+    for (const RecordedEpisode& episode : sink.episodes()) {
       for (const DriveStep& step : episode.steps) {
         angles.push_back(step.driven_angle);
         angles.push_back(step.observation.sector_ranges[0]);
