@@ -11,6 +11,9 @@ namespace {
 /// Places that are kept as blocked; the oldest gives way.
 constexpr std::size_t kMostBlocks = 32;
 
+/// More changes than this between two looks at them count as everything.
+constexpr std::size_t kMostChanges = 2048;
+
 /// A square is seen through when the beams towards it and beside it end this much behind it, m: noise and beams that
 /// graze a wall must not take it away.
 constexpr double kBehind = 0.1;
@@ -43,6 +46,7 @@ ObstacleMemory::ObstacleMemory(const MemoryParameters& parameters, const ShieldP
   judged_.resize(cells);
   exits_.resize(cells);
   blocks_.reserve(kMostBlocks);
+  changes_.reserve(kMostChanges);
   forget();
 }
 
@@ -51,6 +55,20 @@ void ObstacleMemory::forget() {
   std::fill(occupied_.begin(), occupied_.end(), std::uint16_t{0});
   std::fill(judged_.begin(), judged_.end(), kUnknown);
   blocks_.clear();
+  everything_changed_ = true;
+}
+
+void ObstacleMemory::clearChanges() {
+  changes_.clear();
+  everything_changed_ = false;
+}
+
+void ObstacleMemory::noteChange(const Point2& place, bool occupied) {
+  if (changes_.size() < kMostChanges) {
+    changes_.push_back({place, occupied});
+  } else {
+    everything_changed_ = true;
+  }
 }
 
 void ObstacleMemory::look(const Situation& situation) {
@@ -80,9 +98,11 @@ void ObstacleMemory::look(const Situation& situation) {
 void ObstacleMemory::block(const Point2& place) {
   if (blocks_.size() == kMostBlocks) {
     outdate(squareAt(blocks_.front()));
+    noteChange(blocks_.front(), false);
     blocks_.erase(blocks_.begin());
   }
   blocks_.push_back(place);
+  noteChange(place, true);
   outdate(squareAt(place));
 }
 
@@ -90,6 +110,7 @@ void ObstacleMemory::squeeze(bool on) {
   const double radius = footprint_radius_ + (on ? -0.5 * parameters_.resolution : 0.5 * tight_clearance_);
   if (radius != tight_radius_) {
     tight_radius_ = radius;
+    everything_changed_ = true;
     std::fill(judged_.begin(), judged_.end(), kUnknown);
   }
 }
@@ -140,6 +161,7 @@ void ObstacleMemory::moveWindow(const Pose2& pose) {
   origin_column_ = column;
   origin_row_ = row;
   placed_ = true;
+  everything_changed_ = true;
 }
 
 void ObstacleMemory::forgetSeenThrough(const Situation& situation) {
@@ -183,6 +205,7 @@ void ObstacleMemory::set(const Square& square, bool occupied) {
   if (changed != mask) {
     mask = changed;
     outdate(square);
+    noteChange(centerOf(square), occupied);
   }
 }
 

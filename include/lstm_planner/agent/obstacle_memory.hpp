@@ -24,6 +24,12 @@ class ObstacleMemory {
     kRoomy     ///< it fits with the comfortable clearance around it
   };
 
+  /// A place where something was seen, blocked or forgotten.
+  struct Change {
+    Point2 place;   ///< odometry frame
+    bool occupied;  ///< now
+  };
+
   static constexpr int kSide = 4;                     ///< squares a side of a cell
   static constexpr int kCellSquares = kSide * kSide;  ///< squares of a cell
 
@@ -43,6 +49,12 @@ class ObstacleMemory {
   /// Whether places count as passable that are narrower by the blur of noise and squares than what the shield lets
   /// through. Seldom right, but where there is no other way it is worth a try.
   void squeeze(bool on);
+
+  /// What has changed since clearChanges(), in order; not all of it when everythingChanged().
+  const std::vector<Change>& changes() const { return changes_; }
+  /// The window moved, everything was forgotten, squeeze() took effect, or too much changed to be listed.
+  bool everythingChanged() const { return everything_changed_; }
+  void clearChanges();
 
   int side() const { return side_; }  ///< cells a side of the window
   double cellSize() const { return cell_size_; }
@@ -73,6 +85,7 @@ class ObstacleMemory {
   Square squareOf(int cell, int square) const;
   Point2 centerOf(const Square& square) const;
   Point2 centerOf(int cell, int square) const { return centerOf(squareOf(cell, square)); }
+  void noteChange(const Point2& place, bool occupied);
   void moveWindow(const Pose2& pose);
   void forgetSeenThrough(const Situation& situation);
   void set(const Square& square, bool occupied);
@@ -100,6 +113,8 @@ class ObstacleMemory {
   std::vector<std::uint8_t> judged_;     ///< nothing near, exits known, passage (2 bits), best square (4 bits)
   std::vector<std::uint8_t> exits_;
   std::vector<Point2> blocks_;
+  std::vector<Change> changes_;
+  bool everything_changed_ = true;
   mutable std::vector<Point2> nearby_;   ///< of collectNearby()
 };
 
