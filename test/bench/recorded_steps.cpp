@@ -1,0 +1,67 @@
+#include "recorded_steps.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lstm_planner/agent/motion_controller.hpp"
+#include "lstm_planner/agent/online_agent.hpp"
+#include "lstm_planner/agent/rollout.hpp"
+#include "lstm_planner/evaluation/drive.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kPeriod = 0.1;     // s between scans that the planner is asked about
+constexpr double kLongest = 120.0;  // s
+constexpr double kShortest = 10.0;  // m from start to goal
+constexpr std::uint64_t kSeed = 1;
+
+const std::string kPackage = LSTM_PLANNER_SOURCE_DIR;
+
+RecordedDrive record(const std::string& name, OccupancyGrid grid) {
+  const GridWorld world(std::move(grid));
+  const AgentParameters agent_parameters;
+  const ShieldParameters& shield = agent_parameters.shield;
+  const DriveTask task = drawTasks(world, 1, shield.footprint_radius, shield.clearance, kShortest, kSeed)[0];
+  SimulatedRobot::Parameters robot_parameters;
+  robot_parameters.latency = kPeriod;
+  SimulatedRobot robot(world, robot_parameters, task.start, kSeed);
+  OnlineAgent agent(shippedPolicy(), agent_parameters);
+  const MotionController controller{MotionParameters()};
+  const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry begins at the start
+
+  RecordedDrive drive;
+  drive.world = name;
+  drive.mount = robot_parameters.scanner.mount;
+  drive.goal = {goal.x, goal.y, 0.0};
+  std::vector<Pose2> plan;
+  while (robot.time() < kLongest && !controller.goalReached(robot.odometry(), drive.goal)) {
+    RecordedStep step;
+    robot.scan(&step.scan);
+    step.pose = robot.odometry();
+    step.time = robot.time();
+    agent.look(step.scan, drive.mount, step.pose, step.time);
+    agent.drive(goal, drive.steps.empty(), 0);
+    rollOut(agent.situation(), agent.decision(), agent.shield(), drive.goal, agent_parameters, {}, &plan);
+    robot.command(controller.compute(plan, step.pose, robot.measuredTwist(), agent.shield(), kPeriod));
+    robot.advance(kPeriod);
+    drive.steps.push_back(std::move(step));
+  }
+  return drive;
+}
+
+}  // namespace
+
+DrivePolicy shippedPolicy() { return DrivePolicy::fromFile(kPackage + "/models/create2_lstm_2x8.onnx"); }
+
+std::vector<RecordedDrive> recordDrives() {
+  return {
+      record("office", generateWorld(WorldKind::kOffice, worldSeed(WorldUse::kJudging, kSeed, 0))),
+      record("maze", generateWorld(WorldKind::kMaze, worldSeed(WorldUse::kJudging, kSeed, 1))),
+      record("building", readMapServerMap(kPackage + "/config/demo_building.yaml")),
+  };
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lstm_planner/agent/agent_parameters.hpp"
+#include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/perception/laser_scan.hpp"
+
+namespace lstm_planner {
+
+/// What the planner is given each time it is asked.
+struct RecordedStep {
+  LaserScan scan;
+  Pose2 pose;         ///< base in the odometry frame
+  double time = 0.0;  ///< s
+};
+
+/// A drive in the simulation, as a planner in a robot would have seen it.
+struct RecordedDrive {
+  std::string world;
+  SensorMount mount;
+  Pose2 goal;  ///< odometry frame
+  std::vector<RecordedStep> steps;
+};
+
+/// The policy that the package ships for the Create 2.
+DrivePolicy shippedPolicy();
+
+/// Drives of the shipped policy with a Hokuyo of 1081 beams, ten scans a second, noise, slip and latency as in
+/// `lstm_planner drive`: an office with furniture, a maze and the demo's building. The same each time.
+std::vector<RecordedDrive> recordDrives();
+
+}  // namespace lstm_planner
