@@ -1,0 +1,2 @@
+#define FLOOR_KERNELS kFloorBaseline
+#include "floor_source.hpp"
