@@ -56,12 +56,13 @@ RecordedDrive record(const std::string& name, OccupancyGrid grid) {
 
 DrivePolicy shippedPolicy() { return DrivePolicy::fromFile(kPackage + "/models/create2_lstm_2x8.onnx"); }
 
-std::vector<RecordedDrive> recordDrives() {
-  return {
+const std::vector<RecordedDrive>& recordedDrives() {
+  static const std::vector<RecordedDrive> drives{
       record("office", generateWorld(WorldKind::kOffice, worldSeed(WorldUse::kJudging, kSeed, 0))),
       record("maze", generateWorld(WorldKind::kMaze, worldSeed(WorldUse::kJudging, kSeed, 1))),
       record("building", readMapServerMap(kPackage + "/config/demo_building.yaml")),
   };
+  return drives;
 }
 
 }  // namespace lstm_planner

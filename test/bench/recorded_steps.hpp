@@ -28,7 +28,8 @@ struct RecordedDrive {
 DrivePolicy shippedPolicy();
 
 /// Drives of the shipped policy with a Hokuyo of 1081 beams, ten scans a second, noise, slip and latency as in
-/// `lstm_planner drive`: an office with furniture, a maze and the demo's building. The same each time.
-std::vector<RecordedDrive> recordDrives();
+/// `lstm_planner drive`: an office with furniture, a maze and the demo's building. The same each time; driven when they
+/// are asked for first.
+const std::vector<RecordedDrive>& recordedDrives();
 
 }  // namespace lstm_planner
