@@ -1,4 +1,5 @@
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <cmath>
 #include <limits>
@@ -134,20 +135,32 @@ void report(const std::vector<CallTime>& calls, benchmark::State* state) {
   counters["poses_us"] = meanOf(valuesOf(calls, true, &CallTime::poses));
 }
 
+/// Bytes of the heap that are in use.
+double heapInUse() {
+#if defined(__GLIBC_PREREQ) && __GLIBC_PREREQ(2, 33)
+  const auto info = mallinfo2();
+#else
+  const auto info = mallinfo();
+#endif
+  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
 /// From a scan of 1081 beams to a plan, without ROS. A call after which another decision holds than before is a
 /// decision; `hold_...` are the others. The parts (look, drive, roll_out, poses) are means of the decisions. The first
 /// call of a drive forgets all that was seen in the one before; it is left out. Cold: with caches that other programs
-/// have used since the last call.
+/// have used since the last call. agent_bytes: what the agent holds of the heap after the drives.
 void plan(benchmark::State& state, int rollout_steps, bool cold, const std::string& world) {
   std::vector<Replay> replays;
   for (const RecordedDrive& drive : recordedDrives()) {
     if (world.empty() || drive.world == world) replays.emplace_back(drive, rollout_steps, cold);
   }
+  const double before = heapInUse();
   OnlineAgent agent(shippedPolicy(), {});
   long pass = 0;
   for (auto _ : state) {
     for (Replay& replay : replays) replay.run(++pass, &agent);
   }
+  state.counters["agent_bytes"] = heapInUse() - before;
   std::vector<CallTime> calls;
   for (const Replay& replay : replays) calls.insert(calls.end(), replay.calls().begin() + 1, replay.calls().end());
   report(calls, &state);
