@@ -144,13 +144,14 @@ LSTM_PLANNER_INLINE V value(Fraction<V> fraction) {
   return fraction.numerator / fraction.denominator;
 }
 
-/// Polynomials with tanh(x) = x P(x^2) / Q(x^2) within 2e-8 on [-8.7, 8.7] (a minimax fit), and within 6e-8 where x is
-/// limited; single precision adds the rest. All coefficients are positive, so that nothing cancels.
-constexpr float kTanhLimit = 8.7f;
-constexpr float kTanhP[] = {0.9999999319116559f, 0.1339311769865661f, 0.003510221281838331f, 2.0861223616656187e-05f,
-                            1.3727384085411402e-08f};
-constexpr float kTanhQ[] = {1.0f, 0.4672642398406587f, 0.025931948541316845f, 0.00033100457375247004f,
-                            7.924035570335063e-07f};
+/// Polynomials with tanh(x) = x P(x^2) / Q(x^2) within 2e-8 on [-9, 9] (a minimax fit); single precision adds the rest.
+/// All coefficients are positive, so that nothing cancels. Beyond the limit x stands still, at a value where single
+/// precision makes the fraction exactly 1, fused or not: a gate that is wide open must not lose a little in each step.
+constexpr float kTanhLimit = 8.9802084f;
+constexpr float kTanhP[] = {0.9999999063609005f, 0.13373195814186573f, 0.003486579645748473f, 2.0471793541624834e-05f,
+                            1.3184173505153228e-08f};
+constexpr float kTanhQ[] = {1.0f, 0.4670649267895692f, 0.02584197066824877f, 0.0003271381704823882f,
+                            7.70264264224115e-07f};
 
 /// Sums of neighbouring terms first: half as many steps one after the other as in Horner's scheme.
 template <class V>
@@ -168,7 +169,7 @@ struct TanhTerms {
   V q;
 };
 
-/// The limits hold the place of infinities, so that these give -1 and 1; a NaN gives 1 or -1.
+/// Infinities give -1 and 1; so does NaN, which is to be found before.
 template <class V>
 LSTM_PLANNER_INLINE TanhTerms<V> tanhTerms(V x) {
   // A tiny summand, since the square of a tiny x would be denormal.
