@@ -16,16 +16,18 @@
 namespace lstm_planner {
 namespace {
 
-constexpr int kRepetitions = 2000;
-constexpr long kChainLength = 1200;
-constexpr long kMultiplyAdds = 12000;
+constexpr int kRepetitions = 4000;
+constexpr long kChainLength = 6000;
+constexpr long kMultiplyAdds = 96000;
 constexpr long kBytesARepetition = 1 << 20;
-constexpr long kL1Buffer = 16 << 10;
+constexpr long kReadBlock = 512;  ///< bytes; what FloorKernels::read_buffer reads at a time, or a multiple of it
+constexpr long kL1Buffer = 32 << 10;
 constexpr long kL2Buffer = 512 << 10;
 /// Where the system does not say: more than any core has, as a floor must not be too high.
 constexpr double kUnknownL1Bytes = 192 << 10;
 
-constexpr int kActivationMultiplyAdds = 4;
+constexpr int kActivationMultiplications = 2;
+constexpr int kActivationMultiplyAdds = 2;
 
 const FloorKernels& kernels(InstructionSet set) {
 #if defined(__x86_64__)
@@ -54,7 +56,7 @@ double readSpeed(const FloorKernels& kernel, long bytes) {
   std::vector<float> memory((static_cast<std::size_t>(bytes) + 4096) / sizeof(float), 1.0f);
   const auto address = reinterpret_cast<std::uintptr_t>(memory.data());
   const float* const buffer = memory.data() + (kLine - address % kLine) % kLine / sizeof(float);
-  const long passes = kBytesARepetition / bytes;
+  const long passes = std::max(kBytesARepetition / bytes, 1L);
   const double time = std::min(shortestTime([&] { return kernel.read_buffer(buffer, bytes, passes); }),
                                shortestTime([&] { return kernel.read_buffer_ahead(buffer, bytes, passes); }));
   return static_cast<double>(bytes * passes) / time;
@@ -75,6 +77,7 @@ CoreSpeed measure(InstructionSet set) {
   };
   CoreSpeed speed;
   speed.multiply_add_ns = latency(kernel.multiply_add_chain);
+  speed.multiplication_ns = latency(kernel.multiplication_chain);
   speed.addition_ns = latency(kernel.addition_chain);
   speed.division_ns = latency(kernel.division_chain);
   speed.broadcast_ns = latency(kernel.broadcast_chain);
@@ -94,6 +97,7 @@ CoreSpeed bestSpeed(InstructionSet set) {
     if (other > set) continue;
     const CoreSpeed& speed = measuredSpeed(other);
     best.multiply_add_ns = std::min(best.multiply_add_ns, speed.multiply_add_ns);
+    best.multiplication_ns = std::min(best.multiplication_ns, speed.multiplication_ns);
     best.addition_ns = std::min(best.addition_ns, speed.addition_ns);
     best.division_ns = std::min(best.division_ns, speed.division_ns);
     best.broadcast_ns = std::min(best.broadcast_ns, speed.broadcast_ns);
@@ -105,16 +109,17 @@ CoreSpeed bestSpeed(InstructionSet set) {
   return best;
 }
 
-/// The shortest chain through a layer of which `waiting` inputs come from the chain.
+/// The shortest chain through a layer that waits for so many inputs.
 class LayerChain {
  public:
   LayerChain(const CoreSpeed& speed, double waiting)
       : speed_(speed),
         waiting_(waiting),
-        activation_(kActivationMultiplyAdds * speed.multiply_add_ns + speed.division_ns) {}
+        activation_(kActivationMultiplications * speed.multiplication_ns +
+                    kActivationMultiplyAdds * speed.multiply_add_ns + speed.division_ns) {}
 
   double operator()(const LstmLayer& layer) const {
-    const double cell_state = activation_ + speed_.multiply_add_ns + speed_.addition_ns;
+    const double cell_state = activation_ + speed_.multiplication_ns + speed_.addition_ns;
     return product(layer.input.rows()) + cell_state + activation_;
   }
   double operator()(const RecurrentLayer& layer) const { return product(layer.input.rows()) + activation_; }
@@ -138,8 +143,10 @@ class LayerChain {
 };
 
 struct ProductSize {
-  double operator()(const LstmLayer& layer) const { return static_cast<double>(layer.input.size() + layer.recurrent.size()); }
-  double operator()(const RecurrentLayer& layer) const { return static_cast<double>(layer.input.size() + layer.recurrent.size()); }
+  template <typename Recurrent>
+  double operator()(const Recurrent& layer) const {
+    return static_cast<double>(layer.input.size() + layer.recurrent.size());
+  }
   double operator()(const DenseLayer& layer) const { return static_cast<double>(layer.weights.size()); }
   double operator()(const SoftmaxLayer&) const { return 0.0; }
 };
@@ -172,7 +179,7 @@ double multiplyAddsOfStep(const LayerStack& layers) {
 StepFloor stepFloorParts(const LayerStack& layers, InstructionSet set) {
   const CoreSpeed speed = bestSpeed(set);
   StepFloor floor;
-  double waiting = 1.0;
+  double waiting = static_cast<double>(inputSize(layers));
   for (const Layer& layer : layers) {
     floor.chain += std::visit(LayerChain(speed, waiting), layer);
     waiting = std::visit(OutputSize{waiting}, layer);
@@ -181,6 +188,12 @@ StepFloor stepFloorParts(const LayerStack& layers, InstructionSet set) {
   const double bytes = static_cast<double>(countWeights(layers)) * sizeof(float) - speed.register_bytes;
   floor.read = std::max(bytes / speed.l1_bytes_per_ns, (bytes - speed.l1_bytes) / speed.l2_bytes_per_ns);
   return floor;
+}
+
+double readInOrder(const LayerStack& layers, InstructionSet set) {
+  const long weights = static_cast<long>(countWeights(layers) * sizeof(float));
+  const long blocks = (weights + kReadBlock - 1) / kReadBlock;
+  return static_cast<double>(weights) / readSpeed(kernels(set), blocks * kReadBlock);
 }
 
 double stepFloor(const LayerStack& layers, InstructionSet set) { return stepFloorParts(layers, set).ns(); }

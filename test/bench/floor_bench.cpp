@@ -19,6 +19,7 @@ void floorOfCore(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(&speed);
   state.SetLabel(toString(set));
   state.counters["multiply_add_ns"] = speed.multiply_add_ns;
+  state.counters["multiplication_ns"] = speed.multiplication_ns;
   state.counters["addition_ns"] = speed.addition_ns;
   state.counters["division_ns"] = speed.division_ns;
   state.counters["broadcast_ns"] = speed.broadcast_ns;
@@ -32,13 +33,15 @@ BENCHMARK(floorOfCore)->Name("floor/core")->ArgName("set")->Apply(addInstruction
 void floorOfStep(benchmark::State& state) {
   const InstructionSet set = instructionSet(state, 1);
   const int cells = static_cast<int>(state.range(0));
-  const StepFloor floor = stepFloorParts(benchLstm(11, {cells, cells}, 8), set);
+  const LayerStack layers = benchLstm(11, {cells, cells}, 8);
+  const StepFloor floor = stepFloorParts(layers, set);
   for (auto _ : state) benchmark::DoNotOptimize(&floor);
   state.SetLabel(toString(set));
   state.counters["floor_ns"] = floor.ns();
   state.counters["chain_ns"] = floor.chain;
   state.counters["multiply_ns"] = floor.multiply;
   state.counters["read_ns"] = floor.read;
+  state.counters["read_in_order_ns"] = readInOrder(layers, set);
 }
 BENCHMARK(floorOfStep)
     ->Name("floor/step")
@@ -47,8 +50,7 @@ BENCHMARK(floorOfStep)
       std::vector<int> sets;
       for (std::size_t i = 0; i < runnableInstructionSets().size(); ++i) sets.push_back(static_cast<int>(i));
       addArgumentPairs({8, 16, 32, 64}, sets, family);
-    })
-    ->Iterations(1);
+    }) -> Iterations(1);
 
 }  // namespace
 }  // namespace lstm_planner

@@ -8,6 +8,7 @@ struct FloorKernels {
   int lanes;      ///< numbers in a register
   int registers;  ///< vector registers
   float (*multiply_add_chain)(long count, float seed);
+  float (*multiplication_chain)(long count, float seed);
   float (*addition_chain)(long count, float seed);
   float (*division_chain)(long count, float seed);
   float (*broadcast_chain)(long count, float seed);

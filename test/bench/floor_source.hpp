@@ -64,6 +64,16 @@ float multiplyAddChain(long count, float seed) {
   return value[0];
 }
 
+float multiplicationChain(long count, float seed) {
+  Lanes value = Lanes{} + seed;
+  const Lanes factor = value;
+  for (long i = 0; i < count; ++i) {
+    value = value * factor;
+    FLOOR_OPAQUE(value);
+  }
+  return value[0];
+}
+
 float additionChain(long count, float seed) {
   Lanes value = Lanes{} + seed;
   const Lanes term = value * 0.5f;
@@ -109,35 +119,34 @@ float multiplyAdds(long count, float seed) {
   return sum[0];
 }
 
-/// Reads a buffer `passes` times. An exclusive or uses no unit of which there are fewer than of those that load.
+/// Reads a buffer `passes` times into registers, with or without asking for what comes next.
 template <bool kPrefetch>
 float readBuffer(const float* buffer, long bytes, long passes) {
-  constexpr long kAhead = 2048 / sizeof(IntegerLanes);
-  constexpr int kChains = 8;
-  const IntegerLanes* const begin = reinterpret_cast<const IntegerLanes*>(buffer);
-  const long blocks = bytes / static_cast<long>(kChains * sizeof(IntegerLanes));
-  IntegerLanes sums[kChains] = {};
+  constexpr long kUnrolled = 8;
+  constexpr long kAhead = 2048 / sizeof(Lanes);
+  constexpr long kLine = 64;
+  constexpr long kLines = kUnrolled * static_cast<long>(sizeof(Lanes)) / kLine;
+  const Lanes* const begin = reinterpret_cast<const Lanes*>(buffer);
+  const Lanes* const end = begin + bytes / static_cast<long>(sizeof(Lanes));
   for (long pass = 0; pass < passes; ++pass) {
-    const IntegerLanes* block = begin;
-    for (long i = 0; i < blocks; ++i, block += kChains) {
+    for (const Lanes* block = begin; block != end; block += kUnrolled) {
       if (kPrefetch) {
-        for (unsigned line = 0; line < kChains * sizeof(IntegerLanes) / 64; ++line) {
-          __builtin_prefetch(reinterpret_cast<const char*>(block + kAhead) + 64 * line);
-        }
+        const char* const next = reinterpret_cast<const char*>(block + kAhead);
+        for (long line = 0; line < kLines; ++line) __builtin_prefetch(next + kLine * line);
       }
-      for (int chain = 0; chain < kChains; ++chain) sums[chain] ^= block[chain];
+      for (long i = 0; i < kUnrolled; ++i) {
+        Lanes value = block[i];
+        FLOOR_OPAQUE(value);
+      }
     }
-    __asm__ volatile("" : : : "memory");
   }
-  IntegerLanes sum = sums[0];
-  for (int chain = 1; chain < kChains; ++chain) sum ^= sums[chain];
-  return static_cast<float>(sum[0]);
+  return buffer[0];
 }
 
 }  // namespace
 
 extern const FloorKernels FLOOR_KERNELS;
-const FloorKernels FLOOR_KERNELS = {kLanes,         kRegisters,   multiplyAddChain, additionChain, divisionChain,
-                                    broadcastChain, multiplyAdds, readBuffer<false>, readBuffer<true>};
+const FloorKernels FLOOR_KERNELS = {kLanes,        kRegisters,     multiplyAddChain, multiplicationChain, additionChain,
+                                    divisionChain, broadcastChain, multiplyAdds,     readBuffer<false>,   readBuffer<true>};
 
 }  // namespace lstm_planner
