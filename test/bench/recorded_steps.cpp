@@ -6,7 +6,6 @@
 #include "lstm_planner/agent/motion_controller.hpp"
 #include "lstm_planner/agent/online_agent.hpp"
 #include "lstm_planner/agent/rollout.hpp"
-#include "lstm_planner/evaluation/drive.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/simulation/generated_world.hpp"
 
@@ -22,9 +21,17 @@ const std::string kPackage = LSTM_PLANNER_SOURCE_DIR;
 
 RecordedDrive record(const std::string& name, OccupancyGrid grid) {
   const GridWorld world(std::move(grid));
-  const AgentParameters agent_parameters;
-  const ShieldParameters& shield = agent_parameters.shield;
+  const ShieldParameters shield;
   const DriveTask task = drawTasks(world, 1, shield.footprint_radius, shield.clearance, kShortest, kSeed)[0];
+  return recordDrive(name, world, task, kLongest);
+}
+
+}  // namespace
+
+DrivePolicy shippedPolicy() { return DrivePolicy::fromFile(kPackage + "/models/create2_lstm_2x8.onnx"); }
+
+RecordedDrive recordDrive(const std::string& name, const World& world, const DriveTask& task, double longest) {
+  const AgentParameters agent_parameters;
   SimulatedRobot::Parameters robot_parameters;
   robot_parameters.latency = kPeriod;
   SimulatedRobot robot(world, robot_parameters, task.start, kSeed);
@@ -37,7 +44,7 @@ RecordedDrive record(const std::string& name, OccupancyGrid grid) {
   drive.mount = robot_parameters.scanner.mount;
   drive.goal = {goal.x, goal.y, 0.0};
   std::vector<Pose2> plan;
-  while (robot.time() < kLongest && !controller.goalReached(robot.odometry(), drive.goal)) {
+  while (robot.time() < longest && !controller.goalReached(robot.odometry(), drive.goal)) {
     RecordedStep step;
     robot.scan(&step.scan);
     step.pose = robot.odometry();
@@ -51,10 +58,6 @@ RecordedDrive record(const std::string& name, OccupancyGrid grid) {
   }
   return drive;
 }
-
-}  // namespace
-
-DrivePolicy shippedPolicy() { return DrivePolicy::fromFile(kPackage + "/models/create2_lstm_2x8.onnx"); }
 
 const std::vector<RecordedDrive>& recordedDrives() {
   static const std::vector<RecordedDrive> drives{

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/agent/agent_parameters.hpp"
 #include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/evaluation/drive.hpp"
 #include "lstm_planner/perception/laser_scan.hpp"
 
 namespace lstm_planner {
@@ -27,9 +27,11 @@ struct RecordedDrive {
 /// The policy that the package ships for the Create 2.
 DrivePolicy shippedPolicy();
 
-/// Drives of the shipped policy with a Hokuyo of 1081 beams, ten scans a second, noise, slip and latency as in
-/// `lstm_planner drive`: an office with furniture, a maze and the demo's building. The same each time; driven when they
-/// are asked for first.
+/// A drive of the shipped policy with a Hokuyo of 1081 beams, ten scans a second, noise, slip and latency as in
+/// `lstm_planner drive`, for at most `longest` (s). The same each time.
+RecordedDrive recordDrive(const std::string& name, const World& world, const DriveTask& task, double longest);
+
+/// Such drives through an office with furniture, a maze and the demo's building; driven when they are asked for first.
 const std::vector<RecordedDrive>& recordedDrives();
 
 }  // namespace lstm_planner

@@ -1,0 +1,373 @@
+#include <benchmark/benchmark.h>
+#include <costmap_2d/cost_values.h>
+#include <costmap_2d/costmap_2d.h>
+#include <global_planner/planner_core.h>
+#include <malloc.h>
+#include <nav_msgs/Odometry.h>
+#include <navfn/navfn_ros.h>
+#include <ros/master.h>
+#include <ros/ros.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "call_times.hpp"
+#include "lstm_planner/ros/conversions.hpp"
+#include "lstm_planner/ros/plan_maker.hpp"
+#include "lstm_planner/simulation/floor_plan.hpp"
+#include "recorded_steps.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr char kMap[] = "map";
+constexpr char kOdometry[] = "odom";
+constexpr char kBase[] = "base_footprint";
+constexpr char kLaser[] = "laser";
+constexpr double kResolution = 0.05;  // m
+constexpr double kLongest = 60.0;     // s of a drive
+constexpr std::size_t kEvery = 5;     // scans a plan: two plans a second
+constexpr double kNear = 5.0;         // m of way to the near goal
+
+enum Goal { kNearGoal, kFarGoal };
+
+/// A furnished office building as large as the costmap, the robot in its middle.
+struct Course {
+  int size = 0;  ///< cells a side
+  Goal goal = kNearGoal;
+  std::unique_ptr<GridWorld> world;
+  std::unique_ptr<costmap_2d::Costmap2D> costmap;
+  DriveTask task;
+  RecordedDrive drive;
+};
+
+/// Cells in which the robot fits, with the length of the way there from the one in the middle.
+struct Ways {
+  explicit Ways(const GridWorld& world);
+  std::vector<CellIndex> places;
+  std::vector<double> lengths;  ///< m, by place; those that cannot be reached are left out
+  CellIndex middle;
+};
+
+Ways::Ways(const GridWorld& world) {
+  const ShieldParameters shield;
+  const OccupancyGrid& grid = world.grid();
+  GeodesicField::Options options;
+  options.clearance = shield.footprint_radius + shield.clearance + 0.5 * kResolution;
+  const Point2 center{0.5 * kResolution * grid.columns(), 0.5 * kResolution * grid.rows()};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      const CellIndex cell{column, row};
+      const double distance = distanceBetween(grid.centerOf(cell), center);
+      if (world.distances().at(cell) < options.clearance || distance >= nearest) continue;
+      nearest = distance;
+      middle = cell;
+    }
+  }
+  const GeodesicField from_middle(grid, world.distances(), middle, options);
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      if (!std::isfinite(from_middle.at({column, row}))) continue;
+      places.push_back({column, row});
+      lengths.push_back(from_middle.at({column, row}));
+    }
+  }
+}
+
+/// The near goal is `kNear` metres of way off, the far one as near to the costmap's upper right corner as can be.
+DriveTask chooseTask(const GridWorld& world, Goal goal) {
+  const Ways ways(world);
+  const OccupancyGrid& grid = world.grid();
+  std::size_t best = 0;
+  const auto badness = [&](std::size_t i) {
+    if (goal == kNearGoal) return std::abs(ways.lengths[i] - kNear);
+    return std::hypot(grid.columns() - ways.places[i].column, grid.rows() - ways.places[i].row);
+  };
+  for (std::size_t i = 1; i < ways.places.size(); ++i) {
+    if (badness(i) < badness(best)) best = i;
+  }
+  const Point2 start = grid.centerOf(ways.middle);
+  return {{start.x, start.y, 0.0}, grid.centerOf(ways.places[best]), 0.0};
+}
+
+/// What obstacle and inflation layer would make of the world, with the parameters of costmaps.yaml.
+std::unique_ptr<costmap_2d::Costmap2D> makeCostmap(const GridWorld& world) {
+  constexpr double kRobotRadius = 0.175;
+  constexpr double kInflationRadius = 0.5;
+  constexpr double kScaling = 6.0;
+  const OccupancyGrid& grid = world.grid();
+  auto costmap = std::make_unique<costmap_2d::Costmap2D>(grid.columns(), grid.rows(), kResolution, 0.0, 0.0);
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      const double distance = world.distances().at({column, row});
+      unsigned char cost = costmap_2d::FREE_SPACE;
+      if (distance <= 0.0) {
+        cost = costmap_2d::LETHAL_OBSTACLE;
+      } else if (distance <= kRobotRadius) {
+        cost = costmap_2d::INSCRIBED_INFLATED_OBSTACLE;
+      } else if (distance <= kInflationRadius) {
+        cost = static_cast<unsigned char>((costmap_2d::INSCRIBED_INFLATED_OBSTACLE - 1) *
+                                          std::exp(-kScaling * (distance - kRobotRadius)));
+      }
+      costmap->setCost(static_cast<unsigned>(column), static_cast<unsigned>(row), cost);
+    }
+  }
+  return costmap;
+}
+
+/// The last one is kept: benchmarks of one size and goal come one after another.
+const Course& course(int size, Goal goal) {
+  static Course course;
+  if (course.size == size && course.goal == goal) return course;
+  course = Course();
+  course.size = size;
+  course.goal = goal;
+  FloorPlanParameters plan;
+  plan.width = plan.height = kResolution * size;
+  plan.resolution = kResolution;
+  course.world = std::make_unique<GridWorld>(generateFloorPlan(plan, 1));
+  course.task = chooseTask(*course.world, goal);
+  course.costmap = makeCostmap(*course.world);
+  course.drive = recordDrive("floor plan", *course.world, course.task, kLongest);
+  return course;
+}
+
+geometry_msgs::PoseStamped stamped(const Pose2& pose) {
+  geometry_msgs::PoseStamped message;
+  message.header.frame_id = kMap;
+  message.header.stamp = ros::Time::now();
+  message.pose = toMessage(pose);
+  return message;
+}
+
+/// A line of /proc/self/status, MB.
+double memoryStatus(const std::string& key) {
+  std::ifstream file("/proc/self/status");
+  std::string word;
+  double kilobytes = 0.0;
+  while (file >> word) {
+    if (word == key + ":" && file >> kilobytes) break;
+  }
+  return 1e-3 * kilobytes;
+}
+
+/// What a planner needs of the memory between construction and destruction, MB.
+class MemoryMeter {
+ public:
+  MemoryMeter() {
+    malloc_trim(0);
+    std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
+    before_ = memoryStatus("VmRSS");
+  }
+  double peak() const { return memoryStatus("VmHWM") - before_; }
+
+ private:
+  double before_ = 0.0;
+};
+
+/// Times of the calls, ms, and the memory needed meanwhile.
+class Result {
+ public:
+  explicit Result(const Course& course) : times_(course.drive.steps.size()) {}
+  LeastTime& operator[](std::size_t step) { return times_[step]; }
+
+  void report(std::size_t longest_plan, benchmark::State* state) const {
+    std::vector<double> values;
+    for (const LeastTime& time : times_) {
+      if (std::isfinite(time.microseconds())) values.push_back(1e-3 * time.microseconds());
+    }
+    state->counters["plans"] = static_cast<double>(values.size());
+    state->counters["median_ms"] = quantile(values, 0.5);
+    state->counters["mean_ms"] = meanOf(values);
+    state->counters["worst_ms"] = quantile(values, 1.0);
+    state->counters["peak_mb"] = memory_.peak();
+    state->counters["poses"] = static_cast<double>(longest_plan);
+  }
+
+ private:
+  std::vector<LeastTime> times_;
+  MemoryMeter memory_;
+};
+
+/// Publishes what a robot in a drive would.
+class Robot {
+ public:
+  explicit Robot(const Course& course)
+      : course_(course),
+        scans_(node_handle_.advertise<sensor_msgs::LaserScan>("scan", 1)),
+        odometry_(node_handle_.advertise<nav_msgs::Odometry>("odom", 1)) {
+    const SensorMount& mount = course.drive.mount;
+    broadcaster_.sendTransform({transform(kMap, kOdometry, course.task.start), transform(kBase, kLaser, mount.pose)});
+  }
+
+  bool isHeard() const { return scans_.getNumSubscribers() > 0 && odometry_.getNumSubscribers() > 0; }
+
+  /// `time`: s, by the clock of the drive.
+  void publish(const RecordedStep& step, double time) {
+    ros::Time::setNow(ros::Time(time));
+    nav_msgs::Odometry odometry;
+    odometry.header.frame_id = kOdometry;
+    odometry.header.stamp = ros::Time(time);
+    odometry.child_frame_id = kBase;
+    odometry.pose.pose = toMessage(step.pose);
+    odometry_.publish(odometry);
+    const auto scan = boost::make_shared<sensor_msgs::LaserScan>();
+    scan->header.frame_id = kLaser;
+    scan->header.stamp = ros::Time(time);
+    scan->angle_min = static_cast<float>(step.scan.angle_min);
+    scan->angle_increment = static_cast<float>(step.scan.angle_increment);
+    scan->range_min = static_cast<float>(step.scan.range_min);
+    scan->range_max = static_cast<float>(step.scan.range_max);
+    scan->ranges = step.scan.ranges;
+    scans_.publish(sensor_msgs::LaserScan::ConstPtr(scan));
+  }
+
+  Pose2 inMap(const Pose2& pose) const { return compose(course_.task.start, pose); }
+
+ private:
+  static geometry_msgs::TransformStamped transform(const char* parent, const char* child, const Pose2& pose) {
+    geometry_msgs::TransformStamped message;
+    message.header.frame_id = parent;
+    message.child_frame_id = child;
+    const geometry_msgs::Pose there = toMessage(pose);
+    message.transform.translation.x = there.position.x;
+    message.transform.translation.y = there.position.y;
+    message.transform.rotation = there.orientation;
+    return message;
+  }
+
+  const Course& course_;
+  ros::NodeHandle node_handle_;
+  ros::Publisher scans_;
+  ros::Publisher odometry_;
+  tf2_ros::StaticTransformBroadcaster broadcaster_;
+};
+
+void waitForSubscriptions(const Robot& robot) {
+  const ros::WallTime begin = ros::WallTime::now();
+  while (!robot.isHeard()) {
+    if (ros::WallTime::now() - begin > ros::WallDuration(10.0)) throw std::runtime_error("the planner hears nothing");
+    ros::WallDuration(0.01).sleep();
+  }
+  ros::WallDuration(0.5).sleep();  // static transforms
+}
+
+/// makePlan of this package's planner, the sensors' messages included, twice a second while the robot drives towards
+/// the goal from where it knows nothing.
+void lstmPlanner(benchmark::State& state) {
+  const Course& where = course(static_cast<int>(state.range(0)), static_cast<Goal>(state.range(1)));
+  Robot robot(where);
+  Result result(where);
+  GlobalPlannerParameters parameters;
+  parameters.model = std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/create2_lstm_2x8.onnx";
+  parameters.rollout.steps = 10;
+  PlanMaker planner("LstmGlobalPlanner", parameters, kMap, kBase);
+  waitForSubscriptions(robot);
+  const geometry_msgs::PoseStamped goal = stamped({where.task.goal.x, where.task.goal.y, 0.0});
+  double time = 1000.0;
+  std::size_t longest = 0;
+  for (auto _ : state) {
+    time += 10.0;  // the odometry jumps back to the start, which makes the planner forget what it saw
+    for (std::size_t i = 0; i < where.drive.steps.size(); i += kEvery) {
+      const RecordedStep& step = where.drive.steps[i];
+      robot.publish(step, time + step.time);
+      ros::WallDuration(0.003).sleep();
+      const geometry_msgs::PoseStamped start = stamped(robot.inMap(step.pose));
+      std::vector<geometry_msgs::PoseStamped> plan;
+      const auto ask = [&] { plan = planner.makePlan(start, goal); };
+      if (i == 0) {
+        ask();  // twice, or the goal is taken for a question
+        ask();
+      } else {
+        result[i].measure(ask);
+      }
+      if (distanceBetween(plan.front().pose.position, start.pose.position) > 1e-6) {
+        state.SkipWithError("a scan came too late, the machine is too busy");
+        return;
+      }
+      longest = std::max(longest, plan.size());
+    }
+  }
+  result.report(longest, &state);
+}
+
+/// makePlan of one of the stack's planners from the same places to the same goal, in a costmap that shows the whole
+/// building.
+template <typename Planner>
+void stackPlanner(const std::string& name, benchmark::State& state) {
+  constexpr std::size_t kFewer = 4;  // of the places: what they cost hardly depends on the place
+  const Course& where = course(static_cast<int>(state.range(0)), static_cast<Goal>(state.range(1)));
+  Result result(where);
+  ros::Time::setNow(ros::Time(1000.0));
+  Planner planner(name, where.costmap.get(), kMap);
+  const geometry_msgs::PoseStamped goal = stamped({where.task.goal.x, where.task.goal.y, 0.0});
+  std::size_t longest = 0;
+  for (auto _ : state) {
+    for (std::size_t i = kEvery; i < where.drive.steps.size(); i += kFewer * kEvery) {
+      const geometry_msgs::PoseStamped start = stamped(compose(where.task.start, where.drive.steps[i].pose));
+      std::vector<geometry_msgs::PoseStamped> plan;
+      bool found = false;
+      result[i].measure([&] { found = planner.makePlan(start, goal, plan); });
+      if (!found) {
+        state.SkipWithError("no plan was found");
+        return;
+      }
+      longest = std::max(longest, plan.size());
+    }
+  }
+  result.report(longest, &state);
+}
+
+void navfnPlanner(benchmark::State& state) { stackPlanner<navfn::NavfnROS>("NavfnROS", state); }
+
+void globalPlanner(benchmark::State& state) { stackPlanner<global_planner::GlobalPlanner>("GlobalPlanner", state); }
+
+void globalPlannerAStar(benchmark::State& state) {
+  const ros::NodeHandle parameters("~/GlobalPlannerAStar");
+  parameters.setParam("use_dijkstra", false);
+  parameters.setParam("use_grid_path", true);  // its gradients lead nowhere on what A* has looked at
+  stackPlanner<global_planner::GlobalPlanner>("GlobalPlannerAStar", state);
+}
+
+void registerAll() {
+  for (const Goal goal : {kNearGoal, kFarGoal}) {
+    for (const int size : {200, 400, 1000, 2000, 4000}) {
+      const auto add = [&](const char* name, void (*function)(benchmark::State&), int passes) {
+        benchmark::RegisterBenchmark(name, function)
+            ->ArgNames({"cells", "far"})
+            ->Args({size, goal})
+            ->Iterations(passes)
+            ->Unit(benchmark::kMillisecond);
+      };
+      add("lstm_planner", lstmPlanner, 5);
+      add("navfn", navfnPlanner, 2);
+      add("global_planner", globalPlanner, 2);
+      add("global_planner_a_star", globalPlannerAStar, 2);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  ros::init(argc, argv, "lstm_planner_costmap_bench");
+  if (!ros::master::check()) {
+    std::cerr << "lstm_planner_costmap_bench needs a ROS master: run roscore beside it\n";
+    return 1;
+  }
+  ros::start();
+  lstm_planner::registerAll();
+  benchmark::RunSpecifiedBenchmarks();
+  ros::shutdown();
+  return 0;
+}
