@@ -18,7 +18,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
-#define LSTM_PLANNER_INLINE [[maybe_unused]] inline __attribute__((always_inline))
+#define LSTM_PLANNER_INLINE __attribute__((always_inline, unused)) inline
 
 namespace lstm_planner::simd {
 namespace {
@@ -93,6 +93,24 @@ template <class V>
 LSTM_PLANNER_INLINE V multiplyAdd(V a, V b, V c) {
   return a * b + c;
 }
+
+#if defined(__SSE2__)
+LSTM_PLANNER_INLINE bool noneIsNan(Floats<4> v) { return _mm_movemask_ps(_mm_cmpunord_ps(v, v)) == 0; }
+#endif
+#if defined(__AVX__)
+LSTM_PLANNER_INLINE bool noneIsNan(Floats<8> v) { return _mm256_movemask_ps(_mm256_cmp_ps(v, v, _CMP_UNORD_Q)) == 0; }
+#endif
+#if defined(__AVX512F__)
+LSTM_PLANNER_INLINE bool noneIsNan(Floats<16> v) { return _mm512_cmp_ps_mask(v, v, _CMP_UNORD_Q) == 0; }
+#endif
+#if !defined(__SSE2__)
+template <class V>
+LSTM_PLANNER_INLINE bool noneIsNan(V v) {
+  bool none = true;
+  for (int lane = 0; lane < kLanesOf<V>; ++lane) none &= v[lane] == v[lane];
+  return none;
+}
+#endif
 
 /// The second argument where one is NaN.
 template <class V>
@@ -179,13 +197,14 @@ LSTM_PLANNER_INLINE TanhTerms<V> tanhTerms(V x) {
           evenPolynomial(kTanhQ, square, fourth_power)};
 }
 
+/// `factor` times tanh(x), at no cost in time: x waits for the polynomials.
 template <class V>
-LSTM_PLANNER_INLINE Fraction<V> tanhFraction(V x) {
+LSTM_PLANNER_INLINE Fraction<V> tanhFraction(V x, float factor = 1.0f) {
   const TanhTerms<V> terms = tanhTerms(x);
-  return {terms.limited_x * terms.p, terms.q};
+  return {broadcast<V>(factor) * terms.limited_x * terms.p, terms.q};
 }
 
-/// Twice the sigmoid of 2 x: 1 + tanh(x). The factors are left to the caller, who has them in the weights already.
+/// Twice the sigmoid of 2 x: 1 + tanh(x). The factors are left to the caller, who may have them in the weights.
 template <class V>
 LSTM_PLANNER_INLINE Fraction<V> twiceSigmoidOfTwiceFraction(V x) {
   const TanhTerms<V> terms = tanhTerms(x);

@@ -1,56 +1,70 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
+#include "lstm_planner/network/instruction_set.hpp"
 #include "lstm_planner/network/layers.hpp"
 
 namespace lstm_planner {
 
+struct CacheLine;
+class PackedNetwork;
+
 /// Runs a stack of layers one step at a time and carries its hidden state from step to step.
 ///
-/// Batch 1, single precision; nothing is allocated after construction. The hidden state starts at zero and changes only
-/// in forward(), reset() and setHiddenState(). Not thread safe: one network an agent.
+/// Batch 1, single precision, within 1e-5 of double precision over a thousand steps; nothing is allocated after
+/// construction. The hidden state starts at zero and changes only in forward(), reset() and setHiddenState(). The same
+/// steps give the same bits as long as the instruction set is the same. Copies share their weights, and each has its own
+/// hidden state. Not thread safe: one network an agent.
 class Network {
  public:
-  /// Hidden and cell states of all recurrent layers, in one vector; for saving and restoring, not for reading.
+  /// Outputs of all recurrent layers, each followed by an LSTM's cell states, in one vector.
   using HiddenState = Eigen::VectorXf;
 
-  /// Throws std::invalid_argument when the layers do not fit together (validateLayers).
-  explicit Network(LayerStack layers);
+  /// Throws std::invalid_argument when the layers do not fit together (validateLayers), or when `set` is not one of
+  /// runnableInstructionSets().
+  explicit Network(LayerStack layers, InstructionSet set = fastestInstructionSet());
+  Network(const Network& other);
+  Network(Network&&) noexcept;
+  Network& operator=(const Network& other);
+  Network& operator=(Network&&) noexcept;
+  ~Network();
 
   /// One step. `input` has inputSize() values; the result has outputSize() values and stays valid until the next call.
   /// Throws std::invalid_argument for a wrong size, a non-finite input, or an input so large that a weighted sum leaves
-  /// the range of float; the hidden state is then what it was before.
+  /// the range of float; the hidden state is then what it was before. Sums beyond +-9 give activations at their limits.
+  /// Denormal inputs count as zero, and so do cell states below 1e-18: processors are slow with them.
   const Eigen::VectorXf& forward(const Eigen::Ref<const Eigen::VectorXf>& input);
 
   /// Forgets everything: hidden and cell states become zero.
   void reset();
 
-  const HiddenState& hiddenState() const { return hidden_state_; }
+  /// What forward() carries to its next call; valid until it, reset() or setHiddenState() is called.
+  Eigen::Map<const HiddenState> hiddenState() const;
 
   /// Throws std::invalid_argument when the size is not hiddenState().size() or a value is not finite.
-  void setHiddenState(const HiddenState& state);
+  void setHiddenState(const Eigen::Ref<const HiddenState>& state);
 
-  int inputSize() const { return input_size_; }
-  int outputSize() const { return output_size_; }
+  int inputSize() const { return static_cast<int>(input_.size()); }
+  int outputSize() const { return static_cast<int>(output_.size()); }
   const LayerStack& layers() const { return layers_; }
 
+  /// What the kernels that run the network were compiled for.
+  InstructionSet instructionSet() const { return instruction_set_; }
+
  private:
-  /// Where a layer keeps what it computes.
-  struct Workspace {
-    Eigen::Index state_offset;      ///< of the layer's part of the hidden state: outputs, then an LSTM's cell states
-    Eigen::Index state_size;        ///< 0 for a layer that remembers nothing
-    Eigen::VectorXf weighted_sums;  ///< of the gates or units, before and after their activation
-    Eigen::VectorXf output;
-  };
+  const float* memory(std::size_t which) const;
+  float* memory(std::size_t which);
 
   LayerStack layers_;
-  int input_size_ = 0;
-  int output_size_ = 0;
-  std::vector<Workspace> workspaces_;  ///< one a layer
-  HiddenState hidden_state_;
-  HiddenState next_hidden_state_;  ///< becomes hidden_state_ when all layers have succeeded
+  InstructionSet instruction_set_;
+  std::shared_ptr<const PackedNetwork> packed_;
+  std::vector<CacheLine> memories_;  ///< of the step before and of the one to come; which is which changes
+  std::size_t now_ = 0;
+  Eigen::VectorXf input_;  ///< without denormals, where the caller's has them
+  Eigen::VectorXf output_;
 };
 
 }  // namespace lstm_planner

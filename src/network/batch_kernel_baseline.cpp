@@ -1,0 +1,1 @@
+#include "batch_kernel_source.hpp"

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "lstm_planner/network/instruction_set.hpp"
+
+namespace lstm_planner {
+
+// What a network's step is made of: a function a layer, compiled for each instruction set from one source. This header
+// is seen by code for machines of different ages, so that whatever it defines must have internal linkage.
+
+enum class LayerKind { kLstm, kRecurrent, kDense, kSoftmax };
+
+/// Of a dense layer, or of an LSTM's candidate (kTanh or kSigmoid).
+enum class StepActivation { kIdentity, kTanh, kSigmoid, kRelu };
+
+struct LayerShape {
+  LayerKind kind;
+  StepActivation activation;
+  int inputs;
+  int units;  ///< cells of an LSTM, outputs of any layer
+};
+
+/// A layer's weights, in the order in which its functions read them.
+///
+/// Units are taken together in blocks of as many as a vector has lanes, and blocks in tiles of as many as the registers
+/// hold sums for. All that a tile needs follows in memory: for each column of the matrix, for each gate (one, or an
+/// LSTM's four in the order of LstmLayer), for each block of the tile, one vector. Units beyond the last are zeros. The
+/// gates with a sigmoid come halved, as sigmoid(x) = (1 + tanh(x / 2)) / 2.
+struct PackedLayer {
+  LayerShape shape;
+  const float* bias;       ///< in the order of one column
+  const float* recurrent;  ///< nullptr for a layer that remembers nothing
+  const float* input;
+};
+
+/// Where a layer finds what it works on. Vectors of `units` values lie without gaps; what is read from them in whole
+/// vectors may be followed by anything that is finite.
+struct LayerValues {
+  const float* input;  ///< shape.inputs values
+  const float* sums;   ///< what recurrentSums() made; unused by a layer that remembers nothing
+  const float* cells;  ///< an LSTM's cell states
+  float* next_cells;
+  float* output;
+};
+
+/// The functions for one layer, and the sizes that its weights are packed by.
+struct LayerKernel {
+  int lanes;          ///< units in a block
+  int blocks_a_tile;  ///< see tileBlocks()
+
+  /// sums = bias + recurrent * outputs: what a layer's next step needs of its last. It has room for whole vectors.
+  void (*recurrentSums)(const PackedLayer& layer, const float* outputs, float* sums);
+
+  /// The rest of the step. False when a weighted sum or a cell state is not finite; what was written is then worthless.
+  bool (*advance)(const PackedLayer& layer, const LayerValues& values);
+};
+
+LayerKernel baselineLayerKernel(const LayerShape& shape);
+#if defined(__x86_64__)
+LayerKernel avx2LayerKernel(const LayerShape& shape);
+LayerKernel avx512LayerKernel(const LayerShape& shape);
+#endif
+
+/// Blocks in the next tile when `rest` blocks are left: a_tile (a power of two) while there are as many, then less.
+static constexpr int tileBlocks(int rest, int a_tile) {
+  while (a_tile > rest) a_tile /= 2;
+  return a_tile;
+}
+
+/// A step reads whole vectors of at most so many floats.
+static constexpr int kMostLanes = 16;
+
+}  // namespace lstm_planner

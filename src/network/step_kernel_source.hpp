@@ -1,0 +1,238 @@
+// Included once by each step_kernel_*.cpp, which are compiled for different instruction sets. Everything but the
+// function at the end, LAYER_KERNEL, has internal linkage, as simd.hpp explains.
+
+#include "network/simd.hpp"
+#include "network/step_kernel.hpp"
+
+#if !defined(LAYER_KERNEL)
+#error "LAYER_KERNEL names the function that this file defines"
+#endif
+
+namespace lstm_planner {
+namespace {
+
+using namespace simd;
+
+constexpr float kHalf = 0.5f;
+
+/// sums += weights * x for a tile, `kSums` vectors high. Sums that wait for one another would leave the processor idle
+/// where a tile is small: `kParts` of them are made side by side, each from every kParts-th column.
+template <class V, int kSums, int kParts>
+LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, const float* x, int columns, V (&sums)[kSums]) {
+  V parts[kParts][kSums];
+#pragma GCC unroll 16
+  for (int sum = 0; sum < kSums; ++sum) {
+    for (int part = 0; part < kParts; ++part) parts[part][sum] = V{};
+  }
+  const auto multiplyAddColumn = [&](int part, int column) __attribute__((always_inline)) {
+    const V factor = broadcast<V>(x[column]);
+#pragma GCC unroll 16
+    for (int sum = 0; sum < kSums; ++sum) {
+      const V weight = load<V>(weights + (column * kSums + sum) * kLanesOf<V>);
+      parts[part][sum] = multiplyAdd(weight, factor, parts[part][sum]);
+    }
+  };
+  int column = 0;
+  for (; column + kParts <= columns; column += kParts) {
+#pragma GCC unroll 4
+    for (int part = 0; part < kParts; ++part) multiplyAddColumn(part, column + part);
+  }
+  for (; column < columns; ++column) multiplyAddColumn(0, column);
+#pragma GCC unroll 16
+  for (int sum = 0; sum < kSums; ++sum) {
+    for (int step = 1; step < kParts; step *= 2) {
+      for (int part = 0; part < kParts; part += 2 * step) parts[part][sum] += parts[part + step][sum];
+    }
+    sums[sum] += parts[0][sum];
+  }
+}
+
+/// 0 in each lane while all values are finite, NaN from then on.
+template <class V>
+LSTM_PLANNER_INLINE void watch(V value, V* watched) {
+  *watched = multiplyAdd(value, V{}, *watched);
+}
+
+/// An LSTM's new cell states and outputs (equations in LstmLayer) from the sums of the gates.
+template <class V, StepActivation kCandidate>
+LSTM_PLANNER_INLINE void lstmBlock(V input_sum, V output_sum, V forget_sum, V candidate_sum, int unit,
+                                   const LayerShape& shape, const LayerValues& values, V* watched) {
+  const V half = broadcast<V>(kHalf);
+  const Fraction<V> input_gate = twiceSigmoidOfTwiceFraction(input_sum);
+  const Fraction<V> output_gate = twiceSigmoidOfTwiceFraction(output_sum);
+  const Fraction<V> forget_gate = twiceSigmoidOfTwiceFraction(forget_sum);
+  Fraction<V> half_candidate;
+  if constexpr (kCandidate == StepActivation::kTanh) {
+    half_candidate = tanhFraction(candidate_sum, kHalf);
+  } else {
+    half_candidate = twiceSigmoidOfTwiceFraction(candidate_sum);
+    half_candidate.numerator *= broadcast<V>(kHalf * kHalf);
+  }
+  const V half_cell = half * load<V>(values.cells + unit);
+  const V update = (input_gate.numerator * half_candidate.numerator) /
+                   (input_gate.denominator * half_candidate.denominator);
+  const V cell = multiplyAdd(value(forget_gate), half_cell, update);
+
+  const TanhTerms<V> cell_terms = tanhTerms(cell);
+  const V output = (half * output_gate.numerator * cell_terms.limited_x * cell_terms.p) /
+                   (output_gate.denominator * cell_terms.q);
+  storeFirst(values.next_cells + unit, flushTiny(cell), shape.units - unit);
+  storeFirst(values.output + unit, output, shape.units - unit);
+  watch(input_sum, watched);
+  watch(output_sum, watched);
+  watch(forget_sum, watched);
+  watch(candidate_sum, watched);
+  watch(cell, watched);
+}
+
+template <class V>
+LSTM_PLANNER_INLINE V activated(StepActivation activation, V sum) {
+  switch (activation) {
+    case StepActivation::kIdentity:
+      return sum;
+    case StepActivation::kTanh:
+      return simd::tanh(sum);
+    case StepActivation::kSigmoid:
+      return sigmoid(sum);
+    case StepActivation::kRelu:
+      return maximum(sum, V{});
+  }
+  return sum;
+}
+
+/// One kind of layer in vectors V, in tiles of at most kMostBlocks blocks.
+template <class V, LayerKind kKind, StepActivation kCandidate, int kMostBlocks>
+struct TiledLayer {
+  static constexpr int kGates = kKind == LayerKind::kLstm ? 4 : 1;
+
+  /// Where a tile begins: its first unit, and the vectors that lie before it in the layer's sums.
+  struct Place {
+    int unit = 0;
+    int vector = 0;
+  };
+
+  /// Sums of small tiles are split until there are as many as a processor has multiplications under way.
+  static constexpr int parts(int sums) { return sums >= 8 ? 1 : sums >= 4 ? 2 : 4; }
+
+  template <int kBlocks>
+  static LSTM_PLANNER_INLINE void multiplyAddTile(const float* weights, const float* start, const float* x, int columns,
+                                                  Place place, V (&sums)[kGates * kBlocks]) {
+    constexpr int kSums = kGates * kBlocks;
+#pragma GCC unroll 16
+    for (int sum = 0; sum < kSums; ++sum) sums[sum] = load<V>(start + (place.vector + sum) * kLanesOf<V>);
+    multiplyAddColumns<V, kSums, parts(kSums)>(weights + place.vector * columns * kLanesOf<V>, x, columns, sums);
+  }
+
+  template <int kBlocks>
+  static LSTM_PLANNER_INLINE void recurrentTile(const PackedLayer& layer, const float* outputs, float* all_sums,
+                                                Place* place) {
+    V sums[kGates * kBlocks];
+    multiplyAddTile<kBlocks>(layer.recurrent, layer.bias, outputs, layer.shape.units, *place, sums);
+#pragma GCC unroll 16
+    for (int sum = 0; sum < kGates * kBlocks; ++sum) store(all_sums + (place->vector + sum) * kLanesOf<V>, sums[sum]);
+    place->unit += kBlocks * kLanesOf<V>;
+    place->vector += kBlocks * kGates;
+  }
+
+  template <int kBlocks>
+  static LSTM_PLANNER_INLINE void advanceTile(const PackedLayer& layer, const LayerValues& values, V* watched,
+                                              Place* place) {
+    const float* start = kKind == LayerKind::kDense ? layer.bias : values.sums;
+    V sums[kGates * kBlocks];
+    multiplyAddTile<kBlocks>(layer.input, start, values.input, layer.shape.inputs, *place, sums);
+#pragma GCC unroll 4
+    for (int block = 0; block < kBlocks; ++block) {
+      if constexpr (kKind == LayerKind::kLstm) {
+        lstmBlock<V, kCandidate>(sums[block], sums[kBlocks + block], sums[2 * kBlocks + block],
+                                 sums[3 * kBlocks + block], place->unit, layer.shape, values, watched);
+      } else {
+        watch(sums[block], watched);
+        const V output = kKind == LayerKind::kRecurrent ? flushTiny(simd::tanh(sums[block]))
+                                                        : activated(layer.shape.activation, sums[block]);
+        storeFirst(values.output + place->unit, output, layer.shape.units - place->unit);
+      }
+      place->unit += kLanesOf<V>;
+    }
+    place->vector += kBlocks * kGates;
+  }
+
+  static void recurrentSums(const PackedLayer& layer, const float* outputs, float* sums) {
+    Place place;
+    if constexpr (kMostBlocks >= 4) {
+      while (blocksLeft(layer, place) >= 4) recurrentTile<4>(layer, outputs, sums, &place);
+    }
+    if constexpr (kMostBlocks >= 2) {
+      while (blocksLeft(layer, place) >= 2) recurrentTile<2>(layer, outputs, sums, &place);
+    }
+    while (blocksLeft(layer, place) >= 1) recurrentTile<1>(layer, outputs, sums, &place);
+  }
+
+  static bool advance(const PackedLayer& layer, const LayerValues& values) {
+    Place place;
+    V watched = {};
+    if constexpr (kMostBlocks >= 4) {
+      while (blocksLeft(layer, place) >= 4) advanceTile<4>(layer, values, &watched, &place);
+    }
+    if constexpr (kMostBlocks >= 2) {
+      while (blocksLeft(layer, place) >= 2) advanceTile<2>(layer, values, &watched, &place);
+    }
+    while (blocksLeft(layer, place) >= 1) advanceTile<1>(layer, values, &watched, &place);
+    return noneIsNan(watched);
+  }
+
+  static int blocksLeft(const PackedLayer& layer, Place place) {
+    return (layer.shape.units - place.unit + kLanesOf<V> - 1) / kLanesOf<V>;
+  }
+};
+
+/// Probabilities are the same for preferences shifted by a constant; with the largest at 0 no exponential overflows.
+bool softmax(const PackedLayer& layer, const LayerValues& values) {
+  typedef Floats<4> V;
+  const int count = layer.shape.units;
+  float largest = values.input[0];
+  for (int unit = 1; unit < count; ++unit) largest = values.input[unit] > largest ? values.input[unit] : largest;
+  float sum = 0.0f;
+  for (int unit = 0; unit < count; unit += kLanesOf<V>) {
+    storeFirst(values.output + unit, exponential(load<V>(values.input + unit) - broadcast<V>(largest)), count - unit);
+  }
+  for (int unit = 0; unit < count; ++unit) sum += values.output[unit];
+  for (int unit = 0; unit < count; ++unit) values.output[unit] /= sum;
+  return true;
+}
+
+template <class V, LayerKind kKind, StepActivation kCandidate, int kMostBlocks>
+LayerKernel tiled() {
+  using Layer = TiledLayer<V, kKind, kCandidate, kMostBlocks>;
+  return {kLanesOf<V>, kMostBlocks, &Layer::recurrentSums, &Layer::advance};
+}
+
+template <class V, int kLstmBlocks>
+LayerKernel layerKernel(const LayerShape& shape) {
+  switch (shape.kind) {
+    case LayerKind::kLstm:
+      return shape.activation == StepActivation::kTanh
+                 ? tiled<V, LayerKind::kLstm, StepActivation::kTanh, kLstmBlocks>()
+                 : tiled<V, LayerKind::kLstm, StepActivation::kSigmoid, kLstmBlocks>();
+    case LayerKind::kRecurrent:
+      return tiled<V, LayerKind::kRecurrent, StepActivation::kTanh, 4>();
+    case LayerKind::kDense:
+      return tiled<V, LayerKind::kDense, StepActivation::kIdentity, 4>();
+    case LayerKind::kSoftmax:
+      break;
+  }
+  return {4, 1, nullptr, &softmax};
+}
+
+}  // namespace
+
+LayerKernel LAYER_KERNEL(const LayerShape& shape) {
+#if defined(__AVX512F__)
+  if (shape.units > 8) return shape.units > 32 ? layerKernel<Floats<16>, 4>(shape) : layerKernel<Floats<16>, 2>(shape);
+#endif
+#if defined(__AVX__)
+  if (shape.units > 4) return layerKernel<Floats<8>, 2>(shape);
+#endif
+  return layerKernel<Floats<4>, 2>(shape);
+}
+
+}  // namespace lstm_planner
