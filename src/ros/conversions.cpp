@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "lstm_planner/perception/observation.hpp"
@@ -60,6 +61,42 @@ SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner) 
 Pose2 compose(const Pose2& parent, const Pose2& child) {
   const Point2 position = toParentFrame(parent, {child.x, child.y});
   return {position.x, position.y, normalizeAngle(parent.yaw + child.yaw)};
+}
+
+void compose(const Pose2& parent, const std::vector<Pose2>& children, std::vector<Pose2>* poses) {
+  const double c = std::cos(parent.yaw);
+  const double s = std::sin(parent.yaw);
+  poses->resize(children.size());
+  double child_yaw = std::numeric_limits<double>::quiet_NaN();
+  double yaw = child_yaw;
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const Pose2& child = children[i];
+    if (child.yaw != child_yaw) {
+      child_yaw = child.yaw;
+      yaw = normalizeAngle(parent.yaw + child_yaw);
+    }
+    (*poses)[i] = {parent.x + c * child.x - s * child.y, parent.y + s * child.x + c * child.y, yaw};
+  }
+}
+
+void compose(const Pose2& parent, const std::vector<Pose2>& children, const std_msgs::Header& header,
+             std::vector<geometry_msgs::PoseStamped>* messages) {
+  const double c = std::cos(parent.yaw);
+  const double s = std::sin(parent.yaw);
+  messages->resize(children.size());
+  double child_yaw = std::numeric_limits<double>::quiet_NaN();
+  geometry_msgs::Pose pose;
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const Pose2& child = children[i];
+    if (child.yaw != child_yaw) {
+      child_yaw = child.yaw;
+      pose = toMessage({0.0, 0.0, normalizeAngle(parent.yaw + child_yaw)});
+    }
+    pose.position.x = parent.x + c * child.x - s * child.y;
+    pose.position.y = parent.y + s * child.x + c * child.y;
+    (*messages)[i].header = header;
+    (*messages)[i].pose = pose;
+  }
 }
 
 std::string frameName(const std::string& frame_id) {

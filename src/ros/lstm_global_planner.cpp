@@ -63,7 +63,7 @@ bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const 
   const std::lock_guard<std::mutex> lock(mutex_);
   try {
     if (plan_maker_) {
-      plan = plan_maker_->makePlan(start, goal);
+      plan_maker_->makePlan(start, goal, &plan);
       return true;
     }
     ROS_ERROR_THROTTLE(kLogPeriod, "no plan: the planner is not initialised");

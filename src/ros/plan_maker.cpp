@@ -34,10 +34,10 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       markers_(ros::NodeHandle("~/" + name), agent_.description(), parameters.trace_length),
       decisions_(ros::NodeHandle("~/" + name)),
       plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)),
-      shield_(agent_.shield()) {}
+      preview_shield_(agent_.shield()) {}
 
-std::vector<geometry_msgs::PoseStamped> PlanMaker::makePlan(const geometry_msgs::PoseStamped& start,
-                                                            const geometry_msgs::PoseStamped& goal_message) {
+void PlanMaker::makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
+                         std::vector<geometry_msgs::PoseStamped>* plan) {
   now_ = ros::Time::now();
   const GoalInFrame goal = goalFromMessage(goal_message);
   const SensorReading reading = sensors_.read(now_);
@@ -47,11 +47,19 @@ std::vector<geometry_msgs::PoseStamped> PlanMaker::makePlan(const geometry_msgs:
 
   Pose2 goal_in_global_frame =
       compose(frames_.transform(global_frame_, goal.frame, goal_message.header.stamp), goal.pose);
-  const Decision decision = decide(goal, reading, &goal_in_global_frame);
+  const GoalTracker::Verdict verdict = ask(goal, &goal_in_global_frame);
+  const Point2 position = toLocalFrame(global_from_odometry_, {goal_in_global_frame.x, goal_in_global_frame.y});
+  const Pose2 odometry_goal{position.x, position.y, goal_in_global_frame.yaw - global_from_odometry_.yaw};
+  const bool driven = verdict != GoalTracker::Verdict::kQuestion;
+  const Decision& decision = driven ? drive(odometry_goal, reading, verdict == GoalTracker::Verdict::kNewGoal)
+                                    : preview(odometry_goal);
+  rollOut(agent_.situation(), decision, driven ? agent_.shield() : preview_shield_, odometry_goal, parameters_.agent,
+          parameters_.rollout, &plan_);
+  toGlobalFrame(decision, goal_in_global_frame, plan);
+  if (driven) publish(reading, decision, odometry_goal, *plan);
   if (decision.source == Decision::Source::kNoWay) {
     throw PlanRefused("there is no way to the goal: the boundary of what is in the way was followed to its end");
   }
-  return inGlobalFrame(decision, goal_in_global_frame);
 }
 
 void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const {
@@ -69,10 +77,9 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
 void PlanMaker::look(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
   agent_.look(scan_, reading.mount, reading.scan_pose, scan_.stamp > 0.0 ? scan_.stamp : now_.toSec());
-  shield_.show(agent_.situation().obstacles);
 }
 
-Decision PlanMaker::decide(const GoalInFrame& goal, const SensorReading& reading, Pose2* goal_in_global_frame) {
+GoalTracker::Verdict PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
   if (const auto announced = goals_.takeAnnouncement()) {
     tracker_.announce(*announced);
   }
@@ -83,16 +90,7 @@ Decision PlanMaker::decide(const GoalInFrame& goal, const SensorReading& reading
     // A goal given in a frame that moves (the robot's own) stays where it was when it was given.
     *goal_in_global_frame = driven_goal_;
   }
-  const Point2 position = toLocalFrame(global_from_odometry_, {goal_in_global_frame->x, goal_in_global_frame->y});
-  const Pose2 odometry_goal{position.x, position.y, goal_in_global_frame->yaw - global_from_odometry_.yaw};
-  const bool driven = verdict != GoalTracker::Verdict::kQuestion;
-  const Decision decision = driven ? drive(odometry_goal, reading, verdict == GoalTracker::Verdict::kNewGoal)
-                                   : agent_.preview(position);
-  rollOut(agent_.situation(), decision, shield_, odometry_goal, parameters_.agent, parameters_.rollout, &plan_);
-  if (driven) {
-    publish(reading, decision, odometry_goal, inGlobalFrame(decision, *goal_in_global_frame));
-  }
-  return decision;
+  return verdict;
 }
 
 const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading, bool is_new) {
@@ -115,22 +113,23 @@ const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading
   return agent_.decision();
 }
 
-std::vector<geometry_msgs::PoseStamped> PlanMaker::inGlobalFrame(const Decision& decision, const Pose2& goal) const {
-  geometry_msgs::PoseStamped stamped;
-  stamped.header.frame_id = global_frame_;
-  stamped.header.stamp = now_;
-  std::vector<geometry_msgs::PoseStamped> plan;
-  plan.reserve(plan_.size());
-  for (const Pose2& pose : plan_) {
-    stamped.pose = toMessage(compose(global_from_odometry_, pose));
-    plan.push_back(stamped);
-  }
+const Decision& PlanMaker::preview(const Pose2& goal) {
+  preview_shield_.show(agent_.situation().obstacles);
+  preview_ = agent_.preview({goal.x, goal.y});
+  return preview_;
+}
+
+void PlanMaker::toGlobalFrame(const Decision& decision, const Pose2& goal,
+                              std::vector<geometry_msgs::PoseStamped>* plan) const {
+  std_msgs::Header header;
+  header.frame_id = global_frame_;
+  header.stamp = now_;
+  compose(global_from_odometry_, plan_, header, plan);
   const Point2 position = toLocalFrame(global_from_odometry_, {goal.x, goal.y});
   if (distanceBetween(decision.destination, position) < 1e-6) {
     // Free of the rounding of there and back again.
-    plan.back().pose = toMessage(goal);
+    plan->back().pose = toMessage(goal);
   }
-  return plan;
 }
 
 void PlanMaker::publish(const SensorReading& reading, const Decision& decision, const Pose2& goal,

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <geometry_msgs/Pose.h>
+#include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Transform.h>
 #include <sensor_msgs/LaserScan.h>
+#include <std_msgs/Header.h>
 
 #include <string>
+#include <vector>
 
 #include "lstm_planner/geometry.hpp"
 #include "lstm_planner/perception/laser_scan.hpp"
@@ -29,6 +32,14 @@ SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner);
 
 /// A pose given in the frame of `parent`, in the frame that `parent` is given in.
 Pose2 compose(const Pose2& parent, const Pose2& child);
+
+/// The same for many poses, as in a plan; quick where neighbours have the same yaw. Overwrites `poses`, reusing its
+/// memory.
+void compose(const Pose2& parent, const std::vector<Pose2>& children, std::vector<Pose2>* poses);
+
+/// The same as messages, all with that header.
+void compose(const Pose2& parent, const std::vector<Pose2>& children, const std_msgs::Header& header,
+             std::vector<geometry_msgs::PoseStamped>* messages);
 
 /// Frame without the leading slash that old drivers put there and tf2 refuses.
 std::string frameName(const std::string& frame_id);

@@ -35,17 +35,18 @@ class PlanMaker {
   PlanMaker(const std::string& name, const GlobalPlannerParameters& parameters, const std::string& global_frame,
             const std::string& base_frame);
 
-  /// A plan from the robot to the goal in the global frame, stamped now. Throws PlanRefused, SensorError, FrameError,
-  /// UnusableScan or std::invalid_argument with the reason.
-  std::vector<geometry_msgs::PoseStamped> makePlan(const geometry_msgs::PoseStamped& start,
-                                                   const geometry_msgs::PoseStamped& goal);
+  /// A plan from the robot to the goal in the global frame, stamped now; overwrites `plan`, reusing its memory. Throws
+  /// PlanRefused, SensorError, FrameError, UnusableScan or std::invalid_argument with the reason.
+  void makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
+                std::vector<geometry_msgs::PoseStamped>* plan);
 
  private:
   void checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const;
   void look(const SensorReading& reading);
-  Decision decide(const GoalInFrame& goal, const SensorReading& reading, Pose2* goal_in_global_frame);
+  GoalTracker::Verdict ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
   const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
-  std::vector<geometry_msgs::PoseStamped> inGlobalFrame(const Decision& decision, const Pose2& goal) const;
+  const Decision& preview(const Pose2& goal);
+  void toGlobalFrame(const Decision& decision, const Pose2& goal, std::vector<geometry_msgs::PoseStamped>* plan) const;
   void publish(const SensorReading& reading, const Decision& decision, const Pose2& goal,
                const std::vector<geometry_msgs::PoseStamped>& plan);
 
@@ -67,7 +68,8 @@ class PlanMaker {
   ros::Time now_;                ///< of the current call
   Pose2 global_from_odometry_;   ///< of the current call
   LaserScan scan_;               ///< of the current call
-  Shield shield_;                ///< shows the current call's scan
+  Decision preview_;             ///< of the last question
+  Shield preview_shield_;        ///< shows the last question's scan
   std::vector<Pose2> plan_;      ///< of the current call, odometry frame
   Pose2 driven_goal_;            ///< global frame
 };

@@ -282,7 +282,7 @@ void lstmPlanner(benchmark::State& state) {
       ros::WallDuration(0.003).sleep();
       const geometry_msgs::PoseStamped start = stamped(robot.inMap(step.pose));
       std::vector<geometry_msgs::PoseStamped> plan;
-      const auto ask = [&] { plan = planner.makePlan(start, goal); };
+      const auto ask = [&] { planner.makePlan(start, goal, &plan); };
       if (i == 0) {
         ask();  // twice, or the goal is taken for a question
         ask();
