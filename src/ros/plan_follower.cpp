@@ -3,7 +3,6 @@
 #include <ros/time.h>
 
 #include <stdexcept>
-#include <utility>
 
 #include "lstm_planner/ros/conversions.hpp"
 
@@ -30,21 +29,22 @@ void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) 
   if (plan.empty()) {
     return;
   }
-  std::vector<Pose2> poses;
-  poses.reserve(plan.size());
-  plan_frame_ = frameName(plan.front().header.frame_id);
+  new_plan_.clear();
+  const std::string& frame = plan.front().header.frame_id;
+  plan_frame_ = frameName(frame);
   for (const geometry_msgs::PoseStamped& stamped : plan) {
     const Pose2 pose = fromMessage(stamped.pose);
-    if (plan_frame_.empty() || frameName(stamped.header.frame_id) != plan_frame_) {
+    const bool same_frame = stamped.header.frame_id == frame || frameName(stamped.header.frame_id) == plan_frame_;
+    if (plan_frame_.empty() || !same_frame) {
       throw std::invalid_argument("the plan has a pose in frame '" + stamped.header.frame_id + "', expected '" +
                                   plan_frame_ + "' as in its first pose, and not empty");
     }
     if (!isFinite(pose)) {
       throw std::invalid_argument("the plan has a pose that is not finite, or a zero quaternion");
     }
-    poses.push_back(pose);
+    new_plan_.push_back(pose);
   }
-  plan_ = std::move(poses);
+  plan_.swap(new_plan_);
   plan_time_ = ros::Time::now();
 }
 
@@ -52,7 +52,7 @@ Twist2 PlanFollower::compute() {
   const ros::Time now = ros::Time::now();
   const SensorReading reading = sensors_.read(now);
   checkPlanAge(now);
-  planToOdometry(reading.odometry_frame);
+  compose(odometryFromPlan(reading.odometry_frame), plan_, &odometry_plan_);
   look(reading);
   return controller_.compute(odometry_plan_, reading.scan_pose, reading.twist, shield_,
                              1.0 / parameters_.controller_frequency, moving_.points());
@@ -63,8 +63,8 @@ bool PlanFollower::goalReached() {
     return false;
   }
   const SensorReading reading = sensors_.read(ros::Time::now());
-  planToOdometry(reading.odometry_frame);
-  return controller_.goalReached(reading.newest_pose, odometry_plan_.back());
+  const Pose2 goal = compose(odometryFromPlan(reading.odometry_frame), plan_.back());
+  return controller_.goalReached(reading.newest_pose, goal);
 }
 
 void PlanFollower::checkPlanAge(const ros::Time& now) const {
@@ -76,15 +76,8 @@ void PlanFollower::checkPlanAge(const ros::Time& now) const {
   }
 }
 
-void PlanFollower::planToOdometry(const std::string& odometry_frame) {
-  odometry_plan_.clear();
-  if (plan_.empty()) {
-    return;
-  }
-  const Pose2 odometry_from_plan = frames_.transform(odometry_frame, plan_frame_);
-  for (const Pose2& pose : plan_) {
-    odometry_plan_.push_back(compose(odometry_from_plan, pose));
-  }
+Pose2 PlanFollower::odometryFromPlan(const std::string& odometry_frame) const {
+  return plan_.empty() ? Pose2() : frames_.transform(odometry_frame, plan_frame_);
 }
 
 void PlanFollower::look(const SensorReading& reading) {

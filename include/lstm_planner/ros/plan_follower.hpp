@@ -44,7 +44,7 @@ class PlanFollower {
 
  private:
   void checkPlanAge(const ros::Time& now) const;
-  void planToOdometry(const std::string& odometry_frame);
+  Pose2 odometryFromPlan(const std::string& odometry_frame) const;
   void look(const SensorReading& reading);
 
   SteeringControllerParameters parameters_;
@@ -58,6 +58,7 @@ class PlanFollower {
   ros::Time plan_time_;                 ///< when the plan was set
   std::string plan_frame_;
   std::vector<Pose2> plan_;             ///< plan's frame
+  std::vector<Pose2> new_plan_;         ///< of setPlan(), until it is found good
   std::vector<Pose2> odometry_plan_;    ///< of the current call
   LaserScan scan_;                      ///< of the current call
   std::vector<Point2> obstacles_;       ///< of the current call
