@@ -4,15 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "lstm_planner/grid/grid_rays.hpp"
-
 namespace lstm_planner {
 
 namespace {
-
-constexpr std::uint16_t kFar = std::numeric_limits<std::uint16_t>::max();
-constexpr int kStraight = 5;  ///< cost of a step; its diagonal is 7, 1 % less than the true ratio
-constexpr int kDiagonal = 7;
 
 /// Corners are pulled straight this far from the start, m: the rest is a guess that will be made anew anyway.
 constexpr double kStraightened = 8.0;
@@ -20,12 +14,8 @@ constexpr std::size_t kLongestPull = 24;  ///< cells
 
 constexpr double kDetour = 3.0;  ///< times the tolerance
 
-/// Cost of the way between two cells if nothing is in between.
-std::uint32_t octile(int columns, int rows) {
-  const int longer = std::max(std::abs(columns), std::abs(rows));
-  const int shorter = std::min(std::abs(columns), std::abs(rows));
-  return static_cast<std::uint32_t>(kStraight * (longer - shorter) + kDiagonal * shorter);
-}
+/// Ways are searched that cost this much more than the shortest, m: those of a robot that leaves it a little.
+constexpr double kMargin = 0.8;
 
 /// The square nearest to `position` that the footprint fits on, at most `tolerance` away; false when there is none.
 bool nearestPlace(ObstacleMemory& memory, const Point2& position, double tolerance, Point2* place) {
@@ -65,6 +55,10 @@ bool nearestPlace(ObstacleMemory& memory, const Point2& position, double toleran
   return found;
 }
 
+std::uint32_t marginIn(const ObstacleMemory& memory) {
+  return static_cast<std::uint32_t>(CostToGo::kStraight * kMargin / memory.cellSize());
+}
+
 }  // namespace
 
 double lengthOf(const std::vector<Point2>& points) {
@@ -75,12 +69,16 @@ double lengthOf(const std::vector<Point2>& points) {
   return length;
 }
 
-RouteFinder::RouteFinder(double tightness) : tightness_(tightness) {}
+RouteFinder::RouteFinder(double tightness) : tightness_(tightness), cost_to_go_(tightness) {}
+
+bool RouteFinder::isDetour(double distance, double length, double tolerance) {
+  return distance <= tolerance && length > kDetour * tolerance;
+}
 
 bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance,
                        Route* route) {
+  ends_at_goal_ = false;
   const int first = memory.cellAt(start);
-  int end = -1;
   if (first < 0) {
     return false;
   }
@@ -90,104 +88,112 @@ bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2
                                           !memory.isFree(goal, goal, ObstacleMemory::Passage::kTight));
   Point2 end_point = goal;
   const bool fits = !blocked || nearestPlace(memory, goal, tolerance, &end_point);
-  if (fits && search(memory, first, end_point, 0.0, &end) && trace(memory, start, end, end_point, route)) {
+  if (fits && search(memory, first, end_point, 0.0) && trace(memory, start, route)) {
     // Who is near enough already does not make a long detour for a place that is hardly nearer: more likely odometry
     // has put it behind the wall.
-    const bool near = distanceBetween(start, goal) <= tolerance;
-    if (!near || route->length <= kDetour * tolerance) {
+    if (!isDetour(distanceBetween(start, goal), route->length, tolerance)) {
+      ends_at_goal_ = true;
       return true;
     }
   }
-  return search(memory, first, goal, tolerance, &end) && trace(memory, start, end, goal, route);
+  return search(memory, first, goal, tolerance) && trace(memory, start, route);
 }
 
-bool RouteFinder::trace(ObstacleMemory& memory, const Point2& start, int end, const Point2& goal, Route* route) {
-  route->points.clear();
+bool RouteFinder::findAgain(ObstacleMemory& memory, const Point2& start, bool unchanged, Route* route) {
   const int first = memory.cellAt(start);
-  const bool goal_is_free = memory.cellAt(goal) == end || memory.cellAt(goal) < 0;
-  if (goal_is_free) {
-    route->points.push_back(goal);
+  if (!ends_at_goal_ || first < 0) {
+    return false;
   }
-  for (int cell = end; cell != first;) {
-    if (memory.cellAt(goal) != cell) {
-      route->points.push_back(memory.bestPlace(cell));
+  const bool known = unchanged ? cost_to_go_.extendTo(memory, first) : cost_to_go_.isKnown(first);
+  return known && trace(memory, start, route);
+}
+
+bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& end, double tolerance) {
+  end_ = end;
+  tolerance_ = tolerance;
+  const int side = memory.side();
+  const int end_cell = memory.cellAt(end);
+  const Point2 origin = memory.centerOf(0);
+  end_column_ = end_cell < 0 ? static_cast<int>(std::lround((end.x - origin.x) / memory.cellSize())) : end_cell % side;
+  end_row_ = end_cell < 0 ? static_cast<int>(std::lround((end.y - origin.y) / memory.cellSize())) : end_cell / side;
+  ends_.clear();
+  if (end_cell < 0) {
+    ending_ = Ending::kBorder;
+    for (int i = 0; i < side; ++i) {
+      addEnd(memory, i, 0);
+      addEnd(memory, i, side - 1);
     }
-    const CellIndex step = kGridRaySteps[from_[static_cast<std::size_t>(cell)]];
-    cell -= step.row * memory.side() + step.column;
+    for (int i = 1; i < side - 1; ++i) {
+      addEnd(memory, 0, i);
+      addEnd(memory, side - 1, i);
+    }
+  } else if (tolerance > 0.0) {
+    ending_ = Ending::kNear;
+    const int reach = static_cast<int>(std::ceil(tolerance / memory.cellSize())) + 1;
+    for (int row = std::max(0, end_row_ - reach); row <= std::min(side - 1, end_row_ + reach); ++row) {
+      for (int column = std::max(0, end_column_ - reach); column <= std::min(side - 1, end_column_ + reach); ++column) {
+        addEnd(memory, column, row);
+      }
+    }
+  } else {
+    ending_ = Ending::kAtCell;
+    ends_.push_back({end_cell, 0});
   }
-  route->points.push_back(start);
-  std::reverse(route->points.begin(), route->points.end());
-  route->cost = costs_[static_cast<std::size_t>(end)] * memory.cellSize() / kStraight;
-  if (memory.cellAt(goal) < 0) {
-    route->cost += distanceBetween(route->points[route->points.size() - 2], goal);
+  return !ends_.empty() && cost_to_go_.search(memory, start, ends_, marginIn(memory));
+}
+
+void RouteFinder::addEnd(ObstacleMemory& memory, int column, int row) {
+  const int cell = row * memory.side() + column;
+  if (isEnd(memory, cell)) {
+    ends_.push_back({cell, CostToGo::octile(end_column_ - column, end_row_ - row)});
+  }
+}
+
+bool RouteFinder::isEnd(ObstacleMemory& memory, int cell) const {
+  switch (ending_) {
+    case Ending::kAtCell:
+      return cell == end_row_ * memory.side() + end_column_;
+    case Ending::kNear:
+      return distanceBetween(memory.bestPlace(cell), end_) <= tolerance_;
+    case Ending::kBorder:
+      break;
+  }
+  const int side = memory.side();
+  const int column = cell % side;
+  return column == 0 || column == side - 1 || cell < side || cell >= side * (side - 1);
+}
+
+bool RouteFinder::trace(ObstacleMemory& memory, const Point2& start, Route* route) const {
+  std::vector<Point2>& points = route->points;
+  points.clear();
+  points.push_back(start);
+  const int first = memory.cellAt(start);
+  const int goal_cell = memory.cellAt(end_);
+  int cell = first;
+  while (!isEnd(memory, cell)) {
+    cell = cost_to_go_.next(memory, cell, end_column_, end_row_);
+    if (cell < 0) {
+      return false;
+    }
+    if (cell != goal_cell) {
+      points.push_back(memory.bestPlace(cell));
+    }
+  }
+  route->cost = (cost_to_go_.cost(first) - cost_to_go_.cost(cell)) * memory.cellSize() / CostToGo::kStraight;
+  if (goal_cell < 0) {
+    route->cost += distanceBetween(points.back(), end_);
+  }
+  if (goal_cell == cell || goal_cell < 0) {
+    points.push_back(end_);
   }
   pullStraight(memory, route);
-  route->length = lengthOf(route->points);
+  route->length = lengthOf(points);
   return true;
-}
-
-bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& goal, double tolerance, int* end) {
-  using Passage = ObstacleMemory::Passage;
-  const int side = memory.side();
-  costs_.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), kFar);
-  from_.resize(costs_.size());
-  open_.clear();
-  const auto later = [](const Open& a, const Open& b) { return a.estimate > b.estimate; };
-
-  const int goal_cell = memory.cellAt(goal);
-  const Point2 origin = memory.centerOf(start);
-  const int goal_column = start % side + static_cast<int>(std::lround((goal.x - origin.x) / memory.cellSize()));
-  const int goal_row = start / side + static_cast<int>(std::lround((goal.y - origin.y) / memory.cellSize()));
-  // In halves; blocked cells are never entered.
-  const auto tight = static_cast<int>(std::lround(tightness_ * 2.0));
-  const int factors[] = {tight, tight, static_cast<int>(std::lround(narrowness() * 2.0)), 2};
-
-  costs_[static_cast<std::size_t>(start)] = 0;
-  open_.push_back({octile(goal_column - start % side, goal_row - start / side), static_cast<std::uint32_t>(start)});
-  while (!open_.empty()) {
-    std::pop_heap(open_.begin(), open_.end(), later);
-    const Open next = open_.back();
-    open_.pop_back();
-    const int cell = static_cast<int>(next.cell);
-    const int column = cell % side;
-    const int row = cell / side;
-    const int cost = costs_[next.cell];
-    if (next.estimate != static_cast<std::uint32_t>(cost) + octile(goal_column - column, goal_row - row)) {
-      continue;  // a cheaper way to it was found meanwhile
-    }
-    const bool at_border = column == 0 || row == 0 || column == side - 1 || row == side - 1;
-    const bool near_enough = tolerance > 0.0 && distanceBetween(memory.bestPlace(cell), goal) <= tolerance;
-    if (cell == goal_cell || near_enough || (goal_cell < 0 && at_border)) {
-      *end = cell;
-      return true;
-    }
-    const std::uint8_t exits = memory.exits(cell);
-    for (std::size_t direction = 0; direction < kGridRaySteps.size(); ++direction) {
-      if ((exits >> direction & 1) == 0) {
-        continue;
-      }
-      const bool diagonal = direction % 2 != 0;
-      const int neighbour = cell + kGridRaySteps[direction].row * side + kGridRaySteps[direction].column;
-      const auto i = static_cast<std::size_t>(neighbour);
-      const Passage passage = memory.passage(neighbour);
-      const int step = diagonal ? kDiagonal : kStraight;
-      const int sum = cost + step * factors[static_cast<int>(passage)] / 2;
-      if (sum < costs_[i]) {
-        costs_[i] = static_cast<std::uint16_t>(sum);
-        from_[i] = static_cast<std::uint8_t>(direction);
-        open_.push_back({static_cast<std::uint32_t>(sum) +
-                             octile(goal_column - neighbour % side, goal_row - neighbour / side),
-                         static_cast<std::uint32_t>(neighbour)});
-        std::push_heap(open_.begin(), open_.end(), later);
-      }
-    }
-  }
-  return false;
 }
 
 void RouteFinder::pullStraight(ObstacleMemory& memory, Route* route) const {
   std::vector<Point2>& points = route->points;
-  std::vector<Point2> pulled = {points.front()};
+  std::size_t pulled = 1;  // of the points, which are overwritten from the front
   double length = 0.0;
   std::size_t at = 0;
   while (at + 1 < points.size()) {
@@ -204,12 +210,12 @@ void RouteFinder::pullStraight(ObstacleMemory& memory, Route* route) const {
         }
         next = to;
       }
+      length += distanceBetween(points[at], points[next]);
     }
-    length += distanceBetween(points[at], points[next]);
-    pulled.push_back(points[next]);
+    points[pulled++] = points[next];
     at = next;
   }
-  points.swap(pulled);
+  points.resize(pulled);
 }
 
 double RouteFinder::costOf(ObstacleMemory& memory, const Route& route, double distance) const {
@@ -218,20 +224,22 @@ double RouteFinder::costOf(ObstacleMemory& memory, const Route& route, double di
     const Point2& from = route.points[i - 1];
     const Point2& to = route.points[i];
     const double length = distanceBetween(from, to);
-    if (distance > 0.0 && memory.cellAt(to) >= 0 && memory.cellAt(from) >= 0) {
-      using Passage = ObstacleMemory::Passage;
-      if (!memory.isFree(from, to, Passage::kTight)) {
-        return std::numeric_limits<double>::infinity();
-      }
-      cost += memory.isFree(from, to, Passage::kRoomy)    ? length
-              : memory.isFree(from, to, Passage::kNarrow) ? narrowness() * length
-                                                          : tightness_ * length;
-    } else {
-      cost += length;
-    }
+    cost += distance > 0.0 ? costOf(memory, from, to) : length;
     distance -= length;
   }
   return cost;
+}
+
+double RouteFinder::costOf(ObstacleMemory& memory, const Point2& from, const Point2& to) const {
+  using Passage = ObstacleMemory::Passage;
+  const double length = distanceBetween(from, to);
+  if (memory.cellAt(to) < 0 || memory.cellAt(from) < 0 || memory.isFree(from, to, Passage::kRoomy)) {
+    return length;
+  }
+  if (memory.isFree(from, to, Passage::kNarrow)) {
+    return (1.0 + 0.25 * (tightness_ - 1.0)) * length;
+  }
+  return memory.isFree(from, to, Passage::kTight) ? tightness_ * length : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace lstm_planner

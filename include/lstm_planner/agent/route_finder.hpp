@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lstm_planner/agent/cost_to_go.hpp"
 #include "lstm_planner/agent/obstacle_memory.hpp"
 
 namespace lstm_planner {
@@ -30,26 +31,47 @@ class RouteFinder {
   /// long detour from a start that is near it, by the first place on the way: at most `tolerance` (m) from the goal.
   bool find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance, Route* route);
 
+  /// A route from elsewhere to the end of the last one that was found, without a new search; false when it is not
+  /// certain that this is the shortest. `unchanged`: the memory is as it was then.
+  bool findAgain(ObstacleMemory& memory, const Point2& start, bool unchanged, Route* route);
+
+  /// Whether the last route found ends at the goal, or at the place nearest to it: costToGo() is then what is left of
+  /// the way there.
+  bool endsAtGoal() const { return ends_at_goal_; }
+
+  /// Of the last search that found a route.
+  const CostToGo& costToGo() const { return cost_to_go_; }
+  /// Whether a route from there would have to be at the goal after such a detour that it ends before, see find().
+  static bool isDetour(double distance, double length, double tolerance);
+
   /// Cost of a route under what is remembered now, m; +inf when it is blocked. Looks at its first `distance` m.
   double costOf(ObstacleMemory& memory, const Route& route, double distance) const;
 
+  /// The same of one straight piece.
+  double costOf(ObstacleMemory& memory, const Point2& from, const Point2& to) const;
+
  private:
-  struct Open {
-    std::uint32_t estimate;
-    std::uint32_t cell;
+  /// Where ways may end.
+  enum class Ending {
+    kAtCell,  ///< of the end point
+    kNear,    ///< at most tolerance_ from it
+    kBorder   ///< of the window, when the end point lies outside
   };
-  /// Ends at the cell of the goal, or at the first cell nearer to the goal than `tolerance`, or at the border of the
-  /// window when the goal lies outside.
-  bool search(ObstacleMemory& memory, int start, const Point2& goal, double tolerance, int* end);
-  bool trace(ObstacleMemory& memory, const Point2& start, int end, const Point2& goal, Route* route);
+  bool search(ObstacleMemory& memory, int start, const Point2& end, double tolerance);
+  void addEnd(ObstacleMemory& memory, int column, int row);
+  bool isEnd(ObstacleMemory& memory, int cell) const;
+  bool trace(ObstacleMemory& memory, const Point2& start, Route* route) const;
   void pullStraight(ObstacleMemory& memory, Route* route) const;
 
-  double narrowness() const { return 1.0 + 0.25 * (tightness_ - 1.0); }
-
   double tightness_;
-  std::vector<std::uint16_t> costs_;  ///< tenths of a cell, from the start
-  std::vector<std::uint8_t> from_;    ///< direction of the last step
-  std::vector<Open> open_;
+  CostToGo cost_to_go_;
+  std::vector<CostToGo::End> ends_;
+  Ending ending_ = Ending::kAtCell;
+  Point2 end_;
+  int end_column_ = 0;  ///< of the end's cell, which may lie outside
+  int end_row_ = 0;
+  double tolerance_ = 0.0;
+  bool ends_at_goal_ = false;
 };
 
 }  // namespace lstm_planner

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/agent/cell_queue.hpp"
+#include "lstm_planner/agent/obstacle_memory.hpp"
+
+namespace lstm_planner {
+
+/// What the way to the goal costs from the cells of an ObstacleMemory: A* from the goal towards a start.
+///
+/// Searched from the goal, so that what was found stays of use when the robot has moved on, and tells of any place what
+/// the way from there costs at least. Where obstacles have appeared since, ways have become dearer, and the bounds still
+/// hold; where some have gone, cheapestThrough() tells what a way through there costs at least.
+///
+/// Costs are in fifths of a cell: a straight step costs 5, a diagonal one 7 (1 % less than the true ratio), steps into
+/// narrow and tight cells as many times more. Bounded memory, two bytes a cell and the queue.
+class CostToGo {
+ public:
+  static constexpr std::uint32_t kNone = 0xffffffff;  ///< there is no way
+  static constexpr int kStraight = 5;                 ///< cost of a step
+  static constexpr int kDiagonal = 7;
+
+  /// A cell where ways may end, and what is left from there.
+  struct End {
+    int cell;
+    std::uint32_t cost;
+  };
+
+  /// `tightness`: see RouteFinder.
+  explicit CostToGo(double tightness);
+
+  /// Finds the cheapest way from `start` to any of the ends, and all that costs up to `margin` more; false when there
+  /// is none.
+  bool search(ObstacleMemory& memory, int start, const std::vector<End>& ends, std::uint32_t margin);
+
+  /// Goes on with the last search until the cost at another cell is known. Only while the memory has not changed.
+  bool extendTo(ObstacleMemory& memory, int cell);
+
+  /// Whether cost() is more than a bound.
+  bool isKnown(int cell) const { return costs_[index(cell)] != kFar && estimate(cell) <= searched_to_; }
+
+  /// Least cost from a cell under what was remembered at the search, if isKnown(); otherwise it is at least that much.
+  std::uint32_t cost(int cell) const;
+
+  /// The neighbour that the way from a cell leads to; -1 when there is none, e.g. because something has changed since.
+  /// Of several that are as good, the one nearest to that column and row, which may lie outside the window.
+  int next(ObstacleMemory& memory, int cell, int column, int row) const;
+
+  /// What a way from `from` costs at least if it leads through a cell round `freed`, where an obstacle has gone since
+  /// the search, and nothing has gone along the rest of the way. Cells for which that is `enough` anyway are not looked
+  /// at closely.
+  std::uint32_t cheapestThrough(ObstacleMemory& memory, int freed, int reach, int from, std::uint32_t enough) const;
+
+  /// Cost of a way of so many cells where nothing is in between.
+  static std::uint32_t octile(int columns, int rows);
+  std::uint32_t octileBetween(int from, int to) const;
+
+ private:
+  static constexpr std::uint16_t kFar = 0xffff;
+  struct Span {
+    std::uint16_t first;
+    std::uint16_t last;
+  };
+
+  static std::size_t index(int cell) { return static_cast<std::size_t>(cell); }
+  std::uint32_t estimate(int cell) const { return costs_[index(cell)] + octileBetween(cell, start_); }
+  void clear(int side);
+  void reach(int column, int row, std::uint32_t cost);
+  bool run(ObstacleMemory& memory, int target, std::uint32_t margin);
+  void expand(ObstacleMemory& memory, int column, int row, std::uint32_t cost);
+  std::uint8_t entries(ObstacleMemory& memory, int cell) const;
+  bool isAtBorder(int cell) const;
+  std::uint32_t relativeCost(int cell) const;
+
+  int factors_[4];  ///< of the passages, in halves
+  int side_ = 0;    ///< cells
+  int start_ = 0;
+  int start_column_ = 0;
+  int start_row_ = 0;
+  std::uint32_t base_ = 0;         ///< of all costs_
+  std::uint32_t searched_to_ = 0;  ///< all ways up to this estimate, less base_, are known
+  std::vector<std::uint16_t> costs_;
+  std::vector<Span> touched_;  ///< columns of a row, by row
+  CellQueue open_;
+};
+
+}  // namespace lstm_planner
