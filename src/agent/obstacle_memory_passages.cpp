@@ -1,48 +1,29 @@
 // What is passable by what is remembered; how that comes and goes is in obstacle_memory.cpp.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
+#include "agent/whole_numbers.hpp"
 #include "lstm_planner/agent/obstacle_memory.hpp"
 #include "lstm_planner/grid/grid_rays.hpp"
+#include "perception/lanes.hpp"
 
 namespace lstm_planner {
 
 namespace {
 
-/// Bits of a judgement.
-constexpr std::uint8_t kNothingNear = 0x80;
+/// Bit of a judgement.
 constexpr std::uint8_t kExitsKnown = 0x40;
 
-double squaredDistanceToLine(const Point2& point, const Point2& from, const Point2& to) {
-  const Point2 line{to.x - from.x, to.y - from.y};
-  const Point2 off{point.x - from.x, point.y - from.y};
-  const double length = line.x * line.x + line.y * line.y;
-  const double share = length > 0.0 ? std::clamp((off.x * line.x + off.y * line.y) / length, 0.0, 1.0) : 0.0;
-  const double dx = off.x - share * line.x;
-  const double dy = off.y - share * line.y;
-  return dx * dx + dy * dy;
-}
+/// An obstacle matters within so many cells at most, or 64 squares side by side are not enough.
+constexpr int kMostNearCells = 3;
 
 }  // namespace
 
-ObstacleMemory::Passage ObstacleMemory::passage(int cell) {
-  std::uint8_t& judged = judged_[static_cast<std::size_t>(cell)];
-  if (judged == kUnknown) {
-    judged = judge(cell);
-  }
-  return static_cast<Passage>(judged >> 4 & 3);
-}
-
-Point2 ObstacleMemory::bestPlace(int cell) {
-  passage(cell);
-  return centerOf(cell, judged_[static_cast<std::size_t>(cell)] & 0xf);
-}
+Point2 ObstacleMemory::bestPlace(int cell) { return centerOf(squareOf(cell, judgement(cell) & 0xf)); }
 
 std::uint8_t ObstacleMemory::exits(int cell) {
-  passage(cell);
+  judgement(cell);
   const auto i = static_cast<std::size_t>(cell);
   if ((judged_[i] & kExitsKnown) == 0) {
     exits_[i] = judgeExits(cell);
@@ -58,6 +39,7 @@ bool ObstacleMemory::isFree(const Point2& from, const Point2& to, Passage passag
   const double radius = onTheWay(wanted);
   const double length = distanceBetween(from, to);
   const int parts = std::max(1, static_cast<int>(std::ceil(length / (2.0 * parameters_.resolution))));
+  int empty = -1;  // a cell with nothing near
   for (int i = 0; i <= parts; ++i) {
     const double share = static_cast<double>(i) / parts;
     const Point2 at{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
@@ -65,99 +47,172 @@ bool ObstacleMemory::isFree(const Point2& from, const Point2& to, Passage passag
     if (cell < 0) {
       return false;
     }
-    passage(cell);
-    if ((judged_[static_cast<std::size_t>(cell)] & kNothingNear) == 0 && gap(at) < radius) {
+    if (cell == empty) {
+      continue;
+    }
+    if (!isAnythingNear(cell, near_cells_)) {
+      empty = cell;
+    } else if (!isGapFree(at, radius)) {
       return false;
     }
   }
   return true;
 }
 
+bool ObstacleMemory::isAnythingNear(int cell, int reach) const {
+  constexpr int kWidest = 31;
+  if (reach > kWidest) {
+    return true;  // there may be, somewhere
+  }
+  const int column = cell % side_ - reach;
+  const int row = cell / side_;
+  std::uint64_t bits = 0;
+  for (int r = std::max(0, row - reach); r <= std::min(side_ - 1, row + reach); ++r) bits |= cells_.from(column, r);
+  return (bits & lowestBits(2 * reach + 1)) != 0 || isBlockNear(cell, reach);
+}
+
+bool ObstacleMemory::isBlockNear(int cell, int reach) const {
+  if (blocks_.empty()) {
+    return false;
+  }
+  const Point2 middle = centerOf(cell);
+  return std::any_of(blocks_.begin(), blocks_.end(), [&](const Point2& block) {
+    return distanceBetween(block, middle) < (reach + 1) * cell_size_;
+  });
+}
+
 std::uint8_t ObstacleMemory::judge(int cell) const {
-  collectNearby(cell, near_cells_);
-  int best_square = kSide / 2 * kSide + kSide / 2;
-  if (nearby_.empty()) {
-    return static_cast<std::uint8_t>(kNothingNear | static_cast<int>(Passage::kRoomy) << 4 | best_square);
+  if (!isAnythingNear(cell, near_cells_)) {
+    return kNothingNear;
   }
-  double best = -1.0;
-  for (int square = 0; square < kCellSquares; ++square) {
-    const Point2 center = centerOf(cell, square);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Point2& obstacle : nearby_) {
-      const double dx = obstacle.x - center.x;
-      const double dy = obstacle.y - center.y;
-      nearest = std::min(nearest, dx * dx + dy * dy);
-    }
-    if (nearest > best) {
-      best = nearest;
-      best_square = square;
-    }
+  if (near_cells_ > kMostNearCells || isBlockNear(cell, near_cells_)) {
+    return judgeAmongBlocks(cell);
   }
-  const Passage passage = best < tight_radius_ * tight_radius_     ? Passage::kBlocked
-                          : best < narrow_radius_ * narrow_radius_ ? Passage::kTight
-                          : best < roomy_radius_ * roomy_radius_   ? Passage::kNarrow
-                                                                   : Passage::kRoomy;
+  int squared = 0;
+  const int best_square = bestSquare(cell, &squared);
+  return judgementOf(squared * parameters_.resolution * parameters_.resolution, best_square);
+}
+
+std::uint8_t ObstacleMemory::judgementOf(double squared, int best_square) const {
+  const Passage passage = squared < tight_radius_ * tight_radius_     ? Passage::kBlocked
+                          : squared < narrow_radius_ * narrow_radius_ ? Passage::kTight
+                          : squared < roomy_radius_ * roomy_radius_   ? Passage::kNarrow
+                                                                      : Passage::kRoomy;
   return static_cast<std::uint8_t>(static_cast<int>(passage) << 4 | best_square);
+}
+
+int ObstacleMemory::bestSquare(int cell, int* squared) const {
+  static_assert(kSide == kLanes, "a row of squares side by side");
+  constexpr int kFar = 1 << 20;
+  // Beyond both ends a square is taken as occupied that is farther away than all that matter.
+  constexpr int kMargin = 18;
+  constexpr std::uint64_t kEnds = std::uint64_t{1} << 63 | 1;
+  const Square first = squareOf(cell, 0);
+  const int reach = kSide * near_cells_;
+  const int width = 2 * reach + kSide;
+  const int middle = kMargin + reach;
+  Ints nearest[kSide] = {allOf(kFar), allOf(kFar), allOf(kFar), allOf(kFar)};
+  for (int row = std::max(-reach, -first.row); row < std::min(reach + kSide, squares_.rows() - first.row); ++row) {
+    const std::uint64_t occupied = squares_.from(first.column - reach, first.row + row) & lowestBits(width);
+    if (occupied == 0) {
+      continue;
+    }
+    const std::uint64_t bits = occupied << kMargin | kEnds;
+    Ints columns;
+    for (int i = 0; i < kSide; ++i) {
+      const int left = middle + i - highestBit(bits & lowestBits(middle + i + 1));
+      const int right = lowestBit(bits >> (middle + i));
+      const int column = std::min(left, right);
+      columns[i] = column * column;
+    }
+    for (int i = 0; i < kSide; ++i) {
+      const Ints distances = columns + allOf((row - i) * (row - i));
+      nearest[i] = distances < nearest[i] ? distances : nearest[i];
+    }
+  }
+  int best = -1;
+  *squared = -1;
+  for (int square = 0; square < kCellSquares; ++square) {
+    const int distance = nearest[square / kSide][square % kSide];
+    if (distance > *squared) {
+      *squared = distance;
+      best = square;
+    }
+  }
+  return best;
 }
 
 std::uint8_t ObstacleMemory::judgeExits(int cell) {
   const int column = cell % side_;
   const int row = cell / side_;
-  if (column == 0 || row == 0 || column == side_ - 1 || row == side_ - 1 || passage(cell) == Passage::kBlocked) {
+  if (column == 0 || row == 0 || column == side_ - 1 || row == side_ - 1) {
     return 0;
   }
-  std::array<int, kGridRayCount> neighbours;
-  std::array<bool, kGridRayCount> enters;
-  for (std::size_t direction = 0; direction < neighbours.size(); ++direction) {
-    neighbours[direction] = cell + kGridRaySteps[direction].row * side_ + kGridRaySteps[direction].column;
-    enters[direction] = passage(neighbours[direction]) != Passage::kBlocked;
+  if (!isAnythingNear(cell, near_cells_ + 1)) {
+    return 0xff;
   }
-  collectNearby(cell, near_cells_ + 1);
-  const double radius = onTheWay(tight_radius_);
-  const Point2 from = bestPlace(cell);
+  if (passage(cell) == Passage::kBlocked) {
+    return 0;
+  }
+  if (near_cells_ > kMostNearCells || isBlockNear(cell, near_cells_ + 1)) {
+    return judgeExitsAmongBlocks(cell);
+  }
+  const Square from = squareOf(cell, judgement(cell) & 0xf);
   std::uint8_t exits = 0;
-  for (std::size_t direction = 0; direction < neighbours.size(); ++direction) {
-    if (!enters[direction]) {
-      continue;
+  for (std::size_t direction = 0; direction < kGridRaySteps.size(); ++direction) {
+    const int neighbour = cell + kGridRaySteps[direction].row * side_ + kGridRaySteps[direction].column;
+    if (passage(neighbour) != Passage::kBlocked && isLineFree(from, squareOf(neighbour, judgement(neighbour) & 0xf))) {
+      exits = static_cast<std::uint8_t>(exits | 1u << direction);
     }
-    const Point2 to = bestPlace(neighbours[direction]);
-    const bool free = std::none_of(nearby_.begin(), nearby_.end(), [&](const Point2& obstacle) {
-      return squaredDistanceToLine(obstacle, from, to) < radius * radius;
-    });
-    exits = static_cast<std::uint8_t>(exits | (free ? 1u << direction : 0u));
   }
   return exits;
 }
 
-void ObstacleMemory::collectNearby(int cell, int reach) const {
-  nearby_.clear();
-  const int column = cell % side_;
-  const int row = cell / side_;
-  for (int r = std::max(0, row - reach); r <= std::min(side_ - 1, row + reach); ++r) {
-    for (int c = std::max(0, column - reach); c <= std::min(side_ - 1, column + reach); ++c) {
-      const std::uint16_t mask = occupied_[static_cast<std::size_t>(r * side_ + c)];
-      for (int bit = 0; mask >> bit != 0; ++bit) {
-        if ((mask >> bit & 1) != 0) {
-          nearby_.push_back(centerOf(r * side_ + c, bit));
+bool ObstacleMemory::isLineFree(const Square& from, const Square& to) const {
+  const Square& lower = from.row <= to.row ? from : to;
+  const Square& upper = from.row <= to.row ? to : from;
+  const std::uint64_t* mask = line_masks_.mask(upper.column - lower.column, upper.row - lower.row);
+  const int left = std::min(lower.column, upper.column) - line_masks_.margin();
+  const int bottom = lower.row - line_masks_.margin();
+  const int last = std::min(squares_.rows() - 1, upper.row + line_masks_.margin());
+  std::uint64_t met = 0;
+  for (int row = std::max(0, bottom); row <= last; ++row) met |= squares_.from(left, row) & mask[row - bottom];
+  return met == 0;
+}
+
+bool ObstacleMemory::isGapFree(const Point2& position, double radius) const {
+  const auto isNear = [&](const Point2& block) { return distanceBetween(position, block) < radius; };
+  if (std::any_of(blocks_.begin(), blocks_.end(), isNear)) {
+    return false;
+  }
+  // In squares from the middle of the window's first one.
+  const double scale = 1.0 / parameters_.resolution;
+  const double x = position.x * scale - kSide * origin_column_ - 0.5;
+  const double y = position.y * scale - kSide * origin_row_ - 0.5;
+  const double reach = radius * scale;
+  const int left = std::max(0, floorOf(x - reach));
+  const int right = std::min(squares_.columns(), floorOf(x + reach) + 1);
+  const int last = std::min(squares_.rows() - 1, floorOf(y + reach));
+  for (int row = std::max(0, floorOf(y - reach)); row <= last; ++row) {
+    for (int column = left; column < right; column += 64) {
+      std::uint64_t bits = squares_.from(column, row) & lowestBits(std::min(64, right - column));
+      for (; bits != 0; bits &= bits - 1) {
+        const double dx = column + lowestBit(bits) - x;
+        const double dy = row - y;
+        if (dx * dx + dy * dy < reach * reach) {
+          return false;
         }
       }
     }
   }
-  const Point2 middle = centerOf(cell);
-  for (const Point2& block : blocks_) {
-    if (distanceBetween(block, middle) < (reach + 1) * cell_size_) {
-      nearby_.push_back(block);
-    }
-  }
+  return true;
 }
 
-double ObstacleMemory::gap(const Point2& position) const {
-  collectNearby(cellAt(position), near_cells_);
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Point2& obstacle : nearby_) {
-    nearest = std::min(nearest, distanceBetween(position, obstacle));
+void ObstacleMemory::setTightRadius(double radius) {
+  tight_radius_ = radius;
+  if (near_cells_ <= kMostNearCells) {
+    line_masks_.setRadius(onTheWay(radius) / parameters_.resolution);
   }
-  return nearest;
 }
 
 }  // namespace lstm_planner

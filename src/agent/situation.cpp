@@ -4,9 +4,10 @@ namespace lstm_planner {
 
 void perceive(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, double range_cap,
               Situation* situation) {
-  situation->sectors = averageSectors(scan, mount, limits, range_cap);
-  toPoints(scan, mount, limits, &situation->obstacles);
+  checkScan(scan, mount);
   toProfile(scan, mount, limits, &situation->profile);
+  situation->sectors = averageSectors(situation->profile, range_cap);
+  toPoints(situation->profile, &situation->beams, &situation->obstacles);
 }
 
 }  // namespace lstm_planner

@@ -1,9 +1,25 @@
 #include "lstm_planner/perception/laser_scan.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
+#include "perception/lanes.hpp"
+#include "perception/reading_bounds.hpp"
+
 namespace lstm_planner {
+
+namespace {
+
+bool isPositiveAndFinite(float value) {
+  constexpr std::uint32_t kInfinity = 0x7f800000;
+  std::uint32_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits - 1 < kInfinity - 1;
+}
+
+}  // namespace
 
 bool isMeasuredRange(float range, const LaserScan& scan, const ScanLimits& limits) {
   if (!std::isfinite(range) || range <= 0.0f) return false;
@@ -27,30 +43,48 @@ long RangeProfile::beamTowards(double towards) const {
 }
 
 void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, RangeProfile* profile) {
+  constexpr float kNothingThere = std::numeric_limits<float>::infinity();
   const double mirror = mount.upside_down ? -1.0 : 1.0;
   profile->origin = {mount.pose.x, mount.pose.y};
   profile->first_direction = mount.pose.yaw + mirror * scan.angle_min;
   profile->increment = mirror * scan.angle_increment;
   profile->ranges.resize(scan.ranges.size());
-  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-    const float range = scan.ranges[i];
-    const bool nothing = range > static_cast<float>(scan.range_max) ||
-                         std::abs(range - limits.no_return_reading) <= limits.no_return_tolerance;
-    profile->ranges[i] = isMeasuredRange(range, scan, limits) ? range
-                         : nothing                            ? std::numeric_limits<float>::infinity()
-                                                              : 0.0f;
-  }
+  const ReadingBounds bounds(scan, limits);
+  const std::size_t beams = scan.ranges.size();
+  const auto converted = [&](Floats readings) {
+    const Floats otherwise = select(bounds.areNothing(readings), allOf(kNothingThere), Floats{});
+    return select(bounds.areMeasured(readings), readings, otherwise);
+  };
+  const float* const readings = scan.ranges.data();
+  float* const ranges = profile->ranges.data();
+  std::size_t i = 0;
+  for (; i + kLanes <= beams; i += kLanes) store(converted(loadFloats(readings + i)), ranges + i);
+  for (; i < beams; ++i) ranges[i] = converted(allOf(readings[i]))[0];
 }
 
 void toPoints(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, std::vector<Point2>* points) {
-  points->clear();
-  const double mirror = mount.upside_down ? -1.0 : 1.0;
-  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
-    const float range = scan.ranges[i];
-    if (!isMeasuredRange(range, scan, limits)) continue;
-    const double angle = mirror * (scan.angle_min + static_cast<double>(i) * scan.angle_increment);
-    points->push_back(toParentFrame(mount.pose, {range * std::cos(angle), range * std::sin(angle)}));
+  RangeProfile profile;
+  BeamDirections directions;
+  toProfile(scan, mount, limits, &profile);
+  toPoints(profile, &directions, points);
+}
+
+void toPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points) {
+  const std::size_t beams = profile.ranges.size();
+  directions->set(profile.first_direction, profile.increment, beams);
+  points->resize(beams);
+  const float* const ranges = profile.ranges.data();
+  const Point2* const units = directions->data();
+  Point2* const out = points->data();
+  const Point2 origin = profile.origin;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < beams; ++i) {
+    // Written in any case, and overwritten by the next: faster than a jump that nobody can foresee.
+    const double range = ranges[i];
+    out[count] = {origin.x + range * units[i].x, origin.y + range * units[i].y};
+    count += isPositiveAndFinite(ranges[i]) ? 1 : 0;
   }
+  points->resize(count);
 }
 
 }  // namespace lstm_planner

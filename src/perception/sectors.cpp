@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <vector>
+
+#include "perception/lanes.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -25,32 +29,12 @@ struct BeamFan {
 
 std::string degrees(double radians) { return std::to_string(radians * 180.0 / M_PI) + " degrees"; }
 
-void checkScan(const LaserScan& scan, const SensorMount& mount, double range_cap) {
-  if (!(range_cap > 0.0) || !std::isfinite(range_cap)) {
-    throw std::invalid_argument("the range cap is " + std::to_string(range_cap) +
-                                " m, expected a positive finite distance");
-  }
-  if (scan.ranges.empty()) throw UnusableScan("the scan has no ranges, expected at least one beam a sector");
-  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment) || scan.angle_increment == 0.0) {
-    throw UnusableScan("the scan has angle_min " + std::to_string(scan.angle_min) + " and angle_increment " +
-                       std::to_string(scan.angle_increment) + ", expected finite angles and an increment other than 0");
-  }
-  if (!isFinite(mount.pose)) throw UnusableScan("the pose of the scanner on the robot is not finite");
-  if (!std::isfinite(scan.range_min) || std::isnan(scan.range_max) || scan.range_max <= scan.range_min) {
-    throw UnusableScan("the scan has range_min " + std::to_string(scan.range_min) + " and range_max " +
-                       std::to_string(scan.range_max) + ", expected range_min below range_max");
-  }
-}
-
-BeamFan fanOf(const LaserScan& scan, const SensorMount& mount) {
-  const double mirror = mount.upside_down ? -1.0 : 1.0;
-  const long beams = static_cast<long>(scan.ranges.size());
-  const double signed_increment = mirror * scan.angle_increment;
-
+BeamFan fanOf(const RangeProfile& profile) {
+  const long beams = static_cast<long>(profile.ranges.size());
   BeamFan fan;
-  fan.reversed = signed_increment < 0.0;
-  fan.increment = std::abs(signed_increment);
-  double first = mount.pose.yaw + mirror * scan.angle_min;
+  fan.reversed = profile.increment < 0.0;
+  fan.increment = std::abs(profile.increment);
+  double first = profile.first_direction;
   if (fan.reversed) first -= static_cast<double>(beams - 1) * fan.increment;
   // Beams of a second turn look where others have looked already; counting them would weigh these directions twice.
   const double beams_a_turn = std::ceil(kTurn / fan.increment - kBorderTolerance);
@@ -77,29 +61,84 @@ bool coversWindow(const BeamFan& fan) {
   return end >= kWindow - (0.5 + kBorderTolerance) * fan.increment;
 }
 
-void addBeams(const LaserScan& scan, const ScanLimits& limits, double range_cap, const BeamFan& fan,
-              double window_start, Sectors* sectors) {
+/// What some neighbouring beams see.
+struct BeamSum {
+  double range = 0.0;  ///< m, each at most the cap
+  float nearest = std::numeric_limits<float>::infinity();
+  int measured = 0;
+};
+
+BeamSum sumOf(const float* ranges, long count, double range_cap) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  auto cap = static_cast<float>(range_cap);
+  if (cap < range_cap) cap = std::nextafter(cap, kInfinity);  // no float lies between the two
+  Doubles sums[2] = {};
+  Floats nearest = allOf(kInfinity);
+  Ints measured = {};
+  Ints uncapped = {};
+  for (long beam = 0; beam < count; beam += kLanes) {
+    const long left = count - beam;
+    const Floats four = left < kLanes ? loadFloats(ranges + beam, left) : loadFloats(ranges + beam);
+    const Ints is_known = four > Floats{};
+    const Ints is_uncapped = is_known & (four < allOf(cap));
+    const Floats uncapped_ranges = select(is_uncapped, four, Floats{});
+    sums[0] += firstTwo(uncapped_ranges);
+    sums[1] += lastTwo(uncapped_ranges);
+    nearest = lesser(select(is_known, four, allOf(kInfinity)), nearest);
+    measured -= is_known & (four < allOf(kInfinity));
+    uncapped -= is_uncapped;
+  }
+  BeamSum sum;
+  sums[0] += sums[1];
+  sum.range = sums[0][0] + sums[0][1] + static_cast<double>(count - sumOfLanes(uncapped)) * range_cap;
+  sum.measured = sumOfLanes(measured);
+  for (int lane = 0; lane < kLanes; ++lane) sum.nearest = std::min<float>(sum.nearest, nearest[lane]);
+  return sum;
+}
+
+void addBeams(const std::vector<float>& ranges, double range_cap, const BeamFan& fan, double window_start,
+              Sectors* sectors) {
+  const long beams = static_cast<long>(ranges.size());
+  long begin = firstBeamFrom(window_start, fan);
   for (int sector = 0; sector < kSectorCount; ++sector) {
-    const long begin = firstBeamFrom(window_start + sector * kSectorWidth, fan);
-    const long end = firstBeamFrom(window_start + (sector + 1) * kSectorWidth, fan);
-    for (long beam = begin; beam < end; ++beam) {
-      const std::size_t last = scan.ranges.size() - 1;
-      const float range =
-          scan.ranges[fan.reversed ? last - static_cast<std::size_t>(beam) : static_cast<std::size_t>(beam)];
-      const bool measured = isMeasuredRange(range, scan, limits);
-      sectors->range[sector] += measured ? std::min<double>(range, range_cap) : range_cap;
-      sectors->measured[sector] += measured ? 1 : 0;
-      if (measured) sectors->nearest[sector] = std::min<double>(sectors->nearest[sector], range);
-    }
-    sectors->beams[sector] += static_cast<int>(std::max(0L, end - begin));
+    const long end = std::max(begin, firstBeamFrom(window_start + (sector + 1) * kSectorWidth, fan));
+    const BeamSum sum = sumOf(ranges.data() + (fan.reversed ? beams - end : begin), end - begin, range_cap);
+    sectors->range[sector] += sum.range;
+    sectors->nearest[sector] = std::min<double>(sectors->nearest[sector], sum.nearest);
+    sectors->measured[sector] += sum.measured;
+    sectors->beams[sector] += static_cast<int>(end - begin);
+    begin = end;
   }
 }
 
 }  // namespace
 
+void checkScan(const LaserScan& scan, const SensorMount& mount) {
+  if (scan.ranges.empty()) throw UnusableScan("the scan has no ranges, expected at least one beam a sector");
+  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment) || scan.angle_increment == 0.0) {
+    throw UnusableScan("the scan has angle_min " + std::to_string(scan.angle_min) + " and angle_increment " +
+                       std::to_string(scan.angle_increment) + ", expected finite angles and an increment other than 0");
+  }
+  if (!isFinite(mount.pose)) throw UnusableScan("the pose of the scanner on the robot is not finite");
+  if (!std::isfinite(scan.range_min) || std::isnan(scan.range_max) || scan.range_max <= scan.range_min) {
+    throw UnusableScan("the scan has range_min " + std::to_string(scan.range_min) + " and range_max " +
+                       std::to_string(scan.range_max) + ", expected range_min below range_max");
+  }
+}
+
 Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, double range_cap) {
-  checkScan(scan, mount, range_cap);
-  const BeamFan fan = fanOf(scan, mount);
+  checkScan(scan, mount);
+  RangeProfile profile;
+  toProfile(scan, mount, limits, &profile);
+  return averageSectors(profile, range_cap);
+}
+
+Sectors averageSectors(const RangeProfile& profile, double range_cap) {
+  if (!(range_cap > 0.0) || !std::isfinite(range_cap)) {
+    throw std::invalid_argument("the range cap is " + std::to_string(range_cap) +
+                                " m, expected a positive finite distance");
+  }
+  const BeamFan fan = fanOf(profile);
 
   if (!coversWindow(fan) && !coversTurn(fan)) {
     const double from = normalizeAngle(fan.start - kWindow / 2.0);
@@ -109,9 +148,9 @@ Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const Sc
   }
 
   Sectors sectors;
-  addBeams(scan, limits, range_cap, fan, 0.0, &sectors);
+  addBeams(profile.ranges, range_cap, fan, 0.0, &sectors);
   // A full turn may begin inside the window: the rest of the window is then at the start of the fan.
-  if (!coversWindow(fan)) addBeams(scan, limits, range_cap, fan, -kTurn, &sectors);
+  if (!coversWindow(fan)) addBeams(profile.ranges, range_cap, fan, -kTurn, &sectors);
 
   for (int sector = 0; sector < kSectorCount; ++sector) {
     if (sectors.beams[sector] == 0) {

@@ -1,15 +1,19 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "lstm_planner/agent/agent_parameters.hpp"
+#include "lstm_planner/agent/bit_rows.hpp"
+#include "lstm_planner/agent/line_masks.hpp"
+#include "lstm_planner/agent/sight.hpp"
 #include "lstm_planner/agent/situation.hpp"
 
 namespace lstm_planner {
 
 /// Remembers where obstacles were seen in a window that moves along with the robot, and forgets those that the scanner
-/// sees through later. Bounded: about 0.6 MB with the defaults, however large the world and long the way.
+/// sees through later. Bounded: about 0.7 MB with the defaults, however large the world and long the way.
 ///
 /// All positions are in the odometry frame. Obstacles are kept in squares of MemoryParameters::resolution, one bit
 /// each; four by four of them are a cell, the unit of the route search. Whether the footprint fits into a cell is
@@ -61,7 +65,7 @@ class ObstacleMemory {
   /// Index of the cell at a position, row by row; -1 outside the window.
   int cellAt(const Point2& position) const;
   Point2 centerOf(int cell) const;
-  Passage passage(int cell);
+  Passage passage(int cell) { return static_cast<Passage>(judgement(cell) >> 4 & 3); }
   /// The place in a cell that is farthest from all obstacles.
   Point2 bestPlace(int cell);
 
@@ -74,26 +78,67 @@ class ObstacleMemory {
   bool isFree(const Point2& from, const Point2& to, Passage passage);
 
  private:
+  /// A square by its place in the window; or in the odometry frame, where that is said.
   struct Square {
     int column;
     int row;
   };
   static constexpr std::uint8_t kUnknown = 0xff;
+  /// The judgement of a cell far from everything: its best square is one of the four in the middle.
+  static constexpr std::uint8_t kNothingNear =
+      static_cast<std::uint8_t>(static_cast<int>(Passage::kRoomy) << 4 | (kSide / 2 * kSide + kSide / 2));
 
+  // obstacle_memory.cpp: what is remembered.
+  /// In the odometry frame.
   Square squareAt(const Point2& position) const;
-  /// `square`: 0 to kCellSquares - 1, row by row.
-  Square squareOf(int cell, int square) const;
-  Point2 centerOf(const Square& square) const;
-  Point2 centerOf(int cell, int square) const { return centerOf(squareOf(cell, square)); }
-  void noteChange(const Point2& place, bool occupied);
+  Square squareOf(int cell, int square) const {
+    return {cell % side_ * kSide + square % kSide, cell / side_ * kSide + square / kSide};
+  }
+  Point2 centerOf(const Square& square) const {
+    return {(origin_column_ * kSide + square.column + 0.5) * parameters_.resolution,
+            (origin_row_ * kSide + square.row + 0.5) * parameters_.resolution};
+  }
+  int cellOf(const Square& square) const { return square.row / kSide * side_ + square.column / kSide; }
   void moveWindow(const Pose2& pose);
-  void forgetSeenThrough(const Situation& situation);
+  void forgetUnderneath(const Pose2& pose);
   void set(const Square& square, bool occupied);
-  void outdate(const Square& square);
+  void noteChange(const Point2& place, bool occupied);
+  void outdate(int cell);
+  void outdateAll();
+
+  // obstacle_memory_look.cpp: what a scan adds and takes away.
+  void collectReturns(const Situation& situation);
+  bool isReturned(std::uint32_t key) const;
+  void forgetSeenThrough(const Situation& situation);
+  void markReturns();
+  static std::uint32_t keyOf(const Square& square) {
+    return static_cast<std::uint32_t>(square.row) << 16 | static_cast<std::uint32_t>(square.column);
+  }
+  static Square squareOf(std::uint32_t key) { return {static_cast<int>(key & 0xffff), static_cast<int>(key >> 16)}; }
+
+  // obstacle_memory_passages.cpp: what is passable.
+  std::uint8_t judgement(int cell) {
+    std::uint8_t& judged = judged_[static_cast<std::size_t>(cell)];
+    if (judged == kUnknown) {
+      judged = judge(cell);
+    }
+    return judged;
+  }
+  bool isAnythingNear(int cell, int reach) const;
   std::uint8_t judge(int cell) const;
+  /// `squared`: m^2 from the middle of the best square to the nearest obstacle.
+  std::uint8_t judgementOf(double squared, int best_square) const;
   std::uint8_t judgeExits(int cell);
+  int bestSquare(int cell, int* squared) const;
+  bool isLineFree(const Square& from, const Square& to) const;
+  bool isGapFree(const Point2& position, double radius) const;
+  bool isBlockNear(int cell, int reach) const;
+
+  // obstacle_memory_blocks.cpp: the same obstacle by obstacle.
   void collectNearby(int cell, int reach) const;
-  double gap(const Point2& position) const;
+  std::uint8_t judgeAmongBlocks(int cell) const;
+  std::uint8_t judgeExitsAmongBlocks(int cell);
+  void setTightRadius(double radius);
   /// The squares round: a way from best place to best place may come this much nearer to an obstacle in between.
   double onTheWay(double radius) const { return radius - 0.5 * parameters_.resolution; }
 
@@ -102,20 +147,28 @@ class ObstacleMemory {
   double cell_size_;        ///< m
   double footprint_radius_; ///< m
   double tight_clearance_;  ///< m
-  double tight_radius_;     ///< m from the middle of the footprint to the middle of an occupied square
+  double tight_radius_ = 0.0;  ///< m from the middle of the footprint to the middle of an occupied square
   double narrow_radius_;    ///< m
   double roomy_radius_;     ///< m
   int near_cells_;          ///< cells within which an obstacle matters
   int origin_column_ = 0;   ///< of the window, in cells of the odometry frame
   int origin_row_ = 0;
   bool placed_ = false;
-  std::vector<std::uint16_t> occupied_;  ///< a bit a square
-  std::vector<std::uint8_t> judged_;     ///< nothing near, exits known, passage (2 bits), best square (4 bits)
+  BitRows squares_;                   ///< that are occupied
+  BitRows cells_;                     ///< with an occupied square
+  std::vector<std::uint8_t> judged_;  ///< exits known (bit 6), passage (2 bits), best square (4 bits)
   std::vector<std::uint8_t> exits_;
+  LineMasks line_masks_;  ///< squares beside the way from one best place to another that must be free
   std::vector<Point2> blocks_;
   std::vector<Change> changes_;
   bool everything_changed_ = true;
-  mutable std::vector<Point2> nearby_;   ///< of collectNearby()
+  int outdated_ = -1;  ///< the cell that was outdated last, if nothing was judged since
+
+  Sight sight_;
+  std::vector<std::uint32_t> returns_;       ///< keyOf() squares in the order of the scan
+  std::array<std::uint64_t, 64> returned_;   ///< row and column, modulo 64, of the returns
+  std::vector<std::uint32_t> seen_through_;  ///< keyOf() squares
+  mutable std::vector<Point2> nearby_;       ///< of collectNearby()
 };
 
 }  // namespace lstm_planner

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "lstm_planner/geometry.hpp"
@@ -46,7 +48,26 @@ class Shield {
   double footprint_radius_;
   double hard_margin_;
   double reach_;
-  std::vector<Point2> obstacles_;
+
+  // Neighbours of a scan lie near one another: whole groups of them need not be looked at.
+  static constexpr std::size_t kGroup = 16;
+  /// A group of kGroup; `all_near`: none is out of reach.
+  void showGroup(const Point2* obstacles, bool all_near);
+  /// Those of a group that are within reach.
+  void showNear(const Point2* obstacles, std::size_t count);
+  /// Calls look(group) for the groups that meet(boxes) lets through, four boxes at a time, until it answers true.
+  template <typename Meet, typename Look>
+  void lookIntoGroups(const Meet& meet, const Look& look) const;
+  /// Calls look(obstacle) for all that are nearer than `distance`, and some others, until it answers true.
+  template <typename Look>
+  void lookAround(const Point2& from, double distance, const Look& look) const;
+  double nearest(const Point2& from) const;
+  /// More than what is lost of a coordinate in a float, m.
+  double blur(const Point2& from) const;
+
+  std::size_t groups_ = 0;
+  std::vector<double> x_, y_;  ///< m, kGroup of each group; where there are fewer, one of them several times
+  std::vector<float> middle_x_, middle_y_, half_x_, half_y_;  ///< m, the box around a group
 };
 
 }  // namespace lstm_planner

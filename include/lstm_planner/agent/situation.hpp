@@ -15,6 +15,7 @@ struct Situation {
   Sectors sectors;                ///< for the network
   std::vector<Point2> obstacles;  ///< measured returns in the base frame, m; for shield, escape and controller
   RangeProfile profile;           ///< the same scan by direction, in the base frame; for what is seen to be free
+  BeamDirections beams;           ///< of the scanner; only perceive() needs them, and only to be fast
 };
 
 /// Fills sectors, obstacles and profile from a scan, reusing the memory of `situation`. Throws UnusableScan.

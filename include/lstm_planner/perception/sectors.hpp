@@ -39,4 +39,10 @@ class UnusableScan : public std::invalid_argument {
 /// sector gets no beam; std::invalid_argument for a range cap that is not positive and finite.
 Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, double range_cap);
 
+/// The same for the profile of a scan that checkScan() has let through.
+Sectors averageSectors(const RangeProfile& profile, double range_cap);
+
+/// Throws UnusableScan when the geometry of a scan is not finite or the scan is empty.
+void checkScan(const LaserScan& scan, const SensorMount& mount);
+
 }  // namespace lstm_planner
