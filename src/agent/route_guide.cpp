@@ -12,19 +12,32 @@ namespace {
 constexpr double kWorthTurning = 0.08;
 constexpr double kWorthTurningMetres = 0.3;
 
+/// A route is priced by what is remembered as far as this, m.
+constexpr double kLookedAt = 15.0;
+
 constexpr double kFullTurn = 2.0 * M_PI - 0.5;  ///< rad; the scanner sees more than the rest at once
 constexpr int kClosedLooks = 3;                 ///< looks around that must agree that there is no way
 constexpr int kMostForgotten = 4;               ///< without progress in between
 constexpr double kBlockedAhead = 0.3;           ///< m to the place that is taken as blocked
 
+/// No other way that costs so much is worth turning for.
+bool isHardlyDearer(double cost, double other_cost) {
+  return cost <= other_cost * (1.0 + kWorthTurning) + kWorthTurningMetres;
+}
+
 }  // namespace
 
 RouteGuide::RouteGuide(const AgentParameters& parameters)
-    : parameters_(parameters), memory_(parameters.memory, parameters.shield), finder_(parameters.memory.tightness) {}
+    : parameters_(parameters),
+      memory_(parameters.memory, parameters.shield),
+      finder_(parameters.memory.tightness),
+      route_(parameters),
+      candidate_(parameters) {}
 
 void RouteGuide::begin(const Point2& goal) {
   goal_ = goal;
-  route_.points.clear();
+  route_.clear();
+  has_costs_ = false;
   driven_ = 0.0;
   looking_ = false;
   closed_in_a_row_ = 0;
@@ -32,9 +45,8 @@ void RouteGuide::begin(const Point2& goal) {
 }
 
 void RouteGuide::moveGoal(const Point2& goal) {
-  if (!route_.points.empty() && distanceBetween(end(), goal_) == 0.0) {
-    route_.points.back() = goal;
-    route_.length = lengthOf(route_.points);
+  if (!route_.isEmpty() && distanceBetween(end(), goal_) == 0.0) {
+    route_.moveEnd(goal);
   }
   goal_ = goal;
 }
@@ -47,7 +59,7 @@ void RouteGuide::noteProgress() {
 
 void RouteGuide::forget() {
   memory_.forget();
-  route_.points.clear();
+  route_.clear();
   has_pose_ = false;
 }
 
@@ -60,16 +72,20 @@ RouteGuide::Status RouteGuide::update(const Situation& situation) {
   has_pose_ = true;
   memory_.look(situation);
   const Point2 here{situation.pose.x, situation.pose.y};
+  if (!looking_ && isWorthKeeping(here)) {
+    closed_in_a_row_ = 0;
+    return Status::kRoute;
+  }
   // While it looks around, what lies behind the robot is not known and seems free.
   const bool still_looking = looking_ && turned_ < kFullTurn;
-  if (still_looking || !finder_.find(memory_, here, goal_, tolerance(), &candidate_)) {
+  const bool found = !still_looking && find(here, &found_);
+  memory_.clearChanges();
+  if (!found) {
     return lookAround(situation);
   }
   looking_ = false;
   closed_in_a_row_ = 0;
-  if (!keepRoute(situation)) {
-    std::swap(route_, candidate_);
-  }
+  takeBetter(here);
   return Status::kRoute;
 }
 
@@ -77,40 +93,105 @@ double RouteGuide::tolerance() const {
   return parameters_.goal_tolerance + parameters_.goal_drift * driven_;
 }
 
-bool RouteGuide::keepRoute(const Situation& situation) {
-  if (route_.points.size() < 2) {
+bool RouteGuide::find(const Point2& start, Route* route) {
+  ++searches_;
+  const bool found = finder_.find(memory_, start, goal_, tolerance(), route);
+  has_costs_ = found && finder_.endsAtGoal();
+  costs_are_exact_ = has_costs_;
+  searched_goal_ = goal_;
+  through_freed_ = CostToGo::kNone;
+  freed_from_ = memory_.cellAt(start);
+  return found;
+}
+
+bool RouteGuide::takeBetter(const Point2& here) {
+  candidate_.swap(&found_);
+  const double new_cost = candidate_.cost(memory_, finder_, kLookedAt);
+  const std::uint32_t searched_cost = finder_.costToGo().cost(memory_.cellAt(here));
+  cost_scale_ = searched_cost > 0 ? new_cost / searched_cost : 0.0;
+  const bool same_end =
+      !route_.isEmpty() && distanceBetween(route_.route().points.back(), candidate_.route().points.back()) < 0.1;
+  if (same_end && isHardlyDearer(route_.cost(memory_, finder_, kLookedAt), new_cost)) {
     return false;
   }
-  // The part that was driven: up to the point beyond which the rest leads away from the robot.
-  std::size_t next = 1;
-  while (next + 1 < route_.points.size()) {
-    const double here = distanceBetween(situation.pose, route_.points[next]);
-    const double leg = distanceBetween(route_.points[next], route_.points[next + 1]);
-    const double beyond = distanceBetween(situation.pose, route_.points[next + 1]);
-    if (here > 0.25 && beyond * beyond > leg * leg + here * here) {
-      break;
-    }
-    if (here > 0.25 && !memory_.isFree({situation.pose.x, situation.pose.y}, route_.points[next + 1],
-                                       ObstacleMemory::Passage::kTight)) {
-      break;
-    }
-    ++next;
-  }
-  route_.points.erase(route_.points.begin(), route_.points.begin() + static_cast<std::ptrdiff_t>(next - 1));
-  route_.points.front() = {situation.pose.x, situation.pose.y};
-  constexpr double kLookedAt = 15.0;
-  const double old_cost = finder_.costOf(memory_, route_, kLookedAt);
-  const double new_cost = finder_.costOf(memory_, candidate_, kLookedAt);
-  const bool same_end = distanceBetween(route_.points.back(), candidate_.points.back()) < 0.1;
-  if (!same_end || !(old_cost <= new_cost * (1.0 + kWorthTurning) + kWorthTurningMetres)) {
-    return false;
-  }
-  route_.length = lengthOf(route_.points);
+  std::swap(route_, candidate_);
   return true;
 }
 
+bool RouteGuide::isWorthKeeping(const Point2& here) {
+  if (route_.isEmpty()) {
+    return false;
+  }
+  route_.advance(memory_, here);
+  if (memory_.everythingChanged()) {
+    has_costs_ = false;
+    route_.noteAll();
+  }
+  for (const ObstacleMemory::Change& change : memory_.changes()) {
+    route_.note(memory_, change);
+  }
+  if (!has_costs_ || !goalIsAsBefore() ||
+      RouteFinder::isDetour(distanceBetween(here, goal_), route_.route().length, tolerance())) {
+    return false;
+  }
+  const double cost = route_.cost(memory_, finder_, kLookedAt);
+  takeInChanges(here, cost);
+  return isHardlyDearer(cost, distanceBetween(here, end())) || isHardlyDearer(cost, metresOf(leastCost(here)));
+}
+
+/// False when a search might end elsewhere.
+bool RouteGuide::goalIsAsBefore() {
+  const bool at_goal = distanceBetween(end(), goal_) == 0.0;
+  const double moved = distanceBetween(goal_, searched_goal_);
+  const double reach = KeptRoute::reachOfChanges(parameters_) + (at_goal ? 0.0 : tolerance() + memory_.cellSize());
+  const bool changed = moved > 0.0 || std::any_of(memory_.changes().begin(), memory_.changes().end(),
+                                                  [&](const ObstacleMemory::Change& change) {
+                                                    return distanceBetween(change.place, goal_) < reach;
+                                                  });
+  if (!changed) {
+    return true;
+  }
+  if (!at_goal || (memory_.cellAt(goal_) < 0) != (memory_.cellAt(searched_goal_) < 0)) {
+    return false;
+  }
+  return memory_.cellAt(goal_) < 0 || memory_.isFree(searched_goal_, goal_, ObstacleMemory::Passage::kTight);
+}
+
+void RouteGuide::takeInChanges(const Point2& here, double cost) {
+  const CostToGo& costs = finder_.costToGo();
+  const int cell = memory_.cellAt(here);
+  if (through_freed_ != CostToGo::kNone) {
+    through_freed_ -= std::min(through_freed_, costs.octileBetween(freed_from_, cell));
+  }
+  freed_from_ = cell;
+  const double enough = std::isfinite(cost) ? (cost - kWorthTurningMetres) / (1.0 + kWorthTurning) / cost_scale_ : 0.0;
+  const int reach = static_cast<int>(std::ceil(KeptRoute::reachOfChanges(parameters_) / memory_.cellSize())) + 1;
+  int last = -1;
+  for (const ObstacleMemory::Change& change : memory_.changes()) {
+    const int freed = memory_.cellAt(change.place);
+    if (!change.occupied && freed >= 0 && freed != last) {
+      last = freed;
+      const auto wanted = static_cast<std::uint32_t>(std::clamp(std::ceil(enough), 0.0, 1e9));
+      through_freed_ = std::min(through_freed_, costs.cheapestThrough(memory_, freed, reach, cell, wanted));
+    }
+  }
+  costs_are_exact_ = costs_are_exact_ && memory_.changes().empty();
+  memory_.clearChanges();
+}
+
+/// What any way from here to the goal costs at least.
+std::uint32_t RouteGuide::leastCost(const Point2& here) const {
+  const std::uint32_t least = std::min(through_freed_, finder_.costToGo().cost(memory_.cellAt(here)));
+  const double moved = distanceBetween(goal_, searched_goal_);
+  if (least == CostToGo::kNone || moved == 0.0 || memory_.cellAt(goal_) == memory_.cellAt(searched_goal_)) {
+    return least;
+  }
+  const double dearer = parameters_.memory.tightness * (moved + 2.0 * memory_.cellSize()) / memory_.cellSize();
+  return least - std::min(least, static_cast<std::uint32_t>(CostToGo::kDiagonal * dearer));
+}
+
 RouteGuide::Status RouteGuide::lookAround(const Situation& situation) {
-  route_.points.clear();
+  route_.clear();
   if (looking_ && turned_ < kFullTurn) {
     return Status::kLookAround;
   }
@@ -133,16 +214,17 @@ RouteGuide::Status RouteGuide::lookAround(const Situation& situation) {
 }
 
 void RouteGuide::blockAhead() {
-  if (route_.points.size() >= 2) {
+  if (!route_.isEmpty()) {
     memory_.block(pointAhead(kBlockedAhead));
   }
 }
 
 Point2 RouteGuide::pointAhead(double distance) const {
-  for (std::size_t i = 1; i < route_.points.size(); ++i) {
-    const double leg = distanceBetween(route_.points[i - 1], route_.points[i]);
+  const std::vector<Point2>& points = route().points;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double leg = distanceBetween(points[i - 1], points[i]);
     if (leg >= distance && leg > 0.0) {
-      return pointAlong(route_.points[i - 1], directionTo(route_.points[i - 1], route_.points[i]), distance);
+      return pointAlong(points[i - 1], directionTo(points[i - 1], points[i]), distance);
     }
     distance -= leg;
   }
@@ -154,17 +236,28 @@ double RouteGuide::bearingAhead(const Pose2& pose, double distance) const {
 }
 
 void RouteGuide::pointsAhead(double distance, std::vector<Point2>* points) const {
-  points->clear();
-  for (std::size_t i = 1; i < route_.points.size(); ++i) {
-    distance -= distanceBetween(route_.points[i - 1], route_.points[i]);
+  const std::vector<Point2>& all = route().points;
+  std::size_t i = 1;
+  for (; i < all.size(); ++i) {
+    distance -= distanceBetween(all[i - 1], all[i]);
     if (distance < 0.0) {
-      points->push_back(route_.points[i]);
+      break;
     }
   }
+  points->clear();
+  points->insert(points->end(), all.begin() + static_cast<std::ptrdiff_t>(std::min(i, all.size())), all.end());
 }
 
 bool RouteGuide::findFrom(const Point2& start, Route* route) {
-  return finder_.find(memory_, start, goal_, tolerance(), route);
+  const bool exact = costs_are_exact_ && memory_.changes().empty();
+  if (has_costs_ && !memory_.everythingChanged() && finder_.findAgain(memory_, start, exact, route) &&
+      !RouteFinder::isDetour(distanceBetween(start, goal_), route->length, tolerance())) {
+    if (distanceBetween(route->points.back(), searched_goal_) == 0.0) {
+      route->points.back() = goal_;
+    }
+    return true;
+  }
+  return find(start, route);
 }
 
 }  // namespace lstm_planner

@@ -81,6 +81,7 @@ class NavigationAgent {
   /// What was decided last.
   const Decision& decision() const { return decision_; }
   const Shield& shield() const { return shield_; }
+  const RouteGuide& guide() const { return guide_; }
   const AgentParameters& parameters() const { return parameters_; }
   const DrivePolicy& policy() const { return policy_; }
   double bestDistance() const { return best_distance_; }

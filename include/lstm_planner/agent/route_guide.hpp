@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lstm_planner/agent/agent_parameters.hpp"
+#include "lstm_planner/agent/kept_route.hpp"
 #include "lstm_planner/agent/obstacle_memory.hpp"
 #include "lstm_planner/agent/route_finder.hpp"
 #include "lstm_planner/agent/situation.hpp"
@@ -12,6 +13,11 @@ namespace lstm_planner {
 /// Remembered obstacles can be wrong (the odometry drifts, people go away). So when they enclose the goal everything is
 /// forgotten and looked at anew, all around, then narrower places are tried; only what is closed even so, seen from one
 /// place, several times in a row, is believed.
+///
+/// A way that was found is kept without a new search as long as a search could find none that is worth turning for.
+/// Three bounds tell: no way is shorter than the straight line; by the last search's costs (CostToGo) no way from where
+/// the robot is now costs less than they say, because obstacles that appear only make ways dearer; and where one has
+/// gone, a way that gained by it leads through there. The way itself is priced anew where something changed beside it.
 class RouteGuide {
  public:
   enum class Status {
@@ -32,14 +38,15 @@ class RouteGuide {
   /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
   void noteProgress();
 
-  /// Takes in the situation and finds the way anew; one that is hardly better than the last one is not taken.
+  /// Takes in the situation and finds the way anew where that may change it; one that is hardly better than the last one
+  /// is not taken.
   Status update(const Situation& situation);
 
   /// The start of the route turned out to be blocked although the memory does not know why.
   void blockAhead();
 
   /// From the robot to the goal, or to where the footprint still fits when the goal lies in something.
-  const Route& route() const { return route_; }
+  const Route& route() const { return route_.route(); }
 
   /// The point that lies that far (m) along the route.
   Point2 pointAhead(double distance) const;
@@ -51,7 +58,7 @@ class RouteGuide {
   void pointsAhead(double distance, std::vector<Point2>* points) const;
 
   /// Where the route ends.
-  Point2 end() const { return route_.points.empty() ? goal_ : route_.points.back(); }
+  Point2 end() const { return route().points.empty() ? goal_ : route().points.back(); }
 
   /// A route from somewhere else through the same memory; false when there is none.
   bool findFrom(const Point2& start, Route* route);
@@ -64,17 +71,34 @@ class RouteGuide {
   /// Everything is forgotten, e.g. because the odometry jumped.
   void forget();
 
+  /// Searches made so far.
+  long searches() const { return searches_; }
+
  private:
   double tolerance() const;
-  bool keepRoute(const Situation& situation);
+  bool find(const Point2& start, Route* route);
+  bool isWorthKeeping(const Point2& here);
+  bool goalIsAsBefore();
+  void takeInChanges(const Point2& here, double cost);
+  std::uint32_t leastCost(const Point2& here) const;
+  double metresOf(std::uint32_t cost) const { return cost * cost_scale_; }
+  bool takeBetter(const Point2& here);
   Status lookAround(const Situation& situation);
 
   AgentParameters parameters_;
   ObstacleMemory memory_;
   RouteFinder finder_;
   Point2 goal_;
-  Route route_;
-  Route candidate_;
+  KeptRoute route_;
+  KeptRoute candidate_;
+  Route found_;
+  long searches_ = 0;
+  bool has_costs_ = false;           ///< of a search: the finder's costToGo() holds, but for what has changed since
+  bool costs_are_exact_ = false;     ///< nothing has
+  double cost_scale_ = 0.0;          ///< m of a route's cost in one of costToGo()
+  std::uint32_t through_freed_ = 0;  ///< least cost from freed_from_ through a place where an obstacle has gone since
+  int freed_from_ = -1;              ///< cell
+  Point2 searched_goal_;             ///< where the goal was then
   Pose2 last_pose_;
   bool has_pose_ = false;
   double driven_ = 0.0;        ///< m since the goal was set

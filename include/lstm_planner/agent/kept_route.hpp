@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/agent/agent_parameters.hpp"
+#include "lstm_planner/agent/obstacle_memory.hpp"
+#include "lstm_planner/agent/route_finder.hpp"
+
+namespace lstm_planner {
+
+/// A route that is followed, and what it costs under what is remembered now. Only the pieces are looked at anew that
+/// something has changed beside since they were looked at last.
+class KeptRoute {
+ public:
+  explicit KeptRoute(const AgentParameters& parameters);
+
+  /// How far from a place, m, a change in the memory may make a way through it better or worse.
+  static double reachOfChanges(const AgentParameters& parameters);
+
+  const Route& route() const { return route_; }
+  bool isEmpty() const { return route_.points.size() < 2; }
+
+  void clear();
+  /// Exchanges it for another one.
+  void swap(Route* route);
+  void moveEnd(const Point2& end);
+
+  /// The robot is there now: what it has driven, and corners that it can cut, are left away.
+  void advance(ObstacleMemory& memory, const Point2& here);
+
+  /// Something has changed in the memory.
+  void note(const ObstacleMemory& memory, const ObstacleMemory::Change& change);
+  /// Anything may have.
+  void noteAll();
+
+  /// As RouteFinder::costOf().
+  double cost(ObstacleMemory& memory, const RouteFinder& finder, double distance);
+
+ private:
+  /// From the point before to one of the route's.
+  struct Piece {
+    double length;  ///< m
+    double cost;    ///< m; NaN where it is not known
+    double rest;    ///< m, from here to the end
+  };
+  void measure();
+  void mark(const ObstacleMemory& memory, const Point2& from, const Point2& to);
+
+  double reach_;  ///< m, within which a change matters
+  Route route_;
+  std::vector<Piece> pieces_;          ///< one a point
+  std::vector<std::uint64_t> beside_;  ///< a bit a cell of the window: near to a piece whose cost is known
+};
+
+}  // namespace lstm_planner
