@@ -1,8 +1,8 @@
-// Included once by each batch_kernel_*.cpp, which are compiled for different instruction sets. Only the table at the end
-// may have external linkage (see simd.hpp).
+// Included once by each batch_kernel_*.cpp, which are compiled for different instruction sets. Only the table at the
+// end may have external linkage (see simd.hpp).
 
 #include "batch_kernel.hpp"
-#include "simd.hpp"
+#include "simd_group.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -13,9 +13,12 @@ using simd::load;
 using simd::multiplyAdd;
 using simd::store;
 
+#define LSTM_PLANNER_UNROLL _Pragma("GCC unroll 16")
+
 /// kVectors vectors side by side are a row; kBlocks blocks are summed at a time, so that enough sums are under way to
-/// hide how long a multiply-add takes, and few enough to stay in the registers.
-template <class V, int kVectors, int kBlocks>
+/// hide how long a multiply-add takes, and few enough to stay in the registers. kTogether vectors go through a cell's
+/// functions side by side.
+template <class V, int kVectors, int kBlocks, int kTogether>
 struct Tile {
   static constexpr int kVectorLanes = simd::kLanesOf<V>;
   static constexpr int kLanes = kVectors * kVectorLanes;
@@ -65,37 +68,45 @@ struct Tile {
 
   /// s' = f s + i c, h = tanh(s') o. The forget gate has a division of its own, so that a gate that is wide open keeps
   /// every bit of the cell state; the products of two fractions share one.
-  template <bool kSigmoidCandidate>
-  LSTM_PLANNER_INLINE static void stepCell(const V& input_sum, const V& output_sum, const V& forget_sum,
-                                           const V& candidate_sum, float* cell, float* output) {
-    const Fraction<V> input_gate = simd::twiceSigmoidOfTwiceFraction(input_sum);
-    const Fraction<V> candidate = kSigmoidCandidate ? simd::twiceSigmoidOfTwiceFraction(candidate_sum)
-                                                    : simd::tanhFraction(candidate_sum);
-    const V forget_gate = simd::value(simd::twiceSigmoidOfTwiceFraction(forget_sum));
-    const V half = broadcast<V>(0.5f);
-    const V news_scale = broadcast<V>(kSigmoidCandidate ? 0.25f : 0.5f);
-    const V news = input_gate.numerator * candidate.numerator * news_scale /
-                   (input_gate.denominator * candidate.denominator);
-    const V state = simd::flushTiny(multiplyAdd(forget_gate * half, load<V>(cell), news));
-    store(cell, state);
-    const Fraction<V> output_gate = simd::twiceSigmoidOfTwiceFraction(output_sum);
-    const Fraction<V> squashed = simd::tanhFraction(state);
-    store(output, squashed.numerator * output_gate.numerator * half /
-                      (squashed.denominator * output_gate.denominator));
+  template <bool kSigmoidCandidate, class G>
+  LSTM_PLANNER_INLINE static G stepCells(const G (&sums)[kBatchBlock], G* states) {
+    const Fraction<G> input_gate = simd::twiceSigmoidOfTwiceFraction(sums[0]);
+    const Fraction<G> candidate =
+        kSigmoidCandidate ? simd::twiceSigmoidOfTwiceFraction(sums[3]) : simd::tanhFraction(sums[3]);
+    const G half = broadcast<G>(0.5f);
+    const G scale = kSigmoidCandidate ? half * half : half;
+    const G news =
+        input_gate.numerator * candidate.numerator * scale / (input_gate.denominator * candidate.denominator);
+    const G forget_gate = simd::value(simd::twiceSigmoidOfTwiceFraction(sums[2]));
+    *states = flushTiny(multiplyAdd(forget_gate * half, *states, news));
+    const Fraction<G> output_gate = simd::twiceSigmoidOfTwiceFraction(sums[1]);
+    const Fraction<G> squashed = simd::tanhFraction(*states);
+    return squashed.numerator * output_gate.numerator * half / (squashed.denominator * output_gate.denominator);
   }
 
   template <bool kSigmoidCandidate, int kCount>
-  LSTM_PLANNER_INLINE static void stepCells(const BatchLayer& layer, const float* weights, int parity, int block,
-                                            float* memory) {
+  LSTM_PLANNER_INLINE static void stepCellBlocks(const BatchLayer& layer, const float* weights, int parity, int block,
+                                                 float* memory) {
     Sums<kCount> sums;
     weigh<kCount>(layer, weights, parity, block, memory, &sums);
-    for (int cell = 0; cell < kCount; ++cell) {
-      float* const states = row(memory, layer.cell_row + block + cell);
-      float* const outputs = row(memory, layer.output_row[parity] + block + cell);
-      for (int v = 0; v < kVectors; ++v) {
-        stepCell<kSigmoidCandidate>(sums.of[cell][0][v], sums.of[cell][1][v], sums.of[cell][2][v], sums.of[cell][3][v],
-                                    states + v * kVectorLanes, outputs + v * kVectorLanes);
+    float* const states = row(memory, layer.cell_row + block);
+    float* const outputs = row(memory, layer.output_row[parity] + block);
+    constexpr int kGroup = kTogether < kCount * kVectors ? kTogether : kCount * kVectors;
+    using G = simd::Group<V, kGroup>;
+    LSTM_PLANNER_UNROLL
+    for (int first = 0; first < kCount * kVectors; first += kGroup) {
+      G gates[kBatchBlock];
+      G cells;
+      for (int i = 0; i < kGroup; ++i) {
+        const int cell = (first + i) / kVectors;
+        for (int gate = 0; gate < kBatchBlock; ++gate) {
+          gates[gate].part[i] = sums.of[cell][gate][(first + i) % kVectors];
+        }
+        cells.part[i] = load<V>(states + (first + i) * kVectorLanes);
       }
+      const G output = stepCells<kSigmoidCandidate>(gates, &cells);
+      for (int i = 0; i < kGroup; ++i) store(states + (first + i) * kVectorLanes, cells.part[i]);
+      for (int i = 0; i < kGroup; ++i) store(outputs + (first + i) * kVectorLanes, output.part[i]);
     }
   }
 
@@ -103,22 +114,9 @@ struct Tile {
   LSTM_PLANNER_INLINE static void stepLstm(const BatchLayer& layer, const float* weights, int parity, float* memory) {
     int cell = 0;
     for (; cell + kBlocks <= layer.outputs; cell += kBlocks) {
-      stepCells<kSigmoidCandidate, kBlocks>(layer, weights, parity, cell, memory);
+      stepCellBlocks<kSigmoidCandidate, kBlocks>(layer, weights, parity, cell, memory);
     }
-    for (; cell < layer.outputs; ++cell) stepCells<kSigmoidCandidate, 1>(layer, weights, parity, cell, memory);
-  }
-
-  LSTM_PLANNER_INLINE static V activation(BatchFunction function, const V& sum) {
-    switch (function) {
-      case BatchFunction::kTanh:
-        return simd::tanh(sum);
-      case BatchFunction::kSigmoid:
-        return simd::value(simd::twiceSigmoidOfTwiceFraction(sum)) * broadcast<V>(0.5f);
-      case BatchFunction::kRelu:
-        return simd::maximum(sum, V{});
-      default:
-        return sum;
-    }
+    for (; cell < layer.outputs; ++cell) stepCellBlocks<kSigmoidCandidate, 1>(layer, weights, parity, cell, memory);
   }
 
   template <int kCount>
@@ -131,8 +129,21 @@ struct Tile {
       if (unit >= layer.outputs) return;
       float* const outputs = row(memory, layer.output_row[parity] + unit);
       for (int v = 0; v < kVectors; ++v) {
-        store(outputs + v * kVectorLanes, activation(layer.function, sums.of[i / kBatchBlock][i % kBatchBlock][v]));
+        store(outputs + v * kVectorLanes, sums.of[i / kBatchBlock][i % kBatchBlock][v]);
       }
+    }
+  }
+
+  static V activation(BatchFunction function, V sum) {
+    switch (function) {
+      case BatchFunction::kTanh:
+        return simd::flushTiny(simd::tanh(sum));  // a plain recurrent layer may fade out
+      case BatchFunction::kSigmoid:
+        return simd::value(simd::twiceSigmoidOfTwiceFraction(sum)) * broadcast<V>(0.5f);
+      case BatchFunction::kRelu:
+        return simd::maximum(sum, V{});
+      default:
+        return sum;
     }
   }
 
@@ -143,6 +154,11 @@ struct Tile {
       stepUnitBlocks<kBlocks>(layer, weights, parity, block, memory);
     }
     for (; block < blocks; ++block) stepUnitBlocks<1>(layer, weights, parity, block, memory);
+    if (layer.function == BatchFunction::kIdentity) return;
+    float* const outputs = row(memory, layer.output_row[parity]);
+    for (int i = 0; i < layer.outputs * kLanes; i += kVectorLanes) {
+      store(outputs + i, activation(layer.function, load<V>(outputs + i)));
+    }
   }
 
   /// Probabilities are the same for preferences shifted by a constant; with the largest at 0 no exponential overflows.
@@ -185,17 +201,20 @@ struct Tile {
 
 }  // namespace
 
+// What was fastest. Going through functions together pays where there are registers enough for it.
 #if defined(__AVX512F__)
 const BatchKernels kBatchKernelsAvx512 = {
     4,
-    {Tile<simd::Floats<8>, 1, 4>::kernel(), Tile<simd::Floats<16>, 1, 4>::kernel(),
-     Tile<simd::Floats<16>, 2, 2>::kernel(), Tile<simd::Floats<16>, 4, 1>::kernel()}};
+    {Tile<simd::Floats<8>, 1, 4, 1>::kernel(), Tile<simd::Floats<16>, 1, 4, 4>::kernel(),
+     Tile<simd::Floats<16>, 2, 2, 4>::kernel(), Tile<simd::Floats<16>, 4, 1, 4>::kernel()}};
 #elif defined(__AVX2__)
-const BatchKernels kBatchKernelsAvx2 = {
-    2, {Tile<simd::Floats<8>, 1, 2>::kernel(), Tile<simd::Floats<8>, 2, 1>::kernel()}};
+const BatchKernels kBatchKernelsAvx2 = {3,
+                                        {Tile<simd::Floats<8>, 1, 2, 1>::kernel(),
+                                         Tile<simd::Floats<8>, 2, 1, 1>::kernel(),
+                                         Tile<simd::Floats<8>, 3, 1, 1>::kernel()}};
 #else
 const BatchKernels kBatchKernelsBaseline = {
-    2, {Tile<simd::Floats<4>, 1, 2>::kernel(), Tile<simd::Floats<4>, 2, 1>::kernel()}};
+    2, {Tile<simd::Floats<4>, 1, 2, 1>::kernel(), Tile<simd::Floats<4>, 2, 1, 2>::kernel()}};
 #endif
 
 }  // namespace lstm_planner

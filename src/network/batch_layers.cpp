@@ -72,6 +72,7 @@ class Packer {
     const bool sigmoid = layer.candidate == Activation::kSigmoid;
     BatchLayer packed = begin(sigmoid ? BatchFunction::kLstmWithSigmoidCandidate : BatchFunction::kLstm, cells, true);
     packed.cell_row = takeRows(cells);
+    remember(packed.cell_row, packed.cell_row, cells);
     append(lstmProduct(layer), packed);
   }
   void operator()(const RecurrentLayer& layer) {
@@ -93,6 +94,13 @@ class Packer {
  private:
   int takeRows(int count) { return std::exchange(packed_.rows, packed_.rows + count); }
 
+  void remember(int even_row, int odd_row, int count) {
+    for (int i = 0; i < count; ++i) {
+      packed_.state_rows[0].push_back(even_row + i);
+      packed_.state_rows[1].push_back(odd_row + i);
+    }
+  }
+
   BatchLayer begin(BatchFunction function, int outputs, bool recurrent) {
     BatchLayer layer = {};
     layer.function = function;
@@ -102,6 +110,7 @@ class Packer {
     std::copy_n(input_row_, 2, layer.input_row);
     layer.output_row[0] = takeRows(outputs);
     layer.output_row[1] = recurrent ? takeRows(outputs) : layer.output_row[0];
+    if (recurrent) remember(layer.output_row[1], layer.output_row[0], outputs);
     return layer;
   }
 

@@ -15,7 +15,9 @@ constexpr float kLargestState = 16777216.0f;
 struct BatchLayers {
   std::vector<BatchLayer> layers;
   std::vector<float> weights;
-  int rows = 0;               ///< of a tile's memory; the first ones are the input
+  int rows = 0;  ///< of a tile's memory; the first ones are the input
+  /// The rows of the hidden state that steps of even and of odd number find.
+  std::vector<int> state_rows[2];
   float input_limit = 0.0f;  ///< inputs up to this size keep every weighted sum within the range of float
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -31,6 +32,8 @@ int chooseTile(const BatchKernels& kernels, int agents) {
   return tile;
 }
 
+float withoutDenormals(float value) { return std::abs(value) < std::numeric_limits<float>::min() ? 0.0f : value; }
+
 }  // namespace
 
 struct BatchNetwork::Program {
@@ -57,10 +60,11 @@ BatchNetwork::BatchNetwork(const LayerStack& layers, int batch, InstructionSet s
   memory_.resize(lines);
   outputs_.setZero(lstm_planner::outputSize(layers), batch);
   reset();
-  visitState(0, [&](float) { ++hidden_state_size_; });
 }
 
 InstructionSet BatchNetwork::instructionSet() const { return program_->set; }
+
+int BatchNetwork::hiddenStateSize() const { return static_cast<int>(program_->packed.state_rows[parity_].size()); }
 
 const BatchNetwork::Values& BatchNetwork::forward(const Eigen::Ref<const Values>& inputs) {
   requireUsable(inputs);
@@ -69,7 +73,8 @@ const BatchNetwork::Values& BatchNetwork::forward(const Eigen::Ref<const Values>
   for (const Tile& tile : tiles_) {
     float* const memory = memoryOf(tile);
     for (int row = 0; row < input_size_; ++row) {
-      std::copy_n(inputs.data() + row * inputs.outerStride() + tile.first_agent, tile.agents, memory + row * tile.lanes);
+      const float* const values = inputs.data() + row * inputs.outerStride() + tile.first_agent;
+      std::transform(values, values + tile.agents, memory + row * tile.lanes, withoutDenormals);
     }
     program_->kernels.tiles[tile.kernel].step(packed.layers.data(), static_cast<int>(packed.layers.size()),
                                               packed.weights.data(), parity_, memory);
@@ -95,7 +100,8 @@ void BatchNetwork::requireUsable(const Eigen::Ref<const Values>& inputs) const {
     if (refused == 0) continue;
     Eigen::Index agent = 0;
     while (std::abs(values[agent]) <= limit) ++agent;
-    const std::string place = "input " + std::to_string(row) + " of agent " + std::to_string(agent) + " of the batch is ";
+    const std::string place =
+        "input " + std::to_string(row) + " of agent " + std::to_string(agent) + " of the batch is ";
     if (!std::isfinite(values[agent])) throw std::invalid_argument(place + "not finite");
     throw std::invalid_argument(place + std::to_string(values[agent]) +
                                 ", so large that a weighted sum of it may not be finite");
@@ -110,21 +116,37 @@ const BatchNetwork::Tile& BatchNetwork::tileOf(int agent) const {
   return tiles_[static_cast<std::size_t>(agent / widest_lanes_)];
 }
 
-template <typename Visitor>
-void BatchNetwork::visitState(int agent, const Visitor& visit) const {
+void BatchNetwork::reset() { std::fill(memory_.begin(), memory_.end(), CacheLine{}); }
+
+void BatchNetwork::forget(int agent) {
   const Tile& tile = tileOf(agent);
-  float* const lane = const_cast<float*>(memoryOf(tile)) + agent - tile.first_agent;
-  const auto visit_rows = [&](int first, int count) {
-    for (int row = first; row < first + count; ++row) visit(lane[row * tile.lanes]);
-  };
-  for (const BatchLayer& layer : program_->packed.layers) {
-    visit_rows(layer.output_row[1 - parity_], layer.recurrent);
-    const bool has_cells =
-        layer.function == BatchFunction::kLstm || layer.function == BatchFunction::kLstmWithSigmoidCandidate;
-    if (has_cells) visit_rows(layer.cell_row, layer.outputs);
-  }
+  float* const lane = memoryOf(tile) + agent - tile.first_agent;
+  for (const int row : program_->packed.state_rows[parity_]) lane[row * tile.lanes] = 0.0f;
 }
 
-void BatchNetwork::reset() { std::fill(memory_.begin(), memory_.end(), CacheLine{}); }
+BatchNetwork::HiddenState BatchNetwork::hiddenState(int agent) const {
+  const Tile& tile = tileOf(agent);
+  const float* const lane = memoryOf(tile) + agent - tile.first_agent;
+  HiddenState state(hiddenStateSize());
+  float* value = state.data();
+  for (const int row : program_->packed.state_rows[parity_]) *value++ = lane[row * tile.lanes];
+  return state;
+}
+
+void BatchNetwork::setHiddenState(int agent, const HiddenState& state) {
+  const Tile& tile = tileOf(agent);
+  if (state.size() != hiddenStateSize()) {
+    throw std::invalid_argument("the hidden state has " + std::to_string(state.size()) + " values, expected " +
+                                std::to_string(hiddenStateSize()));
+  }
+  for (Eigen::Index i = 0; i < state.size(); ++i) {
+    const float value = state[i];
+    if (std::abs(value) <= kLargestState) continue;
+    throw std::invalid_argument("the hidden state holds " + std::to_string(value) + ", expected -2^24 to 2^24");
+  }
+  float* const lane = memoryOf(tile) + agent - tile.first_agent;
+  const float* value = state.data();
+  for (const int row : program_->packed.state_rows[parity_]) lane[row * tile.lanes] = *value++;
+}
 
 }  // namespace lstm_planner

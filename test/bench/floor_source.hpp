@@ -146,7 +146,8 @@ float readBuffer(const float* buffer, long bytes, long passes) {
 }  // namespace
 
 extern const FloorKernels FLOOR_KERNELS;
-const FloorKernels FLOOR_KERNELS = {kLanes,        kRegisters,     multiplyAddChain, multiplicationChain, additionChain,
-                                    divisionChain, broadcastChain, multiplyAdds,     readBuffer<false>,   readBuffer<true>};
+const FloorKernels FLOOR_KERNELS = {
+    kLanes,        kRegisters,     multiplyAddChain, multiplicationChain, additionChain,
+    divisionChain, broadcastChain, multiplyAdds,     readBuffer<false>,   readBuffer<true>};
 
 }  // namespace lstm_planner
