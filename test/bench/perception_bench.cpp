@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kRangeCap = 6.0;
 
 const std::vector<RecordedDrive>& drives() {
-  static const std::vector<RecordedDrive> drives = recordDrives();
+  static const std::vector<RecordedDrive>& drives = recordedDrives();
   return drives;
 }
 
