@@ -66,6 +66,14 @@ InstructionSet BatchNetwork::instructionSet() const { return program_->set; }
 
 int BatchNetwork::hiddenStateSize() const { return static_cast<int>(program_->packed.state_rows[parity_].size()); }
 
+std::size_t BatchNetwork::bytes() const {
+  const BatchLayers& packed = program_->packed;
+  const std::size_t floats = packed.weights.size() + static_cast<std::size_t>(outputs_.size());
+  const std::size_t state_rows = 2 * packed.state_rows[0].size();
+  return sizeof(*this) + sizeof(Program) + packed.layers.size() * sizeof(BatchLayer) + state_rows * sizeof(int) +
+         floats * sizeof(float) + memory_.size() * sizeof(CacheLine) + tiles_.size() * sizeof(Tile);
+}
+
 const BatchNetwork::Values& BatchNetwork::forward(const Eigen::Ref<const Values>& inputs) {
   requireUsable(inputs);
   const BatchLayers& packed = program_->packed;

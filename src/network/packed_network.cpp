@@ -1,32 +1,31 @@
 #include "network/packed_network.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
 namespace lstm_planner {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXf;
-using Eigen::VectorXf;
+std::size_t wholeLines(std::size_t floats) {
+  constexpr std::size_t kLine = sizeof(CacheLine) / sizeof(float);
+  return (floats + kLine - 1) / kLine * kLine;
+}
 
-constexpr int kFloatsALine = sizeof(CacheLine) / sizeof(float);
-
-StepActivation stepActivation(Activation activation) {
-  switch (activation) {
-    case Activation::kIdentity:
-      return StepActivation::kIdentity;
-    case Activation::kTanh:
-      return StepActivation::kTanh;
-    case Activation::kSigmoid:
-      return StepActivation::kSigmoid;
-    case Activation::kRelu:
-      return StepActivation::kRelu;
+std::vector<LayerMatrices> allMatrices(const LayerStack& layers, InstructionSet set) {
+  validateLayers(layers);
+  const std::vector<InstructionSet>& runnable = runnableInstructionSets();
+  if (std::find(runnable.begin(), runnable.end(), set) == runnable.end()) {
+    throw std::invalid_argument(std::string("the network's kernels are to be those for ") + toString(set) +
+                                ", which this machine cannot run");
   }
-  return StepActivation::kIdentity;
+  std::vector<LayerMatrices> matrices;
+  int inputs = inputSize(layers);
+  for (const lstm_planner::Layer& layer : layers) {
+    matrices.push_back(layerMatrices(layer, inputs));
+    inputs = matrices.back().shape.units;
+  }
+  return matrices;
 }
 
 LayerKernel layerKernel(const LayerShape& shape, InstructionSet set) {
@@ -42,152 +41,71 @@ LayerKernel layerKernel(const LayerShape& shape, InstructionSet set) {
   }
 }
 
-/// A layer's matrices one above the other, `gates` of them, with the factor that each gate's sums are wanted with.
-struct Matrices {
-  LayerShape shape;
-  std::vector<float> gate_factors;
-  VectorXf bias;
-  MatrixXf recurrent;
-  MatrixXf input;
-};
-
-Matrices matrices(const LstmLayer& layer, int /*inputs*/) {
-  const int cells = static_cast<int>(layer.recurrent.cols());
-  const float candidate_factor = layer.candidate == Activation::kSigmoid ? 0.5f : 1.0f;
-  return {{LayerKind::kLstm, stepActivation(layer.candidate), static_cast<int>(layer.input.cols()), cells},
-          {0.5f, 0.5f, 0.5f, candidate_factor}, layer.bias, layer.recurrent, layer.input};
-}
-Matrices matrices(const RecurrentLayer& layer, int /*inputs*/) {
-  const int units = static_cast<int>(layer.recurrent.cols());
-  return {{LayerKind::kRecurrent, StepActivation::kTanh, static_cast<int>(layer.input.cols()), units},
-          {1.0f}, layer.bias, layer.recurrent, layer.input};
-}
-Matrices matrices(const DenseLayer& layer, int /*inputs*/) {
-  return {{LayerKind::kDense, stepActivation(layer.activation), static_cast<int>(layer.weights.cols()),
-           static_cast<int>(layer.weights.rows())},
-          {1.0f}, layer.bias, MatrixXf(), layer.weights};
-}
-Matrices matrices(const SoftmaxLayer&, int inputs) {
-  return {{LayerKind::kSoftmax, StepActivation::kIdentity, inputs, inputs}, {}, VectorXf(), MatrixXf(), MatrixXf()};
+std::vector<LayerKernel> allKernels(const std::vector<LayerMatrices>& layers, InstructionSet set) {
+  std::vector<LayerKernel> kernels;
+  for (const LayerMatrices& layer : layers) kernels.push_back(layerKernel(layer.shape, set));
+  return kernels;
 }
 
-/// Numbers of blocks of a layer's tiles.
-std::vector<int> tiles(int units, const LayerKernel& kernel) {
-  std::vector<int> tiles;
-  for (int rest = (units + kernel.lanes - 1) / kernel.lanes; rest > 0; rest -= tiles.back()) {
-    tiles.push_back(tileBlocks(rest, kernel.blocks_a_tile));
-  }
-  return tiles;
-}
-
-/// Denormal weights would only make products slow.
-float packedWeight(float weight) { return std::abs(weight) < std::numeric_limits<float>::min() ? 0.0f : weight; }
-
-/// Appends a matrix in the order that PackedLayer describes.
-void pack(const MatrixXf& matrix, const Matrices& layer, const LayerKernel& kernel, std::vector<float>* packed) {
-  const int units = layer.shape.units;
-  int tile_unit = 0;
-  for (const int blocks : tiles(units, kernel)) {
-    for (Index column = 0; column < matrix.cols(); ++column) {
-      for (std::size_t gate = 0; gate < layer.gate_factors.size(); ++gate) {
-        for (int unit = tile_unit; unit < tile_unit + blocks * kernel.lanes; ++unit) {
-          const Index row = static_cast<Index>(gate) * units + unit;
-          packed->push_back(unit < units ? packedWeight(matrix(row, column) * layer.gate_factors[gate]) : 0.0f);
-        }
-      }
-    }
-    tile_unit += blocks * kernel.lanes;
-  }
-}
-
-std::size_t roundedUp(std::size_t size) { return (size + kFloatsALine - 1) / kFloatsALine * kFloatsALine; }
-
-std::size_t appendAligned(const MatrixXf& matrix, const Matrices& layer, const LayerKernel& kernel,
-                          std::vector<float>* packed) {
-  packed->resize(roundedUp(packed->size()));
-  const std::size_t offset = packed->size();
-  pack(matrix, layer, kernel, packed);
-  return offset;
-}
+bool remembers(const PackedLayer& layer) { return layer.recurrent.columns > 0; }
 
 }  // namespace
 
-PackedNetwork::PackedNetwork(const LayerStack& layers, InstructionSet set) {
-  validateLayers(layers);
-  const std::vector<InstructionSet>& runnable = runnableInstructionSets();
-  if (std::find(runnable.begin(), runnable.end(), set) == runnable.end()) {
-    throw std::invalid_argument(std::string("this machine cannot run the network's kernel for ") + toString(set));
-  }
-  first_recurrent_ = layers.size();
-  int inputs = inputSize(layers);
-  for (const lstm_planner::Layer& typed_layer : layers) {
-    const Matrices layer = std::visit([&](const auto& typed) { return matrices(typed, inputs); }, typed_layer);
-    const LayerShape& shape = layer.shape;
-    const LayerKernel kernel = layerKernel(shape, set);
-    std::vector<float> packed;
-    const std::size_t bias = appendAligned(layer.bias, layer, kernel, &packed);
-    const std::size_t recurrent = appendAligned(layer.recurrent, layer, kernel, &packed);
-    const std::size_t input = appendAligned(layer.input, layer, kernel, &packed);
+PackedNetwork::PackedNetwork(const LayerStack& layers, InstructionSet set)
+    : PackedNetwork(allMatrices(layers, set), set) {}
 
-    Layer& added = layers_.emplace_back();
-    added.kernel = kernel;
-    added.weights.resize(roundedUp(packed.size()) / kFloatsALine);
-    float* weights = added.weights.empty() ? nullptr : added.weights.front().values;
-    std::copy(packed.begin(), packed.end(), weights);
-    added.packed = {shape, weights + bias, layer.recurrent.size() > 0 ? weights + recurrent : nullptr, weights + input};
-    if (added.packed.recurrent != nullptr) {
-      if (first_recurrent_ == layers.size()) first_recurrent_ = layers_.size() - 1;
-      added.output = hidden_state_size_;
-      added.cells = added.output + static_cast<std::size_t>(shape.units);
-      hidden_state_size_ += static_cast<std::size_t>(shape.kind == LayerKind::kLstm ? 2 * shape.units : shape.units);
-    }
-    inputs = shape.units;
+PackedNetwork::PackedNetwork(const std::vector<LayerMatrices>& layers, InstructionSet set)
+    : PackedNetwork(layers, allKernels(layers, set)) {}
+
+PackedNetwork::PackedNetwork(const std::vector<LayerMatrices>& layers, const std::vector<LayerKernel>& kernels)
+    : weights_(layers, kernels), first_recurrent_(layers.size()) {
+  for (std::size_t index = 0; index < layers.size(); ++index) {
+    const PackedLayer& packed = weights_.layers()[index];
+    layers_.push_back({kernels[index], &packed, hidden_state_size_, 0});
+    if (!remembers(packed)) continue;
+    first_recurrent_ = std::min(first_recurrent_, index);
+    hidden_state_size_ +=
+        static_cast<std::size_t>(packed.shape.kind == LayerKind::kLstm ? 2 * packed.shape.units : packed.shape.units);
   }
-  memory_size_ = roundedUp(hidden_state_size_ + kMostLanes);
+  memory_size_ = wholeLines(hidden_state_size_ + kMostLanes);
   for (Layer& layer : layers_) {
-    const LayerShape& shape = layer.packed.shape;
-    std::size_t* room = layer.packed.recurrent != nullptr ? &layer.sums : &layer.output;
-    *room = memory_size_;
+    const LayerShape& shape = layer.packed->shape;
+    (remembers(*layer.packed) ? layer.sums : layer.output) = memory_size_;
     const std::size_t gates = shape.kind == LayerKind::kLstm ? 4 : 1;
-    memory_size_ += gates * roundedUp(static_cast<std::size_t>(shape.units));
+    memory_size_ += gates * wholeLines(static_cast<std::size_t>(shape.units));
   }
 }
 
-bool PackedNetwork::advance(const Layer& layer, const float* input, const float* now, float* next,
-                            float* output) const {
-  const bool ahead = &layer == &layers_[first_recurrent_];
-  const LayerValues values = {input, (ahead ? now : next) + layer.sums, now + layer.cells, next + layer.cells, output};
-  return layer.kernel.advance(layer.packed, values);
+void PackedNetwork::makeRecurrentSums(const Layer& layer, const float* memory, float* next) const {
+  layer.kernel.recurrentSums(*layer.packed, memory + layer.output, next + layer.sums);
 }
 
-/// What does not wait for the layer before goes between two that do, where the processor would otherwise be idle: the
-/// recurrent sums of the later layers' step, and those of the first recurrent layer for the step to come.
+/// A recurrent product needs nothing but what the layer put out in the last step. So it comes where the processor would
+/// otherwise wait for activations: those of the later recurrent layers behind the layer before them, and that of the
+/// first, for the step to come, behind the layer after it.
 bool PackedNetwork::step(const float* input, const float* now, float* next, float* output) const {
   const std::size_t last = layers_.size() - 1;
   for (std::size_t index = 0; index <= last; ++index) {
     const Layer& layer = layers_[index];
-    float* own_output = next + layer.output;
-    float* layer_output = index == last && layer.packed.recurrent == nullptr ? output : own_output;
-    if (!advance(layer, input, now, next, layer_output)) return false;
+    const PackedLayer& packed = *layer.packed;
+    float* layer_output = index == last && !remembers(packed) ? output : next + layer.output;
+    const std::size_t cells = layer.output + static_cast<std::size_t>(packed.shape.units);
+    const LayerValues values = {input, (index == first_recurrent_ ? now : next) + layer.sums, now + cells, next + cells,
+                                layer_output};
+    if (!layer.kernel.advance(packed, values)) return false;
     input = layer_output;
 
-    if (index < last && layers_[index + 1].packed.recurrent != nullptr && index + 1 != first_recurrent_) {
-      const Layer& following = layers_[index + 1];
-      following.kernel.recurrentSums(following.packed, now + following.output, next + following.sums);
+    if (index < last && index + 1 != first_recurrent_ && remembers(*layers_[index + 1].packed)) {
+      makeRecurrentSums(layers_[index + 1], now, next);
     }
-    if (index == std::min(first_recurrent_ + 1, last) && first_recurrent_ <= last) {
-      const Layer& first = layers_[first_recurrent_];
-      first.kernel.recurrentSums(first.packed, next + first.output, next + first.sums);
-    }
+    if (index == std::min(first_recurrent_ + 1, last)) prepare(next);
   }
-  if (layers_[last].packed.recurrent != nullptr) std::copy_n(input, layers_[last].packed.shape.units, output);
+  if (remembers(*layers_[last].packed)) std::copy_n(input, layers_[last].packed->shape.units, output);
   return true;
 }
 
 void PackedNetwork::prepare(float* memory) const {
-  if (first_recurrent_ == layers_.size()) return;
-  const Layer& first = layers_[first_recurrent_];
-  first.kernel.recurrentSums(first.packed, memory + first.output, memory + first.sums);
+  if (first_recurrent_ < layers_.size()) makeRecurrentSums(layers_[first_recurrent_], memory, memory);
 }
 
 }  // namespace lstm_planner

@@ -60,11 +60,6 @@ constexpr int kWidest = 4;
 #endif
 
 template <class V>
-LSTM_PLANNER_INLINE V broadcast(float value) {
-  return value - V{};  // not V{} + value: -0 would become 0, and the compiler would have to add
-}
-
-template <class V>
 LSTM_PLANNER_INLINE V load(const float* values) {
   V vector;
   __builtin_memcpy(&vector, values, sizeof(V));
@@ -135,6 +130,60 @@ LSTM_PLANNER_INLINE Floats<8> maximum(Floats<8> a, Floats<8> b) { return _mm256_
 LSTM_PLANNER_INLINE Floats<16> minimum(Floats<16> a, Floats<16> b) { return _mm512_maskz_min_ps(0xffff, a, b); }
 LSTM_PLANNER_INLINE Floats<16> maximum(Floats<16> a, Floats<16> b) { return _mm512_maskz_max_ps(0xffff, a, b); }
 #endif
+
+/// Vectors that go through the same functions side by side. Written one after the other, their chains of instructions
+/// would be so long that the processor looks no further than the first ones, and waits.
+template <class V, int n>
+struct Group {
+  V of[n];
+};
+
+#define LSTM_PLANNER_FOR_GROUP(expression)             \
+  Group<V, n> result;                                  \
+  _Pragma("GCC unroll 16") for (int i = 0; i < n; ++i) { \
+    result.of[i] = expression;                         \
+  }                                                    \
+  return result
+
+template <class V, int n>
+LSTM_PLANNER_INLINE Group<V, n> operator*(const Group<V, n>& a, const Group<V, n>& b) {
+  LSTM_PLANNER_FOR_GROUP(a.of[i] * b.of[i]);
+}
+template <class V, int n>
+LSTM_PLANNER_INLINE Group<V, n> operator/(const Group<V, n>& a, const Group<V, n>& b) {
+  LSTM_PLANNER_FOR_GROUP(a.of[i] / b.of[i]);
+}
+template <class V, int n>
+LSTM_PLANNER_INLINE Group<V, n> multiplyAdd(const Group<V, n>& a, const Group<V, n>& b, const Group<V, n>& c) {
+  LSTM_PLANNER_FOR_GROUP(multiplyAdd(a.of[i], b.of[i], c.of[i]));
+}
+template <class V, int n>
+LSTM_PLANNER_INLINE Group<V, n> minimum(const Group<V, n>& a, const Group<V, n>& b) {
+  LSTM_PLANNER_FOR_GROUP(minimum(a.of[i], b.of[i]));
+}
+template <class V, int n>
+LSTM_PLANNER_INLINE Group<V, n> maximum(const Group<V, n>& a, const Group<V, n>& b) {
+  LSTM_PLANNER_FOR_GROUP(maximum(a.of[i], b.of[i]));
+}
+
+template <class V>
+struct Broadcast {
+  static LSTM_PLANNER_INLINE V of(float value) {
+    return value - V{};  // not V{} + value: -0 would become 0, and the compiler would have to add
+  }
+};
+template <class V, int n>
+struct Broadcast<Group<V, n>> {
+  static LSTM_PLANNER_INLINE Group<V, n> of(float value) { LSTM_PLANNER_FOR_GROUP(Broadcast<V>::of(value)); }
+};
+
+#undef LSTM_PLANNER_FOR_GROUP
+
+/// One number in all lanes.
+template <class V>
+LSTM_PLANNER_INLINE V broadcast(float value) {
+  return Broadcast<V>::of(value);
+}
 
 template <class V>
 LSTM_PLANNER_INLINE V clamp(V value, float limit) {

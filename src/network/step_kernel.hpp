@@ -19,17 +19,24 @@ struct LayerShape {
   int units;  ///< cells of an LSTM, outputs of any layer
 };
 
-/// A layer's weights, in the order in which its functions read them.
+/// A matrix in the order in which it is read.
 ///
 /// Units are taken together in blocks of as many as a vector has lanes, and blocks in tiles of as many as the registers
-/// hold sums for. All that a tile needs follows in memory: for each column of the matrix, for each gate (one, or an
-/// LSTM's four in the order of LstmLayer), for each block of the tile, one vector. Units beyond the last are zeros. The
-/// gates with a sigmoid come halved, as sigmoid(x) = (1 + tanh(x / 2)) / 2.
+/// hold sums for. A tile's column is, for each gate (one, or an LSTM's four in the order of LstmLayer), for each block
+/// of the tile, one vector. Units beyond the last are zeros. The gates with a sigmoid come halved, as
+/// sigmoid(x) = (1 + tanh(x / 2)) / 2.
+struct PackedMatrix {
+  const float* weights = nullptr;
+  int columns = 0;
+  int vector_stride = 0;  ///< floats, for each vector that is in a column before the tile
+  int column_stride = 0;  ///< floats from a tile's column to the next; 0 where they follow one another
+};
+
 struct PackedLayer {
   LayerShape shape;
-  const float* bias;       ///< in the order of one column
-  const float* recurrent;  ///< nullptr for a layer that remembers nothing
-  const float* input;
+  PackedMatrix bias;       ///< of one column
+  PackedMatrix recurrent;  ///< empty for a layer that remembers nothing
+  PackedMatrix input;
 };
 
 /// Where a layer finds what it works on. Vectors of `units` values lie without gaps; what is read from them in whole
@@ -47,7 +54,7 @@ struct LayerKernel {
   int lanes;          ///< units in a block
   int blocks_a_tile;  ///< see tileBlocks()
 
-  /// sums = bias + recurrent * outputs: what a layer's next step needs of its last. It has room for whole vectors.
+  /// sums = bias + recurrent * outputs: what a layer's next step needs of its last. There must be room for whole tiles.
   void (*recurrentSums)(const PackedLayer& layer, const float* outputs, float* sums);
 
   /// The rest of the step. False when a weighted sum or a cell state is not finite; what was written is then worthless.

@@ -18,17 +18,19 @@ constexpr float kHalf = 0.5f;
 /// sums += weights * x for a tile, `kSums` vectors high. Sums that wait for one another would leave the processor idle
 /// where a tile is small: `kParts` of them are made side by side, each from every kParts-th column.
 template <class V, int kSums, int kParts>
-LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, const float* x, int columns, V (&sums)[kSums]) {
+LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, int stride, const float* x, int columns,
+                                            V (&sums)[kSums]) {
   V parts[kParts][kSums];
 #pragma GCC unroll 16
   for (int sum = 0; sum < kSums; ++sum) {
-    for (int part = 0; part < kParts; ++part) parts[part][sum] = V{};
+    parts[0][sum] = sums[sum];
+    for (int part = 1; part < kParts; ++part) parts[part][sum] = V{};
   }
   const auto multiplyAddColumn = [&](int part, int column) __attribute__((always_inline)) {
     const V factor = broadcast<V>(x[column]);
 #pragma GCC unroll 16
     for (int sum = 0; sum < kSums; ++sum) {
-      const V weight = load<V>(weights + (column * kSums + sum) * kLanesOf<V>);
+      const V weight = load<V>(weights + column * stride + sum * kLanesOf<V>);
       parts[part][sum] = multiplyAdd(weight, factor, parts[part][sum]);
     }
   };
@@ -43,7 +45,7 @@ LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, const float* x
     for (int step = 1; step < kParts; step *= 2) {
       for (int part = 0; part < kParts; part += 2 * step) parts[part][sum] += parts[part + step][sum];
     }
-    sums[sum] += parts[0][sum];
+    sums[sum] = parts[0][sum];
   }
 }
 
@@ -53,36 +55,56 @@ LSTM_PLANNER_INLINE void watch(V value, V* watched) {
   *watched = multiplyAdd(value, V{}, *watched);
 }
 
-/// An LSTM's new cell states and outputs (equations in LstmLayer) from the sums of the gates.
-template <class V, StepActivation kCandidate>
-LSTM_PLANNER_INLINE void lstmBlock(V input_sum, V output_sum, V forget_sum, V candidate_sum, int unit,
-                                   const LayerShape& shape, const LayerValues& values, V* watched) {
-  const V half = broadcast<V>(kHalf);
-  const Fraction<V> input_gate = twiceSigmoidOfTwiceFraction(input_sum);
-  const Fraction<V> output_gate = twiceSigmoidOfTwiceFraction(output_sum);
-  const Fraction<V> forget_gate = twiceSigmoidOfTwiceFraction(forget_sum);
-  Fraction<V> half_candidate;
-  if constexpr (kCandidate == StepActivation::kTanh) {
-    half_candidate = tanhFraction(candidate_sum, kHalf);
-  } else {
-    half_candidate = twiceSigmoidOfTwiceFraction(candidate_sum);
-    half_candidate.numerator *= broadcast<V>(kHalf * kHalf);
-  }
-  const V half_cell = half * load<V>(values.cells + unit);
-  const V update = (input_gate.numerator * half_candidate.numerator) /
-                   (input_gate.denominator * half_candidate.denominator);
-  const V cell = multiplyAdd(value(forget_gate), half_cell, update);
+/// Of a block, up to the cell states.
+template <class V>
+struct LstmCells {
+  V cell;
+  Fraction<V> half_output_gate;
+};
 
-  const TanhTerms<V> cell_terms = tanhTerms(cell);
-  const V output = (half * output_gate.numerator * cell_terms.limited_x * cell_terms.p) /
-                   (output_gate.denominator * cell_terms.q);
-  storeFirst(values.next_cells + unit, flushTiny(cell), shape.units - unit);
-  storeFirst(values.output + unit, output, shape.units - unit);
-  watch(input_sum, watched);
-  watch(output_sum, watched);
-  watch(forget_sum, watched);
-  watch(candidate_sum, watched);
-  watch(cell, watched);
+/// Equations in LstmLayer, from the sums of the four gates.
+template <class V, StepActivation kCandidate>
+LSTM_PLANNER_INLINE LstmCells<V> lstmCells(const Group<V, 4>& sums, const float* cells) {
+  const TanhTerms<Group<V, 4>> terms = tanhTerms(sums);
+  const V half = broadcast<V>(kHalf);
+  const auto twiceSigmoid = [&](int gate) __attribute__((always_inline)) {
+    return multiplyAdd(terms.limited_x.of[gate], terms.p.of[gate], terms.q.of[gate]);
+  };
+  const V half_candidate = kCandidate == StepActivation::kTanh ? half * terms.limited_x.of[3] * terms.p.of[3]
+                                                               : half * half * twiceSigmoid(3);
+  const V update = (twiceSigmoid(0) * half_candidate) / (terms.q.of[0] * terms.q.of[3]);
+  const V forget = twiceSigmoid(2) / terms.q.of[2];
+  return {multiplyAdd(forget, half * load<V>(cells), update), {half * twiceSigmoid(1), terms.q.of[1]}};
+}
+
+/// The rest of an LSTM's step for the blocks of a tile.
+template <class V, StepActivation kCandidate, int kBlocks>
+LSTM_PLANNER_INLINE void lstmBlocks(const V (&sums)[4 * kBlocks], int first_unit, const LayerShape& shape,
+                                    const LayerValues& values, V* watched) {
+  Group<V, kBlocks> cell;
+  Group<V, kBlocks> gate_numerator;
+  Group<V, kBlocks> gate_denominator;
+#pragma GCC unroll 4
+  for (int block = 0; block < kBlocks; ++block) {
+    const Group<V, 4> gates = {
+        {sums[block], sums[kBlocks + block], sums[2 * kBlocks + block], sums[3 * kBlocks + block]}};
+    const LstmCells<V> cells = lstmCells<V, kCandidate>(gates, values.cells + first_unit + block * kLanesOf<V>);
+    cell.of[block] = cells.cell;
+    gate_numerator.of[block] = cells.half_output_gate.numerator;
+    gate_denominator.of[block] = cells.half_output_gate.denominator;
+  }
+  const TanhTerms<Group<V, kBlocks>> terms = tanhTerms(cell);
+  const Group<V, kBlocks> output =
+      (gate_numerator * terms.limited_x * terms.p) / (gate_denominator * terms.q);
+#pragma GCC unroll 4
+  for (int block = 0; block < kBlocks; ++block) {
+    const int unit = first_unit + block * kLanesOf<V>;
+    storeFirst(values.output + unit, output.of[block], shape.units - unit);
+    storeFirst(values.next_cells + unit, flushTiny(cell.of[block]), shape.units - unit);
+    watch(cell.of[block], watched);
+  }
+#pragma GCC unroll 16
+  for (int sum = 0; sum < 4 * kBlocks; ++sum) watch(sums[sum], watched);
 }
 
 template <class V>
@@ -115,44 +137,24 @@ struct TiledLayer {
   static constexpr int parts(int sums) { return sums >= 8 ? 1 : sums >= 4 ? 2 : 4; }
 
   template <int kBlocks>
-  static LSTM_PLANNER_INLINE void multiplyAddTile(const float* weights, const float* start, const float* x, int columns,
+  static LSTM_PLANNER_INLINE void multiplyAddTile(const PackedMatrix& matrix, const float* start, const float* x,
                                                   Place place, V (&sums)[kGates * kBlocks]) {
     constexpr int kSums = kGates * kBlocks;
 #pragma GCC unroll 16
     for (int sum = 0; sum < kSums; ++sum) sums[sum] = load<V>(start + (place.vector + sum) * kLanesOf<V>);
-    multiplyAddColumns<V, kSums, parts(kSums)>(weights + place.vector * columns * kLanesOf<V>, x, columns, sums);
+    const int stride = matrix.column_stride > 0 ? matrix.column_stride : kSums * kLanesOf<V>;
+    multiplyAddColumns<V, kSums, parts(kSums)>(matrix.weights + place.vector * matrix.vector_stride, stride, x,
+                                               matrix.columns, sums);
   }
 
   template <int kBlocks>
   static LSTM_PLANNER_INLINE void recurrentTile(const PackedLayer& layer, const float* outputs, float* all_sums,
                                                 Place* place) {
     V sums[kGates * kBlocks];
-    multiplyAddTile<kBlocks>(layer.recurrent, layer.bias, outputs, layer.shape.units, *place, sums);
+    multiplyAddTile<kBlocks>(layer.recurrent, layer.bias.weights, outputs, *place, sums);
 #pragma GCC unroll 16
     for (int sum = 0; sum < kGates * kBlocks; ++sum) store(all_sums + (place->vector + sum) * kLanesOf<V>, sums[sum]);
     place->unit += kBlocks * kLanesOf<V>;
-    place->vector += kBlocks * kGates;
-  }
-
-  template <int kBlocks>
-  static LSTM_PLANNER_INLINE void advanceTile(const PackedLayer& layer, const LayerValues& values, V* watched,
-                                              Place* place) {
-    const float* start = kKind == LayerKind::kDense ? layer.bias : values.sums;
-    V sums[kGates * kBlocks];
-    multiplyAddTile<kBlocks>(layer.input, start, values.input, layer.shape.inputs, *place, sums);
-#pragma GCC unroll 4
-    for (int block = 0; block < kBlocks; ++block) {
-      if constexpr (kKind == LayerKind::kLstm) {
-        lstmBlock<V, kCandidate>(sums[block], sums[kBlocks + block], sums[2 * kBlocks + block],
-                                 sums[3 * kBlocks + block], place->unit, layer.shape, values, watched);
-      } else {
-        watch(sums[block], watched);
-        const V output = kKind == LayerKind::kRecurrent ? flushTiny(simd::tanh(sums[block]))
-                                                        : activated(layer.shape.activation, sums[block]);
-        storeFirst(values.output + place->unit, output, layer.shape.units - place->unit);
-      }
-      place->unit += kLanesOf<V>;
-    }
     place->vector += kBlocks * kGates;
   }
 
@@ -165,6 +167,28 @@ struct TiledLayer {
       while (blocksLeft(layer, place) >= 2) recurrentTile<2>(layer, outputs, sums, &place);
     }
     while (blocksLeft(layer, place) >= 1) recurrentTile<1>(layer, outputs, sums, &place);
+  }
+
+  template <int kBlocks>
+  static LSTM_PLANNER_INLINE void advanceTile(const PackedLayer& layer, const LayerValues& values, V* watched,
+                                              Place* place) {
+    const float* start = kKind == LayerKind::kDense ? layer.bias.weights : values.sums;
+    V sums[kGates * kBlocks];
+    multiplyAddTile<kBlocks>(layer.input, start, values.input, *place, sums);
+    if constexpr (kKind == LayerKind::kLstm) {
+      lstmBlocks<V, kCandidate, kBlocks>(sums, place->unit, layer.shape, values, watched);
+    } else {
+#pragma GCC unroll 4
+      for (int block = 0; block < kBlocks; ++block) {
+        const int unit = place->unit + block * kLanesOf<V>;
+        const V output = kKind == LayerKind::kRecurrent ? flushTiny(simd::tanh(sums[block]))
+                                                        : activated(layer.shape.activation, sums[block]);
+        storeFirst(values.output + unit, output, layer.shape.units - unit);
+        watch(sums[block], watched);
+      }
+    }
+    place->unit += kBlocks * kLanesOf<V>;
+    place->vector += kBlocks * kGates;
   }
 
   static bool advance(const PackedLayer& layer, const LayerValues& values) {

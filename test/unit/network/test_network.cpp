@@ -62,14 +62,15 @@ TEST(Network, OneCellOnOneInputEqualsReference) {
 }
 
 TEST(Network, SaturatedGatesEqualReference) {
-  // Multiples of 1/4 times 1e4 are exact in single precision, so that both sides saturate to the same side.
+  // Odd multiples of 1/8 times 1e4 are exact in single precision, and no eleven of them add up to zero, so that both
+  // sides saturate to the same side.
   for (const Activation candidate : {Activation::kTanh, Activation::kSigmoid}) {
     LayerMaker make(15);
     LstmLayer lstm = make.lstm(11, 8, candidate);
     RecurrentLayer recurrent = make.recurrent(8, 8);
     DenseLayer dense = make.dense(8, 8, Activation::kSigmoid);
     for (Eigen::MatrixXf* weights : {&lstm.input, &recurrent.input, &dense.weights}) {
-      *weights = (*weights * 8.0f).array().round() * 0.25f;
+      *weights = ((*weights * 8.0f).array().floor() * 2.0f + 1.0f) * 0.125f;
     }
     const LayerStack layers = {lstm, recurrent, dense};
     Network network(layers);
