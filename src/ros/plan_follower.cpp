@@ -19,7 +19,7 @@ PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const
                            const tf2_ros::Buffer& tf)
     : parameters_(parameters),
       frames_(tf),
-      sensors_(callbacks_.nodeHandle(), parameters.sensors, frameName(base_frame), tf),
+      sensors_(&messages_, parameters.sensors, frameName(base_frame), tf),
       controller_(parameters.motion),
       shield_(parameters.footprint_radius, parameters.motion.safety_margin, kShieldReach),
       moving_(parameters.motion.moving) {}

@@ -10,8 +10,10 @@ namespace lstm_planner {
 
 namespace {
 
-/// Drivers that do not stamp their messages leave zero there.
-ros::Time stampOr(const ros::Time& stamp, const ros::Time& now) { return stamp.isZero() ? now : stamp; }
+constexpr int kOdometryQueue = 100;  // a tenth of a second of the fastest
+
+/// When it was received stands in where a driver does not stamp its messages and leaves zero there.
+ros::Time stampOr(const ros::Time& stamp, const ros::Time& received) { return stamp.isZero() ? received : stamp; }
 
 void checkAge(double age, double timeout, const std::string& topic) {
   if (age > timeout) {
@@ -26,24 +28,30 @@ void checkAge(double age, double timeout, const std::string& topic) {
 
 }  // namespace
 
-SensorListener::SensorListener(ros::NodeHandle node_handle, const SensorParameters& parameters,
+SensorListener::SensorListener(MessageQueue* messages, const SensorParameters& parameters,
                                const std::string& base_frame, const tf2_ros::Buffer& tf)
-    : parameters_(parameters), tf_(tf), base_frame_(base_frame), history_(parameters.max_speed) {
+    : messages_(*messages),
+      parameters_(parameters),
+      tf_(tf),
+      base_frame_(base_frame),
+      history_(parameters.max_speed) {
   // Without this, TCP holds a scan back until the one before is acknowledged: up to 40 ms.
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+  ros::NodeHandle node_handle = messages_.nodeHandle();
   scan_subscriber_ = node_handle.subscribe(parameters.scan_topic, 1, &SensorListener::onScan, this, hints);
-  odometry_subscriber_ = node_handle.subscribe(parameters.odom_topic, 10, &SensorListener::onOdometry, this, hints);
+  odometry_subscriber_ = node_handle.subscribe(parameters.odom_topic, kOdometryQueue, &SensorListener::onOdometry, this, hints);
 }
 
-void SensorListener::onScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
+void SensorListener::onScan(const ros::MessageEvent<sensor_msgs::LaserScan const>& event) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  scan_ = scan;
-  scan_stamp_ = stampOr(scan->header.stamp, ros::Time::now());
+  scan_ = event.getConstMessage();
+  scan_stamp_ = stampOr(scan_->header.stamp, event.getReceiptTime());
 }
 
-void SensorListener::onOdometry(const nav_msgs::Odometry::ConstPtr& odometry) {
+void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  odometry_stamp_ = stampOr(odometry->header.stamp, ros::Time::now());
+  const nav_msgs::Odometry::ConstPtr odometry = event.getConstMessage();
+  odometry_stamp_ = stampOr(odometry->header.stamp, event.getReceiptTime());
   const geometry_msgs::Twist& twist = odometry->twist.twist;
   const OdometryHistory::Entry entry{
       odometry_stamp_.toSec(), fromMessage(odometry->pose.pose), {twist.linear.x, twist.angular.z}};
@@ -59,6 +67,7 @@ void SensorListener::onOdometry(const nav_msgs::Odometry::ConstPtr& odometry) {
 }
 
 SensorReading SensorListener::read(const ros::Time& now) {
+  messages_.handOut();
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!scan_) {
     throw SensorError("no scan has been received on " + scan_subscriber_.getTopic());

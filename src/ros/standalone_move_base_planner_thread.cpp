@@ -9,7 +9,7 @@ namespace {
 // A planner that fails without a frequency is asked again at this rate, not in a tight loop.
 constexpr double kRetryFrequency = 10.0;  // Hz
 
-// ROS time may run at any speed or stand still, so it is looked at rather than waited for.
+// Simulated time may run at any speed or stand still, so it is looked at rather than waited for.
 constexpr std::chrono::milliseconds kClockPoll(5);
 
 }  // namespace
@@ -87,7 +87,8 @@ bool PlannerThread::waitUntilDue(std::unique_lock<std::mutex>& lock) {
       last_start_ = now;
       return true;
     }
-    changed_.wait_for(lock, kClockPoll);
+    const ros::Duration left = last_start_ + period() - now;
+    changed_.wait_for(lock, ros::Time::isSimTime() ? kClockPoll : std::chrono::nanoseconds(left.toNSec()));
   }
   return false;
 }

@@ -13,8 +13,8 @@
 #include <memory>
 #include <mutex>
 
-#include "lstm_planner/ros/callback_thread.hpp"
 #include "ros/bag_golden.hpp"
+#include "ros/callback_thread.hpp"
 
 namespace lstm_planner {
 namespace {

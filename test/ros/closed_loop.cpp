@@ -12,8 +12,8 @@
 #include <cmath>
 #include <mutex>
 
-#include "lstm_planner/ros/callback_thread.hpp"
 #include "lstm_planner/ros/conversions.hpp"
+#include "ros/callback_thread.hpp"
 #include "ros/fake_robot.hpp"
 
 namespace lstm_planner {

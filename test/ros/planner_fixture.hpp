@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/ros/callback_thread.hpp"
 #include "lstm_planner/ros/lstm_global_planner.hpp"
+#include "ros/callback_thread.hpp"
 #include "ros/fake_robot.hpp"
 #include "ros/hand_made_model.hpp"
 

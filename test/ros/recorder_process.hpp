@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/ros/callback_thread.hpp"
+#include "ros/callback_thread.hpp"
 #include "ros/fake_robot.hpp"
 
 namespace lstm_planner {

@@ -11,8 +11,8 @@
 #include "lstm_planner/agent/motion_controller.hpp"
 #include "lstm_planner/agent/shield.hpp"
 #include "lstm_planner/perception/moving_returns.hpp"
-#include "lstm_planner/ros/callback_thread.hpp"
 #include "lstm_planner/ros/frame_transformer.hpp"
+#include "lstm_planner/ros/message_queue.hpp"
 #include "lstm_planner/ros/plugin_parameters.hpp"
 #include "lstm_planner/ros/sensor_listener.hpp"
 
@@ -49,7 +49,7 @@ class PlanFollower {
 
   SteeringControllerParameters parameters_;
   FrameTransformer frames_;
-  CallbackThread callbacks_;
+  MessageQueue messages_;
   SensorListener sensors_;
   MotionController controller_;
   Shield shield_;

@@ -11,11 +11,11 @@
 
 #include "lstm_planner/agent/goal_tracker.hpp"
 #include "lstm_planner/agent/online_agent.hpp"
-#include "lstm_planner/ros/callback_thread.hpp"
 #include "lstm_planner/ros/decision_publisher.hpp"
 #include "lstm_planner/ros/frame_transformer.hpp"
 #include "lstm_planner/ros/goal_listener.hpp"
 #include "lstm_planner/ros/marker_publisher.hpp"
+#include "lstm_planner/ros/message_queue.hpp"
 #include "lstm_planner/ros/plugin_parameters.hpp"
 #include "lstm_planner/ros/sensor_listener.hpp"
 
@@ -54,10 +54,10 @@ class PlanMaker {
   std::string global_frame_;
   OnlineAgent agent_;
 
+  MessageQueue messages_;
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
   FrameTransformer frames_;
-  CallbackThread callbacks_;
   SensorListener sensors_;
   GoalListener goals_;
   GoalTracker tracker_;

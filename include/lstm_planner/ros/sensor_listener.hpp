@@ -1,7 +1,7 @@
 #pragma once
 
 #include <nav_msgs/Odometry.h>
-#include <ros/node_handle.h>
+#include <ros/message_event.h>
 #include <ros/subscriber.h>
 #include <ros/time.h>
 #include <sensor_msgs/LaserScan.h>
@@ -14,6 +14,7 @@
 
 #include "lstm_planner/perception/laser_scan.hpp"
 #include "lstm_planner/perception/odometry_history.hpp"
+#include "lstm_planner/ros/message_queue.hpp"
 #include "lstm_planner/ros/plugin_parameters.hpp"
 
 namespace lstm_planner {
@@ -38,19 +39,20 @@ class SensorError : public std::runtime_error {
 /// Keeps the newest scan and the odometry around it. Never waits for either. Thread safe.
 class SensorListener {
  public:
-  /// `node_handle` is of the thread that the messages come in; `base_frame` stands in where the odometry does not name
-  /// the robot's frame. `tf` must outlive the object.
-  SensorListener(ros::NodeHandle node_handle, const SensorParameters& parameters, const std::string& base_frame,
+  /// `base_frame` stands in where the odometry does not name the robot's frame. `messages` and `tf` must outlive the
+  /// object.
+  SensorListener(MessageQueue* messages, const SensorParameters& parameters, const std::string& base_frame,
                  const tf2_ros::Buffer& tf);
 
-  /// Throws SensorError when scan or odometry is missing, too old, not finite, or the scanner's place is not known.
+  /// Of what has come until now. Throws SensorError when scan or odometry is missing, too old, not finite, or the scanner's place is not known.
   SensorReading read(const ros::Time& now);
 
  private:
-  void onScan(const sensor_msgs::LaserScan::ConstPtr& scan);
-  void onOdometry(const nav_msgs::Odometry::ConstPtr& odometry);
+  void onScan(const ros::MessageEvent<sensor_msgs::LaserScan const>& event);
+  void onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event);
   const SensorMount& mountOf(const std::string& frame);
 
+  MessageQueue& messages_;
   SensorParameters parameters_;
   const tf2_ros::Buffer& tf_;
 

@@ -1,0 +1,43 @@
+#include "lstm_planner/ros/message_queue.hpp"
+
+#include <chrono>
+
+namespace lstm_planner {
+namespace {
+
+constexpr std::chrono::milliseconds kLongestWait(100);
+
+}  // namespace
+
+MessageQueue::MessageQueue() : thread_(&MessageQueue::handOutNowAndThen, this) {}
+
+MessageQueue::~MessageQueue() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    finished_ = true;
+  }
+  finishes_.notify_all();
+  thread_.join();
+}
+
+ros::NodeHandle MessageQueue::nodeHandle(const std::string& name_space) {
+  ros::NodeHandle node_handle(name_space);
+  node_handle.setCallbackQueue(&queue_);
+  return node_handle;
+}
+
+void MessageQueue::handOut() {
+  const std::lock_guard<std::mutex> lock(handing_out_);
+  queue_.callAvailable();
+}
+
+void MessageQueue::handOutNowAndThen() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!finishes_.wait_for(lock, kLongestWait, [this] { return finished_; })) {
+    lock.unlock();
+    handOut();
+    lock.lock();
+  }
+}
+
+}  // namespace lstm_planner
