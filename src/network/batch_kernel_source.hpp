@@ -2,7 +2,7 @@
 // end may have external linkage (see simd.hpp).
 
 #include "batch_kernel.hpp"
-#include "simd_group.hpp"
+#include "simd.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -78,7 +78,8 @@ struct Tile {
     const G news =
         input_gate.numerator * candidate.numerator * scale / (input_gate.denominator * candidate.denominator);
     const G forget_gate = simd::value(simd::twiceSigmoidOfTwiceFraction(sums[2]));
-    *states = flushTiny(multiplyAdd(forget_gate * half, *states, news));
+    *states = multiplyAdd(forget_gate * half, *states, news);
+    for (V& state : states->of) state = simd::flushTiny(state);
     const Fraction<G> output_gate = simd::twiceSigmoidOfTwiceFraction(sums[1]);
     const Fraction<G> squashed = simd::tanhFraction(*states);
     return squashed.numerator * output_gate.numerator * half / (squashed.denominator * output_gate.denominator);
@@ -100,13 +101,13 @@ struct Tile {
       for (int i = 0; i < kGroup; ++i) {
         const int cell = (first + i) / kVectors;
         for (int gate = 0; gate < kBatchBlock; ++gate) {
-          gates[gate].part[i] = sums.of[cell][gate][(first + i) % kVectors];
+          gates[gate].of[i] = sums.of[cell][gate][(first + i) % kVectors];
         }
-        cells.part[i] = load<V>(states + (first + i) * kVectorLanes);
+        cells.of[i] = load<V>(states + (first + i) * kVectorLanes);
       }
       const G output = stepCells<kSigmoidCandidate>(gates, &cells);
-      for (int i = 0; i < kGroup; ++i) store(states + (first + i) * kVectorLanes, cells.part[i]);
-      for (int i = 0; i < kGroup; ++i) store(outputs + (first + i) * kVectorLanes, output.part[i]);
+      for (int i = 0; i < kGroup; ++i) store(states + (first + i) * kVectorLanes, cells.of[i]);
+      for (int i = 0; i < kGroup; ++i) store(outputs + (first + i) * kVectorLanes, output.of[i]);
     }
   }
 
