@@ -8,15 +8,20 @@ namespace lstm_planner {
 NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
     : options_(options),
       encoder_(readGridEncoderParameters(model.metadata)),
-      network_(model.layers),
       memory_(makeGridMemory(encoder_.parameters(), options.corner_cutting)),
-      hidden_states_(static_cast<std::size_t>(encoder_.parameters().views), network_.hiddenState()),
-      input_(encoder_.size()),
+      inputs_(encoder_.size(), encoder_.parameters().views),
       preferences_(kGridMoveCount) {
-  if (network_.inputSize() != encoder_.size() || network_.outputSize() != encoder_.outputs()) {
-    throw std::invalid_argument("the network has " + std::to_string(network_.inputSize()) + " inputs and " +
-                                std::to_string(network_.outputSize()) + " outputs, its description expects " +
-                                std::to_string(encoder_.size()) + " and " + std::to_string(encoder_.outputs()));
+  const int inputs = inputSize(model.layers);
+  const int outputs = outputSize(model.layers);
+  if (inputs != encoder_.size() || outputs != encoder_.outputs()) {
+    throw std::invalid_argument("the network has " + std::to_string(inputs) + " inputs and " + std::to_string(outputs) +
+                                " outputs, its description expects " + std::to_string(encoder_.size()) + " and " +
+                                std::to_string(encoder_.outputs()));
+  }
+  if (inputs_.cols() == 1) {
+    network_.emplace(model.layers);
+  } else {
+    views_.emplace(model.layers, encoder_.parameters().views);
   }
   if (options.escape) {
     GridEscapeParameters escape = options.escape_parameters;
@@ -28,7 +33,8 @@ NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
 void NetworkGridAgent::start(CellIndex /*start*/, CellIndex /*goal*/) {
   memory_.start();
   if (escape_) escape_->start();
-  for (Network::HiddenState& state : hidden_states_) state.setZero();
+  if (network_) network_->reset();
+  if (views_) views_->reset();
 }
 
 void NetworkGridAgent::observe(const GridObservation& observation) {
@@ -40,17 +46,10 @@ void NetworkGridAgent::observe(const GridObservation& observation) {
 
 void NetworkGridAgent::judgeMoves() {
   encoder_.look(memory_);
-  for (std::size_t view = 0; view < hidden_states_.size(); ++view) {
-    encoder_.encode(static_cast<int>(view), input_.data(), 1);
-    network_.setHiddenState(hidden_states_[view]);
-    const Eigen::VectorXf& output = network_.forward(input_);
-    hidden_states_[view] = network_.hiddenState();
-    if (hidden_states_.size() == 1) {
-      preferences_ = output;
-    } else {
-      preferences_[static_cast<Eigen::Index>(view)] = output[0];
-    }
-  }
+  const int views = encoder_.parameters().views;
+  for (int view = 0; view < views; ++view) encoder_.encode(view, inputs_.data() + view, views);
+  if (network_) preferences_ = network_->forward(Eigen::Map<const Eigen::VectorXf>(inputs_.data(), inputs_.rows()));
+  if (views_) preferences_ = views_->forward(inputs_).row(0);
 }
 
 int NetworkGridAgent::decide() {
@@ -72,9 +71,14 @@ void NetworkGridAgent::step(int direction, bool moved) {
 }
 
 std::size_t NetworkGridAgent::peakBytes() const {
-  const std::size_t state = static_cast<std::size_t>(network_.hiddenState().size()) * (hidden_states_.size() + 2);
   const std::size_t escape = escape_ ? escape_->peakBytes() : 0;
-  return sizeof(*this) + memory_.bytes() + escape + (countWeights(network_.layers()) + state) * sizeof(float);
+  std::size_t network = 0;
+  if (views_) network = views_->bytes();
+  if (network_) {
+    const auto state = 3 * static_cast<std::size_t>(network_->hiddenState().size());
+    network = (countWeights(network_->layers()) + state) * sizeof(float);
+  }
+  return sizeof(*this) + memory_.bytes() + escape + network;
 }
 
 }  // namespace lstm_planner

@@ -2,10 +2,10 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "lstm_planner/agent/grid_encoder.hpp"
 #include "lstm_planner/agent/grid_escape.hpp"
+#include "lstm_planner/network/batch_network.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "lstm_planner/network/network.hpp"
 
@@ -38,11 +38,11 @@ class NetworkGridAgent : public GridAgent {
 
   Options options_;
   GridEncoder encoder_;
-  Network network_;
+  std::optional<Network> network_;     ///< of the only view
+  std::optional<BatchNetwork> views_;  ///< or of several, which go through it side by side
   GridMemory memory_;
   std::optional<GridEscape> escape_;
-  std::vector<Network::HiddenState> hidden_states_;  ///< one a view
-  Eigen::VectorXf input_;
+  BatchNetwork::Values inputs_;  ///< a column a view
   Eigen::VectorXf preferences_;
 };
 

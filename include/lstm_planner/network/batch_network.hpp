@@ -51,6 +51,7 @@ class BatchNetwork {
   int outputSize() const { return static_cast<int>(outputs_.rows()); }
   int hiddenStateSize() const;
   InstructionSet instructionSet() const;
+  std::size_t bytes() const;  ///< of what it holds, with the weights
 
  private:
   struct Program;  ///< the packed layers and the kernels that run them
