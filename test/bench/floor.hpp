@@ -21,7 +21,7 @@ struct CoreSpeed {
   double register_bytes = 0.0;        ///< of all vector registers
 };
 
-/// Measured at the first call (some tenths of a second) with code of that instruction set alone.
+/// Measured at the first call (half a second) with code of that instruction set alone.
 const CoreSpeed& measuredSpeed(InstructionSet set);
 
 /// A time, in ns, that no implementation of an LSTM network's step goes below on this machine: the largest of three
