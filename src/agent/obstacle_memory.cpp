@@ -18,11 +18,6 @@ constexpr std::size_t kMostBlocks = 32;
 /// More changes than this between two looks at them count as everything.
 constexpr std::size_t kMostChanges = 1024;
 
-/// A square is seen through when the beams towards it and beside it end this much behind it, m: noise and beams that
-/// graze a wall must not take it away.
-constexpr double kBehind = 0.1;
-constexpr int kBeamsBeside = 2;
-
 /// From the middle of a cell to the middle of its corner squares, in squares.
 const double kCorner = std::hypot(1.5, 1.5);
 
@@ -43,7 +38,7 @@ ObstacleMemory::ObstacleMemory(const MemoryParameters& parameters, const ShieldP
       squares_(kSide * side_, kSide * side_),
       cells_(side_, side_),
       line_masks_(kLongestLine),
-      sight_(kBehind, kBeamsBeside, kCorner * parameters.resolution) {
+      sight_(kCorner * parameters.resolution) {
   const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
   judged_.resize(cells);
   exits_.resize(cells);

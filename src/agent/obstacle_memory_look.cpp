@@ -13,16 +13,38 @@ namespace {
 
 constexpr std::uint32_t kTile = 64;  ///< squares a side of the tile that returned_ covers
 
+constexpr std::uint32_t kOutside = ~std::uint32_t{0};  ///< no square's key
+
 /// Places in single precision, so many at a time.
-template <std::size_t kMost>
 struct Batch {
+  static constexpr std::size_t kMost = 256;
   float x[kMost];
   float y[kMost];
   std::uint32_t what[kMost];
-  std::uint8_t answer[kMost];
   std::size_t count = 0;
-  bool full() const { return count == kMost; }
+
+  void add(float at_x, float at_y, std::uint32_t key, bool counts) {
+    x[count] = at_x;
+    y[count] = at_y;
+    what[count] = key;
+    count += counts ? 1 : 0;
+  }
 };
+
+/// A bit for each square of a cell whose distance squared is less than `limit`; (x, y) is the first square.
+std::uint64_t nearerSquares(float x, float y, float resolution, float limit) {
+  static_assert(ObstacleMemory::kSide == kLanes, "a row of squares side by side");
+  const Floats dx = allOf(x) + allOf(resolution) * Floats{0.0f, 1.0f, 2.0f, 3.0f};
+  const Floats squared = dx * dx;
+  Ints bits = {};
+  Ints weights = {1, 2, 4, 8};
+  for (int row = 0; row < ObstacleMemory::kSide; ++row) {
+    const float dy = y + static_cast<float>(row) * resolution;
+    bits |= (squared < allOf(limit - dy * dy)) & weights;
+    weights <<= ObstacleMemory::kSide;
+  }
+  return static_cast<std::uint64_t>(sumOfLanes(bits));
+}
 
 }  // namespace
 
@@ -55,25 +77,22 @@ void ObstacleMemory::collectReturns(const Situation& situation) {
 
   const std::vector<Point2>& obstacles = situation.obstacles;
   returns_.resize(obstacles.size() + kLanes);
-  returned_.fill(0);
   std::size_t count = 0;
-  std::uint32_t last = ~std::uint32_t{0};
+  std::uint32_t last = kOutside;
   const auto take = [&](const Point2* four) {
-    const auto lane = [&](int i) { return static_cast<float>(four[i].x); };
-    const auto other = [&](int i) { return static_cast<float>(four[i].y); };
-    const Floats x{lane(0), lane(1), lane(2), lane(3)};
-    const Floats y{other(0), other(1), other(2), other(3)};
+    Floats x;
+    Floats y;
+    splitPairs(&four->x, &x, &y);
     const Ints columns = toInts(cosine * x - sine * y + x_here) + allOf(first.column);
     const Ints rows = toInts(sine * x + cosine * y + y_here) + allOf(first.row);
-    const Ints inside = (x * x + y * y <= reach) & (columns >= Ints{}) & (columns < sides) & (rows >= Ints{}) &
-                        (rows < sides);
-    const Ints keys = ((rows << 16) | columns) | ~inside;
-    std::uint32_t key[kLanes];
-    std::memcpy(key, &keys, sizeof(key));
-    for (const std::uint32_t next : key) {
+    const Ints outside = (x * x + y * y > reach) | (columns < Ints{}) | (columns >= sides) | (rows < Ints{}) |
+                         (rows >= sides);
+    const Ints keys = ((rows << 16) | columns) | outside;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const auto next = static_cast<std::uint32_t>(keys[lane]);
       // Written in any case, and kept when it is inside and not the same as the last.
       returns_[count] = next;
-      count += next != last && next != ~std::uint32_t{0} ? 1 : 0;
+      count += static_cast<std::size_t>(next != last) & static_cast<std::size_t>(next != kOutside);
       last = next;
     }
   };
@@ -85,12 +104,17 @@ void ObstacleMemory::collectReturns(const Situation& situation) {
     take(rest);
   }
   returns_.resize(count);
-  for (const std::uint32_t key : returns_) {
-    returned_[(key >> 16) % kTile] |= std::uint64_t{1} << (key % kTile);
-  }
+  returned_is_known_ = false;
 }
 
-bool ObstacleMemory::isReturned(std::uint32_t key) const {
+bool ObstacleMemory::isReturned(std::uint32_t key) {
+  if (!returned_is_known_) {
+    returned_.fill(0);
+    for (const std::uint32_t other : returns_) {
+      returned_[(other >> 16) % kTile] |= std::uint64_t{1} << (other % kTile);
+    }
+    returned_is_known_ = true;
+  }
   return (returned_[(key >> 16) % kTile] >> (key % kTile) & 1) != 0 &&
          std::find(returns_.begin(), returns_.end(), key) != returns_.end();
 }
@@ -107,54 +131,60 @@ void ObstacleMemory::forgetSeenThrough(const Situation& situation) {
   const auto bottom = static_cast<float>(corner.y - scanner.y);
   const auto resolution = static_cast<float>(parameters_.resolution);
 
-  Batch<128> squares;
+  constexpr float kMiddle = 0.5f * (kSide - 1);
+  Batch squares;
   const auto lookAtSquares = [&] {
-    sight_.looksThrough(squares.x, squares.y, squares.count, squares.answer);
+    std::uint8_t through[Batch::kMost];
+    sight_.looksThrough(squares.x, squares.y, squares.count, through);
     for (std::size_t i = 0; i < squares.count; ++i) {
-      if (squares.answer[i] != 0 && !isReturned(squares.what[i])) {
+      if (through[i] != 0 && !isReturned(squares.what[i])) {
         seen_through_.push_back(squares.what[i]);
       }
     }
     squares.count = 0;
   };
-  Batch<128> cells;
+  Batch cells;
   const auto lookAtCells = [&] {
-    sight_.mayLookThrough(cells.x, cells.y, cells.count, cells.answer);
+    float limits[Batch::kMost];
+    sight_.limits(cells.x, cells.y, cells.count, limits);
     for (std::size_t i = 0; i < cells.count; ++i) {
-      if (cells.answer[i] == 0) {
+      if (limits[i] == 0.0f) {
         continue;
       }
       const Square first = squareOf(cells.what[i]);
-      for (int row = first.row; row < first.row + kSide; ++row) {
-        std::uint64_t bits = squares_.from(first.column, row) & lowestBits(kSide);
-        for (; bits != 0; bits &= bits - 1) {
-          const Square square{first.column + lowestBit(bits), row};
-          squares.x[squares.count] = left + static_cast<float>(square.column) * resolution;
-          squares.y[squares.count] = bottom + static_cast<float>(square.row) * resolution;
-          squares.what[squares.count] = keyOf(square);
-          ++squares.count;
-          if (squares.full()) lookAtSquares();
-        }
+      const float x = cells.x[i] - kMiddle * resolution;
+      const float y = cells.y[i] - kMiddle * resolution;
+      std::uint64_t bits = nearerSquares(x, y, resolution, limits[i]);
+      std::uint64_t occupied = 0;
+      for (int row = kSide - 1; row >= 0; --row) {
+        occupied = occupied << kSide | (squares_.from(first.column, first.row + row) & lowestBits(kSide));
       }
+      for (bits &= occupied; bits != 0; bits &= bits - 1) {
+        const int bit = lowestBit(bits);
+        const int column = bit % kSide;
+        const int row = bit / kSide;
+        squares.add(x + static_cast<float>(column) * resolution, y + static_cast<float>(row) * resolution,
+                    keyOf({first.column + column, first.row + row}), true);
+      }
+      if (squares.count + kCellSquares > Batch::kMost) lookAtSquares();
     }
     cells.count = 0;
   };
 
-  constexpr float kMiddle = 0.5f * (kSide - 1);
+  constexpr std::uint64_t kNone = std::uint64_t{1} << 63;
   const int first_column = std::max(0, middle_column - reach);
   const int last_column = std::min(side_ - 1, middle_column + reach);
   for (int row = std::max(0, middle_row - reach); row <= std::min(side_ - 1, middle_row + reach); ++row) {
     const float y = bottom + (static_cast<float>(row * kSide) + kMiddle) * resolution;
     for (int column = first_column; column <= last_column; column += 64) {
       std::uint64_t bits = cells_.from(column, row) & lowestBits(std::min(64, last_column + 1 - column));
-      for (; bits != 0; bits &= bits - 1) {
-        const Square first{(column + lowestBit(bits)) * kSide, row * kSide};
-        cells.x[cells.count] = left + (static_cast<float>(first.column) + kMiddle) * resolution;
-        cells.y[cells.count] = y;
-        cells.what[cells.count] = keyOf(first);
-        ++cells.count;
-        if (cells.full()) lookAtCells();
-      }
+      if (cells.count + 64 > Batch::kMost) lookAtCells();
+      do {  // most rows have one or none: no jump that cannot be foreseen
+        const Square first{(column + lowestBit(bits | kNone)) * kSide, row * kSide};
+        const float x = left + (static_cast<float>(first.column) + kMiddle) * resolution;
+        cells.add(x, y, keyOf(first), bits != 0);
+        bits &= bits - 1;
+      } while (bits != 0);
     }
   }
   lookAtCells();

@@ -11,8 +11,13 @@ namespace lstm_planner {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kNear = 1.0f;  ///< m; nearer neighbourhoods may always be looked through
-constexpr float kFar = 3.0f;   ///< m
+
+/// Noise, and beams that graze a wall, must not make it seem looked through.
+constexpr float kBehind = 0.1f;
+constexpr std::size_t kBeside = 2;
+
+constexpr float kNear = 1.0f;   ///< m; nearer neighbourhoods may always be looked through
+constexpr float kFar = 3.0f;    ///< m
 constexpr float kBlur = 1e-3f;  ///< m; more than is lost in floats
 
 std::size_t roundedUp(std::size_t count, std::size_t unit) { return (count + unit - 1) / unit * unit; }
@@ -25,50 +30,49 @@ void Sight::show(const RangeProfile& profile, double yaw) {
     return;
   }
   finder_ = BeamFinder(profile, yaw);
-  near_.from = kNear;
-  far_.from = kFar;
   measureBeams(profile);
-  measureBlocks(&near_);
-  measureBlocks(&far_);
+  measureBlocks(kNear, &near_);
+  measureBlocks(kFar, &far_);
 }
 
 void Sight::measureBeams(const RangeProfile& profile) {
   const std::size_t beams = profile.ranges.size();
-  const auto beside = static_cast<std::size_t>(beside_);
   const std::size_t length = roundedUp(beams, kBlock);
-  padded_.resize(length + 2 * beside);
-  std::fill(padded_.begin(), padded_.begin() + beside_, kInfinity);
-  std::copy(profile.ranges.begin(), profile.ranges.end(), padded_.begin() + beside_);
-  std::fill(padded_.begin() + beside_ + static_cast<std::ptrdiff_t>(beams), padded_.end(), kInfinity);
+  padded_.resize(length + 2 * kBeside);
+  std::fill_n(padded_.begin(), kBeside, kInfinity);
+  std::copy(profile.ranges.begin(), profile.ranges.end(), padded_.begin() + kBeside);
+  std::fill(padded_.begin() + static_cast<std::ptrdiff_t>(kBeside + beams), padded_.end(), kInfinity);
   limits_.resize(length);
   blocks_.resize(length / kBlock);
+  const float* const ranges = padded_.data();
+  float* const limits = limits_.data();
   for (std::size_t block = 0; block < length; block += kBlock) {
     Floats farthest = {};
     for (std::size_t i = block; i < block + kBlock; i += kLanes) {
-      Floats nearest = loadFloats(&padded_[i]);
-      for (std::size_t j = 1; j <= 2 * beside; ++j) nearest = lesser(nearest, loadFloats(&padded_[i + j]));
-      const Floats before = greater(nearest - allOf(behind_), Floats{});
-      store(before * before, &limits_[i]);
+      Floats nearest = loadFloats(ranges + i);
+      for (std::size_t j = 1; j <= 2 * kBeside; ++j) nearest = lesser(nearest, loadFloats(ranges + i + j));
+      const Floats before = greater(nearest - allOf(kBehind), Floats{});
+      store(before * before, limits + i);
       farthest = greater(farthest, before);
     }
-    blocks_[block / kBlock] = std::max({farthest[0] * 1.0f, farthest[1] * 1.0f, farthest[2] * 1.0f, farthest[3] * 1.0f});
+    blocks_[block / kBlock] = mostOf(farthest);
   }
 }
 
-void Sight::measureBlocks(Horizon* horizon) {
+void Sight::measureBlocks(float from, Horizon* horizon) {
   // A neighbourhood's half angle is the arc sine of its radius by its distance: less than 1.1 times that.
-  horizon->beams = 1.1f * neighbourhood_ / horizon->from * finder_.beamsATurn() / static_cast<float>(2.0 * M_PI) +
-                   static_cast<float>(beside_ + 2);
+  horizon->beams = 1.1f * neighbourhood_ / from * finder_.beamsATurn() / static_cast<float>(2.0 * M_PI) +
+                   static_cast<float>(kBeside + 2);
   const std::size_t blocks = blocks_.size();
   const auto wide = static_cast<std::size_t>(std::ceil(horizon->beams / static_cast<float>(kBlock)));
-  horizon->limits.resize(blocks);
-  for (std::size_t block = 0; block < blocks; ++block) {
-    const std::size_t first = block > wide ? block - wide : 0;
-    const std::size_t last = std::min(block + wide, blocks - 1);
-    float farthest = blocks_[first];
-    for (std::size_t i = first + 1; i <= last; ++i) farthest = std::max(farthest, blocks_[i]);
-    const float limit = farthest + neighbourhood_ + kBlur;
-    horizon->limits[block] = limit * limit;
+  padded_.resize(std::max(padded_.size(), roundedUp(blocks, kLanes) + 2 * wide));
+  std::fill_n(padded_.begin(), roundedUp(blocks, kLanes) + 2 * wide, 0.0f);
+  std::copy(blocks_.begin(), blocks_.end(), padded_.begin() + static_cast<std::ptrdiff_t>(wide));
+  horizon->farthest.resize(roundedUp(blocks, kLanes));
+  for (std::size_t block = 0; block < blocks; block += kLanes) {
+    Floats farthest = {};
+    for (std::size_t i = 0; i <= 2 * wide; ++i) farthest = greater(farthest, loadFloats(&padded_[block + i]));
+    store(farthest + allOf(kBlur), &horizon->farthest[block]);
   }
 }
 
@@ -85,29 +89,32 @@ void Sight::looksThrough(const float* x, const float* y, std::size_t count, std:
   }
 }
 
-void Sight::mayLookThrough(const float* x, const float* y, std::size_t count, std::uint8_t* may) {
+void Sight::limits(const float* x, const float* y, std::size_t count, float* limits) {
   if (finder_.beams() == 0) {
-    std::fill_n(may, count, std::uint8_t{0});
+    std::fill_n(limits, count, 0.0f);
     return;
   }
   positions_.resize(std::max(positions_.size(), roundedUp(count, kLanes)));
   finder_.find(x, y, count, positions_.data());
-  for (std::size_t i = 0; i < count; ++i) {
-    may[i] = mayLookThrough(positions_[i], x[i] * x[i] + y[i] * y[i]) ? 1 : 0;
-  }
-}
-
-bool Sight::mayLookThrough(float position, float squared) const {
-  if (squared < kNear * kNear) {
-    return true;
-  }
-  const Horizon& horizon = squared < kFar * kFar ? near_ : far_;
   const auto last = static_cast<float>(finder_.beams() - 1);
-  if (position < last - horizon.beams && position > horizon.beams) {
-    return horizon.limits[static_cast<std::size_t>(position) / kBlock] > squared;
+  const float turn = finder_.beamsATurn();
+  const float* const positions = positions_.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    const float squared = x[i] * x[i] + y[i] * y[i];
+    const float position = positions[i];
+    const Horizon& horizon = squared < kFar * kFar ? near_ : far_;
+    if (squared < kNear * kNear) {
+      limits[i] = kInfinity;
+    } else if (position < last - horizon.beams && position > horizon.beams) {
+      const float farthest = horizon.farthest[static_cast<std::size_t>(static_cast<long>(position)) / kBlock];
+      const float least = farthest + neighbourhood_;  // for the middle, so that something of it may be nearer
+      limits[i] = least * least > squared ? farthest * farthest : 0.0f;
+    } else {
+      // At the edges of what the scanner sees a neighbourhood may be half in sight.
+      const bool in_sight = position <= last + horizon.beams || position >= turn - horizon.beams;
+      limits[i] = in_sight ? kInfinity : 0.0f;
+    }
   }
-  // At the edges of what the scanner sees a neighbourhood may be half in sight.
-  return position <= last + horizon.beams || position >= finder_.beamsATurn() - horizon.beams;
 }
 
 }  // namespace lstm_planner

@@ -62,6 +62,11 @@ inline Floats toFloats(Ints values) { return __builtin_convertvector(values, Flo
 
 inline std::int32_t sumOfLanes(Ints values) { return values[0] + values[1] + values[2] + values[3]; }
 
+inline float mostOf(Floats values) {
+  const Floats two = greater(values, Floats{values[2], values[3], values[2], values[3]});
+  return two[0] > two[1] ? two[0] : two[1];
+}
+
 /// A bit for each lane of a mask, the first lowest.
 inline unsigned bitsOfMask(Ints mask) {
   const Ints weights = {1, 2, 4, 8};
@@ -83,5 +88,17 @@ inline Doubles firstTwo(Floats values) {
   return __builtin_convertvector(two, Doubles);
 }
 inline Doubles lastTwo(Floats values) { return firstTwo(Floats{values[2], values[3], values[2], values[3]}); }
+
+
+/// Four pairs that follow one another, in single precision: the first numbers and the second ones.
+inline void splitPairs(const double* pairs, Floats* first, Floats* second) {
+  using Two = float __attribute__((vector_size(8)));
+  const Two a = __builtin_convertvector(loadDoubles(pairs), Two);
+  const Two b = __builtin_convertvector(loadDoubles(pairs + 2), Two);
+  const Two c = __builtin_convertvector(loadDoubles(pairs + 4), Two);
+  const Two d = __builtin_convertvector(loadDoubles(pairs + 6), Two);
+  *first = Floats{a[0], b[0], c[0], d[0]};
+  *second = Floats{a[1], b[1], c[1], d[1]};
+}
 
 }  // namespace lstm_planner

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lstm_planner/parameter_check.hpp"
 
@@ -15,6 +16,12 @@ constexpr double kFastestRobot = 2.0;   // m/s; odometry that is faster has jump
 constexpr double kPlaceSpacing = 0.08;  // m between remembered places
 constexpr double kSameThing = 0.15;     // m; a return this near to a place, or to the next return, belongs to it
 constexpr std::size_t kMostGap = 2;     // beams of a moving thing that may be missing or in doubt between two
+
+double squaredDistance(const Point2& a, const Point2& b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  return dx * dx + dy * dy;
+}
 
 }  // namespace
 
@@ -33,7 +40,7 @@ MovingReturns::MovingReturns(const MovingReturnsParameters& parameters)
     : parameters_((validate(parameters), parameters)) {}
 
 void MovingReturns::reset() {
-  views_.clear();
+  view_count_ = 0;
   places_.clear();
   points_.clear();
 }
@@ -42,34 +49,61 @@ void MovingReturns::show(const RangeProfile& profile, const Pose2& pose, double 
   if (!isFinite(pose) || !std::isfinite(time)) {
     return reset();
   }
-  if (!views_.empty()) {
-    const View& last = views_.back();
+  if (view_count_ > 0) {
+    const View& last = views_[view_count_ - 1];
     const double elapsed = time - last.time;
     if (elapsed < 0.0 || distanceBetween(last.pose, pose) > kFastestRobot * std::max(elapsed, kViewSpacing)) {
       reset();
     }
   }
-  while (!views_.empty() && time - views_.front().time > parameters_.oldest) {
-    views_.pop_front();
-  }
-  references_.clear();
-  for (const View& view : views_) {
-    if (time - view.time >= parameters_.youngest) {
-      references_.push_back(&view);
-    }
-  }
+  look(profile, pose, time);
+  dropOldViews();
+  collectReturns();
+  std::size_t references = 0;
+  while (references < view_count_ && time - views_[references].time >= parameters_.youngest) ++references;
   // The oldest sees the slowest motion, the youngest what came into sight just now; those between add little.
-  if (references_.size() > 2) {
-    references_ = {references_.front(), references_.back()};
+  if (references > 0) compareWith(views_.front());
+  if (references > 1) compareWith(views_[references - 1]);
+  findMoving();
+  forgetPlaces();
+  collectPoints();
+  if (view_count_ == 0 || time - views_[view_count_ - 1].time >= kViewSpacing) {
+    keepView();
   }
-  const View view(profile, pose, time);
-  findMoving(view);
-  references_.clear();
-  forgetPlaces(view);
-  collectPoints(view);
-  if (views_.empty() || time - views_.back().time >= kViewSpacing) {
-    views_.push_back(view);
+}
+
+void MovingReturns::look(const RangeProfile& profile, const Pose2& pose, double time) {
+  view_.profile = profile;
+  view_.pose = pose;
+  view_.cosine = std::cos(pose.yaw);
+  view_.sine = std::sin(pose.yaw);
+  view_.time = time;
+}
+
+void MovingReturns::dropOldViews() {
+  std::size_t old = 0;
+  while (old < view_count_ && view_.time - views_[old].time > parameters_.oldest) ++old;
+  std::rotate(views_.begin(), views_.begin() + static_cast<std::ptrdiff_t>(old), views_.end());
+  view_count_ -= old;
+}
+
+void MovingReturns::keepView() {
+  const RangeProfile& profile = view_.profile;
+  const auto margin = static_cast<float>(parameters_.range_margin);
+  view_.scanner = view_.toOdometry(profile.origin);
+  view_.finder = BeamFinder();
+  if (!profile.ranges.empty() && profile.increment != 0.0) {
+    view_.finder = BeamFinder(profile, view_.pose.yaw);
   }
+  view_.limits.resize(profile.ranges.size());
+  for (std::size_t beam = 0; beam < profile.ranges.size(); ++beam) {
+    const float range = profile.ranges[beam];
+    const float before = range > margin ? range - margin : 0.0f;
+    view_.limits[beam] = range == 0.0f ? std::numeric_limits<float>::infinity() : before * before;
+  }
+  if (view_count_ == views_.size()) views_.emplace_back();
+  std::swap(views_[view_count_], view_);
+  ++view_count_;
 }
 
 MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& view) const {
@@ -103,84 +137,108 @@ MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& vie
   return nearest > distance + parameters_.range_margin ? Sight::kFree : Sight::kTaken;
 }
 
-bool MovingReturns::wasSeenFree(const Point2& point) const {
-  for (const View* view : references_) {
-    // Nearly every return stands where it stood: one beam tells.
-    const Point2 local = view->toBase(point);
-    const long beam = view->profile.beamTowards(directionTo(view->profile.origin, local));
-    const double needed = distanceBetween(view->profile.origin, local) + parameters_.range_margin;
-    const double range = beam < 0 ? 0.0 : view->profile.ranges[static_cast<std::size_t>(beam)];
-    if ((range == 0.0 || range > needed) && sightOf(point, *view) == Sight::kFree) {
-      return true;
-    }
+void MovingReturns::collectReturns() {
+  const RangeProfile& profile = view_.profile;
+  const std::size_t beams = profile.ranges.size();
+  directions_.set(profile.first_direction, profile.increment, beams);
+  returns_.resize(beams + 1);
+  beams_.resize(beams + 1);
+  const auto farthest = static_cast<float>(parameters_.range);
+  std::size_t count = 0;
+  for (std::size_t beam = 0; beam < beams; ++beam) {
+    const float range = profile.ranges[beam];
+    const Point2 direction = directions_[beam];
+    // Written in any case, and overwritten when it is none.
+    returns_[count] = view_.toOdometry({profile.origin.x + range * direction.x, profile.origin.y + range * direction.y});
+    beams_[count] = beam;
+    count += static_cast<std::size_t>(range > 0.0f) & static_cast<std::size_t>(range <= farthest);
   }
-  return false;
+  returns_.resize(count);
+  is_free_.assign(count, 0);
 }
 
-void MovingReturns::findMoving(const View& view) {
-  returns_.clear();
-  const RangeProfile& profile = view.profile;
-  std::vector<Point2> group;
+void MovingReturns::compareWith(const View& reference) {
+  if (reference.finder.beams() == 0) {
+    return;
+  }
+  const std::size_t count = returns_.size();
+  const std::size_t padded = count + 4;  // BeamFinder takes four at a time
+  x_.resize(padded);
+  y_.resize(padded);
+  positions_.resize(padded);
+  for (std::size_t i = 0; i < count; ++i) {
+    x_[i] = static_cast<float>(returns_[i].x - reference.scanner.x);
+    y_[i] = static_cast<float>(returns_[i].y - reference.scanner.y);
+  }
+  reference.finder.find(x_.data(), y_.data(), count, positions_.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    // Nearly every return stands where it stood: one beam tells.
+    const long beam = reference.finder.beamAt(positions_[i]);
+    if (beam >= 0 && x_[i] * x_[i] + y_[i] * y_[i] < reference.limits[static_cast<std::size_t>(beam)] &&
+        is_free_[i] == 0 && sightOf(returns_[i], reference) == Sight::kFree) {
+      is_free_[i] = 1;
+    }
+  }
+}
+
+void MovingReturns::findMoving() {
+  group_.clear();
   std::size_t last_beam = 0;
-  const auto closeGroup = [&] {
-    if (static_cast<int>(group.size()) >= parameters_.fewest_beams) {
-      for (const Point2& point : group) notePlace(point, view.time);
-    }
-    group.clear();
-  };
-  for (std::size_t beam = 0; beam < profile.ranges.size(); ++beam) {
-    const double range = profile.ranges[beam];
-    if (!(range > 0.0) || range > parameters_.range) {
+  for (std::size_t i = 0; i < returns_.size(); ++i) {
+    if (is_free_[i] == 0) {
       continue;
     }
-    const Point2 local = pointAlong(profile.origin, profile.direction(beam), range);
-    const Point2 point{view.pose.x + view.cosine * local.x - view.sine * local.y,
-                       view.pose.y + view.sine * local.x + view.cosine * local.y};
-    returns_.push_back(point);
-    if (!wasSeenFree(point)) {
-      continue;
-    }
-    if (!group.empty() && (beam - last_beam > kMostGap + 1 || distanceBetween(group.back(), point) > kSameThing)) {
+    if (!group_.empty() &&
+        (beams_[i] - last_beam > kMostGap + 1 || distanceBetween(group_.back(), returns_[i]) > kSameThing)) {
       closeGroup();
     }
-    group.push_back(point);
-    last_beam = beam;
+    group_.push_back(returns_[i]);
+    last_beam = beams_[i];
   }
   closeGroup();
 }
 
-void MovingReturns::notePlace(const Point2& point, double time) {
+void MovingReturns::closeGroup() {
+  if (static_cast<int>(group_.size()) >= parameters_.fewest_beams) {
+    for (const Point2& point : group_) notePlace(point);
+  }
+  group_.clear();
+}
+
+void MovingReturns::notePlace(const Point2& point) {
   for (Place& place : places_) {
-    if (distanceBetween(place.point, point) < kPlaceSpacing) {
-      place.time = time;
+    if (squaredDistance(place.point, point) < kPlaceSpacing * kPlaceSpacing) {
+      place.time = view_.time;
       return;
     }
   }
-  places_.push_back({point, time});
+  places_.push_back({point, view_.time});
 }
 
-void MovingReturns::forgetPlaces(const View& view) {
+void MovingReturns::forgetPlaces() {
   const auto over = [&](const Place& place) {
-    return view.time - place.time > parameters_.hold ||
-           (place.time < view.time && sightOf(place.point, view) == Sight::kFree);
+    return view_.time - place.time > parameters_.hold ||
+           (place.time < view_.time && sightOf(place.point, view_) == Sight::kFree);
   };
   places_.erase(std::remove_if(places_.begin(), places_.end(), over), places_.end());
 }
 
-void MovingReturns::collectPoints(const View& view) {
+void MovingReturns::collectPoints() {
   points_.clear();
   if (places_.empty()) {
     return;
   }
   for (const Point2& point : returns_) {
-    const auto near = [&](const Place& place) { return distanceBetween(place.point, point) < kSameThing; };
+    const auto near = [&](const Place& place) {
+      return squaredDistance(place.point, point) < kSameThing * kSameThing;
+    };
     if (std::any_of(places_.begin(), places_.end(), near)) {
-      points_.push_back(view.toBase(point));
+      points_.push_back(view_.toBase(point));
     }
   }
   for (const Place& place : places_) {
-    if (sightOf(place.point, view) == Sight::kUnknown) {
-      points_.push_back(view.toBase(place.point));
+    if (sightOf(place.point, view_) == Sight::kUnknown) {
+      points_.push_back(view_.toBase(place.point));
     }
   }
 }

@@ -108,7 +108,7 @@ class ObstacleMemory {
 
   // obstacle_memory_look.cpp: what a scan adds and takes away.
   void collectReturns(const Situation& situation);
-  bool isReturned(std::uint32_t key) const;
+  bool isReturned(std::uint32_t key);
   void forgetSeenThrough(const Situation& situation);
   void markReturns();
   static std::uint32_t keyOf(const Square& square) {
@@ -167,6 +167,7 @@ class ObstacleMemory {
   Sight sight_;
   std::vector<std::uint32_t> returns_;       ///< keyOf() squares in the order of the scan
   std::array<std::uint64_t, 64> returned_;   ///< row and column, modulo 64, of the returns
+  bool returned_is_known_ = false;
   std::vector<std::uint32_t> seen_through_;  ///< keyOf() squares
   mutable std::vector<Point2> nearby_;       ///< of collectNearby()
 };

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
-#include <deque>
+#include <cstdint>
 #include <vector>
 
 #include "lstm_planner/geometry.hpp"
+#include "lstm_planner/perception/beam_directions.hpp"
+#include "lstm_planner/perception/beam_finder.hpp"
 #include "lstm_planner/perception/laser_scan.hpp"
 
 namespace lstm_planner {
@@ -43,19 +44,24 @@ class MovingReturns {
   void reset();
 
  private:
+  /// A scan and where it was taken.
   struct View {
-    View(const RangeProfile& scan, const Pose2& base, double when)
-        : profile(scan), pose(base), cosine(std::cos(base.yaw)), sine(std::sin(base.yaw)), time(when) {}
     Point2 toBase(const Point2& point) const {
       const double dx = point.x - pose.x;
       const double dy = point.y - pose.y;
       return {cosine * dx + sine * dy, cosine * dy - sine * dx};
     }
+    Point2 toOdometry(const Point2& point) const {
+      return {pose.x + cosine * point.x - sine * point.y, pose.y + sine * point.x + cosine * point.y};
+    }
     RangeProfile profile;
     Pose2 pose;
-    double cosine;  ///< of the pose's yaw, which all returns are turned by
-    double sine;
-    double time;
+    double cosine = 1.0;  ///< of the pose's yaw, which all returns are turned by
+    double sine = 0.0;
+    double time = 0.0;
+    Point2 scanner;             ///< odometry frame
+    BeamFinder finder;          ///< for the odometry frame
+    std::vector<float> limits;  ///< m^2; a beam each: what is farther was surely not seen free
   };
   struct Place {
     Point2 point;       ///< odometry frame
@@ -63,17 +69,29 @@ class MovingReturns {
   };
   enum class Sight { kFree, kTaken, kUnknown };
 
+  void look(const RangeProfile& profile, const Pose2& pose, double time);
+  void dropOldViews();
+  void keepView();
   Sight sightOf(const Point2& point, const View& view) const;
-  bool wasSeenFree(const Point2& point) const;
-  void findMoving(const View& view);
-  void notePlace(const Point2& point, double time);
-  void forgetPlaces(const View& view);
-  void collectPoints(const View& view);
+  void collectReturns();
+  void compareWith(const View& reference);
+  void findMoving();
+  void closeGroup();
+  void notePlace(const Point2& point);
+  void forgetPlaces();
+  void collectPoints();
 
   MovingReturnsParameters parameters_;
-  std::deque<View> views_;                 ///< the oldest first, the last scan at the end
-  std::vector<const View*> references_;    ///< those that the last scan is compared with
-  std::vector<Point2> returns_;            ///< of the last scan, odometry frame, in the order of the beams
+  View view_;                   ///< the last scan
+  std::vector<View> views_;     ///< the oldest first; beyond the first view_count_ only memory to be used again
+  std::size_t view_count_ = 0;  ///< of views_
+  BeamDirections directions_;
+  std::vector<Point2> returns_;        ///< of the last scan, odometry frame, in the order of the beams
+  std::vector<std::size_t> beams_;     ///< of the returns
+  std::vector<std::uint8_t> is_free_;  ///< a return each: an earlier scan looked through there
+  std::vector<float> x_, y_;           ///< m, the returns relative to an earlier view's scanner
+  std::vector<float> positions_;       ///< among that view's beams
+  std::vector<Point2> group_;          ///< returns beside one another that may be moving
   std::vector<Place> places_;
   std::vector<Point2> points_;
 };
