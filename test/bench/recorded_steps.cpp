@@ -12,29 +12,30 @@
 namespace lstm_planner {
 namespace {
 
+constexpr std::uint64_t kWorlds = 1;
 constexpr double kPeriod = 0.1;     // s between scans that the planner is asked about
 constexpr double kLongest = 120.0;  // s
 constexpr double kShortest = 10.0;  // m from start to goal
-constexpr std::uint64_t kSeed = 1;
 
 const std::string kPackage = LSTM_PLANNER_SOURCE_DIR;
 
-RecordedDrive record(const std::string& name, OccupancyGrid grid) {
+RecordedDrive record(const std::string& name, OccupancyGrid grid, std::uint64_t seed) {
   const GridWorld world(std::move(grid));
   const ShieldParameters shield;
-  const DriveTask task = drawTasks(world, 1, shield.footprint_radius, shield.clearance, kShortest, kSeed)[0];
-  return recordDrive(name, world, task, kLongest);
+  const DriveTask task = drawTasks(world, 1, shield.footprint_radius, shield.clearance, kShortest, seed)[0];
+  return recordDrive(name, world, task, kLongest, seed);
 }
 
 }  // namespace
 
 DrivePolicy shippedPolicy() { return DrivePolicy::fromFile(kPackage + "/models/create2_lstm_2x8.onnx"); }
 
-RecordedDrive recordDrive(const std::string& name, const World& world, const DriveTask& task, double longest) {
+RecordedDrive recordDrive(const std::string& name, const World& world, const DriveTask& task, double longest,
+                          std::uint64_t seed) {
   const AgentParameters agent_parameters;
   SimulatedRobot::Parameters robot_parameters;
   robot_parameters.latency = kPeriod;
-  SimulatedRobot robot(world, robot_parameters, task.start, kSeed);
+  SimulatedRobot robot(world, robot_parameters, task.start, seed);
   OnlineAgent agent(shippedPolicy(), agent_parameters);
   const MotionController controller{MotionParameters()};
   const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry begins at the start
@@ -59,12 +60,16 @@ RecordedDrive recordDrive(const std::string& name, const World& world, const Dri
   return drive;
 }
 
-const std::vector<RecordedDrive>& recordedDrives() {
-  static const std::vector<RecordedDrive> drives{
-      record("office", generateWorld(WorldKind::kOffice, worldSeed(WorldUse::kJudging, kSeed, 0))),
-      record("maze", generateWorld(WorldKind::kMaze, worldSeed(WorldUse::kJudging, kSeed, 1))),
-      record("building", readMapServerMap(kPackage + "/config/demo_building.yaml")),
+std::vector<RecordedDrive> recordDrives(std::uint64_t seed) {
+  return {
+      record("office", generateWorld(WorldKind::kOffice, worldSeed(WorldUse::kJudging, kWorlds, 0)), seed),
+      record("maze", generateWorld(WorldKind::kMaze, worldSeed(WorldUse::kJudging, kWorlds, 1)), seed),
+      record("building", readMapServerMap(kPackage + "/config/demo_building.yaml"), seed),
   };
+}
+
+const std::vector<RecordedDrive>& recordedDrives() {
+  static const std::vector<RecordedDrive> drives = recordDrives(1);
   return drives;
 }
 

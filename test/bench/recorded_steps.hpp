@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,15 @@ struct RecordedDrive {
 DrivePolicy shippedPolicy();
 
 /// A drive of the shipped policy with a Hokuyo of 1081 beams, ten scans a second, noise, slip and latency as in
-/// `lstm_planner drive`, for at most `longest` (s). The same each time.
-RecordedDrive recordDrive(const std::string& name, const World& world, const DriveTask& task, double longest);
+/// `lstm_planner drive`, for at most `longest` (s). `seed`: of the noise.
+RecordedDrive recordDrive(const std::string& name, const World& world, const DriveTask& task, double longest,
+                          std::uint64_t seed);
 
-/// Such drives through an office with furniture, a maze and the demo's building; driven when they are asked for first.
+/// Such drives through an office with furniture, a maze and the demo's building, always the same three; starts, goals
+/// and noise are drawn from the seed.
+std::vector<RecordedDrive> recordDrives(std::uint64_t seed);
+
+/// Those of seed 1, driven when they are asked for first.
 const std::vector<RecordedDrive>& recordedDrives();
 
 }  // namespace lstm_planner

@@ -136,7 +136,7 @@ const Course& course(int size, Goal goal) {
   course.world = std::make_unique<GridWorld>(generateFloorPlan(plan, 1));
   course.task = chooseTask(*course.world, goal);
   course.costmap = makeCostmap(*course.world);
-  course.drive = recordDrive("floor plan", *course.world, course.task, kLongest);
+  course.drive = recordDrive("floor plan", *course.world, course.task, kLongest, 1);
   return course;
 }
 
