@@ -1,7 +1,6 @@
 #include "lstm_planner/network/network.hpp"
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,7 +22,7 @@ Network::Network(LayerStack layers, InstructionSet set)
       instruction_set_(set),
       packed_(std::make_shared<const PackedNetwork>(layers_, set)),
       memories_(2 * packed_->memorySize() / kFloatsALine),
-      input_(VectorXf::Zero(lstm_planner::inputSize(layers_))),
+      input_size_(lstm_planner::inputSize(layers_)),
       output_(VectorXf::Zero(lstm_planner::outputSize(layers_))) {
   reset();
 }
@@ -38,9 +37,9 @@ const float* Network::memory(std::size_t which) const { return memories_.data()-
 float* Network::memory(std::size_t which) { return memories_.data()->values + which * packed_->memorySize(); }
 
 const VectorXf& Network::forward(const ConstValues& input) {
-  if (input.size() != input_.size()) {
+  if (input.size() != input_size_) {
     throw std::invalid_argument("the network's input has " + std::to_string(input.size()) + " values, expected " +
-                                std::to_string(input_.size()));
+                                std::to_string(input_size_));
   }
   if (!packed_->step(input.data(), memory(now_), memory(1 - now_), output_.data())) {
     if (!input.allFinite()) throw std::invalid_argument("the network's input holds a value that is not finite");

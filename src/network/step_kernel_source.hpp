@@ -17,7 +17,7 @@ constexpr float kHalf = 0.5f;
 
 /// sums += weights * x for a tile, `kSums` vectors high. Sums that wait for one another would leave the processor idle
 /// where a tile is small: `kParts` of them are made side by side, each from every kParts-th column.
-template <class V, int kSums, int kParts>
+template <class V, int kSums, int kParts, bool kFromOutside>
 LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, int stride, const float* x, int columns,
                                             V (&sums)[kSums]) {
   V parts[kParts][kSums];
@@ -27,7 +27,7 @@ LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, int stride, co
     for (int part = 1; part < kParts; ++part) parts[part][sum] = V{};
   }
   const auto multiplyAddColumn = [&](int part, int column) __attribute__((always_inline)) {
-    const V factor = broadcast<V>(x[column]);
+    const V factor = kFromOutside ? withoutDenormals(broadcast<V>(x[column])) : broadcast<V>(x[column]);
 #pragma GCC unroll 16
     for (int sum = 0; sum < kSums; ++sum) {
       const V weight = load<V>(weights + column * stride + sum * kLanesOf<V>);
@@ -93,7 +93,9 @@ LSTM_PLANNER_INLINE void lstmBlocks(const V (&sums)[4 * kBlocks], int first_unit
     gate_numerator.of[block] = cells.half_output_gate.numerator;
     gate_denominator.of[block] = cells.half_output_gate.denominator;
   }
-  const TanhTerms<Group<V, kBlocks>> terms = tanhTerms(cell);
+  TanhTerms<Group<V, kBlocks>> terms = tanhTerms(cell);
+#pragma GCC unroll 4
+  for (int block = 0; block < kBlocks; ++block) terms.limited_x.of[block] = flushTiny(terms.limited_x.of[block]);
   const Group<V, kBlocks> output =
       (gate_numerator * terms.limited_x * terms.p) / (gate_denominator * terms.q);
 #pragma GCC unroll 4
@@ -136,22 +138,22 @@ struct TiledLayer {
   /// Sums of small tiles are split until there are as many as a processor has multiplications under way.
   static constexpr int parts(int sums) { return sums >= 8 ? 1 : sums >= 4 ? 2 : 4; }
 
-  template <int kBlocks>
+  template <int kBlocks, bool kFromOutside>
   static LSTM_PLANNER_INLINE void multiplyAddTile(const PackedMatrix& matrix, const float* start, const float* x,
                                                   Place place, V (&sums)[kGates * kBlocks]) {
     constexpr int kSums = kGates * kBlocks;
 #pragma GCC unroll 16
     for (int sum = 0; sum < kSums; ++sum) sums[sum] = load<V>(start + (place.vector + sum) * kLanesOf<V>);
     const int stride = matrix.column_stride > 0 ? matrix.column_stride : kSums * kLanesOf<V>;
-    multiplyAddColumns<V, kSums, parts(kSums)>(matrix.weights + place.vector * matrix.vector_stride, stride, x,
-                                               matrix.columns, sums);
+    multiplyAddColumns<V, kSums, parts(kSums), kFromOutside>(matrix.weights + place.vector * matrix.vector_stride,
+                                                             stride, x, matrix.columns, sums);
   }
 
   template <int kBlocks>
   static LSTM_PLANNER_INLINE void recurrentTile(const PackedLayer& layer, const float* outputs, float* all_sums,
                                                 Place* place) {
     V sums[kGates * kBlocks];
-    multiplyAddTile<kBlocks>(layer.recurrent, layer.bias.weights, outputs, *place, sums);
+    multiplyAddTile<kBlocks, false>(layer.recurrent, layer.bias.weights, outputs, *place, sums);
 #pragma GCC unroll 16
     for (int sum = 0; sum < kGates * kBlocks; ++sum) store(all_sums + (place->vector + sum) * kLanesOf<V>, sums[sum]);
     place->unit += kBlocks * kLanesOf<V>;
@@ -174,7 +176,11 @@ struct TiledLayer {
                                               Place* place) {
     const float* start = kKind == LayerKind::kDense ? layer.bias.weights : values.sums;
     V sums[kGates * kBlocks];
-    multiplyAddTile<kBlocks>(layer.input, start, values.input, *place, sums);
+    if (values.from_outside) {
+      multiplyAddTile<kBlocks, true>(layer.input, start, values.input, *place, sums);
+    } else {
+      multiplyAddTile<kBlocks, false>(layer.input, start, values.input, *place, sums);
+    }
     if constexpr (kKind == LayerKind::kLstm) {
       lstmBlocks<V, kCandidate, kBlocks>(sums, place->unit, layer.shape, values, watched);
     } else {

@@ -35,7 +35,7 @@ class Network {
   /// One step. `input` has inputSize() values; the result has outputSize() values and stays valid until the next call.
   /// Throws std::invalid_argument for a wrong size, a non-finite input, or an input so large that a weighted sum leaves
   /// the range of float; the hidden state is then what it was before. Sums beyond +-9 give activations at their limits.
-  /// Denormal inputs count as zero, and so do cell states below 1e-18: processors are slow with them.
+  /// Inputs below 1e-27 count as zero, and so do cell states below 1e-15: processors are slow with them.
   const Eigen::VectorXf& forward(const Eigen::Ref<const Eigen::VectorXf>& input);
 
   /// Forgets everything: hidden and cell states become zero.
@@ -47,7 +47,7 @@ class Network {
   /// Throws std::invalid_argument when the size is not hiddenState().size() or a value is not finite.
   void setHiddenState(const Eigen::Ref<const HiddenState>& state);
 
-  int inputSize() const { return static_cast<int>(input_.size()); }
+  int inputSize() const { return input_size_; }
   int outputSize() const { return static_cast<int>(output_.size()); }
   const LayerStack& layers() const { return layers_; }
 
@@ -63,7 +63,7 @@ class Network {
   std::shared_ptr<const PackedNetwork> packed_;
   std::vector<CacheLine> memories_;  ///< of the step before and of the one to come; which is which changes
   std::size_t now_ = 0;
-  Eigen::VectorXf input_;  ///< without denormals, where the caller's has them
+  int input_size_ = 0;
   Eigen::VectorXf output_;
 };
 
