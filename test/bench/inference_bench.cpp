@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "bench_support.hpp"
+#include "floor.hpp"
+#include "lstm_planner/network/network.hpp"
+#include "textbook_lstm.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr int kInputs = 11;
+constexpr int kOutputs = 8;
+
+/// Steps whose first input is the last step's first output, the rest constant: no step can begin before the one before
+/// it is through, as in a drive. The time of a step is the least of many short runs, which other programs on the
+/// machine hardly change.
+class ChainedSteps {
+ public:
+  explicit ChainedSteps(int cells) : steps_a_run_(std::max(20000 / cells / cells, 50)), input_(kInputs) {
+    for (int i = 0; i < kInputs; ++i) input_(i) = 0.1f * static_cast<float>(i) - 0.5f;
+  }
+
+  template <class Forward>
+  void run(const Forward& forward) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    for (int step = 0; step < steps_a_run_; ++step) input_(0) = forward(input_)(0);
+    const std::chrono::duration<double, std::nano> time = Clock::now() - begin;
+    least_ns_ = std::min(least_ns_, time.count() / steps_a_run_);
+  }
+
+  double leastNs() const { return least_ns_; }
+
+ private:
+  int steps_a_run_;
+  Eigen::VectorXf input_;
+  double least_ns_ = std::numeric_limits<double>::infinity();
+};
+
+LayerStack layersOf(int cells) { return benchLstm(kInputs, {cells, cells}, kOutputs); }
+
+/// 11 -> LSTM -> LSTM -> FC 8 with one kernel, by turns with the textbook's, so that both meet the same machine.
+void inferenceKernel(benchmark::State& state) {
+  const int cells = static_cast<int>(state.range(0));
+  const InstructionSet set = runnableInstructionSets()[static_cast<std::size_t>(state.range(1))];
+  const LayerStack layers = layersOf(cells);
+  const double floor = stepFloor(layers, set);
+  Network network(layers, set);
+  TextbookLstm textbook(layers);
+  ChainedSteps steps(cells);
+  ChainedSteps textbook_steps(cells);
+  for (auto _ : state) {
+    steps.run([&](const Eigen::VectorXf& input) -> const Eigen::VectorXf& { return network.forward(input); });
+    state.PauseTiming();
+    textbook_steps.run([&](const Eigen::VectorXf& input) { return textbook.forward(input); });
+    state.ResumeTiming();
+  }
+  state.SetLabel(toString(set));
+  state.counters["step_ns"] = steps.leastNs();
+  state.counters["floor_ns"] = floor;
+  state.counters["textbook_ns"] = textbook_steps.leastNs();
+  state.counters["times_floor"] = steps.leastNs() / floor;
+  state.counters["times_as_fast_as_textbook"] = textbook_steps.leastNs() / steps.leastNs();
+}
+BENCHMARK(inferenceKernel)
+    ->Name("inference/step")
+    ->ArgNames({"cells", "set"})
+    ->Apply([](auto* family) {
+      std::vector<int> sets;
+      for (std::size_t i = 0; i < runnableInstructionSets().size(); ++i) sets.push_back(static_cast<int>(i));
+      addArgumentPairs({8, 16, 32, 64, 33}, sets, family);
+    }) -> Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace lstm_planner
