@@ -1,7 +1,6 @@
 #include "lstm_planner/agent/cost_to_go.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -12,17 +11,7 @@ namespace lstm_planner {
 
 namespace {
 
-/// Cells round an obstacle that cheapestThrough() can look at.
-constexpr int kFarthestReach = 12;
-
-int stepLength(int direction) { return direction % 2 != 0 ? CostToGo::kDiagonal : CostToGo::kStraight; }
-
 int opposite(int direction) { return direction ^ 4; }
-
-int toNeighbour(int direction, int side) {
-  const CellIndex& step = kGridRaySteps[static_cast<std::size_t>(direction)];
-  return step.row * side + step.column;
-}
 
 }  // namespace
 
@@ -45,7 +34,7 @@ std::uint32_t CostToGo::octileBetween(int from, int to) const {
   return octile(from % side_ - to % side_, from / side_ - to / side_);
 }
 
-bool CostToGo::search(ObstacleMemory& memory, int start, const std::vector<End>& ends, std::uint32_t margin) {
+bool CostToGo::search(ObstacleMemory& memory, int start, const std::vector<End>& ends, int column, int row) {
   clear(memory.side());
   start_ = start;
   start_column_ = start % side_;
@@ -62,16 +51,32 @@ bool CostToGo::search(ObstacleMemory& memory, int start, const std::vector<End>&
   for (const End& end : ends) {
     reach(end.cell % side_, end.cell / side_, end.cost - base_);
   }
-  return run(memory, start, margin);
+  const bool found = run(memory, start);
+  trace(memory, start, column, row);
+  return found;
 }
 
-bool CostToGo::extendTo(ObstacleMemory& memory, int cell) { return isKnown(cell) || run(memory, cell, 0); }
+bool CostToGo::searchAgain(ObstacleMemory& memory, int start, int column, int row) {
+  if (costs_[index(start)] == kFar) {
+    return false;
+  }
+  trace(memory, start, column, row);
+  return costs_[index(way_.back())] == 0 || isAtBorder(way_.back());
+}
+
+void CostToGo::trace(ObstacleMemory& memory, int start, int column, int row) {
+  way_.clear();
+  for (int cell = start; cell >= 0; cell = next(memory, cell, column, row)) {
+    way_.push_back(cell);
+  }
+}
 
 void CostToGo::clear(int side) {
   if (side != side_) {
     side_ = side;
     costs_.assign(index(side) * index(side), kFar);
     touched_.assign(index(side), {kFar, 0});
+    way_.reserve(4 * index(side));
     return;
   }
   for (int row = 0; row < side_; ++row) {
@@ -84,11 +89,11 @@ void CostToGo::clear(int side) {
   }
 }
 
-bool CostToGo::run(ObstacleMemory& memory, int target, std::uint32_t margin) {
-  std::uint32_t limit = kNone;
+bool CostToGo::run(ObstacleMemory& memory, int target) {
+  bool found = false;
   std::uint32_t lowest = 0;
   bool more = open_.lowest(&lowest);
-  for (; more && lowest <= limit; more = open_.lowest(&lowest)) {
+  for (; more && !found; more = open_.lowest(&lowest)) {
     std::uint16_t column = 0;
     std::uint16_t row = 0;
     open_.pop(&column, &row);
@@ -97,13 +102,25 @@ bool CostToGo::run(ObstacleMemory& memory, int target, std::uint32_t margin) {
     if (lowest != cost + octile(start_column_ - column, start_row_ - row)) {
       continue;  // a cheaper way from it was found meanwhile
     }
+    found = cell == target;
     expand(memory, column, row, cost);
-    if (cell == target) {
-      limit = lowest + margin;
-    }
   }
   searched_to_ = more ? lowest - 1 : kNone - 1;
-  return isKnown(target);
+  forgetOpen();
+  return found;
+}
+
+/// What was come to but not looked at may turn out to be nearer.
+void CostToGo::forgetOpen() {
+  for (std::uint32_t estimate = 0; open_.lowest(&estimate);) {
+    std::uint16_t column = 0;
+    std::uint16_t row = 0;
+    open_.pop(&column, &row);
+    std::uint16_t& cost = costs_[index(row * side_ + column)];
+    if (estimate == cost + octile(start_column_ - column, start_row_ - row)) {
+      cost = kFar;
+    }
+  }
 }
 
 void CostToGo::expand(ObstacleMemory& memory, int column, int row, std::uint32_t cost) {
@@ -121,9 +138,8 @@ void CostToGo::expand(ObstacleMemory& memory, int column, int row, std::uint32_t
 }
 
 void CostToGo::reach(int column, int row, std::uint32_t cost) {
-  std::uint16_t& known = costs_[index(row * side_ + column)];
-  if (cost < known) {
-    known = static_cast<std::uint16_t>(cost);
+  if (cost < costs_[index(row * side_ + column)]) {
+    costs_[index(row * side_ + column)] = static_cast<std::uint16_t>(cost);
     Span& span = touched_[index(row)];
     span.first = std::min(span.first, static_cast<std::uint16_t>(column));
     span.last = std::max(span.last, static_cast<std::uint16_t>(column));
@@ -150,26 +166,21 @@ std::uint8_t CostToGo::entries(ObstacleMemory& memory, int cell) const {
     const CellIndex& step = kGridRaySteps[static_cast<std::size_t>(direction)];
     const bool inside = column + step.column >= 0 && column + step.column < side_ && row + step.row >= 0 &&
                         row + step.row < side_;
-    if (inside && (memory.exits(cell + toNeighbour(direction, side_)) >> opposite(direction) & 1) != 0) {
+    if (inside && (memory.exits(neighbourOf(cell, direction)) >> opposite(direction) & 1) != 0) {
       entries = static_cast<std::uint8_t>(entries | 1 << direction);
     }
   }
   return entries;
 }
 
-std::uint32_t CostToGo::cost(int cell) const {
-  const std::uint32_t relative = relativeCost(cell);
-  return relative == kNone ? kNone : base_ + relative;
+int CostToGo::neighbourOf(int cell, int direction) const {
+  const CellIndex& step = kGridRaySteps[index(direction)];
+  return cell + step.row * side_ + step.column;
 }
 
-std::uint32_t CostToGo::relativeCost(int cell) const {
-  const std::uint32_t known = costs_[index(cell)] == kFar ? kNone : costs_[index(cell)];
-  if (searched_to_ >= kNone - 1) {
-    return known;
-  }
-  // What was not looked at yet has a larger estimate than all that was.
-  const std::uint32_t least = searched_to_ + 1;
-  return std::min(known, least - std::min(least, octileBetween(cell, start_)));
+std::uint32_t CostToGo::stepCost(ObstacleMemory& memory, int to, int direction) const {
+  const int length = direction % 2 != 0 ? kDiagonal : kStraight;
+  return static_cast<std::uint32_t>(length * factors_[static_cast<int>(memory.passage(to))] / 2);
 }
 
 int CostToGo::next(ObstacleMemory& memory, int cell, int column, int row) const {
@@ -184,73 +195,16 @@ int CostToGo::next(ObstacleMemory& memory, int cell, int column, int row) const 
   for (int direction = 0; direction < kGridRayCount; ++direction) {
     const CellIndex& way = kGridRaySteps[index(direction)];
     const int distance = (columns - way.column) * (columns - way.column) + (rows - way.row) * (rows - way.row);
-    const int neighbour = cell + toNeighbour(direction, side_);
+    const int neighbour = neighbourOf(cell, direction);
     const int step = cost - costs_[index(neighbour)];
     if (distance < nearest && step > 0 &&
-        step == stepLength(direction) * factors_[static_cast<int>(memory.passage(neighbour))] / 2 &&
+        step == static_cast<int>(stepCost(memory, neighbour, direction)) &&
         (entries(memory, neighbour) >> opposite(direction) & 1) != 0) {
       nearest = distance;
       next = neighbour;
     }
   }
   return next;
-}
-
-std::uint32_t CostToGo::cheapestThrough(ObstacleMemory& memory, int freed, int reach, int from,
-                                        std::uint32_t enough) const {
-  if (reach > kFarthestReach) {
-    return 0;
-  }
-  constexpr int kWidest = 2 * kFarthestReach + 3;
-  std::array<std::uint32_t, kWidest * kWidest> costs;
-  const int first_column = std::max(0, freed % side_ - reach - 1);
-  const int last_column = std::min(side_ - 1, freed % side_ + reach + 1);
-  const int first_row = std::max(0, freed / side_ - reach - 1);
-  const int last_row = std::min(side_ - 1, freed / side_ + reach + 1);
-  const auto at = [&](int column, int row) -> std::uint32_t& {
-    return costs[index((row - first_row) * kWidest + column - first_column)];
-  };
-  for (int row = first_row; row <= last_row; ++row) {
-    for (int column = first_column; column <= last_column; ++column) {
-      at(column, row) = relativeCost(row * side_ + column);
-    }
-  }
-  const int from_column = from % side_;
-  const int from_row = from / side_;
-  std::uint32_t cheapest = kNone;
-  for (int row = first_row + 1; row < last_row; ++row) {
-    for (int column = first_column + 1; column < last_column; ++column) {
-      std::uint32_t after = kNone;
-      for (int r = row - 1; r <= row + 1; ++r) {
-        after = std::min({after, at(column - 1, r), at(column, r), at(column + 1, r)});
-      }
-      if (after == kNone) {
-        continue;
-      }
-      const std::uint32_t before = base_ + octile(from_column - column, from_row - row);
-      const int cell = row * side_ + column;
-      std::uint32_t through = before + kStraight + after;
-      if (through < enough) {
-        const std::uint8_t exits = memory.exits(cell);
-        std::uint32_t best = kNone;
-        for (int direction = 0; direction < kGridRayCount; ++direction) {
-          const CellIndex& step = kGridRaySteps[index(direction)];
-          const std::uint32_t rest = at(column + step.column, row + step.row);
-          if ((exits >> direction & 1) != 0 && rest != kNone) {
-            const int factor =
-                factors_[static_cast<int>(memory.passage(cell + toNeighbour(direction, side_)))];
-            best = std::min(best, rest + static_cast<std::uint32_t>(stepLength(direction) * factor / 2));
-          }
-        }
-        if (best >= at(column, row)) {
-          continue;  // no cheaper than it was, or there is no way
-        }
-        through = before + best;
-      }
-      cheapest = std::min(cheapest, through);
-    }
-  }
-  return cheapest;
 }
 
 }  // namespace lstm_planner

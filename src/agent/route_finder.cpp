@@ -14,9 +14,6 @@ constexpr std::size_t kLongestPull = 24;  ///< cells
 
 constexpr double kDetour = 3.0;  ///< times the tolerance
 
-/// Ways are searched that cost this much more than the shortest, m: those of a robot that leaves it a little.
-constexpr double kMargin = 0.8;
-
 /// The square nearest to `position` that the footprint fits on, at most `tolerance` away; false when there is none.
 bool nearestPlace(ObstacleMemory& memory, const Point2& position, double tolerance, Point2* place) {
   const int cell = memory.cellAt(position);
@@ -55,10 +52,6 @@ bool nearestPlace(ObstacleMemory& memory, const Point2& position, double toleran
   return found;
 }
 
-std::uint32_t marginIn(const ObstacleMemory& memory) {
-  return static_cast<std::uint32_t>(CostToGo::kStraight * kMargin / memory.cellSize());
-}
-
 }  // namespace
 
 double lengthOf(const std::vector<Point2>& points) {
@@ -88,7 +81,8 @@ bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2
                                           !memory.isFree(goal, goal, ObstacleMemory::Passage::kTight));
   Point2 end_point = goal;
   const bool fits = !blocked || nearestPlace(memory, goal, tolerance, &end_point);
-  if (fits && search(memory, first, end_point, 0.0) && trace(memory, start, route)) {
+  if (fits && search(memory, first, end_point, 0.0)) {
+    follow(memory, start, route);
     // Who is near enough already does not make a long detour for a place that is hardly nearer: more likely odometry
     // has put it behind the wall.
     if (!isDetour(distanceBetween(start, goal), route->length, tolerance)) {
@@ -96,16 +90,20 @@ bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2
       return true;
     }
   }
-  return search(memory, first, goal, tolerance) && trace(memory, start, route);
-}
-
-bool RouteFinder::findAgain(ObstacleMemory& memory, const Point2& start, bool unchanged, Route* route) {
-  const int first = memory.cellAt(start);
-  if (!ends_at_goal_ || first < 0) {
+  if (!search(memory, first, goal, tolerance)) {
     return false;
   }
-  const bool known = unchanged ? cost_to_go_.extendTo(memory, first) : cost_to_go_.isKnown(first);
-  return known && trace(memory, start, route);
+  follow(memory, start, route);
+  return true;
+}
+
+bool RouteFinder::findAgain(ObstacleMemory& memory, const Point2& start, Route* route) {
+  const int first = memory.cellAt(start);
+  if (!ends_at_goal_ || first < 0 || !cost_to_go_.searchAgain(memory, first, end_column_, end_row_)) {
+    return false;
+  }
+  follow(memory, start, route);
+  return true;
 }
 
 bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& end, double tolerance) {
@@ -139,7 +137,7 @@ bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& end, d
     ending_ = Ending::kAtCell;
     ends_.push_back({end_cell, 0});
   }
-  return !ends_.empty() && cost_to_go_.search(memory, start, ends_, marginIn(memory));
+  return !ends_.empty() && cost_to_go_.search(memory, start, ends_, end_column_, end_row_);
 }
 
 void RouteFinder::addEnd(ObstacleMemory& memory, int column, int row) {
@@ -163,32 +161,30 @@ bool RouteFinder::isEnd(ObstacleMemory& memory, int cell) const {
   return column == 0 || column == side - 1 || cell < side || cell >= side * (side - 1);
 }
 
-bool RouteFinder::trace(ObstacleMemory& memory, const Point2& start, Route* route) const {
+void RouteFinder::follow(ObstacleMemory& memory, const Point2& start, Route* route) const {
   std::vector<Point2>& points = route->points;
   points.clear();
   points.push_back(start);
-  const int first = memory.cellAt(start);
+  const std::vector<int>& way = cost_to_go_.way();
   const int goal_cell = memory.cellAt(end_);
-  int cell = first;
-  while (!isEnd(memory, cell)) {
-    cell = cost_to_go_.next(memory, cell, end_column_, end_row_);
-    if (cell < 0) {
-      return false;
-    }
+  std::size_t cells = 1;
+  while (!isEnd(memory, way[cells - 1]) && cells < way.size()) {
+    const int cell = way[cells++];
     if (cell != goal_cell) {
       points.push_back(memory.bestPlace(cell));
     }
   }
-  route->cost = (cost_to_go_.cost(first) - cost_to_go_.cost(cell)) * memory.cellSize() / CostToGo::kStraight;
+  const int last = way[cells - 1];
+  route->cost =
+      (cost_to_go_.cost(way.front()) - cost_to_go_.cost(last)) * memory.cellSize() / CostToGo::kStraight;
   if (goal_cell < 0) {
     route->cost += distanceBetween(points.back(), end_);
   }
-  if (goal_cell == cell || goal_cell < 0) {
+  if (goal_cell == last || goal_cell < 0) {
     points.push_back(end_);
   }
   pullStraight(memory, route);
   route->length = lengthOf(points);
-  return true;
 }
 
 void RouteFinder::pullStraight(ObstacleMemory& memory, Route* route) const {

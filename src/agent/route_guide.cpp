@@ -72,13 +72,19 @@ RouteGuide::Status RouteGuide::update(const Situation& situation) {
   has_pose_ = true;
   memory_.look(situation);
   const Point2 here{situation.pose.x, situation.pose.y};
-  if (!looking_ && isWorthKeeping(here)) {
-    closed_in_a_row_ = 0;
-    return Status::kRoute;
+  bool found = false;
+  if (!looking_ && costsHold(here)) {
+    const double cost = route_.cost(memory_, finder_, kLookedAt);
+    takeInChanges(here, cost);
+    if (isWorthKeeping(here, cost)) {
+      closed_in_a_row_ = 0;
+      return Status::kRoute;
+    }
+    found = findAgain(here);
   }
   // While it looks around, what lies behind the robot is not known and seems free.
   const bool still_looking = looking_ && turned_ < kFullTurn;
-  const bool found = !still_looking && find(here, &found_);
+  found = found || (!still_looking && find(here, &found_));
   memory_.clearChanges();
   if (!found) {
     return lookAround(situation);
@@ -97,7 +103,6 @@ bool RouteGuide::find(const Point2& start, Route* route) {
   ++searches_;
   const bool found = finder_.find(memory_, start, goal_, tolerance(), route);
   has_costs_ = found && finder_.endsAtGoal();
-  costs_are_exact_ = has_costs_;
   searched_goal_ = goal_;
   through_freed_ = CostToGo::kNone;
   freed_from_ = memory_.cellAt(start);
@@ -118,7 +123,8 @@ bool RouteGuide::takeBetter(const Point2& here) {
   return true;
 }
 
-bool RouteGuide::isWorthKeeping(const Point2& here) {
+/// Brings the route up to date; false when the costs of the last search tell nothing any more.
+bool RouteGuide::costsHold(const Point2& here) {
   if (route_.isEmpty()) {
     return false;
   }
@@ -130,13 +136,23 @@ bool RouteGuide::isWorthKeeping(const Point2& here) {
   for (const ObstacleMemory::Change& change : memory_.changes()) {
     route_.note(memory_, change);
   }
-  if (!has_costs_ || !goalIsAsBefore() ||
-      RouteFinder::isDetour(distanceBetween(here, goal_), route_.route().length, tolerance())) {
+  return has_costs_ && goalIsAsBefore() &&
+         !RouteFinder::isDetour(distanceBetween(here, goal_), route_.route().length, tolerance());
+}
+
+bool RouteGuide::isWorthKeeping(const Point2& here, double cost) const {
+  return isHardlyDearer(cost, distanceBetween(here, end())) || isHardlyDearer(cost, metresOf(leastCost(here)));
+}
+
+/// By the last search alone; false when it takes a new one.
+bool RouteGuide::findAgain(const Point2& here) {
+  if (memory_.cellAt(goal_) != memory_.cellAt(searched_goal_) || !finder_.findAgain(memory_, here, &found_)) {
     return false;
   }
-  const double cost = route_.cost(memory_, finder_, kLookedAt);
-  takeInChanges(here, cost);
-  return isHardlyDearer(cost, distanceBetween(here, end())) || isHardlyDearer(cost, metresOf(leastCost(here)));
+  found_.points.back() = end();
+  found_.length = lengthOf(found_.points);
+  return isHardlyDearer(found_.cost, through_freed_ * memory_.cellSize() / CostToGo::kStraight) &&
+         !RouteFinder::isDetour(distanceBetween(here, goal_), found_.length, tolerance());
 }
 
 /// False when a search might end elsewhere.
@@ -164,7 +180,8 @@ void RouteGuide::takeInChanges(const Point2& here, double cost) {
     through_freed_ -= std::min(through_freed_, costs.octileBetween(freed_from_, cell));
   }
   freed_from_ = cell;
-  const double enough = std::isfinite(cost) ? (cost - kWorthTurningMetres) / (1.0 + kWorthTurning) / cost_scale_ : 0.0;
+  const double enough = std::isfinite(cost) ? (cost - kWorthTurningMetres) / (1.0 + kWorthTurning) / cost_scale_
+                                            : static_cast<double>(leastCost(here));
   const int reach = static_cast<int>(std::ceil(KeptRoute::reachOfChanges(parameters_) / memory_.cellSize())) + 1;
   int last = -1;
   for (const ObstacleMemory::Change& change : memory_.changes()) {
@@ -175,7 +192,6 @@ void RouteGuide::takeInChanges(const Point2& here, double cost) {
       through_freed_ = std::min(through_freed_, costs.cheapestThrough(memory_, freed, reach, cell, wanted));
     }
   }
-  costs_are_exact_ = costs_are_exact_ && memory_.changes().empty();
   memory_.clearChanges();
 }
 
@@ -249,13 +265,14 @@ void RouteGuide::pointsAhead(double distance, std::vector<Point2>* points) const
 }
 
 bool RouteGuide::findFrom(const Point2& start, Route* route) {
-  const bool exact = costs_are_exact_ && memory_.changes().empty();
-  if (has_costs_ && !memory_.everythingChanged() && finder_.findAgain(memory_, start, exact, route) &&
-      !RouteFinder::isDetour(distanceBetween(start, goal_), route->length, tolerance())) {
-    if (distanceBetween(route->points.back(), searched_goal_) == 0.0) {
-      route->points.back() = goal_;
+  if (has_costs_ && !memory_.everythingChanged() && memory_.cellAt(goal_) == memory_.cellAt(searched_goal_)) {
+    if (finder_.findAgain(memory_, start, route) &&
+        !RouteFinder::isDetour(distanceBetween(start, goal_), route->length, tolerance())) {
+      if (distanceBetween(route->points.back(), searched_goal_) == 0.0) {
+        route->points.back() = goal_;
+      }
+      return true;
     }
-    return true;
   }
   return find(start, route);
 }

@@ -10,8 +10,8 @@ namespace lstm_planner {
 
 /// What the way to the goal costs from the cells of an ObstacleMemory: A* from the goal towards a start.
 ///
-/// Searched from the goal, so that what was found stays of use when the robot has moved on, and tells of any place what
-/// the way from there costs at least. Where obstacles have appeared since, ways have become dearer, and the bounds still
+/// Searched from the goal, so that what was found stays of use when the robot has moved on: it tells of any place what
+/// the way from there costs at least. Where obstacles have appeared since, ways have become dearer and the bounds still
 /// hold; where some have gone, cheapestThrough() tells what a way through there costs at least.
 ///
 /// Costs are in fifths of a cell: a straight step costs 5, a diagonal one 7 (1 % less than the true ratio), steps into
@@ -31,22 +31,19 @@ class CostToGo {
   /// `tightness`: see RouteFinder.
   explicit CostToGo(double tightness);
 
-  /// Finds the cheapest way from `start` to any of the ends, and all that costs up to `margin` more; false when there
-  /// is none.
-  bool search(ObstacleMemory& memory, int start, const std::vector<End>& ends, std::uint32_t margin);
+  /// Finds the cheapest way from `start` to any of the ends; false when there is none. Of ways that are as good it takes
+  /// the one that keeps nearest to that column and row, which may lie outside the window.
+  bool search(ObstacleMemory& memory, int start, const std::vector<End>& ends, int column, int row);
 
-  /// Goes on with the last search until the cost at another cell is known. Only while the memory has not changed.
-  bool extendTo(ObstacleMemory& memory, int cell);
+  /// Finds the cheapest way from elsewhere by the last search alone; false when that does not tell, because it did not
+  /// come there or something has changed along the way.
+  bool searchAgain(ObstacleMemory& memory, int start, int column, int row);
 
-  /// Whether cost() is more than a bound.
-  bool isKnown(int cell) const { return costs_[index(cell)] != kFar && estimate(cell) <= searched_to_; }
+  /// The cells of the way that was found last, from the start to the end.
+  const std::vector<int>& way() const { return way_; }
 
-  /// Least cost from a cell under what was remembered at the search, if isKnown(); otherwise it is at least that much.
+  /// What the way from a cell costs at least; exactly that from all cells of a way that was just found.
   std::uint32_t cost(int cell) const;
-
-  /// The neighbour that the way from a cell leads to; -1 when there is none, e.g. because something has changed since.
-  /// Of several that are as good, the one nearest to that column and row, which may lie outside the window.
-  int next(ObstacleMemory& memory, int cell, int column, int row) const;
 
   /// What a way from `from` costs at least if it leads through a cell round `freed`, where an obstacle has gone since
   /// the search, and nothing has gone along the rest of the way. Cells for which that is `enough` anyway are not looked
@@ -63,16 +60,20 @@ class CostToGo {
     std::uint16_t first;
     std::uint16_t last;
   };
-
   static std::size_t index(int cell) { return static_cast<std::size_t>(cell); }
-  std::uint32_t estimate(int cell) const { return costs_[index(cell)] + octileBetween(cell, start_); }
   void clear(int side);
   void reach(int column, int row, std::uint32_t cost);
-  bool run(ObstacleMemory& memory, int target, std::uint32_t margin);
+  bool run(ObstacleMemory& memory, int target);
   void expand(ObstacleMemory& memory, int column, int row, std::uint32_t cost);
+  void forgetOpen();
+  void trace(ObstacleMemory& memory, int start, int column, int row);
   std::uint8_t entries(ObstacleMemory& memory, int cell) const;
+  int next(ObstacleMemory& memory, int cell, int column, int row) const;
   bool isAtBorder(int cell) const;
-  std::uint32_t relativeCost(int cell) const;
+  std::uint32_t relativeCost(int column, int row) const;
+  std::uint32_t costBySteps(ObstacleMemory& memory, int column, int row) const;
+  int neighbourOf(int cell, int direction) const;
+  std::uint32_t stepCost(ObstacleMemory& memory, int to, int direction) const;
 
   int factors_[4];  ///< of the passages, in halves
   int side_ = 0;    ///< cells
@@ -80,10 +81,11 @@ class CostToGo {
   int start_column_ = 0;
   int start_row_ = 0;
   std::uint32_t base_ = 0;         ///< of all costs_
-  std::uint32_t searched_to_ = 0;  ///< all ways up to this estimate, less base_, are known
+  std::uint32_t searched_to_ = 0;  ///< the search has looked at all cells up to this estimate, less base_
   std::vector<std::uint16_t> costs_;
   std::vector<Span> touched_;  ///< columns of a row, by row
   CellQueue open_;
+  std::vector<int> way_;
 };
 
 }  // namespace lstm_planner

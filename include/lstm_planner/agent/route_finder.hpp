@@ -31,9 +31,9 @@ class RouteFinder {
   /// long detour from a start that is near it, by the first place on the way: at most `tolerance` (m) from the goal.
   bool find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance, Route* route);
 
-  /// A route from elsewhere to the end of the last one that was found, without a new search; false when it is not
-  /// certain that this is the shortest. `unchanged`: the memory is as it was then.
-  bool findAgain(ObstacleMemory& memory, const Point2& start, bool unchanged, Route* route);
+  /// A route from elsewhere to the end of the last one that was found at the goal, without a new search; false when
+  /// that search does not tell. Where obstacles have gone since there may be a better one.
+  bool findAgain(ObstacleMemory& memory, const Point2& start, Route* route);
 
   /// Whether the last route found ends at the goal, or at the place nearest to it: costToGo() is then what is left of
   /// the way there.
@@ -60,7 +60,7 @@ class RouteFinder {
   bool search(ObstacleMemory& memory, int start, const Point2& end, double tolerance);
   void addEnd(ObstacleMemory& memory, int column, int row);
   bool isEnd(ObstacleMemory& memory, int cell) const;
-  bool trace(ObstacleMemory& memory, const Point2& start, Route* route) const;
+  void follow(ObstacleMemory& memory, const Point2& start, Route* route) const;
   void pullStraight(ObstacleMemory& memory, Route* route) const;
 
   double tightness_;

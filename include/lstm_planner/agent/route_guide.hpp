@@ -77,8 +77,10 @@ class RouteGuide {
  private:
   double tolerance() const;
   bool find(const Point2& start, Route* route);
-  bool isWorthKeeping(const Point2& here);
+  bool costsHold(const Point2& here);
   bool goalIsAsBefore();
+  bool isWorthKeeping(const Point2& here, double cost) const;
+  bool findAgain(const Point2& here);
   void takeInChanges(const Point2& here, double cost);
   std::uint32_t leastCost(const Point2& here) const;
   double metresOf(std::uint32_t cost) const { return cost * cost_scale_; }
@@ -94,7 +96,6 @@ class RouteGuide {
   Route found_;
   long searches_ = 0;
   bool has_costs_ = false;           ///< of a search: the finder's costToGo() holds, but for what has changed since
-  bool costs_are_exact_ = false;     ///< nothing has
   double cost_scale_ = 0.0;          ///< m of a route's cost in one of costToGo()
   std::uint32_t through_freed_ = 0;  ///< least cost from freed_from_ through a place where an obstacle has gone since
   int freed_from_ = -1;              ///< cell
