@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -29,24 +30,18 @@ class Sight {
   void limits(const float* x, const float* y, std::size_t count, float* limits);
 
  private:
-  static constexpr std::size_t kBlock = 8;  ///< beams
-  /// For places from a distance on: a neighbourhood there is no wider than some beams.
-  struct Horizon {
-    float beams = 0.0f;          ///< on each side of its middle
-    std::vector<float> farthest;  ///< m; a block each: what is farther in these neighbourhoods is not looked through
-  };
+  static constexpr std::size_t kBlock = 4;   ///< beams
+  static constexpr std::size_t kLevels = 6;  ///< neighbourhoods are at most 2^kLevels blocks wide, or always looked into
 
   void measureBeams(const RangeProfile& profile);
-  void measureBlocks(float from, Horizon* horizon);
+  float farthest(std::size_t first, std::size_t last) const;
 
   float neighbourhood_;
   BeamFinder finder_;
   std::vector<float> padded_;     ///< m, the ranges, and some more at both ends
   std::vector<float> limits_;     ///< m^2; a beam each: farther places are not looked through
-  std::vector<float> blocks_;     ///< m; the most of a block
-  std::vector<float> positions_;  ///< of find()
-  Horizon near_;
-  Horizon far_;
+  std::array<std::vector<float>, kLevels> farthest_;  ///< m; the most of 2^level blocks from each one on
+  std::vector<float> positions_;                      ///< of find()
 };
 
 }  // namespace lstm_planner
