@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "network/denormals_are_zero.hpp"
 #include "network/packed_network.hpp"
 
 namespace lstm_planner {
@@ -41,6 +42,7 @@ const VectorXf& Network::forward(const ConstValues& input) {
     throw std::invalid_argument("the network's input has " + std::to_string(input.size()) + " values, expected " +
                                 std::to_string(input_size_));
   }
+  const DenormalsAreZero mode;
   if (!packed_->step(input.data(), memory(now_), memory(1 - now_), output_.data())) {
     if (!input.allFinite()) throw std::invalid_argument("the network's input holds a value that is not finite");
     throw std::invalid_argument("the network's input is too large: a weighted sum of it is not finite");
@@ -51,6 +53,7 @@ const VectorXf& Network::forward(const ConstValues& input) {
 
 void Network::reset() {
   std::fill_n(memory(now_), packed_->hiddenStateSize(), 0.0f);
+  const DenormalsAreZero mode;
   packed_->prepare(memory(now_));
 }
 
@@ -66,6 +69,7 @@ void Network::setHiddenState(const Eigen::Ref<const HiddenState>& state) {
   }
   if (!state.allFinite()) throw std::invalid_argument("the hidden state holds a value that is not finite");
   std::copy_n(state.data(), state.size(), memory(now_));
+  const DenormalsAreZero mode;
   packed_->prepare(memory(now_));
 }
 

@@ -91,7 +91,7 @@ bool PackedNetwork::step(const float* input, const float* now, float* next, floa
     float* layer_output = index == last && !remembers(packed) ? output : next + layer.output;
     const std::size_t cells = layer.output + static_cast<std::size_t>(packed.shape.units);
     const LayerValues values = {input, (index == first_recurrent_ ? now : next) + layer.sums, now + cells, next + cells,
-                                layer_output, index == 0};
+                                layer_output};
     if (!layer.kernel.advance(packed, values)) return false;
     input = layer_output;
 

@@ -190,22 +190,6 @@ LSTM_PLANNER_INLINE V clamp(V value, float limit) {
   return maximum(minimum(value, broadcast<V>(limit)), broadcast<V>(-limit));
 }
 
-/// 0 where the value is so small that products with it would soon be denormal, on which processors are slow.
-template <class V>
-LSTM_PLANNER_INLINE V flushTiny(V value) {
-  constexpr float kTiny = 1e-15f;
-  const auto is_tiny = (value < broadcast<V>(kTiny)) & (value > broadcast<V>(-kTiny));
-  return is_tiny ? V{} : value;
-}
-
-/// 0 where the value is below 1e-27, and the value itself above 1e-12; between them it is off by 1e-27. Additions do not
-/// mind denormals, and this takes less time than comparing.
-template <class V>
-LSTM_PLANNER_INLINE V withoutDenormals(V value) {
-  const V offset = broadcast<V>(1e-20f);
-  return (value + offset) - offset;
-}
-
 /// A quotient that is not yet divided: a division takes as long as three products and keeps others waiting, and the
 /// quotients of a product can share one.
 template <class V>
@@ -247,7 +231,7 @@ struct TanhTerms {
 /// Infinities give -1 and 1; so does NaN, which is to be found before.
 template <class V>
 LSTM_PLANNER_INLINE TanhTerms<V> tanhTerms(V x) {
-  // A tiny summand, since the fourth power of a tiny x would be denormal.
+  // A tiny summand, since powers of a tiny x would be too small for a float, which takes time even if they become 0.
   const V square = minimum(multiplyAdd(x, x, broadcast<V>(1e-12f)), broadcast<V>(kTanhLimit * kTanhLimit));
   const V fourth_power = square * square;
   return {clamp(x, kTanhLimit), evenPolynomial(kTanhP, square, fourth_power),

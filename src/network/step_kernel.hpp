@@ -47,7 +47,6 @@ struct LayerValues {
   const float* cells;  ///< an LSTM's cell states
   float* next_cells;
   float* output;
-  bool from_outside;  ///< the input, which may hold denormals
 };
 
 /// The functions for one layer, and the sizes that its weights are packed by.

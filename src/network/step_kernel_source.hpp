@@ -17,7 +17,7 @@ constexpr float kHalf = 0.5f;
 
 /// sums += weights * x for a tile, `kSums` vectors high. Sums that wait for one another would leave the processor idle
 /// where a tile is small: `kParts` of them are made side by side, each from every kParts-th column.
-template <class V, int kSums, int kParts, bool kFromOutside>
+template <class V, int kSums, int kParts>
 LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, int stride, const float* x, int columns,
                                             V (&sums)[kSums]) {
   V parts[kParts][kSums];
@@ -27,7 +27,7 @@ LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, int stride, co
     for (int part = 1; part < kParts; ++part) parts[part][sum] = V{};
   }
   const auto multiplyAddColumn = [&](int part, int column) __attribute__((always_inline)) {
-    const V factor = kFromOutside ? withoutDenormals(broadcast<V>(x[column])) : broadcast<V>(x[column]);
+    const V factor = broadcast<V>(x[column]);
 #pragma GCC unroll 16
     for (int sum = 0; sum < kSums; ++sum) {
       const V weight = load<V>(weights + column * stride + sum * kLanesOf<V>);
@@ -79,8 +79,8 @@ LSTM_PLANNER_INLINE LstmCells<V> lstmCells(const Group<V, 4>& sums, const float*
 
 /// The rest of an LSTM's step for the blocks of a tile.
 template <class V, StepActivation kCandidate, int kBlocks>
-LSTM_PLANNER_INLINE void lstmBlocks(const V (&sums)[4 * kBlocks], int first_unit, const LayerShape& shape,
-                                    const LayerValues& values, V* watched) {
+LSTM_PLANNER_INLINE void lstmBlocks(const V (&sums)[4 * kBlocks], int first_unit, int units, const LayerValues& values,
+                                    V* watched) {
   Group<V, kBlocks> cell;
   Group<V, kBlocks> gate_numerator;
   Group<V, kBlocks> gate_denominator;
@@ -93,16 +93,14 @@ LSTM_PLANNER_INLINE void lstmBlocks(const V (&sums)[4 * kBlocks], int first_unit
     gate_numerator.of[block] = cells.half_output_gate.numerator;
     gate_denominator.of[block] = cells.half_output_gate.denominator;
   }
-  TanhTerms<Group<V, kBlocks>> terms = tanhTerms(cell);
-#pragma GCC unroll 4
-  for (int block = 0; block < kBlocks; ++block) terms.limited_x.of[block] = flushTiny(terms.limited_x.of[block]);
+  const TanhTerms<Group<V, kBlocks>> terms = tanhTerms(cell);
   const Group<V, kBlocks> output =
       (gate_numerator * terms.limited_x * terms.p) / (gate_denominator * terms.q);
 #pragma GCC unroll 4
   for (int block = 0; block < kBlocks; ++block) {
     const int unit = first_unit + block * kLanesOf<V>;
-    storeFirst(values.output + unit, output.of[block], shape.units - unit);
-    storeFirst(values.next_cells + unit, flushTiny(cell.of[block]), shape.units - unit);
+    storeFirst(values.output + unit, output.of[block], units - unit);
+    storeFirst(values.next_cells + unit, cell.of[block], units - unit);
     watch(cell.of[block], watched);
   }
 #pragma GCC unroll 16
@@ -124,9 +122,11 @@ LSTM_PLANNER_INLINE V activated(StepActivation activation, V sum) {
   return sum;
 }
 
-/// One kind of layer in vectors V, in tiles of at most kMostBlocks blocks.
-template <class V, LayerKind kKind, StepActivation kCandidate, int kMostBlocks>
+/// One kind of layer in vectors V, in tiles of at most kMostBlocks blocks; of kUnits units, or of any number if that is 0.
+template <class V, LayerKind kKind, StepActivation kCandidate, int kMostBlocks, int kUnits>
 struct TiledLayer {
+  static LSTM_PLANNER_INLINE int units(const PackedLayer& layer) { return kUnits > 0 ? kUnits : layer.shape.units; }
+
   static constexpr int kGates = kKind == LayerKind::kLstm ? 4 : 1;
 
   /// Where a tile begins: its first unit, and the vectors that lie before it in the layer's sums.
@@ -138,22 +138,22 @@ struct TiledLayer {
   /// Sums of small tiles are split until there are as many as a processor has multiplications under way.
   static constexpr int parts(int sums) { return sums >= 8 ? 1 : sums >= 4 ? 2 : 4; }
 
-  template <int kBlocks, bool kFromOutside>
+  template <int kBlocks>
   static LSTM_PLANNER_INLINE void multiplyAddTile(const PackedMatrix& matrix, const float* start, const float* x,
-                                                  Place place, V (&sums)[kGates * kBlocks]) {
+                                                  int columns, Place place, V (&sums)[kGates * kBlocks]) {
     constexpr int kSums = kGates * kBlocks;
 #pragma GCC unroll 16
     for (int sum = 0; sum < kSums; ++sum) sums[sum] = load<V>(start + (place.vector + sum) * kLanesOf<V>);
     const int stride = matrix.column_stride > 0 ? matrix.column_stride : kSums * kLanesOf<V>;
-    multiplyAddColumns<V, kSums, parts(kSums), kFromOutside>(matrix.weights + place.vector * matrix.vector_stride,
-                                                             stride, x, matrix.columns, sums);
+    multiplyAddColumns<V, kSums, parts(kSums)>(matrix.weights + place.vector * matrix.vector_stride, stride, x, columns,
+                                               sums);
   }
 
   template <int kBlocks>
   static LSTM_PLANNER_INLINE void recurrentTile(const PackedLayer& layer, const float* outputs, float* all_sums,
                                                 Place* place) {
     V sums[kGates * kBlocks];
-    multiplyAddTile<kBlocks, false>(layer.recurrent, layer.bias.weights, outputs, *place, sums);
+    multiplyAddTile<kBlocks>(layer.recurrent, layer.bias.weights, outputs, units(layer), *place, sums);
 #pragma GCC unroll 16
     for (int sum = 0; sum < kGates * kBlocks; ++sum) store(all_sums + (place->vector + sum) * kLanesOf<V>, sums[sum]);
     place->unit += kBlocks * kLanesOf<V>;
@@ -176,20 +176,16 @@ struct TiledLayer {
                                               Place* place) {
     const float* start = kKind == LayerKind::kDense ? layer.bias.weights : values.sums;
     V sums[kGates * kBlocks];
-    if (values.from_outside) {
-      multiplyAddTile<kBlocks, true>(layer.input, start, values.input, *place, sums);
-    } else {
-      multiplyAddTile<kBlocks, false>(layer.input, start, values.input, *place, sums);
-    }
+    multiplyAddTile<kBlocks>(layer.input, start, values.input, layer.input.columns, *place, sums);
     if constexpr (kKind == LayerKind::kLstm) {
-      lstmBlocks<V, kCandidate, kBlocks>(sums, place->unit, layer.shape, values, watched);
+      lstmBlocks<V, kCandidate, kBlocks>(sums, place->unit, units(layer), values, watched);
     } else {
 #pragma GCC unroll 4
       for (int block = 0; block < kBlocks; ++block) {
         const int unit = place->unit + block * kLanesOf<V>;
-        const V output = kKind == LayerKind::kRecurrent ? flushTiny(simd::tanh(sums[block]))
+        const V output = kKind == LayerKind::kRecurrent ? simd::tanh(sums[block])
                                                         : activated(layer.shape.activation, sums[block]);
-        storeFirst(values.output + unit, output, layer.shape.units - unit);
+        storeFirst(values.output + unit, output, units(layer) - unit);
         watch(sums[block], watched);
       }
     }
@@ -210,8 +206,8 @@ struct TiledLayer {
     return noneIsNan(watched);
   }
 
-  static int blocksLeft(const PackedLayer& layer, Place place) {
-    return (layer.shape.units - place.unit + kLanesOf<V> - 1) / kLanesOf<V>;
+  static LSTM_PLANNER_INLINE int blocksLeft(const PackedLayer& layer, Place place) {
+    return (units(layer) - place.unit + kLanesOf<V> - 1) / kLanesOf<V>;
   }
 };
 
@@ -230,23 +226,41 @@ bool softmax(const PackedLayer& layer, const LayerValues& values) {
   return true;
 }
 
-template <class V, LayerKind kKind, StepActivation kCandidate, int kMostBlocks>
+template <class V, LayerKind kKind, StepActivation kCandidate, int kMostBlocks, int kUnits = 0>
 LayerKernel tiled() {
-  using Layer = TiledLayer<V, kKind, kCandidate, kMostBlocks>;
+  using Layer = TiledLayer<V, kKind, kCandidate, kMostBlocks, kUnits>;
   return {kLanesOf<V>, kMostBlocks, &Layer::recurrentSums, &Layer::advance};
 }
 
-template <class V, int kLstmBlocks>
+template <class V, int kMostBlocks>
+LayerKernel lstm(const LayerShape& shape) {
+  if (shape.activation == StepActivation::kSigmoid) {
+    return tiled<V, LayerKind::kLstm, StepActivation::kSigmoid, kMostBlocks>();
+  }
+  switch (shape.units) {
+    case 8:
+      return tiled<V, LayerKind::kLstm, StepActivation::kTanh, kMostBlocks, 8>();
+    case 16:
+      return tiled<V, LayerKind::kLstm, StepActivation::kTanh, kMostBlocks, 16>();
+    case 32:
+      return tiled<V, LayerKind::kLstm, StepActivation::kTanh, kMostBlocks, 32>();
+    case 64:
+      return tiled<V, LayerKind::kLstm, StepActivation::kTanh, kMostBlocks, 64>();
+    default:
+      return tiled<V, LayerKind::kLstm, StepActivation::kTanh, kMostBlocks>();
+  }
+}
+
+template <class V>
 LayerKernel layerKernel(const LayerShape& shape) {
   switch (shape.kind) {
     case LayerKind::kLstm:
-      return shape.activation == StepActivation::kTanh
-                 ? tiled<V, LayerKind::kLstm, StepActivation::kTanh, kLstmBlocks>()
-                 : tiled<V, LayerKind::kLstm, StepActivation::kSigmoid, kLstmBlocks>();
+      return lstm<V, 2>(shape);
     case LayerKind::kRecurrent:
       return tiled<V, LayerKind::kRecurrent, StepActivation::kTanh, 4>();
     case LayerKind::kDense:
-      return tiled<V, LayerKind::kDense, StepActivation::kIdentity, 4>();
+      return shape.units == 8 ? tiled<V, LayerKind::kDense, StepActivation::kIdentity, 4, 8>()
+                              : tiled<V, LayerKind::kDense, StepActivation::kIdentity, 4>();
     case LayerKind::kSoftmax:
       break;
   }
@@ -257,12 +271,12 @@ LayerKernel layerKernel(const LayerShape& shape) {
 
 LayerKernel LAYER_KERNEL(const LayerShape& shape) {
 #if defined(__AVX512F__)
-  if (shape.units > 8) return shape.units > 32 ? layerKernel<Floats<16>, 4>(shape) : layerKernel<Floats<16>, 2>(shape);
+  if (shape.units > 8) return layerKernel<Floats<16>>(shape);
 #endif
 #if defined(__AVX__)
-  if (shape.units > 4) return layerKernel<Floats<8>, 2>(shape);
+  if (shape.units > 4) return layerKernel<Floats<8>>(shape);
 #endif
-  return layerKernel<Floats<4>, 2>(shape);
+  return layerKernel<Floats<4>>(shape);
 }
 
 }  // namespace lstm_planner

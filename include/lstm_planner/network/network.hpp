@@ -35,7 +35,8 @@ class Network {
   /// One step. `input` has inputSize() values; the result has outputSize() values and stays valid until the next call.
   /// Throws std::invalid_argument for a wrong size, a non-finite input, or an input so large that a weighted sum leaves
   /// the range of float; the hidden state is then what it was before. Sums beyond +-9 give activations at their limits.
-  /// Inputs below 1e-27 count as zero, and so do cell states below 1e-15: processors are slow with them.
+  /// Denormal numbers count as zero and none are made, as processors are slow with them; the caller's floating-point
+  /// mode is left as it is.
   const Eigen::VectorXf& forward(const Eigen::Ref<const Eigen::VectorXf>& input);
 
   /// Forgets everything: hidden and cell states become zero.
