@@ -190,6 +190,14 @@ LSTM_PLANNER_INLINE V clamp(V value, float limit) {
   return maximum(minimum(value, broadcast<V>(limit)), broadcast<V>(-limit));
 }
 
+/// 0 where the value is so small that products with it would soon be denormal, on which processors are slow.
+template <class V>
+LSTM_PLANNER_INLINE V flushTiny(V value) {
+  constexpr float kTiny = 1e-15f;
+  const auto is_tiny = (value < broadcast<V>(kTiny)) & (value > broadcast<V>(-kTiny));
+  return is_tiny ? V{} : value;
+}
+
 /// A quotient that is not yet divided: a division takes as long as three products and keeps others waiting, and the
 /// quotients of a product can share one.
 template <class V>
