@@ -44,6 +44,7 @@ ObstacleMemory::ObstacleMemory(const MemoryParameters& parameters, const ShieldP
   exits_.resize(cells);
   blocks_.reserve(kMostBlocks);
   changes_.reserve(kMostChanges);
+  seen_through_.reserve(kMostChanges);
   setTightRadius(footprint_radius_ + 0.5 * tight_clearance_);
   forget();
 }

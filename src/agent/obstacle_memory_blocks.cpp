@@ -48,18 +48,19 @@ std::uint8_t ObstacleMemory::judgeAmongBlocks(int cell) const {
 }
 
 std::uint8_t ObstacleMemory::judgeExitsAmongBlocks(int cell) {
+  const auto neighbourOf = [&](const CellIndex& step) { return cell + step.row * side_ + step.column; };
+  for (const CellIndex& step : kGridRaySteps) judgement(neighbourOf(step));  // before others are collected than here
   collectNearby(cell, near_cells_ + 1);
-  const std::vector<Point2> obstacles = nearby_;  // others are collected meanwhile
   const double radius = onTheWay(tight_radius_);
   const Point2 from = bestPlace(cell);
   std::uint8_t exits = 0;
   for (std::size_t direction = 0; direction < kGridRaySteps.size(); ++direction) {
-    const int neighbour = cell + kGridRaySteps[direction].row * side_ + kGridRaySteps[direction].column;
+    const int neighbour = neighbourOf(kGridRaySteps[direction]);
     if (passage(neighbour) == Passage::kBlocked) {
       continue;
     }
     const Point2 to = bestPlace(neighbour);
-    const bool free = std::none_of(obstacles.begin(), obstacles.end(), [&](const Point2& obstacle) {
+    const bool free = std::none_of(nearby_.begin(), nearby_.end(), [&](const Point2& obstacle) {
       return squaredDistanceToLine(obstacle, from, to) < radius * radius;
     });
     exits = static_cast<std::uint8_t>(exits | (free ? 1u << direction : 0u));

@@ -76,6 +76,7 @@ void ObstacleMemory::collectReturns(const Situation& situation) {
   const Ints sides = allOf(squares_.columns());
 
   const std::vector<Point2>& obstacles = situation.obstacles;
+  returns_.reserve(std::max(obstacles.size(), situation.profile.ranges.size()) + kLanes);
   returns_.resize(obstacles.size() + kLanes);
   std::size_t count = 0;
   std::uint32_t last = kOutside;
