@@ -1,0 +1,108 @@
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+#include "lstm_planner/agent/online_agent.hpp"
+#include "lstm_planner/agent/rollout.hpp"
+#include "recorded_steps.hpp"
+
+namespace lstm_planner {
+namespace {
+
+const AgentParameters kAgent;
+
+const RecordedDrive& driveIn(const std::string& world) {
+  for (const RecordedDrive& drive : recordedDrives()) {
+    if (drive.world == world) return drive;
+  }
+  return recordedDrives().front();
+}
+
+Situation situationOf(const RecordedDrive& drive, const RecordedStep& step) {
+  Situation situation;
+  perceive(step.scan, drive.mount, {}, 6.0, &situation);
+  situation.pose = step.pose;
+  situation.time = step.time;
+  return situation;
+}
+
+/// All that was seen on a drive.
+ObstacleMemory memoryOf(const RecordedDrive& drive) {
+  ObstacleMemory memory(kAgent.memory, kAgent.shield);
+  for (const RecordedStep& step : drive.steps) memory.look(situationOf(drive, step));
+  return memory;
+}
+
+/// A plan of so many steps through what one scan shows.
+void rollOutPlan(benchmark::State& state) {
+  const RecordedDrive& drive = driveIn("office");
+  OnlineAgent agent(shippedPolicy(), kAgent);
+  const RecordedStep& step = drive.steps.front();
+  agent.look(step.scan, drive.mount, step.pose, step.time);
+  agent.drive({drive.goal.x, drive.goal.y}, true, 0);
+  Decision decision = agent.decision();
+  decision.way_on.clear();  // as if nothing were remembered
+  RolloutParameters parameters;
+  parameters.steps = static_cast<int>(state.range(0));
+  std::vector<Pose2> plan;
+  for (auto _ : state) {
+    rollOut(agent.situation(), decision, agent.shield(), drive.goal, kAgent, parameters, &plan);
+    benchmark::DoNotOptimize(plan.data());
+  }
+  state.counters["poses"] = static_cast<double>(plan.size());
+}
+BENCHMARK(rollOutPlan)->Arg(1)->Arg(10);
+
+/// From where the drive began to its goal, through all that was seen on it.
+void searchRoute(benchmark::State& state, const std::string& world) {
+  const RecordedDrive& drive = driveIn(world);
+  ObstacleMemory memory = memoryOf(drive);
+  RouteFinder finder(kAgent.memory.tightness);
+  const Pose2& start = drive.steps.front().pose;
+  Route route;
+  for (auto _ : state) {
+    finder.find(memory, {start.x, start.y}, {drive.goal.x, drive.goal.y}, kAgent.goal_tolerance, &route);
+    benchmark::DoNotOptimize(route.points.data());
+  }
+  state.counters["metres"] = route.length;
+}
+BENCHMARK_CAPTURE(searchRoute, office, "office");
+BENCHMARK_CAPTURE(searchRoute, maze, "maze");
+
+/// A robot that stands and sees what it saw before: the look, and that the route is kept.
+void keepRoute(benchmark::State& state, const std::string& world) {
+  const RecordedDrive& drive = driveIn(world);
+  const Situation situation = situationOf(drive, drive.steps.front());
+  RouteGuide guide(kAgent);
+  guide.begin({drive.goal.x, drive.goal.y});
+  for (auto _ : state) benchmark::DoNotOptimize(guide.update(situation));
+  state.counters["searches"] = static_cast<double>(guide.searches());
+}
+BENCHMARK_CAPTURE(keepRoute, office, "office");
+BENCHMARK_CAPTURE(keepRoute, maze, "maze");
+
+/// Whole drives; how many of the updates made a search.
+void updateRoute(benchmark::State& state, const std::string& world) {
+  const RecordedDrive& drive = driveIn(world);
+  std::vector<Situation> situations;
+  for (std::size_t i = 0; i < drive.steps.size(); i += 5) situations.push_back(situationOf(drive, drive.steps[i]));
+  long updates = 0;
+  long searches = 0;
+  RouteGuide guide(kAgent);
+  for (auto _ : state) {
+    guide.forget();
+    guide.begin({drive.goal.x, drive.goal.y});
+    const long before = guide.searches();
+    for (const Situation& situation : situations) benchmark::DoNotOptimize(guide.update(situation));
+    updates += static_cast<long>(situations.size());
+    searches += guide.searches() - before;
+  }
+  state.counters["searches_per_update"] = static_cast<double>(searches) / static_cast<double>(updates);
+  state.SetItemsProcessed(updates);
+}
+BENCHMARK_CAPTURE(updateRoute, office, "office")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(updateRoute, maze, "maze")->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace lstm_planner
