@@ -62,19 +62,24 @@ struct LstmCells {
   Fraction<V> half_output_gate;
 };
 
-/// Equations in LstmLayer, from the sums of the four gates.
+/// Equations in LstmLayer, from the sums of the four gates: two and two side by side, as the registers do not hold
+/// more.
 template <class V, StepActivation kCandidate>
 LSTM_PLANNER_INLINE LstmCells<V> lstmCells(const Group<V, 4>& sums, const float* cells) {
-  const TanhTerms<Group<V, 4>> terms = tanhTerms(sums);
   const V half = broadcast<V>(kHalf);
-  const auto twiceSigmoid = [&](int gate) __attribute__((always_inline)) {
+  const auto twiceSigmoid = [](const TanhTerms<Group<V, 2>>& terms, int gate) __attribute__((always_inline)) {
     return multiplyAdd(terms.limited_x.of[gate], terms.p.of[gate], terms.q.of[gate]);
   };
-  const V half_candidate = kCandidate == StepActivation::kTanh ? half * terms.limited_x.of[3] * terms.p.of[3]
-                                                               : half * half * twiceSigmoid(3);
-  const V update = (twiceSigmoid(0) * half_candidate) / (terms.q.of[0] * terms.q.of[3]);
-  const V forget = twiceSigmoid(2) / terms.q.of[2];
-  return {multiplyAdd(forget, half * load<V>(cells), update), {half * twiceSigmoid(1), terms.q.of[1]}};
+  const TanhTerms<Group<V, 2>> input_candidate = tanhTerms(Group<V, 2>{{sums.of[0], sums.of[3]}});
+  const V half_candidate = kCandidate == StepActivation::kTanh
+                               ? half * input_candidate.limited_x.of[1] * input_candidate.p.of[1]
+                               : half * half * twiceSigmoid(input_candidate, 1);
+  const V update =
+      (twiceSigmoid(input_candidate, 0) * half_candidate) / (input_candidate.q.of[0] * input_candidate.q.of[1]);
+  const TanhTerms<Group<V, 2>> forget_output = tanhTerms(Group<V, 2>{{sums.of[2], sums.of[1]}});
+  const V forget = twiceSigmoid(forget_output, 0) / forget_output.q.of[0];
+  return {multiplyAdd(forget, half * load<V>(cells), update),
+          {half * twiceSigmoid(forget_output, 1), forget_output.q.of[1]}};
 }
 
 /// The rest of an LSTM's step for the blocks of a tile.
@@ -94,8 +99,7 @@ LSTM_PLANNER_INLINE void lstmBlocks(const V (&sums)[4 * kBlocks], int first_unit
     gate_denominator.of[block] = cells.half_output_gate.denominator;
   }
   const TanhTerms<Group<V, kBlocks>> terms = tanhTerms(cell);
-  const Group<V, kBlocks> output =
-      (gate_numerator * terms.limited_x * terms.p) / (gate_denominator * terms.q);
+  const Group<V, kBlocks> output = (gate_numerator * terms.limited_x * terms.p) / (gate_denominator * terms.q);
 #pragma GCC unroll 4
   for (int block = 0; block < kBlocks; ++block) {
     const int unit = first_unit + block * kLanesOf<V>;
@@ -122,7 +126,8 @@ LSTM_PLANNER_INLINE V activated(StepActivation activation, V sum) {
   return sum;
 }
 
-/// One kind of layer in vectors V, in tiles of at most kMostBlocks blocks; of kUnits units, or of any number if that is 0.
+/// One kind of layer in vectors V, in tiles of at most kMostBlocks blocks; of kUnits units, or of any number if that is
+/// 0.
 template <class V, LayerKind kKind, StepActivation kCandidate, int kMostBlocks, int kUnits>
 struct TiledLayer {
   static LSTM_PLANNER_INLINE int units(const PackedLayer& layer) { return kUnits > 0 ? kUnits : layer.shape.units; }
@@ -183,8 +188,8 @@ struct TiledLayer {
 #pragma GCC unroll 4
       for (int block = 0; block < kBlocks; ++block) {
         const int unit = place->unit + block * kLanesOf<V>;
-        const V output = kKind == LayerKind::kRecurrent ? simd::tanh(sums[block])
-                                                        : activated(layer.shape.activation, sums[block]);
+        const V output =
+            kKind == LayerKind::kRecurrent ? simd::tanh(sums[block]) : activated(layer.shape.activation, sums[block]);
         storeFirst(values.output + unit, output, units(layer) - unit);
         watch(sums[block], watched);
       }
