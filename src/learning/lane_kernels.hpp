@@ -5,9 +5,9 @@ namespace lstm_planner {
 /// Arithmetic on many steps side by side: a value of the network is a row of `lanes` numbers, one for each agent that
 /// is at the same step, so that one instruction works for 16 of them whatever the sizes of the layers are.
 ///
-/// `lanes` is a multiple of kLaneGroup, rows lie one behind the other. The compiler makes these functions several
-/// times, for the instruction sets of x86-64, and the machine picks the best at run time; the results differ in
-/// rounding.
+/// `lanes` is a multiple of kLaneGroup, rows lie one behind the other. These functions are compiled several times, for
+/// the instruction sets of x86-64, and the fastest that the machine has is chosen at run time. The results of those
+/// that multiply and add in one instruction are the same; the baseline's differ in rounding.
 constexpr int kLaneGroup = 16;
 
 /// outputs[unit] += sum over k of weights[unit * unit_stride + k * input_stride] * inputs[k]: a layer's product, and

@@ -1,0 +1,1 @@
+#include "lane_kernels_source.hpp"
