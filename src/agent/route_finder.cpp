@@ -1,6 +1,7 @@
 #include "lstm_planner/agent/route_finder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -195,23 +196,37 @@ void RouteFinder::pullStraight(ObstacleMemory& memory, Route* route) const {
   while (at + 1 < points.size()) {
     std::size_t next = at + 1;
     if (length < kStraightened) {
-      ObstacleMemory::Passage passage = ObstacleMemory::Passage::kRoomy;
-      for (std::size_t to = at + 1; to < std::min(points.size(), at + 1 + kLongestPull); ++to) {
-        const int cell = memory.cellAt(points[to]);
-        if (cell >= 0 && to + 1 < points.size()) {
-          passage = std::min(passage, memory.passage(cell));
-        }
-        if (to > at + 1 && !memory.isFree(points[at], points[to], passage)) {
-          break;
-        }
-        next = to;
-      }
+      next = farthestInSight(memory, points, at);
       length += distanceBetween(points[at], points[next]);
     }
     points[pulled++] = points[next];
     at = next;
   }
   points.resize(pulled);
+}
+
+/// The straight way there has as much room as all the points in between. Looks twice as far each time, then between the
+/// last two.
+std::size_t RouteFinder::farthestInSight(ObstacleMemory& memory, const std::vector<Point2>& points, std::size_t at) {
+  const std::size_t most = std::min(kLongestPull, points.size() - 1 - at);
+  std::array<ObstacleMemory::Passage, kLongestPull + 1> passages;
+  passages[0] = ObstacleMemory::Passage::kRoomy;
+  for (std::size_t i = 1; i <= most; ++i) {
+    const int cell = at + i + 1 < points.size() ? memory.cellAt(points[at + i]) : -1;
+    passages[i] = cell >= 0 ? std::min(passages[i - 1], memory.passage(cell)) : passages[i - 1];
+  }
+  const auto inSight = [&](std::size_t i) { return memory.isFree(points[at], points[at + i], passages[i]); };
+  std::size_t seen = 1;
+  std::size_t hidden = most + 1;
+  while (seen < most && hidden > most) {
+    const std::size_t farther = std::min(2 * seen, most);
+    (inSight(farther) ? seen : hidden) = farther;
+  }
+  while (hidden - seen > 1) {
+    const std::size_t middle = seen + (hidden - seen) / 2;
+    (inSight(middle) ? seen : hidden) = middle;
+  }
+  return at + seen;
 }
 
 double RouteFinder::costOf(ObstacleMemory& memory, const Route& route, double distance) const {

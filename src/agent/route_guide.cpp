@@ -32,7 +32,9 @@ RouteGuide::RouteGuide(const AgentParameters& parameters)
       memory_(parameters.memory, parameters.shield),
       finder_(parameters.memory.tightness),
       route_(parameters),
-      candidate_(parameters) {}
+      candidate_(parameters) {
+  found_.points.reserve(route().points.capacity());
+}
 
 void RouteGuide::begin(const Point2& goal) {
   goal_ = goal;

@@ -62,6 +62,7 @@ class RouteFinder {
   bool isEnd(ObstacleMemory& memory, int cell) const;
   void follow(ObstacleMemory& memory, const Point2& start, Route* route) const;
   void pullStraight(ObstacleMemory& memory, Route* route) const;
+  static std::size_t farthestInSight(ObstacleMemory& memory, const std::vector<Point2>& points, std::size_t at);
 
   double tightness_;
   CostToGo cost_to_go_;
