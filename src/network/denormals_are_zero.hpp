@@ -8,8 +8,8 @@
 
 namespace lstm_planner {
 
-/// While it lives, this thread's processor takes denormal numbers for zero and makes none. Where a state fades they would
-/// otherwise appear, and each product with them takes as long as hundreds of others.
+/// While it lives, this thread's processor takes denormal numbers for zero and makes none. Where a state fades they
+/// would otherwise appear, and each product with them takes as long as hundreds of others.
 class DenormalsAreZero {
  public:
 #if defined(__SSE2__)

@@ -34,7 +34,9 @@ Network& Network::operator=(const Network& other) = default;
 Network& Network::operator=(Network&&) noexcept = default;
 Network::~Network() = default;
 
-const float* Network::memory(std::size_t which) const { return memories_.data()->values + which * packed_->memorySize(); }
+const float* Network::memory(std::size_t which) const {
+  return memories_.data()->values + which * packed_->memorySize();
+}
 float* Network::memory(std::size_t which) { return memories_.data()->values + which * packed_->memorySize(); }
 
 const VectorXf& Network::forward(const ConstValues& input) {

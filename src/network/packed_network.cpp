@@ -88,7 +88,8 @@ bool PackedNetwork::step(const float* input, const float* now, float* next, floa
   for (std::size_t index = 0; index <= last; ++index) {
     const Layer& layer = layers_[index];
     const PackedLayer& packed = *layer.packed;
-    float* layer_output = index == last && !remembers(packed) ? output : next + layer.output;
+    // A first layer's input may be the output of the step before.
+    float* layer_output = index == last && index > 0 && !remembers(packed) ? output : next + layer.output;
     const std::size_t cells = layer.output + static_cast<std::size_t>(packed.shape.units);
     const LayerValues values = {input, (index == first_recurrent_ ? now : next) + layer.sums, now + cells, next + cells,
                                 layer_output};
@@ -100,7 +101,7 @@ bool PackedNetwork::step(const float* input, const float* now, float* next, floa
     }
     if (index == std::min(first_recurrent_ + 1, last)) prepare(next);
   }
-  if (remembers(*layers_[last].packed)) std::copy_n(input, layers_[last].packed->shape.units, output);
+  if (input != output) std::copy_n(input, layers_[last].packed->shape.units, output);
   return true;
 }
 

@@ -10,8 +10,8 @@
 
 namespace lstm_planner {
 
-/// A network as its kernels read it: packed weights, and the plan of the memory that a step works on. Never changes, and
-/// is shared by copies of a network.
+/// A network as its kernels read it: packed weights, and the plan of the memory that a step works on. Never changes,
+/// and is shared by copies of a network.
 class PackedNetwork {
  public:
   /// Throws std::invalid_argument when the layers do not fit together or the instruction set cannot run here.
@@ -19,8 +19,8 @@ class PackedNetwork {
   PackedNetwork(const PackedNetwork&) = delete;
   PackedNetwork& operator=(const PackedNetwork&) = delete;
 
-  /// In floats, a multiple of a cache line. The hidden state comes first: each recurrent layer's outputs, then an LSTM's
-  /// cell states. What follows is the sums that the next step begins with, and room for what layers hand on.
+  /// In floats, a multiple of a cache line. The hidden state comes first: each recurrent layer's outputs, then an
+  /// LSTM's cell states. What follows is the sums that the next step begins with, and room for what layers hand on.
   std::size_t memorySize() const { return memory_size_; }
   std::size_t hiddenStateSize() const { return hidden_state_size_; }
 

@@ -16,8 +16,8 @@ class PackedNetwork;
 ///
 /// Batch 1, single precision, within 1e-5 of double precision over a thousand steps; nothing is allocated after
 /// construction. The hidden state starts at zero and changes only in forward(), reset() and setHiddenState(). The same
-/// steps give the same bits as long as the instruction set is the same. Copies share their weights, and each has its own
-/// hidden state. Not thread safe: one network an agent.
+/// steps give the same bits as long as the instruction set is the same. Copies share their weights, and each has its
+/// own hidden state. Not thread safe: one network an agent.
 class Network {
  public:
   /// Outputs of all recurrent layers, each followed by an LSTM's cell states, in one vector.

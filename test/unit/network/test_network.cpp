@@ -214,12 +214,14 @@ TEST(Network, InputThatOverflowsADeepLayerLeavesAllLayersUnchanged) {
 
 TEST(Network, ItsOwnOutputIsAValidInput) {
   LayerMaker make(33);
-  const LayerStack layers = {make.dense(8, 8)};
-  Network network(layers);
-  ReferenceNetwork reference(layers);
-  const VectorXf& first = network.forward(make.input(8));
-  const VectorXf input = first;
-  EXPECT_LT(largestDifference(network.forward(first), reference.forward(input)), kTolerance);
+  for (const int width : {8, 100}) {
+    const LayerStack layers = {make.dense(width, width)};
+    Network network(layers);
+    ReferenceNetwork reference(layers);
+    const VectorXf& first = network.forward(make.input(width));
+    const VectorXf input = first;
+    EXPECT_LT(largestDifference(network.forward(first), reference.forward(input)), kTolerance);
+  }
 }
 
 TEST(Network, LayersThatDoNotFitAreRefused) {
