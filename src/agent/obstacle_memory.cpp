@@ -1,5 +1,5 @@
-// What is remembered, in a window that moves along; what a scan changes is in obstacle_memory_look.cpp, what is passable
-// in obstacle_memory_passages.cpp.
+// What is remembered, in a window that moves along; what a scan changes is in obstacle_memory_look.cpp, what is
+// passable in obstacle_memory_passages.cpp.
 
 #include "lstm_planner/agent/obstacle_memory.hpp"
 

@@ -1,5 +1,5 @@
-// What is passable where something was blocked, or where squares are so small that obstacle_memory_passages.cpp does not
-// see far enough: the same, obstacle by obstacle.
+// What is passable where something was blocked, or where squares are so small that obstacle_memory_passages.cpp does
+// not see far enough: the same, obstacle by obstacle.
 
 #include <algorithm>
 #include <cmath>

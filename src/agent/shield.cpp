@@ -7,52 +7,17 @@
 #include <stdexcept>
 #include <string>
 
-#include "perception/lanes.hpp"
+#include "agent/shield_groups.hpp"
 
 namespace lstm_planner {
 
 namespace {
 
-/// A return must come this much nearer before it counts as coming nearer: less than the noise of any scanner.
-constexpr double kTouchSlack = 1e-3;
-
-/// Below this, 1/m, an arc of the lengths that matter here is a straight line to a millionth of a millimetre.
-constexpr double kStraight = 1e-9;
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double square(double value) { return value * value; }
 
-/// An arc in the frame of the pose that it begins at, mirrored where needed so that it bends to the left.
-struct Arc {
-  explicit Arc(double curvature) : radius(1.0 / std::abs(curvature)), mirror(curvature < 0.0 ? -1.0 : 1.0) {}
-
-  /// A point as the arc's centre sees it.
-  struct View {
-    double beyond;  ///< m, distance from the centre less the radius
-    double length;  ///< m of arc, in [0, whole circle), to where the arc is nearest to the point
-  };
-  View viewOf(const Point2& point) const {
-    const double y = mirror * point.y;
-    const double from_center = std::hypot(point.x, radius - y);
-    // Not from_center - radius: of an arc that is nearly straight nothing would be left of the difference.
-    const double beyond = (square(point.x) + square(y) - 2.0 * radius * y) / (from_center + radius);
-    const double angle = std::atan2(point.x, radius - y);
-    return {beyond, radius * (angle < 0.0 ? angle + 2.0 * M_PI : angle)};
-  }
-
-  double radius;  ///< m
-  double mirror;
-};
-
 }  // namespace
-
-Pose2 alongArc(const Pose2& from, double curvature, double length) {
-  const double half_turn = 0.5 * curvature * length;
-  const double chord = std::abs(half_turn) > 1e-9 ? length * std::sin(half_turn) / half_turn : length;
-  const Point2 end = pointAlong(from, from.yaw + half_turn, chord);
-  return {end.x, end.y, from.yaw + 2.0 * half_turn};
-}
 
 Shield::Shield(double footprint_radius, double hard_margin, double reach)
     : footprint_radius_(footprint_radius), hard_margin_(hard_margin), reach_(reach) {
@@ -130,40 +95,6 @@ void Shield::showNear(const Point2* obstacles, std::size_t count) {
 
 double Shield::blur(const Point2& from) const { return 1e-6 * (1.0 + reach_ + std::abs(from.x) + std::abs(from.y)); }
 
-template <typename Meet, typename Look>
-void Shield::lookIntoGroups(const Meet& meet, const Look& look) const {
-  for (std::size_t first = 0; first < groups_; first += kLanes) {
-    const Ints met = meet(loadFloats(&middle_x_[first]), loadFloats(&middle_y_[first]), loadFloats(&half_x_[first]),
-                          loadFloats(&half_y_[first]));
-    if (!any(met)) {
-      continue;
-    }
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (met[lane] != 0 && first + lane < groups_ && look((first + lane) * kGroup)) {
-        return;
-      }
-    }
-  }
-}
-
-template <typename Look>
-void Shield::lookAround(const Point2& from, double distance, const Look& look) const {
-  const Floats x = allOf(static_cast<float>(from.x));
-  const Floats y = allOf(static_cast<float>(from.y));
-  const Floats wide = allOf(static_cast<float>(distance + blur(from)));
-  const auto meet = [&](Floats middle_x, Floats middle_y, Floats half_x, Floats half_y) {
-    return (magnitude(middle_x - x) <= half_x + wide) & (magnitude(middle_y - y) <= half_y + wide);
-  };
-  lookIntoGroups(meet, [&](std::size_t group) {
-    for (std::size_t i = group; i < group + kGroup; ++i) {
-      if (look(Point2{x_[i], y_[i]})) {
-        return true;
-      }
-    }
-    return false;
-  });
-}
-
 double Shield::freeDistance(const Point2& from, double direction, double limit, double clearance) const {
   const double c = std::cos(direction);
   const double s = std::sin(direction);
@@ -173,13 +104,13 @@ double Shield::freeDistance(const Point2& from, double direction, double limit, 
   const auto shorten = [&](double along, double aside) {
     const double squared = square(along) + square(aside);
     double radius = wanted;
-    if (squared < square(wanted + kTouchSlack)) {
+    if (squared < square(wanted + kShieldTouchSlack)) {
       const double now = std::sqrt(squared);
       if (now <= hard) {
         free = 0.0;
         return;
       }
-      radius = std::max(hard, std::min(wanted, now - kTouchSlack));
+      radius = std::max(hard, std::min(wanted, now - kShieldTouchSlack));
     }
     if (aside < radius) {
       free = std::min(free, std::max(0.0, along - std::sqrt(square(radius) - square(aside))));
@@ -199,7 +130,8 @@ double Shield::freeDistance(const Point2& from, double direction, double limit, 
     const Floats aside = along_x * dy - along_y * dx;
     const Floats half_along = magnitude(along_x) * half_x + magnitude(along_y) * half_y;
     const Floats half_aside = magnitude(along_y) * half_x + magnitude(along_x) * half_y;
-    return (magnitude(aside) - half_aside <= wide) & (along + half_along >= allOf(-small)) & (along - half_along <= far);
+    return (magnitude(aside) - half_aside <= wide) & (along + half_along >= allOf(-small)) &
+           (along - half_along <= far);
   };
   lookIntoGroups(meet, [&](std::size_t group) {
     for (std::size_t i = group; i < group + kGroup; i += 2) {
@@ -216,45 +148,6 @@ double Shield::freeDistance(const Point2& from, double direction, double limit, 
       }
     }
     return free <= 0.0;
-  });
-  return free;
-}
-
-double Shield::freeArc(const Pose2& from, double curvature, double limit, double clearance) const {
-  if (std::abs(curvature) < kStraight) {
-    return freeDistance({from.x, from.y}, from.yaw, limit, clearance);
-  }
-  const Arc arc(curvature);
-  const double wanted = footprint_radius_ + clearance;
-  const double hard = footprint_radius_ + std::min(hard_margin_, clearance);
-  const double c = std::cos(from.yaw);
-  const double s = std::sin(from.yaw);
-  double free = limit;
-  lookAround({from.x, from.y}, wanted + limit, [&](const Point2& obstacle) {
-    const double dx = obstacle.x - from.x;
-    const double dy = obstacle.y - from.y;
-    const double squared = square(dx) + square(dy);
-    if (squared >= square(wanted + free)) {
-      return false;
-    }
-    const Point2 local{c * dx + s * dy, c * dy - s * dx};
-    const double now = std::sqrt(squared);
-    if (now <= hard && local.x > 0.0) {
-      free = 0.0;
-      return true;
-    }
-    // One that it goes away from may come back to where it is now, after a turn.
-    const double radius = now <= hard ? now : std::max(hard, std::min(wanted, now - kTouchSlack));
-    const Arc::View view = arc.viewOf(local);
-    if (std::abs(view.beyond) >= radius) {
-      return false;
-    }
-    // The chord from the nearest place of the arc to where the point is `radius` away, by the law of cosines.
-    const double half_chord =
-        0.5 * std::sqrt((square(radius) - square(view.beyond)) / (arc.radius * (arc.radius + view.beyond)));
-    const double before = 2.0 * arc.radius * std::asin(std::min(1.0, half_chord));
-    free = std::min(free, std::max(0.0, view.length - before));
-    return false;
   });
   return free;
 }
@@ -277,28 +170,6 @@ double Shield::nearest(const Point2& from) const {
       return nearest;
     }
   }
-}
-
-double Shield::arcGap(const Pose2& from, double curvature, double length) const {
-  const Pose2 end = alongArc(from, curvature, length);
-  const bool straight = std::abs(curvature) < kStraight;
-  const Arc arc(straight ? 1.0 : curvature);
-  const Point2 start{from.x, from.y};
-  double nearest_so_far = nearest(start);
-  lookAround(start, length + nearest_so_far, [&](const Point2& obstacle) {
-    const double now = distanceBetween(from, obstacle);
-    if (now - length >= nearest_so_far) {
-      return false;
-    }
-    nearest_so_far = std::min(nearest_so_far, distanceBetween(end, obstacle));
-    const Point2 local = toLocalFrame(from, obstacle);
-    const Arc::View view = straight ? Arc::View{local.y, local.x} : arc.viewOf(local);
-    if (view.length >= 0.0 && view.length <= length) {
-      nearest_so_far = std::min(nearest_so_far, std::abs(view.beyond));
-    }
-    return false;
-  });
-  return nearest_so_far - footprint_radius_;
 }
 
 }  // namespace lstm_planner

@@ -148,8 +148,9 @@ void MovingReturns::collectReturns() {
   for (std::size_t beam = 0; beam < beams; ++beam) {
     const float range = profile.ranges[beam];
     const Point2 direction = directions_[beam];
+    const Point2 local{profile.origin.x + range * direction.x, profile.origin.y + range * direction.y};
     // Written in any case, and overwritten when it is none.
-    returns_[count] = view_.toOdometry({profile.origin.x + range * direction.x, profile.origin.y + range * direction.y});
+    returns_[count] = view_.toOdometry(local);
     beams_[count] = beam;
     count += static_cast<std::size_t>(range > 0.0f) & static_cast<std::size_t>(range <= farthest);
   }

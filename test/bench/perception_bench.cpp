@@ -61,8 +61,8 @@ std::vector<Situation> standing() {
   return all;
 }
 
-/// Times of the calls of a sequence that is repeated. Of the same call in several passes the shortest counts: what other
-/// programs on the machine do to one call they hardly do to it each time.
+/// Times of the calls of a sequence that is repeated. Of the same call in several passes the shortest counts: what
+/// other programs on the machine do to one call they hardly do to it each time.
 class CallTimes {
  public:
   explicit CallTimes(std::size_t calls) : times_(calls, std::numeric_limits<double>::infinity()) {}

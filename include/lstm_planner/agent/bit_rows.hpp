@@ -20,8 +20,8 @@ class BitRows {
   void set(int column, int row) { words_[wordOf(column, row)] |= std::uint64_t{1} << (column & 63); }
   void reset(int column, int row) { words_[wordOf(column, row)] &= ~(std::uint64_t{1} << (column & 63)); }
 
-  /// The bits of a row from `column` on, the lowest first. `column` may be anything from -64 to columns(), `row` anything
-  /// inside; what is outside is 0.
+  /// The bits of a row from `column` on, the lowest first. `column` may be anything from -64 to columns(), `row`
+  /// anything inside; what is outside is 0.
   std::uint64_t from(int column, int row) const {
     const std::size_t word = wordOf(column, row);
     const int shift = column & 63;

@@ -5,8 +5,8 @@
 
 namespace lstm_planner {
 
-/// For straight ways between the middles of squares that are not far apart: which squares' middles lie nearer to the way
-/// than a radius. One square after another by a few bits of a row: a way is free when none of them is occupied.
+/// For straight ways between the middles of squares that are not far apart: which squares' middles lie nearer to the
+/// way than a radius. A way is free when none of them is occupied: a few bits of each row tell.
 class LineMasks {
  public:
   /// `longest`: columns and rows between the ends of a way at most.

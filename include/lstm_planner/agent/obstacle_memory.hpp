@@ -73,8 +73,8 @@ class ObstacleMemory {
   /// counter-clockwise from the neighbour along x. 0 at the border of the window.
   std::uint8_t exits(int cell);
 
-  /// True when the way straight from one place to the other is a passage at least that good; ends outside the window are
-  /// never free.
+  /// True when the way straight from one place to the other is a passage at least that good; ends outside the window
+  /// are never free.
   bool isFree(const Point2& from, const Point2& to, Passage passage);
 
  private:

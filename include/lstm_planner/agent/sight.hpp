@@ -12,8 +12,8 @@ namespace lstm_planner {
 /// Tells through which places a scan looks: the beam towards them and two on each side end 0.1 m behind them at least.
 /// For thousands of places a scan: all that can be is done once a scan, or for a whole neighbourhood.
 ///
-/// Places are relative to the scanner, m, in a frame in which the base has the yaw that show() was told. Arrays are used
-/// up to the next multiple of four.
+/// Places are relative to the scanner, m, in a frame in which the base has the yaw that show() was told. Arrays are
+/// used up to the next multiple of four.
 class Sight {
  public:
   /// `neighbourhood`: radius of the neighbourhoods of limits(), m.
@@ -31,7 +31,7 @@ class Sight {
 
  private:
   static constexpr std::size_t kBlock = 4;   ///< beams
-  static constexpr std::size_t kLevels = 6;  ///< neighbourhoods are at most 2^kLevels blocks wide, or always looked into
+  static constexpr std::size_t kLevels = 6;  ///< of neighbourhoods, each twice as wide as the last, in blocks
 
   void measureBeams(const RangeProfile& profile);
   float farthest(std::size_t first, std::size_t last) const;

@@ -15,8 +15,8 @@ class BeamFinder {
   /// For places in a frame in which the base has that yaw, rad. A profile needs beams, and an increment other than 0.
   BeamFinder(const RangeProfile& profile, double yaw);
 
-  /// Where the beams towards some places lie: in beams from the first one, from 0 to less than a whole turn. `x` and `y`,
-  /// m, are relative to the scanner. All arrays are used up to the next multiple of four.
+  /// Where the beams towards some places lie: in beams from the first one, from 0 to less than a whole turn. `x` and
+  /// `y`, m, are relative to the scanner. All arrays are used up to the next multiple of four.
   void find(const float* x, const float* y, std::size_t count, float* positions) const;
 
   /// Index of the beam nearest to a position; -1 when none is within an increment.

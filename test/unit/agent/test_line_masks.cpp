@@ -21,7 +21,9 @@ TEST(LineMasks, CoverWhatIsNearerToTheLineThanTheRadius) {
         for (int x = left; x <= left + 20; ++x) {
           // The least distance from points along the line, a thousandth of it apart.
           double nearest = 1e9;
-          for (int i = 0; i <= 1000; ++i) nearest = std::min(nearest, std::hypot(x - i * 1e-3 * columns, y - i * 1e-3 * rows));
+          for (double share = 0.0; share < 1.0005; share += 0.001) {
+            nearest = std::min(nearest, std::hypot(x - share * columns, y - share * rows));
+          }
           const bool covered = (masks.mask(columns, rows)[y + masks.margin()] >> (x - left) & 1) != 0;
           if (std::abs(nearest - kRadius) > 1e-4) {
             ASSERT_EQ(covered, nearest < kRadius) << columns << " " << rows << ": " << x << " " << y;

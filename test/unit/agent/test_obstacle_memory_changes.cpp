@@ -30,7 +30,9 @@ Square squareAt(const Point2& place) {
   return {static_cast<int>(std::floor(place.x / kResolution)), static_cast<int>(std::floor(place.y / kResolution))};
 }
 
-Point2 centerOf(const Square& square) { return {(square.first + 0.5) * kResolution, (square.second + 0.5) * kResolution}; }
+Point2 centerOf(const Square& square) {
+  return {(square.first + 0.5) * kResolution, (square.second + 0.5) * kResolution};
+}
 
 /// What ObstacleMemory::look() is meant to do, square by square. Where the last digits of single precision decide, it
 /// says that it does not know.
@@ -86,8 +88,9 @@ class PlainMemory {
     const long beam = profile.beamTowards(direction);
     if (profile.beamTowards(direction - 3e-5) != profile.beamTowards(direction + 3e-5)) doubtful_.insert(square);
     if (beam < 0) return false;
+    const long last = static_cast<long>(profile.ranges.size()) - 1;
     double nearest = 1e9;
-    for (long i = std::max(0L, beam - 2); i <= std::min<long>(beam + 2, static_cast<long>(profile.ranges.size()) - 1); ++i) {
+    for (long i = std::max(0L, beam - 2); i <= std::min(beam + 2, last); ++i) {
       nearest = std::min<double>(nearest, profile.ranges[static_cast<std::size_t>(i)]);
     }
     const double needed = distanceBetween(scanner, centerOf(square)) + 0.1;

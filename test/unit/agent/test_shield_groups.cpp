@@ -11,8 +11,8 @@
 namespace lstm_planner {
 namespace {
 
-// The shield looks at whole groups of returns at once and leaves out those that cannot matter. Its answers must be those
-// of looking at every return.
+// The shield looks at whole groups of returns at once and leaves out those that cannot matter. Its answers must be
+// those of looking at every return.
 
 constexpr double kRadius = 0.17425;
 constexpr double kHardMargin = 0.03;
