@@ -82,9 +82,9 @@ Pose2 PlanFollower::odometryFromPlan(const std::string& odometry_frame) const {
 
 void PlanFollower::look(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
-  toPoints(scan_, reading.mount, {}, &obstacles_);
-  shield_.show(obstacles_);
   toProfile(scan_, reading.mount, {}, &profile_);
+  toPoints(profile_, &directions_, &obstacles_);
+  shield_.show(obstacles_);
   if (reading.jumps != jumps_) {
     moving_.reset();
     jumps_ = reading.jumps;

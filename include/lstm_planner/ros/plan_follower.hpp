@@ -63,6 +63,7 @@ class PlanFollower {
   LaserScan scan_;                      ///< of the current call
   std::vector<Point2> obstacles_;       ///< of the current call
   RangeProfile profile_;                ///< of the current call
+  BeamDirections directions_;           ///< of the scanner's beams
   long jumps_ = 0;                      ///< of the odometry, until the last call
 };
 
