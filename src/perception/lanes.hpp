@@ -67,12 +67,6 @@ inline float mostOf(Floats values) {
   return two[0] > two[1] ? two[0] : two[1];
 }
 
-/// A bit for each lane of a mask, the first lowest.
-inline unsigned bitsOfMask(Ints mask) {
-  const Ints weights = {1, 2, 4, 8};
-  return static_cast<unsigned>(sumOfLanes(mask & weights));
-}
-
 /// True when any lane of a mask is set.
 template <typename Mask>
 inline bool any(Mask mask) {
