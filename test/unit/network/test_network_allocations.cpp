@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstddef>
 
+#include "lstm_planner/network/batch_network.hpp"
 #include "lstm_planner/network/network.hpp"
 #include "unit/network/network_fixtures.hpp"
 
@@ -56,6 +57,24 @@ TEST(NetworkAllocations, NoneInAThousandSteps) {
     network.forward(input);
     if (step % 100 == 0) network.reset();
     if (step % 100 == 50) network.setHiddenState(saved);
+  }
+  EXPECT_EQ(allocations - before, 0);
+#else
+  GTEST_SKIP() << "allocations are counted with glibc and without sanitizers only";
+#endif
+}
+
+TEST(BatchNetworkAllocations, NoneInAThousandSteps) {
+#ifdef LSTM_PLANNER_COUNTS_ALLOCATIONS
+  test::LayerMaker make(2);
+  BatchNetwork network({make.lstm(11, 32), make.recurrent(32, 8), make.dense(8, 8), SoftmaxLayer{}}, 70);
+  const BatchNetwork::Values inputs = BatchNetwork::Values::Ones(11, 70);
+  const BatchNetwork::HiddenState saved = network.hiddenState(3);
+  const long before = allocations;
+  for (int step = 0; step < 1000; ++step) {
+    network.forward(inputs);
+    if (step % 100 == 0) network.forget(69);
+    if (step % 100 == 50) network.setHiddenState(3, saved);
   }
   EXPECT_EQ(allocations - before, 0);
 #else
