@@ -5,6 +5,7 @@
 #include <malloc.h>
 #include <nav_msgs/Odometry.h>
 #include <navfn/navfn_ros.h>
+#include <ros/callback_queue.h>
 #include <ros/master.h>
 #include <ros/ros.h>
 #include <tf2_ros/static_transform_broadcaster.h>
@@ -205,10 +206,24 @@ class Robot {
         scans_(node_handle_.advertise<sensor_msgs::LaserScan>("scan", 1)),
         odometry_(node_handle_.advertise<nav_msgs::Odometry>("odom", 1)) {
     const SensorMount& mount = course.drive.mount;
+    listening_.setCallbackQueue(&arrived_);
+    scan_arrivals_ = listening_.subscribe("scan", 1, &Robot::onScan, this);
+    odometry_arrivals_ = listening_.subscribe("odom", 1, &Robot::onOdometry, this);
     broadcaster_.sendTransform({transform(kMap, kOdometry, course.task.start), transform(kBase, kLaser, mount.pose)});
   }
 
   bool isHeard() const { return scans_.getNumSubscribers() > 0 && odometry_.getNumSubscribers() > 0; }
+
+  /// Waits until what was published last has arrived in this process, where the planner is.
+  void waitForArrival() {
+    const ros::WallTime begin = ros::WallTime::now();
+    while (scan_arrived_ != ros::Time::now() || odometry_arrived_ != ros::Time::now()) {
+      if (ros::WallTime::now() - begin > ros::WallDuration(5.0)) throw std::runtime_error("a scan came too late");
+      ros::WallDuration(0.0002).sleep();
+      arrived_.callAvailable();
+    }
+    ros::WallDuration(0.0005).sleep();
+  }
 
   /// `time`: s, by the clock of the drive.
   void publish(const RecordedStep& step, double time) {
@@ -244,8 +259,17 @@ class Robot {
     return message;
   }
 
+  void onScan(const sensor_msgs::LaserScan& scan) { scan_arrived_ = scan.header.stamp; }
+  void onOdometry(const nav_msgs::Odometry& odometry) { odometry_arrived_ = odometry.header.stamp; }
+
   const Course& course_;
   ros::NodeHandle node_handle_;
+  ros::NodeHandle listening_;
+  ros::CallbackQueue arrived_;
+  ros::Time scan_arrived_;
+  ros::Time odometry_arrived_;
+  ros::Subscriber scan_arrivals_;
+  ros::Subscriber odometry_arrivals_;
   ros::Publisher scans_;
   ros::Publisher odometry_;
   tf2_ros::StaticTransformBroadcaster broadcaster_;
@@ -272,6 +296,7 @@ void lstmPlanner(benchmark::State& state) {
   PlanMaker planner("LstmGlobalPlanner", parameters, kMap, kBase);
   waitForSubscriptions(robot);
   const geometry_msgs::PoseStamped goal = stamped({where.task.goal.x, where.task.goal.y, 0.0});
+  std::vector<geometry_msgs::PoseStamped> plan;  // used again and again, as move_base does
   double time = 1000.0;
   std::size_t longest = 0;
   for (auto _ : state) {
@@ -279,9 +304,9 @@ void lstmPlanner(benchmark::State& state) {
     for (std::size_t i = 0; i < where.drive.steps.size(); i += kEvery) {
       const RecordedStep& step = where.drive.steps[i];
       robot.publish(step, time + step.time);
-      ros::WallDuration(0.003).sleep();
+      robot.waitForArrival();
       const geometry_msgs::PoseStamped start = stamped(robot.inMap(step.pose));
-      std::vector<geometry_msgs::PoseStamped> plan;
+      plan.clear();
       const auto ask = [&] { planner.makePlan(start, goal, &plan); };
       if (i == 0) {
         ask();  // twice, or the goal is taken for a question
@@ -309,11 +334,12 @@ void stackPlanner(const std::string& name, benchmark::State& state) {
   ros::Time::setNow(ros::Time(1000.0));
   Planner planner(name, where.costmap.get(), kMap);
   const geometry_msgs::PoseStamped goal = stamped({where.task.goal.x, where.task.goal.y, 0.0});
+  std::vector<geometry_msgs::PoseStamped> plan;
   std::size_t longest = 0;
   for (auto _ : state) {
     for (std::size_t i = kEvery; i < where.drive.steps.size(); i += kFewer * kEvery) {
       const geometry_msgs::PoseStamped start = stamped(compose(where.task.start, where.drive.steps[i].pose));
-      std::vector<geometry_msgs::PoseStamped> plan;
+      plan.clear();
       bool found = false;
       result[i].measure([&] { found = planner.makePlan(start, goal, plan); });
       if (!found) {
