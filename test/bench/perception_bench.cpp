@@ -22,16 +22,11 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kRangeCap = 6.0;
 
-const std::vector<RecordedDrive>& drives() {
-  static const std::vector<RecordedDrive> drives = recordDrives();
-  return drives;
-}
-
 /// What the agent knows at each step of the recorded drives.
 const std::vector<Situation>& situations() {
   static const std::vector<Situation> situations = [] {
     std::vector<Situation> all;
-    for (const RecordedDrive& drive : drives()) {
+    for (const RecordedDrive& drive : recordedDrives()) {
       for (const RecordedStep& step : drive.steps) {
         all.emplace_back();
         perceive(step.scan, drive.mount, {}, kRangeCap, &all.back());
@@ -96,7 +91,7 @@ void perceiving(benchmark::State& state) {
   Situation situation;
   for (auto _ : state) {
     std::size_t call = 0;
-    for (const RecordedDrive& drive : drives()) {
+    for (const RecordedDrive& drive : recordedDrives()) {
       for (const RecordedStep& step : drive.steps) {
         times.time(call++, [&] { perceive(step.scan, drive.mount, {}, kRangeCap, &situation); });
         benchmark::DoNotOptimize(situation.obstacles.data());
