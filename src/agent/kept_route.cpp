@@ -4,14 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "lstm_planner/agent/bit_rows.hpp"
+
 namespace lstm_planner {
 
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /// Points of a route for which memory is reserved.
-constexpr std::size_t kReserved = 512;
+constexpr std::size_t kReserved = 256;
+
+/// Cells a side of what shares a bit that tells whether a piece is near.
+constexpr int kShare = 2;
 
 /// A point this near to the robot is behind it, m.
 constexpr double kPassed = 0.25;
@@ -50,19 +55,28 @@ void KeptRoute::swap(Route* route) {
   noteAll();
 }
 
+void KeptRoute::swap(KeptRoute* other) {
+  std::swap(route_, other->route_);
+  std::swap(pieces_, other->pieces_);
+  forgetMarks();
+  other->forgetMarks();
+}
+
 void KeptRoute::moveEnd(const Point2& end) {
   route_.points.back() = end;
   pieces_.back().cost = kUnknown;
+  pieces_.back().marked = false;
   measure();
 }
 
 void KeptRoute::measure() {
-  pieces_.resize(route_.points.size(), {0.0, kUnknown, 0.0});
+  pieces_.resize(route_.points.size(), {0.0, 0.0f, kUnknown, false});
   double rest = 0.0;
   for (std::size_t i = route_.points.size(); i-- > 0;) {
+    const double length = i == 0 ? 0.0 : distanceBetween(route_.points[i - 1], route_.points[i]);
     pieces_[i].rest = rest;
-    pieces_[i].length = i == 0 ? 0.0 : distanceBetween(route_.points[i - 1], route_.points[i]);
-    rest += pieces_[i].length;
+    pieces_[i].length = static_cast<float>(length);
+    rest += length;
   }
   route_.length = rest;
 }
@@ -86,15 +100,21 @@ void KeptRoute::advance(ObstacleMemory& memory, const Point2& here) {
   points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(next - 1));
   pieces_.erase(pieces_.begin(), pieces_.begin() + static_cast<std::ptrdiff_t>(next - 1));
   points.front() = here;
-  pieces_[1].length = distanceBetween(here, points[1]);
+  const double length = distanceBetween(here, points[1]);
+  pieces_[1].length = static_cast<float>(length);
   pieces_[1].cost = kUnknown;
-  route_.length = pieces_[1].length + pieces_[1].rest;
+  route_.length = length + pieces_[1].rest;
 }
 
 void KeptRoute::note(const ObstacleMemory& memory, const ObstacleMemory::Change& change) {
+  markPriced(memory);
   const int cell = memory.cellAt(change.place);
-  const auto bit = static_cast<std::size_t>(std::max(0, cell));
-  if (cell < 0 || bit / 64 >= beside_.size() || (beside_[bit / 64] >> bit % 64 & 1) == 0) {
+  if (cell < 0 || beside_.empty()) {
+    return;
+  }
+  const int share = cell / memory.side() / kShare * sharesASide(memory) + cell % memory.side() / kShare;
+  const auto bit = static_cast<std::size_t>(share);
+  if ((beside_[bit / 64] >> bit % 64 & 1) == 0) {
     return;
   }
   for (std::size_t i = 2; i < pieces_.size(); ++i) {
@@ -106,10 +126,18 @@ void KeptRoute::note(const ObstacleMemory& memory, const ObstacleMemory::Change&
 }
 
 void KeptRoute::noteAll() {
-  std::fill(beside_.begin(), beside_.end(), 0);
+  forgetMarks();
   for (Piece& piece : pieces_) {
     piece.cost = kUnknown;
   }
+}
+
+void KeptRoute::forgetMarks() {
+  std::fill(beside_.begin(), beside_.end(), 0);
+  for (Piece& piece : pieces_) {
+    piece.marked = false;
+  }
+  all_are_marked_ = false;
 }
 
 double KeptRoute::cost(ObstacleMemory& memory, const RouteFinder& finder, double distance) {
@@ -120,10 +148,8 @@ double KeptRoute::cost(ObstacleMemory& memory, const RouteFinder& finder, double
     }
     Piece& piece = pieces_[i];
     if (std::isnan(piece.cost)) {
-      piece.cost = finder.costOf(memory, route_.points[i - 1], route_.points[i]);
-      if (i > 1) {  // the first one is looked at anew each time
-        mark(memory, route_.points[i - 1], route_.points[i]);
-      }
+      piece.cost = static_cast<float>(finder.costOf(memory, route_.points[i - 1], route_.points[i]));
+      all_are_marked_ = all_are_marked_ && (i == 1 || piece.marked);
     }
     cost += piece.cost;
     distance -= piece.length;
@@ -131,25 +157,46 @@ double KeptRoute::cost(ObstacleMemory& memory, const RouteFinder& finder, double
   return cost;
 }
 
+/// Not before something has changed, as routes that are not taken need no marks.
+void KeptRoute::markPriced(const ObstacleMemory& memory) {
+  if (all_are_marked_) {
+    return;
+  }
+  // The first one is looked at anew each time.
+  for (std::size_t i = 2; i < pieces_.size(); ++i) {
+    if (!pieces_[i].marked && !std::isnan(pieces_[i].cost)) {
+      mark(memory, route_.points[i - 1], route_.points[i]);
+      pieces_[i].marked = true;
+    }
+  }
+  all_are_marked_ = true;
+}
+
 void KeptRoute::mark(const ObstacleMemory& memory, const Point2& from, const Point2& to) {
-  const int side = memory.side();
-  beside_.resize((static_cast<std::size_t>(side) * static_cast<std::size_t>(side) + 63) / 64);
-  const int reach = static_cast<int>(std::ceil(reach_ / memory.cellSize())) + 1;
-  const int parts = 1 + static_cast<int>(distanceBetween(from, to) / memory.cellSize());
+  const int shares = sharesASide(memory);
+  beside_.resize((static_cast<std::size_t>(shares) * static_cast<std::size_t>(shares) + 63) / 64);
+  const double share_size = kShare * memory.cellSize();
+  const int reach = static_cast<int>(std::ceil(reach_ / share_size)) + 1;
+  const int parts = 1 + static_cast<int>(distanceBetween(from, to) / share_size);
   for (int i = 0; i <= parts; ++i) {
-    const double share = static_cast<double>(i) / parts;
-    const int cell = memory.cellAt({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+    const double part = static_cast<double>(i) / parts;
+    const int cell = memory.cellAt({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)});
     if (cell < 0) {
       continue;
     }
-    for (int row = std::max(0, cell / side - reach); row <= std::min(side - 1, cell / side + reach); ++row) {
-      const int last = std::min(side - 1, cell % side + reach);
-      for (int column = std::max(0, cell % side - reach); column <= last; ++column) {
-        const auto bit = static_cast<std::size_t>(row * side + column);
-        beside_[bit / 64] |= std::uint64_t{1} << bit % 64;
+    const int column = cell % memory.side() / kShare;
+    const int row = cell / memory.side() / kShare;
+    for (int other = std::max(0, row - reach); other <= std::min(shares - 1, row + reach); ++other) {
+      const int last = other * shares + std::min(shares - 1, column + reach);
+      for (int bit = other * shares + std::max(0, column - reach); bit <= last;) {
+        const int bits = std::min(64 - bit % 64, last + 1 - bit);
+        beside_[static_cast<std::size_t>(bit / 64)] |= lowestBits(bits) << bit % 64;
+        bit += bits;
       }
     }
   }
 }
+
+int KeptRoute::sharesASide(const ObstacleMemory& memory) { return (memory.side() + kShare - 1) / kShare; }
 
 }  // namespace lstm_planner

@@ -39,15 +39,15 @@ void PlaceTrace::visit(const Point2& position) {
   here_ = place;
   is_somewhere_ = true;
   Entry& entry = entries_[place.entry];
-  if (entry.column != place.column || entry.row != place.row) entry = {place.column, place.row, 0};
-  entry.count = static_cast<std::uint8_t>(std::min(kMostVisits, entry.count + 1));
+  if (entry.column != place.column || entry.row != place.row) entry = Entry(place.column, place.row, 0);
+  entry.count = static_cast<std::uint8_t>(std::min(kMostVisits, static_cast<int>(entry.count) + 1));
 }
 
 int PlaceTrace::at(const Point2& position) const {
   Place place;
   if (!placeOf(position, &place)) return 0;
   const Entry& entry = entries_[place.entry];
-  return entry.column == place.column && entry.row == place.row ? entry.count : 0;
+  return entry.column == place.column && entry.row == place.row ? static_cast<int>(entry.count) : 0;
 }
 
 std::array<double, kPlaceDirections> PlaceTrace::around(const Pose2& pose, double radius) const {

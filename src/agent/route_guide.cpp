@@ -121,7 +121,7 @@ bool RouteGuide::takeBetter(const Point2& here) {
   if (same_end && isHardlyDearer(route_.cost(memory_, finder_, kLookedAt), new_cost)) {
     return false;
   }
-  std::swap(route_, candidate_);
+  route_.swap(&candidate_);
   return true;
 }
 

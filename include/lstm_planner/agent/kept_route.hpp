@@ -24,6 +24,8 @@ class KeptRoute {
   void clear();
   /// Exchanges it for another one.
   void swap(Route* route);
+  /// Exchanges it, and what is known of its costs, for another one's.
+  void swap(KeptRoute* other);
   void moveEnd(const Point2& end);
 
   /// The robot is there now: what it has driven, and corners that it can cut, are left away.
@@ -40,17 +42,22 @@ class KeptRoute {
  private:
   /// From the point before to one of the route's.
   struct Piece {
-    double length;  ///< m
-    double cost;    ///< m; NaN where it is not known
-    double rest;    ///< m, from here to the end
+    double rest;   ///< m, from here to the end
+    float length;  ///< m
+    float cost;    ///< m; NaN where it is not known
+    bool marked;   ///< in beside_
   };
   void measure();
+  static int sharesASide(const ObstacleMemory& memory);
+  void forgetMarks();
+  void markPriced(const ObstacleMemory& memory);
   void mark(const ObstacleMemory& memory, const Point2& from, const Point2& to);
 
   double reach_;  ///< m, within which a change matters
   Route route_;
   std::vector<Piece> pieces_;          ///< one a point
-  std::vector<std::uint64_t> beside_;  ///< a bit a cell of the window: near to a piece whose cost is known
+  std::vector<std::uint64_t> beside_;  ///< a bit for every few cells of the window: near to a marked piece
+  bool all_are_marked_ = true;         ///< whose cost is known
 };
 
 }  // namespace lstm_planner

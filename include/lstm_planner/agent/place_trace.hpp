@@ -38,9 +38,11 @@ class PlaceTrace {
 
  private:
   struct Entry {
-    std::int16_t column = 0;  ///< of the square, in windows
-    std::int16_t row = 0;
-    std::uint8_t count = 0;
+    Entry() : Entry(0, 0, 0) {}
+    Entry(int place_column, int place_row, unsigned visits) : column(place_column), row(place_row), count(visits) {}
+    std::int32_t column : 12;  ///< of the square, in windows
+    std::int32_t row : 12;
+    std::uint32_t count : 8;
   };
   struct Place {
     std::size_t entry = 0;
