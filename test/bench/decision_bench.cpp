@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -154,13 +155,14 @@ void plan(benchmark::State& state, int rollout_steps, bool cold, const std::stri
   for (const RecordedDrive& drive : recordedDrives()) {
     if (world.empty() || drive.world == world) replays.emplace_back(drive, rollout_steps, cold);
   }
-  const double before = heapInUse();
-  OnlineAgent agent(shippedPolicy(), {});
+  auto agent = std::make_unique<OnlineAgent>(shippedPolicy(), AgentParameters());
   long pass = 0;
   for (auto _ : state) {
-    for (Replay& replay : replays) replay.run(++pass, &agent);
+    for (Replay& replay : replays) replay.run(++pass, agent.get());
   }
-  state.counters["agent_bytes"] = heapInUse() - before;
+  const double with_agent = heapInUse();
+  agent.reset();
+  state.counters["agent_bytes"] = with_agent - heapInUse();
   std::vector<CallTime> calls;
   for (const Replay& replay : replays) calls.insert(calls.end(), replay.calls().begin() + 1, replay.calls().end());
   report(calls, &state);
