@@ -7,8 +7,8 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr std::size_t kReservedChunks = 512;  // 32 kB, some 7000 cells
-constexpr std::size_t kReservedLater = 1600;
+constexpr std::size_t kReservedChunks = 256;  // 16 kB, some 3500 cells
+constexpr std::size_t kReservedLater = 1440;
 
 /// Part of the buckets that is filled at once with what comes later: estimates go up by less than the rest at a time.
 constexpr std::uint32_t kAtOnce = 512;
@@ -95,6 +95,9 @@ std::uint16_t CellQueue::newChunk(std::uint16_t next) {
   std::uint16_t chunk = unused_;
   if (chunk == kNoChunk) {
     chunk = static_cast<std::uint16_t>(chunks_.size());
+    if (chunks_.size() == chunks_.capacity()) {
+      chunks_.reserve(chunks_.size() + kReservedChunks);  // searches from all along the border need thousands
+    }
     chunks_.emplace_back();
   } else {
     unused_ = chunks_[chunk].next;

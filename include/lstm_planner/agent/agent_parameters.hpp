@@ -25,7 +25,7 @@ struct ShieldParameters {
 /// What is remembered of the obstacles that were seen, and how ways through them are found.
 struct MemoryParameters {
   bool enabled = true;
-  double width = 76.8;       ///< m, side of the square around the robot in which obstacles are remembered
+  double width = 70.4;       ///< m, side of the square around the robot in which obstacles are remembered
   double resolution = 0.05;  ///< m; at most 0.29 footprint radii, or ways would lead through walls
   double reach = 12.0;       ///< m; returns farther away are not remembered
   double comfort = 0.12;     ///< m kept between the footprint and obstacles by ways where there is room
