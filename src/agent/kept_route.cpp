@@ -21,16 +21,6 @@ constexpr int kShare = 2;
 /// A point this near to the robot is behind it, m.
 constexpr double kPassed = 0.25;
 
-double squaredDistanceToPiece(const Point2& point, const Point2& from, const Point2& to) {
-  const Point2 line{to.x - from.x, to.y - from.y};
-  const Point2 off{point.x - from.x, point.y - from.y};
-  const double length = line.x * line.x + line.y * line.y;
-  const double share = length > 0.0 ? std::clamp((off.x * line.x + off.y * line.y) / length, 0.0, 1.0) : 0.0;
-  const double dx = off.x - share * line.x;
-  const double dy = off.y - share * line.y;
-  return dx * dx + dy * dy;
-}
-
 }  // namespace
 
 KeptRoute::KeptRoute(const AgentParameters& parameters) : reach_(reachOfChanges(parameters)) {

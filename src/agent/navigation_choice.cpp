@@ -14,6 +14,18 @@ constexpr double kFarthestAside = 1.05;
 /// A steering angle that is no farther than this from the route's bearing agrees with it, rad (45 degrees and a bit).
 constexpr double kAgreement = 0.8;
 
+/// A way that comes this near to where it began has turned back, m.
+constexpr double kTurnedBack = 0.1;
+
+bool comesBackTo(const Point2& start, const std::vector<Point2>& way) {
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    if (squaredDistanceToPiece(start, way[i - 1], way[i]) < kTurnedBack * kTurnedBack) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void NavigationAgent::choose(const Situation& situation) {
@@ -117,9 +129,11 @@ void NavigationAgent::chooseAction(const Situation& situation) {
 }
 
 bool NavigationAgent::leadsOn(const Situation& situation, double direction, double distance) {
+  const Point2 here{situation.pose.x, situation.pose.y};
   const Point2 waypoint = pointAlong(situation.pose, direction, distance);
-  return guide_.isPassable({situation.pose.x, situation.pose.y}, waypoint) && guide_.findFrom(waypoint, &route_on_) &&
-         distance + route_on_.length <= guide_.route().length + parameters_.memory.freedom;
+  return guide_.isPassable(here, waypoint) && guide_.findFrom(waypoint, &route_on_) &&
+         distance + route_on_.length <= guide_.route().length + parameters_.memory.freedom &&
+         !comesBackTo(here, route_on_.points);
 }
 
 int NavigationAgent::preferredAction(const Situation& situation, double clearance, int on_route, double* best_free) {

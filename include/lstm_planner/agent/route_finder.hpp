@@ -18,6 +18,9 @@ struct Route {
 /// Length of a way that is straight between its points, m.
 double lengthOf(const std::vector<Point2>& points);
 
+/// Square of the distance of a point from a straight piece of a way, m^2.
+double squaredDistanceToPiece(const Point2& point, const Point2& from, const Point2& to);
+
 /// Finds the shortest way through an ObstacleMemory: A* on its cells, tight ones costing more, corners pulled straight
 /// near the start. Beyond the window the way is taken as straight. The memory needed is allocated once.
 class RouteFinder {

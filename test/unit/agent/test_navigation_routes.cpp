@@ -64,6 +64,20 @@ TEST_F(NavigationRoutes, AContradictionThatCostsLessThanTheFreedomIsFollowedExac
   EXPECT_NEAR(decision.waypoint.y, 0.4 * std::sin(1.0), 1e-12);
 }
 
+TEST_F(NavigationRoutes, AContradictionIsOverruledWhenItsWayOnComesBackPastTheRobot) {
+  // Straight away from the goal: the way on is longer by 2 * 0.4 m, which would be allowed.
+  AgentParameters lenient;
+  lenient.memory.freedom = 1.0;
+  NavigationAgent agent(guidedPolicy(), lenient);
+  agent.setGoal({4.0, 0.0});
+  const Decision& decision = agent.update(situationAt({0.0, 0.0, M_PI}));
+  EXPECT_TRUE(decision.on_route);
+  EXPECT_NEAR(decision.waypoint.x, 0.4, 1e-12);
+  // From 40 degrees aside of that it passes at 0.2 m.
+  agent.setGoal({4.0, 0.0});
+  EXPECT_FALSE(agent.update(situationAt({0.0, 0.0, 2.5}, 1.0)).on_route);
+}
+
 TEST_F(NavigationRoutes, AContradictionThatCostsMoreIsOverruled) {
   AgentParameters strict;
   strict.memory.freedom = 0.15;
