@@ -16,10 +16,14 @@ void lineTo(const Point2& end, double spacing, std::vector<Pose2>* plan) {
   }
   const double direction = directionTo(begin, end);
   const int poses = std::max(1, static_cast<int>(std::ceil(length / spacing)));
-  for (int i = 1; i <= poses; ++i) {
-    const double share = static_cast<double>(i) / poses;
-    plan->push_back({begin.x + share * (end.x - begin.x), begin.y + share * (end.y - begin.y), direction});
+  const Point2 step{(end.x - begin.x) / poses, (end.y - begin.y) / poses};
+  const std::size_t first = plan->size();
+  plan->resize(first + static_cast<std::size_t>(poses));
+  Pose2* pose = plan->data() + first;
+  for (int i = 1; i < poses; ++i) {
+    *pose++ = {begin.x + i * step.x, begin.y + i * step.y, direction};
   }
+  *pose = {end.x, end.y, direction};
 }
 
 /// The free step from `at` (base frame) that leads most towards the goal; false when there is none.

@@ -164,7 +164,9 @@ bool RouteGuide::goalIsAsBefore() {
   const double reach = KeptRoute::reachOfChanges(parameters_) + (at_goal ? 0.0 : tolerance() + memory_.cellSize());
   const bool changed = moved > 0.0 || std::any_of(memory_.changes().begin(), memory_.changes().end(),
                                                   [&](const ObstacleMemory::Change& change) {
-                                                    return distanceBetween(change.place, goal_) < reach;
+                                                    const double x = change.place.x - goal_.x;
+                                                    const double y = change.place.y - goal_.y;
+                                                    return x * x + y * y < reach * reach;
                                                   });
   if (!changed) {
     return true;
