@@ -208,6 +208,7 @@ void NavigationAgent::guide(const Situation& situation) {
     return;
   }
   guide_status_ = guide_.update(situation);
+  route_on_.points.clear();
   decision_.destination = guide_status_ == RouteGuide::Status::kRoute ? guide_.end() : goal_;
 }
 

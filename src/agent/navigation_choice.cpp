@@ -131,9 +131,21 @@ void NavigationAgent::chooseAction(const Situation& situation) {
 bool NavigationAgent::leadsOn(const Situation& situation, double direction, double distance) {
   const Point2 here{situation.pose.x, situation.pose.y};
   const Point2 waypoint = pointAlong(situation.pose, direction, distance);
-  return guide_.isPassable(here, waypoint) && guide_.findFrom(waypoint, &route_on_) &&
+  return guide_.isPassable(here, waypoint) && findOn(waypoint) &&
          distance + route_on_.length <= guide_.route().length + parameters_.memory.freedom &&
          !comesBackTo(here, route_on_.points);
+}
+
+/// From a waypoint, if it is not known already.
+bool NavigationAgent::findOn(const Point2& waypoint) {
+  if (!route_on_.points.empty() && distanceBetween(route_on_.points.front(), waypoint) < 1e-6) {
+    return true;
+  }
+  const bool found = guide_.findFrom(waypoint, &route_on_);
+  if (!found) {
+    route_on_.points.clear();
+  }
+  return found;
 }
 
 int NavigationAgent::preferredAction(const Situation& situation, double clearance, int on_route, double* best_free) {
@@ -223,7 +235,7 @@ void NavigationAgent::planWayOn() {
   }
   if (decision_.on_route) {
     guide_.pointsAhead(distanceBetween(step_pose_, decision_.waypoint), &way_on);
-  } else if (guide_.findFrom(decision_.waypoint, &route_on_)) {
+  } else if (findOn(decision_.waypoint)) {
     way_on.assign(route_on_.points.begin() + 1, route_on_.points.end());
   }
 }

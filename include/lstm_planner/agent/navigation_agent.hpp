@@ -108,6 +108,7 @@ class NavigationAgent {
   void chooseAction(const Situation& situation);
   int preferredAction(const Situation& situation, double clearance, int on_route, double* free);
   bool leadsOn(const Situation& situation, double direction, double distance);
+  bool findOn(const Point2& waypoint);
   bool followRoute(const Situation& situation, Decision::Source source);
   bool chooseGoalInSight(const Situation& situation);
   void lookAround(const Situation& situation);
@@ -124,7 +125,7 @@ class NavigationAgent {
   PlaceTrace trace_;
   bool network_knows_route_;  ///< the model has the route among its inputs
   Point2 goal_;
-  Route route_on_;  ///< of planWayOn()
+  Route route_on_;  ///< of findOn(), since guide() was called last
   Decision decision_;
   Pose2 step_pose_;          ///< where the current step began
   double step_time_ = 0.0;   ///< s
