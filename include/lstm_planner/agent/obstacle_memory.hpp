@@ -110,6 +110,8 @@ class ObstacleMemory {
   void collectReturns(const Situation& situation);
   bool isReturned(std::uint32_t key);
   void forgetSeenThrough(const Situation& situation);
+  /// `cells`: keyOf() their first squares; overwritten.
+  void lookThroughCells(const SquareGrid& grid, std::uint32_t* cells, std::size_t count);
   void markReturns();
   static std::uint32_t keyOf(const Square& square) {
     return static_cast<std::uint32_t>(square.row) << 16 | static_cast<std::uint32_t>(square.column);
@@ -165,7 +167,9 @@ class ObstacleMemory {
   int outdated_ = -1;  ///< the cell that was outdated last, if nothing was judged since
 
   Sight sight_;
-  std::vector<std::uint32_t> returns_;       ///< keyOf() squares in the order of the scan
+  std::vector<std::uint32_t> returns_;       ///< keyOf() squares in the order of the scan, and room for more
+  std::size_t returns_count_ = 0;
+  std::vector<std::uint32_t> places_;        ///< what returns_ are made from
   std::array<std::uint64_t, 64> returned_;   ///< row and column, modulo 64, of the returns
   bool returned_is_known_ = false;
   std::vector<std::uint32_t> seen_through_;  ///< keyOf() squares

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "lstm_planner/perception/first_beam.hpp"
 #include "lstm_planner/perception/laser_scan.hpp"
 
 namespace lstm_planner {
@@ -27,16 +28,14 @@ class BeamFinder {
 
   long beams() const { return beams_; }
   float beamsATurn() const { return beams_a_turn_; }
+  const FirstBeam& firstBeam() const { return first_; }
 
  private:
   long beamBeyond(float position) const;
 
   long beams_ = 0;
-  float beams_a_radian_ = 0.0f;
   float beams_a_turn_ = 0.0f;
-  float along_x_ = 1.0f;  ///< the direction of the first beam
-  float along_y_ = 0.0f;
-  float aside_ = 1.0f;  ///< -1 where beams follow one another clockwise
+  FirstBeam first_;
 };
 
 }  // namespace lstm_planner
