@@ -8,9 +8,9 @@
 
 namespace lstm_planner {
 
-// What is done with each beam of each scan, or with hundreds of places: functions that are compiled for each instruction
-// set from one source. This header is seen by code for machines of different ages, so that whatever it defines must
-// have internal linkage. All sets answer the same but for the rounding of products and sums.
+// What is done with each beam of each scan, or with hundreds of places: functions that are compiled for each
+// instruction set from one source. This header is seen by code for machines of different ages, so that whatever it
+// defines must have internal linkage. All sets answer the same but for the rounding of products and sums.
 
 /// What Sight knows of a scan.
 struct SightBeams {

@@ -153,27 +153,27 @@ void find(const FirstBeam& first, const float* x, const float* y, std::size_t co
 
 std::size_t squaresOf(const SquareFrame& frame, const double* places, std::size_t count, std::uint32_t* work,
                       std::uint32_t* keys) {
-  float x[kWidest];
-  float y[kWidest];
+  constexpr std::size_t kChunk = 256;
+  float x[kChunk];
+  float y[kChunk];
   *work = kNoSquare;
   std::uint32_t* const all = work + 1;
   const auto reach = broadcast<Wide>(frame.farthest);
   for (std::size_t i = 0; i < count; i += kWidest) {
-    const std::size_t these = count - i < kWidest ? count - i : kWidest;
-    if (these == kWidest) {
-      for (int lane = 0; lane < kWidest; ++lane) {
-        x[lane] = static_cast<float>(places[2 * (i + lane)]);
-        y[lane] = static_cast<float>(places[2 * (i + lane) + 1]);
+    const std::size_t in_chunk = i % kChunk;
+    if (in_chunk == 0) {  // a chunk at once, or the processor would wait for what it has just written
+      const std::size_t these = count - i < kChunk ? count - i : kChunk;
+      for (std::size_t j = 0; j < these; ++j) {
+        x[j] = static_cast<float>(places[2 * (i + j)]);
+        y[j] = static_cast<float>(places[2 * (i + j) + 1]);
       }
-    } else {
-      for (std::size_t lane = 0; lane < kWidest; ++lane) {
-        const std::size_t place = i + (lane < these ? lane : these - 1);
-        x[lane] = static_cast<float>(places[2 * place]);
-        y[lane] = static_cast<float>(places[2 * place + 1]);
+      for (std::size_t j = these; j % kWidest != 0; ++j) {
+        x[j] = x[these - 1];
+        y[j] = y[these - 1];
       }
     }
-    const Wide xs = load<Wide>(x);
-    const Wide ys = load<Wide>(y);
+    const Wide xs = load<Wide>(x + in_chunk);
+    const Wide ys = load<Wide>(y + in_chunk);
     const auto columns = integers(frame.cosine * xs - frame.sine * ys + frame.x) + frame.first_column;
     const auto rows = integers(frame.sine * xs + frame.cosine * ys + frame.y) + frame.first_row;
     const auto outside = (xs * xs + ys * ys > reach) | (columns < 0) | (columns >= frame.sides) | (rows < 0) |
@@ -215,8 +215,8 @@ LSTM_PLANNER_INLINE V farthest(const SightBeams& beams, IntegersOf<V> first, Int
 /// when it does so nowhere in it.
 template <class V>
 LSTM_PLANNER_INLINE V limitOf(const SightBeams& beams, V x, V y) {
-  // A neighbourhood's half angle is the arc sine of its radius by its distance, less than 1.1 times that less 0.2 %; and
-  // a beam is looked for half a beam to each side.
+  // A neighbourhood's half angle is the arc sine of its radius by its distance, less than 1.1 times that less 0.2 %;
+  // and a beam is looked for half a beam to each side.
   const float beams_a_metre = 1.1f * beams.neighbourhood * beams.first.beams_a_radian;
   const V squared = multiplyAdd(x, x, y * y);
   const V half = multiplyAdd(broadcast<V>(beams_a_metre), inverseRoot(squared), broadcast<V>(1.0f));
