@@ -47,6 +47,9 @@ struct LayerValues {
   const float* cells;  ///< an LSTM's cell states
   float* next_cells;
   float* output;
+
+  const float* last_output;  ///< of the step before; for a network's kernel only, like the following
+  float* next_sums;          ///< what the next step finds in `sums`
 };
 
 /// The functions for one layer, and the sizes that its weights are packed by.
@@ -61,8 +64,16 @@ struct LayerKernel {
   bool (*advance)(const PackedLayer& layer, const LayerValues& values);
 };
 
+/// A whole network's step, for a shape so common that it has a kernel of its own: with an entry for each layer, whose
+/// columns follow one another without gaps. Only the first recurrent layer has sums. The result is that of advance().
+using NetworkKernel = bool (*)(const PackedLayer* layers, const LayerValues* values);
+
+/// Null for most shapes.
+NetworkKernel baselineNetworkKernel(const LayerShape* shapes, int count);
 LayerKernel baselineLayerKernel(const LayerShape& shape);
 #if defined(__x86_64__)
+NetworkKernel avx2NetworkKernel(const LayerShape* shapes, int count);
+NetworkKernel avx512NetworkKernel(const LayerShape* shapes, int count);
 LayerKernel avx2LayerKernel(const LayerShape& shape);
 LayerKernel avx512LayerKernel(const LayerShape& shape);
 #endif

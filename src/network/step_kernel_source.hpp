@@ -1,11 +1,11 @@
 // Included once by each step_kernel_*.cpp, which are compiled for different instruction sets. Everything but the
-// function at the end, LAYER_KERNEL, has internal linkage, as simd.hpp explains.
+// functions at the end, LAYER_KERNEL and NETWORK_KERNEL, has internal linkage, as simd.hpp explains.
 
 #include "network/simd.hpp"
 #include "network/step_kernel.hpp"
 
-#if !defined(LAYER_KERNEL)
-#error "LAYER_KERNEL names the function that this file defines"
+#if !defined(LAYER_KERNEL) || !defined(NETWORK_KERNEL)
+#error "LAYER_KERNEL and NETWORK_KERNEL name the functions that this file defines"
 #endif
 
 namespace lstm_planner {
@@ -35,11 +35,11 @@ LSTM_PLANNER_INLINE void multiplyAddColumns(const float* weights, int stride, co
     }
   };
   int column = 0;
-  for (; column + kParts <= columns; column += kParts) {
+  for (; column < columns % kParts; ++column) multiplyAddColumn(0, column);
+  for (; column < columns; column += kParts) {
 #pragma GCC unroll 4
     for (int part = 0; part < kParts; ++part) multiplyAddColumn(part, column + part);
   }
-  for (; column < columns; ++column) multiplyAddColumn(0, column);
 #pragma GCC unroll 16
   for (int sum = 0; sum < kSums; ++sum) {
     for (int step = 1; step < kParts; step *= 2) {
@@ -273,6 +273,20 @@ LayerKernel layerKernel(const LayerShape& shape) {
 }
 
 }  // namespace
+}  // namespace lstm_planner
+
+#include "network/lstm_pair_kernel_source.hpp"
+
+namespace lstm_planner {
+
+NetworkKernel NETWORK_KERNEL(const LayerShape* shapes, int count) {
+#if defined(__AVX2__)
+  if (LstmPair::fits(shapes, count)) return &LstmPair::step;
+#endif
+  static_cast<void>(shapes);
+  static_cast<void>(count);
+  return nullptr;
+}
 
 LayerKernel LAYER_KERNEL(const LayerShape& shape) {
 #if defined(__AVX512F__)

@@ -75,6 +75,18 @@ TEST_P(NetworkKernels, RecurrentLayersAtTheEndEqualTheReference) {
             kTolerance);
 }
 
+TEST_P(NetworkKernels, TwoLstmsOfEightCellsAndAnyOtherSizesEqualTheReference) {
+  for (const int inputs : {1, 2, 8, 11, 500}) {
+    for (const int outputs : {1, 4, 5, 8, 9}) {
+      for (const Activation activation : {Activation::kIdentity, Activation::kTanh, Activation::kRelu}) {
+        LayerMaker make(static_cast<unsigned>(inputs));
+        const LayerStack layers = {make.lstm(inputs, 8), make.lstm(8, 8), make.dense(8, outputs, activation)};
+        EXPECT_LT(largestErrorOfChainedSteps(layers, 12), kTolerance) << inputs << " inputs, " << outputs << " outputs";
+      }
+    }
+  }
+}
+
 TEST_P(NetworkKernels, SaturatedSumsGiveTheLimitsOfActivations) {
   // With all gates wide open a cell gains the candidate's limit in each step; 1 - tanh(9) is less than 1e-7.
   for (const float input : {1e2f, 1e6f, 1e30f}) {
