@@ -218,20 +218,21 @@ LSTM_PLANNER_INLINE V value(Fraction<V> fraction) {
   return fraction.numerator / fraction.denominator;
 }
 
-/// Polynomials with tanh(x) = x P(x^2) / Q(x^2) within 1.2e-6 on [-7.2, 7.2], and nowhere above 1 (a minimax fit whose
-/// last extremum is at the limit). A term more would be exact to the last bit, but a step waits for four of these one
-/// after the other. All coefficients are positive, so that nothing cancels. Beyond the limit x stands still, at a value
-/// where single precision makes the fraction exactly 1, fused or not: a gate that is wide open must not lose a little
-/// in each step.
-constexpr float kTanhLimit = 7.19642496f;
-constexpr float kTanhP[] = {0.9999947041318255f, 0.12275959241517793f, 0.0022537274068243976f, 3.821376198669458e-06f};
-constexpr float kTanhQ[] = {1.0f, 0.45607500659819955f, 0.02096331201824172f, 0.00013983617524866587f};
+/// Polynomials with tanh(x) = x P(x^2) / Q(x^2) within 2e-8 on [-9, 9] (a minimax fit); single precision adds the rest.
+/// All coefficients are positive, so that nothing cancels. Beyond the limit x stands still, at a value where single
+/// precision makes the fraction exactly 1, fused or not: a gate that is wide open must not lose a little in each step.
+constexpr float kTanhLimit = 8.9802084f;
+constexpr float kTanhP[] = {0.9999999063609005f, 0.13373195814186573f, 0.003486579645748473f, 2.0471793541624834e-05f,
+                            1.3184173505153228e-08f};
+constexpr float kTanhQ[] = {1.0f, 0.4670649267895692f, 0.02584197066824877f, 0.0003271381704823882f,
+                            7.70264264224115e-07f};
 
 /// Sums of neighbouring terms first: half as many steps one after the other as in Horner's scheme.
 template <class V>
-LSTM_PLANNER_INLINE V evenPolynomial(const float (&c)[4], V square, V fourth_power) {
+LSTM_PLANNER_INLINE V evenPolynomial(const float (&c)[5], V square, V fourth_power) {
   const V low = multiplyAdd(broadcast<V>(c[1]), square, broadcast<V>(c[0]));
-  const V high = multiplyAdd(broadcast<V>(c[3]), square, broadcast<V>(c[2]));
+  const V middle = multiplyAdd(broadcast<V>(c[3]), square, broadcast<V>(c[2]));
+  const V high = multiplyAdd(broadcast<V>(c[4]), fourth_power, middle);
   return multiplyAdd(high, fourth_power, low);
 }
 
@@ -266,7 +267,7 @@ LSTM_PLANNER_INLINE Fraction<V> twiceSigmoidOfTwiceFraction(V x) {
   return {multiplyAdd(terms.limited_x, terms.p, terms.q), terms.q};
 }
 
-/// Within 1.5e-6.
+/// Within 4e-7.
 template <class V>
 LSTM_PLANNER_INLINE V tanh(V x) {
   return value(tanhFraction(x));
