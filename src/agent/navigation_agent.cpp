@@ -50,6 +50,7 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
   const auto actions = static_cast<std::size_t>(policy_.description().actions.size());
   decision_.preferences.resize(actions);
   decision_.allowed.resize(actions);
+  decision_.way_on.reserve(guide_.route().points.capacity());
 }
 
 void NavigationAgent::setGoal(const Point2& goal) {

@@ -13,7 +13,7 @@
 namespace lstm_planner {
 
 /// Remembers where obstacles were seen in a window that moves along with the robot, and forgets those that the scanner
-/// sees through later. Bounded: about 0.7 MB with the defaults, however large the world and long the way.
+/// sees through later. Bounded: about 0.6 MB with the defaults, however large the world and long the way.
 ///
 /// All positions are in the odometry frame. Obstacles are kept in squares of MemoryParameters::resolution, one bit
 /// each; four by four of them are a cell, the unit of the route search. Whether the footprint fits into a cell is

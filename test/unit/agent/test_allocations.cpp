@@ -50,15 +50,24 @@ TEST(HeapCount, SeesAllThatIsAskedFor) {
 
 TEST(Allocations, NoneFromScanToPlanOnceWarm) {
   if (!heapIsCounted()) GTEST_SKIP() << kHeapIsNotCounted;
-  const std::vector<RecordedDrive>& drives = recordedDrives();
   Driver driver;
-  for (const RecordedDrive& drive : drives) driver.run(drive);
-  for (const RecordedDrive& drive : drives) {
+  for (const RecordedDrive& drive : recordedDrives()) driver.run(drive);
+  for (const RecordedDrive& drive : recordDrives(2)) {
     const long before = heapCount().allocations;
     driver.run(drive);
     EXPECT_EQ(heapCount().allocations, before) << "in the " << drive.world;
     EXPECT_GT(driver.steps(), 20) << "the " << drive.world << " is hardly a drive";
   }
+}
+
+TEST(Allocations, PlannerKeepsAtMostOneMegabyte) {
+  if (!heapIsCounted()) GTEST_SKIP() << kHeapIsNotCounted;
+  constexpr long kMost = 1 << 20;
+  const std::vector<RecordedDrive>& drives = recordedDrives();
+  const long before = heapCount().live_bytes;
+  auto driver = std::make_unique<Driver>();
+  for (const RecordedDrive& drive : drives) driver->run(drive);
+  EXPECT_LE(heapCount().live_bytes - before, kMost);
 }
 
 }  // namespace
