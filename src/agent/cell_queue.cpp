@@ -8,7 +8,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr std::size_t kReservedChunks = 256;  // 16 kB, some 3500 cells
-constexpr std::size_t kReservedLater = 1440;
+constexpr std::size_t kReservedLater = 1280;
 
 /// Part of the buckets that is filled at once with what comes later: estimates go up by less than the rest at a time.
 constexpr std::uint32_t kAtOnce = 512;

@@ -76,7 +76,7 @@ void CostToGo::clear(int side) {
     side_ = side;
     costs_.assign(index(side) * index(side), kFar);
     touched_.assign(index(side), {kFar, 0});
-    way_.reserve(4 * index(side));
+    way_.reserve(2 * index(side));
     return;
   }
   for (int row = 0; row < side_; ++row) {

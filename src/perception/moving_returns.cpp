@@ -151,7 +151,7 @@ void MovingReturns::collectReturns() {
     const Point2 local{profile.origin.x + range * direction.x, profile.origin.y + range * direction.y};
     // Written in any case, and overwritten when it is none.
     returns_[count] = view_.toOdometry(local);
-    beams_[count] = beam;
+    beams_[count] = static_cast<std::uint32_t>(beam);
     count += static_cast<std::size_t>(range > 0.0f) & static_cast<std::size_t>(range <= farthest);
   }
   returns_.resize(count);

@@ -42,7 +42,7 @@ class KeptRoute {
  private:
   /// From the point before to one of the route's.
   struct Piece {
-    double rest;   ///< m, from here to the end
+    float rest;    ///< m, from here to the end
     float length;  ///< m
     float cost;    ///< m; NaN where it is not known
     bool marked;   ///< in beside_

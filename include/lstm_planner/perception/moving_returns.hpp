@@ -87,7 +87,7 @@ class MovingReturns {
   std::size_t view_count_ = 0;  ///< of views_
   BeamDirections directions_;
   std::vector<Point2> returns_;        ///< of the last scan, odometry frame, in the order of the beams
-  std::vector<std::size_t> beams_;     ///< of the returns
+  std::vector<std::uint32_t> beams_;   ///< of the returns
   std::vector<std::uint8_t> is_free_;  ///< a return each: an earlier scan looked through there
   std::vector<float> x_, y_;           ///< m, the returns relative to an earlier view's scanner
   std::vector<float> positions_;       ///< among that view's beams
