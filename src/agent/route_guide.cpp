@@ -20,9 +20,9 @@ constexpr int kClosedLooks = 3;                 ///< looks around that must agre
 constexpr int kMostForgotten = 4;               ///< without progress in between
 constexpr double kBlockedAhead = 0.3;           ///< m to the place that is taken as blocked
 
-/// No other way that costs so much is worth turning for.
+/// It can be driven, and no other way that costs so much is worth turning for.
 bool isHardlyDearer(double cost, double other_cost) {
-  return cost <= other_cost * (1.0 + kWorthTurning) + kWorthTurningMetres;
+  return std::isfinite(cost) && cost <= other_cost * (1.0 + kWorthTurning) + kWorthTurningMetres;
 }
 
 }  // namespace
@@ -115,7 +115,9 @@ bool RouteGuide::takeBetter(const Point2& here) {
   candidate_.swap(&found_);
   const double new_cost = candidate_.cost(memory_, finder_, kLookedAt);
   const std::uint32_t searched_cost = finder_.costToGo().cost(memory_.cellAt(here));
-  cost_scale_ = searched_cost > 0 ? new_cost / searched_cost : 0.0;
+  // Where the robot is nearer to something than any way may come, the begin of each way has no price.
+  cost_scale_ = std::isfinite(new_cost) && searched_cost > 0 ? new_cost / searched_cost
+                                                             : memory_.cellSize() / CostToGo::kStraight;
   const bool same_end =
       !route_.isEmpty() && distanceBetween(route_.route().points.back(), candidate_.route().points.back()) < 0.1;
   if (same_end && isHardlyDearer(route_.cost(memory_, finder_, kLookedAt), new_cost)) {
