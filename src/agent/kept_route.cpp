@@ -21,6 +21,10 @@ constexpr int kShare = 2;
 /// A point this near to the robot is behind it, m.
 constexpr double kPassed = 0.25;
 
+/// Corners are cut within this distance, m, where there is room all the way: a search pulls straight what is near, and
+/// not in one piece.
+constexpr double kPulled = 8.0;
+
 }  // namespace
 
 KeptRoute::KeptRoute(const AgentParameters& parameters) : reach_(reachOfChanges(parameters)) {
@@ -60,11 +64,11 @@ void KeptRoute::moveEnd(const Point2& end) {
 }
 
 void KeptRoute::measure() {
-  pieces_.resize(route_.points.size(), {0.0, 0.0f, kUnknown, false});
+  pieces_.resize(route_.points.size(), {0.0f, 0.0f, kUnknown, false});
   double rest = 0.0;
   for (std::size_t i = route_.points.size(); i-- > 0;) {
     const double length = i == 0 ? 0.0 : distanceBetween(route_.points[i - 1], route_.points[i]);
-    pieces_[i].rest = rest;
+    pieces_[i].rest = static_cast<float>(rest);
     pieces_[i].length = static_cast<float>(length);
     rest += length;
   }
@@ -85,6 +89,10 @@ void KeptRoute::advance(ObstacleMemory& memory, const Point2& here) {
     if (to_next > kPassed && !memory.isFree(here, points[next + 1], ObstacleMemory::Passage::kTight)) {
       break;
     }
+    ++next;
+  }
+  while (next + 1 < points.size() && distanceBetween(here, points[next + 1]) < kPulled &&
+         memory.isFree(here, points[next + 1], ObstacleMemory::Passage::kRoomy)) {
     ++next;
   }
   points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(next - 1));

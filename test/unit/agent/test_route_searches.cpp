@@ -59,8 +59,23 @@ TEST_F(RouteSearches, NoneIsMadeWhileTheRobotDrivesAlongAndNothingChanges) {
     ASSERT_EQ(guide_.update(returnsAt(wall_, pose)), Status::kRoute);
     ASSERT_EQ(guide_.searches(), 1) << "at " << pose.x << " " << pose.y;
     ASSERT_EQ(guide_.route().points.front().x, pose.x);
-    ASSERT_DOUBLE_EQ(guide_.route().length, lengthOf(guide_.route().points));
+    ASSERT_FLOAT_EQ(guide_.route().length, lengthOf(guide_.route().points));
   }
+}
+
+TEST_F(RouteSearches, CornersThatTheFirstHadAreCutOnTheWay) {
+  const Point2 goal{-25.0, 5.0};
+  guide_.begin(goal);
+  Pose2 pose;
+  double driven = 0.0;
+  while (distanceBetween(pose, goal) > 0.3) {
+    ASSERT_EQ(guide_.update(returnsAt({}, pose)), Status::kRoute);
+    const Point2 next = guide_.pointAhead(0.2);
+    driven += distanceBetween(pose, next);
+    pose = {next.x, next.y, directionTo(pose, next)};
+  }
+  // A search leads along cells, in eight directions, and pulls straight the first 8 m only.
+  EXPECT_LT(driven, 1.02 * distanceBetween(Point2{}, goal));
 }
 
 TEST_F(RouteSearches, NoneIsMadeForAnObstacleThatAppearsElsewhere) {
@@ -102,6 +117,25 @@ TEST_F(RouteSearches, OneIsMadeWhenTheRobotIsPushedOff) {
   ASSERT_EQ(guide_.update(returnsAt(wall_, {2.4, 4.2, 0.0})), Status::kRoute);
   EXPECT_EQ(guide_.searches(), 2);
   EXPECT_GT(highest(), 4.0);
+}
+
+TEST_F(RouteSearches, OneIsMadeForABlockedWayFromBesideADoorPost) {
+  // From here no straight line leads into the door, so that what the way costs is not known.
+  const Pose2 pose{0.24, 0.16, 0.0};
+  const Point2 goal{6.0, 0.0};
+  std::vector<Point2> places;
+  for (const double side : {-1.0, 1.0}) {
+    for (const Point2& point : test::wall({0.42, side * 0.22}, {0.42, side * 3.0})) places.push_back(point);
+  }
+  RouteGuide guide(kDefaults);
+  guide.begin(goal);
+  ASSERT_EQ(guide.update(returnsAt(places, pose)), Status::kRoute);
+  for (const Point2& point : test::wall({3.0, -1.0}, {3.0, 1.0})) places.push_back(point);
+  ASSERT_EQ(guide.update(returnsAt(places, pose)), Status::kRoute);
+  const std::vector<Point2>& points = guide.route().points;
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    EXPECT_TRUE(guide.isPassable(points[i - 1], points[i])) << "piece " << i;
+  }
 }
 
 TEST_F(RouteSearches, OneIsMadeForANewGoalAndNoneForOneThatMovesALittle) {
