@@ -1,5 +1,4 @@
 #include <benchmark/benchmark.h>
-#include <costmap_2d/cost_values.h>
 #include <costmap_2d/costmap_2d.h>
 #include <global_planner/planner_core.h>
 #include <malloc.h>
@@ -10,19 +9,16 @@
 #include <ros/ros.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
-#include <cmath>
 #include <fstream>
 #include <iostream>
-#include <limits>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "call_times.hpp"
+#include "costmap_course.hpp"
 #include "lstm_planner/ros/conversions.hpp"
 #include "lstm_planner/ros/plan_maker.hpp"
-#include "lstm_planner/simulation/floor_plan.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner {
@@ -32,114 +28,7 @@ constexpr char kMap[] = "map";
 constexpr char kOdometry[] = "odom";
 constexpr char kBase[] = "base_footprint";
 constexpr char kLaser[] = "laser";
-constexpr double kResolution = 0.05;  // m
-constexpr double kLongest = 60.0;     // s of a drive
-constexpr std::size_t kEvery = 5;     // scans a plan: two plans a second
-constexpr double kNear = 5.0;         // m of way to the near goal
-
-enum Goal { kNearGoal, kFarGoal };
-
-/// A furnished office building as large as the costmap, the robot in its middle.
-struct Course {
-  int size = 0;  ///< cells a side
-  Goal goal = kNearGoal;
-  std::unique_ptr<GridWorld> world;
-  std::unique_ptr<costmap_2d::Costmap2D> costmap;
-  DriveTask task;
-  RecordedDrive drive;
-};
-
-/// Cells in which the robot fits, with the length of the way there from the one in the middle.
-struct Ways {
-  explicit Ways(const GridWorld& world);
-  std::vector<CellIndex> places;
-  std::vector<double> lengths;  ///< m, by place; those that cannot be reached are left out
-  CellIndex middle;
-};
-
-Ways::Ways(const GridWorld& world) {
-  const ShieldParameters shield;
-  const OccupancyGrid& grid = world.grid();
-  GeodesicField::Options options;
-  options.clearance = shield.footprint_radius + shield.clearance + 0.5 * kResolution;
-  const Point2 center{0.5 * kResolution * grid.columns(), 0.5 * kResolution * grid.rows()};
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const CellIndex cell{column, row};
-      const double distance = distanceBetween(grid.centerOf(cell), center);
-      if (world.distances().at(cell) < options.clearance || distance >= nearest) continue;
-      nearest = distance;
-      middle = cell;
-    }
-  }
-  const GeodesicField from_middle(grid, world.distances(), middle, options);
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      if (!std::isfinite(from_middle.at({column, row}))) continue;
-      places.push_back({column, row});
-      lengths.push_back(from_middle.at({column, row}));
-    }
-  }
-}
-
-/// The near goal is `kNear` metres of way off, the far one as near to the costmap's upper right corner as can be.
-DriveTask chooseTask(const GridWorld& world, Goal goal) {
-  const Ways ways(world);
-  const OccupancyGrid& grid = world.grid();
-  std::size_t best = 0;
-  const auto badness = [&](std::size_t i) {
-    if (goal == kNearGoal) return std::abs(ways.lengths[i] - kNear);
-    return std::hypot(grid.columns() - ways.places[i].column, grid.rows() - ways.places[i].row);
-  };
-  for (std::size_t i = 1; i < ways.places.size(); ++i) {
-    if (badness(i) < badness(best)) best = i;
-  }
-  const Point2 start = grid.centerOf(ways.middle);
-  return {{start.x, start.y, 0.0}, grid.centerOf(ways.places[best]), 0.0};
-}
-
-/// What obstacle and inflation layer would make of the world, with the parameters of costmaps.yaml.
-std::unique_ptr<costmap_2d::Costmap2D> makeCostmap(const GridWorld& world) {
-  constexpr double kRobotRadius = 0.175;
-  constexpr double kInflationRadius = 0.5;
-  constexpr double kScaling = 6.0;
-  const OccupancyGrid& grid = world.grid();
-  auto costmap = std::make_unique<costmap_2d::Costmap2D>(grid.columns(), grid.rows(), kResolution, 0.0, 0.0);
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const double distance = world.distances().at({column, row});
-      unsigned char cost = costmap_2d::FREE_SPACE;
-      if (distance <= 0.0) {
-        cost = costmap_2d::LETHAL_OBSTACLE;
-      } else if (distance <= kRobotRadius) {
-        cost = costmap_2d::INSCRIBED_INFLATED_OBSTACLE;
-      } else if (distance <= kInflationRadius) {
-        cost = static_cast<unsigned char>((costmap_2d::INSCRIBED_INFLATED_OBSTACLE - 1) *
-                                          std::exp(-kScaling * (distance - kRobotRadius)));
-      }
-      costmap->setCost(static_cast<unsigned>(column), static_cast<unsigned>(row), cost);
-    }
-  }
-  return costmap;
-}
-
-/// The last one is kept: benchmarks of one size and goal come one after another.
-const Course& course(int size, Goal goal) {
-  static Course course;
-  if (course.size == size && course.goal == goal) return course;
-  course = Course();
-  course.size = size;
-  course.goal = goal;
-  FloorPlanParameters plan;
-  plan.width = plan.height = kResolution * size;
-  plan.resolution = kResolution;
-  course.world = std::make_unique<GridWorld>(generateFloorPlan(plan, 1));
-  course.task = chooseTask(*course.world, goal);
-  course.costmap = makeCostmap(*course.world);
-  course.drive = recordDrive("floor plan", *course.world, course.task, kLongest, 1);
-  return course;
-}
+constexpr std::size_t kEvery = 5;  // scans a plan: two plans a second
 
 geometry_msgs::PoseStamped stamped(const Pose2& pose) {
   geometry_msgs::PoseStamped message;
