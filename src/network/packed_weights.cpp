@@ -46,10 +46,11 @@ StepActivation stepActivation(Activation activation) {
 }
 
 LayerMatrices matrices(const LstmLayer& layer, int inputs) {
+  enum Gate { kInput, kOutput, kForget, kCandidate };  // as LstmLayer has them
   const int cells = static_cast<int>(layer.recurrent.cols());
   const float candidate_factor = layer.candidate == Activation::kSigmoid ? 0.5f : 1.0f;
   return {{LayerKind::kLstm, stepActivation(layer.candidate), inputs, cells},
-          {0.5f, 0.5f, 0.5f, candidate_factor},
+          {{kInput, 0.5f}, {kForget, 0.5f}, {kCandidate, candidate_factor}, {kOutput, 0.5f}},
           layer.bias,
           layer.recurrent,
           layer.input};
@@ -57,7 +58,7 @@ LayerMatrices matrices(const LstmLayer& layer, int inputs) {
 LayerMatrices matrices(const RecurrentLayer& layer, int inputs) {
   const int units = static_cast<int>(layer.recurrent.cols());
   return {{LayerKind::kRecurrent, StepActivation::kTanh, inputs, units},
-          {1.0f},
+          {{0, 1.0f}},
           layer.bias,
           layer.recurrent,
           layer.input};
@@ -65,7 +66,7 @@ LayerMatrices matrices(const RecurrentLayer& layer, int inputs) {
 LayerMatrices matrices(const DenseLayer& layer, int inputs) {
   const int outputs = static_cast<int>(layer.weights.rows());
   return {{LayerKind::kDense, stepActivation(layer.activation), inputs, outputs},
-          {1.0f},
+          {{0, 1.0f}},
           layer.bias,
           MatrixXf(),
           layer.weights};
@@ -87,7 +88,7 @@ struct Item {
     return roundedUp(static_cast<std::size_t>(layer->shape.units), lanes) / lanes;
   }
   std::size_t columnSize() const {
-    return layer->gate_factors.size() * blocks() * static_cast<std::size_t>(kernel->lanes);
+    return layer->gates.size() * blocks() * static_cast<std::size_t>(kernel->lanes);
   }
   std::size_t size() const { return columnSize() * static_cast<std::size_t>(matrix.cols()); }
 };
@@ -98,17 +99,16 @@ float packedWeight(float weight) { return std::abs(weight) < std::numeric_limits
 void write(const Item& item, float* weights) {
   const int units = item.layer->shape.units;
   const int lanes = item.kernel->lanes;
-  const auto gates = static_cast<int>(item.layer->gate_factors.size());
+  const auto gates = static_cast<int>(item.layer->gates.size());
   int rest = static_cast<int>(item.blocks());
   for (int unit = 0, vector = 0; rest > 0;) {
     const int blocks = tileBlocks(rest, item.kernel->blocks_a_tile);
     const int stride = item.packed->column_stride > 0 ? item.packed->column_stride : gates * blocks * lanes;
     for (int column = 0; column < item.packed->columns; ++column) {
       float* to = weights + vector * item.packed->vector_stride + column * stride;
-      for (int gate = 0; gate < gates; ++gate) {
-        const float factor = item.layer->gate_factors[static_cast<std::size_t>(gate)];
+      for (const PackedGate& gate : item.layer->gates) {
         for (int row = unit; row < unit + blocks * lanes; ++row) {
-          *to++ = row < units ? packedWeight(item.matrix(gate * units + row, column) * factor) : 0.0f;
+          *to++ = row < units ? packedWeight(item.matrix(gate.block * units + row, column) * gate.factor) : 0.0f;
         }
       }
     }

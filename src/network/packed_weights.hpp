@@ -13,10 +13,15 @@ struct alignas(64) CacheLine {
   float values[16];
 };
 
-/// A layer as its kernel sees it, before it is packed. The gates' rows lie one above the other.
+struct PackedGate {
+  int block;     ///< its place in the matrices, whose rows are the gates one above the other
+  float factor;  ///< what its sums are wanted with
+};
+
+/// A layer as its kernel sees it, before it is packed.
 struct LayerMatrices {
   LayerShape shape;
-  std::vector<float> gate_factors;  ///< what each gate's sums are wanted with
+  std::vector<PackedGate> gates;  ///< in the order in which they are packed
   Eigen::VectorXf bias;
   Eigen::MatrixXf recurrent;  ///< empty for a layer that remembers nothing
   Eigen::MatrixXf input;

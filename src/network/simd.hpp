@@ -190,13 +190,6 @@ LSTM_PLANNER_INLINE V clamp(V value, float limit) {
   return maximum(minimum(value, broadcast<V>(limit)), broadcast<V>(-limit));
 }
 
-#if defined(__AVX2__)
-/// One lane in all, without a way through memory.
-LSTM_PLANNER_INLINE Floats<8> broadcastLane(Floats<8> v, int lane) {
-  return _mm256_permutevar8x32_ps(v, _mm256_set1_epi32(lane));
-}
-#endif
-
 /// 0 where the value is so small that products with it would soon be denormal, on which processors are slow.
 template <class V>
 LSTM_PLANNER_INLINE V flushTiny(V value) {

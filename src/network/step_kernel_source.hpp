@@ -70,13 +70,13 @@ LSTM_PLANNER_INLINE LstmCells<V> lstmCells(const Group<V, 4>& sums, const float*
   const auto twiceSigmoid = [](const TanhTerms<Group<V, 2>>& terms, int gate) __attribute__((always_inline)) {
     return multiplyAdd(terms.limited_x.of[gate], terms.p.of[gate], terms.q.of[gate]);
   };
-  const TanhTerms<Group<V, 2>> input_candidate = tanhTerms(Group<V, 2>{{sums.of[0], sums.of[3]}});
+  const TanhTerms<Group<V, 2>> input_candidate = tanhTerms(Group<V, 2>{{sums.of[0], sums.of[2]}});
   const V half_candidate = kCandidate == StepActivation::kTanh
                                ? half * input_candidate.limited_x.of[1] * input_candidate.p.of[1]
                                : half * half * twiceSigmoid(input_candidate, 1);
   const V update =
       (twiceSigmoid(input_candidate, 0) * half_candidate) / (input_candidate.q.of[0] * input_candidate.q.of[1]);
-  const TanhTerms<Group<V, 2>> forget_output = tanhTerms(Group<V, 2>{{sums.of[2], sums.of[1]}});
+  const TanhTerms<Group<V, 2>> forget_output = tanhTerms(Group<V, 2>{{sums.of[1], sums.of[3]}});
   const V forget = twiceSigmoid(forget_output, 0) / forget_output.q.of[0];
   return {multiplyAdd(forget, half * load<V>(cells), update),
           {half * twiceSigmoid(forget_output, 1), forget_output.q.of[1]}};
