@@ -124,6 +124,7 @@ class LstmPair {
     return lstmCells<Cells, StepActivation::kTanh>(Group<Cells, 4>{{sums[0], sums[1], sums[2], sums[3]}}, cells);
   }
 #if defined(__AVX512F__)
+  /// Input gate and forget gate, candidate and output gate: what is multiplied first lies in the same lanes.
   static LSTM_PLANNER_INLINE LstmCells<Cells> cellsOf(const Floats<16> (&sums)[2], const float* cells) {
     typedef Floats<16> V;
     const TanhTerms<Group<V, 2>> terms = tanhTerms(Group<V, 2>{{sums[0], sums[1]}});
