@@ -7,8 +7,11 @@
 #include <ros/callback_queue.h>
 #include <ros/master.h>
 #include <ros/ros.h>
+#include <sensor_msgs/LaserScan.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>

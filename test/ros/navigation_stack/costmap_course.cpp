@@ -3,6 +3,7 @@
 #include <costmap_2d/cost_values.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
