@@ -3,11 +3,9 @@
 namespace lstm_planner {
 
 Observation observe(const Situation& situation, const Point2& goal, double previous_action, double position_cell,
-                    const RouteGuide* guide, double step_length, PlaceTrace* trace) {
-  constexpr double kVisitRadius = 0.8;  // m to the places whose visits the network is told
+                    const RouteGuide* guide, double step_length, DriveTrace* trace) {
   Observation observation = observe(situation.sectors, situation.pose, goal, previous_action, position_cell);
-  trace->visit({situation.pose.x, situation.pose.y});
-  observation.visits = trace->around(situation.pose, kVisitRadius);
+  trace->look(situation.pose, &observation);
   if (guide != nullptr) {
     observation.route_bearing = guide->bearingAhead(situation.pose, step_length);
     observation.route_length = guide->route().length;

@@ -6,58 +6,77 @@
 namespace lstm_planner {
 namespace {
 
-constexpr int kEntries = PlaceTrace::kWindow * PlaceTrace::kWindow;
+constexpr std::size_t kEntries = static_cast<std::size_t>(PlaceTrace::kWindow * PlaceTrace::kWindow);
+constexpr double kFarthest = 1e6;       ///< m from the origin
+constexpr int kLastStamp = (1 << 14) - 1;
+constexpr int kWindowBits = 7;
 
-/// m; a thousand windows from the origin.
-constexpr double kFarthest = 1000.0 * PlaceTrace::kWindow * PlaceTrace::kCellSize;
+/// The lowest bits of a number of windows, with its sign.
+int wrapped(int windows) {
+  constexpr int kRange = 1 << kWindowBits;
+  return ((windows + kRange / 2) & (kRange - 1)) - kRange / 2;
+}
 
 }  // namespace
 
-PlaceTrace::PlaceTrace() : entries_(kEntries) {}
+PlaceTrace::PlaceTrace() : entries_(kPlaceScales * kEntries) {}
 
 void PlaceTrace::clear() {
   std::fill(entries_.begin(), entries_.end(), Entry{});
+  now_ = 0;
   is_somewhere_ = false;
 }
 
-bool PlaceTrace::placeOf(const Point2& position, Place* place) {
+bool PlaceTrace::placeOf(Scale scale, const Point2& position, Place* place) {
   if (!(std::abs(position.x) < kFarthest && std::abs(position.y) < kFarthest)) return false;
-  const int column = static_cast<int>(std::floor(position.x / kCellSize));
-  const int row = static_cast<int>(std::floor(position.y / kCellSize));
-  const auto window_of = [](int index) { return index >= 0 ? index / kWindow : -1 - (-1 - index) / kWindow; };
-  const int window_column = window_of(column);
-  const int window_row = window_of(row);
-  place->entry = static_cast<std::size_t>((row - window_row * kWindow) * kWindow + (column - window_column * kWindow));
-  place->column = static_cast<std::int16_t>(window_column);
-  place->row = static_cast<std::int16_t>(window_row);
+  const double size = kCellSizes[static_cast<std::size_t>(scale)];
+  const int column = static_cast<int>(std::floor(position.x / size));
+  const int row = static_cast<int>(std::floor(position.y / size));
+  static_assert((kWindow & (kWindow - 1)) == 0, "remainders are taken by bits, of negative numbers as well");
+  const int inside = (row & (kWindow - 1)) * kWindow + (column & (kWindow - 1));
+  const auto windows = [](int index) { return index >= 0 ? index / kWindow : -1 - (-1 - index) / kWindow; };
+  place->entry = static_cast<std::size_t>(scale) * kEntries + static_cast<std::size_t>(inside);
+  place->column = wrapped(windows(column));
+  place->row = wrapped(windows(row));
   return true;
 }
 
-void PlaceTrace::visit(const Point2& position) {
-  Place place;
-  if (!placeOf(position, &place) || (is_somewhere_ && place == here_)) return;
-  here_ = place;
-  is_somewhere_ = true;
-  Entry& entry = entries_[place.entry];
-  if (entry.column != place.column || entry.row != place.row) entry = Entry(place.column, place.row, 0);
-  entry.count = static_cast<std::uint8_t>(std::min(kMostVisits, static_cast<int>(entry.count) + 1));
-}
-
-int PlaceTrace::at(const Point2& position) const {
-  Place place;
-  if (!placeOf(position, &place)) return 0;
-  const Entry& entry = entries_[place.entry];
-  return entry.column == place.column && entry.row == place.row ? static_cast<int>(entry.count) : 0;
-}
-
-std::array<double, kPlaceDirections> PlaceTrace::around(const Pose2& pose, double radius) const {
-  std::array<double, kPlaceDirections> visits{};
-  for (int i = 0; i < kPlaceDirections; ++i) {
-    visits[static_cast<std::size_t>(i)] = at(pointAlong(pose, pose.yaw + i * M_PI_4, radius));
+/// Makes room for later stamps; ages up to kLongestAge stay as they are.
+void PlaceTrace::forgetStamps() {
+  const int oldest = now_ - kLongestAge;
+  for (Entry& entry : entries_) {
+    entry.stamp = static_cast<std::uint32_t>(std::max(0, static_cast<int>(entry.stamp) - oldest)) & kLastStamp;
   }
-  return visits;
+  now_ -= oldest;
 }
 
-std::size_t PlaceTrace::bytes() { return sizeof(PlaceTrace) + kEntries * sizeof(Entry); }
+void PlaceTrace::visit(const Point2& position) {
+  if (now_ == kLastStamp) forgetStamps();
+  ++now_;
+  std::array<Place, kPlaceScales> places;
+  for (std::size_t scale = 0; scale < places.size(); ++scale) {
+    if (!placeOf(static_cast<Scale>(scale), position, &places[scale])) return;
+  }
+  for (std::size_t scale = 0; scale < places.size(); ++scale) {
+    const Place& place = places[scale];
+    Entry& entry = entries_[place.entry];
+    const bool stays = is_somewhere_ && place.entry == here_[scale].entry && here_[scale].isOf(entry) && place.isOf(entry);
+    if (!place.isOf(entry)) entry = Entry(place.column, place.row);
+    if (!stays) entry.count = std::min<std::uint32_t>(kMostVisits, entry.count + 1u) & 0xfu;
+    entry.stamp = static_cast<std::uint32_t>(now_) & kLastStamp;
+  }
+  here_ = places;
+  is_somewhere_ = true;
+}
+
+PlaceVisit PlaceTrace::at(Scale scale, const Point2& position) const {
+  Place place;
+  if (!placeOf(scale, position, &place)) return {};
+  const Entry& entry = entries_[place.entry];
+  if (entry.count == 0 || !place.isOf(entry)) return {};
+  return {static_cast<int>(entry.count), now_ - static_cast<int>(entry.stamp)};
+}
+
+std::size_t PlaceTrace::bytes() { return sizeof(PlaceTrace) + kPlaceScales * kEntries * sizeof(Entry); }
 
 }  // namespace lstm_planner

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "lstm_planner/agent/drive_trace.hpp"
 #include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
@@ -51,9 +52,12 @@ class RecordingReader {
     return labels;
   }
 
-  void encode(const DriveStep& step, double previous_action, Eigen::Ref<Eigen::VectorXf> input) const {
+  /// `trace`: of the episode's steps before.
+  void encode(const DriveStep& step, double previous_action, DriveTrace* trace,
+              Eigen::Ref<Eigen::VectorXf> input) const {
     Observation observation = observe(sectors(step), step.pose, step.goal, previous_action,
                                       encoder_.parameters().position_cell);
+    trace->look(step.pose, &observation);
     observation.route_bearing = step.observation.route_bearing;
     observation.route_length = step.observation.route_length;
     observation.visits = step.observation.visits;
@@ -117,9 +121,10 @@ Sequence toSequence(const RecordedEpisode& episode, const RecordingReader& reade
   const auto steps = static_cast<Eigen::Index>(episode.steps.size());
   const std::vector<int> labels = reader.labels(episode);
   Sequence sequence{Eigen::MatrixXf(encoder.size(), steps), Eigen::VectorXi(steps), Eigen::VectorXf::Ones(steps)};
+  DriveTrace trace;
   for (Eigen::Index step = 0; step < steps; ++step) {
     const auto i = static_cast<std::size_t>(step);
-    reader.encode(episode.steps[i], i == 0 ? 0.0 : actions.angle(labels[i - 1]), sequence.inputs.col(step));
+    reader.encode(episode.steps[i], i == 0 ? 0.0 : actions.angle(labels[i - 1]), &trace, sequence.inputs.col(step));
     sequence.labels[step] = labels[i];
   }
   return sequence;

@@ -178,7 +178,7 @@ ImitationResult imitate(const ImitationParameters& parameters, const ProgressCal
                         const RoundCallback& round_done) {
   validate(parameters);
   const Encoder encoder(parameters.policy.encoder);
-  LayerStack layers = makeLstmStack(encoder.size(), parameters.cells, parameters.policy.actions.size());
+  LayerStack layers = makeNetwork(encoder.size(), parameters.shape, parameters.policy.actions.size());
   initialise({}, parameters.seed, layers);
 
   // Training costs little beside the simulation: progress counts worlds.

@@ -1,6 +1,7 @@
 #include "lstm_planner/perception/encoder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <locale>
@@ -14,6 +15,16 @@ namespace {
 
 constexpr double kSmallestScale = 1e-3;
 constexpr double kLargestScale = 1e6;
+constexpr double kMostLogSteps = 13.0;  ///< log2 of the longest time in steps that is told apart
+constexpr std::array<const char*, kPlaceScales> kPlaceNames = {"step", "room", "hall"};
+
+double freshness(double visits, double age) {
+  if (!(visits > 0.0)) return 0.0;
+  return std::max(0.0, 1.0 - std::log2(std::max(0.0, age) + 1.0) / kMostLogSteps);
+}
+
+/// Grows with a count and stays below 1.
+double frequency(double count) { return std::max(0.0, count) / (std::max(0.0, count) + 2.0); }
 
 // The classic locale: a decimal comma of the user's locale must not change a model file.
 std::string toText(double value) {
@@ -145,18 +156,31 @@ Encoder::Input Encoder::inputNamed(const std::string& name) {
                                                          {"previous_action", Feature::kPreviousAction},
                                                          {"route_bearing_sin", Feature::kRouteBearingSin},
                                                          {"route_bearing_cos", Feature::kRouteBearingCos},
-                                                         {"route_detour", Feature::kRouteDetour}};
+                                                         {"route_detour", Feature::kRouteDetour},
+                                                         {"room_visits", Feature::kRoomVisits},
+                                                         {"behind_best", Feature::kBehindBest},
+                                                         {"steps_since_best", Feature::kStepsSinceBest},
+                                                         {"motion_forward", Feature::kMotionForward},
+                                                         {"motion_left", Feature::kMotionLeft},
+                                                         {"motion_turn", Feature::kMotionTurn}};
   static const std::map<std::string, Feature> kNumbered = {
       {"sector_", Feature::kSector}, {"event_", Feature::kEvent}, {"visits_", Feature::kVisits}};
   const auto single = kSingle.find(name);
-  if (single != kSingle.end()) return {single->second, 0};
+  if (single != kSingle.end()) return {single->second, 0, 0};
   std::string stem;
   std::size_t index = 0;
   if (splitNumbered(name, &stem, &index)) {
     const auto numbered = kNumbered.find(stem);
-    if (numbered != kNumbered.end()) return {numbered->second, index};
+    if (numbered != kNumbered.end()) return {numbered->second, index, 0};
+    for (std::size_t scale = 0; scale < kPlaceNames.size(); ++scale) {
+      if (stem == std::string(kPlaceNames[scale]) + "_visits_") return {Feature::kPlaceVisits, index, scale};
+      if (stem == std::string(kPlaceNames[scale]) + "_freshness_") return {Feature::kPlaceFreshness, index, scale};
+    }
   }
   std::string expected = "sector_0 .. sector_7, event_0 .. event_7, visits_0 .. visits_7";
+  for (const char* place : kPlaceNames) {
+    expected += std::string(", ") + place + "_visits_0 .. 7, " + place + "_freshness_0 .. 7";
+  }
   for (const auto& entry : kSingle) expected += ", " + entry.first;
   throw std::invalid_argument("input_layout names '" + name + "', expected one of " + expected);
 }
@@ -209,6 +233,25 @@ double Encoder::value(const Input& input, const Observation& observation) const 
       const double visits = std::max(0.0, observation.visits[input.index]);
       return visits / (visits + 1.0);
     }
+    case Feature::kPlaceVisits:
+      return frequency(observation.places[input.scale].visits[input.index]);
+    case Feature::kPlaceFreshness:
+      return freshness(observation.places[input.scale].visits[input.index],
+                       observation.places[input.scale].ages[input.index]);
+    case Feature::kRoomVisits:
+      return frequency(observation.room_visits);
+    case Feature::kBehindBest: {
+      const double behind = std::max(0.0, observation.behind_best);
+      return behind / (behind + parameters_.distance_scale);
+    }
+    case Feature::kStepsSinceBest:
+      return std::min(1.0, std::log2(std::max(0.0, observation.steps_since_best) + 1.0) / kMostLogSteps);
+    case Feature::kMotionForward:
+      return std::clamp(observation.motion.x, -1.0, 1.0);
+    case Feature::kMotionLeft:
+      return std::clamp(observation.motion.y, -1.0, 1.0);
+    case Feature::kMotionTurn:
+      return normalizeAngle(observation.turn) / parameters_.action_scale;
   }
   return 0.0;
 }

@@ -23,19 +23,30 @@ constexpr int kJudgements = 10;
 
 struct ReinforcementOptions : RobotTrainingOptions {
   std::string init;
+  RobotNetworkOptions network;
   std::string checkpoint;
   DriveActorCriticParameters learner;
   nlohmann::json settings;
 };
 
+/// A model to begin with has its own inputs and shape.
+void finishNetwork(const boost::program_options::variables_map& values, ReinforcementOptions* options) {
+  if (!options->init.empty()) {
+    checkModelDecides(values);
+    return;
+  }
+  finishRobotNetworkOptions(values, &options->network, &options->learner.policy.encoder);
+  if (values["sharpness"].defaulted()) options->learner.sharpness = 1.0;  // there is nothing to sharpen yet
+}
+
 bool readOptions(const std::vector<std::string>& arguments, ReinforcementOptions* options) {
   namespace po = boost::program_options;
   DriveActorCriticParameters& p = options->learner;
-  po::options_description description("the robot, by reinforcement of a network that drives already");
+  po::options_description description("the robot, by reinforcement: of a network that drives already, or of a new one");
   addRobotTrainingOptions(options, &description);
   // clang-format off
   description.add_options()
-      ("init", po::value(&options->init)->required(), "model file to begin with; decides inputs and shape")
+      ("init", po::value(&options->init), "model file to begin with; decides inputs and shape")
       ("checkpoint", po::value(&options->checkpoint), "file to go on from and to write to")
       ("iterations", po::value(&p.iterations)->default_value(p.iterations), "of collecting and learning")
       ("worlds", po::value(&p.worlds)->default_value(p.worlds), "an iteration")
@@ -46,10 +57,12 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementOptions
       ("sharpness", po::value(&p.sharpness)->default_value(p.sharpness), "times the first network's preferences")
       ("clip", po::value(&p.clip)->default_value(p.clip), "how far a probability may change at once");
   // clang-format on
+  addRobotNetworkOptions(&options->network, &p.policy.encoder, &description);
   addActorCriticOptions("m", &p, &description);
   po::variables_map values;
   if (!parseOptions("train", description, arguments, &values)) return false;
   finishRobotTrainingOptions(arguments, options);
+  finishNetwork(values, options);
   p.course = options->course;
   p.max_steps = options->max_steps;
   p.seed = options->seed;
@@ -57,6 +70,11 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementOptions
   options->settings = settingsOf(*options);
   options->settings.update({{"method", "actor-critic"},
                             {"init", options->init},
+                            {"inputs", p.policy.encoder.input_layout},
+                            {"network", options->network.network},
+                            {"cells", options->network.shape.cells},
+                            {"deep-in", options->network.shape.deep_in},
+                            {"deep-out", options->network.shape.deep_out},
                             {"iterations", p.iterations},
                             {"worlds", p.worlds},
                             {"goals", p.goals},
@@ -67,6 +85,19 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementOptions
                             {"clip", p.clip}});
   options->settings.update(actorCriticSettings(p));
   return true;
+}
+
+LayerStack firstLayers(ReinforcementOptions* options) {
+  PolicyDescription& policy = options->learner.policy;
+  if (!options->init.empty()) {
+    Model model = readModelFile(options->init);
+    policy = readPolicyDescription(model.metadata);
+    return std::move(model.layers);
+  }
+  const int inputs = static_cast<int>(policy.encoder.input_layout.size());
+  LayerStack layers = makeNetwork(inputs, options->network.shape, policy.actions.size());
+  initialise({}, options->seed, layers);
+  return layers;
 }
 
 class RobotReinforcement {
@@ -148,10 +179,9 @@ class RobotReinforcement {
 int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
   ReinforcementOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  Model model = readModelFile(options.init);
-  options.learner.policy = readPolicyDescription(model.metadata);
+  LayerStack layers = firstLayers(&options);
   checkWritable(options.output);
-  return RobotReinforcement(options, std::move(model.layers)).run();
+  return RobotReinforcement(options, std::move(layers)).run();
 }
 
 }  // namespace lstm_planner

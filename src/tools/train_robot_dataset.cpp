@@ -111,11 +111,11 @@ class DatasetTraining {
       return;
     }
     policy = policyOf(training);
-    policy.encoder.position_cell = options_.position_cell;
-    policy.encoder.event_range = options_.event_range;
-    addInputs(options_.inputs, &policy.encoder);
+    const double range_cap = policy.encoder.range_cap;
+    policy.encoder = options_.encoder;
+    policy.encoder.range_cap = range_cap;
     const int inputs = static_cast<int>(policy.encoder.input_layout.size());
-    layers_ = makeLstmStack(inputs, options_.cells, policy.actions.size());
+    layers_ = makeNetwork(inputs, options_.network.shape, policy.actions.size());
     initialise({}, options_.seed, layers_);
   }
 

@@ -64,12 +64,9 @@ void addNetworkOptions(DatasetTrainingOptions* o, po::options_description* all) 
   // clang-format off
   description.add_options()
       ("init", po::value(&o->init), "model file to begin with; decides inputs and shape")
-      ("inputs", po::value(&o->inputs)->multitoken(), "beside the thesis's: events, visits, route")
-      ("event-range", withDefault(&o->event_range), "m; nearer is an event")
-      ("position-cell", withDefault(&o->position_cell), "m, to which the odometry is rounded; 0: not at all")
-      ("cells", po::value(&o->cells)->multitoken(), "memory cells of each LSTM layer (default: 8 8)")
       ("output", po::value(&o->output)->required(), "ONNX file to write");
   // clang-format on
+  addRobotNetworkOptions(&o->network, &o->encoder, &description);
   all->add(description);
 }
 
@@ -110,11 +107,7 @@ void check(const po::variables_map& values, const DatasetTrainingOptions& o) {
   if (values.count("method") > 0 && values["method"].as<std::string>() != "dataset") {
     throw std::invalid_argument("--dataset and --method " + values["method"].as<std::string>() + " exclude each other");
   }
-  for (const char* decided : {"inputs", "event-range", "position-cell", "cells"}) {
-    if (o.fromModel() && values.count(decided) > 0 && !values[decided].defaulted()) {
-      throw std::invalid_argument(std::string("--") + decided + " is decided by the model of --init");
-    }
-  }
+  if (o.fromModel()) checkModelDecides(values);
   if (!o.validation_datasets.empty() && !values["validation-share"].defaulted()) {
     throw std::invalid_argument("--validation-dataset and --validation-share exclude each other");
   }
@@ -143,6 +136,7 @@ bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, Datas
   options->training.trainer.communicator = ranks();
   validate(options->training);
   check(values, *options);
+  if (!options->fromModel()) finishRobotNetworkOptions(values, &options->network, &options->encoder);
   return true;
 }
 

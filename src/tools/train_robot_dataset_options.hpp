@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lstm_planner/learning/dataset_training.hpp"
+#include "tools/train_robot_options.hpp"
 
 namespace lstm_planner {
 
@@ -17,16 +18,14 @@ struct DatasetTrainingOptions {
   double validation_share = 0.25;  ///< of the steps, where there are no validation_datasets
   std::string preset = "stable";
   std::string init;  ///< model to begin with; empty: a new network
-  std::vector<std::string> inputs;
-  std::vector<int> cells = {8, 8};
+  RobotNetworkOptions network;
+  EncoderParameters encoder;  ///< of a new network; the range cap is the recordings'
   std::string output;
   std::string curve;      ///< PNG files; empty: none
   std::string confusion;
   std::string stability;
   std::uint64_t seed = 1;
   DatasetTrainingParameters training;  ///< `sequences.policy` is not known yet
-  double position_cell = 0.0;          ///< m
-  double event_range = 1.0;            ///< m
 
   bool fromModel() const { return !init.empty(); }
 };

@@ -15,7 +15,7 @@ namespace {
 
 struct ImitationOptions : RobotTrainingOptions {
   std::string curve;
-  std::vector<std::string> inputs;
+  RobotNetworkOptions network;
   ImitationParameters imitation;
 };
 
@@ -24,18 +24,13 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   ImitationParameters& imitation = options->imitation;
   imitation.trainer.epochs = 12;
   imitation.trainer.optimiser.learning_rate = 0.01;
-  EncoderParameters& encoder = imitation.policy.encoder;
   po::options_description description(
       "the robot, by imitation in generated worlds; --method actor-critic learns on by reinforcement");
   addRobotTrainingOptions(options, &description);
+  addRobotNetworkOptions(&options->network, &imitation.policy.encoder, &description);
   // clang-format off
   description.add_options()
-      ("inputs", po::value(&options->inputs)->multitoken(), "beside the thesis's: events, visits, route")
-      ("event-range", po::value(&encoder.event_range)->default_value(encoder.event_range), "m; nearer is an event")
-      ("position-cell", po::value(&encoder.position_cell)->default_value(encoder.position_cell),
-       "m, to which the odometry is rounded; 0: not at all")
       ("curve", po::value(&options->curve), "PNG file for the accuracy curve; a CSV file is written beside it")
-      ("cells", po::value(&imitation.cells)->multitoken(), "memory cells of each LSTM layer (default: 8 8)")
       ("rounds", po::value(&imitation.rounds)->default_value(imitation.rounds), "of collecting and training")
       ("worlds", po::value(&imitation.worlds)->default_value(imitation.worlds), "a round")
       ("goals", po::value(&imitation.goals)->default_value(imitation.goals), "a world")
@@ -49,7 +44,8 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   po::variables_map values;
   if (!parseOptions("train", description, arguments, &values)) return false;
   finishRobotTrainingOptions(arguments, options);
-  addInputs(options->inputs, &encoder);
+  finishRobotNetworkOptions(values, &options->network, &imitation.policy.encoder);
+  imitation.shape = options->network.shape;
   imitation.course = options->course;
   imitation.validation_worlds = options->validation;
   imitation.max_steps = options->max_steps;

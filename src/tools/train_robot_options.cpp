@@ -8,6 +8,43 @@
 
 namespace lstm_planner {
 
+void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder,
+                            boost::program_options::options_description* description) {
+  namespace po = boost::program_options;
+  // clang-format off
+  description->add_options()
+      ("inputs", po::value(&options->inputs)->multitoken(),
+       "beside the thesis's: events (a sector below --event-range), visits (how often it was at the places a step "
+       "away), trace (the same on three scales, how long ago, and its progress), motion (since the last step), route "
+       "(where the way through the remembered obstacles begins)")
+      ("event-range", po::value(&encoder->event_range)->default_value(encoder->event_range), "m; nearer is an event")
+      ("position-cell", po::value(&encoder->position_cell)->default_value(encoder->position_cell),
+       "m, to which the odometry is rounded; 0: not at all")
+      ("network", po::value(&options->network)->default_value(options->network), "lstm, rnn or mlp")
+      ("cells", po::value(&options->shape.cells)->multitoken(),
+       "of each recurrent layer, or units of each layer of an mlp (default: 8 8; of an mlp 64 64)")
+      ("deep-in", po::value(&options->shape.deep_in)->multitoken(),
+       "units of each dense layer before the recurrent ones")
+      ("deep-out", po::value(&options->shape.deep_out)->multitoken(),
+       "units of each dense layer behind the recurrent ones");
+  // clang-format on
+}
+
+void checkModelDecides(const boost::program_options::variables_map& values) {
+  for (const char* decided : {"inputs", "event-range", "position-cell", "network", "cells", "deep-in", "deep-out"}) {
+    if (values.count(decided) == 0 || values[decided].defaulted()) continue;
+    throw std::invalid_argument(std::string("--") + decided + " is decided by the model of --init");
+  }
+}
+
+void finishRobotNetworkOptions(const boost::program_options::variables_map& values, RobotNetworkOptions* options,
+                               EncoderParameters* encoder) {
+  addInputs(options->inputs, encoder);
+  options->shape.kind = networkKindNamed(options->network);
+  if (values.count("cells") == 0 && options->shape.kind == NetworkShape::Kind::kMlp) options->shape.cells = {64, 64};
+  makeNetwork(static_cast<int>(encoder->input_layout.size()), options->shape, 1);  // throws
+}
+
 void addRobotTrainingOptions(RobotTrainingOptions* options, boost::program_options::options_description* description) {
   namespace po = boost::program_options;
   RobotTrainingOptions& o = *options;
@@ -62,8 +99,17 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
       for (int i = 0; i < kPlaceDirections; ++i) layout.push_back("visits_" + std::to_string(i));
     } else if (group == "events") {
       for (int i = 0; i < kSectorCount; ++i) layout.push_back("event_" + std::to_string(i));
+    } else if (group == "trace") {
+      for (const char* name : {"step_visits_", "step_freshness_", "room_visits_", "room_freshness_", "hall_visits_",
+                               "hall_freshness_"}) {
+        for (int i = 0; i < kPlaceDirections; ++i) layout.push_back(name + std::to_string(i));
+      }
+      layout.insert(layout.end(), {"room_visits", "behind_best", "steps_since_best"});
+    } else if (group == "motion") {
+      layout.insert(layout.end(), {"motion_forward", "motion_left", "motion_turn"});
     } else {
-      throw std::invalid_argument("--inputs names '" + group + "', expected some of events, visits, route");
+      throw std::invalid_argument("--inputs names '" + group +
+                                  "', expected some of events, visits, trace, motion, route");
     }
   }
   validate(*encoder);

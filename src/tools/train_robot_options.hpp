@@ -9,6 +9,7 @@
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/learning/drive_course.hpp"
 #include "lstm_planner/learning/drive_judge.hpp"
+#include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/network/model_file.hpp"
 
 namespace lstm_planner {
@@ -26,6 +27,24 @@ struct RobotTrainingOptions {
   std::vector<std::string> kinds;  ///< as given, until checked
 };
 
+/// What a new network of the robot looks like.
+struct RobotNetworkOptions {
+  std::vector<std::string> inputs;  ///< groups beside the thesis's
+  std::string network = "lstm";
+  NetworkShape shape;
+};
+
+/// `options` and `encoder` hold the defaults.
+void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder,
+                            boost::program_options::options_description* description);
+
+/// Throws std::invalid_argument when one of them was given beside --init.
+void checkModelDecides(const boost::program_options::variables_map& values);
+
+/// Takes over what was parsed. Throws std::invalid_argument with a sentence for values that make no sense.
+void finishRobotNetworkOptions(const boost::program_options::variables_map& values, RobotNetworkOptions* options,
+                               EncoderParameters* encoder);
+
 /// `options` holds the defaults.
 void addRobotTrainingOptions(RobotTrainingOptions* options, boost::program_options::options_description* description);
 
@@ -35,7 +54,8 @@ void finishRobotTrainingOptions(const std::vector<std::string>& arguments, Robot
 /// What a result depends on, for the checkpoint; a method adds its own.
 nlohmann::json settingsOf(const RobotTrainingOptions& options);
 
-/// Inputs beside the thesis's, by the names of the groups: events, visits, route. Throws std::invalid_argument for
+/// Inputs beside the thesis's, by the names of the groups: events, visits, trace, motion,
+/// route. Throws std::invalid_argument for
 /// another name.
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder);
 

@@ -7,7 +7,7 @@
 #include "lstm_planner/agent/observer.hpp"
 #include "lstm_planner/agent/obstacle_memory.hpp"
 #include "lstm_planner/agent/online_agent.hpp"
-#include "lstm_planner/agent/place_trace.hpp"
+#include "lstm_planner/agent/drive_trace.hpp"
 #include "lstm_planner/perception/moving_returns.hpp"
 #include "recorded_steps.hpp"
 
@@ -70,7 +70,7 @@ class Parts {
   Shield shield_;
   ObstacleMemory memory_{parameters_.memory, parameters_.shield};
   RouteGuide guide_{parameters_};
-  PlaceTrace trace_;
+  DriveTrace trace_;
   MovingReturns moving_{MovingReturnsParameters()};
   Point2 goal_;
   Situation situation_;

@@ -9,7 +9,7 @@
 #include "lstm_planner/agent/agent_parameters.hpp"
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/agent/escape.hpp"
-#include "lstm_planner/agent/place_trace.hpp"
+#include "lstm_planner/agent/drive_trace.hpp"
 #include "lstm_planner/agent/route_guide.hpp"
 #include "lstm_planner/agent/shield.hpp"
 #include "lstm_planner/agent/situation.hpp"
@@ -122,7 +122,7 @@ class NavigationAgent {
   Escape escape_;
   RouteGuide guide_;
   RouteGuide::Status guide_status_ = RouteGuide::Status::kRoute;
-  PlaceTrace trace_;
+  DriveTrace trace_;
   bool network_knows_route_;  ///< the model has the route among its inputs
   Point2 goal_;
   Route route_on_;  ///< of findOn(), since guide() was called last

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lstm_planner/agent/place_trace.hpp"
+#include "lstm_planner/agent/drive_trace.hpp"
 #include "lstm_planner/agent/route_guide.hpp"
 #include "lstm_planner/agent/situation.hpp"
 #include "lstm_planner/perception/observation.hpp"
@@ -10,18 +10,18 @@ namespace lstm_planner {
 /// Composes what the network is told from what is seen and what is remembered: the one place where this is done, for the
 /// agent that drives and for the recorder that watches somebody drive.
 ///
-/// `guide`: knows the way through what is remembered; null where none is known or nothing is remembered. `trace`: counts
-/// the robot's visits; the robot is noted to be at the situation's pose. `step_length`: m, how far along the route its
+/// `guide`: knows the way through what is remembered; null where none is known or nothing is remembered. `trace`: of
+/// the drive so far; the robot is noted to be at the situation's pose. `step_length`: m, how far along the route its
 /// bearing is taken. `position_cell`: m, see observe().
 Observation observe(const Situation& situation, const Point2& goal, double previous_action, double position_cell,
-                    const RouteGuide* guide, double step_length, PlaceTrace* trace);
+                    const RouteGuide* guide, double step_length, DriveTrace* trace);
 
 /// What a recorder remembers of a drive, as the agent would: obstacles and places.
 class Observer {
  public:
   explicit Observer(const AgentParameters& parameters) : parameters_(parameters), guide_(parameters) {}
 
-  /// A new goal (odometry frame): the visits are forgotten, the obstacles not.
+  /// A new goal (odometry frame): the drive so far is forgotten, the obstacles not.
   void begin(const Point2& goal);
   /// The odometry jumped: everything is forgotten.
   void forget();
@@ -31,7 +31,7 @@ class Observer {
  private:
   AgentParameters parameters_;
   RouteGuide guide_;
-  PlaceTrace trace_;
+  DriveTrace trace_;
 };
 
 }  // namespace lstm_planner

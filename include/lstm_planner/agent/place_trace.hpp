@@ -10,53 +10,60 @@
 
 namespace lstm_planner {
 
-/// How often the robot was where: a count for each square of the floor, in the odometry frame.
+/// How often, and how long ago, a robot was at a place.
+struct PlaceVisit {
+  int count = 0;  ///< times that it came in; 0 = never, as far as it is remembered
+  int age = 0;    ///< steps since it was there last; 0 = it is there now
+};
+
+/// Where the robot was, on three scales: a count and an age for each square of the floor, in the odometry frame.
 ///
-/// The squares lie over the plane like a torus of fixed size: a square takes the entry of another that lies a whole
-/// window away, which is then forgotten. The memory does not grow.
+/// The squares of a scale lie over the plane like a torus of fixed size: a square takes the entry of another that lies a
+/// whole window away, which is then forgotten. The memory does not grow: 12 KiB.
 class PlaceTrace {
  public:
-  static constexpr double kCellSize = 0.5;  ///< m; about a step
-  static constexpr int kWindow = 64;        ///< squares each way: 32 m
-  static constexpr int kMostVisits = 8;     ///< more are counted as that many
+  enum Scale { kStep = 0, kRoom = 1, kHall = 2 };
+  static constexpr std::array<double, kPlaceScales> kCellSizes = {0.5, 1.5, 4.5};  ///< m
+  static constexpr int kWindow = 32;      ///< squares each way, of every scale
+  static constexpr int kMostVisits = 8;   ///< more are counted as that many
+  static constexpr int kLongestAge = 8000;  ///< steps; what is longer ago counts as that long at the least
 
   PlaceTrace();
 
   /// Forgets everything.
   void clear();
 
-  /// The robot is at `position` now, m. Counts when it has come from another square. What is not finite is ignored.
+  /// A step later the robot is at `position`, m. Counts for the squares that it was not in before. What is not finite,
+  /// or more than 1,000 km away, is ignored.
   void visit(const Point2& position);
 
-  /// Times that the robot came into the square of `position`, as far as it is remembered.
-  int at(const Point2& position) const;
-
-  /// at() for the places `radius` metres from the robot in the directions heading + i * 45 degrees.
-  std::array<double, kPlaceDirections> around(const Pose2& pose, double radius) const;
+  /// About the square of `position`.
+  PlaceVisit at(Scale scale, const Point2& position) const;
 
   static std::size_t bytes();
 
  private:
   struct Entry {
-    Entry() : Entry(0, 0, 0) {}
-    Entry(int place_column, int place_row, unsigned visits) : column(place_column), row(place_row), count(visits) {}
-    std::int32_t column : 12;  ///< of the square, in windows
-    std::int32_t row : 12;
-    std::uint32_t count : 8;
+    Entry() : Entry(0, 0) {}
+    Entry(int place_column, int place_row) : column(place_column), row(place_row), count(0), stamp(0) {}
+    std::int32_t column : 7;  ///< of the square, in windows: places some kilometres apart are taken for each other
+    std::int32_t row : 7;
+    std::uint32_t count : 4;
+    std::uint32_t stamp : 14;
   };
   struct Place {
     std::size_t entry = 0;
-    std::int16_t column = 0;
-    std::int16_t row = 0;
-    bool operator==(const Place& other) const {
-      return entry == other.entry && column == other.column && row == other.row;
-    }
+    int column = 0;
+    int row = 0;
+    bool isOf(const Entry& entry_there) const { return entry_there.column == column && entry_there.row == row; }
   };
   /// False when the position is not finite or farther away than can be told.
-  static bool placeOf(const Point2& position, Place* place);
+  static bool placeOf(Scale scale, const Point2& position, Place* place);
+  void forgetStamps();
 
   std::vector<Entry> entries_;
-  Place here_;
+  int now_ = 0;  ///< counts the steps, as stamps do
+  std::array<Place, kPlaceScales> here_;
   bool is_somewhere_ = false;
 };
 

@@ -7,6 +7,7 @@
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/learning/drive_course.hpp"
 #include "lstm_planner/learning/drive_judge.hpp"
+#include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/learning/sequence.hpp"
 #include "lstm_planner/learning/trainer.hpp"
 
@@ -18,7 +19,7 @@ namespace lstm_planner {
 struct ImitationParameters {
   PolicyDescription policy;
   DriveCourseParameters course;
-  std::vector<int> cells = {8, 8};  ///< LSTM layers
+  NetworkShape shape;
   int rounds = 10;                  ///< collect, then train on everything collected so far
   int worlds = 120;                 ///< generated worlds a round
   int goals = 2;                    ///< a world

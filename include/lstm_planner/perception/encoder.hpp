@@ -16,7 +16,10 @@ struct EncoderParameters {
   /// Names of the inputs in their order: sector_0 .. sector_7, goal_distance, goal_bearing, goal_bearing_sin,
   /// goal_bearing_cos, heading, heading_sin, heading_cos, previous_action; event_0 .. event_7 (1 where a sector's range
   /// is below event_range: thesis 4.3.1); of what the agent remembers route_bearing_sin, route_bearing_cos,
-  /// route_detour (the share of the route that is longer than the straight way), visits_0 .. visits_7.
+  /// route_detour (the share of the route that is longer than the straight way), visits_0 .. visits_7; of its own drive
+  /// step_visits_0 .. 7, step_freshness_0 .. 7, and the same for room_ and hall_ (Observation::places on three scales;
+  /// a place is the fresher the less long ago the robot was there, 0 where it never was), room_visits, behind_best,
+  /// steps_since_best; motion_forward, motion_left, motion_turn since the step before.
   std::vector<std::string> input_layout = {"sector_0", "sector_1", "sector_2", "sector_3", "sector_4",
                                            "sector_5", "sector_6", "sector_7", "goal_distance",
                                            "goal_bearing_sin", "goal_bearing_cos", "heading_sin", "heading_cos",
@@ -53,11 +56,13 @@ class Encoder {
  private:
   enum class Feature {
     kSector, kGoalDistance, kGoalBearing, kGoalBearingSin, kGoalBearingCos, kHeading, kHeadingSin, kHeadingCos,
-    kPreviousAction, kEvent, kRouteBearingSin, kRouteBearingCos, kRouteDetour, kVisits
+    kPreviousAction, kEvent, kRouteBearingSin, kRouteBearingCos, kRouteDetour, kVisits,
+    kPlaceVisits, kPlaceFreshness, kRoomVisits, kBehindBest, kStepsSinceBest, kMotionForward, kMotionLeft, kMotionTurn
   };
   struct Input {
     Feature feature;
     std::size_t index;  ///< of the sector or direction, for features of which there are eight
+    std::size_t scale;  ///< of the places
   };
   friend void validate(const EncoderParameters& parameters);
   static Input inputNamed(const std::string& name);

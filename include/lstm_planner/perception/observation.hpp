@@ -8,6 +8,13 @@
 namespace lstm_planner {
 
 constexpr int kPlaceDirections = 8;
+constexpr int kPlaceScales = 3;
+
+/// Where the robot was of the places around it, in direction heading + i * 45 degrees.
+struct PlacesAround {
+  std::array<double, kPlaceDirections> visits{};  ///< times that it came in
+  std::array<double, kPlaceDirections> ages{};    ///< steps since it was there last; means nothing without visits
+};
 
 /// What the network is told at one step, in physical units. The planner, the recorder and the trainer share it.
 struct Observation {
@@ -23,6 +30,13 @@ struct Observation {
   double route_length = 0.0;   ///< m, of that way to the goal; the goal's distance where nothing is remembered
   std::array<double, kPlaceDirections> visits{};  ///< times that the robot was at the place a step away in direction
                                                   ///< heading + i * 45 degrees (PlaceTrace)
+  /// The same for squares of 0.5, 1.5 and 4.5 m, 0.8, 2 and 5 m away, or as far as it seems to be free (DriveTrace).
+  std::array<PlacesAround, kPlaceScales> places{};
+  double room_visits = 0.0;       ///< times that the robot came into the square of 1.5 m that it is in
+  double behind_best = 0.0;       ///< m, how much farther the goal is than it was at the nearest
+  double steps_since_best = 0.0;  ///< steps since then
+  Point2 motion;                  ///< m, to where the robot is now, in its frame of the step before
+  double turn = 0.0;              ///< rad in (-pi, pi], since the step before
 };
 
 /// Composes an observation from the averages, the pose and the goal, both in the odometry frame, as of an agent that

@@ -11,7 +11,7 @@ namespace {
 
 ImitationParameters tinyImitation(int threads) {
   ImitationParameters parameters;
-  parameters.cells = {4};
+  parameters.shape.cells = {4};
   parameters.rounds = 2;
   parameters.worlds = 3;
   parameters.goals = 1;

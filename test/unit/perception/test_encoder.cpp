@@ -68,7 +68,9 @@ TEST(Encoder, StaysFiniteForEveryFiniteObservation) {
     EncoderParameters parameters;
     parameters.input_layout.insert(
         parameters.input_layout.end(),
-        {"goal_bearing", "heading", "event_0", "route_bearing_sin", "route_bearing_cos", "route_detour", "visits_4"});
+        {"goal_bearing", "heading", "event_0", "route_bearing_sin", "route_bearing_cos", "route_detour", "visits_4",
+         "step_visits_0", "room_freshness_7", "hall_freshness_3", "room_visits", "behind_best", "steps_since_best",
+         "motion_forward", "motion_left", "motion_turn"});
     Observation observation;
     observation.sector_ranges.fill(value);
     observation.goal_distance = value;
@@ -77,11 +79,43 @@ TEST(Encoder, StaysFiniteForEveryFiniteObservation) {
     observation.previous_action = value;
     observation.route_bearing = value;
     observation.visits.fill(value);
+    for (PlacesAround& places : observation.places) {
+      places.visits.fill(std::abs(value));
+      places.ages.fill(value);
+    }
+    observation.room_visits = value;
+    observation.behind_best = value;
+    observation.steps_since_best = value;
+    observation.motion = {value, value};
+    observation.turn = value;
     for (const double length : {value, std::numeric_limits<double>::infinity()}) {
       observation.route_length = length;
       EXPECT_TRUE(encode(parameters, observation).allFinite()) << value;
     }
   }
+}
+
+TEST(Encoder, EncodesTheDriveSoFar) {
+  EncoderParameters parameters;
+  parameters.input_layout = {"room_visits_2",    "room_freshness_2", "room_freshness_3", "hall_visits_2",
+                             "steps_since_best", "behind_best",      "motion_forward",   "motion_turn"};
+  Observation observation;
+  observation.places[1].visits[2] = 2.0;
+  observation.places[1].ages[2] = 0.0;
+  observation.places[1].ages[3] = 5.0;  // of a place where it never was
+  observation.steps_since_best = 8191.0;
+  observation.behind_best = 5.0;
+  observation.motion = {0.4, 0.0};
+  observation.turn = M_PI_2;
+  const Eigen::VectorXf input = encode(parameters, observation);
+  EXPECT_FLOAT_EQ(input[0], 0.5f);
+  EXPECT_FLOAT_EQ(input[1], 1.0f) << "it is there now";
+  EXPECT_FLOAT_EQ(input[2], 0.0f);
+  EXPECT_FLOAT_EQ(input[3], 0.0f);
+  EXPECT_FLOAT_EQ(input[4], 1.0f);
+  EXPECT_FLOAT_EQ(input[5], 0.5f);
+  EXPECT_FLOAT_EQ(input[6], 0.4f);
+  EXPECT_FLOAT_EQ(input[7], 1.0f);
 }
 
 TEST(Encoder, RefusesAnInputOfAnotherSize) {
