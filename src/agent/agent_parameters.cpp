@@ -1,13 +1,33 @@
 #include "lstm_planner/agent/agent_parameters.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
 
+namespace {
+constexpr std::array<const char*, 3> kLeaders = {"network", "route", "none"};
+}  // namespace
+
+const char* toString(Leader leader) { return kLeaders.at(static_cast<std::size_t>(leader)); }
+
+Leader leaderNamed(const std::string& name) {
+  const auto found = std::find(kLeaders.begin(), kLeaders.end(), name);
+  if (found == kLeaders.end()) {
+    throw std::invalid_argument("leader is '" + name + "', expected network, route or none");
+  }
+  return static_cast<Leader>(found - kLeaders.begin());
+}
+
 void validate(const AgentParameters& parameters) {
+  if (parameters.leader == Leader::kRoute && !parameters.memory.enabled) {
+    throw std::invalid_argument("leader is route, expected network where memory/enabled is false: no way is remembered");
+  }
   checkPositive("step/length", parameters.step.length);
   checkPositive("step/turn", parameters.step.turn);
   checkPositive("step/period", parameters.step.period);
@@ -40,7 +60,6 @@ void validate(const AgentParameters& parameters) {
                  "at least 4 m and at most 2000 memory/resolution = " + std::to_string(2000.0 * memory.resolution));
   checkPositive("memory/reach", memory.reach);
   checkParameter(memory.comfort >= 0.0, "memory/comfort", memory.comfort, "zero or more");
-  checkParameter(memory.freedom >= 0.0, "memory/freedom", memory.freedom, "zero or more");
   checkParameter(memory.tightness >= 1.0, "memory/tightness", memory.tightness, "1 or more");
 
   const EscapeParameters& escape = parameters.escape;

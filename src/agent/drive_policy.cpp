@@ -104,6 +104,14 @@ const Eigen::VectorXf& DrivePolicy::advance(const Observation& observation) {
   return network_.forward(input_);
 }
 
+DrivePolicy noPolicy() {
+  const PolicyDescription description;
+  DenseLayer layer;
+  layer.weights.setZero(description.actions.size(), Encoder(description.encoder).size());
+  layer.bias.setZero(description.actions.size());
+  return DrivePolicy(description, {layer});
+}
+
 void checkFits(const PolicyDescription& description, double step_length, double footprint_radius, double range_max) {
   if (std::abs(description.step_length - step_length) > 0.01) {
     throw std::invalid_argument("the model was trained for steps of " + std::to_string(description.step_length) +

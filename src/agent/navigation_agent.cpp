@@ -13,6 +13,8 @@ const char* toString(Decision::Source source) {
   switch (source) {
     case Decision::Source::kNetwork:
       return "network";
+    case Decision::Source::kGreedy:
+      return "greedy";
     case Decision::Source::kGoalInSight:
       return "goal in sight";
     case Decision::Source::kRoute:
@@ -29,23 +31,12 @@ const char* toString(Decision::Source source) {
   return "unknown";
 }
 
-namespace {
-
-bool asksForRoute(const EncoderParameters& encoder) {
-  const std::vector<std::string>& layout = encoder.input_layout;
-  return std::any_of(layout.begin(), layout.end(),
-                     [](const std::string& name) { return name.rfind("route_", 0) == 0; });
-}
-
-}  // namespace
-
 NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& parameters)
     : policy_(std::move(policy)),
       parameters_((validate(parameters), parameters)),
       shield_(parameters.shield.footprint_radius, parameters.shield.tight_clearance, parameters.shield.reach),
       escape_(parameters.escape, parameters.shield),
-      guide_(parameters),
-      network_knows_route_(parameters.memory.enabled && asksForRoute(policy_.description().encoder)) {
+      guide_(parameters) {
   checkFits(policy_.description(), parameters.step.length, parameters.shield.footprint_radius);
   const auto actions = static_cast<std::size_t>(policy_.description().actions.size());
   decision_.preferences.resize(actions);
@@ -62,13 +53,14 @@ void NavigationAgent::setGoal(const Point2& goal) {
   trace_.clear();
   decision_.way_on.clear();
   has_step_ = false;
-  leader_ = Leader::kNetwork;
+  lead(Phase::kLeader);
   best_distance_ = 0.0;
   steps_since_best_ = 0;
   driven_since_best_ = 0.0;
   look_around_turn_ = 0.0;
   decision_.source = Decision::Source::kLookAround;
   decision_.action = -1;
+  decision_.preferred = -1;
   decision_.step = 0;
 }
 
@@ -110,8 +102,9 @@ const Decision& NavigationAgent::update(const Situation& situation) {
   }
   if (!has_step_ || stepIsOver(situation)) {
     noteProgress(situation);
+    losePatience();
     guide(situation);
-    advanceNetwork(situation);
+    beginStep(situation);
     choose(situation);
   } else if (isStalled(situation)) {
     stall_time_ = situation.time;
@@ -194,40 +187,53 @@ void NavigationAgent::beginFrom(const Situation& situation) {
   steps_since_best_ = 0;
   driven_since_best_ = 0.0;
   guide_.noteProgress();
-  lead(Leader::kNetwork);
+  lead(Phase::kLeader);
 }
 
-void NavigationAgent::lead(Leader leader) {
-  if (leader == Leader::kBoundary && leader_ != leader) {
+void NavigationAgent::lead(Phase phase) {
+  if (phase == Phase::kLeader && parameters_.leader == Leader::kRoute) phase = Phase::kRoute;
+  if (phase == Phase::kBoundary && phase_ != phase) {
     escape_.begin(targetDistance());
   }
-  leader_ = leader;
+  phase_ = phase;
+}
+
+bool NavigationAgent::isOutOfPatience(double times) const {
+  const EscapeParameters& escape = parameters_.escape;
+  return steps_since_best_ >= times * escape.patience_steps || driven_since_best_ >= times * escape.patience_distance;
+}
+
+void NavigationAgent::losePatience() {
+  const EscapeParameters& escape = parameters_.escape;
+  if (!escape.enabled) {
+    return;
+  }
+  if (phase_ == Phase::kLeader && isOutOfPatience(1.0)) {
+    lead(parameters_.memory.enabled ? Phase::kRoute : Phase::kBoundary);
+  }
+  if (phase_ != Phase::kBoundary && isOutOfPatience(escape.last_resort)) {
+    lead(Phase::kBoundary);
+  }
 }
 
 void NavigationAgent::guide(const Situation& situation) {
   if (!parameters_.memory.enabled) {
     return;
   }
+  if (phase_ == Phase::kLeader) {
+    guide_.watch(situation);
+    guide_status_ = RouteGuide::Status::kRoute;
+    decision_.destination = goal_;
+    return;
+  }
   guide_status_ = guide_.update(situation);
-  route_on_.points.clear();
   decision_.destination = guide_status_ == RouteGuide::Status::kRoute ? guide_.end() : goal_;
 }
 
-void NavigationAgent::advanceNetwork(const Situation& situation) {
-  const PolicyDescription& description = policy_.description();
-  double previous = 0.0;
-  if (has_step_ && decision_.action >= 0) {
-    previous = description.actions.angle(decision_.action);
-  } else if (has_step_) {
-    // The escape's ways lie between the steering angles: tell the network the nearest one, as the recorder would.
-    previous =
-        description.actions.angle(description.actions.nearest(normalizeAngle(decision_.direction - step_pose_.yaw)));
-  }
-  const bool knows_route = parameters_.memory.enabled && guide_status_ == RouteGuide::Status::kRoute;
-  const Observation observation = observe(situation, goal_, previous, description.encoder.position_cell,
-                                          knows_route ? &guide_ : nullptr, parameters_.step.length, &trace_);
-  const Eigen::VectorXf& preferences = policy_.advance(observation);
-  std::copy(preferences.data(), preferences.data() + preferences.size(), decision_.preferences.begin());
+void NavigationAgent::beginStep(const Situation& situation) {
+  const double cell = policy_.description().encoder.position_cell;
+  const Observation observation = observe(situation, goal_, previousAction(), cell, &trace_);
+  advanceNetwork(observation);
   step_pose_ = situation.pose;
   step_time_ = situation.time;
   stall_pose_ = situation.pose;
@@ -235,6 +241,37 @@ void NavigationAgent::advanceNetwork(const Situation& situation) {
   has_step_ = true;
   ++decision_.step;
   imposed_action_ = step_listener_ ? step_listener_(situation, observation) : std::nullopt;
+}
+
+double NavigationAgent::previousAction() const {
+  const ActionSet& actions = policy_.description().actions;
+  if (!has_step_) {
+    return 0.0;
+  }
+  // The rescue's ways lie between the steering angles: tell the network the nearest one, as the recorder would.
+  return actions.angle(decision_.action >= 0
+                           ? decision_.action
+                           : actions.nearest(normalizeAngle(decision_.direction - step_pose_.yaw)));
+}
+
+void NavigationAgent::advanceNetwork(const Observation& observation) {
+  if (parameters_.leader != Leader::kNetwork) {
+    preferGoal(observation);
+    return;
+  }
+  const Eigen::VectorXf& preferences = policy_.advance(observation);
+  std::copy(preferences.data(), preferences.data() + preferences.size(), decision_.preferences.begin());
+  Eigen::Index preferred = 0;
+  preferences.maxCoeff(&preferred);
+  decision_.preferred = static_cast<int>(preferred);
+}
+
+void NavigationAgent::preferGoal(const Observation& observation) {
+  const ActionSet& actions = policy_.description().actions;
+  for (int action = 0; action < actions.size(); ++action) {
+    const double off = std::abs(normalizeAngle(actions.angle(action) - observation.goal_bearing));
+    decision_.preferences[static_cast<std::size_t>(action)] = static_cast<float>(-off);
+  }
 }
 
 }  // namespace lstm_planner

@@ -11,46 +11,29 @@ namespace {
 constexpr double kAsideStep = 0.0873;
 constexpr double kFarthestAside = 1.05;
 
-/// A steering angle that is no farther than this from the route's bearing agrees with it, rad (45 degrees and a bit).
-constexpr double kAgreement = 0.8;
-
-/// A way that comes this near to where it began has turned back, m.
-constexpr double kTurnedBack = 0.1;
-
-bool comesBackTo(const Point2& start, const std::vector<Point2>& way) {
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    if (squaredDistanceToPiece(start, way[i - 1], way[i]) < kTurnedBack * kTurnedBack) {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 void NavigationAgent::choose(const Situation& situation) {
-  const EscapeParameters& escape = parameters_.escape;
-  const auto patience = [&](double times) {
-    return steps_since_best_ >= times * escape.patience_steps || driven_since_best_ >= times * escape.patience_distance;
-  };
-  if (escape.enabled && leader_ == Leader::kNetwork && patience(1.0)) {
-    lead(parameters_.memory.enabled ? Leader::kRoute : Leader::kBoundary);
-  }
   const bool lost = parameters_.memory.enabled && guide_status_ == RouteGuide::Status::kLost;
-  if (escape.enabled && leader_ != Leader::kBoundary && (lost || patience(escape.last_resort))) {
-    lead(Leader::kBoundary);
+  if (parameters_.escape.enabled && lost) {
+    lead(Phase::kBoundary);
   }
   decision_.on_route = false;
   if (!chooseGoalInSight(situation)) {
-    if (leader_ == Leader::kBoundary) {
-      chooseEscape(situation);
-    } else if (leader_ == Leader::kRoute || network_knows_route_) {
-      chooseRoute(situation);
-    } else {
-      chooseAction(situation);
-    }
+    chooseByPhase(situation);
   }
   planWayOn();
+}
+
+void NavigationAgent::chooseByPhase(const Situation& situation) {
+  switch (phase_) {
+    case Phase::kLeader:
+      return chooseAction(situation);
+    case Phase::kRoute:
+      return chooseRoute(situation);
+    case Phase::kBoundary:
+      return chooseEscape(situation);
+  }
 }
 
 void NavigationAgent::chooseEscape(const Situation& situation) {
@@ -65,7 +48,8 @@ void NavigationAgent::chooseEscape(const Situation& situation) {
       return;
     case Escape::Outcome::kDone:
       beginFrom(situation);
-      chooseAction(situation);
+      guide(situation);
+      chooseByPhase(situation);
       return;
   }
 }
@@ -84,12 +68,7 @@ void NavigationAgent::chooseRoute(const Situation& situation) {
       case RouteGuide::Status::kRoute:
         break;
     }
-    if (leader_ == Leader::kNetwork) {
-      chooseAction(situation);
-      if (decision_.source != Decision::Source::kLookAround) {
-        return;
-      }
-    } else if (followRoute(situation, Decision::Source::kRoute)) {
+    if (followRoute(situation)) {
       return;
     }
     guide_.blockAhead();
@@ -99,28 +78,16 @@ void NavigationAgent::chooseRoute(const Situation& situation) {
 }
 
 void NavigationAgent::chooseAction(const Situation& situation) {
-  const ActionSet& actions = policy_.description().actions;
   const ShieldParameters& shield = parameters_.shield;
-  const bool guided = network_knows_route_ && guide_status_ == RouteGuide::Status::kRoute;
-  const double bearing = guided ? guide_.bearingAhead(situation.pose, parameters_.step.length) : 0.0;
-  const int on_route = guided ? actions.nearest(bearing) : -1;
   for (const double clearance : {shield.clearance, shield.tight_clearance}) {
     double free = 0.0;
-    const int best = preferredAction(situation, clearance, on_route, &free);
+    const int best = allowedFavourite(situation, clearance, &free);
     if (best < 0) {
       continue;
     }
-    // The next steering angle to it is no contradiction: the route lies between the two.
-    const bool agrees = guided && (best == on_route || std::abs(actions.angle(best) - bearing) <= kAgreement);
-    const bool follows = agrees || (guided && !leadsOn(situation, step_pose_.yaw + actions.angle(best), free));
-    if (follows && followRoute(situation, Decision::Source::kNetwork)) {
-      decision_.action = agrees ? best : on_route;
-      return;
-    }
-    if (best == on_route && free < shield.shortest_step) {
-      break;
-    }
-    goTo(situation, Decision::Source::kNetwork, step_pose_.yaw + actions.angle(best), free);
+    const double direction = step_pose_.yaw + policy_.description().actions.angle(best);
+    goTo(situation, parameters_.leader == Leader::kNone ? Decision::Source::kGreedy : Decision::Source::kNetwork,
+         direction, free);
     decision_.action = best;
     look_around_turn_ = 0.0;
     return;
@@ -128,27 +95,8 @@ void NavigationAgent::chooseAction(const Situation& situation) {
   lookAround(situation);
 }
 
-bool NavigationAgent::leadsOn(const Situation& situation, double direction, double distance) {
-  const Point2 here{situation.pose.x, situation.pose.y};
-  const Point2 waypoint = pointAlong(situation.pose, direction, distance);
-  return guide_.isPassable(here, waypoint) && findOn(waypoint) &&
-         distance + route_on_.length <= guide_.route().length + parameters_.memory.freedom &&
-         !comesBackTo(here, route_on_.points);
-}
-
-/// From a waypoint, if it is not known already.
-bool NavigationAgent::findOn(const Point2& waypoint) {
-  if (!route_on_.points.empty() && distanceBetween(route_on_.points.front(), waypoint) < 1e-6) {
-    return true;
-  }
-  const bool found = guide_.findFrom(waypoint, &route_on_);
-  if (!found) {
-    route_on_.points.clear();
-  }
-  return found;
-}
-
-int NavigationAgent::preferredAction(const Situation& situation, double clearance, int on_route, double* best_free) {
+/// The action that the leader prefers among those that the shield allows, or the imposed one; -1 when it allows none.
+int NavigationAgent::allowedFavourite(const Situation& situation, double clearance, double* best_free) {
   const ActionSet& actions = policy_.description().actions;
   int best = -1;
   for (int action = 0; action < actions.size(); ++action) {
@@ -156,7 +104,7 @@ int NavigationAgent::preferredAction(const Situation& situation, double clearanc
     const double free = parameters_.shield_enabled ? freeDistance(situation, step_pose_.yaw + actions.angle(action),
                                                                   parameters_.step.length, clearance)
                                                    : parameters_.step.length;
-    decision_.allowed[i] = free >= parameters_.shield.shortest_step || action == on_route;
+    decision_.allowed[i] = free >= parameters_.shield.shortest_step;
     const bool preferred =
         best < 0 || imposed_action_ == action ||
         (imposed_action_ != best && decision_.preferences[i] > decision_.preferences[static_cast<std::size_t>(best)]);
@@ -168,7 +116,7 @@ int NavigationAgent::preferredAction(const Situation& situation, double clearanc
   return best;
 }
 
-bool NavigationAgent::followRoute(const Situation& situation, Decision::Source source) {
+bool NavigationAgent::followRoute(const Situation& situation) {
   const ShieldParameters& shield = parameters_.shield;
   for (const double ahead : {1.0, 0.5}) {
     const Point2 target = guide_.pointAhead(ahead * parameters_.step.length);
@@ -180,7 +128,7 @@ bool NavigationAgent::followRoute(const Situation& situation, Decision::Source s
         const double free =
             freeDistance(situation, direction + side * aside, std::max(distance, wanted), shield.tight_clearance);
         if (free >= wanted && (free >= 0.9 * distance || ahead < 1.0)) {
-          goTo(situation, source, direction + side * aside, free);
+          goTo(situation, Decision::Source::kRoute, direction + side * aside, free);
           decision_.on_route = true;
           look_around_turn_ = 0.0;
           return true;
@@ -227,16 +175,8 @@ void NavigationAgent::goTo(const Situation& situation, Decision::Source source, 
 void NavigationAgent::planWayOn() {
   std::vector<Point2>& way_on = decision_.way_on;
   way_on.clear();
-  const bool leads_on = decision_.source == Decision::Source::kNetwork || decision_.source == Decision::Source::kRoute ||
-                        decision_.source == Decision::Source::kEscape ||
-                        decision_.source == Decision::Source::kLookAround;
-  if (!leads_on || !parameters_.memory.enabled || guide_status_ != RouteGuide::Status::kRoute) {
-    return;
-  }
-  if (decision_.on_route) {
+  if (decision_.on_route && guide_status_ == RouteGuide::Status::kRoute) {
     guide_.pointsAhead(distanceBetween(step_pose_, decision_.waypoint), &way_on);
-  } else if (findOn(decision_.waypoint)) {
-    way_on.assign(route_on_.points.begin() + 1, route_on_.points.end());
   }
 }
 

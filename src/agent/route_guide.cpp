@@ -12,6 +12,10 @@ namespace {
 constexpr double kWorthTurning = 0.08;
 constexpr double kWorthTurningMetres = 0.3;
 
+/// A scan is remembered, where nobody asks for the way, when the robot has moved so far, m, or turned so far, rad.
+constexpr double kNewPlace = 1.0;
+constexpr double kNewView = 1.0;
+
 /// A route is priced by what is remembered as far as this, m.
 constexpr double kLookedAt = 15.0;
 
@@ -63,15 +67,37 @@ void RouteGuide::forget() {
   memory_.forget();
   route_.clear();
   has_pose_ = false;
+  has_watched_ = false;
 }
 
-RouteGuide::Status RouteGuide::update(const Situation& situation) {
+void RouteGuide::noteMotion(const Situation& situation) {
   if (has_pose_) {
     driven_ += distanceBetween(last_pose_, situation.pose);
     turned_ += std::abs(normalizeAngle(situation.pose.yaw - last_pose_.yaw));
   }
   last_pose_ = situation.pose;
   has_pose_ = true;
+}
+
+void RouteGuide::watch(const Situation& situation) {
+  noteMotion(situation);
+  const bool is_new_place =
+      !has_watched_ || distanceBetween(watched_pose_, situation.pose) >= kNewPlace ||
+      std::abs(normalizeAngle(situation.pose.yaw - watched_pose_.yaw)) >= kNewView;
+  if (!is_new_place) {
+    return;
+  }
+  watched_pose_ = situation.pose;
+  has_watched_ = true;
+  memory_.look(situation);
+  memory_.clearChanges();
+  route_.clear();
+  has_costs_ = false;
+}
+
+RouteGuide::Status RouteGuide::update(const Situation& situation) {
+  noteMotion(situation);
+  has_watched_ = false;
   memory_.look(situation);
   const Point2 here{situation.pose.x, situation.pose.y};
   bool found = false;
@@ -268,19 +294,6 @@ void RouteGuide::pointsAhead(double distance, std::vector<Point2>* points) const
   }
   points->clear();
   points->insert(points->end(), all.begin() + static_cast<std::ptrdiff_t>(std::min(i, all.size())), all.end());
-}
-
-bool RouteGuide::findFrom(const Point2& start, Route* route) {
-  if (has_costs_ && !memory_.everythingChanged() && memory_.cellAt(goal_) == memory_.cellAt(searched_goal_)) {
-    if (finder_.findAgain(memory_, start, route) &&
-        !RouteFinder::isDetour(distanceBetween(start, goal_), route->length, tolerance())) {
-      if (distanceBetween(route->points.back(), searched_goal_) == 0.0) {
-        route->points.back() = goal_;
-      }
-      return true;
-    }
-  }
-  return find(start, route);
 }
 
 }  // namespace lstm_planner

@@ -4,51 +4,71 @@
 #include <cmath>
 #include <utility>
 
+#include "lstm_planner/evaluation/closed_loop.hpp"
 #include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
 
 namespace {
 
-/// One drive as it goes on.
+/// A simulated robot that a controller leads along the agent's plans.
+class ControlledRobot : public LoopRobot {
+ public:
+  ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters)
+      : robot_(*robot), parameters_(parameters), controller_(parameters.motion), moving_(parameters.motion.moving) {
+    const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry begins at the start
+    goal_ = {goal.x, goal.y, 0.0};
+  }
+
+  const Pose2& goal() const { return goal_; }  ///< odometry frame
+
+  void sense(double range_cap, Situation* situation) override { robot_.sense(range_cap, situation); }
+
+  bool hasArrived(const Situation& situation, const Decision& decision) const override {
+    return controller_.goalReached(situation.pose, {decision.destination.x, decision.destination.y, 0.0});
+  }
+
+  void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) override {
+    if (tick_++ % parameters_.plan_every == 0) {
+      rollOut(situation, decision, agent.shield(), goal_, agent.parameters(), parameters_.rollout, &plan_);
+    }
+    moving_.show(situation.profile, situation.pose, situation.time);
+    robot_.command(controller_.compute(plan_, situation.pose, robot_.measuredTwist(), agent.shield(),
+                                       parameters_.control_period, moving_.points()));
+    robot_.advance(parameters_.control_period);
+  }
+
+ private:
+  SimulatedRobot& robot_;
+  const DriveParameters& parameters_;
+  MotionController controller_;
+  MovingReturns moving_;
+  Pose2 goal_;
+  std::vector<Pose2> plan_;
+  int tick_ = 0;
+};
+
+/// One drive as it goes on, and what is noted of it.
 class Run {
  public:
   Run(SimulatedRobot* robot, const Crowd* crowd, const DriveTask& task, const DriveParameters& parameters,
       NavigationAgent* agent)
       : robot_(*robot),
+        controlled_(robot, task, parameters),
         crowd_(crowd),
         task_(task),
         parameters_(parameters),
-        agent_(*agent),
-        controller_(parameters.motion),
-        moving_(parameters.motion.moving) {
-    const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry begins at the start
-    goal_ = {goal.x, goal.y, 0.0};
+        agent_(*agent) {
     result_.shortest = task.shortest;
     if (crowd != nullptr) result_.walker_traces.resize(crowd->walkers().size());
   }
 
   DriveResult run() {
-    const double range_cap = agent_.policy().description().encoder.range_cap;
-    agent_.setGoal({goal_.x, goal_.y});
-    agent_.restart();  // what it remembers of another drive is in another odometry frame
-    for (int tick = 0; robot_.time() < parameters_.time_limit; ++tick) {
-      if (parameters_.arrival == Arrival::kTruePosition && isAtGoal(parameters_.goal_radius)) {
-        result_.end = DriveResult::End::kReached;
-        break;
-      }
-      robot_.sense(range_cap, &situation_);
-      const Decision& decision = agent_.update(situation_);
-      if (endsWith(decision)) break;
-      if (tick % parameters_.plan_every == 0) {
-        rollOut(situation_, decision, agent_.shield(), goal_, agent_.parameters(), parameters_.rollout, &plan_);
-      }
-      note(decision);
-      moving_.show(situation_.profile, situation_.pose, situation_.time);
-      robot_.command(controller_.compute(plan_, situation_.pose, robot_.measuredTwist(), agent_.shield(),
-                                         parameters_.control_period, moving_.points()));
-      move();
-    }
+    const Pose2& goal = controlled_.goal();
+    ClosedLoop loop(&controlled_, &agent_);
+    const ClosedLoop::End end = loop.run({goal.x, goal.y}, [this] { return goesOn(); },
+                                         [this](const Situation&, const Decision& decision) { note(decision); });
+    result_.end = judge(end);
     result_.contacts = robot_.contacts();
     result_.bumped = robot_.bumped();
     result_.bumped_moving = robot_.bumpedMoving();
@@ -60,22 +80,34 @@ class Run {
 
  private:
   bool isAtGoal(double radius) const { return distanceBetween(robot_.truePose(), task_.goal) <= radius; }
-
-  /// When the robot itself says that it is over.
-  bool endsWith(const Decision& decision) {
-    if (decision.source == Decision::Source::kNoWay) {
-      result_.end = DriveResult::End::kNoWay;
-      return true;
-    }
-    if (!controller_.goalReached(situation_.pose, {decision.destination.x, decision.destination.y, 0.0})) return false;
-    result_.end = isAtGoal(allowedRadius(distanceBetween(decision.destination, goal_))) ? DriveResult::End::kReached
-                                                                                        : DriveResult::End::kElsewhere;
-    return true;
+  bool refereeSaysArrived() const {
+    return parameters_.arrival == Arrival::kTruePosition && isAtGoal(parameters_.goal_radius);
   }
 
-  /// `beside`: m between the goal and the place that the robot went to instead.
-  double allowedRadius(double beside) const {
+  bool goesOn() {
+    if (robot_.contacts() > contacts_seen_) {
+      contacts_seen_ = robot_.contacts();
+      result_.contact_places.push_back({robot_.truePose().x, robot_.truePose().y});
+    }
+    return robot_.time() < parameters_.time_limit && !refereeSaysArrived();
+  }
+
+  DriveResult::End judge(ClosedLoop::End end) const {
+    switch (end) {
+      case ClosedLoop::End::kNoWay:
+        return DriveResult::End::kNoWay;
+      case ClosedLoop::End::kArrived:
+        return isAtGoal(allowedRadius()) ? DriveResult::End::kReached : DriveResult::End::kElsewhere;
+      case ClosedLoop::End::kStopped:
+        break;
+    }
+    const bool in_time = robot_.time() < parameters_.time_limit;
+    return in_time && refereeSaysArrived() ? DriveResult::End::kReached : DriveResult::End::kTimeout;
+  }
+
+  double allowedRadius() const {
     if (parameters_.arrival == Arrival::kTruePosition) return parameters_.goal_radius;
+    const double beside = distanceBetween(agent_.decision().destination, controlled_.goal());
     double error = parameters_.robot.base.odometry_error * robot_.pathLength();
     if (robot_.contacts() == 0) {
       const Point2 believed = toParentFrame(task_.start, {robot_.odometry().x, robot_.odometry().y});
@@ -85,33 +117,26 @@ class Run {
   }
 
   void note(const Decision& decision) {
-    const bool escaping = decision.source == Decision::Source::kEscape || decision.source == Decision::Source::kRoute;
-    result_.escape_steps += escaping && decision.step != result_.steps ? 1 : 0;
+    if (decision.step != result_.steps) {
+      ++result_.steps_by.at(static_cast<std::size_t>(decision.source));
+      result_.overruled_steps += decision.isOverruled() ? 1 : 0;
+    }
     result_.steps = decision.step;
     result_.trace.push_back(robot_.truePose());
-    result_.escaping.push_back(escaping);
+    result_.led.push_back(decision.source);
     for (std::size_t i = 0; i < result_.walker_traces.size(); ++i) {
       result_.walker_traces[i].push_back(crowd_->walkers()[i].body.center);
     }
   }
 
-  void move() {
-    const int contacts = robot_.contacts();
-    robot_.advance(parameters_.control_period);
-    if (robot_.contacts() > contacts) result_.contact_places.push_back({robot_.truePose().x, robot_.truePose().y});
-  }
-
   SimulatedRobot& robot_;
+  ControlledRobot controlled_;
   const Crowd* crowd_;
   const DriveTask& task_;
   const DriveParameters& parameters_;
   NavigationAgent& agent_;
-  MotionController controller_;
-  MovingReturns moving_;
-  Pose2 goal_;  ///< odometry frame
-  Situation situation_;
-  std::vector<Pose2> plan_;
   DriveResult result_;
+  int contacts_seen_ = 0;
 };
 
 void validate(const DriveParameters& parameters) {
@@ -122,6 +147,26 @@ void validate(const DriveParameters& parameters) {
 }
 
 }  // namespace
+
+double shareOf(Decision::Source source, const std::vector<DriveResult>& results) {
+  long led = 0;
+  long all = 0;
+  for (const DriveResult& result : results) {
+    led += result.steps_by[static_cast<std::size_t>(source)];
+    all += result.steps;
+  }
+  return all > 0 ? static_cast<double>(led) / static_cast<double>(all) : 0.0;
+}
+
+double overruledShare(const std::vector<DriveResult>& results) {
+  long overruled = 0;
+  long all = 0;
+  for (const DriveResult& result : results) {
+    overruled += result.overruled_steps;
+    all += result.steps;
+  }
+  return all > 0 ? static_cast<double>(overruled) / static_cast<double>(all) : 0.0;
+}
 
 DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
                   NavigationAgent* agent) {

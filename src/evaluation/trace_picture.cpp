@@ -18,7 +18,9 @@ namespace {
 const cv::Scalar kPaper(255, 255, 255);  // colours are blue, green, red
 const cv::Scalar kObstacle(40, 40, 40);
 const cv::Scalar kTrace(40, 40, 220);
-const cv::Scalar kEscape(235, 130, 20);
+const cv::Scalar kRoute(235, 130, 20);
+const cv::Scalar kBoundary(150, 150, 0);
+const cv::Scalar kOther(130, 130, 130);
 const cv::Scalar kWalker(165, 150, 120);
 const cv::Scalar kWalkerBefore(225, 218, 205);
 const cv::Scalar kStart(130, 40, 0);
@@ -84,6 +86,20 @@ void drawWalkers(const TracePicture& picture, MapCanvas* canvas) {
   }
 }
 
+const cv::Scalar& colorOf(TracePicture::Part::Leader leader) {
+  switch (leader) {
+    case TracePicture::Part::Leader::kNetwork:
+      return kTrace;
+    case TracePicture::Part::Leader::kRoute:
+      return kRoute;
+    case TracePicture::Part::Leader::kBoundary:
+      return kBoundary;
+    case TracePicture::Part::Leader::kOther:
+      break;
+  }
+  return kOther;
+}
+
 /// A line (or a disc, when it has no width) of a colour, and what it means.
 struct LegendEntry {
   std::string text;
@@ -103,8 +119,16 @@ std::vector<LegendEntry> legendOf(const TracePicture& picture, const MapCanvas& 
   add(!picture.starts.empty(), "start", kStart, 0);
   add(std::any_of(goals.begin(), goals.end(), isReached), "goal", kReached, 0);
   add(!std::all_of(goals.begin(), goals.end(), isReached), "goal, missed", kMissed, 0);
-  add(!picture.traces.empty(), "driven", kTrace, dash);
-  add(!picture.escapes.empty(), "driven by the escape", kEscape, dash);
+  add(!picture.traces.empty() && picture.parts.empty(), "driven", kTrace, dash);
+  using Leader = TracePicture::Part::Leader;
+  const auto led = [&](Leader leader) {
+    return std::any_of(picture.parts.begin(), picture.parts.end(),
+                       [leader](const TracePicture::Part& part) { return part.leader == leader; });
+  };
+  add(led(Leader::kNetwork), "led by the network", colorOf(Leader::kNetwork), dash);
+  add(led(Leader::kRoute), "led by the remembered path", colorOf(Leader::kRoute), dash);
+  add(led(Leader::kBoundary), "along a boundary", colorOf(Leader::kBoundary), dash);
+  add(led(Leader::kOther), "goal in sight, or turning", colorOf(Leader::kOther), dash);
   add(!picture.walkers.empty(), "people", kWalker, dash);
   add(!picture.contacts.empty(), "contact", kContact, 0);
   const double scale = scaleOf(canvas);
@@ -191,7 +215,7 @@ void writeTracePicture(const std::string& path, const OccupancyGrid& map, const 
   for (const Circle& circle : picture.circles) canvas.circle(circle.center, circle.radius, kObstacle, cv::FILLED);
   drawWalkers(picture, &canvas);
   for (const std::vector<Point2>& trace : picture.traces) canvas.polyline(trace, kTrace, kTraceWidth);
-  for (const std::vector<Point2>& escape : picture.escapes) canvas.polyline(escape, kEscape, kTraceWidth);
+  for (const TracePicture::Part& part : picture.parts) canvas.polyline(part.way, colorOf(part.leader), kTraceWidth);
   for (const Pose2& start : picture.starts) drawStart(start, picture.robot_radius, &canvas);
   for (const TracePicture::Goal& goal : picture.goals) drawGoal(goal, picture.robot_radius, &canvas);
   for (const Point2& contact : picture.contacts) canvas.cross(contact, picture.robot_radius, kContact, 2.5);

@@ -26,11 +26,6 @@ bool isSame(const std::vector<double>& a, const std::vector<double>& b) {
 
 std::string nameOf(const Recording& recording) { return "the recording from '" + recording.description.source + "'"; }
 
-bool looksAtRoute(const EncoderParameters& encoder) {
-  return std::any_of(encoder.input_layout.begin(), encoder.input_layout.end(),
-                     [](const std::string& name) { return name.rfind("route_", 0) == 0; });
-}
-
 /// Encodes and labels the steps of one recording.
 class RecordingReader {
  public:
@@ -39,12 +34,7 @@ class RecordingReader {
         parameters_(parameters),
         encoder_(encoder),
         recorded_labels_(isSame(recorded().action_angles, actions().angles())),
-        recorded_sectors_(isSameRange(recorded().range_cap, encoder.parameters().range_cap)) {
-    if (looksAtRoute(encoder.parameters()) && !recorded().agent.memory.enabled) {
-      throw std::invalid_argument(nameOf(recording) +
-                                  " remembered no obstacles (memory/enabled), the network's inputs ask for the route");
-    }
-  }
+        recorded_sectors_(isSameRange(recorded().range_cap, encoder.parameters().range_cap)) {}
 
   std::vector<int> labels(const RecordedEpisode& episode) const {
     std::vector<int> labels;
@@ -58,8 +48,6 @@ class RecordingReader {
     Observation observation = observe(sectors(step), step.pose, step.goal, previous_action,
                                       encoder_.parameters().position_cell);
     trace->look(step.pose, &observation);
-    observation.route_bearing = step.observation.route_bearing;
-    observation.route_length = step.observation.route_length;
     observation.visits = step.observation.visits;
     encoder_.encode(observation, input);
   }

@@ -38,7 +38,7 @@ class Practice {
     finishStep(left);
     look(observation, left);
     episode_.steps.emplace_back();
-    return draw(observation) ? std::optional<int>(episode_.steps.back().action) : std::nullopt;
+    return draw() ? std::optional<int>(episode_.steps.back().action) : std::nullopt;
   }
 
   PracticeEpisode finish(bool arrived) {
@@ -87,9 +87,9 @@ class Practice {
   }
 
   /// Draws the action of the step; false when the shield allows none.
-  bool draw(const Observation& observation) {
+  bool draw() {
     const std::vector<float>& preferences = agent_.decision().preferences;
-    const std::vector<char> allowed = allowedActions(observation);
+    const std::vector<char> allowed = allowedActions();
     float largest = -1e30f;
     for (std::size_t i = 0; i < allowed.size(); ++i) {
       if (allowed[i]) largest = std::max(largest, preferences[i]);
@@ -117,11 +117,10 @@ class Practice {
   }
 
   /// As the agent will allow them.
-  std::vector<char> allowedActions(const Observation& observation) const {
+  std::vector<char> allowedActions() const {
     const ActionSet& actions = agent_.policy().description().actions;
     const AgentParameters& agent = agent_.parameters();
     std::vector<char> allowed(static_cast<std::size_t>(actions.size()));
-    if (agent.memory.enabled) allowed[static_cast<std::size_t>(actions.nearest(observation.route_bearing))] = true;
     for (const double clearance : {agent.shield.clearance, agent.shield.tight_clearance}) {
       for (int action = 0; action < actions.size(); ++action) {
         const double free = agent_.shield().freeDistance({}, actions.angle(action), agent.step.length, clearance);

@@ -34,18 +34,6 @@ enum class Driver {
   kLearner
 };
 
-/// The steering angle that leads the robot in the direction that the teacher wants, rad relative to the heading.
-int answer(const ActionSet& actions, const AgentParameters& agent, const Observation& observation, double wanted) {
-  const int nearest = actions.nearest(wanted);
-  if (!agent.memory.enabled) return nearest;
-  // The angle nearest to the route leads along the route itself. What another angle would gain by less than half of the
-  // angles' distance is nothing to leave the route for.
-  constexpr double kWorthLeaving = M_PI / 8.0;
-  const double off_route = std::abs(normalizeAngle(wanted - observation.route_bearing));
-  const double off_nearest = std::abs(normalizeAngle(wanted - actions.angle(nearest)));
-  return off_route <= off_nearest + kWorthLeaving ? actions.nearest(observation.route_bearing) : nearest;
-}
-
 /// Drives once, asks the teacher at every step and lets the driver choose.
 Episode driveEpisode(const DriveExercise& exercise, const DriveTask& task, const ImitationParameters& parameters,
                      const LayerStack& layers, Driver driver, std::uint64_t seed) {
@@ -62,7 +50,7 @@ Episode driveEpisode(const DriveExercise& exercise, const DriveTask& task, const
     double direction = 0.0;
     const bool known = exercise.teacher->direction({pose.x, pose.y}, &direction);
     const double wanted = normalizeAngle(direction - pose.yaw);
-    const int label = known ? answer(parameters.policy.actions, agent.parameters(), observation, wanted) : -1;
+    const int label = known ? parameters.policy.actions.nearest(wanted) : -1;
     episode.observations.push_back(observation);
     episode.labels.push_back(label);
 

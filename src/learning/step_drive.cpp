@@ -34,11 +34,6 @@ AgentParameters practiceAgent(const PolicyDescription& policy) {
   agent.shield.footprint_radius = policy.footprint_radius;
   agent.escape.enabled = false;
   agent.memory.enabled = false;
-  for (const std::string& name : policy.encoder.input_layout) {
-    if (name.rfind("route_", 0) == 0) agent.memory.enabled = true;
-  }
-  agent.memory.width = 38.4;
-  agent.memory.reach = 4.0;
   return agent;
 }
 
@@ -68,24 +63,32 @@ StepDrive::StepDrive(const World& world, const DriveTask& task, const StepDriveC
       pose_(task.start) {}
 
 DriveResult::End StepDrive::run(int max_steps, NavigationAgent* agent) {
-  const MotionParameters motion;
-  const Point2 goal = toLocalFrame(task_.start, task_.goal);
-  const double range_cap = agent->policy().description().encoder.range_cap;
-  agent->setGoal(goal);
-  for (int step = 0; step < max_steps; ++step) {
-    scanner_.scan(world_, pose_, time_, &scan_);
-    perceive(scan_, conditions_.scanner.mount, {}, range_cap, &situation_);
-    situation_.time = time_;
-    situation_.pose = odometry_;
-    const Decision& decision = agent->update(situation_);
-    if (decision.source == Decision::Source::kNoWay) return DriveResult::End::kNoWay;
-    if (distanceBetween(odometry_, goal) <= motion.position_tolerance) return DriveResult::End::kReached;
-    carryOut(decision, *agent);
+  int steps = 0;
+  const auto goes_on = [&steps, max_steps] { return steps++ < max_steps; };
+  const auto note = [](const Situation&, const Decision&) {};
+  switch (ClosedLoop(this, agent).run(toLocalFrame(task_.start, task_.goal), goes_on, note)) {
+    case ClosedLoop::End::kArrived:
+      return DriveResult::End::kReached;
+    case ClosedLoop::End::kNoWay:
+      return DriveResult::End::kNoWay;
+    case ClosedLoop::End::kStopped:
+      break;
   }
   return DriveResult::End::kTimeout;
 }
 
-void StepDrive::carryOut(const Decision& decision, const NavigationAgent& agent) {
+void StepDrive::sense(double range_cap, Situation* situation) {
+  scanner_.scan(world_, pose_, time_, &scan_);
+  perceive(scan_, conditions_.scanner.mount, {}, range_cap, situation);
+  situation->time = time_;
+  situation->pose = odometry_;
+}
+
+bool StepDrive::hasArrived(const Situation& situation, const Decision& decision) const {
+  return distanceBetween(situation.pose, decision.destination) <= MotionParameters().position_tolerance;
+}
+
+void StepDrive::carryOut(const Situation&, const Decision& decision, const NavigationAgent& agent) {
   const StepParameters& step = agent.parameters().step;
   const Pose2 begin = odometry_;
   for (double elapsed = 0.0; elapsed < conditions_.period - 1e-9; elapsed += kPiece) {

@@ -154,9 +154,6 @@ Encoder::Input Encoder::inputNamed(const std::string& name) {
                                                          {"heading_sin", Feature::kHeadingSin},
                                                          {"heading_cos", Feature::kHeadingCos},
                                                          {"previous_action", Feature::kPreviousAction},
-                                                         {"route_bearing_sin", Feature::kRouteBearingSin},
-                                                         {"route_bearing_cos", Feature::kRouteBearingCos},
-                                                         {"route_detour", Feature::kRouteDetour},
                                                          {"room_visits", Feature::kRoomVisits},
                                                          {"behind_best", Feature::kBehindBest},
                                                          {"steps_since_best", Feature::kStepsSinceBest},
@@ -221,14 +218,6 @@ double Encoder::value(const Input& input, const Observation& observation) const 
       return normalizeAngle(observation.previous_action) / parameters_.action_scale;
     case Feature::kEvent:
       return observation.sector_ranges[input.index] < parameters_.event_range ? 1.0 : 0.0;
-    case Feature::kRouteBearingSin:
-      return std::sin(observation.route_bearing);
-    case Feature::kRouteBearingCos:
-      return std::cos(observation.route_bearing);
-    case Feature::kRouteDetour: {
-      const double distance = std::max(0.0, observation.goal_distance);
-      return observation.route_length > distance ? 1.0 - distance / observation.route_length : 0.0;
-    }
     case Feature::kVisits: {
       const double visits = std::max(0.0, observation.visits[input.index]);
       return visits / (visits + 1.0);

@@ -35,10 +35,13 @@ void add(const std::string& key, const std::string& value, DiagnosticStatus* sta
   status->values.push_back(entry);
 }
 
-unsigned char levelOf(Decision::Source source) {
+/// `rescues`: something else leads than should.
+unsigned char levelOf(Decision::Source source, bool rescues) {
   switch (source) {
     case Decision::Source::kNoWay: return DiagnosticStatus::ERROR;
-    case Decision::Source::kLookAround: return DiagnosticStatus::WARN;
+    case Decision::Source::kLookAround:
+    case Decision::Source::kRoute:
+    case Decision::Source::kEscape: return rescues ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
     default: return DiagnosticStatus::OK;
   }
 }
@@ -54,13 +57,16 @@ void DecisionPublisher::publish(const std_msgs::Header& header, const Situation&
     return;
   }
   DiagnosticStatus status;
-  status.level = levelOf(decision.source);
+  const bool network_leads = decision.preferred >= 0;
+  status.level = levelOf(decision.source, network_leads);
   status.name = "lstm_planner: decision";
   status.message = toString(decision.source);
   add("step", text(decision.step), &status);
   add("goal_distance", text(distanceBetween(situation.pose, goal)), &status);
   add("goal_bearing", text(normalizeAngle(directionTo(situation.pose, goal) - situation.pose.yaw)), &status);
   add("action", text(decision.action), &status);
+  add("preferred", text(decision.preferred), &status);
+  add("overruled", decision.isOverruled() ? "true" : "false", &status);
   add("steering_angle", text(normalizeAngle(decision.direction - situation.pose.yaw)), &status);
   add("preferences", listText(decision.preferences), &status);
   add("allowed", listText(decision.allowed), &status);

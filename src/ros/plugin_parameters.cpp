@@ -43,7 +43,6 @@ void readMemory(ParameterReader* reader, MemoryParameters* memory) {
   reader->read("memory/resolution", &memory->resolution);
   reader->read("memory/reach", &memory->reach);
   reader->read("memory/comfort", &memory->comfort);
-  reader->read("memory/freedom", &memory->freedom);
   reader->read("memory/tightness", &memory->tightness);
 }
 
@@ -100,9 +99,19 @@ void check(const SensorParameters& sensors) {
   checkPositive("max_speed", sensors.max_speed);
 }
 
+void readLeader(ParameterReader* reader, Leader* leader) {
+  std::string name = toString(*leader);
+  reader->read("leader", &name);
+  *leader = leaderNamed(name);
+  if (*leader == Leader::kNone) {
+    throw std::invalid_argument("leader is 'none', expected network or route: none is for comparisons in simulation");
+  }
+}
+
 }  // namespace
 
 void readParameters(ParameterReader* reader, GlobalPlannerParameters* parameters) {
+  readLeader(reader, &parameters->agent.leader);
   reader->read("model", &parameters->model);
   readSensors(reader, &parameters->sensors);
   readStep(reader, &parameters->agent.step);

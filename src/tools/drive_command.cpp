@@ -24,8 +24,14 @@ DriveResult driveOnce(const DriveOptions& options, const DriveWorld& world, cons
   return drive(&crowd, exercise.task, rules, exercise.seed, &agent);
 }
 
+/// Only a network that leads is read: the others need no file.
+DrivePolicy policyOf(const DriveOptions& options) {
+  if (options.agent.leader == Leader::kNetwork) return DrivePolicy::fromFile(options.model);
+  return noPolicy();
+}
+
 DriveResults driveAll(const DriveOptions& options, const DriveCourse& course) {
-  const DrivePolicy policy = DrivePolicy::fromFile(options.model);
+  const DrivePolicy policy = policyOf(options);
   DriveResults results;
   std::vector<std::pair<std::size_t, std::size_t>> jobs;
   for (std::size_t world = 0; world < course.worlds.size(); ++world) {

@@ -64,7 +64,10 @@ void addRobotOptions(DriveOptions* options, po::options_description* all) {
       ("slip", withDefault(&base.slip), "standard deviation of a wheel's slip")
       ("wheel-error", withDefault(&base.drift), "relative error between the wheels")
       ("latency", withDefault(&options->drive.robot.latency), "s from a command to the wheels")
-      ("no-escape", "switch the escape off")
+      ("leader", po::value<std::string>()->default_value(toString(options->agent.leader)),
+       "network; route: the way through what is remembered; none: the allowed angle nearest to the goal's bearing")
+      ("no-escape", "switch the rescue off: whoever leads has no help")
+      ("no-memory", "remember no obstacles: the rescue follows boundaries")
       ("no-shield", "switch the shield off");
   // clang-format on
   all->add(description);
@@ -116,7 +119,9 @@ bool readDriveOptions(const std::vector<std::string>& arguments, DriveOptions* o
   addOutputOptions(options, &description);
   po::variables_map values;
   if (!parseOptions("drive", description, arguments, &values)) return false;
+  options->agent.leader = leaderNamed(values["leader"].as<std::string>());
   options->agent.escape.enabled = values.count("no-escape") == 0;
+  options->agent.memory.enabled = values.count("no-memory") == 0;
   options->open_unknown = values.count("open-unknown") != 0;
   options->agent.shield_enabled = values.count("no-shield") == 0;
   check(*options);

@@ -16,7 +16,7 @@ struct DriveOptions {
   std::string barn;
   std::string kind;  ///< of generated worlds
 
-  std::string model = "models/create2_lstm_2x8.onnx";
+  std::string model = "models/create2_lstm.onnx";
   std::optional<int> goals;
   std::vector<int> only;  ///< numbers of the goals or worlds to drive; all when empty
   std::optional<double> shortest;

@@ -68,17 +68,30 @@ OccupancyGrid floorUnder(const Drive& drive) {
                        {low.x - kMargin, low.y - kMargin, 0.0});
 }
 
-/// The parts of the way that the escape decided, each from where it took over to where it handed back.
-std::vector<std::vector<Point2>> escapesOf(const DriveResult& result) {
-  std::vector<std::vector<Point2>> escapes;
-  bool escaping = false;
+TracePicture::Part::Leader leaderOf(Decision::Source source) {
+  switch (source) {
+    case Decision::Source::kNetwork:
+    case Decision::Source::kGreedy:
+      return TracePicture::Part::Leader::kNetwork;
+    case Decision::Source::kRoute:
+      return TracePicture::Part::Leader::kRoute;
+    case Decision::Source::kEscape:
+      return TracePicture::Part::Leader::kBoundary;
+    default:
+      return TracePicture::Part::Leader::kOther;
+  }
+}
+
+/// The way in parts, each from where somebody took over to where he handed on.
+std::vector<TracePicture::Part> partsOf(const DriveResult& result) {
+  std::vector<TracePicture::Part> parts;
   for (std::size_t i = 0; i < result.trace.size(); ++i) {
     const Point2 here{result.trace[i].x, result.trace[i].y};
-    if (escaping) escapes.back().push_back(here);
-    if (result.escaping[i] != 0 && !escaping) escapes.push_back({here});
-    escaping = result.escaping[i] != 0;
+    const auto leader = leaderOf(result.led[i]);
+    if (!parts.empty()) parts.back().way.push_back(here);
+    if (parts.empty() || parts.back().leader != leader) parts.push_back({leader, {here}});
   }
-  return escapes;
+  return parts;
 }
 
 std::string titleOf(const Drive& drive) {
@@ -104,7 +117,7 @@ void draw(const std::string& path, const Drive& drive) {
   picture.goals = {{drive.exercise.task.goal, "", drive.result.end == DriveResult::End::kReached}};
   picture.traces.emplace_back();
   for (const Pose2& pose : drive.result.trace) picture.traces.back().push_back({pose.x, pose.y});
-  picture.escapes = escapesOf(drive.result);
+  picture.parts = partsOf(drive.result);
   picture.contacts = drive.result.contact_places;
   picture.circles = drive.world.circles;
   picture.walkers = drive.result.walker_traces;

@@ -38,6 +38,23 @@ void printLine(std::ostream& out, int width, const std::string& name, const Driv
       << std::setprecision(1) << std::setw(9) << summary.mean_time << " s\n";
 }
 
+/// Who decided how many of the steps.
+void printLeaders(std::ostream& out, const std::vector<DriveResult>& results) {
+  out << "decided by" << std::fixed << std::setprecision(1);
+  for (std::size_t i = 0; i < kDecisionSources; ++i) {
+    const auto source = static_cast<Decision::Source>(i);
+    const double share = shareOf(source, results);
+    if (share > 0.0) out << "  " << toString(source) << ' ' << 100.0 * share << " %";
+  }
+  out << "; the network was overruled in " << 100.0 * overruledShare(results) << " %\n";
+}
+
+std::string columnName(Decision::Source source) {
+  std::string name = toString(source);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
 nlohmann::json toJson(const std::vector<DriveResult>& results, bool is_barn) {
   const DriveSummary summary = summarize(results);
   nlohmann::json json = {{"goals", summary.goals},
@@ -52,6 +69,11 @@ nlohmann::json toJson(const std::vector<DriveResult>& results, bool is_barn) {
                          {"p95_ratio", summary.p95_ratio},
                          {"mean_time_s", summary.mean_time},
                          {"mean_goal_error_m", summary.mean_goal_error}};
+  for (std::size_t i = 0; i < kDecisionSources; ++i) {
+    const auto source = static_cast<Decision::Source>(i);
+    json["led"][toString(source)] = shareOf(source, results);
+  }
+  json["overruled"] = overruledShare(results);
   if (is_barn) {
     json["barn_score_k4"] = meanBarnScore(results, 4.0);
     json["barn_score_k2"] = meanBarnScore(results, 2.0);
@@ -86,6 +108,7 @@ void printDriveSummary(std::ostream& out, const DriveCourse& course, const Drive
     }
   }
   const std::vector<DriveResult> all = together(results);
+  printLeaders(out, all);
   printLine(out, columns, course.worlds.size() == 1 ? course.worlds[0].name : "all", summarize(all));
   if (course.is_barn) {
     out << std::setprecision(4) << "BARN score: " << meanBarnScore(all, 4.0) << " (k = 4), " << meanBarnScore(all, 2.0)
@@ -97,7 +120,10 @@ std::string driveJson(const DriveOptions& options, const DriveCourse& course, co
   nlohmann::json json = toJson(together(results), course.is_barn);
   const SimulatedRobot::Parameters& robot = course.rules.robot;
   json["map"] = course.source;
-  json["model"] = options.model;
+  json["leader"] = toString(options.agent.leader);
+  json["memory"] = options.agent.memory.enabled;
+  json["escape"] = options.agent.escape.enabled;
+  if (options.agent.leader == Leader::kNetwork) json["model"] = options.model;
   json["seed"] = options.seed;
   json["walkers"] = options.crowd.walkers;
   json["noise_m"] = robot.scanner.noise;
@@ -121,7 +147,9 @@ std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
   std::ostringstream csv;
   csv << "world,number,start_x,start_y,start_yaw,goal_x,goal_y,end,contacts,bumped,bumped_moving,time_s,path_m,"
          "shortest_m,"
-         "goal_error_m,steps,escape_steps\n";
+         "goal_error_m,steps,overruled_steps";
+  for (std::size_t i = 0; i < kDecisionSources; ++i) csv << ",by_" << columnName(static_cast<Decision::Source>(i));
+  csv << '\n';
   for (std::size_t i = 0; i < course.worlds.size(); ++i) {
     for (std::size_t k = 0; k < results[i].size(); ++k) {
       const NumberedDrive& exercise = course.worlds[i].exercises[k];
@@ -131,7 +159,9 @@ std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
           << task.start.yaw << ',' << task.goal.x << ',' << task.goal.y << ',' << toString(result.end) << ','
           << result.contacts << ',' << result.bumped << ',' << result.bumped_moving << ',' << result.time << ','
           << result.path_length << ',' << result.shortest << ',' << result.goal_error << ',' << result.steps << ','
-          << result.escape_steps << '\n';
+          << result.overruled_steps;
+      for (const long steps : result.steps_by) csv << ',' << steps;
+      csv << '\n';
     }
   }
   return csv.str();

@@ -15,8 +15,7 @@ void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* enc
   description->add_options()
       ("inputs", po::value(&options->inputs)->multitoken(),
        "beside the thesis's: events (a sector below --event-range), visits (how often it was at the places a step "
-       "away), trace (the same on three scales, how long ago, and its progress), motion (since the last step), route "
-       "(where the way through the remembered obstacles begins)")
+       "away), trace (the same on three scales, how long ago, and its progress), motion (since the last step)")
       ("event-range", po::value(&encoder->event_range)->default_value(encoder->event_range), "m; nearer is an event")
       ("position-cell", po::value(&encoder->position_cell)->default_value(encoder->position_cell),
        "m, to which the odometry is rounded; 0: not at all")
@@ -93,9 +92,7 @@ nlohmann::json settingsOf(const RobotTrainingOptions& options) {
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder) {
   std::vector<std::string>& layout = encoder->input_layout;
   for (const std::string& group : groups) {
-    if (group == "route") {
-      layout.insert(layout.end(), {"route_bearing_sin", "route_bearing_cos", "route_detour"});
-    } else if (group == "visits") {
+    if (group == "visits") {
       for (int i = 0; i < kPlaceDirections; ++i) layout.push_back("visits_" + std::to_string(i));
     } else if (group == "events") {
       for (int i = 0; i < kSectorCount; ++i) layout.push_back("event_" + std::to_string(i));
@@ -109,7 +106,7 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
       layout.insert(layout.end(), {"motion_forward", "motion_left", "motion_turn"});
     } else {
       throw std::invalid_argument("--inputs names '" + group +
-                                  "', expected some of events, visits, trace, motion, route");
+                                  "', expected some of events, visits, trace, motion");
     }
   }
   validate(*encoder);

@@ -51,7 +51,7 @@ class Parts {
     times->memory_and_route.measure([&] { guide_.update(situation_); });
     times->observe_and_network.measure([&] {
       const Observation observation = observe(situation_, goal_, 0.0, policy_.description().encoder.position_cell,
-                                              &guide_, parameters_.step.length, &trace_);
+                                              &trace_);
       benchmark::DoNotOptimize(policy_.advance(observation).data());
     });
     times->shield.measure([&] {

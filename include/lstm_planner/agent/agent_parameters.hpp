@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace lstm_planner {
 
 /// When a step of the agent is over and the network decides anew.
@@ -29,7 +31,6 @@ struct MemoryParameters {
   double resolution = 0.05;  ///< m; at most 0.29 footprint radii, or ways would lead through walls
   double reach = 12.0;       ///< m; returns farther away are not remembered
   double comfort = 0.12;     ///< m kept between the footprint and obstacles by ways where there is room
-  double freedom = 0.3;      ///< m that the way by the network's step may be longer than the shortest one remembered
   double tightness = 3.0;    ///< how many times its length a way counts where there is less room than shield/clearance
 };
 
@@ -37,7 +38,7 @@ struct MemoryParameters {
 struct EscapeParameters {
   bool enabled = true;
   int patience_steps = 120;         ///< steps without a new best distance to the goal before the way through what is
-                                    ///< remembered is followed whatever the network says
+                                    ///< remembered leads in the network's place
   double patience_distance = 24.0;  ///< m driven likewise
   double last_resort = 10.0;        ///< times that patience before boundaries are followed instead
   double progress = 0.25;           ///< m; nearer to the goal than ever by this much is a new best
@@ -50,8 +51,20 @@ struct EscapeParameters {
   double loop_length = 3.0;         ///< m; a shorter loop than this is not believed
 };
 
+/// Who chooses the steps as long as there is progress.
+enum class Leader {
+  kNetwork,  ///< the network; without progress the way through what is remembered
+  kRoute,    ///< always the way through what is remembered; no network is asked
+  kNone      ///< the allowed steering angle nearest to the goal's bearing: what a network has to be better than
+};
+/// "network", "route", "none".
+const char* toString(Leader leader);
+/// Throws std::invalid_argument with the names there are.
+Leader leaderNamed(const std::string& name);
+
 /// All parameters of NavigationAgent.
 struct AgentParameters {
+  Leader leader = Leader::kNetwork;
   StepParameters step;
   ShieldParameters shield;
   MemoryParameters memory;

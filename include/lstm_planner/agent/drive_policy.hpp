@@ -46,6 +46,9 @@ class DrivePolicy {
   Eigen::VectorXf input_;
 };
 
+/// For an agent that no network leads: the thesis's inputs and steering angles, all weights zero.
+DrivePolicy noPolicy();
+
 /// Throws std::invalid_argument with one sentence that says what differs when a model made for another step length or a
 /// smaller robot would drive with these parameters. `range_max` is the scanner's (m, 0 = not known yet): it must reach
 /// as far as half the model's range cap.

@@ -20,9 +20,10 @@ namespace lstm_planner {
 struct Decision {
   enum class Source {
     kNetwork,      ///< the allowed action that the network prefers
+    kGreedy,       ///< the allowed action nearest to the goal's bearing, where no network leads
     kGoalInSight,  ///< the goal is near and the straight way free
-    kRoute,        ///< the way through what is remembered; the network made no progress
-    kEscape,       ///< boundary following
+    kRoute,        ///< the way through what is remembered: it always leads, or there was no progress
+    kEscape,       ///< boundary following: no way through what is remembered led on either
     kLookAround,   ///< nothing is free in sight: turn
     kArrived,      ///< within the goal tolerance
     kNoWay         ///< the way around has been followed to its end: the goal cannot be reached
@@ -31,24 +32,31 @@ struct Decision {
   Point2 waypoint;                 ///< odometry frame
   double direction = 0.0;          ///< rad, odometry frame, from where the decision was made to the waypoint
   int action = -1;                 ///< index of the steering angle; -1 when the waypoint is not one of them
+  int preferred = -1;              ///< the action that the network prefers of all; -1 when none is asked
   std::vector<float> preferences;  ///< the network's, one an action
   std::vector<char> allowed;       ///< the shield's word, one an action
   bool on_route = false;           ///< the waypoint lies on, or beside, the way through what is remembered
   Point2 destination;              ///< where the plan ends: the goal, or where the footprint still fits when the goal
                                    ///< lies in something (AgentParameters::goal_drift)
-  std::vector<Point2> way_on;      ///< from the waypoint to the destination through what is remembered; empty when there
-                                   ///< is no such way, or no memory
+  std::vector<Point2> way_on;      ///< from the waypoint to the destination through what is remembered; empty unless the
+                                   ///< waypoint is on it
   long step = 0;                   ///< counts the steps since the goal was set
+
+  /// The network's favourite was not taken: the shield forbids it, or the network does not lead.
+  bool isOverruled() const { return preferred >= 0 && action != preferred; }
 };
 
+constexpr std::size_t kDecisionSources = 8;
 const char* toString(Decision::Source source);
 
-/// Decides, step by step, where the robot goes: network -> shield -> choice -> escape.
+/// Decides, step by step, where the robot goes: network -> shield -> rescue.
 ///
-/// What was seen on the way is remembered (RouteGuide), and where the way through it begins is among the network's
-/// inputs if the model asks for it. The steering angle that the network chooses says which way to go; if the route leads
-/// that way, too, it says exactly where. Without progress the route is followed whatever the network says, and if even
-/// that leads nowhere boundaries are (Escape).
+/// The network is told what is seen and where the robot was. As long as the robot comes nearer to the goal nothing is
+/// searched; what is seen is only remembered. Without progress comes the rescue: the way through what is remembered leads
+/// (RouteGuide) until the robot is nearer to the goal than ever, and if even that leads nowhere boundaries are followed
+/// (Escape). Each time that the network takes over again is strictly nearer to the goal.
+///
+/// AgentParameters::leader puts the route, or nothing but the goal's bearing, in the network's place.
 ///
 /// The hidden state advances once a step (StepParameters) and at no other time: asking twice gives the same answer. Not
 /// thread safe. All poses and goals are in the odometry frame.
@@ -87,8 +95,8 @@ class NavigationAgent {
   double bestDistance() const { return best_distance_; }
 
  private:
-  /// Who leads while there is no progress.
-  enum class Leader { kNetwork, kRoute, kBoundary };
+  /// Who leads now.
+  enum class Phase { kLeader, kRoute, kBoundary };
 
   bool stepIsOver(const Situation& situation) const;
   bool hasStirred(const Situation& situation, const Pose2& since) const;
@@ -99,17 +107,21 @@ class NavigationAgent {
   void beginFrom(const Situation& situation);
   /// How near to the goal, m, counts as progress.
   double targetDistance() const { return best_distance_ - parameters_.escape.progress; }
-  void lead(Leader leader);
+  void lead(Phase phase);
+  void losePatience();
+  bool isOutOfPatience(double times) const;
   void guide(const Situation& situation);
-  void advanceNetwork(const Situation& situation);
+  void beginStep(const Situation& situation);
+  void advanceNetwork(const Observation& observation);
+  void preferGoal(const Observation& observation);
+  double previousAction() const;
   void choose(const Situation& situation);
   void chooseEscape(const Situation& situation);
   void chooseRoute(const Situation& situation);
   void chooseAction(const Situation& situation);
-  int preferredAction(const Situation& situation, double clearance, int on_route, double* free);
-  bool leadsOn(const Situation& situation, double direction, double distance);
-  bool findOn(const Point2& waypoint);
-  bool followRoute(const Situation& situation, Decision::Source source);
+  void chooseByPhase(const Situation& situation);
+  int allowedFavourite(const Situation& situation, double clearance, double* free);
+  bool followRoute(const Situation& situation);
   bool chooseGoalInSight(const Situation& situation);
   void lookAround(const Situation& situation);
   void goTo(const Situation& situation, Decision::Source source, double direction, double distance);
@@ -123,16 +135,14 @@ class NavigationAgent {
   RouteGuide guide_;
   RouteGuide::Status guide_status_ = RouteGuide::Status::kRoute;
   DriveTrace trace_;
-  bool network_knows_route_;  ///< the model has the route among its inputs
   Point2 goal_;
-  Route route_on_;  ///< of findOn(), since guide() was called last
   Decision decision_;
   Pose2 step_pose_;          ///< where the current step began
   double step_time_ = 0.0;   ///< s
   Pose2 stall_pose_;         ///< where the robot has been since stall_time_
   double stall_time_ = 0.0;  ///< s
   bool has_step_ = false;
-  Leader leader_ = Leader::kNetwork;
+  Phase phase_ = Phase::kLeader;
   Point2 best_position_;        ///< where the robot was nearest to the goal
   double best_distance_ = 0.0;  ///< m, from there to the goal
   StepListener step_listener_;

@@ -10,11 +10,9 @@ namespace lstm_planner {
 /// Composes what the network is told from what is seen and what is remembered: the one place where this is done, for the
 /// agent that drives and for the recorder that watches somebody drive.
 ///
-/// `guide`: knows the way through what is remembered; null where none is known or nothing is remembered. `trace`: of
-/// the drive so far; the robot is noted to be at the situation's pose. `step_length`: m, how far along the route its
-/// bearing is taken. `position_cell`: m, see observe().
+/// `trace`: of the drive so far; the robot is noted to be at the situation's pose. `position_cell`: m, see observe().
 Observation observe(const Situation& situation, const Point2& goal, double previous_action, double position_cell,
-                    const RouteGuide* guide, double step_length, DriveTrace* trace);
+                    DriveTrace* trace);
 
 /// What a recorder remembers of a drive, as the agent would: obstacles and places.
 class Observer {
@@ -25,7 +23,8 @@ class Observer {
   void begin(const Point2& goal);
   /// The odometry jumped: everything is forgotten.
   void forget();
-  /// What the network would be told at this step; the position is not rounded.
+  /// What the network would be told at this step; the position is not rounded. In addition, for whoever learns from it
+  /// later: where the way through the obstacles seen so far begins, and how long it is.
   Observation look(const Situation& situation, const Point2& goal, double previous_action);
 
  private:

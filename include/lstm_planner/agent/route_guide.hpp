@@ -38,6 +38,9 @@ class RouteGuide {
   /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
   void noteProgress();
 
+  /// Only remembers: what is seen from a new place, and how far the robot has driven. Searches nothing.
+  void watch(const Situation& situation);
+
   /// Takes in the situation and finds the way anew where that may change it; one that is hardly better than the last one
   /// is not taken.
   Status update(const Situation& situation);
@@ -60,9 +63,6 @@ class RouteGuide {
   /// Where the route ends.
   Point2 end() const { return route().points.empty() ? goal_ : route().points.back(); }
 
-  /// A route from somewhere else through the same memory; false when there is none.
-  bool findFrom(const Point2& start, Route* route);
-
   /// Whether the footprint fits through on the straight way from one place to the other, as far as is remembered.
   bool isPassable(const Point2& from, const Point2& to) {
     return memory_.isFree(from, to, ObstacleMemory::Passage::kTight);
@@ -76,6 +76,7 @@ class RouteGuide {
 
  private:
   double tolerance() const;
+  void noteMotion(const Situation& situation);
   bool find(const Point2& start, Route* route);
   bool costsHold(const Point2& here);
   bool goalIsAsBefore();
@@ -100,6 +101,8 @@ class RouteGuide {
   std::uint32_t through_freed_ = 0;  ///< least cost from freed_from_ through a place where an obstacle has gone since
   int freed_from_ = -1;              ///< cell
   Point2 searched_goal_;             ///< where the goal was then
+  Pose2 watched_pose_;  ///< where the last scan was taken in
+  bool has_watched_ = false;
   Pose2 last_pose_;
   bool has_pose_ = false;
   double driven_ = 0.0;        ///< m since the goal was set

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -60,12 +61,18 @@ struct DriveResult {
   double shortest = 0.0;     ///< m, of the task
   double goal_error = 0.0;   ///< m from the true position to the goal in the end
   long steps = 0;
-  long escape_steps = 0;                           ///< steps that the escape or the remembered way decided
-  std::vector<Pose2> trace;                        ///< true poses, one a command
-  std::vector<char> escaping;                      ///< whether they decided, one a pose of the trace
+  std::array<long, kDecisionSources> steps_by{};  ///< of these, by Decision::Source
+  long overruled_steps = 0;                       ///< in which another action than the network's favourite was taken
+  std::vector<Pose2> trace;                       ///< true poses, one a command
+  std::vector<Decision::Source> led;              ///< who decided, one a pose of the trace
   std::vector<Point2> contact_places;              ///< where the robot was
   std::vector<std::vector<Point2>> walker_traces;  ///< by walker, one place a pose of the trace
 };
+
+/// Share of the steps of all drives that a source decided.
+double shareOf(Decision::Source source, const std::vector<DriveResult>& results);
+/// Share of the steps in which another action than the network's favourite was taken.
+double overruledShare(const std::vector<DriveResult>& results);
 
 /// Drives one task with agent and controller in closed loop, without ROS. The agent is given the goal anew.
 DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,

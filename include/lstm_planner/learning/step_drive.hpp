@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "lstm_planner/agent/navigation_agent.hpp"
+#include "lstm_planner/evaluation/closed_loop.hpp"
 #include "lstm_planner/evaluation/drive.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
 #include "lstm_planner/simulation/random.hpp"
@@ -28,13 +29,12 @@ StepDriveConditions usualConditions();
 /// deep neural networks from simulation to the real world", IROS 2017).
 StepDriveConditions drawConditions(Random& random);
 
-/// The agent that practises: without escape, and with a memory of obstacles only where the network is told the way
-/// through it, smaller than usual.
+/// The agent that practises: network and shield, without rescue or memory of obstacles.
 AgentParameters practiceAgent(const PolicyDescription& policy);
 
-/// A drive for practice: a scan and a decision a step, and in between the robot turns and drives as the controller
-/// would, but without controller, plan and wheels. Many times as fast as drive(), which judges what was learned.
-class StepDrive {
+/// A drive for practice, in the ClosedLoop in which drive() judges what was learned: a scan and a decision a step, and in
+/// between the robot turns and drives as the controller would, but without controller, plan and wheels.
+class StepDrive : private LoopRobot {
  public:
   /// `world` must outlive it. Deterministic for a seed.
   StepDrive(const World& world, const DriveTask& task, const StepDriveConditions& conditions, double footprint_radius,
@@ -48,7 +48,9 @@ class StepDrive {
   double pathLength() const { return path_length_; }  ///< m
 
  private:
-  void carryOut(const Decision& decision, const NavigationAgent& agent);
+  void sense(double range_cap, Situation* situation) override;
+  void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) override;
+  bool hasArrived(const Situation& situation, const Decision& decision) const override;
   Twist2 steer(const Decision& decision, const NavigationAgent& agent, double period) const;
   void move(const Twist2& twist, double seconds);
 
@@ -59,7 +61,6 @@ class StepDrive {
   Random random_;
   Hokuyo scanner_;
   LaserScan scan_;
-  Situation situation_;
   Pose2 pose_;
   Pose2 odometry_;
   Twist2 twist_;

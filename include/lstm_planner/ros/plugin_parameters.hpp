@@ -22,7 +22,7 @@ struct SensorParameters {
 
 /// Parameters of LstmGlobalPlanner, in "~/LstmGlobalPlanner"; config/lstm_planner.yaml explains each.
 struct GlobalPlannerParameters {
-  std::string model = "package://lstm_planner/models/create2_lstm_2x8.onnx";  ///< path, or package://NAME/PATH
+  std::string model = "package://lstm_planner/models/create2_lstm.onnx";  ///< path, or package://NAME/PATH
   SensorParameters sensors;
   AgentParameters agent;
   RolloutParameters rollout;
