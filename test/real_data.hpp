@@ -20,7 +20,7 @@ inline std::string realData(const std::string& file) {
 inline std::string willowMap() { return realData("maps/stage_ros_willow-full.yaml"); }
 constexpr double kWillowFreeThreshold = 0.19;
 
-inline std::string shippedModel() { return std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/create2_lstm_2x8.onnx"; }
+inline std::string shippedModel() { return std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/create2_lstm.onnx"; }
 
 /// The first `count` random tasks whose shortest ways are between `shortest` and `longest` metres long.
 inline std::vector<DriveTask> drawTasksBetween(const GridWorld& world, int count, double shortest, double longest) {

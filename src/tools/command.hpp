@@ -15,6 +15,7 @@ struct Command {
 };
 
 int runDrive(const std::vector<std::string>& arguments);
+int runJudge(const std::vector<std::string>& arguments);
 int runTrain(const std::vector<std::string>& arguments);
 int runEvaluate(const std::vector<std::string>& arguments);
 int runReport(const std::vector<std::string>& arguments);

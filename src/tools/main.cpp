@@ -12,6 +12,7 @@ namespace {
 
 constexpr lstm_planner::Command kCommands[] = {
     {"drive", "drive a simulated Create 2 to random goals and judge it", lstm_planner::runDrive},
+    {"judge", "judge a network of the robot in many short practice drives", lstm_planner::runJudge},
     {"train", "train a network for the robot or for the grid world", lstm_planner::runTrain, true},
     {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate, true},
     {"report", "compare agents with each other and with the thesis", lstm_planner::runReport, true},

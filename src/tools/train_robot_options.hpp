@@ -17,7 +17,7 @@ namespace lstm_planner {
 /// Options that all ways of training the robot have in common.
 struct RobotTrainingOptions {
   std::string command;  ///< the whole command line
-  std::string output = "models/create2_lstm_2x8.onnx";
+  std::string output = "models/create2_lstm.onnx";
   DriveCourseParameters course;
   int validation = 60;  ///< worlds
   int max_steps = 300;  ///< of a drive

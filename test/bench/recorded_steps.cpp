@@ -28,7 +28,7 @@ RecordedDrive record(const std::string& name, OccupancyGrid grid, std::uint64_t 
 
 }  // namespace
 
-DrivePolicy shippedPolicy() { return DrivePolicy::fromFile(kPackage + "/models/create2_lstm_2x8.onnx"); }
+DrivePolicy shippedPolicy() { return DrivePolicy::fromFile(kPackage + "/models/create2_lstm.onnx"); }
 
 RecordedDrive recordDrive(const std::string& name, const World& world, const DriveTask& task, double longest,
                           std::uint64_t seed) {

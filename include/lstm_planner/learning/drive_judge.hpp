@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
+#include "lstm_planner/agent/agent_parameters.hpp"
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/learning/drive_course.hpp"
 
@@ -16,8 +19,19 @@ struct DriveScore {
   double efficiency = 0.0;
 };
 
-/// In so many worlds that are never trained on, four drives each, under random conditions. The same for any number of
-/// threads.
+/// One drive of a judgement.
+struct JudgedDrive {
+  std::size_t kind = 0;     ///< of world: index in DriveCourseParameters::worlds
+  bool arrived = false;
+  double efficiency = 0.0;  ///< shortest / driven way, at most 1; 0 when it did not arrive
+};
+
+/// In so many worlds of a use, four drives each, under random conditions. The same for any number of threads.
+std::vector<JudgedDrive> judgeEach(const DrivePolicy& policy, const AgentParameters& agent,
+                                   const DriveCourseParameters& course, WorldUse use, int worlds, int max_steps,
+                                   std::uint64_t seed, int threads);
+
+/// judgeEach() of a network and the shield alone in worlds for validation.
 DriveScore judgeDrives(const DrivePolicy& policy, const DriveCourseParameters& course, int worlds, int max_steps,
                        std::uint64_t seed, int threads);
 

@@ -183,7 +183,7 @@ void lstmPlanner(benchmark::State& state) {
   Robot robot(where);
   Result result(where);
   GlobalPlannerParameters parameters;
-  parameters.model = std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/create2_lstm_2x8.onnx";
+  parameters.model = std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/create2_lstm.onnx";
   parameters.rollout.steps = 10;
   PlanMaker planner("LstmGlobalPlanner", parameters, kMap, kBase);
   waitForSubscriptions(robot);

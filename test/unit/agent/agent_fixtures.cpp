@@ -5,12 +5,8 @@
 
 namespace lstm_planner::test {
 
-DrivePolicy policyPreferring(const std::vector<float>& preferences, bool knows_route) {
-  PolicyDescription description;
-  if (knows_route) {
-    description.encoder.input_layout.push_back("route_bearing_sin");
-    description.encoder.input_layout.push_back("route_bearing_cos");
-  }
+DrivePolicy policyPreferring(const std::vector<float>& preferences) {
+  const PolicyDescription description;
   const auto inputs = static_cast<Eigen::Index>(description.encoder.input_layout.size());
   // h' = tanh(h / 2 + 0.1) grows from step to step.
   RecurrentLayer memory;
@@ -22,6 +18,12 @@ DrivePolicy policyPreferring(const std::vector<float>& preferences, bool knows_r
   output.weights = Eigen::MatrixXf::Zero(outputs, 1);
   output.bias = Eigen::Map<const Eigen::VectorXf>(preferences.data(), outputs);
   return DrivePolicy(description, {memory, output});
+}
+
+AgentParameters routeLed() {
+  AgentParameters parameters;
+  parameters.leader = Leader::kRoute;
+  return parameters;
 }
 
 DrivePolicy straightAheadPolicy() { return policyPreferring({0.0f, 1.0f, 2.0f, 1.0f, 0.0f}); }

@@ -9,9 +9,11 @@
 
 namespace lstm_planner::test {
 
-/// A policy that always has these preferences (right to left, five) and whose hidden state changes at every step. One
-/// that knows the route has it among its inputs, so that the agent leads it along the way through what is remembered.
-DrivePolicy policyPreferring(const std::vector<float>& preferences, bool knows_route = false);
+/// A policy that always has these preferences (right to left, five) and whose hidden state changes at every step.
+DrivePolicy policyPreferring(const std::vector<float>& preferences);
+
+/// Default parameters, but that the way through what is remembered leads.
+AgentParameters routeLed();
 
 /// Goes straight on wherever it may, and rather a little aside than back.
 DrivePolicy straightAheadPolicy();

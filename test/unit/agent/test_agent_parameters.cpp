@@ -44,8 +44,6 @@ TEST(AgentParameters, NamesTheParameterThatIsWrong) {
       {"memory/width", [&](AgentParameters* p) { p->memory.width = nan; }},
       {"memory/reach", [](AgentParameters* p) { p->memory.reach = 0.0; }},
       {"memory/comfort", [](AgentParameters* p) { p->memory.comfort = -0.01; }},
-      {"memory/freedom", [](AgentParameters* p) { p->memory.freedom = -0.01; }},
-      {"memory/freedom", [&](AgentParameters* p) { p->memory.freedom = infinity; }},
       {"memory/tightness", [](AgentParameters* p) { p->memory.tightness = 0.9; }},
       {"escape/last_resort", [](AgentParameters* p) { p->escape.last_resort = 0.5; }},
       {"goal_drift", [](AgentParameters* p) { p->goal_drift = -0.01; }},
@@ -62,12 +60,31 @@ TEST(AgentParameters, NamesTheParameterThatIsWrong) {
   }
 }
 
+TEST(AgentParameters, NameTheirLeaders) {
+  for (const Leader leader : {Leader::kNetwork, Leader::kRoute, Leader::kNone}) {
+    EXPECT_EQ(leaderNamed(toString(leader)), leader);
+  }
+  try {
+    leaderNamed("lstm");
+    FAIL() << "no leader is called so";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "leader is 'lstm', expected network, route or none");
+  }
+}
+
+TEST(AgentParameters, ARouteCannotLeadWhereNothingIsRemembered) {
+  EXPECT_NE(complaintAbout([](AgentParameters* p) {
+              p->leader = Leader::kRoute;
+              p->memory.enabled = false;
+            }).find("leader is route"),
+            std::string::npos);
+}
+
 TEST(AgentParameters, TakesTheLimitsOfTheMemory) {
   EXPECT_EQ(complaintAbout([](AgentParameters* p) {
               p->memory.resolution = 0.29 * p->shield.footprint_radius;
               p->memory.width = 4.0;
               p->memory.comfort = 0.0;
-              p->memory.freedom = 0.0;
               p->memory.tightness = 1.0;
               p->escape.last_resort = 1.0;
               p->goal_drift = 0.0;

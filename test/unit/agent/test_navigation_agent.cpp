@@ -118,6 +118,15 @@ TEST_F(NavigationAgentTest, AGoalThatMovesALittleIsFollowedAndNothingIsForgotten
   EXPECT_EQ(decision.waypoint.x, decided.waypoint.x);
   EXPECT_EQ(decision.destination.x, goal.x);
   EXPECT_EQ(decision.destination.y, goal.y);
+}
+
+TEST_F(NavigationAgentTest, ARouteEndsAtAGoalThatMovesALittle) {
+  NavigationAgent agent(policy(), test::routeLed());
+  agent.setGoal({10.0, 0.0});
+  agent.update(situationAt({}));
+  const Point2 goal{10.1, 0.2};
+  agent.moveGoal(goal);
+  const Decision& decision = agent.update(situationAt({}, 0.1));
   ASSERT_FALSE(decision.way_on.empty());
   EXPECT_EQ(decision.way_on.back().x, goal.x);
   EXPECT_EQ(decision.way_on.back().y, goal.y);

@@ -18,12 +18,12 @@ using test::situationAt;
 
 constexpr int kStraight = 2;
 
-/// A network that prefers straight on and has the route among its inputs.
-DrivePolicy guidedPolicy() { return test::policyPreferring({1.0f, 2.0f, 5.0f, 3.0f, 4.0f}, true); }
+/// A network that prefers straight on.
+DrivePolicy stubbornPolicy() { return test::policyPreferring({1.0f, 2.0f, 5.0f, 3.0f, 4.0f}); }
 
 class NavigationRoutes : public ::testing::Test {
  protected:
-  NavigationRoutes() : agent_(guidedPolicy(), {}) { agent_.setGoal({4.0, 0.0}); }
+  NavigationRoutes() : agent_(stubbornPolicy(), test::routeLed()) { agent_.setGoal({4.0, 0.0}); }
 
   /// From the waypoint along the way on, m.
   static double lengthOn(const Decision& decision) {
@@ -37,66 +37,95 @@ class NavigationRoutes : public ::testing::Test {
   }
 
   NavigationAgent agent_;
-  const AgentParameters defaults_;
+  const AgentParameters defaults_ = test::routeLed();
 };
 
 /// Across the straight way; its right end is the nearer one.
 const std::vector<Point2> kWall = test::wall({2.0, -1.0}, {2.0, 3.0});
 const double kRoundTheWall = 2.0 * std::hypot(2.0, 1.0);  ///< m, at least, from the origin to (4, 0)
 
-TEST_F(NavigationRoutes, TheWaypointLiesOnTheRouteWhenTheNetworkAgrees) {
-  const Decision& decision = agent_.update(situationAt({0.0, 0.0, 0.3}));
-  EXPECT_EQ(decision.source, Source::kNetwork);
-  EXPECT_EQ(decision.action, kStraight);
-  EXPECT_TRUE(decision.on_route);
-  EXPECT_NEAR(decision.waypoint.x, 0.4, 1e-12);  // not where the heading points to
-  EXPECT_NEAR(decision.waypoint.y, 0.0, 1e-12);
-}
-
-TEST_F(NavigationRoutes, AContradictionThatCostsLessThanTheFreedomIsFollowedExactly) {
-  // 1 rad off the route the way on is longer by 0.4 + |(4, 0) - 0.4 (cos 1, sin 1)| - 4 = 0.20 m.
-  const Decision& decision = agent_.update(situationAt({0.0, 0.0, 1.0}));
-  ASSERT_GT(defaults_.memory.freedom, 0.2);
-  EXPECT_EQ(decision.action, kStraight);
-  EXPECT_FALSE(decision.on_route);
-  EXPECT_NEAR(decision.direction, 1.0, 1e-12);
-  EXPECT_NEAR(decision.waypoint.x, 0.4 * std::cos(1.0), 1e-12);
-  EXPECT_NEAR(decision.waypoint.y, 0.4 * std::sin(1.0), 1e-12);
-}
-
-TEST_F(NavigationRoutes, AContradictionIsOverruledWhenItsWayOnComesBackPastTheRobot) {
-  // Straight away from the goal: the way on is longer by 2 * 0.4 m, which would be allowed.
-  AgentParameters lenient;
-  lenient.memory.freedom = 1.0;
-  NavigationAgent agent(guidedPolicy(), lenient);
-  agent.setGoal({4.0, 0.0});
-  const Decision& decision = agent.update(situationAt({0.0, 0.0, M_PI}));
-  EXPECT_TRUE(decision.on_route);
-  EXPECT_NEAR(decision.waypoint.x, 0.4, 1e-12);
-  // From 40 degrees aside of that it passes at 0.2 m.
-  agent.setGoal({4.0, 0.0});
-  EXPECT_FALSE(agent.update(situationAt({0.0, 0.0, 2.5}, 1.0)).on_route);
-}
-
-TEST_F(NavigationRoutes, AContradictionThatCostsMoreIsOverruled) {
-  AgentParameters strict;
-  strict.memory.freedom = 0.15;
-  NavigationAgent agent(guidedPolicy(), strict);
-  agent.setGoal({4.0, 0.0});
-  for (NavigationAgent* overruled : {&agent, &agent_}) {
-    // 0.20 m for the strict one; back and forth again, 0.8 m, for the other.
-    const double yaw = overruled == &agent ? 1.0 : M_PI;
-    const Decision& decision = overruled->update(situationAt({0.0, 0.0, yaw}));
-    EXPECT_EQ(decision.source, Source::kNetwork);
+TEST_F(NavigationRoutes, TheWaypointLiesOnTheRouteThatLeads) {
+  for (const double yaw : {0.0, 0.3, 1.0, M_PI}) {
+    agent_.setGoal({4.0, 0.0});
+    const Decision& decision = agent_.update(situationAt({0.0, 0.0, yaw}));
+    EXPECT_EQ(decision.source, Source::kRoute);
     EXPECT_TRUE(decision.on_route);
-    EXPECT_NE(decision.action, kStraight);
-    EXPECT_NEAR(decision.waypoint.x, 0.4, 1e-12);
+    EXPECT_NEAR(decision.waypoint.x, 0.4, 1e-12);  // not where the heading points to
     EXPECT_NEAR(decision.waypoint.y, 0.0, 1e-12);
   }
 }
 
+TEST_F(NavigationRoutes, ARouteThatLeadsAsksNoNetwork) {
+  const Network::HiddenState hidden = agent_.policy().network().hiddenState();
+  for (int step = 0; step < 5; ++step) {
+    const Decision& decision = agent_.update(situationAt({0.4 * step, 0.0, 0.0}, step));
+    EXPECT_NE(decision.source, Source::kNetwork);
+    EXPECT_EQ(decision.preferred, -1);
+    EXPECT_FALSE(decision.isOverruled());
+  }
+  EXPECT_EQ(agent_.policy().network().hiddenState(), hidden);
+}
+
+TEST_F(NavigationRoutes, NothingIsSearchedWhileTheNetworkMakesProgress) {
+  NavigationAgent agent(stubbornPolicy(), {});
+  agent.setGoal({40.0, 0.0});
+  for (int step = 0; step < 60; ++step) {
+    const Decision& decision = agent.update(returnsAt(kWall, {0.6 * step, -3.0, 0.0}));
+    EXPECT_EQ(decision.source, Source::kNetwork) << step;
+    EXPECT_TRUE(decision.way_on.empty());
+  }
+  EXPECT_EQ(agent.guide().searches(), 0);
+}
+
+TEST_F(NavigationRoutes, WhatTheNetworkPassedIsRememberedForTheRescue) {
+  AgentParameters parameters;
+  parameters.escape.patience_steps = 3;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  agent.setGoal({4.0, 0.0});
+  agent.update(returnsAt(kWall, {0.0, 0.0, M_PI}));
+  for (int step = 1; step < 3; ++step) {
+    Situation nothing_seen = returnsAt({}, {-0.4 * step, 0.0, M_PI});
+    nothing_seen.time = step;
+    ASSERT_EQ(agent.update(nothing_seen).source, Source::kNetwork);
+  }
+  Situation nothing_seen = returnsAt({}, {-1.2, 0.0, M_PI});
+  nothing_seen.time = 3.0;
+  const Decision& decision = agent.update(nothing_seen);
+  EXPECT_EQ(decision.source, Source::kRoute);
+  EXPECT_GT(0.4 + lengthOn(decision), 2.0 * std::hypot(2.0, 1.0) + 0.6) << "round the wall that it saw at first";
+}
+
+TEST_F(NavigationRoutes, WithoutALeaderTheAllowedAngleNearestToTheGoalIsTaken) {
+  AgentParameters parameters;
+  parameters.leader = Leader::kNone;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  const double bearings[] = {-1.4, -0.7, 0.1, 0.9, 2.9};
+  for (int action = 0; action < 5; ++action) {
+    agent.setGoal(pointAlong(Point2{}, bearings[action], 5.0));
+    const Decision& decision = agent.update(situationAt({}));
+    EXPECT_EQ(decision.source, Source::kGreedy);
+    EXPECT_EQ(decision.action, action);
+    EXPECT_EQ(decision.preferred, -1);
+  }
+}
+
+TEST_F(NavigationRoutes, ItSaysWhenTheShieldOverrulesTheNetwork) {
+  AgentParameters parameters;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  agent.setGoal({4.0, 0.0});
+  const Decision& free = agent.update(situationAt({}));
+  EXPECT_EQ(free.preferred, kStraight);
+  EXPECT_FALSE(free.isOverruled());
+  agent.setGoal({4.0, 0.0});
+  const Decision& blocked = agent.update(situationAt({}, 1.0, test::wall({0.3, -0.4}, {0.3, 0.4})));
+  EXPECT_EQ(blocked.source, Source::kNetwork);
+  EXPECT_EQ(blocked.preferred, kStraight);
+  EXPECT_NE(blocked.action, kStraight);
+  EXPECT_TRUE(blocked.isOverruled());
+}
+
 TEST_F(NavigationRoutes, TheWayOnGoesFromTheWaypointToTheDestination) {
-  for (const double yaw : {0.0, -0.4, 1.0, 2.5}) {  // along the route, beside it, off it, overruled
+  for (const double yaw : {0.0, -0.4, 1.0, 2.5}) {
     agent_.setGoal({4.0, 0.0});
     const Decision& decision = agent_.update(returnsAt(kWall, {0.0, 0.0, yaw}));
     ASSERT_FALSE(decision.way_on.empty()) << yaw;
@@ -104,16 +133,16 @@ TEST_F(NavigationRoutes, TheWayOnGoesFromTheWaypointToTheDestination) {
     EXPECT_EQ(decision.way_on.back().y, 0.0);
     const double whole = distanceBetween(Point2{}, decision.waypoint) + lengthOn(decision);
     EXPECT_GT(whole, kRoundTheWall) << yaw;
-    // Round the end at the footprint's radius and the comfortable clearance, a cell more, and what freedom allows.
+    // Round the end at the footprint's radius and the comfortable clearance, and a cell more.
     const double aside = 1.0 + defaults_.shield.footprint_radius + defaults_.memory.comfort + 0.2;
-    EXPECT_LT(whole, 2.0 * std::hypot(2.0, aside) + defaults_.memory.freedom) << yaw;
+    EXPECT_LT(whole, 2.0 * std::hypot(2.0, aside)) << yaw;
   }
 }
 
 TEST_F(NavigationRoutes, TheDestinationIsBesideAGoalThatLiesInSomething) {
-  AgentParameters tolerant;
+  AgentParameters tolerant = test::routeLed();
   tolerant.goal_tolerance = 0.6;
-  NavigationAgent agent(guidedPolicy(), tolerant);
+  NavigationAgent agent(stubbornPolicy(), tolerant);
   const Point2 goal{4.0, 0.1};
   agent.setGoal(goal);
   EXPECT_EQ(agent.decision().destination.x, goal.x);
@@ -170,7 +199,7 @@ TEST_F(NavigationRoutes, ANewGoalKeepsWhatWasSeenAndARestartForgetsIt) {
 TEST_F(NavigationRoutes, WithoutMemoryThereIsNoWayOn) {
   AgentParameters forgetful;
   forgetful.memory.enabled = false;
-  NavigationAgent agent(guidedPolicy(), forgetful);
+  NavigationAgent agent(stubbornPolicy(), forgetful);
   agent.setGoal({4.0, 0.0});
   const Decision& decision = agent.update(returnsAt(kWall, {0.0, 0.0, 0.3}));
   EXPECT_TRUE(decision.way_on.empty());
@@ -180,9 +209,8 @@ TEST_F(NavigationRoutes, WithoutMemoryThereIsNoWayOn) {
 
 TEST_F(NavigationRoutes, ARobotThatIsHeldUpOnTheRouteIsLedAnotherWay) {
   ASSERT_NEAR(agent_.update(situationAt({})).direction, 0.0, 1e-9);
-  // The network still wants to go straight on.
   const Decision& decision = agent_.update(situationAt({}, 2.1));
-  EXPECT_EQ(decision.source, Source::kNetwork);
+  EXPECT_EQ(decision.source, Source::kRoute);
   ASSERT_TRUE(decision.on_route);
   // Round a place 0.3 m ahead: at less than the footprint from it there is no way.
   EXPECT_GT(std::abs(decision.direction), 0.3);
@@ -206,10 +234,10 @@ TEST_F(NavigationRoutes, SaysThatThereIsNoWayAfterThreeTurnsInAClosedRing) {
   EXPECT_NE(agent_.update(situationAt({}, 99.1, test::ring(0.8))).source, Source::kNoWay);
 }
 
-TEST_F(NavigationRoutes, AModelWithoutRouteInputsHasItsWayUntilPatienceEnds) {
+TEST_F(NavigationRoutes, TheNetworkHasItsWayUntilPatienceEnds) {
   AgentParameters parameters;
   parameters.escape.patience_steps = 5;
-  NavigationAgent agent(test::policyPreferring({1.0f, 2.0f, 5.0f, 3.0f, 4.0f}), parameters);
+  NavigationAgent agent(stubbornPolicy(), parameters);
   agent.setGoal({2.0, 0.0});
   // It drives straight away from the goal: the first step is its best distance, after five more the route leads.
   for (int step = 0; step < 5; ++step) {
@@ -230,7 +258,7 @@ TEST_F(NavigationRoutes, BoundariesAreFollowedAtTheLastResort) {
   AgentParameters parameters;
   parameters.escape.patience_steps = 3;
   parameters.escape.last_resort = 2.0;
-  NavigationAgent agent(guidedPolicy(), parameters);
+  NavigationAgent agent(stubbornPolicy(), parameters);
   agent.setGoal({4.0, 0.0});
   // It goes to and fro without coming nearer.
   Source source = Source::kNetwork;

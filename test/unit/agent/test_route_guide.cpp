@@ -280,14 +280,14 @@ TEST_F(RouteGuideTest, ToleratesMoreTheFartherTheRobotHasDriven) {
   EXPECT_LT(distanceBetween(guide_.end(), Point2{8.0, 0.0}), 0.3 + parameters.shield.footprint_radius + 0.3);
 }
 
-TEST_F(RouteGuideTest, FindsAWayFromElsewhereWithoutTouchingItsOwn) {
+TEST_F(RouteGuideTest, WatchingRemembersWithoutSearching) {
   guide_.begin({4.0, 0.0});
-  guide_.update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})));
-  const double length = guide_.route().length;
-  Route other;
-  ASSERT_TRUE(guide_.findFrom({3.0, 0.0}, &other));
-  EXPECT_DOUBLE_EQ(other.length, 1.0);
-  EXPECT_EQ(guide_.route().length, length);
+  guide_.watch(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})));
+  for (int step = 1; step <= 20; ++step) guide_.watch(returnsAt({}, {-0.1 * step, 0.0, 0.0}));
+  EXPECT_EQ(guide_.searches(), 0);
+  ASSERT_EQ(guide_.update(returnsAt({})), Status::kRoute);
+  EXPECT_EQ(guide_.searches(), 1);
+  EXPECT_GT(guide_.route().length, 2.0 * std::hypot(2.0, 1.0)) << "round the wall that it was only shown";
 }
 
 }  // namespace

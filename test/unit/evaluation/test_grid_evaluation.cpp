@@ -224,7 +224,7 @@ TEST(GridAgentFactory, RefusesModelsThatAreMissingOrNotForTheGrid) {
   EXPECT_THROW(gridAgentMaker(options), std::invalid_argument);
   options.model = "/no/such/model.onnx";
   EXPECT_THROW(gridAgentMaker(options), ModelFileError);
-  options.model = std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/create2_lstm_2x8.onnx";
+  options.model = std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/create2_lstm.onnx";
   EXPECT_THROW(gridAgentMaker(options), std::invalid_argument);
 }
 

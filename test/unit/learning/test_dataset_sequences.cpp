@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/agent/drive_trace.hpp"
 #include "lstm_planner/learning/dataset_sequences.hpp"
 #include "recorded_drives_fixtures.hpp"
 
@@ -67,19 +68,34 @@ TEST(DatasetSequences, PositionIsRoundedAsForThePlannerOfSuchAModel) {
   EXPECT_NE(sequences[0].inputs.col(3), expected);
 }
 
-TEST(DatasetSequences, RememberedWayAndVisitsAreThoseOfTheRecording) {
+TEST(DatasetSequences, VisitsAreThoseOfTheRecording) {
   Dataset dataset = oneEpisode(1);
   Observation& observation = dataset.recordings[0].episodes[0].steps[0].observation;
-  observation.route_bearing = 0.5 * M_PI;
-  observation.route_length = 2.0 * observation.goal_distance;
   observation.visits[2] = 3.0;
   DatasetSequenceParameters parameters = parametersFor(dataset);
-  parameters.policy.encoder.input_layout = {"route_bearing_sin", "route_detour", "visits_2"};
+  parameters.policy.encoder.input_layout = {"visits_2"};
+  EXPECT_FLOAT_EQ(datasetSequences(dataset, parameters)[0].inputs(0, 0), 0.75f);
+}
+
+TEST(DatasetSequences, TheDriveSoFarIsToldAsItWouldBeToTheDriver) {
+  const Dataset dataset = oneEpisode(20);
+  DatasetSequenceParameters parameters = parametersFor(dataset);
+  std::vector<std::string>& layout = parameters.policy.encoder.input_layout;
+  layout = {"steps_since_best", "motion_forward", "room_freshness_4", "room_visits"};
   const Encoder encoder(parameters.policy.encoder);
-  Eigen::VectorXf expected(3);
-  encoder.encode(observation, expected);
-  EXPECT_EQ(datasetSequences(dataset, parameters)[0].inputs.col(0), expected);
-  EXPECT_FLOAT_EQ(expected[0], 1.0f);
+  const Sequence sequence = datasetSequences(dataset, parameters)[0];
+  DriveTrace trace;
+  for (Eigen::Index step = 0; step < sequence.steps(); ++step) {
+    const DriveStep& driven = dataset.recordings[0].episodes[0].steps[static_cast<std::size_t>(step)];
+    Observation observation;
+    observation.sector_ranges = driven.observation.sector_ranges;
+    observation.goal_distance = driven.observation.goal_distance;
+    trace.look(driven.pose, &observation);
+    Eigen::VectorXf expected(encoder.size());
+    encoder.encode(observation, expected);
+    EXPECT_TRUE(sequence.inputs.col(step).isApprox(expected, 1e-6f)) << step;
+  }
+  EXPECT_GT(sequence.inputs(1, 5), 0.0f) << "it drove forward";
 }
 
 TEST(DatasetSequences, PiecesNeverCrossEpisodesAndTheLastShortOneIsKept) {
@@ -197,15 +213,6 @@ TEST(DatasetSequences, AnotherRangeCapIsRefusedWithoutScansAndAveragedAnewWithTh
   const Sequence sequence = datasetSequences(dataset, parameters)[0];
   EXPECT_FLOAT_EQ(sequence.inputs(0, 0), 0.25f);
   EXPECT_FLOAT_EQ(sequence.inputs(7, 0), 1.0f);
-}
-
-TEST(DatasetSequences, RouteIsRefusedWhereNothingWasRemembered) {
-  Dataset dataset = oneEpisode(2);
-  dataset.recordings[0].description.parameters.agent.memory.enabled = false;
-  DatasetSequenceParameters parameters = parametersFor(dataset);
-  EXPECT_EQ(datasetSequences(dataset, parameters).size(), 1u);
-  parameters.policy.encoder.input_layout.push_back("route_detour");
-  EXPECT_NE(refusal([&] { datasetSequences(dataset, parameters); }).find("remembered no obstacles"), std::string::npos);
 }
 
 TEST(DatasetSequences, PolicyIsThatOfTheRecordingsAndTheyMayNotDiffer) {

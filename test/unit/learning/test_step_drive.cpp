@@ -43,12 +43,11 @@ TEST(StepDrive, LetsTheOdometryErr) {
   EXPECT_NEAR(drive.truePose().x, 9.9 / 1.05, 0.2);
 }
 
-TEST(PracticeAgent, RemembersObstaclesOnlyForANetworkThatIsToldTheWayThroughThem) {
-  PolicyDescription policy;
-  EXPECT_FALSE(practiceAgent(policy).memory.enabled);
-  policy.encoder.input_layout.push_back("route_detour");
-  EXPECT_TRUE(practiceAgent(policy).memory.enabled);
-  EXPECT_FALSE(practiceAgent(policy).escape.enabled) << "it is to learn to get out by itself";
+TEST(PracticeAgent, HasNoHelp) {
+  const AgentParameters agent = practiceAgent(PolicyDescription());
+  EXPECT_EQ(agent.leader, Leader::kNetwork);
+  EXPECT_FALSE(agent.memory.enabled);
+  EXPECT_FALSE(agent.escape.enabled) << "it is to learn to get out by itself";
 }
 
 TEST(StepDrive, IsTheSameForTheSameSeed) {

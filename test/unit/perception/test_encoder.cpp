@@ -32,22 +32,20 @@ TEST(Encoder, FollowsTheLayout) {
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(input[i], expected[i], 1e-6) << i;
 }
 
-TEST(Encoder, TellsWhatTheAgentRemembers) {
+TEST(Encoder, TellsHowOftenTheRobotWasThere) {
   EncoderParameters parameters;
-  parameters.input_layout = {"route_bearing_sin", "route_bearing_cos", "route_detour", "visits_0", "visits_7"};
+  parameters.input_layout = {"visits_0", "visits_7"};
   Observation observation;
-  observation.goal_distance = 3.0;
-  observation.route_bearing = -M_PI / 6.0;
-  observation.route_length = 4.0;
   observation.visits = {0.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 3.0};
   const Eigen::VectorXf input = encode(parameters, observation);
-  EXPECT_NEAR(input[0], -0.5, 1e-6);
-  EXPECT_NEAR(input[1], std::sqrt(0.75), 1e-6);
-  EXPECT_NEAR(input[2], 0.25, 1e-6) << "a quarter of the route is detour";
-  EXPECT_EQ(input[3], 0.0f);
-  EXPECT_NEAR(input[4], 0.75, 1e-6);
-  observation.route_length = 2.0;  // noise made the route shorter than the straight way
-  EXPECT_EQ(encode(parameters, observation)[2], 0.0f);
+  EXPECT_EQ(input[0], 0.0f);
+  EXPECT_NEAR(input[1], 0.75, 1e-6);
+}
+
+TEST(Encoder, IsToldNothingThatASearchFound) {
+  EncoderParameters parameters;
+  parameters.input_layout.push_back("route_bearing_sin");
+  EXPECT_THROW(Encoder{parameters}, std::invalid_argument);
 }
 
 TEST(Encoder, MakesEventsOfRangesBelowTheirThreshold) {
@@ -68,7 +66,7 @@ TEST(Encoder, StaysFiniteForEveryFiniteObservation) {
     EncoderParameters parameters;
     parameters.input_layout.insert(
         parameters.input_layout.end(),
-        {"goal_bearing", "heading", "event_0", "route_bearing_sin", "route_bearing_cos", "route_detour", "visits_4",
+        {"goal_bearing", "heading", "event_0", "visits_4",
          "step_visits_0", "room_freshness_7", "hall_freshness_3", "room_visits", "behind_best", "steps_since_best",
          "motion_forward", "motion_left", "motion_turn"});
     Observation observation;

@@ -65,13 +65,13 @@ TEST_F(TrainDatasetTool, TheSameCommandGivesTheSameModelForAnyNumberOfThreads) {
 }
 
 TEST_F(TrainDatasetTool, FineTuningKeepsInputsAndShapeAndSaysWhatTheModelCouldBefore) {
-  ASSERT_EQ(train("--dataset drives.dataset --output first.onnx --inputs route --cells 5 --epochs 2").status, 0);
+  ASSERT_EQ(train("--dataset drives.dataset --output first.onnx --inputs events trace --cells 5 --epochs 2").status, 0);
   const test::Outcome outcome =
       train("--dataset drives.dataset --init first.onnx --output model.onnx --epochs 2 --variants 0 --threads 1");
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_NE(outcome.output.find("first.onnx as it is: accuracy"), std::string::npos) << outcome.output;
   const DrivePolicy policy = DrivePolicy::fromFile(in("model.onnx"));
-  EXPECT_EQ(policy.description().encoder.input_layout.back(), "route_detour");
+  EXPECT_EQ(policy.description().encoder.input_layout.back(), "steps_since_best");
   fs::remove(in("model.onnx"));
   expectRefusal("--dataset drives.dataset --init first.onnx --output model.onnx --cells 8",
                 "--cells is decided by the model of --init");

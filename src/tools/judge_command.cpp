@@ -1,0 +1,134 @@
+#include <boost/program_options.hpp>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/learning/drive_judge.hpp"
+#include "lstm_planner/learning/step_drive.hpp"
+#include "tools/command.hpp"
+#include "tools/options.hpp"
+#include "tools/output_file.hpp"
+
+namespace lstm_planner {
+namespace {
+
+struct JudgeOptions {
+  std::string model;
+  std::string leader = "network";
+  std::vector<std::string> kinds;
+  DriveCourseParameters course;
+  int worlds = 252;
+  int max_steps = 1000;
+  std::uint64_t seed = 1;
+  int threads = 2;
+  std::string json;
+};
+
+bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* options) {
+  namespace po = boost::program_options;
+  JudgeOptions& o = *options;
+  o.course.shortest = 5.0;
+  po::options_description description(
+      "judges who leads the robot, alone: no rescue, four drives a world, random conditions of sensors, wheels and "
+      "speed; the worlds are those of lstm_planner drive, never trained in");
+  // clang-format off
+  description.add_options()
+      ("model", po::value(&o.model), "ONNX file, where the network leads")
+      ("leader", po::value(&o.leader)->default_value(o.leader), "network, route or none")
+      ("kinds", po::value(&o.kinds)->multitoken(), "of generated worlds, in turn (default: all)")
+      ("worlds", po::value(&o.worlds)->default_value(o.worlds), "of all kinds together")
+      ("max-steps", po::value(&o.max_steps)->default_value(o.max_steps), "of a drive")
+      ("shortest", po::value(&o.course.shortest)->default_value(o.course.shortest), "m of way to the goal at the least")
+      ("seed", po::value(&o.seed)->default_value(o.seed), "of worlds, drives and conditions")
+      ("threads", po::value(&o.threads)->default_value(o.threads), "does not change the result")
+      ("json", po::value(&o.json), "write the result to this file");
+  // clang-format on
+  po::variables_map values;
+  if (!parseOptions("judge", description, arguments, &values)) return false;
+  if (!o.kinds.empty()) o.course.worlds.clear();
+  for (const std::string& kind : o.kinds) o.course.worlds.push_back(worldKindOf(kind));
+  if (o.worlds < 1 || o.max_steps < 1 || o.threads < 1) {
+    throw std::invalid_argument("--worlds, --max-steps and --threads must be at least 1");
+  }
+  validate(o.course);
+  if (leaderNamed(o.leader) == Leader::kNetwork && o.model.empty()) {
+    throw std::invalid_argument("--model is needed where the network leads");
+  }
+  if (!o.json.empty()) checkWritable(o.json);
+  return true;
+}
+
+/// Of a share that was seen `hits` times in `count`, with 95 % (Wilson, "Probable inference", 1927).
+std::pair<double, double> intervalOf(int hits, int count) {
+  constexpr double kZ = 1.96;
+  const double n = count;
+  const double share = hits / n;
+  const double middle = (share + kZ * kZ / (2.0 * n)) / (1.0 + kZ * kZ / n);
+  const double half = kZ / (1.0 + kZ * kZ / n) * std::sqrt(share * (1.0 - share) / n + kZ * kZ / (4.0 * n * n));
+  return {middle - half, middle + half};
+}
+
+struct Sums {
+  int drives = 0;
+  int arrived = 0;
+  double efficiency = 0.0;
+  double squared_efficiency = 0.0;
+
+  void add(const JudgedDrive& drive) {
+    ++drives;
+    arrived += drive.arrived ? 1 : 0;
+    efficiency += drive.efficiency;
+    squared_efficiency += drive.efficiency * drive.efficiency;
+  }
+};
+
+void print(const std::string& name, const Sums& sums) {
+  const auto [low, high] = intervalOf(sums.arrived, sums.drives);
+  std::cout << std::left << std::setw(10) << name << std::right << std::fixed << std::setprecision(1) << std::setw(7)
+            << sums.drives << std::setw(9) << 100.0 * sums.arrived / sums.drives << " %  [" << 100.0 * low << ", "
+            << 100.0 * high << "]" << std::setprecision(3) << std::setw(10) << sums.efficiency / sums.drives << "\n";
+}
+
+nlohmann::json toJson(const Sums& sums) {
+  return {{"drives", sums.drives},
+          {"arrived", sums.arrived},
+          {"efficiency", sums.efficiency},
+          {"squared_efficiency", sums.squared_efficiency}};
+}
+
+}  // namespace
+
+int runJudge(const std::vector<std::string>& arguments) {
+  JudgeOptions options;
+  if (!readOptions(arguments, &options)) return 0;
+  const Leader leader = leaderNamed(options.leader);
+  const DrivePolicy policy = leader == Leader::kNetwork ? DrivePolicy::fromFile(options.model) : noPolicy();
+  AgentParameters agent = practiceAgent(policy.description());
+  agent.leader = leader;
+  agent.memory.enabled = leader == Leader::kRoute;
+  std::vector<Sums> by_kind(options.course.worlds.size());
+  Sums all;
+  for (const JudgedDrive& drive : judgeEach(policy, agent, options.course, WorldUse::kJudging, options.worlds,
+                                            options.max_steps, options.seed, options.threads)) {
+    by_kind[drive.kind].add(drive);
+    all.add(drive);
+  }
+  nlohmann::json json = {{"leader", options.leader}, {"model", options.model}, {"seed", options.seed}};
+  std::cout << "worlds     drives  arrived  [95 %]  efficiency\n";
+  for (std::size_t kind = 0; kind < by_kind.size(); ++kind) {
+    if (by_kind[kind].drives == 0) continue;
+    const char* name = toString(options.course.worlds[kind]);
+    print(name, by_kind[kind]);
+    json["worlds"][name] = toJson(by_kind[kind]);
+  }
+  print("all", all);
+  json["worlds"]["all"] = toJson(all);
+  if (!options.json.empty()) writeTextFile(options.json, json.dump(2) + "\n");
+  return 0;
+}
+
+}  // namespace lstm_planner
