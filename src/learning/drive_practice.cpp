@@ -31,6 +31,7 @@ class Practice {
         encoder_(agent.policy().description().encoder),
         random_(seed) {
     episode_.kind = exercise.kind;
+    wayLeft();
   }
 
   std::optional<int> step(const Observation& observation) {
@@ -51,8 +52,12 @@ class Practice {
   }
 
  private:
-  double wayLeft() const {
-    return std::min(kLongestWay, exercise_.teacher->distanceToGo({drive_.truePose().x, drive_.truePose().y}));
+  /// The last that was known where the teacher knows no way, in a corner too narrow for it: to come there and to leave
+  /// again is neither punished nor paid.
+  double wayLeft() {
+    const double left = exercise_.teacher->distanceToGo({drive_.truePose().x, drive_.truePose().y});
+    if (std::isfinite(left)) left_known_ = std::min(kLongestWay, left);
+    return left_known_;
   }
 
   /// What became of the step before: its reward, and whether its action was carried out.
@@ -139,6 +144,7 @@ class Practice {
   Encoder encoder_;
   Random random_;
   PracticeEpisode episode_;
+  double left_known_ = kLongestWay;
   double left_before_ = 0.0;
   int contacts_before_ = 0;
 };

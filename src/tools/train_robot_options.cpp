@@ -14,7 +14,7 @@ void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* enc
   // clang-format off
   description->add_options()
       ("inputs", po::value(&options->inputs)->multitoken(),
-       "beside the thesis's: events (a sector below --event-range), visits (how often it was at the places a step "
+       "beside the thesis's: events (a sector below --event-range), events-alone (in place of the ranges), visits (how often it was at the places a step "
        "away), trace (the same on three scales, how long ago, and its progress), motion (since the last step)")
       ("event-range", po::value(&encoder->event_range)->default_value(encoder->event_range), "m; nearer is an event")
       ("position-cell", po::value(&encoder->position_cell)->default_value(encoder->position_cell),
@@ -96,6 +96,10 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
       for (int i = 0; i < kPlaceDirections; ++i) layout.push_back("visits_" + std::to_string(i));
     } else if (group == "events") {
       for (int i = 0; i < kSectorCount; ++i) layout.push_back("event_" + std::to_string(i));
+    } else if (group == "events-alone") {
+      for (std::string& name : layout) {
+        if (name.rfind("sector_", 0) == 0) name.replace(0, 7, "event_");
+      }
     } else if (group == "trace") {
       for (const char* name : {"step_visits_", "step_freshness_", "room_visits_", "room_freshness_", "hall_visits_",
                                "hall_freshness_"}) {
@@ -106,7 +110,7 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
       layout.insert(layout.end(), {"motion_forward", "motion_left", "motion_turn"});
     } else {
       throw std::invalid_argument("--inputs names '" + group +
-                                  "', expected some of events, visits, trace, motion");
+                                  "', expected some of events, events-alone, visits, trace, motion");
     }
   }
   validate(*encoder);
