@@ -16,9 +16,9 @@ namespace lstm_planner {
 /// the averages of the 8 sectors (one below 0.1 m counts as 0.1 m), d is the straight distance to the goal, and theta
 /// the goal's bearing, in [0, pi] by its size. All of it the robot knows itself, from its scanner and its odometry.
 struct DriveThesisRewardWeights {
-  double range = 0.01;     ///< tau_r, times 1 m / range, of each sector
+  double range = 0.03;     ///< tau_r, times 1 m / range, of each sector
   double distance = 0.02;  ///< tau_d, a metre
-  double angle = 0.3;      ///< tau_theta, a rad
+  double angle = 0.1;      ///< tau_theta, a rad
 };
 
 /// Of the state that is observed.
@@ -51,7 +51,7 @@ struct DriveQLearningParameters {
 
   /// lambda in [0, 1] of returns that look further than one step, up to the next action that was not the best
   /// (Watkins's Q(lambda)); 0: one-step targets, Eq. 2.38.
-  double trace_decay = 0.5;
+  double trace_decay = 0.8;
 
   /// The best next action is chosen by the network that learns, its value read off the target network (van Hasselt et
   /// al., "Deep reinforcement learning with double Q-learning", AAAI 2016); off: both by the target network.

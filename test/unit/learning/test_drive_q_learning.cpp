@@ -52,7 +52,11 @@ double arrivalAfterLearning(DriveQLearningParameters parameters) {
 }
 
 TEST(DriveQLearning, LearnsToGoToTheGoalInTheOpenByTheThesissReward) {
-  EXPECT_GT(arrivalAfterLearning(tinyTraining()), 0.6);
+  DriveQLearningParameters parameters = tinyTraining();
+  // Where nothing is in the way, the goal's bearing is nearly all that matters, and there is no need to look far ahead.
+  parameters.thesis_reward = {0.01, 0.02, 0.3};
+  parameters.discount = 0.9;
+  EXPECT_GT(arrivalAfterLearning(parameters), 0.6);
 }
 
 TEST(DriveQLearning, LearnsToGoToTheGoalInTheOpenByProgress) {
