@@ -80,15 +80,15 @@ TEST(DriveQLearning, GivesTheSameWeightsForAnyNumberOfThreads) {
 
 TEST(DriveQLearning, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
   DriveQLearningParameters parameters = tinyTraining();
-  parameters.target_interval = 3;  // so that the target network is older than the break
+  parameters.target_interval = 2;  // so that the target network is neither the first nor that of the break
   DriveQLearning through(parameters, tinyNetwork(parameters));
   DriveQLearning first(parameters, tinyNetwork(parameters));
   for (int i = 0; i < 4; ++i) through.iterate();
-  for (int i = 0; i < 2; ++i) first.iterate();
+  for (int i = 0; i < 3; ++i) first.iterate();
   DriveQLearning second(parameters, tinyNetwork(parameters));
   second.restore(first.checkpoint());
-  EXPECT_EQ(second.iterations(), 2);
-  for (int i = 0; i < 2; ++i) second.iterate();
+  EXPECT_EQ(second.iterations(), 3);
+  second.iterate();
   EXPECT_EQ(parameterVector(through.layers()), parameterVector(second.layers()));
 }
 
@@ -199,6 +199,31 @@ class DriveQTileTest : public ::testing::Test {
 TEST_F(DriveQTileTest, LearnsFromChosenStepsOfWhichItIsKnownWhatCame) {
   // Of each drive one step was not chosen, and one drive was cut off.
   EXPECT_EQ(tile().judge(weights_, weights_).steps, 6.0 + 5.0);
+}
+
+TEST_F(DriveQTileTest, TargetIsTheRewardAndTheValueOfTheBestAllowedActionAfterIt) {
+  const auto inputs = static_cast<std::size_t>(inputSize(layers_));
+  Network network(layers_);
+  Eigen::VectorXf values;
+  for (std::size_t step = 0; step < 2; ++step) {
+    const float* input = episodes_[0].inputs.data() + step * (inputs + kDrivePrivilegedInputs);
+    values = network.forward(Eigen::Map<const Eigen::VectorXf>(input, static_cast<Eigen::Index>(inputs)));
+  }
+  const auto targetOfFirstStep = [&] {
+    DriveQTile judged = tile();
+    judged.judge(weights_, weights_);
+    return judged.lanes().at(0, 0).target;
+  };
+  const auto expected = [&] {
+    return static_cast<double>(episodes_[0].steps[0].reward) +
+           parameters_.discount * parameters_.value_scale * static_cast<double>(values.maxCoeff());
+  };
+  EXPECT_NEAR(targetOfFirstStep(), expected(), 1e-5);
+  Eigen::Index best = 0;
+  values.maxCoeff(&best);
+  episodes_[0].allowed[static_cast<std::size_t>(values.size() + best)] = 0;
+  values[best] = -1e6f;
+  EXPECT_NEAR(targetOfFirstStep(), expected(), 1e-5);
 }
 
 TEST_F(DriveQTileTest, GradientIsTheDerivativeOfTheSquaredErrors) {
