@@ -15,59 +15,28 @@ DriveTile::DriveTile(const DriveActorCriticParameters& parameters, const LayerSt
     : parameters_(parameters),
       actions_(parameters.policy.actions.size()),
       policy_inputs_(inputSize(policy)),
+      lanes_(parameters.window, policy_inputs_),
       policy_(policy, kLanes, parameters.window),
-      critic_(critic, kLanes * parameters.window, 1),
-      lanes_(kLanes) {}
-
-std::size_t DriveTile::shortestLane() const {
-  const auto shorter = [](const auto& a, const auto& b) { return a.size() < b.size(); };
-  return static_cast<std::size_t>(std::min_element(lanes_.begin(), lanes_.end(), shorter) - lanes_.begin());
-}
-
-std::size_t DriveTile::longest() const {
-  std::size_t longest = 0;
-  for (const auto& lane : lanes_) longest = std::max(longest, lane.size());
-  return longest;
-}
-
-void DriveTile::append(std::size_t lane, const PracticeEpisode& episode) {
-  for (std::size_t step = 0; step < episode.steps.size(); ++step) lanes_[lane].push_back({&episode, step, 0.0f, 0.0f});
-}
-
-void DriveTile::close(int windows) {
-  windows_ = windows;
-  for (auto& lane : lanes_) lane.resize(static_cast<std::size_t>(windows * parameters_.window));
-}
-
-DriveSlot& DriveTile::slotOf(int time, int lane) {
-  return lanes_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(time)];
-}
-
-/// Rows of one slot's inputs into those of a network: the first `count`, `stride` apart.
-void DriveTile::fillInputs(const DriveSlot& slot, int count, float* input, int stride) const {
-  const auto all = static_cast<std::size_t>(policy_inputs_ + kDrivePrivilegedInputs);
-  const float* values = slot.episode ? slot.episode->inputs.data() + slot.step * all : nullptr;
-  for (int row = 0; row < count; ++row) input[row * stride] = values ? values[row] : 0.0f;
-}
+      critic_(critic, kLanes * parameters.window, 1) {}
 
 void DriveTile::rewind() { policy_.setState(std::vector<float>(policy_.state().size(), 0.0f)); }
 
 const float* DriveTile::criticValues(int window, const Eigen::VectorXf& parameters) {
   for (int time = 0; time < parameters_.window; ++time) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      fillInputs(slotOf(window * parameters_.window + time, lane), policy_inputs_ + kDrivePrivilegedInputs,
-                 critic_.inputs(0) + time * kLanes + lane, critic_.lanes());
+      lanes_.fillInputs(lanes_.at(window * parameters_.window + time, lane), policy_inputs_ + kDrivePrivilegedInputs,
+                        critic_.inputs(0) + time * kLanes + lane, critic_.lanes());
     }
   }
   return critic_.forward(parameters, 0);
 }
 
 DriveTileSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
-  for (int window = 0; window < windows_; ++window) {
+  for (int window = 0; window < lanes_.windows(); ++window) {
     const float* values = criticValues(window, critic_parameters);
     for (int time = 0; time < parameters_.window; ++time) {
       for (int lane = 0; lane < kLanes; ++lane) {
-        slotOf(window * parameters_.window + time, lane).value =
+        lanes_.at(window * parameters_.window + time, lane).value =
             static_cast<float>(kValueScale) * values[time * kLanes + lane];
       }
     }
@@ -83,8 +52,8 @@ DriveTileSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
 void DriveTile::judgeLane(int lane, DriveTileSums* sums) {
   double next_value = 0.0;
   double advantage = 0.0;
-  for (int time = windows_ * parameters_.window; time-- > 0;) {
-    DriveSlot& slot = slotOf(time, lane);
+  for (int time = lanes_.steps(); time-- > 0;) {
+    DriveSlot& slot = lanes_.at(time, lane);
     if (!slot.episode) continue;
     const PracticeEpisode& episode = *slot.episode;
     const double value = static_cast<double>(slot.value);
@@ -111,13 +80,13 @@ double DriveTile::policyGradient(int window, const Eigen::VectorXf& parameters, 
   double chosen = 0.0;
   for (int time = 0; time < parameters_.window; ++time) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      const DriveSlot& slot = slotOf(window * parameters_.window + time, lane);
+      const DriveSlot& slot = lanes_.at(window * parameters_.window + time, lane);
       if (slot.step == 0) policy_.forget(time, lane);
-      fillInputs(slot, policy_inputs_, policy_.inputs(time) + lane, kLanes);
+      lanes_.fillInputs(slot, policy_inputs_, policy_.inputs(time) + lane, kLanes);
     }
     policy_.forward(parameters, time);
     for (int lane = 0; lane < kLanes; ++lane) {
-      const DriveSlot& slot = slotOf(window * parameters_.window + time, lane);
+      const DriveSlot& slot = lanes_.at(window * parameters_.window + time, lane);
       for (int action = 0; action < actions_; ++action) policy_.outputGradient(time)[action * kLanes + lane] = 0.0f;
       if (!slot.episode || !slot.episode->steps[slot.step].chosen) continue;
       fillPolicyGradient(slot, time, lane, weights);
@@ -173,7 +142,7 @@ double DriveTile::criticGradient(int window, const Eigen::VectorXf& parameters) 
   for (int time = 0; time < parameters_.window; ++time) {
     for (int lane = 0; lane < kLanes; ++lane) {
       const int place = time * kLanes + lane;
-      const DriveSlot& slot = slotOf(window * parameters_.window + time, lane);
+      const DriveSlot& slot = lanes_.at(window * parameters_.window + time, lane);
       const float wanted = (slot.value + slot.advantage) / static_cast<float>(kValueScale);
       critic_.outputGradient(0)[place] = slot.episode ? values[place] - wanted : 0.0f;
       steps += slot.episode ? 1.0 : 0.0;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "drive_practice.hpp"
+#include "drive_lanes.hpp"
 #include "lane_network.hpp"
 #include "lstm_planner/learning/drive_actor_critic.hpp"
 
@@ -17,9 +17,7 @@ struct DriveBatchWeights {
 };
 
 /// A step of a drive, and what is thought of it.
-struct DriveSlot {
-  const PracticeEpisode* episode = nullptr;  ///< null where the lane has no more drives
-  std::size_t step = 0;
+struct DriveSlot : DrivePlace {
   float value = 0.0f;
   float advantage = 0.0f;
 };
@@ -30,22 +28,13 @@ struct DriveTileSums {
   double steps = 0.0, returns = 0.0, squared_returns = 0.0, squared_errors = 0.0;
 };
 
-/// Some lanes of drives, one drive behind the other in each, gone through window by window: what one thread works on.
+/// Some lanes of drives, gone through window by window: what one thread works on.
 class DriveTile {
  public:
-  static constexpr int kLanes = 32;
-
   /// All must outlive the tile.
   DriveTile(const DriveActorCriticParameters& parameters, const LayerStack& policy, const LayerStack& critic);
 
-  /// The shortest lane so far, and its length in steps.
-  std::size_t shortestLane() const;
-  std::size_t lengthOf(std::size_t lane) const { return lanes_[lane].size(); }
-  void append(std::size_t lane, const PracticeEpisode& episode);
-  std::size_t longest() const;
-
-  /// All drives are there; fills up the lanes to a number of windows that all tiles have.
-  void close(int windows);
+  DriveLanes<DriveSlot>& lanes() { return lanes_; }
 
   /// Works out values, advantages and returns.
   DriveTileSums judge(const Eigen::VectorXf& critic_parameters);
@@ -62,8 +51,8 @@ class DriveTile {
   double stepsSeen() const { return steps_seen_; }
 
  private:
-  DriveSlot& slotOf(int time, int lane);
-  void fillInputs(const DriveSlot& slot, int count, float* input, int stride) const;
+  static constexpr int kLanes = DriveLanes<DriveSlot>::kLanes;
+
   const float* criticValues(int window, const Eigen::VectorXf& parameters);
   void judgeLane(int lane, DriveTileSums* sums);
   void fillPolicyGradient(const DriveSlot& slot, int time, int lane, const DriveBatchWeights& weights);
@@ -71,10 +60,9 @@ class DriveTile {
   const DriveActorCriticParameters& parameters_;
   int actions_;
   int policy_inputs_;
+  DriveLanes<DriveSlot> lanes_;
   LaneNetwork policy_;
   LaneNetwork critic_;
-  int windows_ = 0;
-  std::vector<std::vector<DriveSlot>> lanes_;
   Eigen::VectorXf gradient_;
   double entropy_ = 0.0;
   double steps_seen_ = 0.0;

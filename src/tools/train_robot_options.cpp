@@ -50,7 +50,8 @@ void addRobotTrainingOptions(RobotTrainingOptions* options, boost::program_optio
   // clang-format off
   description->add_options()
       ("task", po::value<std::string>()->default_value("robot"), "robot (this) or grid")
-      ("method", po::value<std::string>(), "dagger (default), actor-critic or dataset; --method NAME --help explains it")
+      ("method", po::value<std::string>(),
+       "dagger (default), actor-critic, q-learning or dataset; --method NAME --help explains it")
       ("output", po::value(&o.output)->default_value(o.output), "ONNX file to write")
       ("kinds", po::value(&o.kinds)->multitoken(),
        "of generated worlds: mazes offices corridors forest open rooms (default: all)")
