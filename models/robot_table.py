@@ -18,6 +18,7 @@ KINDS = ["mazes", "offices", "corridors", "rooms", "forest", "open", "all"]
 IMITATION = "--rounds 2 --worlds 60 --validation 12 --epochs 15"
 ACTOR_CRITIC = ("--iterations 20 --worlds 24 --starts 8 --validation 12 --max-steps 400 --entropy-start 0.006 "
                 "--entropy-end 0.001")
+Q_LEARNING = "--iterations 20 --worlds 24 --starts 8 --validation 12 --max-steps 400"
 JUDGE = "--worlds 504 --max-steps 500 --seed 7"
 
 # Name: what it is, options of a new network, options of the course. MLP and RNN have as many weights as the LSTM.
@@ -39,6 +40,7 @@ ROWS = {
     "dead_ends": ("half of the drives start in a dead end (ch. 5)", "--inputs events --cells 16 16",
                   "--dead-ends 0.5"),
     "imitation": ("LSTM 2x16, imitation only", "--inputs events --cells 16 16", ""),
+    "q_learning": ("LSTM 2x16, Q-learning (Eq. 2.35-2.36) only", "--inputs events --cells 16 16", ""),
     "reinforcement": ("LSTM 2x16, reinforcement only", "--inputs events --cells 16 16", ""),
 }
 
@@ -55,6 +57,9 @@ def train(name, seed, folder, threads):
     common = " %s --seed %d --threads %d" % (course, seed, threads)
     first = os.path.join(folder, "imitation.onnx")
     last = os.path.join(folder, "reinforced.onnx")
+    if name == "q_learning":
+        tool("train --method q-learning %s %s %s --output %s" % (network, Q_LEARNING, common, last))
+        return last
     if name == "reinforcement":
         tool("train --method actor-critic %s %s %s --output %s" % (network, ACTOR_CRITIC, common, last))
         return last

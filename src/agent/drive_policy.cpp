@@ -75,10 +75,10 @@ PolicyDescription readPolicyDescription(const std::map<std::string, std::string>
   return description;
 }
 
-DrivePolicy::DrivePolicy(PolicyDescription description, LayerStack layers)
+DrivePolicy::DrivePolicy(PolicyDescription description, const LayerStack& layers)
     : description_(std::move(description)),
       encoder_(description_.encoder),
-      network_(std::move(layers)),
+      network_(layers),
       input_(encoder_.size()) {
   if (network_.inputSize() != encoder_.size()) {
     throw std::invalid_argument("the network takes " + std::to_string(network_.inputSize()) +
@@ -93,7 +93,7 @@ DrivePolicy::DrivePolicy(PolicyDescription description, LayerStack layers)
 DrivePolicy DrivePolicy::fromFile(const std::string& path) {
   Model model = readModelFile(path);
   try {
-    return DrivePolicy(readPolicyDescription(model.metadata), std::move(model.layers));
+    return DrivePolicy(readPolicyDescription(model.metadata), model.layers);
   } catch (const std::invalid_argument& error) {
     throw ModelFileError(path + ": " + error.what());
   }

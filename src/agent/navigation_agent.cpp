@@ -36,19 +36,19 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
       parameters_((validate(parameters), parameters)),
       shield_(parameters.shield.footprint_radius, parameters.shield.tight_clearance, parameters.shield.reach),
       escape_(parameters.escape, parameters.shield),
-      guide_(parameters) {
+      guide_(parameters.memory.enabled ? std::optional<RouteGuide>(parameters) : std::nullopt) {
   checkFits(policy_.description(), parameters.step.length, parameters.shield.footprint_radius);
   const auto actions = static_cast<std::size_t>(policy_.description().actions.size());
   decision_.preferences.resize(actions);
   decision_.allowed.resize(actions);
-  decision_.way_on.reserve(guide_.route().points.capacity());
+  if (guide_) decision_.way_on.reserve(guide_->route().points.capacity());
 }
 
 void NavigationAgent::setGoal(const Point2& goal) {
   goal_ = goal;
   decision_.destination = goal;
   policy_.reset();
-  guide_.begin(goal);
+  if (guide_) guide_->begin(goal);
   guide_status_ = RouteGuide::Status::kRoute;
   trace_.clear();
   decision_.way_on.clear();
@@ -79,13 +79,13 @@ void NavigationAgent::moveGoal(const Point2& goal) {
   if (has_step_) {
     best_distance_ = distanceBetween(best_position_, goal);
   }
-  guide_.moveGoal(goal);
+  if (guide_) guide_->moveGoal(goal);
   escape_.moveGoal(goal_, goal, targetDistance());
   goal_ = goal;
 }
 
 void NavigationAgent::restart() {
-  guide_.forget();
+  if (guide_) guide_->forget();
   setGoal(goal_);
 }
 
@@ -109,7 +109,7 @@ const Decision& NavigationAgent::update(const Situation& situation) {
   } else if (isStalled(situation)) {
     stall_time_ = situation.time;
     if (decision_.on_route) {
-      guide_.blockAhead();
+      guide_->blockAhead();
       guide(situation);
       choose(situation);
     } else {
@@ -186,7 +186,7 @@ void NavigationAgent::beginFrom(const Situation& situation) {
   best_distance_ = distanceBetween(best_position_, goal_);
   steps_since_best_ = 0;
   driven_since_best_ = 0.0;
-  guide_.noteProgress();
+  if (guide_) guide_->noteProgress();
   lead(Phase::kLeader);
 }
 
@@ -209,7 +209,7 @@ void NavigationAgent::losePatience() {
     return;
   }
   if (phase_ == Phase::kLeader && isOutOfPatience(1.0)) {
-    lead(parameters_.memory.enabled ? Phase::kRoute : Phase::kBoundary);
+    lead(guide_ ? Phase::kRoute : Phase::kBoundary);
   }
   if (phase_ != Phase::kBoundary && isOutOfPatience(escape.last_resort)) {
     lead(Phase::kBoundary);
@@ -217,17 +217,17 @@ void NavigationAgent::losePatience() {
 }
 
 void NavigationAgent::guide(const Situation& situation) {
-  if (!parameters_.memory.enabled) {
+  if (!guide_) {
     return;
   }
   if (phase_ == Phase::kLeader) {
-    guide_.watch(situation);
+    guide_->watch(situation);
     guide_status_ = RouteGuide::Status::kRoute;
     decision_.destination = goal_;
     return;
   }
-  guide_status_ = guide_.update(situation);
-  decision_.destination = guide_status_ == RouteGuide::Status::kRoute ? guide_.end() : goal_;
+  guide_status_ = guide_->update(situation);
+  decision_.destination = guide_status_ == RouteGuide::Status::kRoute ? guide_->end() : goal_;
 }
 
 void NavigationAgent::beginStep(const Situation& situation) {

@@ -14,7 +14,7 @@ constexpr double kFarthestAside = 1.05;
 }  // namespace
 
 void NavigationAgent::choose(const Situation& situation) {
-  const bool lost = parameters_.memory.enabled && guide_status_ == RouteGuide::Status::kLost;
+  const bool lost = guide_ && guide_status_ == RouteGuide::Status::kLost;
   if (parameters_.escape.enabled && lost) {
     lead(Phase::kBoundary);
   }
@@ -71,7 +71,7 @@ void NavigationAgent::chooseRoute(const Situation& situation) {
     if (followRoute(situation)) {
       return;
     }
-    guide_.blockAhead();
+    guide_->blockAhead();
     guide(situation);
   }
   lookAround(situation);
@@ -119,7 +119,7 @@ int NavigationAgent::allowedFavourite(const Situation& situation, double clearan
 bool NavigationAgent::followRoute(const Situation& situation) {
   const ShieldParameters& shield = parameters_.shield;
   for (const double ahead : {1.0, 0.5}) {
-    const Point2 target = guide_.pointAhead(ahead * parameters_.step.length);
+    const Point2 target = guide_->pointAhead(ahead * parameters_.step.length);
     const double distance = distanceBetween(situation.pose, target);
     const double wanted = std::min(distance, shield.shortest_step);
     const double direction = directionTo(situation.pose, target);
@@ -176,7 +176,7 @@ void NavigationAgent::planWayOn() {
   std::vector<Point2>& way_on = decision_.way_on;
   way_on.clear();
   if (decision_.on_route && guide_status_ == RouteGuide::Status::kRoute) {
-    guide_.pointsAhead(distanceBetween(step_pose_, decision_.waypoint), &way_on);
+    guide_->pointsAhead(distanceBetween(step_pose_, decision_.waypoint), &way_on);
   }
 }
 

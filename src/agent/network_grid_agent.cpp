@@ -76,7 +76,7 @@ std::size_t NetworkGridAgent::peakBytes() const {
   if (views_) network = views_->bytes();
   if (network_) {
     const auto state = 3 * static_cast<std::size_t>(network_->hiddenState().size());
-    network = (countWeights(network_->layers()) + state) * sizeof(float);
+    network = (network_->weights() + state) * sizeof(float);
   }
   return sizeof(*this) + memory_.bytes() + escape + network;
 }

@@ -18,13 +18,13 @@ constexpr std::size_t kFloatsALine = sizeof(CacheLine) / sizeof(float);
 
 }  // namespace
 
-Network::Network(LayerStack layers, InstructionSet set)
-    : layers_(std::move(layers)),
-      instruction_set_(set),
-      packed_(std::make_shared<const PackedNetwork>(layers_, set)),
+Network::Network(const LayerStack& layers, InstructionSet set)
+    : instruction_set_(set),
+      packed_(std::make_shared<const PackedNetwork>(layers, set)),
       memories_(2 * packed_->memorySize() / kFloatsALine),
-      input_size_(lstm_planner::inputSize(layers_)),
-      output_(VectorXf::Zero(lstm_planner::outputSize(layers_))) {
+      input_size_(lstm_planner::inputSize(layers)),
+      weights_(countWeights(layers)),
+      output_(VectorXf::Zero(lstm_planner::outputSize(layers))) {
   reset();
 }
 

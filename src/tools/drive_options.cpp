@@ -66,6 +66,8 @@ void addRobotOptions(DriveOptions* options, po::options_description* all) {
       ("latency", withDefault(&options->drive.robot.latency), "s from a command to the wheels")
       ("leader", po::value<std::string>()->default_value(toString(options->agent.leader)),
        "network; route: the way through what is remembered; none: the allowed angle nearest to the goal's bearing")
+      ("patience", withDefault(&options->agent.escape.patience_steps),
+       "steps without progress after which the rescue leads; likewise so many times 0.2 m")
       ("no-escape", "switch the rescue off: whoever leads has no help")
       ("no-memory", "remember no obstacles: the rescue follows boundaries")
       ("no-shield", "switch the shield off");
@@ -121,6 +123,7 @@ bool readDriveOptions(const std::vector<std::string>& arguments, DriveOptions* o
   if (!parseOptions("drive", description, arguments, &values)) return false;
   options->agent.leader = leaderNamed(values["leader"].as<std::string>());
   options->agent.escape.enabled = values.count("no-escape") == 0;
+  options->agent.escape.patience_distance = 0.2 * options->agent.escape.patience_steps;
   options->agent.memory.enabled = values.count("no-memory") == 0;
   options->open_unknown = values.count("open-unknown") != 0;
   options->agent.shield_enabled = values.count("no-shield") == 0;

@@ -123,6 +123,7 @@ std::string driveJson(const DriveOptions& options, const DriveCourse& course, co
   json["leader"] = toString(options.agent.leader);
   json["memory"] = options.agent.memory.enabled;
   json["escape"] = options.agent.escape.enabled;
+  json["patience_steps"] = options.agent.escape.patience_steps;
   if (options.agent.leader == Leader::kNetwork) json["model"] = options.model;
   json["seed"] = options.seed;
   json["walkers"] = options.crowd.walkers;

@@ -162,6 +162,7 @@ class DatasetTraining {
     std::cout << "validation set by the " << (options_.training.trainer.averaging > 0.0 ? "averaged " : "")
               << "weights of epoch " << best.epoch << ":\n"
               << confusionText(best.kept().confusion, names);
+    warnNearChance(best.kept());
     if (!stability_.empty()) std::cout << stabilityText(stability_);
     if (!isFirstRank()) return;
     writeModel(result, best.kept());
@@ -172,6 +173,21 @@ class DatasetTraining {
       const std::string stem = options_.curve.substr(0, options_.curve.rfind('.'));
       writeLearningCurve(stem + ".csv", options_.curve, result.curve);
     }
+  }
+
+  /// A network that always gives one answer has a high accuracy where that answer is frequent.
+  static void warnNearChance(const LossSum& validation) {
+    constexpr double kNear = 0.1;
+    const double chance = 1.0 / static_cast<double>(std::max<Eigen::Index>(1, labelsThere(validation.confusion)));
+    const double balanced = balancedAccuracy(validation.confusion);
+    if (balanced >= chance + kNear * (1.0 - chance)) return;
+    std::cout << "warning: the balanced accuracy of " << percent(balanced) << " is near the " << percent(chance)
+              << " of always giving the same answer: the network has not learned to steer" << std::endl;
+  }
+
+  /// Labels that occur.
+  static Eigen::Index labelsThere(const ConfusionMatrix& confusion) {
+    return (confusion.rowwise().sum().array() > 0).count();
   }
 
   void writeModel(const TrainingResult& result, const LossSum& validation) const {

@@ -27,7 +27,7 @@ PolicyDescription readPolicyDescription(const std::map<std::string, std::string>
 class DrivePolicy {
  public:
   /// Throws std::invalid_argument when network, encoder and action set do not fit together.
-  DrivePolicy(PolicyDescription description, LayerStack layers);
+  DrivePolicy(PolicyDescription description, const LayerStack& layers);
 
   /// Throws ModelFileError, with the path and what is wrong or does not fit.
   static DrivePolicy fromFile(const std::string& path);

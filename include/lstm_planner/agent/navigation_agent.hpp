@@ -89,7 +89,8 @@ class NavigationAgent {
   /// What was decided last.
   const Decision& decision() const { return decision_; }
   const Shield& shield() const { return shield_; }
-  const RouteGuide& guide() const { return guide_; }
+  /// Searches for ways through what is remembered, so far.
+  long searches() const { return guide_ ? guide_->searches() : 0; }
   const AgentParameters& parameters() const { return parameters_; }
   const DrivePolicy& policy() const { return policy_; }
   double bestDistance() const { return best_distance_; }
@@ -132,7 +133,7 @@ class NavigationAgent {
   AgentParameters parameters_;
   Shield shield_;
   Escape escape_;
-  RouteGuide guide_;
+  std::optional<RouteGuide> guide_;  ///< none where nothing is to be remembered
   RouteGuide::Status guide_status_ = RouteGuide::Status::kRoute;
   DriveTrace trace_;
   Point2 goal_;

@@ -25,7 +25,7 @@ class Network {
 
   /// Throws std::invalid_argument when the layers do not fit together (validateLayers), or when `set` is not one of
   /// runnableInstructionSets().
-  explicit Network(LayerStack layers, InstructionSet set = fastestInstructionSet());
+  explicit Network(const LayerStack& layers, InstructionSet set = fastestInstructionSet());
   Network(const Network& other);
   Network(Network&&) noexcept;
   Network& operator=(const Network& other);
@@ -49,8 +49,8 @@ class Network {
   void setHiddenState(const Eigen::Ref<const HiddenState>& state);
 
   int inputSize() const { return input_size_; }
+  std::size_t weights() const { return weights_; }  ///< how many it has, biases counted
   int outputSize() const { return static_cast<int>(output_.size()); }
-  const LayerStack& layers() const { return layers_; }
 
   /// What the kernels that run the network were compiled for.
   InstructionSet instructionSet() const { return instruction_set_; }
@@ -59,12 +59,12 @@ class Network {
   const float* memory(std::size_t which) const;
   float* memory(std::size_t which);
 
-  LayerStack layers_;
   InstructionSet instruction_set_;
   std::shared_ptr<const PackedNetwork> packed_;
   std::vector<CacheLine> memories_;  ///< of the step before and of the one to come; which is which changes
   std::size_t now_ = 0;
   int input_size_ = 0;
+  std::size_t weights_ = 0;
   Eigen::VectorXf output_;
 };
 

@@ -22,10 +22,11 @@ FOLDER = os.path.dirname(os.path.realpath(__file__))
 PACKAGE = os.path.realpath(os.path.join(FOLDER, "..", "..", ".."))
 SHARED = os.environ.get("LSTM_PLANNER_SHARED", os.path.join(PACKAGE, "..", "shared"))
 
-GLOBAL_PLANNERS = {
-    "lstm": "lstm_planner/LstmGlobalPlanner",
-    "navfn": "navfn/NavfnROS",
-    "global_planner": "global_planner/GlobalPlanner",
+GLOBAL_PLANNERS = {  # name in a combination: plugin, arguments of the launch file that make it what it is
+    "lstm": ("lstm_planner/LstmGlobalPlanner", {}),
+    "route": ("lstm_planner/LstmGlobalPlanner", {"leader": "route"}),  # the remembered path, without the network
+    "navfn": ("navfn/NavfnROS", {}),
+    "global_planner": ("global_planner/GlobalPlanner", {}),
 }
 LOCAL_PLANNERS = {
     "steering": "lstm_planner/SteeringController",
@@ -95,14 +96,16 @@ def stop(process, patience=20.0):
 def run_once(run, combination, real_time_factor, log_folder, extra=()):
     """The result of drive_to_goal.py, or {"error": reason}."""
     global_planner, local_planner = combination.split("+")
+    plugin, settings = GLOBAL_PLANNERS[global_planner]
     home = tempfile.mkdtemp(prefix="lstm_planner_compare_")
     port = free_port()
     environment = dict(os.environ, ROS_MASTER_URI="http://localhost:%d" % port, ROS_HOME=home, ROS_HOSTNAME="localhost")
     environment.pop("ROS_LOG_DIR", None)
     launch_command = ["roslaunch", "-p", str(port), os.path.join(FOLDER, "navigation_stack.launch"),
-                      "global_planner:=" + GLOBAL_PLANNERS[global_planner],
+                      "global_planner:=" + plugin,
                       "local_planner:=" + LOCAL_PLANNERS[local_planner],
                       "real_time_factor:=%g" % real_time_factor, "start:=%s" % run["start"]] + run["world"] + list(extra)
+    launch_command += ["%s:=%s" % setting for setting in settings.items()]
     driver_command = ["/usr/bin/python3", os.path.join(FOLDER, "drive_to_goal.py"), "--radius", str(run["radius"]),
                       "--time-limit", str(run["time_limit"]), "--start"] + [str(value) for value in run["start"]]
     driver_command += ["--goal"] + [str(value) for value in run["goal"]] + (["--pass-by"] if run["pass_by"] else [])
@@ -194,6 +197,11 @@ def summary(results):
     }
 
 
+def describe_planner(name):
+    plugin, settings = GLOBAL_PLANNERS[name]
+    return ", ".join([plugin.split("/")[-1]] + ["%s: %s" % setting for setting in settings.items()])
+
+
 def table(results, groups, combinations):
     """Markdown; times and paths are means over the runs that arrived."""
     lines = ["| where | global planner | local planner | arrived | contacts | time, s | path, m | calls a run | CPU a call, ms |",
@@ -208,7 +216,7 @@ def table(results, groups, combinations):
             global_planner, local_planner = combination.split("+")
             early = " (%d early)" % row["early"] if row["early"] else ""
             lines.append("| %s | %s | %s | %d / %d%s | %d | %.1f | %.1f | %.0f | %.2f |" % (
-                group, GLOBAL_PLANNERS[global_planner].split("/")[-1], LOCAL_PLANNERS[local_planner].split("/")[-1],
+                group, describe_planner(global_planner), LOCAL_PLANNERS[local_planner].split("/")[-1],
                 row["arrived"], row["runs"], early, row["contacts"], row["time"], row["path"], row["calls"],
                 row["cpu_ms"]))
     return "\n".join(lines)

@@ -5,9 +5,8 @@
 
 namespace lstm_planner::test {
 
-DrivePolicy policyPreferring(const std::vector<float>& preferences) {
-  const PolicyDescription description;
-  const auto inputs = static_cast<Eigen::Index>(description.encoder.input_layout.size());
+LayerStack layersPreferring(const std::vector<float>& preferences) {
+  const auto inputs = static_cast<Eigen::Index>(EncoderParameters().input_layout.size());
   // h' = tanh(h / 2 + 0.1) grows from step to step.
   RecurrentLayer memory;
   memory.input = Eigen::MatrixXf::Zero(1, inputs);
@@ -17,7 +16,11 @@ DrivePolicy policyPreferring(const std::vector<float>& preferences) {
   const auto outputs = static_cast<Eigen::Index>(preferences.size());
   output.weights = Eigen::MatrixXf::Zero(outputs, 1);
   output.bias = Eigen::Map<const Eigen::VectorXf>(preferences.data(), outputs);
-  return DrivePolicy(description, {memory, output});
+  return {memory, output};
+}
+
+DrivePolicy policyPreferring(const std::vector<float>& preferences) {
+  return DrivePolicy(PolicyDescription(), layersPreferring(preferences));
 }
 
 AgentParameters routeLed() {

@@ -11,6 +11,8 @@ namespace lstm_planner::test {
 
 /// A policy that always has these preferences (right to left, five) and whose hidden state changes at every step.
 DrivePolicy policyPreferring(const std::vector<float>& preferences);
+/// Its network, for the thesis's inputs.
+LayerStack layersPreferring(const std::vector<float>& preferences);
 
 /// Default parameters, but that the way through what is remembered leads.
 AgentParameters routeLed();

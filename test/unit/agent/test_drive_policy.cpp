@@ -102,9 +102,8 @@ TEST(DrivePolicy, SaysWhatDoesNotFit) {
 
 TEST(DrivePolicy, ComesBackFromItsFile) {
   const std::string path = ::testing::TempDir() + "drive_policy_" + std::to_string(getpid()) + "_comes_back.onnx";
-  const DrivePolicy policy = test::policyPreferring({0.1f, 0.2f, 0.3f, 0.4f, 0.5f});
-  Model model{policy.network().layers(), {}};
-  writeMetadata(policy.description(), &model.metadata);
+  Model model{test::layersPreferring({0.1f, 0.2f, 0.3f, 0.4f, 0.5f}), {}};
+  writeMetadata(PolicyDescription(), &model.metadata);
   writeModelFile(path, model);
   DrivePolicy read = DrivePolicy::fromFile(path);
   const Eigen::VectorXf preferences = read.advance(Observation{});
@@ -113,7 +112,7 @@ TEST(DrivePolicy, ComesBackFromItsFile) {
 
 TEST(DrivePolicy, RefusesAFileWhoseMetadataDoNotFitByItsName) {
   const std::string path = ::testing::TempDir() + "drive_policy_" + std::to_string(getpid()) + "_mismatch.onnx";
-  const LayerStack layers = test::uselessPolicy().network().layers();
+  const LayerStack layers = test::layersPreferring({0.0f, 0.0f, 0.0f, 0.0f, 0.0f});
   PolicyDescription description;
   description.actions = ActionSet({-1.0, 0.0, 1.0});
   Model model{layers, {}};

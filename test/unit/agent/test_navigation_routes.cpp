@@ -74,7 +74,7 @@ TEST_F(NavigationRoutes, NothingIsSearchedWhileTheNetworkMakesProgress) {
     EXPECT_EQ(decision.source, Source::kNetwork) << step;
     EXPECT_TRUE(decision.way_on.empty());
   }
-  EXPECT_EQ(agent.guide().searches(), 0);
+  EXPECT_EQ(agent.searches(), 0);
 }
 
 TEST_F(NavigationRoutes, WhatTheNetworkPassedIsRememberedForTheRescue) {

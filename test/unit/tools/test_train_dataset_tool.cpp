@@ -39,7 +39,7 @@ class TrainDatasetTool : public test::ToolTest {
 
 TEST_F(TrainDatasetTool, WritesAModelThatThePlannerTakesAndSaysWhatItCan) {
   const test::Outcome outcome =
-      train("--dataset drives.dataset --output model.onnx --inputs route --cells 6 --epochs 5 --threads 1");
+      train("--dataset drives.dataset --output model.onnx --inputs events --cells 6 --epochs 5 --threads 1");
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   for (const char* said : {"always the most frequent label: accuracy", "recall", "precision", "balanced", "5 epochs in",
                            "wrote model.onnx: accuracy"}) {
