@@ -7,7 +7,8 @@
 namespace lstm_planner {
 namespace {
 
-constexpr int kTiles = 4;
+/// Of drives, in all tiles together.
+constexpr int kLanes = 128;
 
 /// Share of the way that the variances go towards those of one batch.
 constexpr double kVarianceRate = 0.3;
@@ -17,7 +18,8 @@ constexpr double kVarianceRate = 0.3;
 DriveBatch::DriveBatch(const DriveActorCriticParameters& parameters, const LayerStack& policy, const LayerStack& critic,
                        const std::vector<PracticeEpisode>& episodes)
     : parameters_(parameters) {
-  for (int tile = 0; tile < kTiles; ++tile) {
+  const int tiles = kLanes / DriveTile::lanesFor(parameters);
+  for (int tile = 0; tile < tiles; ++tile) {
     tiles_.push_back(std::make_unique<DriveTile>(parameters, policy, critic));
   }
   pack(episodes);
@@ -44,7 +46,7 @@ void DriveBatch::pack(const std::vector<PracticeEpisode>& episodes) {
 
 void DriveBatch::judge(const Eigen::VectorXf& critic_parameters, std::vector<double>* advantage_variances) {
   std::vector<DriveTileSums> all(tiles_.size());
-  parallelFor(kTiles, parameters_.threads, [&](int tile, int) {
+  parallelFor(static_cast<int>(tiles_.size()), parameters_.threads, [&](int tile, int) {
     all[static_cast<std::size_t>(tile)] = tiles_[static_cast<std::size_t>(tile)]->judge(critic_parameters);
   });
   DriveTileSums sum = all.front();
@@ -74,7 +76,7 @@ void DriveBatch::rewind() {
 
 double DriveBatch::addUp(const std::function<double(DriveTile*)>& work, Eigen::VectorXf* gradient) {
   std::vector<double> counts(tiles_.size());
-  parallelFor(kTiles, parameters_.threads, [&](int tile, int) {
+  parallelFor(static_cast<int>(tiles_.size()), parameters_.threads, [&](int tile, int) {
     const auto i = static_cast<std::size_t>(tile);
     counts[i] = work(tiles_[i].get());
   });

@@ -6,6 +6,7 @@
 
 #include "lstm_planner/learning/drive_actor_critic.hpp"
 #include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/perception/encoder.hpp"
 
 namespace lstm_planner {
 
@@ -22,7 +23,8 @@ struct PracticeEpisode {
   };
   std::size_t kind = 0;  ///< of world
   std::vector<Step> steps;
-  std::vector<float> inputs;         ///< the encoder's, then the privileged ones, step by step
+  std::vector<float> inputs;         ///< the encoder's (of the view ahead), then the privileged ones, step by step
+  std::vector<ViewBearings> bearings;  ///< step by step; empty with one view
   std::vector<float> probabilities;  ///< of the actions, 0 where the shield forbids one, step by step
   bool arrived = false;
 };

@@ -31,9 +31,13 @@ struct DriveTileSums {
 };
 
 /// Some lanes of drives, one drive behind the other in each, gone through window by window: what one thread works on.
+/// With eight views, each lane of drives is eight of the policy's network, one for each direction of the odometry frame.
 class DriveTile {
  public:
-  static constexpr int kLanes = 32;
+  /// Of drives, in a tile: few where the policy has many views, so that its numbers stay in the cache.
+  static int lanesFor(const DriveActorCriticParameters& parameters) {
+    return parameters.policy.encoder.views == 1 ? 32 : 8;
+  }
 
   /// All must outlive the tile.
   DriveTile(const DriveActorCriticParameters& parameters, const LayerStack& policy, const LayerStack& critic);
@@ -63,7 +67,10 @@ class DriveTile {
 
  private:
   DriveSlot& slotOf(int time, int lane);
+  const float* inputsOf(const DriveSlot& slot) const;
   void fillInputs(const DriveSlot& slot, int count, float* input, int stride) const;
+  void fillPolicyInputs(const DriveSlot& slot, int time, int lane);
+  int preferenceAt(const DriveSlot& slot, int lane, int action) const;
   const float* criticValues(int window, const Eigen::VectorXf& parameters);
   void judgeLane(int lane, DriveTileSums* sums);
   void fillPolicyGradient(const DriveSlot& slot, int time, int lane, const DriveBatchWeights& weights);
@@ -71,6 +78,10 @@ class DriveTile {
   const DriveActorCriticParameters& parameters_;
   int actions_;
   int policy_inputs_;
+  int views_;
+  int drive_lanes_;
+  Encoder encoder_;
+  std::vector<int> action_views_;  ///< with eight views
   LaneNetwork policy_;
   LaneNetwork critic_;
   int windows_ = 0;

@@ -84,6 +84,8 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementOptions
                             {"sharpness", p.sharpness},
                             {"clip", p.clip}});
   options->settings.update(actorCriticSettings(p));
+  // Not told where there is one: checkpoints from before there were views go on.
+  if (p.policy.encoder.views != 1) options->settings["views"] = p.policy.encoder.views;
   return true;
 }
 
@@ -95,7 +97,7 @@ LayerStack firstLayers(ReinforcementOptions* options) {
     return std::move(model.layers);
   }
   const int inputs = static_cast<int>(policy.encoder.input_layout.size());
-  LayerStack layers = makeNetwork(inputs, options->network.shape, policy.actions.size());
+  LayerStack layers = makeNetwork(inputs, options->network.shape, networkOutputs(policy));
   initialise({}, options->seed, layers);
   return layers;
 }
