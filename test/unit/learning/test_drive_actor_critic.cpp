@@ -27,7 +27,7 @@ DriveActorCriticParameters tinyTraining(int views = 1) {
 LayerStack tinyNetwork(const DriveActorCriticParameters& parameters) {
   LayerStack layers = makeLstmStack(static_cast<int>(parameters.policy.encoder.input_layout.size()), {4},
                                     networkOutputs(parameters.policy));
-  initialise({}, 3, layers);
+  initialise({}, 7, layers);
   return layers;
 }
 
