@@ -138,7 +138,7 @@ void validate(const DatasetSequenceParameters& parameters) {
   checkParameter(parameters.label_distance >= 0.0, "label_distance", parameters.label_distance, "zero or more");
   validate(parameters.policy.encoder);
   checkParameter(parameters.policy.encoder.views == 1, "views", parameters.policy.encoder.views,
-                 "1: eight views learn by actor-critic only");
+                 "1: eight views learn by reinforcement only");
 }
 
 PolicyDescription policyOf(const Dataset& dataset) {

@@ -15,7 +15,6 @@
 #include "lstm_planner/learning/parameter_vector.hpp"
 #include "lstm_planner/parameter_check.hpp"
 #include "optimiser_json.hpp"
-#include "parallel_for.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -86,7 +85,9 @@ class DriveActorCritic::Implementation {
   }
 
   DriveActorCriticReport iterate() {
-    const std::vector<PracticeEpisode> episodes = collect();
+    const PracticeReward reward = progressReward(parameters_.step_cost, parameters_.contact_cost);
+    const std::vector<PracticeEpisode> episodes =
+        practise(practiceRules(parameters_, preferredChances, reward, parameters_.arrival_bonus), policy_, iterations_);
     DriveBatch batch(parameters_, policy_, critic_, episodes);
     const double progress = static_cast<double>(iterations_) / parameters_.iterations;
     const double rate = 0.5 * (1.0 + std::cos(M_PI * progress));
@@ -159,39 +160,14 @@ class DriveActorCritic::Implementation {
   }
 
  private:
-  std::vector<PracticeEpisode> collect() const {
-    std::vector<std::vector<PracticeEpisode>> by_world(static_cast<std::size_t>(parameters_.worlds));
-    parallelFor(parameters_.worlds, parameters_.threads, [&](int world, int) {
-      const int number = iterations_ * parameters_.worlds + world;
-      Random seeds(parameters_.seed * 1000003ULL + static_cast<std::uint64_t>(number));
-      for (const DriveExercise& exercise : makeDriveExercises(parameters_.course, WorldUse::kTraining, parameters_.seed,
-                                                              number, parameters_.goals, parameters_.starts)) {
-        for (const DriveTask& task : exercise.tasks) {
-          by_world[static_cast<std::size_t>(world)].push_back(practise(parameters_, policy_, exercise, task, seeds()));
-        }
-      }
-    });
-    std::vector<PracticeEpisode> episodes;
-    for (std::vector<PracticeEpisode>& some : by_world) {
-      for (PracticeEpisode& episode : some) {
-        if (!episode.steps.empty()) episodes.push_back(std::move(episode));
-      }
-    }
-    if (episodes.empty()) throw std::runtime_error("no drive of the iteration had a step to learn from");
-    return episodes;
-  }
-
   DriveActorCriticReport report(const std::vector<PracticeEpisode>& episodes, const DriveBatch& batch) {
     DriveActorCriticReport report;
     report.iteration = iterations_;
-    for (const PracticeEpisode& episode : episodes) {
-      all_steps_ += static_cast<double>(episode.steps.size());
-      for (const PracticeEpisode::Step& step : episode.steps) report.reward += static_cast<double>(step.reward);
-      report.arrival += episode.arrived ? 1.0 : 0.0;
-    }
+    const PracticeSums sums = sumUp(episodes);
+    all_steps_ += sums.steps;
     report.steps = all_steps_;
-    report.reward /= static_cast<double>(episodes.size());
-    report.arrival /= static_cast<double>(episodes.size());
+    report.reward = sums.reward;
+    report.arrival = sums.arrival;
     report.entropy = batch.entropy();
     report.explained = batch.explained();
     return report;

@@ -1,16 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
-#include <memory>
 #include <vector>
 
 #include "drive_tile.hpp"
 
 namespace lstm_planner {
 
-/// Drives side by side in tiles of lanes, gone through window by window: what an update learns from. The tiles are shared
-/// among the threads, and their results are added up in order: the same for any number of them.
+/// Drives side by side in tiles of lanes, gone through window by window: what an update learns from.
 class DriveBatch {
  public:
   /// All must outlive the batch.
@@ -33,11 +30,7 @@ class DriveBatch {
   double explained() const { return explained_; }  ///< share of the returns' variance, by the critic before learning
 
  private:
-  void pack(const std::vector<PracticeEpisode>& episodes);
-  double addUp(const std::function<double(DriveTile*)>& work, Eigen::VectorXf* gradient);
-
-  const DriveActorCriticParameters& parameters_;
-  std::vector<std::unique_ptr<DriveTile>> tiles_;
+  DriveTiles<DriveTile> tiles_;
   int windows_ = 0;
   int window_ = -1;
   double explained_ = 0.0;

@@ -159,7 +159,7 @@ void validate(const ImitationParameters& parameters) {
   checkParameter(parameters.threads > 0, "threads", parameters.threads, "a positive number");
   validate(parameters.policy.encoder);
   checkParameter(parameters.policy.encoder.views == 1, "views", parameters.policy.encoder.views,
-                 "1: eight views learn by actor-critic only");
+                 "1: eight views learn by reinforcement only");
   validate(parameters.course);
   validate(parameters.trainer);
 }

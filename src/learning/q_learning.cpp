@@ -13,14 +13,13 @@
 #include "lstm_planner/parameter_check.hpp"
 #include "optimiser_json.hpp"
 #include "parallel_for.hpp"
+#include "q_learning_targets.hpp"
 #include "q_learning_tile.hpp"
 
 namespace lstm_planner {
 namespace {
 
 constexpr const char* kCheckpointFormat = "lstm_planner q-learning 1";
-
-bool isShare(double value) { return value >= 0.0 && value <= 1.0; }
 
 OptimiserParameters optimiserParameters(const QLearningParameters& parameters) {
   OptimiserParameters optimiser;
@@ -40,27 +39,12 @@ void checkFit(const LayerStack& layers, const GridEncoder& encoder) {
 
 void validate(const QLearningParameters& parameters) {
   const auto atLeastOne = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
-  const auto share = [](const char* name, double value) { checkParameter(isShare(value), name, value, "0 to 1"); };
-  const auto cost = [](const char* name, double value) { checkParameter(value >= 0.0, name, value, "at least 0"); };
   atLeastOne("updates", parameters.updates);
   atLeastOne("agents", parameters.agents);
   atLeastOne("window", parameters.window);
   atLeastOne("max_steps", parameters.max_steps);
-  atLeastOne("target_interval", parameters.target_interval);
   atLeastOne("threads", parameters.threads);
-  checkParameter(parameters.discount >= 0.0 && parameters.discount < 1.0, "discount", parameters.discount,
-                 "a number in [0, 1)");
-  share("trace_decay", parameters.trace_decay);
-  share("exploration_start", parameters.exploration_start);
-  share("exploration_end", parameters.exploration_end);
-  share("exploration_share", parameters.exploration_share);
-  cost("step_cost", parameters.step_cost);
-  cost("arrival_bonus", parameters.arrival_bonus);
-  cost("thesis_reward.range", parameters.thesis_reward.range);
-  cost("thesis_reward.distance", parameters.thesis_reward.distance);
-  cost("thesis_reward.angle", parameters.thesis_reward.angle);
-  checkPositive("value_scale", parameters.value_scale);
-  checkPositive("huber", parameters.huber);
+  validateQ(parameters);
   validate(optimiserParameters(parameters));
 }
 
@@ -90,7 +74,8 @@ class QLearning::Implementation {
   void update() {
     if (tiles_.empty()) throw std::logic_error("Q-learning was to learn before its first epoch began");
     if (updates_ % parameters_.target_interval == 0) target_weights_ = weights_;
-    epsilon_ = epsilon();
+    epsilon_ = explorationAt(static_cast<double>(updates_) / parameters_.updates, parameters_.exploration_start,
+                             parameters_.exploration_end, parameters_.exploration_share);
     const Share own = shareOfTiles();
     parallelFor(own.count(), parameters_.threads, [&](int index, int thread) {
       runners_[static_cast<std::size_t>(thread)]->run(weights_, target_weights_, epsilon_,
@@ -185,13 +170,6 @@ class QLearning::Implementation {
       tiles_[tile].gradient = gradients.col(static_cast<Eigen::Index>(tile));
       tiles_[tile].sums = sums[tile];
     }
-  }
-
-  double epsilon() const {
-    const double share = static_cast<double>(updates_) / parameters_.updates;
-    if (share >= parameters_.exploration_share) return parameters_.exploration_end;
-    return parameters_.exploration_start + (parameters_.exploration_end - parameters_.exploration_start) * share /
-                                               parameters_.exploration_share;
   }
 
   QLearningParameters parameters_;

@@ -31,14 +31,14 @@ void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* enc
   // clang-format off
   description->add_options()
       ("inputs", po::value(&options->inputs)->multitoken(),
-       "beside the thesis's: events (a sector below --event-range), visits (how often it was at the places a step "
+       "beside the thesis's: events (a sector below --event-range), events-alone (in place of the ranges), visits (how often it was at the places a step "
        "away), trace (the same on three scales, how long ago, and its progress), motion (since the last step)")
       ("event-range", po::value(&encoder->event_range)->default_value(encoder->event_range), "m; nearer is an event")
       ("position-cell", po::value(&encoder->position_cell)->default_value(encoder->position_cell),
        "m, to which the odometry is rounded; 0: not at all")
       ("views", po::value(&encoder->views)->default_value(encoder->views),
        "1: an output an angle; 8: the network looks into each of eight directions, with an output and a memory each "
-       "(--method actor-critic only)")
+       "(by reinforcement only)")
       ("network", po::value(&options->network)->default_value(options->network), "lstm, rnn or mlp")
       ("cells", po::value(&options->shape.cells)->multitoken(),
        "of each recurrent layer, or units of each layer of an mlp (default: 8 8; of an mlp 64 64)")
@@ -72,7 +72,8 @@ void addRobotTrainingOptions(RobotTrainingOptions* options, boost::program_optio
   // clang-format off
   description->add_options()
       ("task", po::value<std::string>()->default_value("robot"), "robot (this) or grid")
-      ("method", po::value<std::string>(), "dagger (default), actor-critic or dataset; --method NAME --help explains it")
+      ("method", po::value<std::string>(),
+       "dagger (default), actor-critic, q-learning or dataset; --method NAME --help explains it")
       ("output", po::value(&o.output)->default_value(o.output), "ONNX file to write")
       ("kinds", po::value(&o.kinds)->multitoken(),
        "of generated worlds: mazes offices corridors forest open rooms (default: all)")
@@ -118,6 +119,10 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
       for (int i = 0; i < kPlaceDirections; ++i) layout.push_back("visits_" + std::to_string(i));
     } else if (group == "events") {
       for (int i = 0; i < kSectorCount; ++i) layout.push_back("event_" + std::to_string(i));
+    } else if (group == "events-alone") {
+      for (std::string& name : layout) {
+        if (name.rfind("sector_", 0) == 0) name.replace(0, 7, "event_");
+      }
     } else if (group == "trace") {
       for (const char* name : {"step_visits_", "step_freshness_", "room_visits_", "room_freshness_", "hall_visits_",
                                "hall_freshness_"}) {
@@ -128,7 +133,7 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
       layout.insert(layout.end(), {"motion_forward", "motion_left", "motion_turn"});
     } else {
       throw std::invalid_argument("--inputs names '" + group +
-                                  "', expected some of events, visits, trace, motion");
+                                  "', expected some of events, events-alone, visits, trace, motion");
     }
   }
   validate(*encoder);

@@ -54,7 +54,8 @@ void finishRobotTrainingOptions(const std::vector<std::string>& arguments, Robot
 /// What a result depends on, for the checkpoint; a method adds its own.
 nlohmann::json settingsOf(const RobotTrainingOptions& options);
 
-/// Inputs beside the thesis's, by the names of the groups: events, visits, trace, motion. Throws std::invalid_argument for
+/// Inputs beside the thesis's, by the names of the groups: events, events-alone, visits,
+/// trace, motion. Throws std::invalid_argument for
 /// another name.
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder);
 

@@ -18,10 +18,11 @@ struct EncoderParameters {
   /// Names of the inputs in their order: sector_0 .. sector_7, goal_distance, goal_bearing, goal_bearing_sin,
   /// goal_bearing_cos, heading, heading_sin, heading_cos, previous_action; event_0 .. event_7 (1 where a sector's range
   /// is below event_range: thesis 4.3.1); of its own drive
-  /// visits_0 .. visits_7, step_visits_0 .. 7, step_freshness_0 .. 7, and the same for room_ and hall_ (Observation::places on three scales;
-  /// a place is the fresher the less long ago the robot was there, 0 where it never was), room_visits, behind_best,
-  /// steps_since_best; motion_forward, motion_left, motion_turn since the step before; previous_action_sin,
-  /// previous_action_cos; seen_0 .. seen_7 (1 where the scanner looks into a sector: all of them of the view ahead).
+  /// visits_0 .. visits_7, step_visits_0 .. 7, step_freshness_0 .. 7, and the same for room_ and hall_
+  /// (Observation::places on three scales; a place is the fresher the less long ago the robot was there, 0 where it
+  /// never was), room_visits, behind_best, steps_since_best; motion_forward, motion_left, motion_turn since the step
+  /// before; previous_action_sin, previous_action_cos; seen_0 .. seen_7 (1 where the scanner looks into a sector: all of
+  /// them of the view ahead).
   std::vector<std::string> input_layout = {"sector_0", "sector_1", "sector_2", "sector_3", "sector_4",
                                            "sector_5", "sector_6", "sector_7", "goal_distance",
                                            "goal_bearing_sin", "goal_bearing_cos", "heading_sin", "heading_cos",

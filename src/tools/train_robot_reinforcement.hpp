@@ -1,0 +1,99 @@
+#pragma once
+
+#include <boost/program_options.hpp>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/network/layers.hpp"
+#include "tools/train_robot_options.hpp"
+
+namespace lstm_planner {
+
+/// A learner as the loop of iterations sees it: DriveActorCritic, DriveQLearning.
+class RobotLearner {
+ public:
+  virtual ~RobotLearner() = default;
+  /// The names of what iterate() returns.
+  virtual std::string columns() const = 0;
+  /// Learns, and says in a line of a table what came of it.
+  virtual std::string iterate() = 0;
+  virtual int iterations() const = 0;
+  virtual const LayerStack& layers() const = 0;
+  virtual std::vector<std::uint8_t> checkpoint() const = 0;
+  virtual void restore(const std::vector<std::uint8_t>& checkpoint) = 0;
+};
+
+/// What the loop is to do.
+struct RobotReinforcementPlan {
+  RobotTrainingOptions options;
+  RobotNetworkOptions network;
+  std::string init;         ///< model to begin with; empty: a new network
+  std::string checkpoint;   ///< empty: none
+  nlohmann::json settings;  ///< what the result depends on
+};
+
+/// All options that ways of reinforcement have in common. `parameters` are the learner's: they hold the defaults and
+/// take the values.
+template <typename Parameters>
+void addRobotReinforcementOptions(RobotReinforcementPlan* plan, Parameters* parameters,
+                                  boost::program_options::options_description* description) {
+  namespace po = boost::program_options;
+  Parameters& p = *parameters;
+  addRobotTrainingOptions(&plan->options, description);
+  // clang-format off
+  description->add_options()
+      ("init", po::value(&plan->init), "model file to begin with; decides inputs and shape")
+      ("checkpoint", po::value(&plan->checkpoint), "file to go on from and to write to")
+      ("iterations", po::value(&p.iterations)->default_value(p.iterations), "of collecting and learning")
+      ("worlds", po::value(&p.worlds)->default_value(p.worlds), "an iteration")
+      ("goals", po::value(&p.goals)->default_value(p.goals), "a world")
+      ("starts", po::value(&p.starts)->default_value(p.starts), "drives to a goal")
+      ("window", po::value(&p.window)->default_value(p.window), "steps that errors go back at most")
+      ("passes", po::value(&p.passes)->default_value(p.passes), "over what was collected");
+  // clang-format on
+  addRobotNetworkOptions(&plan->network, &p.policy.encoder, description);
+}
+
+/// A model to begin with has its own inputs and shape. Throws std::invalid_argument with a sentence for values that
+/// make no sense.
+void finishRobotNetwork(const boost::program_options::variables_map& values, RobotReinforcementPlan* plan,
+                        EncoderParameters* encoder);
+
+/// Hands what was parsed to the learner's parameters, and notes it in the plan's settings.
+template <typename Parameters>
+void finishRobotReinforcement(const std::string& method, RobotReinforcementPlan* plan, Parameters* parameters) {
+  Parameters& p = *parameters;
+  p.course = plan->options.course;
+  p.max_steps = plan->options.max_steps;
+  p.seed = plan->options.seed;
+  p.threads = plan->options.threads;
+  plan->settings = settingsOf(plan->options);
+  plan->settings.update({{"method", method},
+                         {"init", plan->init},
+                         {"inputs", p.policy.encoder.input_layout},
+                         {"network", plan->network.network},
+                         {"cells", plan->network.shape.cells},
+                         {"deep-in", plan->network.shape.deep_in},
+                         {"deep-out", plan->network.shape.deep_out},
+                         {"iterations", p.iterations},
+                         {"worlds", p.worlds},
+                         {"goals", p.goals},
+                         {"starts", p.starts},
+                         {"window", p.window},
+                         {"passes", p.passes}});
+  // Not told where there is one: checkpoints from before there were views go on.
+  if (p.policy.encoder.views != 1) plan->settings["views"] = p.policy.encoder.views;
+}
+
+/// Those of the model to begin with, whose description replaces `policy`, or new ones.
+LayerStack firstLayers(const RobotReinforcementPlan& plan, PolicyDescription* policy);
+
+/// Learns iteration by iteration, with a line for each; judges the network now and then, keeps the most efficient, and
+/// writes the checkpoint. Goes on from the checkpoint where there is one. Returns the exit status.
+int trainByReinforcement(const RobotReinforcementPlan& plan, const PolicyDescription& policy, int iterations,
+                         RobotLearner* learner);
+
+}  // namespace lstm_planner
