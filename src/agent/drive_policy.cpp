@@ -92,10 +92,10 @@ std::vector<int> viewsOf(const ActionSet& actions) {
   return views;
 }
 
-DrivePolicy::DrivePolicy(PolicyDescription description, LayerStack layers)
+DrivePolicy::DrivePolicy(PolicyDescription description, const LayerStack& layers)
     : description_(std::move(description)),
       encoder_(description_.encoder),
-      network_(std::move(layers)),
+      network_(layers),
       input_(encoder_.size()) {
   if (network_.inputSize() != encoder_.size()) {
     throw std::invalid_argument("the network takes " + std::to_string(network_.inputSize()) +
@@ -109,7 +109,7 @@ DrivePolicy::DrivePolicy(PolicyDescription description, LayerStack layers)
   }
   if (!has_views) return;
   action_views_ = viewsOf(description_.actions);
-  views_.emplace(network_.layers(), kDriveViews);
+  views_.emplace(layers, kDriveViews);
   view_inputs_.resize(encoder_.size(), kDriveViews);
   preferences_.resize(description_.actions.size());
 }
@@ -117,7 +117,7 @@ DrivePolicy::DrivePolicy(PolicyDescription description, LayerStack layers)
 DrivePolicy DrivePolicy::fromFile(const std::string& path) {
   Model model = readModelFile(path);
   try {
-    return DrivePolicy(readPolicyDescription(model.metadata), std::move(model.layers));
+    return DrivePolicy(readPolicyDescription(model.metadata), model.layers);
   } catch (const std::invalid_argument& error) {
     throw ModelFileError(path + ": " + error.what());
   }

@@ -43,7 +43,7 @@ std::vector<int> viewsOf(const ActionSet& actions);
 class DrivePolicy {
  public:
   /// Throws std::invalid_argument when network, encoder and action set do not fit together.
-  DrivePolicy(PolicyDescription description, LayerStack layers);
+  DrivePolicy(PolicyDescription description, const LayerStack& layers);
 
   /// Throws ModelFileError, with the path and what is wrong or does not fit.
   static DrivePolicy fromFile(const std::string& path);
@@ -53,7 +53,7 @@ class DrivePolicy {
 
   void reset();
   const PolicyDescription& description() const { return description_; }
-  /// Its layers are those of all views; it advances only where there is one view.
+  /// Advances only where there is one view.
   const Network& network() const { return network_; }
 
  private:

@@ -19,12 +19,13 @@ PolicyDescription eightViews() {
   return description;
 }
 
-DrivePolicy randomPolicy() {
-  const PolicyDescription description = eightViews();
-  LayerStack layers = makeLstmStack(Encoder(description.encoder).size(), {6}, 1);
+LayerStack randomLayers() {
+  LayerStack layers = makeLstmStack(Encoder(eightViews().encoder).size(), {6}, 1);
   initialise({}, 5, layers);
-  return DrivePolicy(description, layers);
+  return layers;
 }
+
+DrivePolicy randomPolicy() { return DrivePolicy(eightViews(), randomLayers()); }
 
 /// Remembers in each direction how far the robot went that way: h' = tanh(h + motion).
 DrivePolicy policyThatRemembersMotion() {
@@ -76,7 +77,7 @@ TEST(DrivePolicyViews, AWorldTurnedByAnEighthIsTheSameWorld) {
 TEST(DrivePolicyViews, ComeBackFromTheirFile) {
   const std::string path = ::testing::TempDir() + "drive_policy_views_" + std::to_string(getpid()) + ".onnx";
   DrivePolicy policy = randomPolicy();
-  Model model{policy.network().layers(), {}};
+  Model model{randomLayers(), {}};
   writeMetadata(policy.description(), &model.metadata);
   writeModelFile(path, model);
   DrivePolicy read = DrivePolicy::fromFile(path);
