@@ -9,6 +9,8 @@ namespace lstm_planner {
 
 namespace {
 
+constexpr double kSameAngle = 1e-4;  ///< rad
+
 double readNumber(const std::map<std::string, std::string>& metadata, const std::string& key) {
   const auto entry = metadata.find(key);
   if (entry == metadata.end()) {
@@ -75,6 +77,21 @@ PolicyDescription readPolicyDescription(const std::map<std::string, std::string>
   return description;
 }
 
+int networkOutputs(const PolicyDescription& description) {
+  return description.encoder.views == 1 ? description.actions.size() : 1;
+}
+
+std::vector<int> viewsOf(const ActionSet& actions) {
+  std::vector<int> views;
+  for (const double angle : actions.angles()) {
+    views.push_back(viewNearest(angle));
+    if (std::abs(normalizeAngle(angle - views.back() * kViewAngle)) < kSameAngle) continue;
+    throw std::invalid_argument("eight views need steering angles that are multiples of 45 degrees, one is " +
+                                writeNumber(angle) + " rad");
+  }
+  return views;
+}
+
 DrivePolicy::DrivePolicy(PolicyDescription description, const LayerStack& layers)
     : description_(std::move(description)),
       encoder_(description_.encoder),
@@ -84,10 +101,17 @@ DrivePolicy::DrivePolicy(PolicyDescription description, const LayerStack& layers
     throw std::invalid_argument("the network takes " + std::to_string(network_.inputSize()) +
                                 " inputs, its input layout has " + std::to_string(encoder_.size()));
   }
-  if (network_.outputSize() != description_.actions.size()) {
-    throw std::invalid_argument("the network has " + std::to_string(network_.outputSize()) +
-                                " outputs, its action set has " + std::to_string(description_.actions.size()));
+  const bool has_views = description_.encoder.views != 1;
+  if (network_.outputSize() != networkOutputs(description_)) {
+    throw std::invalid_argument(
+        "the network has " + std::to_string(network_.outputSize()) + " outputs, " +
+        (has_views ? "eight views have 1" : "its action set has " + std::to_string(description_.actions.size())));
   }
+  if (!has_views) return;
+  action_views_ = viewsOf(description_.actions);
+  views_.emplace(layers, kDriveViews);
+  view_inputs_.resize(encoder_.size(), kDriveViews);
+  preferences_.resize(description_.actions.size());
 }
 
 DrivePolicy DrivePolicy::fromFile(const std::string& path) {
@@ -101,7 +125,26 @@ DrivePolicy DrivePolicy::fromFile(const std::string& path) {
 
 const Eigen::VectorXf& DrivePolicy::advance(const Observation& observation) {
   encoder_.encode(observation, input_);
-  return network_.forward(input_);
+  return views_ ? advanceViews(observation) : network_.forward(input_);
+}
+
+const Eigen::VectorXf& DrivePolicy::advanceViews(const Observation& observation) {
+  const ViewBearings bearings = bearingsOf(observation);
+  for (int view = 0; view < kDriveViews; ++view) {
+    const int direction = (bearings.ahead + view) % kDriveViews;
+    encoder_.turn(input_.data(), bearings, view, view_inputs_.data() + direction, kDriveViews);
+  }
+  const BatchNetwork::Values& outputs = views_->forward(view_inputs_);
+  for (std::size_t action = 0; action < action_views_.size(); ++action) {
+    const int direction = (bearings.ahead + action_views_[action]) % kDriveViews;
+    preferences_[static_cast<Eigen::Index>(action)] = outputs(0, direction);
+  }
+  return preferences_;
+}
+
+void DrivePolicy::reset() {
+  network_.reset();
+  if (views_) views_->reset();
 }
 
 DrivePolicy noPolicy() {

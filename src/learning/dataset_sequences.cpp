@@ -137,6 +137,8 @@ void validate(const DatasetSequenceParameters& parameters) {
   checkParameter(parameters.burn_in_steps >= 0, "burn_in_steps", parameters.burn_in_steps, "zero or more");
   checkParameter(parameters.label_distance >= 0.0, "label_distance", parameters.label_distance, "zero or more");
   validate(parameters.policy.encoder);
+  checkParameter(parameters.policy.encoder.views == 1, "views", parameters.policy.encoder.views,
+                 "1: eight views learn by reinforcement only");
 }
 
 PolicyDescription policyOf(const Dataset& dataset) {

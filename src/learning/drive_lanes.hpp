@@ -17,14 +17,22 @@ struct DrivePlace {
   std::size_t step = 0;
 };
 
+/// What was recorded there, of an encoder with so many inputs: these, then the privileged ones. Null where there is no
+/// drive.
+inline const float* inputsOf(const DrivePlace& place, int inputs) {
+  const auto all = static_cast<std::size_t>(inputs + kDrivePrivilegedInputs);
+  return place.episode ? place.episode->inputs.data() + place.step * all : nullptr;
+}
+
 /// Lanes of drives, one drive behind the other in each, gone through window by window. `Slot` is a DrivePlace.
 template <typename Slot>
 class DriveLanes {
  public:
-  static constexpr int kLanes = 32;
+  /// `lanes`: how many. `window`: steps. `inputs`: of the encoder.
+  DriveLanes(int lanes, int window, int inputs)
+      : window_(window), inputs_(inputs), lanes_(static_cast<std::size_t>(lanes)) {}
 
-  /// `window`: steps. `inputs`: of the encoder.
-  DriveLanes(int window, int inputs) : window_(window), inputs_(inputs), lanes_(kLanes) {}
+  int count() const { return static_cast<int>(lanes_.size()); }
 
   /// The shortest lane so far, and its length in steps.
   std::size_t shortestLane() const {
@@ -60,8 +68,7 @@ class DriveLanes {
 
   /// A slot's inputs into those of a network: the first `count` of what was recorded, `stride` apart.
   void fillInputs(const Slot& slot, int count, float* input, int stride) const {
-    const auto all = static_cast<std::size_t>(inputs_ + kDrivePrivilegedInputs);
-    const float* values = slot.episode ? slot.episode->inputs.data() + slot.step * all : nullptr;
+    const float* values = inputsOf(slot, inputs_);
     for (int row = 0; row < count; ++row) input[row * stride] = values ? values[row] : 0.0f;
   }
 
@@ -77,12 +84,15 @@ class DriveLanes {
 template <typename Tile>
 class DriveTiles {
  public:
-  static constexpr int kTiles = 4;
+  /// Of drives, in all tiles together.
+  static constexpr int kLanes = 128;
 
-  /// `make` makes a tile.
+  /// `make` makes a tile; all have the same number of lanes.
   template <typename Make>
   DriveTiles(int threads, const Make& make) : threads_(threads) {
-    for (int tile = 0; tile < kTiles; ++tile) tiles_.push_back(make());
+    do {
+      tiles_.push_back(make());
+    } while (static_cast<int>(tiles_.size()) * tiles_.front()->lanes().count() < kLanes);
   }
 
   /// Each drive, which must outlive the tiles, to the lane that is shortest so far. Returns how many windows all have.
@@ -110,7 +120,7 @@ class DriveTiles {
   template <typename Work>
   auto each(const Work& work) {
     std::vector<decltype(work(tiles_.front().get()))> all(tiles_.size());
-    parallelFor(kTiles, threads_, [&](int tile, int) {
+    parallelFor(static_cast<int>(tiles_.size()), threads_, [&](int tile, int) {
       const auto i = static_cast<std::size_t>(tile);
       all[i] = work(tiles_[i].get());
     });

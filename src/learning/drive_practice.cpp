@@ -83,6 +83,7 @@ class Practice {
     const std::size_t first = episode_.inputs.size();
     episode_.inputs.resize(first + own + kDrivePrivilegedInputs);
     encoder_.encode(observation, Eigen::Map<Eigen::VectorXf>(episode_.inputs.data() + first, encoder_.size()));
+    if (encoder_.parameters().views != 1) episode_.bearings.push_back(bearingsOf(observation));
     float* more = episode_.inputs.data() + first + own;
     const Pose2& pose = drive_.truePose();
     double direction = pose.yaw;

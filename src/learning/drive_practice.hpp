@@ -9,6 +9,7 @@
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/learning/drive_course.hpp"
 #include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/perception/encoder.hpp"
 #include "lstm_planner/perception/observation.hpp"
 
 namespace lstm_planner {
@@ -26,7 +27,8 @@ struct PracticeEpisode {
   };
   std::size_t kind = 0;  ///< of world
   std::vector<Step> steps;
-  std::vector<float> inputs;         ///< the encoder's, then the privileged ones, step by step
+  std::vector<float> inputs;         ///< the encoder's (of the view ahead), then the privileged ones, step by step
+  std::vector<ViewBearings> bearings;  ///< step by step; empty with one view
   std::vector<char> allowed;         ///< whether the shield allows the actions, step by step
   std::vector<float> probabilities;  ///< of the actions, 0 where the shield forbids one, step by step
   bool arrived = false;

@@ -13,10 +13,11 @@ void DriveQSums::operator+=(const DriveQSums& other) {
 DriveQTile::DriveQTile(const DriveQLearningParameters& parameters, const LayerStack& layers)
     : parameters_(parameters),
       actions_(parameters.policy.actions.size()),
-      lanes_(parameters.window, inputSize(layers)),
-      network_(layers, kLanes, parameters.window),
-      target_network_(layers, kLanes, 1),
-      steps_(kLanes) {}
+      views_(parameters.policy),
+      lanes_(views_.driveLanes(), parameters.window, inputSize(layers)),
+      network_(layers, views_.networkLanes(), parameters.window),
+      target_network_(layers, views_.networkLanes(), 1),
+      steps_(static_cast<std::size_t>(views_.driveLanes())) {}
 
 void DriveQTile::rewind() {
   for (LaneNetwork* network : {&network_, &target_network_}) {
@@ -26,10 +27,10 @@ void DriveQTile::rewind() {
 
 /// Shows the network step `step` of a window, which is that at `time` of the lanes.
 void DriveQTile::look(int time, int step) {
-  for (int lane = 0; lane < kLanes; ++lane) {
+  for (int lane = 0; lane < lanes_.count(); ++lane) {
     const DriveQSlot& slot = lanes_.at(time, lane);
-    if (slot.step == 0) network_.forget(step, lane);
-    lanes_.fillInputs(slot, network_.inputSize(), network_.inputs(step) + lane, kLanes);
+    if (slot.step == 0) views_.forget(step, lane, &network_);
+    views_.fillInputs(slot, lane, network_.inputs(step));
   }
 }
 
@@ -39,28 +40,28 @@ DriveQSums DriveQTile::judge(const Eigen::VectorXf& weights, const Eigen::Vector
   for (int time = 0; time < lanes_.steps(); ++time) {
     const int step = time % parameters_.window;
     look(time, step);
-    for (int lane = 0; lane < kLanes; ++lane) {
-      if (lanes_.at(time, lane).step == 0) target_network_.forget(0, lane);
+    for (int lane = 0; lane < lanes_.count(); ++lane) {
+      if (lanes_.at(time, lane).step == 0) views_.forget(0, lane, &target_network_);
     }
-    std::copy_n(network_.inputs(step), network_.inputSize() * kLanes, target_network_.inputs(0));
+    std::copy_n(network_.inputs(step), network_.inputSize() * network_.lanes(), target_network_.inputs(0));
     const float* outputs = network_.forward(weights, step);
     const float* target_outputs = target_network_.forward(target_weights, 0);
-    for (int lane = 0; lane < kLanes; ++lane) valueStep(time, lane, outputs + lane, target_outputs + lane);
+    for (int lane = 0; lane < lanes_.count(); ++lane) valueStep(time, lane, outputs, target_outputs);
     target_network_.carryOver(1);
     if (step + 1 == parameters_.window) network_.carryOver(parameters_.window);
   }
   rewind();
   DriveQSums sums;
-  for (int lane = 0; lane < kLanes; ++lane) judgeLane(lane, &sums);
+  for (int lane = 0; lane < lanes_.count(); ++lane) judgeLane(lane, &sums);
   return sums;
 }
 
 /// Of those that the shield allowed, or of all where it allowed none.
-int DriveQTile::bestAction(const DriveQSlot& slot, const float* outputs) const {
+int DriveQTile::bestAction(const DriveQSlot& slot, int lane, const float* outputs) const {
   const char* allowed = slot.episode->allowed.data() + slot.step * static_cast<std::size_t>(actions_);
   int best = 0;
   for (int action = 1; action < actions_; ++action) {
-    const bool better = outputs[action * kLanes] > outputs[best * kLanes];
+    const bool better = outputs[views_.outputAt(slot, lane, action)] > outputs[views_.outputAt(slot, lane, best)];
     if (allowed[action] == allowed[best] ? better : allowed[action] > allowed[best]) best = action;
   }
   return best;
@@ -72,10 +73,10 @@ void DriveQTile::valueStep(int time, int lane, const float* outputs, const float
   const PracticeEpisode::Step& done = slot.episode->steps[slot.step];
   const bool last = slot.step + 1 == slot.episode->steps.size();
   QTransition& transition = steps_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(time)];
-  const int best = bestAction(slot, outputs);
-  const int valued = parameters_.double_q ? best : bestAction(slot, target_outputs);
+  const int best = bestAction(slot, lane, outputs);
+  const int valued = parameters_.double_q ? best : bestAction(slot, lane, target_outputs);
   const auto valueOf = [&](const float* values, int action) {
-    return parameters_.value_scale * static_cast<double>(values[action * kLanes]);
+    return parameters_.value_scale * static_cast<double>(values[views_.outputAt(slot, lane, action)]);
   };
   transition.value = valueOf(target_outputs, valued);
   transition.estimate = valueOf(outputs, done.action);
@@ -110,11 +111,11 @@ double DriveQTile::valueGradient(int window, const Eigen::VectorXf& weights) {
     look(time, step);
     const float* outputs = network_.forward(weights, step);
     float* slopes = network_.outputGradient(step);
-    std::fill_n(slopes, actions_ * kLanes, 0.0f);
-    for (int lane = 0; lane < kLanes; ++lane) {
+    std::fill_n(slopes, network_.outputSize() * network_.lanes(), 0.0f);
+    for (int lane = 0; lane < lanes_.count(); ++lane) {
       const DriveQSlot& slot = lanes_.at(time, lane);
       if (!slot.learns) continue;
-      const int place = slot.episode->steps[slot.step].action * kLanes + lane;
+      const int place = views_.outputAt(slot, lane, slot.episode->steps[slot.step].action);
       const double error = parameters_.value_scale * static_cast<double>(outputs[place]) - slot.target;
       slopes[place] = static_cast<float>(huberDerivative(error, parameters_.huber) / parameters_.value_scale);
       learned += 1.0;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drive_lanes.hpp"
+#include "drive_views.hpp"
 #include "lane_network.hpp"
 #include "lstm_planner/learning/drive_q_learning.hpp"
 #include "q_learning_targets.hpp"
@@ -38,16 +39,15 @@ class DriveQTile {
   const Eigen::VectorXf& gradient() const { return gradient_; }
 
  private:
-  static constexpr int kLanes = DriveLanes<DriveQSlot>::kLanes;
-
   void rewind();
   void look(int time, int step);
-  int bestAction(const DriveQSlot& slot, const float* outputs) const;
+  int bestAction(const DriveQSlot& slot, int lane, const float* outputs) const;
   void valueStep(int time, int lane, const float* outputs, const float* target_outputs);
   void judgeLane(int lane, DriveQSums* sums);
 
   const DriveQLearningParameters& parameters_;
   int actions_;
+  DriveViews views_;
   DriveLanes<DriveQSlot> lanes_;
   LaneNetwork network_;
   LaneNetwork target_network_;                   ///< one step long: nothing goes back through it

@@ -15,17 +15,18 @@ DriveTile::DriveTile(const DriveActorCriticParameters& parameters, const LayerSt
     : parameters_(parameters),
       actions_(parameters.policy.actions.size()),
       policy_inputs_(inputSize(policy)),
-      lanes_(parameters.window, policy_inputs_),
-      policy_(policy, kLanes, parameters.window),
-      critic_(critic, kLanes * parameters.window, 1) {}
+      views_(parameters.policy),
+      lanes_(views_.driveLanes(), parameters.window, policy_inputs_),
+      policy_(policy, views_.networkLanes(), parameters.window),
+      critic_(critic, views_.driveLanes() * parameters.window, 1) {}
 
 void DriveTile::rewind() { policy_.setState(std::vector<float>(policy_.state().size(), 0.0f)); }
 
 const float* DriveTile::criticValues(int window, const Eigen::VectorXf& parameters) {
   for (int time = 0; time < parameters_.window; ++time) {
-    for (int lane = 0; lane < kLanes; ++lane) {
+    for (int lane = 0; lane < lanes_.count(); ++lane) {
       lanes_.fillInputs(lanes_.at(window * parameters_.window + time, lane), policy_inputs_ + kDrivePrivilegedInputs,
-                        critic_.inputs(0) + time * kLanes + lane, critic_.lanes());
+                        critic_.inputs(0) + time * lanes_.count() + lane, critic_.lanes());
     }
   }
   return critic_.forward(parameters, 0);
@@ -35,16 +36,16 @@ DriveTileSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
   for (int window = 0; window < lanes_.windows(); ++window) {
     const float* values = criticValues(window, critic_parameters);
     for (int time = 0; time < parameters_.window; ++time) {
-      for (int lane = 0; lane < kLanes; ++lane) {
+      for (int lane = 0; lane < lanes_.count(); ++lane) {
         lanes_.at(window * parameters_.window + time, lane).value =
-            static_cast<float>(kValueScale) * values[time * kLanes + lane];
+            static_cast<float>(kValueScale) * values[time * lanes_.count() + lane];
       }
     }
   }
   DriveTileSums sums;
   sums.squares.resize(parameters_.course.worlds.size());
   sums.counts.resize(parameters_.course.worlds.size());
-  for (int lane = 0; lane < kLanes; ++lane) judgeLane(lane, &sums);
+  for (int lane = 0; lane < lanes_.count(); ++lane) judgeLane(lane, &sums);
   return sums;
 }
 
@@ -79,15 +80,15 @@ double DriveTile::policyGradient(int window, const Eigen::VectorXf& parameters, 
   gradient_.setZero(parameters.size());
   double chosen = 0.0;
   for (int time = 0; time < parameters_.window; ++time) {
-    for (int lane = 0; lane < kLanes; ++lane) {
+    for (int lane = 0; lane < lanes_.count(); ++lane) {
       const DriveSlot& slot = lanes_.at(window * parameters_.window + time, lane);
-      if (slot.step == 0) policy_.forget(time, lane);
-      lanes_.fillInputs(slot, policy_inputs_, policy_.inputs(time) + lane, kLanes);
+      if (slot.step == 0) views_.forget(time, lane, &policy_);
+      views_.fillInputs(slot, lane, policy_.inputs(time));
     }
     policy_.forward(parameters, time);
-    for (int lane = 0; lane < kLanes; ++lane) {
+    std::fill_n(policy_.outputGradient(time), policy_.outputSize() * policy_.lanes(), 0.0f);
+    for (int lane = 0; lane < lanes_.count(); ++lane) {
       const DriveSlot& slot = lanes_.at(window * parameters_.window + time, lane);
-      for (int action = 0; action < actions_; ++action) policy_.outputGradient(time)[action * kLanes + lane] = 0.0f;
       if (!slot.episode || !slot.episode->steps[slot.step].chosen) continue;
       fillPolicyGradient(slot, time, lane, weights);
       chosen += 1.0;
@@ -102,16 +103,17 @@ double DriveTile::policyGradient(int window, const Eigen::VectorXf& parameters, 
 void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int lane, const DriveBatchWeights& weights) {
   const PracticeEpisode& episode = *slot.episode;
   const float* before = episode.probabilities.data() + slot.step * static_cast<std::size_t>(actions_);
-  const float* preferences = policy_.outputs(time) + lane;
+  const float* preferences = policy_.outputs(time);
   float largest = -1e30f;
   for (int k = 0; k < actions_; ++k) {
-    if (before[k] > 0.0f) largest = std::max(largest, preferences[k * kLanes]);
+    if (before[k] > 0.0f) largest = std::max(largest, preferences[views_.outputAt(slot, lane, k)]);
   }
   double total = 0.0;
   std::vector<double> now(static_cast<std::size_t>(actions_));
   for (int k = 0; k < actions_; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    now[i] = before[k] > 0.0f ? std::exp(static_cast<double>(preferences[k * kLanes] - largest)) : 0.0;
+    const float preference = preferences[views_.outputAt(slot, lane, k)];
+    now[i] = before[k] > 0.0f ? std::exp(static_cast<double>(preference - largest)) : 0.0;
     total += now[i];
   }
   double entropy = 0.0;
@@ -131,7 +133,7 @@ void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int lane, co
     if (probability <= 0.0) continue;
     double slope = weights.entropy * probability * (std::log(probability) + entropy);
     if (!clipped) slope += advantage * ratio * (probability - (k == action ? 1.0 : 0.0));
-    policy_.outputGradient(time)[k * kLanes + lane] = static_cast<float>(slope);
+    policy_.outputGradient(time)[views_.outputAt(slot, lane, k)] = static_cast<float>(slope);
   }
 }
 
@@ -140,8 +142,8 @@ double DriveTile::criticGradient(int window, const Eigen::VectorXf& parameters) 
   const float* values = criticValues(window, parameters);
   double steps = 0.0;
   for (int time = 0; time < parameters_.window; ++time) {
-    for (int lane = 0; lane < kLanes; ++lane) {
-      const int place = time * kLanes + lane;
+    for (int lane = 0; lane < lanes_.count(); ++lane) {
+      const int place = time * lanes_.count() + lane;
       const DriveSlot& slot = lanes_.at(window * parameters_.window + time, lane);
       const float wanted = (slot.value + slot.advantage) / static_cast<float>(kValueScale);
       critic_.outputGradient(0)[place] = slot.episode ? values[place] - wanted : 0.0f;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "drive_lanes.hpp"
+#include "drive_views.hpp"
 #include "lane_network.hpp"
 #include "lstm_planner/learning/drive_actor_critic.hpp"
 
@@ -51,8 +52,6 @@ class DriveTile {
   double stepsSeen() const { return steps_seen_; }
 
  private:
-  static constexpr int kLanes = DriveLanes<DriveSlot>::kLanes;
-
   const float* criticValues(int window, const Eigen::VectorXf& parameters);
   void judgeLane(int lane, DriveTileSums* sums);
   void fillPolicyGradient(const DriveSlot& slot, int time, int lane, const DriveBatchWeights& weights);
@@ -60,6 +59,7 @@ class DriveTile {
   const DriveActorCriticParameters& parameters_;
   int actions_;
   int policy_inputs_;
+  DriveViews views_;
   DriveLanes<DriveSlot> lanes_;
   LaneNetwork policy_;
   LaneNetwork critic_;

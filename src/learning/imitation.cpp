@@ -158,6 +158,8 @@ void validate(const ImitationParameters& parameters) {
                  "more than burn_in_steps");
   checkParameter(parameters.threads > 0, "threads", parameters.threads, "a positive number");
   validate(parameters.policy.encoder);
+  checkParameter(parameters.policy.encoder.views == 1, "views", parameters.policy.encoder.views,
+                 "1: eight views learn by reinforcement only");
   validate(parameters.course);
   validate(parameters.trainer);
 }

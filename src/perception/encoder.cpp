@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "view_bearings.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -51,6 +53,14 @@ double readNumber(const std::map<std::string, std::string>& metadata, const std:
   return value;
 }
 
+int readViews(const std::map<std::string, std::string>& metadata) {
+  const double views = readNumber(metadata, "views");
+  if (views != 1 && views != kDriveViews) {
+    throw std::invalid_argument("the model's metadata has views '" + find(metadata, "views") + "', expected 1 or 8");
+  }
+  return static_cast<int>(views);
+}
+
 void checkScale(const std::string& name, double value) {
   if (!(value >= kSmallestScale && value <= kLargestScale)) {
     throw std::invalid_argument(name + " is " + toText(value) + ", expected a number in [0.001, 1000000]");
@@ -63,6 +73,21 @@ bool splitNumbered(const std::string& name, std::string* stem, std::size_t* inde
   *stem = name.substr(0, name.size() - 1);
   *index = static_cast<std::size_t>(name.back() - '0');
   return true;
+}
+
+/// A view takes over what another one saw there: each direction must be told.
+void checkGroupsAreWhole(const std::vector<std::string>& layout) {
+  std::map<std::string, int> counts;
+  for (const std::string& name : layout) {
+    std::string stem;
+    std::size_t index = 0;
+    if (splitNumbered(name, &stem, &index)) ++counts[stem];
+  }
+  for (const auto& [stem, count] : counts) {
+    if (count == kDriveViews) continue;
+    throw std::invalid_argument("input_layout names " + std::to_string(count) + " of " + stem + "0 .. " + stem +
+                                "7, expected all of them or none for eight views");
+  }
 }
 
 bool hasEvents(const std::vector<std::string>& layout) {
@@ -99,6 +124,10 @@ void validate(const EncoderParameters& parameters) {
                                 ", expected a number in [0, 1000000]");
   }
   checkScale("event_range", parameters.event_range);
+  if (parameters.views != 1 && parameters.views != kDriveViews) {
+    throw std::invalid_argument("views is " + std::to_string(parameters.views) + ", expected 1 or 8");
+  }
+  if (parameters.views != 1) checkGroupsAreWhole(parameters.input_layout);
 }
 
 void writeMetadata(const EncoderParameters& parameters, std::map<std::string, std::string>* metadata) {
@@ -113,6 +142,7 @@ void writeMetadata(const EncoderParameters& parameters, std::map<std::string, st
   (*metadata)["action_scale"] = toText(parameters.action_scale);
   (*metadata)["position_cell"] = toText(parameters.position_cell);
   if (hasEvents(parameters.input_layout)) (*metadata)["event_range"] = toText(parameters.event_range);
+  if (parameters.views != 1) (*metadata)["views"] = std::to_string(parameters.views);
 }
 
 EncoderParameters readEncoderParameters(const std::map<std::string, std::string>& metadata) {
@@ -136,6 +166,7 @@ EncoderParameters readEncoderParameters(const std::map<std::string, std::string>
   parameters.action_scale = readNumber(metadata, "action_scale");
   parameters.position_cell = readNumber(metadata, "position_cell");
   if (hasEvents(parameters.input_layout)) parameters.event_range = readNumber(metadata, "event_range");
+  if (metadata.count("views") > 0) parameters.views = readViews(metadata);
   validate(parameters);
   return parameters;
 }
@@ -143,6 +174,7 @@ EncoderParameters readEncoderParameters(const std::map<std::string, std::string>
 Encoder::Encoder(EncoderParameters parameters) : parameters_(std::move(parameters)) {
   validate(parameters_);
   for (const std::string& name : parameters_.input_layout) features_.push_back(inputNamed(name));
+  if (parameters_.views != 1) findSources();
 }
 
 Encoder::Input Encoder::inputNamed(const std::string& name) {
@@ -159,9 +191,13 @@ Encoder::Input Encoder::inputNamed(const std::string& name) {
                                                          {"steps_since_best", Feature::kStepsSinceBest},
                                                          {"motion_forward", Feature::kMotionForward},
                                                          {"motion_left", Feature::kMotionLeft},
-                                                         {"motion_turn", Feature::kMotionTurn}};
-  static const std::map<std::string, Feature> kNumbered = {
-      {"sector_", Feature::kSector}, {"event_", Feature::kEvent}, {"visits_", Feature::kVisits}};
+                                                         {"motion_turn", Feature::kMotionTurn},
+                                                         {"previous_action_sin", Feature::kPreviousActionSin},
+                                                         {"previous_action_cos", Feature::kPreviousActionCos}};
+  static const std::map<std::string, Feature> kNumbered = {{"sector_", Feature::kSector},
+                                                           {"event_", Feature::kEvent},
+                                                           {"visits_", Feature::kVisits},
+                                                           {"seen_", Feature::kSeen}};
   const auto single = kSingle.find(name);
   if (single != kSingle.end()) return {single->second, 0, 0};
   std::string stem;
@@ -174,7 +210,7 @@ Encoder::Input Encoder::inputNamed(const std::string& name) {
       if (stem == std::string(kPlaceNames[scale]) + "_freshness_") return {Feature::kPlaceFreshness, index, scale};
     }
   }
-  std::string expected = "sector_0 .. sector_7, event_0 .. event_7, visits_0 .. visits_7";
+  std::string expected = "sector_0 .. sector_7, event_0 .. event_7, visits_0 .. visits_7, seen_0 .. seen_7";
   for (const char* place : kPlaceNames) {
     expected += std::string(", ") + place + "_visits_0 .. 7, " + place + "_freshness_0 .. 7";
   }
@@ -187,8 +223,17 @@ void Encoder::encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf>
     throw std::invalid_argument("the input has " + std::to_string(input.size()) + " values, expected " +
                                 std::to_string(size()));
   }
-  for (int i = 0; i < size(); ++i) {
-    input[i] = static_cast<float>(value(features_[static_cast<std::size_t>(i)], observation));
+  const auto fill = [&](const Observation& seen) {
+    for (int i = 0; i < size(); ++i) {
+      input[i] = static_cast<float>(value(features_[static_cast<std::size_t>(i)], seen));
+    }
+  };
+  if (parameters_.views == 1) {
+    fill(observation);
+  } else {
+    Observation ahead = observation;
+    turnBearings(bearingsOf(observation), 0.0, &ahead);
+    fill(ahead);
   }
 }
 
@@ -241,6 +286,12 @@ double Encoder::value(const Input& input, const Observation& observation) const 
       return std::clamp(observation.motion.y, -1.0, 1.0);
     case Feature::kMotionTurn:
       return normalizeAngle(observation.turn) / parameters_.action_scale;
+    case Feature::kPreviousActionSin:
+      return std::sin(observation.previous_action);
+    case Feature::kPreviousActionCos:
+      return std::cos(observation.previous_action);
+    case Feature::kSeen:
+      return 1.0;
   }
   return 0.0;
 }

@@ -1,5 +1,6 @@
 #include "tools/train_robot_options.hpp"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
@@ -7,6 +8,22 @@
 #include "tools/train_commands.hpp"
 
 namespace lstm_planner {
+
+namespace {
+
+/// A view may look away from where the robot went, and from where the scanner looks.
+void fitInputsToViews(EncoderParameters* encoder) {
+  std::vector<std::string>& layout = encoder->input_layout;
+  const auto previous = std::find(layout.begin(), layout.end(), "previous_action");
+  if (previous != layout.end()) {
+    *previous = "previous_action_sin";
+    layout.insert(previous + 1, "previous_action_cos");
+  }
+  for (int i = 0; i < kSectorCount; ++i) layout.push_back("seen_" + std::to_string(i));
+  validate(*encoder);
+}
+
+}  // namespace
 
 void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder,
                             boost::program_options::options_description* description) {
@@ -19,6 +36,9 @@ void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* enc
       ("event-range", po::value(&encoder->event_range)->default_value(encoder->event_range), "m; nearer is an event")
       ("position-cell", po::value(&encoder->position_cell)->default_value(encoder->position_cell),
        "m, to which the odometry is rounded; 0: not at all")
+      ("views", po::value(&encoder->views)->default_value(encoder->views),
+       "1: an output an angle; 8: the network looks into each of eight directions, with an output and a memory each "
+       "(by reinforcement only)")
       ("network", po::value(&options->network)->default_value(options->network), "lstm, rnn or mlp")
       ("cells", po::value(&options->shape.cells)->multitoken(),
        "of each recurrent layer, or units of each layer of an mlp (default: 8 8; of an mlp 64 64)")
@@ -30,7 +50,8 @@ void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* enc
 }
 
 void checkModelDecides(const boost::program_options::variables_map& values) {
-  for (const char* decided : {"inputs", "event-range", "position-cell", "network", "cells", "deep-in", "deep-out"}) {
+  for (const char* decided : {"inputs", "event-range", "position-cell", "views", "network", "cells", "deep-in",
+                              "deep-out"}) {
     if (values.count(decided) == 0 || values[decided].defaulted()) continue;
     throw std::invalid_argument(std::string("--") + decided + " is decided by the model of --init");
   }
@@ -39,6 +60,7 @@ void checkModelDecides(const boost::program_options::variables_map& values) {
 void finishRobotNetworkOptions(const boost::program_options::variables_map& values, RobotNetworkOptions* options,
                                EncoderParameters* encoder) {
   addInputs(options->inputs, encoder);
+  if (encoder->views != 1) fitInputsToViews(encoder);
   options->shape.kind = networkKindNamed(options->network);
   if (values.count("cells") == 0 && options->shape.kind == NetworkShape::Kind::kMlp) options->shape.cells = {64, 64};
   makeNetwork(static_cast<int>(encoder->input_layout.size()), options->shape, 1);  // throws

@@ -109,7 +109,7 @@ LayerStack firstLayers(const RobotReinforcementPlan& plan, PolicyDescription* po
     return std::move(model.layers);
   }
   const int inputs = static_cast<int>(policy->encoder.input_layout.size());
-  LayerStack layers = makeNetwork(inputs, plan.network.shape, policy->actions.size());
+  LayerStack layers = makeNetwork(inputs, plan.network.shape, networkOutputs(*policy));
   initialise({}, plan.options.seed, layers);
   return layers;
 }

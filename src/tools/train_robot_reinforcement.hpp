@@ -84,6 +84,8 @@ void finishRobotReinforcement(const std::string& method, RobotReinforcementPlan*
                          {"starts", p.starts},
                          {"window", p.window},
                          {"passes", p.passes}});
+  // Not told where there is one: checkpoints from before there were views go on.
+  if (p.policy.encoder.views != 1) plan->settings["views"] = p.policy.encoder.views;
 }
 
 /// Those of the model to begin with, whose description replaces `policy`, or new ones.

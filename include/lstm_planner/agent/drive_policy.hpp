@@ -1,9 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "lstm_planner/agent/action_set.hpp"
+#include "lstm_planner/network/batch_network.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "lstm_planner/network/network.hpp"
 #include "lstm_planner/perception/encoder.hpp"
@@ -23,7 +27,19 @@ struct PolicyDescription {
 void writeMetadata(const PolicyDescription& description, std::map<std::string, std::string>* metadata);
 PolicyDescription readPolicyDescription(const std::map<std::string, std::string>& metadata);
 
+/// How many outputs a network for it has: one an action, or with eight views one, how good it is to go ahead.
+int networkOutputs(const PolicyDescription& description);
+
+/// The view that looks where each action steers, in eighths of a turn from the heading. Throws std::invalid_argument
+/// unless all angles are multiples of 45 degrees.
+std::vector<int> viewsOf(const ActionSet& actions);
+
 /// Observation in, preferences over the steering angles out, with a memory in between: encoder and network together.
+///
+/// With eight views the network looks into eight directions that stay where they are in the odometry frame, such that
+/// one of them is the heading, rounded to 45 degrees; each has a hidden state of its own, and all advance at each step.
+/// An action is worth what the network says in the direction into which it steers. When the robot turns, what was seen
+/// in a direction stays with it. Copies share their weights.
 class DrivePolicy {
  public:
   /// Throws std::invalid_argument when network, encoder and action set do not fit together.
@@ -35,15 +51,24 @@ class DrivePolicy {
   /// Advances the hidden state by one step and returns one preference an action; valid until the next call.
   const Eigen::VectorXf& advance(const Observation& observation);
 
-  void reset() { network_.reset(); }
+  void reset();
   const PolicyDescription& description() const { return description_; }
+  /// Advances only where there is one view.
   const Network& network() const { return network_; }
 
  private:
+  const Eigen::VectorXf& advanceViews(const Observation& observation);
+
   PolicyDescription description_;
   Encoder encoder_;
   Network network_;
   Eigen::VectorXf input_;
+
+  // With eight views only.
+  std::optional<BatchNetwork> views_;  ///< an agent a direction of the odometry frame
+  std::vector<int> action_views_;
+  BatchNetwork::Values view_inputs_;
+  Eigen::VectorXf preferences_;
 };
 
 /// For an agent that no network leads: the thesis's inputs and steering angles, all weights zero.

@@ -93,6 +93,9 @@ TEST(DatasetTraining, EmptySetsAndBadParametersAreRefused) {
   EXPECT_THROW(makeTrainingSets({{}, dataset}, parameters), std::invalid_argument);
   parameters.variants = -1;
   EXPECT_THROW(makeTrainingSets({dataset, dataset}, parameters), std::invalid_argument);
+  parameters.variants = 0;
+  parameters.sequences.policy.encoder.views = 8;
+  EXPECT_THROW(validate(parameters), std::invalid_argument) << "recordings teach one view only";
 }
 
 }  // namespace

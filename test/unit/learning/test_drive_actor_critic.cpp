@@ -10,8 +10,9 @@
 namespace lstm_planner {
 namespace {
 
-DriveActorCriticParameters tinyTraining() {
+DriveActorCriticParameters tinyTraining(int views = 1) {
   DriveActorCriticParameters parameters;
+  parameters.policy.encoder.views = views;
   parameters.course.worlds = {WorldKind::kOpen};
   parameters.iterations = 4;
   parameters.worlds = 2;
@@ -25,13 +26,17 @@ DriveActorCriticParameters tinyTraining() {
 
 LayerStack tinyNetwork(const DriveActorCriticParameters& parameters) {
   LayerStack layers = makeLstmStack(static_cast<int>(parameters.policy.encoder.input_layout.size()), {4},
-                                    parameters.policy.actions.size());
-  initialise({}, 3, layers);
+                                    networkOutputs(parameters.policy));
+  initialise({}, 7, layers);
   return layers;
 }
 
-TEST(DriveActorCritic, LearnsToGoToTheGoalInTheOpen) {
-  DriveActorCriticParameters parameters = tinyTraining();
+/// By the number of views.
+class DriveActorCriticWithViews : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveActorCriticWithViews, ::testing::Values(1, 8));
+
+TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
+  DriveActorCriticParameters parameters = tinyTraining(GetParam());
   parameters.iterations = 15;
   parameters.starts = 12;
   parameters.learning_rate = 0.01;
@@ -42,8 +47,8 @@ TEST(DriveActorCritic, LearnsToGoToTheGoalInTheOpen) {
   EXPECT_GT(after, before + 2.0) << "m nearer to the goal a drive";
 }
 
-TEST(DriveActorCritic, GivesTheSameWeightsForAnyNumberOfThreads) {
-  DriveActorCriticParameters parameters = tinyTraining();
+TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
+  DriveActorCriticParameters parameters = tinyTraining(GetParam());
   DriveActorCritic one(parameters, tinyNetwork(parameters));
   parameters.threads = 3;
   DriveActorCritic three(parameters, tinyNetwork(parameters));
@@ -54,8 +59,8 @@ TEST(DriveActorCritic, GivesTheSameWeightsForAnyNumberOfThreads) {
   EXPECT_EQ(parameterVector(one.layers()), parameterVector(three.layers()));
 }
 
-TEST(DriveActorCritic, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
-  const DriveActorCriticParameters parameters = tinyTraining();
+TEST_P(DriveActorCriticWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
+  const DriveActorCriticParameters parameters = tinyTraining(GetParam());
   DriveActorCritic through(parameters, tinyNetwork(parameters));
   DriveActorCritic first(parameters, tinyNetwork(parameters));
   for (int i = 0; i < 4; ++i) through.iterate();

@@ -14,8 +14,9 @@
 namespace lstm_planner {
 namespace {
 
-DriveQLearningParameters tinyTraining() {
+DriveQLearningParameters tinyTraining(int views = 1) {
   DriveQLearningParameters parameters;
+  parameters.policy.encoder.views = views;
   parameters.course.worlds = {WorldKind::kOpen};
   parameters.iterations = 4;
   parameters.worlds = 2;
@@ -28,7 +29,7 @@ DriveQLearningParameters tinyTraining() {
 
 LayerStack tinyNetwork(const DriveQLearningParameters& parameters) {
   LayerStack layers = makeLstmStack(static_cast<int>(parameters.policy.encoder.input_layout.size()), {4},
-                                    parameters.policy.actions.size());
+                                    networkOutputs(parameters.policy));
   initialise({}, 3, layers);
   return layers;
 }
@@ -65,8 +66,12 @@ TEST(DriveQLearning, LearnsToGoToTheGoalInTheOpenByProgress) {
   EXPECT_GT(arrivalAfterLearning(parameters), 0.6);
 }
 
-TEST(DriveQLearning, GivesTheSameWeightsForAnyNumberOfThreads) {
-  DriveQLearningParameters parameters = tinyTraining();
+/// By the number of views.
+class DriveQLearningWithViews : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveQLearningWithViews, ::testing::Values(1, 8));
+
+TEST_P(DriveQLearningWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
+  DriveQLearningParameters parameters = tinyTraining(GetParam());
   DriveQLearning one(parameters, tinyNetwork(parameters));
   parameters.threads = 3;
   DriveQLearning three(parameters, tinyNetwork(parameters));
@@ -78,8 +83,8 @@ TEST(DriveQLearning, GivesTheSameWeightsForAnyNumberOfThreads) {
   EXPECT_NE(parameterVector(one.layers()), parameterVector(tinyNetwork(parameters)));
 }
 
-TEST(DriveQLearning, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
-  DriveQLearningParameters parameters = tinyTraining();
+TEST_P(DriveQLearningWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
+  DriveQLearningParameters parameters = tinyTraining(GetParam());
   parameters.target_interval = 2;  // so that the target network is neither the first nor that of the break
   DriveQLearning through(parameters, tinyNetwork(parameters));
   DriveQLearning first(parameters, tinyNetwork(parameters));
@@ -167,6 +172,8 @@ std::vector<PracticeEpisode> someDrives(int inputs, int actions) {
         episode.inputs.push_back(static_cast<float>(uniform(random, -1.0, 1.0)));
       }
       for (int action = 0; action < actions; ++action) episode.allowed.push_back(1);
+      // Looked at with eight views only; the robot turns once about.
+      episode.bearings.push_back({static_cast<int>(step + 1) % kDriveViews, uniform(random), uniform(random), {}});
     }
   }
   return episodes;
@@ -174,7 +181,7 @@ std::vector<PracticeEpisode> someDrives(int inputs, int actions) {
 
 class DriveQTileTest : public ::testing::Test {
  protected:
-  DriveQTileTest() : parameters_(tinyTraining()) {
+  explicit DriveQTileTest(int views = 1) : parameters_(tinyTraining(views)) {
     parameters_.window = 8;
     parameters_.trace_decay = 0.0;  // so that the targets do not depend on the weights that are moved
     parameters_.double_q = false;
@@ -195,6 +202,13 @@ class DriveQTileTest : public ::testing::Test {
   Eigen::VectorXf weights_;
   std::vector<PracticeEpisode> episodes_;
 };
+
+/// By the number of views.
+class DriveQTileWithViews : public DriveQTileTest, public ::testing::WithParamInterface<int> {
+ protected:
+  DriveQTileWithViews() : DriveQTileTest(GetParam()) {}
+};
+INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveQTileWithViews, ::testing::Values(1, 8));
 
 TEST_F(DriveQTileTest, LearnsFromChosenStepsOfWhichItIsKnownWhatCame) {
   // Of each drive one step was not chosen, and one drive was cut off.
@@ -226,7 +240,7 @@ TEST_F(DriveQTileTest, TargetIsTheRewardAndTheValueOfTheBestAllowedActionAfterIt
   EXPECT_NEAR(targetOfFirstStep(), expected(), 1e-5);
 }
 
-TEST_F(DriveQTileTest, GradientIsTheDerivativeOfTheSquaredErrors) {
+TEST_P(DriveQTileWithViews, GradientIsTheDerivativeOfTheSquaredErrors) {
   const Eigen::VectorXf target_weights = 0.5f * weights_;
   DriveQTile learning = tile();
   learning.judge(weights_, target_weights);
@@ -246,7 +260,7 @@ TEST_F(DriveQTileTest, GradientIsTheDerivativeOfTheSquaredErrors) {
   }
 }
 
-TEST_F(DriveQTileTest, GoesOnInTheNextWindowAsIfItWereOne) {
+TEST_P(DriveQTileWithViews, GoesOnInTheNextWindowAsIfItWereOne) {
   const double in_one = tile().judge(weights_, weights_).value;
   parameters_.window = 3;
   EXPECT_NEAR(tile().judge(weights_, weights_).value, in_one, 1e-9 * std::abs(in_one));

@@ -1,0 +1,99 @@
+#include <cmath>
+
+#include "lstm_planner/perception/encoder.hpp"
+#include "view_bearings.hpp"
+
+namespace lstm_planner {
+namespace {
+
+/// A sector is half as wide as views lie apart, and the scanner looks into eight of the sixteen around.
+constexpr int kSectorsAView = 2;
+constexpr int kSectorsAround = kSectorsAView * kDriveViews;
+
+}  // namespace
+
+int viewNearest(double angle) {
+  return static_cast<int>(std::lround(normalizeAngle(angle) / kViewAngle)) & (kDriveViews - 1);
+}
+
+ViewBearings bearingsOf(const Observation& observation) {
+  ViewBearings bearings;
+  bearings.ahead = viewNearest(observation.heading);
+  bearings.goal = observation.goal_bearing;
+  bearings.previous_action = normalizeAngle(observation.previous_action - observation.turn);
+  bearings.motion = toLocalFrame({0.0, 0.0, observation.turn}, observation.motion);
+  return bearings;
+}
+
+void turnBearings(const ViewBearings& bearings, double angle, Observation* observation) {
+  observation->goal_bearing = bearings.goal - angle;
+  observation->heading = -angle;
+  observation->previous_action = bearings.previous_action - angle;
+  observation->motion = toLocalFrame({0.0, 0.0, angle}, bearings.motion);
+}
+
+Encoder::Source Encoder::sourceOf(const Input& input, int view) const {
+  std::size_t index = input.index;
+  switch (input.feature) {
+    case Feature::kGoalBearing:
+    case Feature::kGoalBearingSin:
+    case Feature::kGoalBearingCos:
+    case Feature::kHeading:
+    case Feature::kHeadingSin:
+    case Feature::kHeadingCos:
+    case Feature::kPreviousAction:
+    case Feature::kPreviousActionSin:
+    case Feature::kPreviousActionCos:
+    case Feature::kMotionForward:
+    case Feature::kMotionLeft:
+      return {Source::Kind::kBearing, 0};
+    case Feature::kSector:
+    case Feature::kEvent:
+    case Feature::kSeen:
+      index = (index + static_cast<std::size_t>(kSectorsAView * view)) % kSectorsAround;
+      if (index >= kSectorCount) return {Source::Kind::kNothing, 0};
+      break;
+    case Feature::kVisits:
+    case Feature::kPlaceVisits:
+    case Feature::kPlaceFreshness:
+      index = (index + static_cast<std::size_t>(view)) % kPlaceDirections;
+      break;
+    default:
+      break;
+  }
+  int source = 0;
+  for (const Input& other : features_) {
+    if (other.feature == input.feature && other.index == index && other.scale == input.scale) break;
+    ++source;
+  }
+  return {Source::Kind::kAhead, source};
+}
+
+void Encoder::findSources() {
+  for (int view = 0; view < kDriveViews; ++view) {
+    std::vector<Source>& sources = sources_[static_cast<std::size_t>(view)];
+    sources.clear();
+    for (const Input& input : features_) sources.push_back(sourceOf(input, view));
+  }
+}
+
+void Encoder::turn(const float* ahead, const ViewBearings& bearings, int view, float* input, int stride) const {
+  Observation turned;
+  turnBearings(bearings, view * kViewAngle, &turned);
+  const std::vector<Source>& sources = sources_.at(static_cast<std::size_t>(view));
+  for (std::size_t i = 0; i < sources.size(); ++i, input += stride) {
+    switch (sources[i].kind) {
+      case Source::Kind::kAhead:
+        *input = ahead[sources[i].index];
+        break;
+      case Source::Kind::kNothing:
+        *input = 0.0f;
+        break;
+      case Source::Kind::kBearing:
+        *input = static_cast<float>(value(features_[i], turned));
+        break;
+    }
+  }
+}
+
+}  // namespace lstm_planner
