@@ -93,21 +93,22 @@ std::vector<int> viewsOf(const ActionSet& actions) {
 }
 
 DrivePolicy::DrivePolicy(PolicyDescription description, const LayerStack& layers)
-    : description_(std::move(description)),
-      encoder_(description_.encoder),
-      network_(layers),
-      input_(encoder_.size()) {
-  if (network_.inputSize() != encoder_.size()) {
-    throw std::invalid_argument("the network takes " + std::to_string(network_.inputSize()) +
+    : description_(std::move(description)), encoder_(description_.encoder), input_(encoder_.size()) {
+  validateLayers(layers);
+  if (inputSize(layers) != encoder_.size()) {
+    throw std::invalid_argument("the network takes " + std::to_string(inputSize(layers)) +
                                 " inputs, its input layout has " + std::to_string(encoder_.size()));
   }
   const bool has_views = description_.encoder.views != 1;
-  if (network_.outputSize() != networkOutputs(description_)) {
+  if (outputSize(layers) != networkOutputs(description_)) {
     throw std::invalid_argument(
-        "the network has " + std::to_string(network_.outputSize()) + " outputs, " +
+        "the network has " + std::to_string(outputSize(layers)) + " outputs, " +
         (has_views ? "eight views have 1" : "its action set has " + std::to_string(description_.actions.size())));
   }
-  if (!has_views) return;
+  if (!has_views) {
+    network_.emplace(layers);
+    return;
+  }
   action_views_ = viewsOf(description_.actions);
   views_.emplace(layers, kDriveViews);
   view_inputs_.resize(encoder_.size(), kDriveViews);
@@ -125,7 +126,7 @@ DrivePolicy DrivePolicy::fromFile(const std::string& path) {
 
 const Eigen::VectorXf& DrivePolicy::advance(const Observation& observation) {
   encoder_.encode(observation, input_);
-  return views_ ? advanceViews(observation) : network_.forward(input_);
+  return views_ ? advanceViews(observation) : network_->forward(input_);
 }
 
 const Eigen::VectorXf& DrivePolicy::advanceViews(const Observation& observation) {
@@ -143,8 +144,17 @@ const Eigen::VectorXf& DrivePolicy::advanceViews(const Observation& observation)
 }
 
 void DrivePolicy::reset() {
-  network_.reset();
+  if (network_) network_->reset();
   if (views_) views_->reset();
+}
+
+Eigen::VectorXf DrivePolicy::hiddenState() const {
+  if (network_) return network_->hiddenState();
+  Eigen::VectorXf all(kDriveViews * views_->hiddenStateSize());
+  for (int view = 0; view < kDriveViews; ++view) {
+    all.segment(view * views_->hiddenStateSize(), views_->hiddenStateSize()) = views_->hiddenState(view);
+  }
+  return all;
 }
 
 DrivePolicy noPolicy() {

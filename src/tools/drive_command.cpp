@@ -7,6 +7,7 @@
 #include "tools/command.hpp"
 #include "tools/drive_options.hpp"
 #include "tools/drive_report.hpp"
+#include "tools/drive_states.hpp"
 #include "tools/drive_worlds.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
@@ -15,8 +16,9 @@ namespace lstm_planner {
 namespace {
 
 DriveResult driveOnce(const DriveOptions& options, const DriveWorld& world, const NumberedDrive& exercise,
-                      const DriveParameters& rules, const DrivePolicy& policy) {
+                      const DriveParameters& rules, const DrivePolicy& policy, DriveStates* states) {
   NavigationAgent agent(policy, options.agent);
+  if (!options.states.empty()) states->watch(&agent);
   if (options.crowd.walkers == 0) return drive(*world.world, exercise.task, rules, exercise.seed, &agent);
   const Point2 start{exercise.task.start.x, exercise.task.start.y};
   const std::uint64_t seed = Random(exercise.seed)();
@@ -30,7 +32,7 @@ DrivePolicy policyOf(const DriveOptions& options) {
   return noPolicy();
 }
 
-DriveResults driveAll(const DriveOptions& options, const DriveCourse& course) {
+DriveResults driveAll(const DriveOptions& options, const DriveCourse& course, DriveStates* states) {
   const DrivePolicy policy = policyOf(options);
   DriveResults results;
   std::vector<std::pair<std::size_t, std::size_t>> jobs;
@@ -44,7 +46,7 @@ DriveResults driveAll(const DriveOptions& options, const DriveCourse& course) {
   parallelFor(static_cast<int>(jobs.size()), options.threads, [&](int job, int thread) {
     const auto [world, exercise] = jobs[static_cast<std::size_t>(job)];
     const DriveWorld& where = course.worlds[world];
-    results[world][exercise] = driveOnce(options, where, where.exercises[exercise], course.rules, policy);
+    results[world][exercise] = driveOnce(options, where, where.exercises[exercise], course.rules, policy, states);
     ++done;
     if (thread == 0) progress.show(static_cast<double>(done) / static_cast<double>(jobs.size()));
   });
@@ -58,11 +60,16 @@ int runDrive(const std::vector<std::string>& arguments) {
   DriveOptions options;
   if (!readDriveOptions(arguments, &options)) return 0;
   const DriveCourse course = makeDriveCourse(options);
-  const DriveResults results = driveAll(options, course);
+  DriveStates states;
+  const DriveResults results = driveAll(options, course, &states);
   printDriveSummary(std::cout, course, results);
   if (!options.json.empty()) writeTextFile(options.json, driveJson(options, course, results));
   if (!options.details.empty()) writeTextFile(options.details, driveCsv(course, results));
   if (!options.pictures.empty()) drawDrives(options.pictures, course, results);
+  if (!options.states.empty()) {
+    drawDrive(options.states, course, results);
+    states.drawBelow(options.states);
+  }
   return 0;
 }
 

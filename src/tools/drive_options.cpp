@@ -83,7 +83,9 @@ void addOutputOptions(DriveOptions* options, po::options_description* all) {
       ("json", po::value(&options->json), "write the result to this file")
       ("details", po::value(&options->details), "write a CSV line a goal to this file")
       ("pictures", po::value(&options->pictures),
-       "draw the drives that went wrong, the best, the middle and the worst into this folder");
+       "draw the drives that went wrong, the best, the middle and the worst into this folder")
+      ("states", po::value(&options->states),
+       "PNG file: the one drive of --only, with the network's preferences and hidden state step by step");
   // clang-format on
   all->add(description);
 }
@@ -106,6 +108,12 @@ void check(const DriveOptions& options) {
   validate(options.agent);
   for (const std::string& file : {options.json, options.details}) {
     if (!file.empty()) checkWritable(file);
+  }
+  if (!options.states.empty()) {
+    checkWritable(options.states);
+    if (options.only.size() != 1 || options.agent.leader != Leader::kNetwork) {
+      throw std::invalid_argument("--states draws one drive: it needs --only with one number, and a network that leads");
+    }
   }
   if (!options.pictures.empty()) makeOutputFolder(options.pictures);
 }

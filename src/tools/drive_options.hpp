@@ -32,6 +32,7 @@ struct DriveOptions {
   std::string json;
   std::string details;
   std::string pictures;
+  std::string states;
 };
 
 /// Returns false when only the help was asked for. Throws with a sentence for options that make no sense.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <stdexcept>
 #include <vector>
 
 #include "lstm_planner/evaluation/trace_picture.hpp"
@@ -150,6 +151,14 @@ void drawDrives(const std::string& folder, const DriveCourse& course, const Driv
   draw(nameOf("best", *order.front()), *order.front());
   draw(nameOf("median", *order[order.size() / 2]), *order[order.size() / 2]);
   draw(nameOf("worst", *order.back()), *order.back());
+}
+
+void drawDrive(const std::string& file, const DriveCourse& course, const DriveResults& results) {
+  for (std::size_t i = 0; i < course.worlds.size(); ++i) {
+    if (results[i].empty()) continue;
+    return draw(file, {course.worlds[i], course.worlds[i].exercises.front(), results[i].front()});
+  }
+  throw std::invalid_argument("there is no drive to draw");
 }
 
 }  // namespace lstm_planner

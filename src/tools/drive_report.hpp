@@ -27,4 +27,7 @@ std::string driveCsv(const DriveCourse& course, const DriveResults& results);
 /// Draws the drives that went wrong and, by path / shortest, the worst, the middle and the best of the others.
 void drawDrives(const std::string& folder, const DriveCourse& course, const DriveResults& results);
 
+/// Draws the one drive that there is.
+void drawDrive(const std::string& file, const DriveCourse& course, const DriveResults& results);
+
 }  // namespace lstm_planner

@@ -53,15 +53,15 @@ class DrivePolicy {
 
   void reset();
   const PolicyDescription& description() const { return description_; }
-  /// Advances only where there is one view.
-  const Network& network() const { return network_; }
+  /// Of all recurrent cells; with eight views one view behind the other. Allocates.
+  Eigen::VectorXf hiddenState() const;
 
  private:
   const Eigen::VectorXf& advanceViews(const Observation& observation);
 
   PolicyDescription description_;
   Encoder encoder_;
-  Network network_;
+  std::optional<Network> network_;  ///< with one view only
   Eigen::VectorXf input_;
 
   // With eight views only.

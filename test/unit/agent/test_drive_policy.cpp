@@ -129,9 +129,9 @@ TEST(DrivePolicy, RefusesAFileWhoseMetadataDoNotFitByItsName) {
 TEST(DrivePolicy, ForgetsWhenReset) {
   DrivePolicy policy = test::straightAheadPolicy();
   policy.advance(Observation{});
-  EXPECT_FALSE(policy.network().hiddenState().isZero(0.0f));
+  EXPECT_FALSE(policy.hiddenState().isZero(0.0f));
   policy.reset();
-  EXPECT_TRUE(policy.network().hiddenState().isZero(0.0f));
+  EXPECT_TRUE(policy.hiddenState().isZero(0.0f));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class NavigationAgentTest : public ::testing::Test {
   NavigationAgentTest() : agent_(policy(), {}) { agent_.setGoal({10.0, 0.0}); }
 
   static DrivePolicy policy() { return test::policyPreferring({1.0f, 2.0f, 5.0f, 3.0f, 4.0f}); }
-  Network::HiddenState hiddenState() const { return agent_.policy().network().hiddenState(); }
+  Network::HiddenState hiddenState() const { return agent_.policy().hiddenState(); }
 
   /// Whether the agent makes a new step when it finds the robot there, after a first step at the origin at time 0.
   bool stepsAnew(const Pose2& pose, double time) {

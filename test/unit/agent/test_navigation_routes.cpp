@@ -56,14 +56,14 @@ TEST_F(NavigationRoutes, TheWaypointLiesOnTheRouteThatLeads) {
 }
 
 TEST_F(NavigationRoutes, ARouteThatLeadsAsksNoNetwork) {
-  const Network::HiddenState hidden = agent_.policy().network().hiddenState();
+  const Network::HiddenState hidden = agent_.policy().hiddenState();
   for (int step = 0; step < 5; ++step) {
     const Decision& decision = agent_.update(situationAt({0.4 * step, 0.0, 0.0}, step));
     EXPECT_NE(decision.source, Source::kNetwork);
     EXPECT_EQ(decision.preferred, -1);
     EXPECT_FALSE(decision.isOverruled());
   }
-  EXPECT_EQ(agent_.policy().network().hiddenState(), hidden);
+  EXPECT_EQ(agent_.policy().hiddenState(), hidden);
 }
 
 TEST_F(NavigationRoutes, NothingIsSearchedWhileTheNetworkMakesProgress) {
@@ -164,7 +164,7 @@ TEST_F(NavigationRoutes, TheDestinationIsBesideAGoalThatLiesInSomething) {
 
 TEST_F(NavigationRoutes, AskingTwiceChangesNothing) {
   const Decision first = agent_.update(returnsAt(kWall));
-  const Network::HiddenState hidden = agent_.policy().network().hiddenState();
+  const Network::HiddenState hidden = agent_.policy().hiddenState();
   const Decision elsewhere = agent_.preview(returnsAt({}), {3.0, 0.0});
   for (int i = 1; i < 10; ++i) {
     Situation again = returnsAt(kWall);
@@ -175,7 +175,7 @@ TEST_F(NavigationRoutes, AskingTwiceChangesNothing) {
     EXPECT_EQ(decision.waypoint.y, first.waypoint.y);
     EXPECT_EQ(lengthOn(decision), lengthOn(first));
   }
-  EXPECT_EQ(agent_.policy().network().hiddenState(), hidden);
+  EXPECT_EQ(agent_.policy().hiddenState(), hidden);
   EXPECT_EQ(lengthOn(agent_.preview(returnsAt({}), {3.0, 0.0})), lengthOn(elsewhere));
 }
 

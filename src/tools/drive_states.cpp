@@ -1,0 +1,83 @@
+#include "tools/drive_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+namespace lstm_planner {
+namespace {
+
+constexpr int kTextHeight = 28;  // pixels
+constexpr int kPreferenceRow = 22;
+constexpr int kCellRow = 5;
+
+/// White at 0, red upwards, blue downwards; `value` in [-1, 1].
+cv::Vec3b colorOf(float value) {
+  const float size = std::min(1.0f, std::abs(value));
+  const auto pale = static_cast<unsigned char>(255.0f * (1.0f - size));
+  return value >= 0.0f ? cv::Vec3b(pale, pale, 230) : cv::Vec3b(230, pale, pale);
+}
+
+std::vector<float> probabilities(const std::vector<float>& preferences) {
+  const float largest = *std::max_element(preferences.begin(), preferences.end());
+  std::vector<float> shares;
+  float sum = 0.0f;
+  for (const float preference : preferences) sum += std::exp(preference - largest);
+  for (const float preference : preferences) shares.push_back(std::exp(preference - largest) / sum);
+  return shares;
+}
+
+/// A row a value, a column a step, each row so many pixels high; the first row is the uppermost.
+template <typename ValueOf>
+cv::Mat heatmap(int rows, int steps, int row_height, int width, const ValueOf& value_of) {
+  cv::Mat small(rows, steps, CV_8UC3);
+  for (int row = 0; row < rows; ++row) {
+    for (int step = 0; step < steps; ++step) small.at<cv::Vec3b>(row, step) = colorOf(value_of(row, step));
+  }
+  cv::Mat large;
+  cv::resize(small, large, {width, rows * row_height}, 0.0, 0.0, cv::INTER_NEAREST);
+  return large;
+}
+
+cv::Mat line(const std::string& text, int width) {
+  cv::Mat strip(kTextHeight, width, CV_8UC3, cv::Scalar(255, 255, 255));
+  cv::putText(strip, text, {8, kTextHeight - 9}, cv::FONT_HERSHEY_SIMPLEX, 0.5, cv::Scalar(0, 0, 0), 1, cv::LINE_AA);
+  return strip;
+}
+
+}  // namespace
+
+void DriveStates::watch(NavigationAgent* agent) {
+  agent->setStepListener([this, agent](const Situation&, const Observation&) -> std::optional<int> {
+    steps_.push_back({agent->decision().preferences, agent->policy().hiddenState()});
+    return std::nullopt;
+  });
+}
+
+void DriveStates::drawBelow(const std::string& path) const {
+  if (steps_.empty()) throw std::invalid_argument("no step of the drive was noted");
+  const cv::Mat drive = cv::imread(path);
+  if (drive.empty()) throw std::runtime_error("picture '" + path + "' cannot be read");
+  const int steps = static_cast<int>(steps_.size());
+  const int actions = static_cast<int>(steps_.front().preferences.size());
+  const int cells = static_cast<int>(steps_.front().hidden.size());
+  std::vector<std::vector<float>> shares;
+  for (const Step& step : steps_) shares.push_back(probabilities(step.preferences));
+  const cv::Mat preferences = heatmap(actions, steps, kPreferenceRow, drive.cols, [&](int row, int step) {
+    return shares[static_cast<std::size_t>(step)][static_cast<std::size_t>(actions - 1 - row)];
+  });
+  const cv::Mat hidden = heatmap(cells, steps, kCellRow, drive.cols, [&](int row, int step) {
+    return std::tanh(steps_[static_cast<std::size_t>(step)].hidden[row]);
+  });
+  cv::Mat all;
+  cv::vconcat(std::vector<cv::Mat>{drive,
+                                   line("preferences, step by step: leftmost angle above, rightmost below", drive.cols),
+                                   preferences,
+                                   line("hidden state: red positive, blue negative, a row a cell", drive.cols), hidden},
+              all);
+  if (!cv::imwrite(path, all)) throw std::runtime_error("picture '" + path + "' cannot be written");
+}
+
+}  // namespace lstm_planner
