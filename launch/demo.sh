@@ -75,7 +75,7 @@ checked_argument() {
   grep -qF "<arg name=\"$name\" default" "$source_dir/launch/demo.launch" ||
     fail "demo.launch has no argument '$name'; expected one of those that --help tells of."
   case "$name" in
-    map | goals | model | picture)
+    map | goals | model | leader | picture)
       case "$value" in '' | /* | *://*) ;; *) value="$PWD/$value" ;; esac ;;
   esac
   echo "$name:=$value"

@@ -122,6 +122,7 @@ void check(const DriveOptions& options) {
 
 bool readDriveOptions(const std::vector<std::string>& arguments, DriveOptions* options) {
   options->drive.robot.latency = kLatency;
+  options->agent.leader = kDefaultLeader;
   options->crowd.walkers = 0;
   po::options_description description("drives a simulated Create 2 to random goals and judges it");
   addWorldOptions(options, &description);

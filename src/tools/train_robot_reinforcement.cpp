@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <stdexcept>
 #include <utility>
 
 #include "lstm_planner/learning/training_checkpoint.hpp"
@@ -46,6 +47,7 @@ class RobotReinforcement {
         return interruption.exitStatus();
       }
     }
+    if (plan_.keepsLast()) keepLast();
     std::cout << "wrote " << plan_.options.output << ": efficiency " << std::fixed << std::setprecision(3) << best_
               << std::endl;
     return 0;
@@ -64,6 +66,15 @@ class RobotReinforcement {
     }
     std::cout << std::string(learner_.columns().size() + 1, ' ') << "| " << toText(score) << (best ? " (best)" : "")
               << std::endl;
+  }
+
+  /// The best of several judgements owes something to luck; the last network owes nothing to it.
+  void keepLast() {
+    const DriveScore score =
+        judgeDrives(DrivePolicy(policy_, learner_.layers()), plan_.options.course, plan_.options.validation,
+                    plan_.options.max_steps, plan_.options.seed, plan_.options.threads);
+    best_ = score.efficiency;
+    writeRobotModel(plan_.options, policy_, learner_.layers(), score);
   }
 
   void restore() {
@@ -95,6 +106,9 @@ class RobotReinforcement {
 
 void finishRobotNetwork(const boost::program_options::variables_map& values, RobotReinforcementPlan* plan,
                         EncoderParameters* encoder) {
+  if (plan->keep != "best" && plan->keep != "last") {
+    throw std::invalid_argument("--keep is '" + plan->keep + "', expected best or last");
+  }
   if (plan->init.empty()) {
     finishRobotNetworkOptions(values, &plan->network, encoder);
   } else {

@@ -32,7 +32,10 @@ struct RobotReinforcementPlan {
   RobotNetworkOptions network;
   std::string init;         ///< model to begin with; empty: a new network
   std::string checkpoint;   ///< empty: none
-  nlohmann::json settings;  ///< what the result depends on
+  std::string keep = "best";  ///< which network is written: best of the judgements, or last
+  nlohmann::json settings;    ///< what the learning depends on
+
+  bool keepsLast() const { return keep == "last"; }
 };
 
 /// All options that ways of reinforcement have in common. `parameters` are the learner's: they hold the defaults and
@@ -47,6 +50,8 @@ void addRobotReinforcementOptions(RobotReinforcementPlan* plan, Parameters* para
   description->add_options()
       ("init", po::value(&plan->init), "model file to begin with; decides inputs and shape")
       ("checkpoint", po::value(&plan->checkpoint), "file to go on from and to write to")
+      ("keep", po::value(&plan->keep)->default_value(plan->keep),
+       "best: the most efficient of the networks judged on the way; last")
       ("iterations", po::value(&p.iterations)->default_value(p.iterations), "of collecting and learning")
       ("worlds", po::value(&p.worlds)->default_value(p.worlds), "an iteration")
       ("goals", po::value(&p.goals)->default_value(p.goals), "a world")

@@ -34,6 +34,7 @@ class BagPlannerTest : public testing::Test {
   /// `global_frame`: of the costmap; `call_period`: s between questions.
   void makePlanner(const std::string& global_frame, double max_speed, double call_period) {
     ros::param::set("~/LstmGlobalPlanner/model", shippedModel());
+    ros::param::set("~/LstmGlobalPlanner/leader", "network");
     ros::param::set("~/LstmGlobalPlanner/max_speed", max_speed);
     ros::param::set("~/planner_frequency", 1.0 / call_period);
     ros::param::set("~/costmap/global_frame", global_frame);

@@ -104,14 +104,14 @@ class LearningFromPeople(unittest.TestCase):
         self.assertGreaterEqual(recorded_steps(self.path("training.sqlite")), TRAINING_STEPS)
         self.assertGreaterEqual(recorded_steps(self.path("validation.sqlite")), VALIDATION_STEPS)
         printed = tool("train", "--dataset", self.path("training.sqlite"), "--validation-dataset",
-                       self.path("validation.sqlite"), "--inputs", "route", "--output", self.path("model.onnx"))
+                       self.path("validation.sqlite"), "--inputs", "events", "trace", "motion", "--output", self.path("model.onnx"))
         return [float(re.search(pattern + r" accuracy ([0-9.]+) %", printed).group(1))
                 for pattern in (r"wrote .*:", r"always the most frequent label:")]
 
     def drive(self):
         """What the demo says of its goals, in its own building."""
-        driving = launch(package_file("launch", "demo.launch"), "model:=" + self.path("model.onnx"), "rviz:=false",
-                         "goals:=" + package_file("test", "ros", "learning_from_people_goals.yaml"),
+        driving = launch(package_file("launch", "demo.launch"), "model:=" + self.path("model.onnx"), "leader:=network",
+                         "rviz:=false", "goals:=" + package_file("test", "ros", "learning_from_people_goals.yaml"),
                          "picture:=" + self.path("drive.png"), "result:=" + self.path("result"))
         try:
             driving.wait(DRIVING_PATIENCE)

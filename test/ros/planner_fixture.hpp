@@ -109,6 +109,7 @@ class PlannerTest : public testing::Test {
  protected:
   PlannerTest() : tf_listener_(tf_), model_(untaughtModel()) {
     ros::param::set("~/LstmGlobalPlanner/model", model_.path());
+    ros::param::set("~/LstmGlobalPlanner/leader", "network");
     ros::param::set("~/planner_frequency", 5.0);
     goal_publisher_ = ros::NodeHandle("~").advertise<geometry_msgs::PoseStamped>("current_goal", 1);
     useGlobalFrame("odom");

@@ -57,6 +57,9 @@ enum class Leader {
   kRoute,    ///< always the way through what is remembered; no network is asked
   kNone      ///< the allowed steering angle nearest to the goal's bearing: what a network has to be better than
 };
+/// The planner's, where nobody says otherwise: as measured, paths are shorter behind the remembered path than behind the
+/// network (models/README.md).
+constexpr Leader kDefaultLeader = Leader::kRoute;
 /// "network", "route", "none".
 const char* toString(Leader leader);
 /// Throws std::invalid_argument with the names there are.

@@ -22,6 +22,7 @@ struct SensorParameters {
 
 /// Parameters of LstmGlobalPlanner, in "~/LstmGlobalPlanner"; config/lstm_planner.yaml explains each.
 struct GlobalPlannerParameters {
+  GlobalPlannerParameters() { agent.leader = kDefaultLeader; }
   std::string model = "package://lstm_planner/models/create2_lstm.onnx";  ///< path, or package://NAME/PATH
   SensorParameters sensors;
   AgentParameters agent;
