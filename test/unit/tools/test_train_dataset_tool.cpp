@@ -47,7 +47,7 @@ TEST_F(TrainDatasetTool, WritesAModelThatThePlannerTakesAndSaysWhatItCan) {
   }
   const DrivePolicy policy = DrivePolicy::fromFile(in("model.onnx"));
   EXPECT_NO_THROW(checkFits(policy.description(), 0.4, 0.17425, 30.0));
-  EXPECT_EQ(policy.description().encoder.input_layout.size(), 17u);
+  EXPECT_EQ(policy.description().encoder.input_layout.size(), 22u);
   const Model model = readModelFile(in("model.onnx"));
   EXPECT_NE(model.metadata.at("training_command").find("train --dataset drives.dataset"), std::string::npos);
   EXPECT_NE(model.metadata.at("score").find("recorded validation steps: accuracy"), std::string::npos);
