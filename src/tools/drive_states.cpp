@@ -11,13 +11,15 @@ namespace {
 
 constexpr int kTextHeight = 28;  // pixels
 constexpr int kPreferenceRow = 22;
-constexpr int kCellRow = 5;
+constexpr int kCellsHeight = 400;
+constexpr int kLargestCellRow = 6;
 
 /// White at 0, red upwards, blue downwards; `value` in [-1, 1].
 cv::Vec3b colorOf(float value) {
   const float size = std::min(1.0f, std::abs(value));
   const auto pale = static_cast<unsigned char>(255.0f * (1.0f - size));
-  return value >= 0.0f ? cv::Vec3b(pale, pale, 230) : cv::Vec3b(230, pale, pale);
+  const auto full = static_cast<unsigned char>(255.0f - 25.0f * size);
+  return value >= 0.0f ? cv::Vec3b(pale, pale, full) : cv::Vec3b(full, pale, pale);
 }
 
 std::vector<float> probabilities(const std::vector<float>& preferences) {
@@ -68,7 +70,8 @@ void DriveStates::drawBelow(const std::string& path) const {
   const cv::Mat preferences = heatmap(actions, steps, kPreferenceRow, drive.cols, [&](int row, int step) {
     return shares[static_cast<std::size_t>(step)][static_cast<std::size_t>(actions - 1 - row)];
   });
-  const cv::Mat hidden = heatmap(cells, steps, kCellRow, drive.cols, [&](int row, int step) {
+  const int cell_row = std::clamp(kCellsHeight / cells, 1, kLargestCellRow);
+  const cv::Mat hidden = heatmap(cells, steps, cell_row, drive.cols, [&](int row, int step) {
     return std::tanh(steps_[static_cast<std::size_t>(step)].hidden[row]);
   });
   cv::Mat all;

@@ -37,10 +37,10 @@ struct MemoryParameters {
 /// The way out when the network makes no progress: boundary following with the doubling search.
 struct EscapeParameters {
   bool enabled = true;
-  int patience_steps = 120;         ///< steps without a new best distance to the goal before the way through what is
+  int patience_steps = 40;          ///< steps without a new best distance to the goal before the way through what is
                                     ///< remembered leads in the network's place
-  double patience_distance = 24.0;  ///< m driven likewise
-  double last_resort = 10.0;        ///< times that patience before boundaries are followed instead
+  double patience_distance = 8.0;   ///< m driven likewise
+  double last_resort = 30.0;        ///< times that patience before boundaries are followed instead
   double progress = 0.25;           ///< m; nearer to the goal than ever by this much is a new best
   double follow_step = 0.25;        ///< m to the waypoint while following a boundary
   double probe_angle = 0.08727;     ///< rad between probed directions (5 degrees)
