@@ -23,7 +23,7 @@ PACKAGE = os.path.realpath(os.path.join(FOLDER, "..", "..", ".."))
 SHARED = os.environ.get("LSTM_PLANNER_SHARED", os.path.join(PACKAGE, "..", "shared"))
 
 GLOBAL_PLANNERS = {  # name in a combination: plugin, arguments of the launch file that make it what it is
-    "lstm": ("lstm_planner/LstmGlobalPlanner", {}),
+    "network": ("lstm_planner/LstmGlobalPlanner", {"leader": "network"}),
     "route": ("lstm_planner/LstmGlobalPlanner", {"leader": "route"}),  # the remembered path, without the network
     "navfn": ("navfn/NavfnROS", {}),
     "global_planner": ("global_planner/GlobalPlanner", {}),
@@ -33,8 +33,8 @@ LOCAL_PLANNERS = {
     "dwa": "dwa_local_planner/DWAPlannerROS",
     "trajectory": "base_local_planner/TrajectoryPlannerROS",
 }
-COMBINATIONS = ["lstm+steering", "lstm+dwa", "lstm+trajectory", "navfn+dwa", "navfn+trajectory", "global_planner+dwa",
-                "global_planner+trajectory"]
+COMBINATIONS = ["network+steering", "route+steering", "network+dwa", "route+dwa", "network+trajectory",
+                "route+trajectory", "navfn+dwa", "navfn+trajectory", "global_planner+dwa", "global_planner+trajectory"]
 
 STARTUP = 120.0  # s of the computer's clock beside the driving
 ATTEMPTS = 3  # at a run that ends without a result: on a busy machine ROS's master may come too late

@@ -10,7 +10,7 @@ import rostest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 import compare  # noqa: E402
 
-OURS = ["lstm+steering", "lstm+dwa", "lstm+trajectory"]  # the first is what the package ships
+OURS = ["route+steering", "route+dwa", "route+trajectory"]  # the first is what the package ships
 STOCK = ["navfn+dwa"]
 WORLDS = ("75", "179", "269")  # of BARN: easy, in between, hard
 LEGS = ("1", "4")  # of the demo building
