@@ -150,12 +150,15 @@ double heapInUse() {
 /// decision; `hold_...` are the others. The parts (look, drive, roll_out, poses) are means of the decisions. The first
 /// call of a drive forgets all that was seen in the one before; it is left out. Cold: with caches that other programs
 /// have used since the last call. agent_bytes: what the agent holds of the heap after the drives.
-void plan(benchmark::State& state, int rollout_steps, bool cold, const std::string& world) {
+void plan(benchmark::State& state, int rollout_steps, bool cold, const std::string& world,
+          Leader leader = kDefaultLeader) {
   std::vector<Replay> replays;
   for (const RecordedDrive& drive : recordedDrives()) {
     if (world.empty() || drive.world == world) replays.emplace_back(drive, rollout_steps, cold);
   }
-  auto agent = std::make_unique<OnlineAgent>(shippedPolicy(), AgentParameters());
+  AgentParameters parameters;
+  parameters.leader = leader;
+  auto agent = std::make_unique<OnlineAgent>(shippedPolicy(), parameters);
   long pass = 0;
   for (auto _ : state) {
     for (Replay& replay : replays) replay.run(++pass, agent.get());
@@ -171,6 +174,15 @@ BENCHMARK_CAPTURE(plan, decision, kDecision, false, "")->Iterations(kPasses)->Un
 BENCHMARK_CAPTURE(plan, makePlan, kMakePlan, false, "")->Iterations(kPasses)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan, makePlan_cold, kMakePlan, true, "")->Iterations(kPasses)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan, makePlan_office, kMakePlan, false, "office")
+    ->Iterations(kPasses)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan, network, kMakePlan, false, "", Leader::kNetwork)
+    ->Iterations(kPasses)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan, network_office, kMakePlan, false, "office", Leader::kNetwork)
+    ->Iterations(kPasses)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan, network_building, kMakePlan, false, "building", Leader::kNetwork)
     ->Iterations(kPasses)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan, makePlan_maze, kMakePlan, false, "maze")->Iterations(kPasses)->Unit(benchmark::kMillisecond);
