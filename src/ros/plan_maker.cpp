@@ -56,7 +56,10 @@ void PlanMaker::makePlan(const geometry_msgs::PoseStamped& start, const geometry
   rollOut(agent_.situation(), decision, driven ? agent_.shield() : preview_shield_, odometry_goal, parameters_.agent,
           parameters_.rollout, &plan_);
   toGlobalFrame(decision, goal_in_global_frame, plan);
-  if (driven) publish(reading, decision, odometry_goal, *plan);
+  if (driven) {
+    sayWhoLeads(decision);
+    publish(reading, decision, odometry_goal, *plan);
+  }
   if (decision.source == Decision::Source::kNoWay) {
     throw PlanRefused("there is no way to the goal: the boundary of what is in the way was followed to its end");
   }
@@ -111,6 +114,14 @@ const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading
     case OnlineAgent::Fresh::kNo: break;
   }
   return agent_.decision();
+}
+
+void PlanMaker::sayWhoLeads(const Decision& decision) {
+  const bool leads = decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kRoute ||
+                     decision.source == Decision::Source::kEscape;
+  if (!leads || decision.source == leader_) return;
+  leader_ = decision.source;
+  ROS_INFO("from step %ld on the %s leads", decision.step, toString(leader_));
 }
 
 const Decision& PlanMaker::preview(const Pose2& goal) {

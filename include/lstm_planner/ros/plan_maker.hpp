@@ -46,6 +46,7 @@ class PlanMaker {
   GoalTracker::Verdict ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
   const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
   const Decision& preview(const Pose2& goal);
+  void sayWhoLeads(const Decision& decision);
   void toGlobalFrame(const Decision& decision, const Pose2& goal, std::vector<geometry_msgs::PoseStamped>* plan) const;
   void publish(const SensorReading& reading, const Decision& decision, const Pose2& goal,
                const std::vector<geometry_msgs::PoseStamped>& plan);
@@ -72,6 +73,7 @@ class PlanMaker {
   Shield preview_shield_;        ///< shows the last question's scan
   std::vector<Pose2> plan_;      ///< of the current call, odometry frame
   Pose2 driven_goal_;            ///< global frame
+  Decision::Source leader_ = Decision::Source::kArrived;  ///< that was said last
 };
 
 }  // namespace lstm_planner
