@@ -19,6 +19,7 @@ Options:
 Arguments of launch/demo.launch, among them:
   map:=FILE      a map as map_server reads it (yaml); default: the building that comes with the package
   goals:=FILE    the goals to drive to, in the map's frame
+  leader:=NAME   who leads: network, or route (the default)
   All of them:   roslaunch lstm_planner demo.launch --ros-args
 
 Environment:
@@ -75,7 +76,7 @@ checked_argument() {
   grep -qF "<arg name=\"$name\" default" "$source_dir/launch/demo.launch" ||
     fail "demo.launch has no argument '$name'; expected one of those that --help tells of."
   case "$name" in
-    map | goals | model | leader | picture)
+    map | goals | model | picture)
       case "$value" in '' | /* | *://*) ;; *) value="$PWD/$value" ;; esac ;;
   esac
   echo "$name:=$value"
