@@ -20,8 +20,8 @@ import rostest
 TRAINING_STEPS = 3000
 VALIDATION_STEPS = 1000
 LEAST_ACCURACY = 88.0  # %, on the validation set
-GOALS = 10
-LEAST_REACHED = 9
+GOALS = 5
+LEAST_REACHED = 4
 RECORDING_PATIENCE = 600.0  # s of the computer's clock; only ends what would last for ever
 DRIVING_PATIENCE = 900.0  # s likewise
 
@@ -104,7 +104,8 @@ class LearningFromPeople(unittest.TestCase):
         self.assertGreaterEqual(recorded_steps(self.path("training.sqlite")), TRAINING_STEPS)
         self.assertGreaterEqual(recorded_steps(self.path("validation.sqlite")), VALIDATION_STEPS)
         printed = tool("train", "--dataset", self.path("training.sqlite"), "--validation-dataset",
-                       self.path("validation.sqlite"), "--inputs", "events", "trace", "motion", "--output", self.path("model.onnx"))
+                       self.path("validation.sqlite"), "--inputs", "events", "trace", "motion", "--output",
+                       self.path("model.onnx"))
         return [float(re.search(pattern + r" accuracy ([0-9.]+) %", printed).group(1))
                 for pattern in (r"wrote .*:", r"always the most frequent label:")]
 
