@@ -14,8 +14,7 @@ constexpr double kFarthestAside = 1.05;
 }  // namespace
 
 void NavigationAgent::choose(const Situation& situation) {
-  const bool lost = guide_ && guide_status_ == RouteGuide::Status::kLost;
-  if (parameters_.escape.enabled && lost) {
+  if (parameters_.escape.enabled && guide_status_ == RouteGuide::Status::kLost) {
     lead(Phase::kBoundary);
   }
   decision_.on_route = false;
@@ -175,7 +174,7 @@ void NavigationAgent::goTo(const Situation& situation, Decision::Source source, 
 void NavigationAgent::planWayOn() {
   std::vector<Point2>& way_on = decision_.way_on;
   way_on.clear();
-  if (decision_.on_route && guide_status_ == RouteGuide::Status::kRoute) {
+  if (decision_.on_route) {
     guide_->pointsAhead(distanceBetween(step_pose_, decision_.waypoint), &way_on);
   }
 }

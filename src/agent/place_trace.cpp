@@ -7,7 +7,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr std::size_t kEntries = static_cast<std::size_t>(PlaceTrace::kWindow * PlaceTrace::kWindow);
-constexpr double kFarthest = 1e6;       ///< m from the origin
+constexpr double kFarthest = 1e6;  ///< m from the origin
 constexpr int kLastStamp = (1 << 14) - 1;
 constexpr int kWindowBits = 7;
 
@@ -24,7 +24,6 @@ PlaceTrace::PlaceTrace() : entries_(kPlaceScales * kEntries) {}
 void PlaceTrace::clear() {
   std::fill(entries_.begin(), entries_.end(), Entry{});
   now_ = 0;
-  is_somewhere_ = false;
 }
 
 bool PlaceTrace::placeOf(Scale scale, const Point2& position, Place* place) {
@@ -51,22 +50,19 @@ void PlaceTrace::forgetStamps() {
 }
 
 void PlaceTrace::visit(const Point2& position) {
-  if (now_ == kLastStamp) forgetStamps();
-  ++now_;
   std::array<Place, kPlaceScales> places;
   for (std::size_t scale = 0; scale < places.size(); ++scale) {
     if (!placeOf(static_cast<Scale>(scale), position, &places[scale])) return;
   }
-  for (std::size_t scale = 0; scale < places.size(); ++scale) {
-    const Place& place = places[scale];
+  if (now_ == kLastStamp) forgetStamps();
+  const auto before = static_cast<std::uint32_t>(now_++);
+  for (const Place& place : places) {
     Entry& entry = entries_[place.entry];
-    const bool stays = is_somewhere_ && place.entry == here_[scale].entry && here_[scale].isOf(entry) && place.isOf(entry);
     if (!place.isOf(entry)) entry = Entry(place.column, place.row);
+    const bool stays = entry.count > 0 && entry.stamp == before;
     if (!stays) entry.count = std::min<std::uint32_t>(kMostVisits, entry.count + 1u) & 0xfu;
     entry.stamp = static_cast<std::uint32_t>(now_) & kLastStamp;
   }
-  here_ = places;
-  is_somewhere_ = true;
 }
 
 PlaceVisit PlaceTrace::at(Scale scale, const Point2& position) const {

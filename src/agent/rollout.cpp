@@ -48,10 +48,9 @@ bool stepTowards(const Point2& goal, const Shield& shield, const AgentParameters
   return found;
 }
 
-/// Whether the leader decided for a direction, and nothing is known of what comes behind the waypoint.
+/// Whether a direction was decided, and nothing is known of what comes behind the waypoint.
 bool isOneStep(const Decision& decision) {
-  return decision.way_on.empty() &&
-         (decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy);
+  return decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy;
 }
 
 }  // namespace
@@ -70,8 +69,8 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
     Point2 at = toLocalFrame(situation.pose, decision.waypoint);
     double direction = decision.direction - situation.pose.yaw;
     if (isOneStep(decision) && distanceBetween(at, local_goal) > agent.step.length) {
-      // Straight on for another step: a controller that looks ahead of the waypoint must not turn for the goal before the
-      // leader has decided to.
+      // Straight on for another step: a controller that looks ahead of the waypoint must not turn for the goal before
+      // the leader has decided to.
       at = pointAlong(at, direction, shield.freeDistance(at, direction, agent.step.length, agent.shield.clearance));
       lineTo(toParentFrame(situation.pose, at), parameters.spacing, plan);
     }

@@ -66,8 +66,8 @@ class Run {
   DriveResult run() {
     const Pose2& goal = controlled_.goal();
     ClosedLoop loop(&controlled_, &agent_);
-    const ClosedLoop::End end = loop.run({goal.x, goal.y}, [this] { return goesOn(); },
-                                         [this](const Situation&, const Decision& decision) { note(decision); });
+    const ClosedLoop::End end = loop.run(
+        {goal.x, goal.y}, [this] { return goesOn(); }, [this](const Decision& decision) { note(decision); });
     result_.end = judge(end);
     result_.contacts = robot_.contacts();
     result_.bumped = robot_.bumped();
@@ -139,6 +139,18 @@ class Run {
   int contacts_seen_ = 0;
 };
 
+/// `count`: the steps of a drive that are meant.
+template <typename Count>
+double shareOfSteps(const std::vector<DriveResult>& results, const Count& count) {
+  long meant = 0;
+  long all = 0;
+  for (const DriveResult& result : results) {
+    meant += count(result);
+    all += result.steps;
+  }
+  return all > 0 ? static_cast<double>(meant) / static_cast<double>(all) : 0.0;
+}
+
 void validate(const DriveParameters& parameters) {
   checkPositive("control_period", parameters.control_period);
   checkPositive("plan_every", parameters.plan_every);
@@ -149,23 +161,12 @@ void validate(const DriveParameters& parameters) {
 }  // namespace
 
 double shareOf(Decision::Source source, const std::vector<DriveResult>& results) {
-  long led = 0;
-  long all = 0;
-  for (const DriveResult& result : results) {
-    led += result.steps_by[static_cast<std::size_t>(source)];
-    all += result.steps;
-  }
-  return all > 0 ? static_cast<double>(led) / static_cast<double>(all) : 0.0;
+  return shareOfSteps(
+      results, [source](const DriveResult& result) { return result.steps_by[static_cast<std::size_t>(source)]; });
 }
 
 double overruledShare(const std::vector<DriveResult>& results) {
-  long overruled = 0;
-  long all = 0;
-  for (const DriveResult& result : results) {
-    overruled += result.overruled_steps;
-    all += result.steps;
-  }
-  return all > 0 ? static_cast<double>(overruled) / static_cast<double>(all) : 0.0;
+  return shareOfSteps(results, [](const DriveResult& result) { return result.overruled_steps; });
 }
 
 DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,

@@ -65,7 +65,7 @@ StepDrive::StepDrive(const World& world, const DriveTask& task, const StepDriveC
 DriveResult::End StepDrive::run(int max_steps, NavigationAgent* agent) {
   int steps = 0;
   const auto goes_on = [&steps, max_steps] { return steps++ < max_steps; };
-  const auto note = [](const Situation&, const Decision&) {};
+  const auto note = [](const Decision&) {};
   switch (ClosedLoop(this, agent).run(toLocalFrame(task_.start, task_.goal), goes_on, note)) {
     case ClosedLoop::End::kArrived:
       return DriveResult::End::kReached;

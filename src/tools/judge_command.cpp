@@ -76,13 +76,11 @@ struct Sums {
   int drives = 0;
   int arrived = 0;
   double efficiency = 0.0;
-  double squared_efficiency = 0.0;
 
   void add(const JudgedDrive& drive) {
     ++drives;
     arrived += drive.arrived ? 1 : 0;
     efficiency += drive.efficiency;
-    squared_efficiency += drive.efficiency * drive.efficiency;
   }
 };
 
@@ -94,10 +92,7 @@ void print(const std::string& name, const Sums& sums) {
 }
 
 nlohmann::json toJson(const Sums& sums) {
-  return {{"drives", sums.drives},
-          {"arrived", sums.arrived},
-          {"efficiency", sums.efficiency},
-          {"squared_efficiency", sums.squared_efficiency}};
+  return {{"drives", sums.drives}, {"arrived", sums.arrived}, {"efficiency", sums.efficiency}};
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace lstm_planner {
 
-/// What is remembered of the robot's own drive to a goal: where it was, how near to the goal it came, how it moved last.
-/// Of obstacles it knows nothing. Poses and goals are in the odometry frame. Not thread safe.
+/// What is remembered of the robot's own drive to a goal: where it was, how near to the goal it came, how it moved
+/// last. Of obstacles it knows nothing. Poses and goals are in the odometry frame. Not thread safe.
 class DriveTrace {
  public:
   /// m, how much nearer to the goal than ever counts as progress.
@@ -19,8 +19,6 @@ class DriveTrace {
   /// Once a step: notes that the robot is at `pose`, and fills what an observation says of the drive so far (visits,
   /// places, progress, motion) from that and from the observation's own sectors and goal distance.
   void look(const Pose2& pose, Observation* observation);
-
-  const PlaceTrace& places() const { return places_; }
 
  private:
   void lookAround(const Pose2& pose, Observation* observation) const;

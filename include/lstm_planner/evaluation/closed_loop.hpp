@@ -22,9 +22,9 @@ class LoopRobot {
   virtual bool hasArrived(const Situation& situation, const Decision& decision) const = 0;
 };
 
-/// Sense, decide, drive, sense again: the one loop in which networks practise and in which they are judged. What a robot
-/// does between two looks is its own: a simulated Create 2 obeys the controller's commands (drive()), one that practises
-/// goes where the controller would lead it (StepDrive), many times as fast.
+/// Sense, decide, drive, sense again: the one loop in which networks practise and in which they are judged. What a
+/// robot does between two looks is its own: a simulated Create 2 obeys the controller's commands (drive()), one that
+/// practises goes where the controller would lead it (StepDrive), many times as fast.
 class ClosedLoop {
  public:
   enum class End {
@@ -38,10 +38,7 @@ class ClosedLoop {
 
   /// Gives the agent the goal (odometry frame), which forgets all that it knew. Asks `goes_on` before each look and
   /// calls `note` with each decision before it is carried out.
-  End run(const Point2& goal, const std::function<bool()>& goes_on,
-          const std::function<void(const Situation&, const Decision&)>& note);
-
-  const Situation& situation() const { return situation_; }  ///< that was seen last
+  End run(const Point2& goal, const std::function<bool()>& goes_on, const std::function<void(const Decision&)>& note);
 
  private:
   LoopRobot& robot_;

@@ -33,8 +33,8 @@ bool needsScans(const Dataset& dataset, const PolicyDescription& policy);
 
 /// All episodes that are not discarded, one after the other; no sequence has steps of two. All weights are 1, but those
 /// of burn-in steps. The previous action is always that of the label of the step before, as it is when the planner
-/// drives. Throws std::invalid_argument when a recording does not fit the policy: the route is among the inputs but
-/// nothing was remembered while recording, or the range cap differs and no scans were kept.
+/// drives. Throws std::invalid_argument when a recording does not fit the policy: the range cap differs and no scans
+/// were kept.
 std::vector<Sequence> datasetSequences(const Dataset& dataset, const DatasetSequenceParameters& parameters);
 
 }  // namespace lstm_planner
