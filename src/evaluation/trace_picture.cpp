@@ -18,6 +18,7 @@ namespace {
 const cv::Scalar kPaper(255, 255, 255);  // colours are blue, green, red
 const cv::Scalar kObstacle(40, 40, 40);
 const cv::Scalar kTrace(40, 40, 220);
+const cv::Scalar kGreedy(170, 60, 120);
 const cv::Scalar kRoute(235, 130, 20);
 const cv::Scalar kBoundary(150, 150, 0);
 const cv::Scalar kOther(130, 130, 130);
@@ -90,6 +91,8 @@ const cv::Scalar& colorOf(TracePicture::Part::Leader leader) {
   switch (leader) {
     case TracePicture::Part::Leader::kNetwork:
       return kTrace;
+    case TracePicture::Part::Leader::kGreedy:
+      return kGreedy;
     case TracePicture::Part::Leader::kRoute:
       return kRoute;
     case TracePicture::Part::Leader::kBoundary:
@@ -126,6 +129,7 @@ std::vector<LegendEntry> legendOf(const TracePicture& picture, const MapCanvas& 
                        [leader](const TracePicture::Part& part) { return part.leader == leader; });
   };
   add(led(Leader::kNetwork), "led by the network", colorOf(Leader::kNetwork), dash);
+  add(led(Leader::kGreedy), "going for the goal", colorOf(Leader::kGreedy), dash);
   add(led(Leader::kRoute), "led by the remembered path", colorOf(Leader::kRoute), dash);
   add(led(Leader::kBoundary), "along a boundary", colorOf(Leader::kBoundary), dash);
   add(led(Leader::kOther), "goal in sight, or turning", colorOf(Leader::kOther), dash);

@@ -72,8 +72,9 @@ OccupancyGrid floorUnder(const Drive& drive) {
 TracePicture::Part::Leader leaderOf(Decision::Source source) {
   switch (source) {
     case Decision::Source::kNetwork:
-    case Decision::Source::kGreedy:
       return TracePicture::Part::Leader::kNetwork;
+    case Decision::Source::kGreedy:
+      return TracePicture::Part::Leader::kGreedy;
     case Decision::Source::kRoute:
       return TracePicture::Part::Leader::kRoute;
     case Decision::Source::kEscape:

@@ -46,7 +46,10 @@ void printLeaders(std::ostream& out, const std::vector<DriveResult>& results) {
     const double share = shareOf(source, results);
     if (share > 0.0) out << "  " << toString(source) << ' ' << 100.0 * share << " %";
   }
-  out << "; the network was overruled in " << 100.0 * overruledShare(results) << " %\n";
+  if (shareOf(Decision::Source::kNetwork, results) > 0.0) {
+    out << "; the network was overruled in " << 100.0 * overruledShare(results) << " %";
+  }
+  out << "\n";
 }
 
 std::string columnName(Decision::Source source) {

@@ -18,12 +18,12 @@ struct TracePicture {
   };
   /// A part of a way, in the colour of who decided it.
   struct Part {
-    enum class Leader { kNetwork, kRoute, kBoundary, kOther };
+    enum class Leader { kNetwork, kGreedy, kRoute, kBoundary, kOther };
     Leader leader = Leader::kNetwork;
     std::vector<Point2> way;
   };
   std::vector<std::vector<Point2>> traces;  ///< red, as in the thesis's figures
-  std::vector<Part> parts;                  ///< over them: network red, route blue, boundary orange, others grey
+  std::vector<Part> parts;  ///< over them: network red, greedy violet, route blue, boundary teal, others grey
   std::vector<std::vector<Point2>>
       walkers;                    ///< thin grey ways of people, pale but for the last 100 places; a disc at the end
   std::vector<Circle> circles;    ///< obstacles that are not in the map
