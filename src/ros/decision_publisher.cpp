@@ -35,14 +35,17 @@ void add(const std::string& key, const std::string& value, DiagnosticStatus* sta
   status->values.push_back(entry);
 }
 
-/// `rescues`: something else leads than should.
-unsigned char levelOf(Decision::Source source, bool rescues) {
-  switch (source) {
-    case Decision::Source::kNoWay: return DiagnosticStatus::ERROR;
+unsigned char levelOf(const Decision& decision) {
+  switch (decision.source) {
+    case Decision::Source::kNoWay:
+      return DiagnosticStatus::ERROR;
     case Decision::Source::kLookAround:
+    case Decision::Source::kEscape:
+      return DiagnosticStatus::WARN;
     case Decision::Source::kRoute:
-    case Decision::Source::kEscape: return rescues ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
-    default: return DiagnosticStatus::OK;
+      return decision.preferred >= 0 ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
+    default:
+      return DiagnosticStatus::OK;
   }
 }
 
@@ -57,8 +60,7 @@ void DecisionPublisher::publish(const std_msgs::Header& header, const Situation&
     return;
   }
   DiagnosticStatus status;
-  const bool network_leads = decision.preferred >= 0;
-  status.level = levelOf(decision.source, network_leads);
+  status.level = levelOf(decision);
   status.name = "lstm_planner: decision";
   status.message = toString(decision.source);
   add("step", text(decision.step), &status);
