@@ -28,7 +28,7 @@ class RobotReinforcement {
     const Interruption interruption;
     restore();
     std::cout << learner_.columns() << " | validation drives" << std::endl;
-    if (learner_.iterations() == 0) judge();
+    if (learner_.iterations() == 0 || isLast()) judge();
     const int interval = std::max(1, iterations_ / kJudgements);
     while (learner_.iterations() < iterations_) {
       std::cout << learner_.iterate() << std::endl;
@@ -47,34 +47,27 @@ class RobotReinforcement {
         return interruption.exitStatus();
       }
     }
-    if (plan_.keepsLast()) keepLast();
     std::cout << "wrote " << plan_.options.output << ": efficiency " << std::fixed << std::setprecision(3) << best_
               << std::endl;
     return 0;
   }
 
  private:
-  /// Keeps the most efficient network.
+  /// The best of several judgements owes something to luck; the last network owes nothing to it.
+  bool isLast() const { return plan_.keepsLast() && learner_.iterations() == iterations_; }
+
+  /// Keeps the most efficient network, or the last.
   void judge() {
     const DriveScore score =
         judgeDrives(DrivePolicy(policy_, learner_.layers()), plan_.options.course, plan_.options.validation,
                     plan_.options.max_steps, plan_.options.seed, plan_.options.threads);
     const bool best = score.efficiency > best_;
-    if (best) {
+    if (best || isLast()) {
       best_ = score.efficiency;
       writeRobotModel(plan_.options, policy_, learner_.layers(), score);
     }
     std::cout << std::string(learner_.columns().size() + 1, ' ') << "| " << toText(score) << (best ? " (best)" : "")
               << std::endl;
-  }
-
-  /// The best of several judgements owes something to luck; the last network owes nothing to it.
-  void keepLast() {
-    const DriveScore score =
-        judgeDrives(DrivePolicy(policy_, learner_.layers()), plan_.options.course, plan_.options.validation,
-                    plan_.options.max_steps, plan_.options.seed, plan_.options.threads);
-    best_ = score.efficiency;
-    writeRobotModel(plan_.options, policy_, learner_.layers(), score);
   }
 
   void restore() {
