@@ -24,17 +24,6 @@ constexpr const char* kCheckpointFormat = "lstm_planner drive q-learning 1";
 /// m; a sector that sees less counts as this.
 constexpr double kNearest = 0.1;
 
-/// m that a step counts as nearer or farther at most. More is no way but a place from which the teacher knows none.
-constexpr double kLongestApproach = 1.0;
-
-/// With values an outlier is worse than with a policy: all steps before it are to expect it.
-PracticeReward boundedProgressReward(const DriveQLearningParameters& parameters) {
-  return [reward = progressReward(parameters.step_cost, parameters.contact_cost)](PracticeOutcome outcome) {
-    outcome.approach = std::clamp(outcome.approach, -kLongestApproach, kLongestApproach);
-    return reward(outcome);
-  };
-}
-
 OptimiserParameters optimiserParameters(const DriveQLearningParameters& parameters) {
   OptimiserParameters optimiser;
   optimiser.learning_rate = parameters.learning_rate;
@@ -134,7 +123,8 @@ class DriveQLearning::Implementation {
   PracticeRules rulesWith(double epsilon) const {
     const ActionChances chances = epsilonGreedyChances(epsilon);
     if (parameters_.reward == DriveQLearningParameters::Reward::kProgress) {
-      return practiceRules(parameters_, chances, boundedProgressReward(parameters_), parameters_.arrival_bonus);
+      return practiceRules(parameters_, chances, progressReward(parameters_.step_cost, parameters_.contact_cost),
+                           parameters_.arrival_bonus);
     }
     const auto reward = [weights = parameters_.thesis_reward](const PracticeOutcome& outcome) {
       return driveThesisReward(outcome.before, weights);

@@ -57,13 +57,13 @@ TEST(DriveQLearning, LearnsToGoToTheGoalInTheOpenByTheThesissReward) {
   // Where nothing is in the way, the goal's bearing is nearly all that matters, and there is no need to look far ahead.
   parameters.thesis_reward = {0.01, 0.02, 0.3};
   parameters.discount = 0.9;
-  EXPECT_GE(arrivalAfterLearning(parameters), 0.5);
+  EXPECT_GT(arrivalAfterLearning(parameters), 0.6);
 }
 
 TEST(DriveQLearning, LearnsToGoToTheGoalInTheOpenByProgress) {
   DriveQLearningParameters parameters = tinyTraining();
   parameters.reward = DriveQLearningParameters::Reward::kProgress;
-  EXPECT_GE(arrivalAfterLearning(parameters), 0.5);
+  EXPECT_GT(arrivalAfterLearning(parameters), 0.6);
 }
 
 /// By the number of views.
