@@ -93,26 +93,28 @@ std::vector<int> viewsOf(const ActionSet& actions) {
 }
 
 DrivePolicy::DrivePolicy(PolicyDescription description, const LayerStack& layers)
-    : description_(std::move(description)), encoder_(description_.encoder), input_(encoder_.size()) {
+    : description_(std::make_shared<const PolicyDescription>(std::move(description))),
+      encoder_(std::shared_ptr<const EncoderParameters>(description_, &description_->encoder)),
+      input_(encoder_.size()) {
   validateLayers(layers);
   if (inputSize(layers) != encoder_.size()) {
     throw std::invalid_argument("the network takes " + std::to_string(inputSize(layers)) +
                                 " inputs, its input layout has " + std::to_string(encoder_.size()));
   }
-  const bool has_views = description_.encoder.views != 1;
-  if (outputSize(layers) != networkOutputs(description_)) {
+  const bool has_views = description_->encoder.views != 1;
+  if (outputSize(layers) != networkOutputs(*description_)) {
     throw std::invalid_argument(
         "the network has " + std::to_string(outputSize(layers)) + " outputs, " +
-        (has_views ? "eight views have 1" : "its action set has " + std::to_string(description_.actions.size())));
+        (has_views ? "eight views have 1" : "its action set has " + std::to_string(description_->actions.size())));
   }
   if (!has_views) {
     network_.emplace(layers);
     return;
   }
-  action_views_ = viewsOf(description_.actions);
+  action_views_ = viewsOf(description_->actions);
   views_.emplace(layers, kDriveViews);
   view_inputs_.resize(encoder_.size(), kDriveViews);
-  preferences_.resize(description_.actions.size());
+  preferences_.resize(description_->actions.size());
 }
 
 DrivePolicy DrivePolicy::fromFile(const std::string& path) {

@@ -6,7 +6,6 @@
 namespace lstm_planner {
 namespace {
 
-constexpr std::size_t kEntries = static_cast<std::size_t>(PlaceTrace::kWindow * PlaceTrace::kWindow);
 constexpr double kFarthest = 1e6;  ///< m from the origin
 constexpr int kLastStamp = (1 << 14) - 1;
 constexpr int kWindowBits = 7;
@@ -17,9 +16,18 @@ int wrapped(int windows) {
   return ((windows + kRange / 2) & (kRange - 1)) - kRange / 2;
 }
 
+/// Where the entries of a scale begin; of one more than there are, where all end.
+constexpr std::size_t firstEntry(std::size_t scale) {
+  std::size_t entries = 0;
+  for (std::size_t before = 0; before < scale; ++before) {
+    entries += static_cast<std::size_t>(PlaceTrace::kWindows[before] * PlaceTrace::kWindows[before]);
+  }
+  return entries;
+}
+
 }  // namespace
 
-PlaceTrace::PlaceTrace() : entries_(kPlaceScales * kEntries) {}
+PlaceTrace::PlaceTrace() : entries_(firstEntry(kPlaceScales)) {}
 
 void PlaceTrace::clear() {
   std::fill(entries_.begin(), entries_.end(), Entry{});
@@ -29,12 +37,12 @@ void PlaceTrace::clear() {
 bool PlaceTrace::placeOf(Scale scale, const Point2& position, Place* place) {
   if (!(std::abs(position.x) < kFarthest && std::abs(position.y) < kFarthest)) return false;
   const double size = kCellSizes[static_cast<std::size_t>(scale)];
+  const int window = kWindows[static_cast<std::size_t>(scale)];  // a power of two: remainders are taken by bits
   const int column = static_cast<int>(std::floor(position.x / size));
   const int row = static_cast<int>(std::floor(position.y / size));
-  static_assert((kWindow & (kWindow - 1)) == 0, "remainders are taken by bits, of negative numbers as well");
-  const int inside = (row & (kWindow - 1)) * kWindow + (column & (kWindow - 1));
-  const auto windows = [](int index) { return index >= 0 ? index / kWindow : -1 - (-1 - index) / kWindow; };
-  place->entry = static_cast<std::size_t>(scale) * kEntries + static_cast<std::size_t>(inside);
+  const int inside = (row & (window - 1)) * window + (column & (window - 1));
+  const auto windows = [window](int index) { return index >= 0 ? index / window : -1 - (-1 - index) / window; };
+  place->entry = firstEntry(static_cast<std::size_t>(scale)) + static_cast<std::size_t>(inside);
   place->column = wrapped(windows(column));
   place->row = wrapped(windows(row));
   return true;
@@ -73,6 +81,6 @@ PlaceVisit PlaceTrace::at(Scale scale, const Point2& position) const {
   return {static_cast<int>(entry.count), now_ - static_cast<int>(entry.stamp)};
 }
 
-std::size_t PlaceTrace::bytes() { return sizeof(PlaceTrace) + kPlaceScales * kEntries * sizeof(Entry); }
+std::size_t PlaceTrace::bytes() { return sizeof(PlaceTrace) + firstEntry(kPlaceScales) * sizeof(Entry); }
 
 }  // namespace lstm_planner

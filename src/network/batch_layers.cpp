@@ -88,6 +88,7 @@ class Packer {
 
   BatchLayers finish() {
     packed_.input_limit = static_cast<float>(input_limit_);
+    packed_.weights.shrink_to_fit();
     return std::move(packed_);
   }
 

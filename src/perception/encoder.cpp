@@ -68,10 +68,10 @@ void checkScale(const std::string& name, double value) {
 }
 
 /// Splits "sector_3" into the name "sector_" and 3; false when `name` does not end in one of the digits 0 .. 7.
-bool splitNumbered(const std::string& name, std::string* stem, std::size_t* index) {
+bool splitNumbered(const std::string& name, std::string* stem, std::uint8_t* index) {
   if (name.size() < 2 || name[name.size() - 2] != '_' || name.back() < '0' || name.back() > '7') return false;
   *stem = name.substr(0, name.size() - 1);
-  *index = static_cast<std::size_t>(name.back() - '0');
+  *index = static_cast<std::uint8_t>(name.back() - '0');
   return true;
 }
 
@@ -80,7 +80,7 @@ void checkGroupsAreWhole(const std::vector<std::string>& layout) {
   std::map<std::string, int> counts;
   for (const std::string& name : layout) {
     std::string stem;
-    std::size_t index = 0;
+    std::uint8_t index = 0;
     if (splitNumbered(name, &stem, &index)) ++counts[stem];
   }
   for (const auto& [stem, count] : counts) {
@@ -153,6 +153,7 @@ EncoderParameters readEncoderParameters(const std::map<std::string, std::string>
     name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
     parameters.input_layout.push_back(name);
   }
+  parameters.input_layout.shrink_to_fit();
   const double sector_count = readNumber(metadata, "sector_count");
   if (sector_count != kSectorCount) {
     throw std::invalid_argument("the model's metadata has sector_count '" + find(metadata, "sector_count") +
@@ -171,10 +172,14 @@ EncoderParameters readEncoderParameters(const std::map<std::string, std::string>
   return parameters;
 }
 
-Encoder::Encoder(EncoderParameters parameters) : parameters_(std::move(parameters)) {
-  validate(parameters_);
-  for (const std::string& name : parameters_.input_layout) features_.push_back(inputNamed(name));
-  if (parameters_.views != 1) findSources();
+Encoder::Encoder(const EncoderParameters& parameters)
+    : Encoder(std::make_shared<const EncoderParameters>(parameters)) {}
+
+Encoder::Encoder(std::shared_ptr<const EncoderParameters> parameters) : parameters_(std::move(parameters)) {
+  validate(*parameters_);
+  features_.reserve(parameters_->input_layout.size());
+  for (const std::string& name : parameters_->input_layout) features_.push_back(inputNamed(name));
+  if (parameters_->views != 1) findSources();
 }
 
 Encoder::Input Encoder::inputNamed(const std::string& name) {
@@ -201,11 +206,11 @@ Encoder::Input Encoder::inputNamed(const std::string& name) {
   const auto single = kSingle.find(name);
   if (single != kSingle.end()) return {single->second, 0, 0};
   std::string stem;
-  std::size_t index = 0;
+  std::uint8_t index = 0;
   if (splitNumbered(name, &stem, &index)) {
     const auto numbered = kNumbered.find(stem);
     if (numbered != kNumbered.end()) return {numbered->second, index, 0};
-    for (std::size_t scale = 0; scale < kPlaceNames.size(); ++scale) {
+    for (std::uint8_t scale = 0; scale < kPlaceNames.size(); ++scale) {
       if (stem == std::string(kPlaceNames[scale]) + "_visits_") return {Feature::kPlaceVisits, index, scale};
       if (stem == std::string(kPlaceNames[scale]) + "_freshness_") return {Feature::kPlaceFreshness, index, scale};
     }
@@ -228,7 +233,7 @@ void Encoder::encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf>
       input[i] = static_cast<float>(value(features_[static_cast<std::size_t>(i)], seen));
     }
   };
-  if (parameters_.views == 1) {
+  if (parameters_->views == 1) {
     fill(observation);
   } else {
     Observation ahead = observation;
@@ -241,28 +246,28 @@ double Encoder::value(const Input& input, const Observation& observation) const 
   switch (input.feature) {
     case Feature::kSector: {
       const double range = observation.sector_ranges[input.index];
-      return std::clamp(range / parameters_.range_cap, 0.0, 1.0);
+      return std::clamp(range / parameters_->range_cap, 0.0, 1.0);
     }
     case Feature::kGoalDistance: {
       const double distance = std::max(0.0, observation.goal_distance);
-      return distance / (distance + parameters_.distance_scale);
+      return distance / (distance + parameters_->distance_scale);
     }
     case Feature::kGoalBearing:
-      return normalizeAngle(observation.goal_bearing) / parameters_.angle_scale;
+      return normalizeAngle(observation.goal_bearing) / parameters_->angle_scale;
     case Feature::kGoalBearingSin:
       return std::sin(observation.goal_bearing);
     case Feature::kGoalBearingCos:
       return std::cos(observation.goal_bearing);
     case Feature::kHeading:
-      return normalizeAngle(observation.heading) / parameters_.angle_scale;
+      return normalizeAngle(observation.heading) / parameters_->angle_scale;
     case Feature::kHeadingSin:
       return std::sin(observation.heading);
     case Feature::kHeadingCos:
       return std::cos(observation.heading);
     case Feature::kPreviousAction:
-      return normalizeAngle(observation.previous_action) / parameters_.action_scale;
+      return normalizeAngle(observation.previous_action) / parameters_->action_scale;
     case Feature::kEvent:
-      return observation.sector_ranges[input.index] < parameters_.event_range ? 1.0 : 0.0;
+      return observation.sector_ranges[input.index] < parameters_->event_range ? 1.0 : 0.0;
     case Feature::kVisits: {
       const double visits = std::max(0.0, observation.visits[input.index]);
       return visits / (visits + 1.0);
@@ -276,7 +281,7 @@ double Encoder::value(const Input& input, const Observation& observation) const 
       return frequency(observation.room_visits);
     case Feature::kBehindBest: {
       const double behind = std::max(0.0, observation.behind_best);
-      return behind / (behind + parameters_.distance_scale);
+      return behind / (behind + parameters_->distance_scale);
     }
     case Feature::kStepsSinceBest:
       return std::min(1.0, std::log2(std::max(0.0, observation.steps_since_best) + 1.0) / kMostLogSteps);
@@ -285,7 +290,7 @@ double Encoder::value(const Input& input, const Observation& observation) const 
     case Feature::kMotionLeft:
       return std::clamp(observation.motion.y, -1.0, 1.0);
     case Feature::kMotionTurn:
-      return normalizeAngle(observation.turn) / parameters_.action_scale;
+      return normalizeAngle(observation.turn) / parameters_->action_scale;
     case Feature::kPreviousActionSin:
       return std::sin(observation.previous_action);
     case Feature::kPreviousActionCos:

@@ -33,7 +33,7 @@ void turnBearings(const ViewBearings& bearings, double angle, Observation* obser
 }
 
 Encoder::Source Encoder::sourceOf(const Input& input, int view) const {
-  std::size_t index = input.index;
+  int index = input.index;
   switch (input.feature) {
     case Feature::kGoalBearing:
     case Feature::kGoalBearingSin:
@@ -50,18 +50,18 @@ Encoder::Source Encoder::sourceOf(const Input& input, int view) const {
     case Feature::kSector:
     case Feature::kEvent:
     case Feature::kSeen:
-      index = (index + static_cast<std::size_t>(kSectorsAView * view)) % kSectorsAround;
+      index = (index + kSectorsAView * view) % kSectorsAround;
       if (index >= kSectorCount) return {Source::Kind::kNothing, 0};
       break;
     case Feature::kVisits:
     case Feature::kPlaceVisits:
     case Feature::kPlaceFreshness:
-      index = (index + static_cast<std::size_t>(view)) % kPlaceDirections;
+      index = (index + view) % kPlaceDirections;
       break;
     default:
       break;
   }
-  int source = 0;
+  std::uint8_t source = 0;
   for (const Input& other : features_) {
     if (other.feature == input.feature && other.index == index && other.scale == input.scale) break;
     ++source;
@@ -70,29 +70,30 @@ Encoder::Source Encoder::sourceOf(const Input& input, int view) const {
 }
 
 void Encoder::findSources() {
+  sources_.reserve(kDriveViews * features_.size());
   for (int view = 0; view < kDriveViews; ++view) {
-    std::vector<Source>& sources = sources_[static_cast<std::size_t>(view)];
-    sources.clear();
-    for (const Input& input : features_) sources.push_back(sourceOf(input, view));
+    for (const Input& input : features_) sources_.push_back(sourceOf(input, view));
   }
 }
 
 void Encoder::turn(const float* ahead, const ViewBearings& bearings, int view, float* input, int stride) const {
   Observation turned;
   turnBearings(bearings, view * kViewAngle, &turned);
-  const std::vector<Source>& sources = sources_.at(static_cast<std::size_t>(view));
-  for (std::size_t i = 0; i < sources.size(); ++i, input += stride) {
-    switch (sources[i].kind) {
+  const Source* source = &sources_.at(static_cast<std::size_t>(view) * features_.size());
+  for (const Input& feature : features_) {
+    switch (source->kind) {
       case Source::Kind::kAhead:
-        *input = ahead[sources[i].index];
+        *input = ahead[source->index];
         break;
       case Source::Kind::kNothing:
         *input = 0.0f;
         break;
       case Source::Kind::kBearing:
-        *input = static_cast<float>(value(features_[i], turned));
+        *input = static_cast<float>(value(feature, turned));
         break;
     }
+    ++source;
+    input += stride;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,7 +40,7 @@ std::vector<int> viewsOf(const ActionSet& actions);
 /// With eight views the network looks into eight directions that stay where they are in the odometry frame, such that
 /// one of them is the heading, rounded to 45 degrees; each has a hidden state of its own, and all advance at each step.
 /// An action is worth what the network says in the direction into which it steers. When the robot turns, what was seen
-/// in a direction stays with it. Copies share their weights.
+/// in a direction stays with it. Copies share weights and description.
 class DrivePolicy {
  public:
   /// Throws std::invalid_argument when network, encoder and action set do not fit together.
@@ -52,14 +53,14 @@ class DrivePolicy {
   const Eigen::VectorXf& advance(const Observation& observation);
 
   void reset();
-  const PolicyDescription& description() const { return description_; }
+  const PolicyDescription& description() const { return *description_; }
   /// Of all recurrent cells; with eight views one view behind the other. Allocates.
   Eigen::VectorXf hiddenState() const;
 
  private:
   const Eigen::VectorXf& advanceViews(const Observation& observation);
 
-  PolicyDescription description_;
+  std::shared_ptr<const PolicyDescription> description_;
   Encoder encoder_;
   std::optional<Network> network_;  ///< with one view only
   Eigen::VectorXf input_;

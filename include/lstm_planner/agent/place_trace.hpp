@@ -19,12 +19,12 @@ struct PlaceVisit {
 /// Where the robot was, on three scales: a count and an age for each square of the floor, in the odometry frame.
 ///
 /// The squares of a scale lie over the plane like a torus of fixed size: a square takes the entry of another that lies
-/// a whole window away, which is then forgotten. The memory does not grow: 12 KiB.
+/// a whole window away, which is then forgotten. The memory does not grow: 9 KiB.
 class PlaceTrace {
  public:
   enum Scale { kStep = 0, kRoom = 1, kHall = 2 };
   static constexpr std::array<double, kPlaceScales> kCellSizes = {0.5, 1.5, 4.5};  ///< m
-  static constexpr int kWindow = 32;                                               ///< squares each way, of every scale
+  static constexpr std::array<int, kPlaceScales> kWindows = {32, 32, 16};          ///< squares each way
   static constexpr int kMostVisits = 8;                                            ///< more are counted as that many
   static constexpr int kLongestAge = 8000;  ///< steps; what is longer ago counts as that long at the least
 

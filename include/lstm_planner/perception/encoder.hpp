@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -69,11 +71,12 @@ struct ViewBearings {
 
 ViewBearings bearingsOf(const Observation& observation);
 
-/// Encodes observations. Every output is finite for a finite observation.
+/// Encodes observations. Every output is finite for a finite observation. Copies share their parameters.
 class Encoder {
  public:
-  explicit Encoder(EncoderParameters parameters);  ///< throws as validate()
-  const EncoderParameters& parameters() const { return parameters_; }
+  explicit Encoder(const EncoderParameters& parameters);  ///< throws as validate()
+  explicit Encoder(std::shared_ptr<const EncoderParameters> parameters);
+  const EncoderParameters& parameters() const { return *parameters_; }
   int size() const { return static_cast<int>(features_.size()); }
 
   /// Fills `input`, which must have size() values. With eight views it is that of the view ahead: the heading is 0,
@@ -87,7 +90,7 @@ class Encoder {
   void turn(const float* ahead, const ViewBearings& bearings, int view, float* input, int stride) const;
 
  private:
-  enum class Feature {
+  enum class Feature : std::uint8_t {
     kSector, kGoalDistance, kGoalBearing, kGoalBearingSin, kGoalBearingCos, kHeading, kHeadingSin, kHeadingCos,
     kPreviousAction, kEvent, kVisits,
     kPlaceVisits, kPlaceFreshness, kRoomVisits, kBehindBest, kStepsSinceBest, kMotionForward, kMotionLeft, kMotionTurn,
@@ -95,13 +98,13 @@ class Encoder {
   };
   struct Input {
     Feature feature;
-    std::size_t index;  ///< of the sector or direction, for features of which there are eight
-    std::size_t scale;  ///< of the places
+    std::uint8_t index;  ///< of the sector or direction, for features of which there are eight
+    std::uint8_t scale;  ///< of the places
   };
   /// Where a view's value comes from.
   struct Source {
-    enum class Kind { kAhead, kNothing, kBearing } kind;
-    int index;  ///< of kAhead's value
+    enum class Kind : std::uint8_t { kAhead, kNothing, kBearing } kind;
+    std::uint8_t index;  ///< of kAhead's value
   };
   friend void validate(const EncoderParameters& parameters);
   static Input inputNamed(const std::string& name);
@@ -109,9 +112,9 @@ class Encoder {
   Source sourceOf(const Input& input, int view) const;
   double value(const Input& input, const Observation& observation) const;
 
-  EncoderParameters parameters_;
+  std::shared_ptr<const EncoderParameters> parameters_;
   std::vector<Input> features_;
-  std::array<std::vector<Source>, kDriveViews> sources_;  ///< of each view; empty with one view
+  std::vector<Source> sources_;  ///< size() of each view; empty with one view
 };
 
 }  // namespace lstm_planner

@@ -23,7 +23,9 @@ TEST(DriveTrace, LooksAroundCounterClockwiseFromTheHeading) {
       const bool north = i == (yaw == 0.0 ? 2u : 0u);
       EXPECT_EQ(observation.visits[i], north ? 1.0 : 0.0) << i;
       EXPECT_EQ(observation.places[PlaceTrace::kStep].visits[i], north ? 1.0 : 0.0) << i;
-      if (north) EXPECT_EQ(observation.places[PlaceTrace::kStep].ages[i], 1.0);
+      if (north) {
+        EXPECT_EQ(observation.places[PlaceTrace::kStep].ages[i], 1.0);
+      }
     }
   }
 }

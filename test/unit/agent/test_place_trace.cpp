@@ -76,7 +76,7 @@ TEST(PlaceTrace, CountsWhatIsLongAgoAsItsLongestAgeAtLeast) {
 
 TEST(PlaceTrace, ForgetsAPlaceWhenAnotherTakesItsEntry) {
   PlaceTrace trace;
-  const double window = PlaceTrace::kWindow * PlaceTrace::kCellSizes[kStep];
+  const double window = PlaceTrace::kWindows[kStep] * PlaceTrace::kCellSizes[kStep];
   trace.visit({0.25, 0.25});
   EXPECT_EQ(trace.at(kStep, {0.25 - window, 0.25}).count, 0) << "a window away it was never";
   trace.visit({0.25 - window, 0.25});
@@ -102,7 +102,7 @@ TEST(PlaceTrace, IgnoresPlacesThatAreNowhere) {
   EXPECT_EQ(trace.at(kStep, {1e300, 0.0}).count, 0);
 }
 
-TEST(PlaceTrace, StaysSmall) { EXPECT_LE(PlaceTrace::bytes(), 12500u); }
+TEST(PlaceTrace, StaysSmall) { EXPECT_LE(PlaceTrace::bytes(), 9500u); }
 
 }  // namespace
 }  // namespace lstm_planner
