@@ -160,7 +160,7 @@ class DriveActorCritic::Implementation {
   }
 
  private:
-  DriveActorCriticReport report(const std::vector<PracticeEpisode>& episodes, const DriveBatch& batch) {
+  DriveActorCriticReport report(const std::vector<PracticeEpisode>& episodes, DriveBatch& batch) {
     DriveActorCriticReport report;
     report.iteration = iterations_;
     const PracticeSums sums = sumUp(episodes);

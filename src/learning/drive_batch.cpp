@@ -13,11 +13,13 @@ constexpr double kVarianceRate = 0.3;
 
 DriveBatch::DriveBatch(const DriveActorCriticParameters& parameters, const LayerStack& policy, const LayerStack& critic,
                        const std::vector<PracticeEpisode>& episodes)
-    : tiles_(parameters.threads, [&] { return std::make_unique<DriveTile>(parameters, policy, critic); }),
+    : tiles_(parameters.communicator, parameters.threads,
+             [&] { return std::make_unique<DriveTile>(parameters, policy, critic); }),
       windows_(tiles_.pack(episodes)) {}
 
 void DriveBatch::judge(const Eigen::VectorXf& critic_parameters, std::vector<double>* advantage_variances) {
-  const std::vector<DriveTileSums> all = tiles_.each([&](DriveTile* tile) { return tile->judge(critic_parameters); });
+  const std::vector<DriveTileSums> all = tiles_.each(DriveTileSums(advantage_variances->size()),
+                                                     [&](DriveTile* tile) { return tile->judge(critic_parameters); });
   DriveTileSums sum = all.front();
   for (std::size_t tile = 1; tile < all.size(); ++tile) {
     for (std::size_t kind = 0; kind < sum.counts.size(); ++kind) {
@@ -45,21 +47,22 @@ void DriveBatch::rewind() {
 
 double DriveBatch::policyGradient(const Eigen::VectorXf& parameters, const DriveBatchWeights& weights,
                                   Eigen::VectorXf* gradient) {
-  return tiles_.addUp([&](DriveTile* tile) { return tile->policyGradient(window_, parameters, weights); }, gradient);
+  return tiles_.addUp(
+      parameters.size(), [&](DriveTile* tile) { return tile->policyGradient(window_, parameters, weights); }, gradient);
 }
 
 double DriveBatch::criticGradient(const Eigen::VectorXf& parameters, Eigen::VectorXf* gradient) {
-  return tiles_.addUp([&](DriveTile* tile) { return tile->criticGradient(window_, parameters); }, gradient);
+  return tiles_.addUp(
+      parameters.size(), [&](DriveTile* tile) { return tile->criticGradient(window_, parameters); }, gradient);
 }
 
-double DriveBatch::entropy() const {
-  double entropy = 0.0;
-  double steps = 0.0;
-  for (const auto& tile : tiles_) {
-    entropy += tile->entropy();
-    steps += tile->stepsSeen();
+double DriveBatch::entropy() {
+  DriveTileEntropy all;
+  for (const DriveTileEntropy& some : tiles_.each(all, [](DriveTile* tile) { return tile->entropy(); })) {
+    all.sum += some.sum;
+    all.steps += some.steps;
   }
-  return steps > 0.0 ? entropy / steps : 0.0;
+  return all.steps > 0.0 ? all.sum / all.steps : 0.0;
 }
 
 }  // namespace lstm_planner

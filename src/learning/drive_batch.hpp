@@ -7,7 +7,8 @@
 
 namespace lstm_planner {
 
-/// Drives side by side in tiles of lanes, gone through window by window: what an update learns from.
+/// Drives side by side in tiles of lanes, gone through window by window: what an update learns from. Where ranks share
+/// it, each has to ask for the same.
 class DriveBatch {
  public:
   /// All must outlive the batch.
@@ -26,7 +27,7 @@ class DriveBatch {
   double policyGradient(const Eigen::VectorXf& parameters, const DriveBatchWeights& weights, Eigen::VectorXf* gradient);
   double criticGradient(const Eigen::VectorXf& parameters, Eigen::VectorXf* gradient);
 
-  double entropy() const;                          ///< mean so far, nat
+  double entropy();                                ///< mean so far, nat
   double explained() const { return explained_; }  ///< share of the returns' variance, by the critic before learning
 
  private:

@@ -5,9 +5,11 @@
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "lstm_planner/learning/step_drive.hpp"
 #include "parallel_for.hpp"
+#include "practice_exchange.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -199,9 +201,10 @@ PracticeReward progressReward(double step_cost, double contact_cost) {
 }
 
 std::vector<PracticeEpisode> practise(const PracticeRules& rules, const LayerStack& layers, int iteration) {
-  std::vector<std::vector<PracticeEpisode>> by_world(static_cast<std::size_t>(rules.worlds));
-  parallelFor(rules.worlds, rules.threads, [&](int world, int) {
-    const int number = iteration * rules.worlds + world;
+  const Share own = shareOf(rules.worlds, rules.communicator->rank(), rules.communicator->size());
+  std::vector<std::vector<PracticeEpisode>> by_world(static_cast<std::size_t>(own.count()));
+  parallelFor(own.count(), rules.threads, [&](int world, int) {
+    const int number = iteration * rules.worlds + own.first + world;
     Random seeds(rules.seed * 1000003ULL + static_cast<std::uint64_t>(number));
     for (const DriveExercise& exercise :
          makeDriveExercises(rules.course, WorldUse::kTraining, rules.seed, number, rules.goals, rules.starts)) {
@@ -216,6 +219,7 @@ std::vector<PracticeEpisode> practise(const PracticeRules& rules, const LayerSta
       if (!episode.steps.empty()) episodes.push_back(std::move(episode));
     }
   }
+  episodes = exchangeEpisodes(rules.communicator, std::move(episodes));
   if (episodes.empty()) throw std::runtime_error("no drive of the iteration had a step to learn from");
   return episodes;
 }

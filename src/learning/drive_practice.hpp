@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/learning/communicator.hpp"
 #include "lstm_planner/learning/drive_course.hpp"
 #include "lstm_planner/network/layers.hpp"
 #include "lstm_planner/perception/encoder.hpp"
@@ -27,10 +28,10 @@ struct PracticeEpisode {
   };
   std::size_t kind = 0;  ///< of world
   std::vector<Step> steps;
-  std::vector<float> inputs;         ///< the encoder's (of the view ahead), then the privileged ones, step by step
+  std::vector<float> inputs;           ///< the encoder's (of the view ahead), then the privileged ones, step by step
   std::vector<ViewBearings> bearings;  ///< step by step; empty with one view
-  std::vector<char> allowed;         ///< whether the shield allows the actions, step by step
-  std::vector<float> probabilities;  ///< of the actions, 0 where the shield forbids one, step by step
+  std::vector<char> allowed;           ///< whether the shield allows the actions, step by step
+  std::vector<float> probabilities;    ///< of the actions, 0 where the shield forbids one, step by step
   bool arrived = false;
 };
 
@@ -67,7 +68,8 @@ struct PracticeRules {
   int max_steps = 1;      ///< of a drive
   double discount = 0.0;  ///< a step; one of the privileged inputs is the way left, so discounted
   std::uint64_t seed = 1;
-  int threads = 1;  ///< does not change the result
+  int threads = 1;                            ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< does not change the result either
   ActionChances chances;
   PracticeReward reward;
   double arrival_bonus = 0.0;
@@ -77,12 +79,13 @@ struct PracticeRules {
 template <typename Parameters>
 PracticeRules practiceRules(const Parameters& parameters, ActionChances chances, PracticeReward reward,
                             double arrival_bonus) {
-  return {parameters.policy,  parameters.course,    parameters.worlds,   parameters.goals,
-          parameters.starts,  parameters.max_steps, parameters.discount, parameters.seed,
-          parameters.threads, std::move(chances),   std::move(reward),   arrival_bonus};
+  return {parameters.policy,    parameters.course,   parameters.worlds, parameters.goals,   parameters.starts,
+          parameters.max_steps, parameters.discount, parameters.seed,   parameters.threads, parameters.communicator,
+          std::move(chances),   std::move(reward),   arrival_bonus};
 }
 
-/// All drives of iteration `iteration` (from 0) that had a step. Throws std::runtime_error when there is none.
+/// All drives of iteration `iteration` (from 0) that had a step; the ranks share the worlds. Throws std::runtime_error
+/// when there is none.
 std::vector<PracticeEpisode> practise(const PracticeRules& rules, const LayerStack& layers, int iteration);
 
 /// Of some drives.

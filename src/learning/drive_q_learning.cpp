@@ -134,21 +134,21 @@ class DriveQLearning::Implementation {
 
   /// Fills in what `report` says of the values.
   void learnFrom(const std::vector<PracticeEpisode>& episodes, double rate, DriveQLearningReport* report) {
-    DriveTiles<DriveQTile> tiles(parameters_.threads,
+    DriveTiles<DriveQTile> tiles(parameters_.communicator, parameters_.threads,
                                  [this] { return std::make_unique<DriveQTile>(parameters_, layers_); });
     const int windows = tiles.pack(episodes);
     for (int pass = 0; pass < parameters_.passes; ++pass) {
       DriveQSums sums;
       const auto judge = [this](DriveQTile* tile) { return tile->judge(weights_, target_weights_); };
-      for (const DriveQSums& some : tiles.each(judge)) sums += some;
+      for (const DriveQSums& some : tiles.each(DriveQSums(), judge)) sums += some;
       if (pass == 0 && sums.steps > 0.0) {
         report->value = sums.value / sums.steps;
         report->error = std::sqrt(sums.squared_error / sums.steps);
       }
       for (int window = 0; window < windows; ++window) {
         Eigen::VectorXf gradient;
-        const double steps =
-            tiles.addUp([&](DriveQTile* tile) { return tile->valueGradient(window, weights_); }, &gradient);
+        const double steps = tiles.addUp(
+            weights_.size(), [&](DriveQTile* tile) { return tile->valueGradient(window, weights_); }, &gradient);
         if (steps > 0.0) optimiser_.update(gradient * static_cast<float>(1.0 / steps), rate, weights_);
       }
     }

@@ -10,6 +10,8 @@ void DriveQSums::operator+=(const DriveQSums& other) {
   squared_error += other.squared_error;
 }
 
+std::vector<double*> numbersOf(DriveQSums* sums) { return {&sums->steps, &sums->value, &sums->squared_error}; }
+
 DriveQTile::DriveQTile(const DriveQLearningParameters& parameters, const LayerStack& layers)
     : parameters_(parameters),
       actions_(parameters.policy.actions.size()),

@@ -22,6 +22,7 @@ struct DriveQSums {
   double steps = 0.0, value = 0.0, squared_error = 0.0;
   void operator+=(const DriveQSums& other);
 };
+std::vector<double*> numbersOf(DriveQSums* sums);
 
 /// Some lanes of drives, gone through window by window: what one thread works on.
 class DriveQTile {

@@ -32,6 +32,14 @@ const float* DriveTile::criticValues(int window, const Eigen::VectorXf& paramete
   return critic_.forward(parameters, 0);
 }
 
+std::vector<double*> numbersOf(DriveTileSums* sums) {
+  std::vector<double*> numbers = {&sums->steps, &sums->returns, &sums->squared_returns, &sums->squared_errors};
+  for (std::vector<double>* by_kind : {&sums->squares, &sums->counts}) {
+    for (double& number : *by_kind) numbers.push_back(&number);
+  }
+  return numbers;
+}
+
 DriveTileSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
   for (int window = 0; window < lanes_.windows(); ++window) {
     const float* values = criticValues(window, critic_parameters);
@@ -42,9 +50,7 @@ DriveTileSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
       }
     }
   }
-  DriveTileSums sums;
-  sums.squares.resize(parameters_.course.worlds.size());
-  sums.counts.resize(parameters_.course.worlds.size());
+  DriveTileSums sums(parameters_.course.worlds.size());
   for (int lane = 0; lane < lanes_.count(); ++lane) judgeLane(lane, &sums);
   return sums;
 }
@@ -121,8 +127,8 @@ void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int lane, co
     probability /= total;
     if (probability > 0.0) entropy -= probability * std::log(probability);
   }
-  entropy_ += entropy;
-  steps_seen_ += 1.0;
+  entropy_.sum += entropy;
+  entropy_.steps += 1.0;
   const int action = episode.steps[slot.step].action;
   const double ratio = now[static_cast<std::size_t>(action)] / static_cast<double>(before[action]);
   const double advantage =

@@ -25,9 +25,18 @@ struct DriveSlot : DrivePlace {
 
 /// What is added up over the steps of a tile.
 struct DriveTileSums {
+  explicit DriveTileSums(std::size_t kinds) : squares(kinds), counts(kinds) {}
   std::vector<double> squares, counts;  ///< of the advantages, by kind of world
   double steps = 0.0, returns = 0.0, squared_returns = 0.0, squared_errors = 0.0;
 };
+std::vector<double*> numbersOf(DriveTileSums* sums);
+
+/// How undecided the policy was.
+struct DriveTileEntropy {
+  double sum = 0.0;  ///< nat
+  double steps = 0.0;
+};
+inline std::vector<double*> numbersOf(DriveTileEntropy* entropy) { return {&entropy->sum, &entropy->steps}; }
 
 /// Some lanes of drives, gone through window by window: what one thread works on.
 class DriveTile {
@@ -48,8 +57,7 @@ class DriveTile {
   double criticGradient(int window, const Eigen::VectorXf& parameters);
   const Eigen::VectorXf& gradient() const { return gradient_; }
 
-  double entropy() const { return entropy_; }  ///< nat, summed over stepsSeen()
-  double stepsSeen() const { return steps_seen_; }
+  const DriveTileEntropy& entropy() const { return entropy_; }
 
  private:
   const float* criticValues(int window, const Eigen::VectorXf& parameters);
@@ -64,8 +72,7 @@ class DriveTile {
   LaneNetwork policy_;
   LaneNetwork critic_;
   Eigen::VectorXf gradient_;
-  double entropy_ = 0.0;
-  double steps_seen_ = 0.0;
+  DriveTileEntropy entropy_;
 };
 
 }  // namespace lstm_planner

@@ -10,6 +10,7 @@
 #include "lstm_planner/learning/training_checkpoint.hpp"
 #include "tools/interruption.hpp"
 #include "tools/progress.hpp"
+#include "tools/ranks.hpp"
 
 namespace lstm_planner {
 
@@ -64,7 +65,7 @@ class RobotReinforcement {
     const bool best = score.efficiency > best_;
     if (best || isLast()) {
       best_ = score.efficiency;
-      writeRobotModel(plan_.options, policy_, learner_.layers(), score);
+      if (isFirstRank()) writeRobotModel(plan_.options, policy_, learner_.layers(), score);
     }
     std::cout << std::string(learner_.columns().size() + 1, ' ') << "| " << toText(score) << (best ? " (best)" : "")
               << std::endl;
@@ -82,7 +83,7 @@ class RobotReinforcement {
   }
 
   void writeCheckpoint() const {
-    if (plan_.checkpoint.empty()) return;
+    if (plan_.checkpoint.empty() || !isFirstRank()) return;
     writeTrainingCheckpoint(
         plan_.checkpoint, {plan_.settings, {{"best", best_}, {"output", plan_.options.output}}, learner_.checkpoint()});
   }

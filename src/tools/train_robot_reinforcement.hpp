@@ -8,6 +8,7 @@
 
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/network/layers.hpp"
+#include "tools/ranks.hpp"
 #include "tools/train_robot_options.hpp"
 
 namespace lstm_planner {
@@ -30,8 +31,8 @@ class RobotLearner {
 struct RobotReinforcementPlan {
   RobotTrainingOptions options;
   RobotNetworkOptions network;
-  std::string init;         ///< model to begin with; empty: a new network
-  std::string checkpoint;   ///< empty: none
+  std::string init;           ///< model to begin with; empty: a new network
+  std::string checkpoint;     ///< empty: none
   std::string keep = "best";  ///< which network is written: best of the judgements, or last
   nlohmann::json settings;    ///< what the learning depends on
 
@@ -75,6 +76,7 @@ void finishRobotReinforcement(const std::string& method, RobotReinforcementPlan*
   p.max_steps = plan->options.max_steps;
   p.seed = plan->options.seed;
   p.threads = plan->options.threads;
+  p.communicator = ranks();
   plan->settings = settingsOf(plan->options);
   plan->settings.update({{"method", method},
                          {"init", plan->init},

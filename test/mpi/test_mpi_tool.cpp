@@ -51,19 +51,23 @@ class MpiTool : public test::ToolTest {
     return runShell("mpirun -n " + std::to_string(ranks) + " " + kTool + " " + arguments);
   }
 
+  std::string filesOf(const std::string& name) const {
+    return " --output " + in(name + ".onnx") + " --checkpoint " + in(name + ".checkpoint");
+  }
+
   std::string trainingWith(const std::string& method_options, const std::string& name) const {
     return "train --task grid --cells 4 --views 1 --map-size 32 --max-length 40 --validation 10 --threads 1 " +
-           method_options + " --output " + in(name + ".onnx") + " --checkpoint " + in(name + ".checkpoint");
+           method_options + filesOf(name);
   }
 
   /// What two processes leave behind is to be what one does, byte for byte.
-  void expectSameTraining(const std::string& method_options) {
+  void expectSameTraining(const std::string& training) {
     // Under the same name, as a checkpoint knows which model it belongs to.
-    const Outcome one = runTool(trainingWith(method_options, "model"));
+    const Outcome one = runTool(training);
     ASSERT_EQ(one.status, 0) << one.output;
     const std::string checkpoint = contentOf(in("model.checkpoint"));
     ASSERT_EQ(std::remove(in("model.checkpoint").c_str()), 0);
-    const Outcome two = byRanks(2, trainingWith(method_options, "model"));
+    const Outcome two = byRanks(2, training);
     ASSERT_EQ(two.status, 0) << two.output;
     EXPECT_GT(checkpoint.size(), 1000u);
     EXPECT_TRUE(contentOf(in("model.checkpoint")) == checkpoint);  // EXPECT_EQ would print them
@@ -93,13 +97,25 @@ TEST_F(MpiTool, RanksThatShareAnEvaluationFindWhatOneProcessFinds) {
 }
 
 TEST_F(MpiTool, RanksThatShareReinforcementLearnWhatOneProcessLearns) {
-  expectSameTraining("--method actor-critic --updates 6 --epochs 2 --agents 192 --window 8 --goals 20");
+  expectSameTraining(
+      trainingWith("--method actor-critic --updates 6 --epochs 2 --agents 192 --window 8 --goals 20", "model"));
+}
+
+TEST_F(MpiTool, RanksThatShareTheRobotsDrivesLearnWhatOneProcessLearns) {
+  for (const std::string method : {"actor-critic", "q-learning"}) {
+    std::remove(in("model.checkpoint").c_str());
+    expectSameTraining("train --method " + method +
+                       " --views 8 --cells 4 --kinds open --iterations 2 --worlds 3 --starts 2 --max-steps 40 "
+                       "--validation 2 --threads 1" +
+                       filesOf("model"));
+  }
 }
 
 TEST_F(MpiTool, RanksThatShareImitationLearnWhatOneProcessLearns) {
   expectSameTraining(
-      "--method imitation --steps 4096 --validation-steps 1024 --batch-steps 512 --sequence 64 "
-      "--burn-in 8 --epochs 2 --goals 20");
+      trainingWith("--method imitation --steps 4096 --validation-steps 1024 --batch-steps 512 --sequence 64 "
+                   "--burn-in 8 --epochs 2 --goals 20",
+                   "model"));
 }
 
 TEST_F(MpiTool, SaysOnceWhatIsWrong) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/learning/communicator.hpp"
 #include "lstm_planner/learning/drive_course.hpp"
 #include "lstm_planner/network/layers.hpp"
 
@@ -38,7 +39,8 @@ struct DriveActorCriticParameters {
   double critic_learning_rate = 0.005;
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
-  int threads = 2;  ///< does not change the result
+  int threads = 2;                            ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the drives; does not change the result
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

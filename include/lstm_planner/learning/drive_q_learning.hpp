@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/learning/communicator.hpp"
 #include "lstm_planner/learning/drive_course.hpp"
 #include "lstm_planner/network/layers.hpp"
 #include "lstm_planner/perception/observation.hpp"
@@ -70,7 +71,8 @@ struct DriveQLearningParameters {
   double learning_rate = 0.003;
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
-  int threads = 2;  ///< does not change the result
+  int threads = 2;                            ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the drives; does not change the result
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -2,10 +2,12 @@
 
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "lstm_planner/learning/drive_actor_critic.hpp"
 #include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
+#include "thread_ranks.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -45,6 +47,29 @@ TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
   double after = 0.0;
   while (learner.iterations() < parameters.iterations) after = learner.iterate().reward;
   EXPECT_GT(after, before + 2.0) << "m nearer to the goal a drive";
+}
+
+TEST_P(DriveActorCriticWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
+  struct Outcome {
+    Eigen::VectorXf weights;
+    std::vector<double> reported;
+  };
+  const auto learnOn = [](Communicator* communicator) {
+    DriveActorCriticParameters parameters = tinyTraining(GetParam());
+    parameters.communicator = communicator;
+    DriveActorCritic learner(parameters, tinyNetwork(parameters));
+    learner.iterate();
+    const auto report = learner.iterate();
+    return Outcome{parameterVector(learner.layers()),
+                   {report.steps, report.reward, report.arrival, report.entropy, report.explained}};
+  };
+  const Outcome one = learnOn(oneProcess());
+  for (const int ranks : {2, 3}) {  // 3: more ranks than there are worlds
+    for (const Outcome& outcome : onRanks(ranks, learnOn)) {
+      EXPECT_EQ(outcome.weights, one.weights) << ranks << " ranks";
+      EXPECT_EQ(outcome.reported, one.reported) << ranks << " ranks";
+    }
+  }
 }
 
 TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {

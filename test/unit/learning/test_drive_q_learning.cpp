@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "learning/drive_practice.hpp"
 #include "learning/drive_q_tile.hpp"
@@ -10,6 +11,7 @@
 #include "lstm_planner/learning/drive_q_learning.hpp"
 #include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
+#include "thread_ranks.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -69,6 +71,29 @@ TEST(DriveQLearning, LearnsToGoToTheGoalInTheOpenByProgress) {
 /// By the number of views.
 class DriveQLearningWithViews : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveQLearningWithViews, ::testing::Values(1, 8));
+
+TEST_P(DriveQLearningWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
+  struct Outcome {
+    Eigen::VectorXf weights;
+    std::vector<double> reported;
+  };
+  const auto learnOn = [](Communicator* communicator) {
+    DriveQLearningParameters parameters = tinyTraining(GetParam());
+    parameters.communicator = communicator;
+    DriveQLearning learner(parameters, tinyNetwork(parameters));
+    learner.iterate();
+    const auto report = learner.iterate();
+    return Outcome{parameterVector(learner.layers()),
+                   {report.steps, report.reward, report.arrival, report.value, report.error}};
+  };
+  const Outcome one = learnOn(oneProcess());
+  for (const int ranks : {2, 3}) {  // 3: more ranks than there are worlds
+    for (const Outcome& outcome : onRanks(ranks, learnOn)) {
+      EXPECT_EQ(outcome.weights, one.weights) << ranks << " ranks";
+      EXPECT_EQ(outcome.reported, one.reported) << ranks << " ranks";
+    }
+  }
+}
 
 TEST_P(DriveQLearningWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
   DriveQLearningParameters parameters = tinyTraining(GetParam());
