@@ -1,11 +1,14 @@
 #include "lstm_planner/evaluation/decision_replay.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <ostream>
 #include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "lstm_planner/learning/confusion.hpp"
 
 namespace lstm_planner {
 
@@ -79,13 +82,23 @@ RecorderParameters replayParameters(const PolicyDescription& description, const 
 
 Agreement agreementOf(const std::vector<ReplayedDecision>& decisions) {
   Agreement agreement;
+  int actions = 0;
+  for (const ReplayedDecision& replayed : decisions) {
+    actions = std::max({actions, replayed.action + 1, replayed.driven_action + 1});
+  }
+  ConfusionMatrix taken = ConfusionMatrix::Zero(actions, actions);
   for (const ReplayedDecision& replayed : decisions) {
     ++agreement.decisions;
+    ++taken(replayed.driven_action, replayed.action);
     agreement.same_action += replayed.action == replayed.driven_action;
     agreement.mean_difference += std::abs(normalizeAngle(replayed.steering_angle - replayed.driven_angle));
   }
   if (agreement.decisions > 0) {
-    agreement.mean_difference /= static_cast<double>(agreement.decisions);
+    const auto all = static_cast<double>(agreement.decisions);
+    agreement.mean_difference /= all;
+    agreement.balanced = balancedAccuracy(taken);
+    agreement.majority = static_cast<double>(taken.rowwise().sum().maxCoeff()) / all;
+    agreement.majority_balanced = 1.0 / static_cast<double>((taken.rowwise().sum().array() > 0).count());
   }
   return agreement;
 }

@@ -114,15 +114,18 @@ std::string describeReplay(const DecisionReplay& replay) {
     if (count > 0) rejections[toString(static_cast<Rejection>(i))] = count;
   }
   const Agreement agreement = agreementOf(replay.decisions());
+  const auto percent = [](double share) { return std::to_string(std::lround(100.0 * share)) + " %"; };
   std::ostringstream text;
   text << agreement.decisions << " decisions";
   if (agreement.decisions > 0) {
     const long episodes = replay.decisions().back().episode + 1;
     text << " in " << episodes << (episodes == 1 ? " episode (" : " episodes (") << joined(sources, true)
          << "): the planner took the driver's steering angle at " << agreement.same_action << " ("
-         << std::lround(100.0 * static_cast<double>(agreement.same_action) / static_cast<double>(agreement.decisions))
-         << " %), their angles differ by " << std::lround(agreement.mean_difference * 180.0 / M_PI)
-         << " degrees on average";
+         << percent(static_cast<double>(agreement.same_action) / static_cast<double>(agreement.decisions))
+         << ", balanced " << percent(agreement.balanced)
+         << "; always the driver's most frequent angle: " << percent(agreement.majority) << ", balanced "
+         << percent(agreement.majority_balanced) << "), their angles differ by "
+         << std::lround(agreement.mean_difference * 180.0 / M_PI) << " degrees on average";
   }
   if (!rejections.empty()) {
     text << "; not decided about: " << joined(rejections, false);

@@ -63,8 +63,11 @@ RecorderParameters replayParameters(const PolicyDescription& description, const 
 /// How often planner and driver did the same.
 struct Agreement {
   long decisions = 0;
-  long same_action = 0;          ///< the same steering angle
-  double mean_difference = 0.0;  ///< rad, between the planner's angle and the driver's
+  long same_action = 0;            ///< the same steering angle
+  double mean_difference = 0.0;    ///< rad, between the planner's angle and the driver's
+  double balanced = 0.0;           ///< share of the same, the mean over the angles that the driver took
+  double majority = 0.0;           ///< the share of the same that always taking the driver's most frequent angle has
+  double majority_balanced = 0.0;  ///< and its balanced share
 };
 Agreement agreementOf(const std::vector<ReplayedDecision>& decisions);
 

@@ -83,6 +83,9 @@ TEST(DecisionReplayTest, CountsHowOftenPlannerAndDriverAgree) {
   EXPECT_EQ(agreement.decisions, 4);
   EXPECT_EQ(agreement.same_action, 1);
   EXPECT_NEAR(agreement.mean_difference, (3.0 * M_PI / 4.0 + 0.1) / 4.0, 1e-6);
+  EXPECT_EQ(agreement.balanced, (0.0 + 1.0) / 2.0) << "none of the steps straight on, the one to the left";
+  EXPECT_EQ(agreement.majority, 3.0 / 4.0);
+  EXPECT_EQ(agreement.majority_balanced, 1.0 / 2.0);
   EXPECT_EQ(agreementOf({}).decisions, 0);
   EXPECT_EQ(agreementOf({}).mean_difference, 0.0);
 }
