@@ -1,36 +1,24 @@
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "drive_learning_fixtures.hpp"
 #include "lstm_planner/learning/drive_actor_critic.hpp"
-#include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
 #include "thread_ranks.hpp"
 
 namespace lstm_planner {
 namespace {
 
-DriveActorCriticParameters tinyTraining(int views = 1) {
-  DriveActorCriticParameters parameters;
-  parameters.policy.encoder.views = views;
-  parameters.course.worlds = {WorldKind::kOpen};
-  parameters.iterations = 4;
-  parameters.worlds = 2;
-  parameters.goals = 1;
-  parameters.starts = 4;
-  parameters.max_steps = 60;
-  parameters.threads = 1;
+constexpr std::uint64_t kNetworkSeed = 7;
+
+DriveActorCriticParameters tiny(int views = 1) {
+  auto parameters = tinyTraining<DriveActorCriticParameters>(views);
   parameters.sharpness = 1.0;
   return parameters;
-}
-
-LayerStack tinyNetwork(const DriveActorCriticParameters& parameters) {
-  LayerStack layers = makeLstmStack(static_cast<int>(parameters.policy.encoder.input_layout.size()), {4},
-                                    networkOutputs(parameters.policy));
-  initialise({}, 7, layers);
-  return layers;
 }
 
 /// By the number of views.
@@ -38,11 +26,11 @@ class DriveActorCriticWithViews : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveActorCriticWithViews, ::testing::Values(1, 8));
 
 TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
-  DriveActorCriticParameters parameters = tinyTraining(GetParam());
+  DriveActorCriticParameters parameters = tiny(GetParam());
   parameters.iterations = 15;
   parameters.starts = 12;
   parameters.learning_rate = 0.01;
-  DriveActorCritic learner(parameters, tinyNetwork(parameters));
+  DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
   const double before = learner.iterate().reward;
   double after = 0.0;
   while (learner.iterations() < parameters.iterations) after = learner.iterate().reward;
@@ -55,9 +43,9 @@ TEST_P(DriveActorCriticWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReports
     std::vector<double> reported;
   };
   const auto learnOn = [](Communicator* communicator) {
-    DriveActorCriticParameters parameters = tinyTraining(GetParam());
+    DriveActorCriticParameters parameters = tiny(GetParam());
     parameters.communicator = communicator;
-    DriveActorCritic learner(parameters, tinyNetwork(parameters));
+    DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
     learner.iterate();
     const auto report = learner.iterate();
     return Outcome{parameterVector(learner.layers()),
@@ -73,10 +61,10 @@ TEST_P(DriveActorCriticWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReports
 }
 
 TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
-  DriveActorCriticParameters parameters = tinyTraining(GetParam());
-  DriveActorCritic one(parameters, tinyNetwork(parameters));
+  DriveActorCriticParameters parameters = tiny(GetParam());
+  DriveActorCritic one(parameters, tinyNetwork(parameters, kNetworkSeed));
   parameters.threads = 3;
-  DriveActorCritic three(parameters, tinyNetwork(parameters));
+  DriveActorCritic three(parameters, tinyNetwork(parameters, kNetworkSeed));
   for (int i = 0; i < 2; ++i) {
     one.iterate();
     three.iterate();
@@ -85,12 +73,12 @@ TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
 }
 
 TEST_P(DriveActorCriticWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
-  const DriveActorCriticParameters parameters = tinyTraining(GetParam());
-  DriveActorCritic through(parameters, tinyNetwork(parameters));
-  DriveActorCritic first(parameters, tinyNetwork(parameters));
+  const DriveActorCriticParameters parameters = tiny(GetParam());
+  DriveActorCritic through(parameters, tinyNetwork(parameters, kNetworkSeed));
+  DriveActorCritic first(parameters, tinyNetwork(parameters, kNetworkSeed));
   for (int i = 0; i < 4; ++i) through.iterate();
   for (int i = 0; i < 2; ++i) first.iterate();
-  DriveActorCritic second(parameters, tinyNetwork(parameters));
+  DriveActorCritic second(parameters, tinyNetwork(parameters, kNetworkSeed));
   second.restore(first.checkpoint());
   EXPECT_EQ(second.iterations(), 2);
   for (int i = 0; i < 2; ++i) second.iterate();
@@ -98,12 +86,13 @@ TEST_P(DriveActorCriticWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) 
 }
 
 TEST(DriveActorCritic, RefusesWhatDoesNotFit) {
-  DriveActorCriticParameters parameters = tinyTraining();
-  DriveActorCritic learner(parameters, tinyNetwork(parameters));
+  DriveActorCriticParameters parameters = tiny();
+  DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
   EXPECT_THROW(learner.restore({1, 2, 3}), std::invalid_argument);
   DriveActorCriticParameters other = parameters;
   other.critic_units = {5};
-  EXPECT_THROW(DriveActorCritic(other, tinyNetwork(other)).restore(learner.checkpoint()), std::invalid_argument);
+  EXPECT_THROW(DriveActorCritic(other, tinyNetwork(other, kNetworkSeed)).restore(learner.checkpoint()),
+               std::invalid_argument);
   EXPECT_THROW(DriveActorCritic(parameters, makeLstmStack(3, {4}, 5)), std::invalid_argument);
   const auto refused = [&](void (*change)(DriveActorCriticParameters*)) {
     DriveActorCriticParameters changed = parameters;

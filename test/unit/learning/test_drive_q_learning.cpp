@@ -1,40 +1,23 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "drive_learning_fixtures.hpp"
 #include "learning/drive_practice.hpp"
 #include "learning/drive_q_tile.hpp"
 #include "lstm_planner/learning/drive_judge.hpp"
 #include "lstm_planner/learning/drive_q_learning.hpp"
-#include "lstm_planner/learning/initialisation.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
 #include "thread_ranks.hpp"
 
 namespace lstm_planner {
 namespace {
 
-DriveQLearningParameters tinyTraining(int views = 1) {
-  DriveQLearningParameters parameters;
-  parameters.policy.encoder.views = views;
-  parameters.course.worlds = {WorldKind::kOpen};
-  parameters.iterations = 4;
-  parameters.worlds = 2;
-  parameters.goals = 1;
-  parameters.starts = 4;
-  parameters.max_steps = 60;
-  parameters.threads = 1;
-  return parameters;
-}
-
-LayerStack tinyNetwork(const DriveQLearningParameters& parameters) {
-  LayerStack layers = makeLstmStack(static_cast<int>(parameters.policy.encoder.input_layout.size()), {4},
-                                    networkOutputs(parameters.policy));
-  initialise({}, 3, layers);
-  return layers;
-}
+constexpr std::uint64_t kNetworkSeed = 3;
 
 /// Share of drives in open worlds that arrive, always with the action of the highest value.
 double arrivalOf(const DriveQLearningParameters& parameters, const LayerStack& layers) {
@@ -48,14 +31,14 @@ double arrivalAfterLearning(DriveQLearningParameters parameters) {
   parameters.max_steps = 120;
   parameters.window = 16;
   parameters.learning_rate = 0.01;
-  DriveQLearning learner(parameters, tinyNetwork(parameters));
+  DriveQLearning learner(parameters, tinyNetwork(parameters, kNetworkSeed));
   EXPECT_LT(arrivalOf(parameters, learner.layers()), 0.2) << "nothing to learn";
   while (learner.iterations() < parameters.iterations) learner.iterate();
   return arrivalOf(parameters, learner.layers());
 }
 
 TEST(DriveQLearning, LearnsToGoToTheGoalInTheOpenByTheThesissReward) {
-  DriveQLearningParameters parameters = tinyTraining();
+  DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>();
   // Where nothing is in the way, the goal's bearing is nearly all that matters, and there is no need to look far ahead.
   parameters.thesis_reward = {0.01, 0.02, 0.3};
   parameters.discount = 0.9;
@@ -63,7 +46,7 @@ TEST(DriveQLearning, LearnsToGoToTheGoalInTheOpenByTheThesissReward) {
 }
 
 TEST(DriveQLearning, LearnsToGoToTheGoalInTheOpenByProgress) {
-  DriveQLearningParameters parameters = tinyTraining();
+  DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>();
   parameters.reward = DriveQLearningParameters::Reward::kProgress;
   EXPECT_GT(arrivalAfterLearning(parameters), 0.6);
 }
@@ -78,9 +61,9 @@ TEST_P(DriveQLearningWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTh
     std::vector<double> reported;
   };
   const auto learnOn = [](Communicator* communicator) {
-    DriveQLearningParameters parameters = tinyTraining(GetParam());
+    DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>(GetParam());
     parameters.communicator = communicator;
-    DriveQLearning learner(parameters, tinyNetwork(parameters));
+    DriveQLearning learner(parameters, tinyNetwork(parameters, kNetworkSeed));
     learner.iterate();
     const auto report = learner.iterate();
     return Outcome{parameterVector(learner.layers()),
@@ -96,26 +79,26 @@ TEST_P(DriveQLearningWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTh
 }
 
 TEST_P(DriveQLearningWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
-  DriveQLearningParameters parameters = tinyTraining(GetParam());
-  DriveQLearning one(parameters, tinyNetwork(parameters));
+  DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>(GetParam());
+  DriveQLearning one(parameters, tinyNetwork(parameters, kNetworkSeed));
   parameters.threads = 3;
-  DriveQLearning three(parameters, tinyNetwork(parameters));
+  DriveQLearning three(parameters, tinyNetwork(parameters, kNetworkSeed));
   for (int i = 0; i < 2; ++i) {
     one.iterate();
     three.iterate();
   }
   EXPECT_EQ(parameterVector(one.layers()), parameterVector(three.layers()));
-  EXPECT_NE(parameterVector(one.layers()), parameterVector(tinyNetwork(parameters)));
+  EXPECT_NE(parameterVector(one.layers()), parameterVector(tinyNetwork(parameters, kNetworkSeed)));
 }
 
 TEST_P(DriveQLearningWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
-  DriveQLearningParameters parameters = tinyTraining(GetParam());
+  DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>(GetParam());
   parameters.target_interval = 2;  // so that the target network is neither the first nor that of the break
-  DriveQLearning through(parameters, tinyNetwork(parameters));
-  DriveQLearning first(parameters, tinyNetwork(parameters));
+  DriveQLearning through(parameters, tinyNetwork(parameters, kNetworkSeed));
+  DriveQLearning first(parameters, tinyNetwork(parameters, kNetworkSeed));
   for (int i = 0; i < 4; ++i) through.iterate();
   for (int i = 0; i < 3; ++i) first.iterate();
-  DriveQLearning second(parameters, tinyNetwork(parameters));
+  DriveQLearning second(parameters, tinyNetwork(parameters, kNetworkSeed));
   second.restore(first.checkpoint());
   EXPECT_EQ(second.iterations(), 3);
   second.iterate();
@@ -124,7 +107,7 @@ TEST_P(DriveQLearningWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
 
 /// What an exception says when the parameters are changed so; empty when there is none.
 std::string refusalOf(void (*change)(DriveQLearningParameters*)) {
-  DriveQLearningParameters parameters = tinyTraining();
+  DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>();
   change(&parameters);
   try {
     validate(parameters);
@@ -157,8 +140,8 @@ TEST(DriveQLearning, RefusesBadParametersWithTheReason) {
 }
 
 TEST(DriveQLearning, RefusesWhatDoesNotFit) {
-  const DriveQLearningParameters parameters = tinyTraining();
-  DriveQLearning learner(parameters, tinyNetwork(parameters));
+  const DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>();
+  DriveQLearning learner(parameters, tinyNetwork(parameters, kNetworkSeed));
   EXPECT_THROW(learner.restore({1, 2, 3}), std::invalid_argument);
   EXPECT_THROW(DriveQLearning(parameters, makeLstmStack(3, {4}, 5)), std::invalid_argument);
   const int inputs = static_cast<int>(parameters.policy.encoder.input_layout.size());
@@ -206,12 +189,12 @@ std::vector<PracticeEpisode> someDrives(int inputs, int actions) {
 
 class DriveQTileTest : public ::testing::Test {
  protected:
-  explicit DriveQTileTest(int views = 1) : parameters_(tinyTraining(views)) {
+  explicit DriveQTileTest(int views = 1) : parameters_(tinyTraining<DriveQLearningParameters>(views)) {
     parameters_.window = 8;
     parameters_.trace_decay = 0.0;  // so that the targets do not depend on the weights that are moved
     parameters_.double_q = false;
     parameters_.huber = 1e6;
-    layers_ = tinyNetwork(parameters_);
+    layers_ = tinyNetwork(parameters_, kNetworkSeed);
     weights_ = parameterVector(layers_);
     episodes_ = someDrives(inputSize(layers_), parameters_.policy.actions.size());
   }
