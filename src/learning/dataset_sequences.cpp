@@ -6,114 +6,21 @@
 #include <string>
 #include <utility>
 
-#include "lstm_planner/agent/drive_trace.hpp"
+#include "lstm_planner/learning/recorded_choices.hpp"
 #include "lstm_planner/parameter_check.hpp"
+#include "recording_comparison.hpp"
 
 namespace lstm_planner {
 namespace {
 
-constexpr double kSameRange = 1e-6;  ///< m
-constexpr double kSameAngle = 1e-4;  ///< rad; angles in files have few digits
-
-bool isUsed(const RecordedEpisode& recorded) { return !recorded.episode.discarded && !recorded.steps.empty(); }
-
-bool isSameRange(double a, double b) { return std::abs(a - b) < kSameRange; }
-
-bool isSame(const std::vector<double>& a, const std::vector<double>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](double x, double y) { return std::abs(x - y) < kSameAngle; });
-}
-
-std::string nameOf(const Recording& recording) { return "the recording from '" + recording.description.source + "'"; }
-
-/// Encodes and labels the steps of one recording.
-class RecordingReader {
- public:
-  RecordingReader(const Recording& recording, const DatasetSequenceParameters& parameters, const Encoder& encoder)
-      : recording_(recording),
-        parameters_(parameters),
-        encoder_(encoder),
-        recorded_labels_(isSame(recorded().action_angles, actions().angles())),
-        recorded_sectors_(isSameRange(recorded().range_cap, encoder.parameters().range_cap)) {}
-
-  std::vector<int> labels(const RecordedEpisode& episode) const {
-    std::vector<int> labels;
-    for (std::size_t step = 0; step < episode.steps.size(); ++step) labels.push_back(label(episode.steps, step));
-    return labels;
-  }
-
-  /// `trace`: of the episode's steps before.
-  void encode(const DriveStep& step, double previous_action, DriveTrace* trace,
-              Eigen::Ref<Eigen::VectorXf> input) const {
-    Observation observation = observe(sectors(step), step.pose, step.goal, previous_action,
-                                      encoder_.parameters().position_cell);
-    trace->look(step.pose, &observation);
-    observation.visits = step.observation.visits;
-    encoder_.encode(observation, input);
-  }
-
- private:
-  const RecorderParameters& recorded() const { return recording_.description.parameters; }
-  const ActionSet& actions() const { return parameters_.policy.actions; }
-
-  int label(const std::vector<DriveStep>& steps, std::size_t index) const {
-    const DriveStep& step = steps[index];
-    if (parameters_.label_distance > 0.0) {
-      const Pose2& ahead = poseAhead(steps, index);
-      if (distanceBetween(step.pose, ahead) >= recorded().min_step_distance) {
-        return actions().nearest(normalizeAngle(directionTo(step.pose, ahead) - step.pose.yaw));
-      }
-    }
-    return recorded_labels_ ? step.label : actions().nearest(step.driven_angle);
-  }
-
-  const Pose2& poseAhead(const std::vector<DriveStep>& steps, std::size_t index) const {
-    const auto far = [&](const DriveStep& later) {
-      return distanceBetween(steps[index].pose, later.next_pose) >= parameters_.label_distance;
-    };
-    const auto first = std::find_if(steps.begin() + static_cast<std::ptrdiff_t>(index), steps.end(), far);
-    return first == steps.end() ? steps.back().next_pose : first->next_pose;
-  }
-
-  Sectors sectors(const DriveStep& step) const {
-    if (recorded_sectors_) {
-      Sectors sectors;
-      sectors.range = step.observation.sector_ranges;
-      return sectors;
-    }
-    if (step.ranges.empty()) {
-      throw std::invalid_argument(nameOf(recording_) + " has a range cap of " + std::to_string(recorded().range_cap) +
-                                  " m, the network one of " + std::to_string(encoder_.parameters().range_cap) +
-                                  " m, and without kept scans the ranges cannot be averaged anew");
-    }
-    LaserScan scan;
-    scan.stamp = step.stamp;
-    scan.angle_min = step.geometry.angle_min;
-    scan.angle_increment = step.geometry.angle_increment;
-    scan.range_min = step.geometry.range_min;
-    scan.range_max = step.geometry.range_max;
-    scan.ranges = step.ranges;
-    return averageSectors(scan, step.geometry.mount, {}, encoder_.parameters().range_cap);
-  }
-
-  const Recording& recording_;
-  const DatasetSequenceParameters& parameters_;
-  const Encoder& encoder_;
-  bool recorded_labels_;   ///< or labels of other allowed angles
-  bool recorded_sectors_;  ///< or sectors averaged with another cap
-};
-
 /// The whole of an episode.
-Sequence toSequence(const RecordedEpisode& episode, const RecordingReader& reader, const Encoder& encoder,
-                    const ActionSet& actions) {
-  const auto steps = static_cast<Eigen::Index>(episode.steps.size());
-  const std::vector<int> labels = reader.labels(episode);
+Sequence toSequence(const std::vector<RecordedChoice>& episode, const Encoder& encoder) {
+  const auto steps = static_cast<Eigen::Index>(episode.size());
   Sequence sequence{Eigen::MatrixXf(encoder.size(), steps), Eigen::VectorXi(steps), Eigen::VectorXf::Ones(steps)};
-  DriveTrace trace;
   for (Eigen::Index step = 0; step < steps; ++step) {
-    const auto i = static_cast<std::size_t>(step);
-    reader.encode(episode.steps[i], i == 0 ? 0.0 : actions.angle(labels[i - 1]), &trace, sequence.inputs.col(step));
-    sequence.labels[step] = labels[i];
+    const RecordedChoice& choice = episode[static_cast<std::size_t>(step)];
+    encoder.encode(choice.observation, sequence.inputs.col(step));
+    sequence.labels[step] = choice.label;
   }
   return sequence;
 }
@@ -138,7 +45,7 @@ void validate(const DatasetSequenceParameters& parameters) {
   checkParameter(parameters.label_distance >= 0.0, "label_distance", parameters.label_distance, "zero or more");
   validate(parameters.policy.encoder);
   checkParameter(parameters.policy.encoder.views == 1, "views", parameters.policy.encoder.views,
-                 "1: eight views learn by reinforcement only");
+                 "1: eight views learn from recordings while they practise (--method actor-critic --recordings)");
 }
 
 PolicyDescription policyOf(const Dataset& dataset) {
@@ -176,14 +83,10 @@ std::vector<Sequence> datasetSequences(const Dataset& dataset, const DatasetSequ
   validate(parameters);
   const Encoder encoder(parameters.policy.encoder);
   std::vector<Sequence> sequences;
-  for (const Recording& recording : dataset.recordings) {
-    const RecordingReader reader(recording, parameters, encoder);
-    for (const RecordedEpisode& episode : recording.episodes) {
-      if (!isUsed(episode)) continue;
-      cut(toSequence(episode, reader, encoder, parameters.policy.actions), parameters.sequence_steps,
-          parameters.burn_in_steps, &sequences);
-    }
-  }
+  forEachRecordedEpisode(
+      dataset, parameters.policy, parameters.label_distance, [&](const std::vector<RecordedChoice>& episode) {
+        cut(toSequence(episode, encoder), parameters.sequence_steps, parameters.burn_in_steps, &sequences);
+      });
   return sequences;
 }
 

@@ -15,6 +15,7 @@
 #include "lstm_planner/learning/parameter_vector.hpp"
 #include "lstm_planner/parameter_check.hpp"
 #include "optimiser_json.hpp"
+#include "recorded_practice.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -84,16 +85,28 @@ class DriveActorCritic::Implementation {
     setParameterVector(policy_parameters_, policy_);
   }
 
+  void follow(const Dataset& recordings, double weight) {
+    checkPositive("recordings_weight", weight);
+    recorded_ = recordedPractice(recordings, parameters_.policy, 0.0);
+    recorded_steps_ = 0.0;
+    for (const PracticeEpisode& episode : recorded_) recorded_steps_ += static_cast<double>(episode.steps.size());
+    if (recorded_.empty()) throw std::invalid_argument("the recordings have no steps, expected at least one");
+    imitation_ = weight;
+  }
+
   DriveActorCriticReport iterate() {
     const PracticeReward reward = progressReward(parameters_.step_cost, parameters_.contact_cost);
-    const std::vector<PracticeEpisode> episodes =
+    std::vector<PracticeEpisode> episodes =
         practise(practiceRules(parameters_, preferredChances, reward, parameters_.arrival_bonus), policy_, iterations_);
+    const PracticeSums sums = sumUp(episodes);
+    episodes.insert(episodes.end(), recorded_.begin(), recorded_.end());
     DriveBatch batch(parameters_, policy_, critic_, episodes);
     const double progress = static_cast<double>(iterations_) / parameters_.iterations;
     const double rate = 0.5 * (1.0 + std::cos(M_PI * progress));
     DriveBatchWeights weights;
     weights.entropy =
         parameters_.entropy_start + (parameters_.entropy_end - parameters_.entropy_start) * std::min(1.0, progress);
+    if (!recorded_.empty()) weights.imitation = imitation_ * sums.steps / recorded_steps_;
     batch.judge(critic_parameters_, &advantage_variances_);
     weights.advantage_variances = advantage_variances_;
     // The critic is new at first: let it learn before the policy follows it.
@@ -118,7 +131,7 @@ class DriveActorCritic::Implementation {
     }
     setParameterVector(policy_parameters_, policy_);
     ++iterations_;
-    return report(episodes, batch);
+    return report(sums, batch);
   }
 
   int iterations() const { return iterations_; }
@@ -160,10 +173,9 @@ class DriveActorCritic::Implementation {
   }
 
  private:
-  DriveActorCriticReport report(const std::vector<PracticeEpisode>& episodes, DriveBatch& batch) {
+  DriveActorCriticReport report(const PracticeSums& sums, DriveBatch& batch) {
     DriveActorCriticReport report;
     report.iteration = iterations_;
-    const PracticeSums sums = sumUp(episodes);
     all_steps_ += sums.steps;
     report.steps = all_steps_;
     report.reward = sums.reward;
@@ -182,6 +194,9 @@ class DriveActorCritic::Implementation {
   Optimiser critic_optimiser_;
   /// By kind of world: what is a large gain in the open is a small one in a maze, and each is to count alike.
   std::vector<double> advantage_variances_;
+  std::vector<PracticeEpisode> recorded_;
+  double recorded_steps_ = 0.0;
+  double imitation_ = 0.0;
   double all_steps_ = 0.0;
   int iterations_ = 0;
 };
@@ -189,6 +204,7 @@ class DriveActorCritic::Implementation {
 DriveActorCritic::DriveActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers)
     : implementation_(std::make_unique<Implementation>(parameters, std::move(layers))) {}
 DriveActorCritic::~DriveActorCritic() = default;
+void DriveActorCritic::follow(const Dataset& recordings, double weight) { implementation_->follow(recordings, weight); }
 DriveActorCriticReport DriveActorCritic::iterate() { return implementation_->iterate(); }
 int DriveActorCritic::iterations() const { return implementation_->iterations(); }
 const LayerStack& DriveActorCritic::layers() const { return implementation_->layers(); }

@@ -25,6 +25,7 @@ struct PracticeEpisode {
     int action = 0;
     bool chosen = false;  ///< the action was drawn and carried out; otherwise there was nothing to choose
     float reward = 0.0f;
+    float weight = 1.0f;  ///< how much a recorded step counts
   };
   std::size_t kind = 0;  ///< of world
   std::vector<Step> steps;
@@ -33,6 +34,7 @@ struct PracticeEpisode {
   std::vector<char> allowed;           ///< whether the shield allows the actions, step by step
   std::vector<float> probabilities;    ///< of the actions, 0 where the shield forbids one, step by step
   bool arrived = false;
+  bool recorded = false;  ///< somebody's: the actions are to be learned, and nothing is known of rewards
 };
 
 /// Chooses the actions: fills in how likely each is to be drawn, up to a common factor. 0 where it is not allowed.

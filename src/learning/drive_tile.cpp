@@ -61,7 +61,7 @@ void DriveTile::judgeLane(int lane, DriveTileSums* sums) {
   double advantage = 0.0;
   for (int time = lanes_.steps(); time-- > 0;) {
     DriveSlot& slot = lanes_.at(time, lane);
-    if (!slot.episode) continue;
+    if (!slot.episode || slot.episode->recorded) continue;
     const PracticeEpisode& episode = *slot.episode;
     const double value = static_cast<double>(slot.value);
     const bool last = slot.step + 1 == episode.steps.size();
@@ -96,13 +96,35 @@ double DriveTile::policyGradient(int window, const Eigen::VectorXf& parameters, 
     for (int lane = 0; lane < lanes_.count(); ++lane) {
       const DriveSlot& slot = lanes_.at(window * parameters_.window + time, lane);
       if (!slot.episode || !slot.episode->steps[slot.step].chosen) continue;
-      fillPolicyGradient(slot, time, lane, weights);
+      if (slot.episode->recorded) {
+        fillImitationGradient(slot, time, lane, weights.imitation);
+      } else {
+        fillPolicyGradient(slot, time, lane, weights);
+      }
       chosen += 1.0;
     }
   }
   policy_.backward(parameters, parameters_.window, gradient_);
   policy_.carryOver(parameters_.window);
   return chosen;
+}
+
+/// Of -weight * log(probability of what the driver did) by the preferences.
+void DriveTile::fillImitationGradient(const DriveSlot& slot, int time, int lane, double weight) {
+  const PracticeEpisode::Step& step = slot.episode->steps[slot.step];
+  const float* preferences = policy_.outputs(time);
+  float largest = -1e30f;
+  for (int k = 0; k < actions_; ++k) largest = std::max(largest, preferences[views_.outputAt(slot, lane, k)]);
+  double total = 0.0;
+  for (int k = 0; k < actions_; ++k) {
+    total += std::exp(static_cast<double>(preferences[views_.outputAt(slot, lane, k)] - largest));
+  }
+  for (int k = 0; k < actions_; ++k) {
+    const int output = views_.outputAt(slot, lane, k);
+    const double probability = std::exp(static_cast<double>(preferences[output] - largest)) / total;
+    const double slope = probability - (k == step.action ? 1.0 : 0.0);
+    policy_.outputGradient(time)[output] = static_cast<float>(weight * static_cast<double>(step.weight) * slope);
+  }
 }
 
 /// Of -min(ratio * advantage, clipped ratio * advantage) - weight * entropy by the preferences.
@@ -152,8 +174,9 @@ double DriveTile::criticGradient(int window, const Eigen::VectorXf& parameters) 
       const int place = time * lanes_.count() + lane;
       const DriveSlot& slot = lanes_.at(window * parameters_.window + time, lane);
       const float wanted = (slot.value + slot.advantage) / static_cast<float>(kValueScale);
-      critic_.outputGradient(0)[place] = slot.episode ? values[place] - wanted : 0.0f;
-      steps += slot.episode ? 1.0 : 0.0;
+      const bool practised = slot.episode && !slot.episode->recorded;
+      critic_.outputGradient(0)[place] = practised ? values[place] - wanted : 0.0f;
+      steps += practised ? 1.0 : 0.0;
     }
   }
   critic_.backward(parameters, 1, gradient_);

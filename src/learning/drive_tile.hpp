@@ -14,6 +14,7 @@ namespace lstm_planner {
 /// How much the parts of the error weigh.
 struct DriveBatchWeights {
   double entropy = 0.0;
+  double imitation = 0.0;                   ///< of a recorded step of weight 1
   std::vector<double> advantage_variances;  ///< by kind of world
 };
 
@@ -62,6 +63,7 @@ class DriveTile {
  private:
   const float* criticValues(int window, const Eigen::VectorXf& parameters);
   void judgeLane(int lane, DriveTileSums* sums);
+  void fillImitationGradient(const DriveSlot& slot, int time, int lane, double weight);
   void fillPolicyGradient(const DriveSlot& slot, int time, int lane, const DriveBatchWeights& weights);
 
   const DriveActorCriticParameters& parameters_;

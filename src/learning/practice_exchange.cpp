@@ -15,6 +15,7 @@ template <typename Episode, typename Field>
 void forEachField(Episode* episode, const Field& field) {
   field(&episode->kind);
   field(&episode->arrived);
+  field(&episode->recorded);
   field(&episode->steps);
   field(&episode->inputs);
   field(&episode->bearings);

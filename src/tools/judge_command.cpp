@@ -7,11 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/learning/confusion.hpp"
 #include "lstm_planner/learning/drive_judge.hpp"
+#include "lstm_planner/learning/recorded_choices.hpp"
 #include "lstm_planner/learning/step_drive.hpp"
 #include "tools/command.hpp"
 #include "tools/options.hpp"
 #include "tools/output_file.hpp"
+#include "tools/recorded_datasets.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -25,6 +28,7 @@ struct JudgeOptions {
   int max_steps = 1000;
   std::uint64_t seed = 1;
   int threads = 2;
+  std::vector<std::string> recordings;
   std::string json;
 };
 
@@ -45,6 +49,8 @@ bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* option
       ("shortest", po::value(&o.course.shortest)->default_value(o.course.shortest), "m of way to the goal at the least")
       ("seed", po::value(&o.seed)->default_value(o.seed), "of worlds, drives and conditions")
       ("threads", po::value(&o.threads)->default_value(o.threads), "does not change the result")
+      ("recordings", po::value(&o.recordings)->multitoken(),
+       "datasets of somebody's drives: says how often the network prefers what the driver did, in place of driving")
       ("json", po::value(&o.json), "write the result to this file");
   // clang-format on
   po::variables_map values;
@@ -57,6 +63,9 @@ bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* option
   validate(o.course);
   if (leaderNamed(o.leader) == Leader::kNetwork && o.model.empty()) {
     throw std::invalid_argument("--model is needed where the network leads");
+  }
+  if (!o.recordings.empty() && leaderNamed(o.leader) != Leader::kNetwork) {
+    throw std::invalid_argument("--recordings judges a network, --leader is '" + o.leader + "'");
   }
   if (!o.json.empty()) checkWritable(o.json);
   return true;
@@ -95,6 +104,19 @@ nlohmann::json toJson(const Sums& sums) {
   return {{"drives", sums.drives}, {"arrived", sums.arrived}, {"efficiency", sums.efficiency}};
 }
 
+/// Whatever the network would have come to by itself: at each step it is where the driver was.
+void judgeByRecordings(const JudgeOptions& options, const DrivePolicy& policy) {
+  const ConfusionMatrix taken = preferencesIn(readDatasetsFor(policy.description(), options.recordings), policy);
+  std::cout << taken.sum() << " recorded steps: " << accuracyText(taken) << "\n"
+            << "always the most frequent label: " << majorityText(taken) << "\n";
+  if (options.json.empty()) return;
+  const nlohmann::json json = {{"model", options.model},
+                               {"steps", taken.sum()},
+                               {"same", taken.trace()},
+                               {"balanced_accuracy", balancedAccuracy(taken)}};
+  writeTextFile(options.json, json.dump(2) + "\n");
+}
+
 }  // namespace
 
 int runJudge(const std::vector<std::string>& arguments) {
@@ -102,6 +124,10 @@ int runJudge(const std::vector<std::string>& arguments) {
   if (!readOptions(arguments, &options)) return 0;
   const Leader leader = leaderNamed(options.leader);
   const DrivePolicy policy = leader == Leader::kNetwork ? DrivePolicy::fromFile(options.model) : noPolicy();
+  if (!options.recordings.empty()) {
+    judgeByRecordings(options, policy);
+    return 0;
+  }
   AgentParameters agent = practiceAgent(policy.description());
   agent.leader = leader;
   agent.memory.enabled = leader == Leader::kRoute;

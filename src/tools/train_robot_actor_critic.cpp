@@ -3,9 +3,11 @@
 #include <utility>
 
 #include "lstm_planner/learning/drive_actor_critic.hpp"
+#include "lstm_planner/learning/recorded_choices.hpp"
 #include "tools/actor_critic_options.hpp"
 #include "tools/options.hpp"
 #include "tools/output_file.hpp"
+#include "tools/recorded_datasets.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_reinforcement.hpp"
 
@@ -13,10 +15,22 @@ namespace lstm_planner {
 
 namespace {
 
+/// Somebody's drives that the network is to follow.
+struct FollowedDrives {
+  std::vector<std::string> recordings;
+  std::vector<std::string> validation;
+  double weight = 0.1;
+};
+
 class RobotActorCritic : public RobotLearner {
  public:
-  RobotActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers)
-      : learner_(parameters, std::move(layers)) {}
+  RobotActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers, const FollowedDrives& followed)
+      : policy_(parameters.policy), learner_(parameters, std::move(layers)) {
+    if (!followed.recordings.empty()) {
+      learner_.follow(readDatasetsFor(policy_, followed.recordings), followed.weight);
+    }
+    if (!followed.validation.empty()) validation_ = readDatasetsFor(policy_, followed.validation);
+  }
 
   std::string columns() const override { return "iteration     steps  reward  arrival  entropy  explained"; }
   std::string iterate() override {
@@ -29,15 +43,22 @@ class RobotActorCritic : public RobotLearner {
   }
   int iterations() const override { return learner_.iterations(); }
   const LayerStack& layers() const override { return learner_.layers(); }
+  std::string remark() const override {
+    if (validation_.recordings.empty()) return "";
+    const ConfusionMatrix taken = preferencesIn(validation_, DrivePolicy(policy_, learner_.layers()));
+    return "; recordings: " + accuracyText(taken) + " (always the most frequent label: " + majorityText(taken) + ")";
+  }
   std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
   void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
 
  private:
+  PolicyDescription policy_;
   DriveActorCritic learner_;
+  Dataset validation_;
 };
 
 bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan,
-                 DriveActorCriticParameters* parameters) {
+                 DriveActorCriticParameters* parameters, FollowedDrives* followed) {
   namespace po = boost::program_options;
   DriveActorCriticParameters& p = *parameters;
   po::options_description description("the robot, by reinforcement: of a network that drives already, or of a new one");
@@ -45,7 +66,12 @@ bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPl
   // clang-format off
   description.add_options()
       ("sharpness", po::value(&p.sharpness)->default_value(p.sharpness), "times the first network's preferences")
-      ("clip", po::value(&p.clip)->default_value(p.clip), "how far a probability may change at once");
+      ("clip", po::value(&p.clip)->default_value(p.clip), "how far a probability may change at once")
+      ("recordings", po::value(&followed->recordings)->multitoken(),
+       "datasets of somebody's drives: learns to steer as they do, too, without forgetting how to arrive")
+      ("recordings-weight", po::value(&followed->weight)->default_value(followed->weight),
+       "of a mean recorded step beside a mean practised one")
+      ("validation-recordings", po::value(&followed->validation)->multitoken(), "drives of theirs to judge it by");
   // clang-format on
   addActorCriticOptions("m", &p, &description);
   po::variables_map values;
@@ -55,6 +81,9 @@ bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPl
   if (plan->init.empty() && values["sharpness"].defaulted()) p.sharpness = 1.0;  // there is nothing to sharpen yet
   finishRobotReinforcement("actor-critic", plan, &p);
   plan->settings.update({{"sharpness", p.sharpness}, {"clip", p.clip}});
+  if (!followed->recordings.empty()) {
+    plan->settings.update({{"recordings", followed->recordings}, {"recordings-weight", followed->weight}});
+  }
   plan->settings.update(actorCriticSettings(p));
   return true;
 }
@@ -64,10 +93,11 @@ bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPl
 int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
   RobotReinforcementPlan plan;
   DriveActorCriticParameters parameters;
-  if (!readOptions(arguments, &plan, &parameters)) return 0;
+  FollowedDrives followed;
+  if (!readOptions(arguments, &plan, &parameters, &followed)) return 0;
   LayerStack layers = firstLayers(plan, &parameters.policy);
   checkWritable(plan.options.output);
-  RobotActorCritic learner(parameters, std::move(layers));
+  RobotActorCritic learner(parameters, std::move(layers), followed);
   return trainByReinforcement(plan, parameters.policy, parameters.iterations, &learner);
 }
 

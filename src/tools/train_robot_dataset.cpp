@@ -2,7 +2,6 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "tools/interruption.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranks.hpp"
+#include "tools/recorded_datasets.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_dataset_options.hpp"
 #include "tools/train_robot_options.hpp"
@@ -26,15 +26,6 @@ namespace {
 
 constexpr int kLines = 20;  ///< printed, at most, besides the last
 
-Dataset readDatasets(const std::vector<std::string>& paths, bool with_scans) {
-  Dataset all;
-  for (const std::string& path : paths) {
-    Dataset dataset = readDataset(path, with_scans);
-    std::move(dataset.recordings.begin(), dataset.recordings.end(), std::back_inserter(all.recordings));
-  }
-  return all;
-}
-
 /// Like "-45": degrees, to the left positive.
 std::vector<std::string> namesOf(const ActionSet& actions) {
   std::vector<std::string> names;
@@ -44,16 +35,6 @@ std::vector<std::string> namesOf(const ActionSet& actions) {
     names.push_back(name.str());
   }
   return names;
-}
-
-std::string percent(double share) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << 100.0 * share << " %";
-  return text.str();
-}
-
-std::string toText(const LossSum& sum) {
-  return "accuracy " + percent(sum.accuracy()) + ", balanced " + percent(balancedAccuracy(sum.confusion));
 }
 
 class DatasetTraining {
@@ -75,7 +56,8 @@ class DatasetTraining {
   int run() {
     printLabels();
     const LossSum before = evaluate(layers_, sets_.validation, options_.training.trainer.threads);
-    if (options_.fromModel()) std::cout << options_.init << " as it is: " << toText(before) << std::endl;
+    if (options_.fromModel())
+      std::cout << options_.init << " as it is: " << accuracyText(before.confusion) << std::endl;
     const Interruption interruption;
     const auto begun = std::chrono::steady_clock::now();
     std::cout << "epoch  training accuracy  validation accuracy  of the averaged weights" << std::endl;
@@ -130,13 +112,13 @@ class DatasetTraining {
     };
     std::cout << "\n";
     print("training", sets_.training_labels);
-    std::cout << "   " << stepsOf(sets_.training_labels) << " steps; with --variants "
-              << options_.training.variants << ' ' << sets_.training.size() << " sequences\n";
+    std::cout << "   " << stepsOf(sets_.training_labels) << " steps; with --variants " << options_.training.variants
+              << ' ' << sets_.training.size() << " sequences\n";
     print("validation", sets_.validation_labels);
     std::cout << "   " << stepsOf(sets_.validation_labels) << " steps in " << sets_.validation.size() << " episodes\n";
     print("weight", sets_.label_weights);
     std::cout << "   --balance " << toString(options_.training.balance) << "\nalways the most frequent label: accuracy "
-              << percent(constantAnswerAccuracy(sets_.validation_labels)) << " on the validation set" << std::endl;
+              << percentText(constantAnswerAccuracy(sets_.validation_labels)) << " on the validation set" << std::endl;
   }
 
   static long stepsOf(const std::vector<long>& labels) {
@@ -166,7 +148,7 @@ class DatasetTraining {
     if (!stability_.empty()) std::cout << stabilityText(stability_);
     if (!isFirstRank()) return;
     writeModel(result, best.kept());
-    std::cout << "wrote " << options_.output << ": " << toText(best.kept()) << std::endl;
+    std::cout << "wrote " << options_.output << ": " << accuracyText(best.kept().confusion) << std::endl;
     if (!options_.confusion.empty()) writeConfusion(options_.confusion, best.kept().confusion, names);
     if (!options_.stability.empty()) writeStability(options_.stability, stability_);
     if (!options_.curve.empty()) {
@@ -181,7 +163,7 @@ class DatasetTraining {
     const double chance = 1.0 / static_cast<double>(std::max<Eigen::Index>(1, labelsThere(validation.confusion)));
     const double balanced = balancedAccuracy(validation.confusion);
     if (balanced >= chance + kNear * (1.0 - chance)) return;
-    std::cout << "warning: the balanced accuracy of " << percent(balanced) << " is near the " << percent(chance)
+    std::cout << "warning: the balanced accuracy of " << percentText(balanced) << " is near the " << percentText(chance)
               << " of always giving the same answer: the network has not learned to steer" << std::endl;
   }
 
@@ -195,9 +177,10 @@ class DatasetTraining {
     model.layers = result.layers;
     writeMetadata(options_.training.sequences.policy, &model.metadata);
     model.metadata["training_command"] = options_.command;
-    model.metadata["score"] = std::to_string(stepsOf(sets_.validation_labels)) + " recorded validation steps: " +
-                              toText(validation) + "; always the most frequent label: " +
-                              percent(constantAnswerAccuracy(sets_.validation_labels));
+    model.metadata["score"] =
+        std::to_string(stepsOf(sets_.validation_labels)) +
+        " recorded validation steps: " + accuracyText(validation.confusion) +
+        "; always the most frequent label: " + percentText(constantAnswerAccuracy(sets_.validation_labels));
     writeModelFile(options_.output, model);
   }
 

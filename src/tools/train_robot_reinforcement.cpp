@@ -68,7 +68,7 @@ class RobotReinforcement {
       if (isFirstRank()) writeRobotModel(plan_.options, policy_, learner_.layers(), score);
     }
     std::cout << std::string(learner_.columns().size() + 1, ' ') << "| " << toText(score) << (best ? " (best)" : "")
-              << std::endl;
+              << learner_.remark() << std::endl;
   }
 
   void restore() {

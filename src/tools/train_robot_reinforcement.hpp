@@ -23,6 +23,8 @@ class RobotLearner {
   virtual std::string iterate() = 0;
   virtual int iterations() const = 0;
   virtual const LayerStack& layers() const = 0;
+  /// What else there is to say of it when it is judged.
+  virtual std::string remark() const { return ""; }
   virtual std::vector<std::uint8_t> checkpoint() const = 0;
   virtual void restore(const std::vector<std::uint8_t>& checkpoint) = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/learning/recorded_choices.hpp"
 #include "lstm_planner/learning/sequence.hpp"
 
 namespace lstm_planner {
@@ -15,26 +16,21 @@ struct DatasetSequenceParameters {
   int burn_in_steps = 0;     ///< of the same episode before each piece, with weight 0: they only bring the hidden state
                              ///< up to date
 
-  /// m; 0: labels as they were recorded, from the next step (thesis Eq. 4.1). Otherwise Eq. 4.1 with the first later
-  /// pose of the episode that is at least so far away, or its last: a planner whose waypoint lies several recorded steps
-  /// ahead is then taught the way to there, and not the driver's corrections in between.
-  double label_distance = 0.0;
+  double label_distance = 0.0;  ///< m; see forEachRecordedEpisode()
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DatasetSequenceParameters& parameters);
 
-/// What a network for these recordings is told about the robot: their range cap, allowed angles, step length and radius.
-/// Throws std::invalid_argument when there is no recording, or when they differ.
+/// What a network for these recordings is told about the robot: their range cap, allowed angles, step length and
+/// radius. Throws std::invalid_argument when there is no recording, or when they differ.
 PolicyDescription policyOf(const Dataset& dataset);
 
 /// Whether scans are needed to encode the dataset for such a network, since it was recorded with another range cap.
 bool needsScans(const Dataset& dataset, const PolicyDescription& policy);
 
 /// All episodes that are not discarded, one after the other; no sequence has steps of two. All weights are 1, but those
-/// of burn-in steps. The previous action is always that of the label of the step before, as it is when the planner
-/// drives. Throws std::invalid_argument when a recording does not fit the policy: the range cap differs and no scans
-/// were kept.
+/// of burn-in steps. Throws as forEachRecordedEpisode().
 std::vector<Sequence> datasetSequences(const Dataset& dataset, const DatasetSequenceParameters& parameters);
 
 }  // namespace lstm_planner

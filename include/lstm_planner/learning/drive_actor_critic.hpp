@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/learning/communicator.hpp"
 #include "lstm_planner/learning/drive_course.hpp"
 #include "lstm_planner/network/layers.hpp"
@@ -62,6 +63,12 @@ class DriveActorCritic {
   /// `layers` are the policy's, with weights to begin from. Throws std::invalid_argument for what does not fit.
   DriveActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers);
   ~DriveActorCritic();
+
+  /// From now on each iteration also learns to steer as the driver of these drives did (cross-entropy, rare angles
+  /// weigh more), with the `weight` that the mean over the recorded steps has beside the mean over the practised ones.
+  /// So a network that drives can take over somebody's manner without forgetting how to arrive. Throws
+  /// std::invalid_argument unless the weight is positive, there are steps, and the recordings fit the policy.
+  void follow(const Dataset& recordings, double weight);
 
   /// Collects drives and learns from them. What happens depends only on the weights, the seed, and how many iterations
   /// there were before.

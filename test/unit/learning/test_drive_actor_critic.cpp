@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <utility>
@@ -8,6 +9,8 @@
 #include "drive_learning_fixtures.hpp"
 #include "lstm_planner/learning/drive_actor_critic.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
+#include "lstm_planner/learning/recorded_choices.hpp"
+#include "recorded_drives_fixtures.hpp"
 #include "thread_ranks.hpp"
 
 namespace lstm_planner {
@@ -83,6 +86,37 @@ TEST_P(DriveActorCriticWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) 
   EXPECT_EQ(second.iterations(), 2);
   for (int i = 0; i < 2; ++i) second.iterate();
   EXPECT_EQ(parameterVector(through.layers()), parameterVector(second.layers()));
+}
+
+TEST_P(DriveActorCriticWithViews, TakesOverADriversMannerWhileItPractises) {
+  // One that practice does not teach: this driver bears to the left.
+  const auto bearingLeft = [](Dataset dataset) {
+    for (RecordedEpisode& episode : dataset.recordings[0].episodes) {
+      for (DriveStep& step : episode.steps) step.label = std::min(4, step.label + 1);
+    }
+    return dataset;
+  };
+  const Dataset recordings = bearingLeft(drivesAllAround(20, 20, 1));
+  const Dataset others = bearingLeft(drivesAllAround(10, 20, 2));
+  const auto agreementAfter = [&](bool follows) {
+    DriveActorCriticParameters parameters = tiny(GetParam());
+    parameters.learning_rate = 0.01;
+    parameters.iterations = 8;
+    DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
+    if (follows) learner.follow(recordings, 3.0);
+    while (learner.iterations() < parameters.iterations) learner.iterate();
+    const ConfusionMatrix taken = preferencesIn(others, DrivePolicy(parameters.policy, learner.layers()));
+    return static_cast<double>(taken.trace()) / static_cast<double>(taken.sum());
+  };
+  const double without = agreementAfter(false);
+  EXPECT_GT(agreementAfter(true), without + 0.2) << "as often as " << without << " without them";
+}
+
+TEST(DriveActorCritic, RefusesRecordingsThatItCannotFollow) {
+  const DriveActorCriticParameters parameters = tiny();
+  DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
+  EXPECT_THROW(learner.follow(drivesAllAround(2, 5, 1), 0.0), std::invalid_argument);
+  EXPECT_THROW(learner.follow(Dataset(), 1.0), std::invalid_argument);
 }
 
 TEST(DriveActorCritic, RefusesWhatDoesNotFit) {

@@ -77,6 +77,23 @@ TEST_F(TrainDatasetTool, FineTuningKeepsInputsAndShapeAndSaysWhatTheModelCouldBe
                 "--cells is decided by the model of --init");
 }
 
+TEST_F(TrainDatasetTool, ANetworkWithViewsFollowsADriverWhileItPractises) {
+  const std::string practice =
+      "--method actor-critic --views 8 --cells 4 --kinds open --iterations 1 --worlds 2 --starts 2 --max-steps 40 "
+      "--validation 2 --threads 1 --output model.onnx ";
+  const test::Outcome outcome = train(practice + "--recordings drives.dataset --validation-recordings drives.dataset");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("recordings: accuracy"), std::string::npos) << outcome.output;
+  const test::Outcome judged =
+      test::runShell("cd '" + folder_ + "' && '" + kTool + "' judge --model model.onnx --recordings drives.dataset");
+  ASSERT_EQ(judged.status, 0) << judged.output;
+  EXPECT_NE(judged.output.find("600 recorded steps: accuracy"), std::string::npos) << judged.output;
+  EXPECT_NE(judged.output.find("always the most frequent label: accuracy"), std::string::npos) << judged.output;
+  fs::remove(in("model.onnx"));
+  expectRefusal(practice + "--recordings drives.dataset --recordings-weight 0", "recordings_weight is 0");
+  expectRefusal(practice + "--recordings missing.dataset", "missing.dataset");
+}
+
 TEST_F(TrainDatasetTool, ThesisPresetMeasuresTheInstability) {
   if (std::system("command -v gnuplot > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
   const test::Outcome outcome = train(
@@ -101,8 +118,9 @@ TEST_F(TrainDatasetTool, BadOptionsAreRefusedWithASentenceBeforeAnythingIsWritte
   expectRefusal("--dataset drives.dataset --output model.onnx --task grid", "--task is 'grid'");
   expectRefusal("--dataset drives.dataset --output model.onnx --method dagger", "--method dagger exclude each other");
   expectRefusal("--dataset drives.dataset --output model.onnx --averaging 0 --instability i.png", "--averaging is 0");
-  expectRefusal("--dataset drives.dataset --output model.onnx --validation-dataset drives.dataset --validation-share 0.5",
-                "exclude each other");
+  expectRefusal(
+      "--dataset drives.dataset --output model.onnx --validation-dataset drives.dataset --validation-share 0.5",
+      "exclude each other");
   expectRefusal("--dataset drives.dataset --output model.onnx --validation-dataset drives.dataset",
                 "in the training set and in the validation set");
   expectRefusal("--dataset drives.dataset --output no_such_folder/model.onnx", "cannot write 'no_such_folder");

@@ -1,0 +1,49 @@
+#include "tools/recorded_datasets.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <iomanip>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include "lstm_planner/learning/confusion.hpp"
+#include "lstm_planner/learning/dataset_sequences.hpp"
+
+namespace lstm_planner {
+
+Dataset readDatasets(const std::vector<std::string>& paths, bool with_scans) {
+  Dataset all;
+  for (const std::string& path : paths) {
+    Dataset dataset = readDataset(path, with_scans);
+    std::move(dataset.recordings.begin(), dataset.recordings.end(), std::back_inserter(all.recordings));
+  }
+  return all;
+}
+
+Dataset readDatasetsFor(const PolicyDescription& policy, const std::vector<std::string>& paths) {
+  Dataset dataset = readDatasets(paths, false);
+  return needsScans(dataset, policy) ? readDatasets(paths, true) : dataset;
+}
+
+std::string percentText(double share) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << 100.0 * share << " %";
+  return text.str();
+}
+
+std::string accuracyText(const ConfusionMatrix& confusion) {
+  const double all = static_cast<double>(std::max<std::int64_t>(1, confusion.sum()));
+  return "accuracy " + percentText(static_cast<double>(confusion.trace()) / all) + ", balanced " +
+         percentText(balancedAccuracy(confusion));
+}
+
+std::string majorityText(const ConfusionMatrix& confusion) {
+  Eigen::Index label = 0;
+  confusion.rowwise().sum().maxCoeff(&label);
+  ConfusionMatrix constant = ConfusionMatrix::Zero(confusion.rows(), confusion.cols());
+  constant.col(label) = confusion.rowwise().sum();
+  return accuracyText(constant);
+}
+
+}  // namespace lstm_planner

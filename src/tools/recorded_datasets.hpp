@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/learning/gradient.hpp"
+
+namespace lstm_planner {
+
+/// Several files as one.
+Dataset readDatasets(const std::vector<std::string>& paths, bool with_scans);
+
+/// The same, with scans only where the policy needs them.
+Dataset readDatasetsFor(const PolicyDescription& policy, const std::vector<std::string>& paths);
+
+/// "12.3 %".
+std::string percentText(double share);
+
+/// "accuracy 88.3 %, balanced 55.3 %", of a row a label.
+std::string accuracyText(const ConfusionMatrix& confusion);
+
+/// The same of always giving the most frequent label.
+std::string majorityText(const ConfusionMatrix& confusion);
+
+}  // namespace lstm_planner
