@@ -31,21 +31,26 @@ bool stepTowards(const Point2& goal, const Shield& shield, const AgentParameters
                  double heading, Point2* at, double* direction) {
   const double distance = std::min(agent.step.length, distanceBetween(*at, goal));
   const double bearing = directionTo(*at, goal);
-  double best = M_PI;
-  bool found = false;
-  for (int action = -1; action < actions.size(); ++action) {
-    const double candidate = action < 0 ? bearing : heading + actions.angle(action);
-    const double off = std::abs(normalizeAngle(candidate - bearing));
-    if (off < best && shield.freeDistance(*at, candidate, distance, agent.shield.clearance) >= distance) {
-      best = off;
-      *direction = candidate;
-      found = true;
+  const auto isFree = [&](double candidate) {
+    return shield.freeDistance(*at, candidate, distance, agent.shield.clearance) >= distance;
+  };
+  double off_tried = 0.0;
+  double next = bearing;
+  // From the bearing on aside: what is measured costs more than what is compared.
+  while (!isFree(next)) {
+    double nearest = M_PI;
+    for (const double angle : actions.angles()) {
+      const double off = std::abs(normalizeAngle(heading + angle - bearing));
+      if (off <= off_tried || off >= nearest) continue;
+      nearest = off;
+      next = heading + angle;
     }
+    if (nearest >= M_PI) return false;
+    off_tried = nearest;
   }
-  if (found) {
-    *at = pointAlong(*at, *direction, distance);
-  }
-  return found;
+  *direction = next;
+  *at = pointAlong(*at, *direction, distance);
+  return true;
 }
 
 /// Whether a direction was decided, and nothing is known of what comes behind the waypoint.
