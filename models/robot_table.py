@@ -95,7 +95,7 @@ def interval(values, counts):
     if len(counts) > 1:
         shares = [value / count for value, count in zip(values, counts)]
         spread = sum((one - share) ** 2 for one in shares) / (len(shares) - 1)
-        t = {2: 12.71, 3: 4.30, 4: 3.18, 5: 2.78}.get(len(shares), 2.0)
+        t = {2: 12.71, 3: 4.30, 4: 3.18, 5: 2.78, 6: 2.57}.get(len(shares), 2.0)
         half = max(half, t * math.sqrt(spread / len(shares)))
     return share, half
 

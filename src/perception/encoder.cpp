@@ -10,8 +10,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "view_bearings.hpp"
-
 namespace lstm_planner {
 namespace {
 
@@ -237,7 +235,10 @@ void Encoder::encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf>
     fill(observation);
   } else {
     Observation ahead = observation;
-    turnBearings(bearingsOf(observation), 0.0, &ahead);
+    const ViewBearings bearings = bearingsOf(observation);
+    ahead.heading = 0.0;
+    ahead.previous_action = bearings.previous_action;
+    ahead.motion = bearings.motion;
     fill(ahead);
   }
 }

@@ -64,8 +64,10 @@ int viewNearest(double angle);
 /// What an encoding does not tell of an observation, and the other views need.
 struct ViewBearings {
   int ahead = 0;                ///< the direction in the odometry frame, in eighths of a turn, nearest to the heading
-  double goal = 0.0;            ///< rad, relative to the heading
-  double previous_action = 0.0; ///< rad, relative to the heading as it is now
+  double goal = 0.0;             ///< rad, relative to the heading
+  double previous_action = 0.0;  ///< rad, relative to the heading as it is now
+  Point2 goal_direction;         ///< of length 1, the same way
+  Point2 previous_direction;     ///< of length 1, the same way
   Point2 motion;                ///< m, since the step before, in the robot's frame as it is now
 };
 
@@ -111,6 +113,7 @@ class Encoder {
   void findSources();
   Source sourceOf(const Input& input, int view) const;
   double value(const Input& input, const Observation& observation) const;
+  double valueOfBearing(Feature feature, const ViewBearings& bearings, int view) const;
 
   std::shared_ptr<const EncoderParameters> parameters_;
   std::vector<Input> features_;
