@@ -19,7 +19,7 @@ namespace {
 struct FollowedDrives {
   std::vector<std::string> recordings;
   std::vector<std::string> validation;
-  double weight = 0.1;
+  double weight = 0.3;
 };
 
 class RobotActorCritic : public RobotLearner {
