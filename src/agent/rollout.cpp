@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lstm_planner {
 
@@ -34,19 +35,19 @@ bool stepTowards(const Point2& goal, const Shield& shield, const AgentParameters
   const auto isFree = [&](double candidate) {
     return shield.freeDistance(*at, candidate, distance, agent.shield.clearance) >= distance;
   };
-  double off_tried = 0.0;
+  std::pair<double, int> tried{0.0, -1};  // how far aside, and which action; of two as far aside the first comes first
   double next = bearing;
   // From the bearing on aside: what is measured costs more than what is compared.
   while (!isFree(next)) {
-    double nearest = M_PI;
-    for (const double angle : actions.angles()) {
-      const double off = std::abs(normalizeAngle(heading + angle - bearing));
-      if (off <= off_tried || off >= nearest) continue;
-      nearest = off;
-      next = heading + angle;
+    std::pair<double, int> nearest{M_PI, -1};
+    for (int action = 0; action < actions.size(); ++action) {
+      const std::pair<double, int> candidate{std::abs(normalizeAngle(heading + actions.angle(action) - bearing)),
+                                             action};
+      if (candidate > tried && candidate < nearest) nearest = candidate;
     }
-    if (nearest >= M_PI) return false;
-    off_tried = nearest;
+    if (nearest.second < 0) return false;
+    tried = nearest;
+    next = heading + actions.angle(nearest.second);
   }
   *direction = next;
   *at = pointAlong(*at, *direction, distance);
