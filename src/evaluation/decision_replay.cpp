@@ -94,11 +94,10 @@ Agreement agreementOf(const std::vector<ReplayedDecision>& decisions) {
     agreement.mean_difference += std::abs(normalizeAngle(replayed.steering_angle - replayed.driven_angle));
   }
   if (agreement.decisions > 0) {
-    const auto all = static_cast<double>(agreement.decisions);
-    agreement.mean_difference /= all;
+    agreement.mean_difference /= static_cast<double>(agreement.decisions);
     agreement.balanced = balancedAccuracy(taken);
-    agreement.majority = static_cast<double>(taken.rowwise().sum().maxCoeff()) / all;
-    agreement.majority_balanced = 1.0 / static_cast<double>((taken.rowwise().sum().array() > 0).count());
+    agreement.majority = accuracyOf(constantAnswer(taken));
+    agreement.majority_balanced = balancedAccuracy(constantAnswer(taken));
   }
   return agreement;
 }

@@ -71,8 +71,9 @@ std::string gnuplotScript(const std::string& png_path, const ConfusionMatrix& co
       const int light = static_cast<int>(255.0 - 200.0 * part);
       script << "set object rectangle center " << column << ',' << row << " size 1,1 fillcolor rgb "
              << (light << 16 | light << 8 | 0xff) << " fillstyle solid border rgb 'gray70' behind; set label \""
-             << (whole > 0 ? percent(part) + " %" : "-") << "\\n" << confusion(row, column) << "\" at " << column << ','
-             << row << " center textcolor rgb '" << (part > 0.6 ? "white" : "black") << "'; ";
+             << (whole > 0 ? percent(part) + " %" : "-") << "\\n"
+             << confusion(row, column) << "\" at " << column << ',' << row << " center textcolor rgb '"
+             << (part > 0.6 ? "white" : "black") << "'; ";
     }
   }
   script << "plot NaN notitle; ";
@@ -100,6 +101,20 @@ double balancedAccuracy(const ConfusionMatrix& confusion) {
     ++labels;
   }
   return labels > 0 ? sum / labels : 0.0;
+}
+
+double accuracyOf(const ConfusionMatrix& confusion) {
+  const auto steps = static_cast<double>(confusion.sum());
+  return steps > 0.0 ? static_cast<double>(confusion.trace()) / steps : 0.0;
+}
+
+ConfusionMatrix constantAnswer(const ConfusionMatrix& confusion) {
+  ConfusionMatrix constant = ConfusionMatrix::Zero(confusion.rows(), confusion.cols());
+  if (confusion.size() == 0) return constant;
+  Eigen::Index label = 0;
+  confusion.rowwise().sum().maxCoeff(&label);
+  constant.col(label) = confusion.rowwise().sum();
+  return constant;
 }
 
 std::string confusionText(const ConfusionMatrix& confusion, const std::vector<std::string>& names) {

@@ -1,7 +1,5 @@
 #include "tools/recorded_datasets.hpp"
 
-#include <algorithm>
-#include <cstdint>
 #include <iomanip>
 #include <iterator>
 #include <sstream>
@@ -33,17 +31,9 @@ std::string percentText(double share) {
 }
 
 std::string accuracyText(const ConfusionMatrix& confusion) {
-  const double all = static_cast<double>(std::max<std::int64_t>(1, confusion.sum()));
-  return "accuracy " + percentText(static_cast<double>(confusion.trace()) / all) + ", balanced " +
-         percentText(balancedAccuracy(confusion));
+  return "accuracy " + percentText(accuracyOf(confusion)) + ", balanced " + percentText(balancedAccuracy(confusion));
 }
 
-std::string majorityText(const ConfusionMatrix& confusion) {
-  Eigen::Index label = 0;
-  confusion.rowwise().sum().maxCoeff(&label);
-  ConfusionMatrix constant = ConfusionMatrix::Zero(confusion.rows(), confusion.cols());
-  constant.col(label) = confusion.rowwise().sum();
-  return accuracyText(constant);
-}
+std::string majorityText(const ConfusionMatrix& confusion) { return accuracyText(constantAnswer(confusion)); }
 
 }  // namespace lstm_planner

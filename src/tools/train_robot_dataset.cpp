@@ -41,12 +41,10 @@ class DatasetTraining {
  public:
   explicit DatasetTraining(DatasetTrainingOptions options) : options_(std::move(options)) {
     Dataset training = readDatasets(options_.datasets, false);
-    Dataset validation = readDatasets(options_.validation_datasets, false);
     makePolicy(training);
     const PolicyDescription& policy = options_.training.sequences.policy;
     if (needsScans(training, policy)) training = readDatasets(options_.datasets, true);
-    if (needsScans(validation, policy)) validation = readDatasets(options_.validation_datasets, true);
-    DatasetSplit parts{std::move(training), std::move(validation)};
+    DatasetSplit parts{std::move(training), readDatasetsFor(policy, options_.validation_datasets)};
     if (options_.validation_datasets.empty()) {
       parts = splitDataset(parts.training, options_.validation_share, options_.seed);
     }
@@ -160,16 +158,11 @@ class DatasetTraining {
   /// A network that always gives one answer has a high accuracy where that answer is frequent.
   static void warnNearChance(const LossSum& validation) {
     constexpr double kNear = 0.1;
-    const double chance = 1.0 / static_cast<double>(std::max<Eigen::Index>(1, labelsThere(validation.confusion)));
+    const double chance = balancedAccuracy(constantAnswer(validation.confusion));
     const double balanced = balancedAccuracy(validation.confusion);
     if (balanced >= chance + kNear * (1.0 - chance)) return;
     std::cout << "warning: the balanced accuracy of " << percentText(balanced) << " is near the " << percentText(chance)
               << " of always giving the same answer: the network has not learned to steer" << std::endl;
-  }
-
-  /// Labels that occur.
-  static Eigen::Index labelsThere(const ConfusionMatrix& confusion) {
-    return (confusion.rowwise().sum().array() > 0).count();
   }
 
   void writeModel(const TrainingResult& result, const LossSum& validation) const {

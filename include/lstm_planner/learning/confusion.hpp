@@ -17,6 +17,12 @@ std::vector<double> precisions(const ConfusionMatrix& confusion);
 /// steps.
 double balancedAccuracy(const ConfusionMatrix& confusion);
 
+/// Share of the steps that were answered with their label. 0 without steps.
+double accuracyOf(const ConfusionMatrix& confusion);
+
+/// What always giving the most frequent label would have made of the same steps: what a network has to beat.
+ConfusionMatrix constantAnswer(const ConfusionMatrix& confusion);
+
 /// For people: a row a label with its answers and recall, and a last row with the precisions. `names` has one text a
 /// class. Throws std::invalid_argument unless there are as many names as classes.
 std::string confusionText(const ConfusionMatrix& confusion, const std::vector<std::string>& names);

@@ -4,7 +4,6 @@
 
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/dataset/dataset.hpp"
-#include "lstm_planner/learning/recorded_choices.hpp"
 #include "lstm_planner/learning/sequence.hpp"
 
 namespace lstm_planner {
