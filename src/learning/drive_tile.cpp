@@ -109,28 +109,9 @@ double DriveTile::policyGradient(int window, const Eigen::VectorXf& parameters, 
   return chosen;
 }
 
-/// Of -weight * log(probability of what the driver did) by the preferences.
-void DriveTile::fillImitationGradient(const DriveSlot& slot, int time, int lane, double weight) {
-  const PracticeEpisode::Step& step = slot.episode->steps[slot.step];
-  const float* preferences = policy_.outputs(time);
-  float largest = -1e30f;
-  for (int k = 0; k < actions_; ++k) largest = std::max(largest, preferences[views_.outputAt(slot, lane, k)]);
-  double total = 0.0;
-  for (int k = 0; k < actions_; ++k) {
-    total += std::exp(static_cast<double>(preferences[views_.outputAt(slot, lane, k)] - largest));
-  }
-  for (int k = 0; k < actions_; ++k) {
-    const int output = views_.outputAt(slot, lane, k);
-    const double probability = std::exp(static_cast<double>(preferences[output] - largest)) / total;
-    const double slope = probability - (k == step.action ? 1.0 : 0.0);
-    policy_.outputGradient(time)[output] = static_cast<float>(weight * static_cast<double>(step.weight) * slope);
-  }
-}
-
-/// Of -min(ratio * advantage, clipped ratio * advantage) - weight * entropy by the preferences.
-void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int lane, const DriveBatchWeights& weights) {
-  const PracticeEpisode& episode = *slot.episode;
-  const float* before = episode.probabilities.data() + slot.step * static_cast<std::size_t>(actions_);
+/// How likely the actions are now, of those that could be chosen.
+std::vector<double> DriveTile::probabilitiesOf(const DriveSlot& slot, int time, int lane) const {
+  const float* before = slot.episode->probabilities.data() + slot.step * static_cast<std::size_t>(actions_);
   const float* preferences = policy_.outputs(time);
   float largest = -1e30f;
   for (int k = 0; k < actions_; ++k) {
@@ -144,9 +125,28 @@ void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int lane, co
     now[i] = before[k] > 0.0f ? std::exp(static_cast<double>(preference - largest)) : 0.0;
     total += now[i];
   }
+  for (double& probability : now) probability /= total;
+  return now;
+}
+
+/// Of -weight * log(probability of what the driver did) by the preferences.
+void DriveTile::fillImitationGradient(const DriveSlot& slot, int time, int lane, double weight) {
+  const PracticeEpisode::Step& step = slot.episode->steps[slot.step];
+  const std::vector<double> now = probabilitiesOf(slot, time, lane);
+  for (int k = 0; k < actions_; ++k) {
+    const double slope = now[static_cast<std::size_t>(k)] - (k == step.action ? 1.0 : 0.0);
+    policy_.outputGradient(time)[views_.outputAt(slot, lane, k)] =
+        static_cast<float>(weight * static_cast<double>(step.weight) * slope);
+  }
+}
+
+/// Of -min(ratio * advantage, clipped ratio * advantage) - weight * entropy by the preferences.
+void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int lane, const DriveBatchWeights& weights) {
+  const PracticeEpisode& episode = *slot.episode;
+  const float* before = episode.probabilities.data() + slot.step * static_cast<std::size_t>(actions_);
+  const std::vector<double> now = probabilitiesOf(slot, time, lane);
   double entropy = 0.0;
-  for (double& probability : now) {
-    probability /= total;
+  for (const double probability : now) {
     if (probability > 0.0) entropy -= probability * std::log(probability);
   }
   entropy_.sum += entropy;

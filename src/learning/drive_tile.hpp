@@ -63,6 +63,7 @@ class DriveTile {
  private:
   const float* criticValues(int window, const Eigen::VectorXf& parameters);
   void judgeLane(int lane, DriveTileSums* sums);
+  std::vector<double> probabilitiesOf(const DriveSlot& slot, int time, int lane) const;
   void fillImitationGradient(const DriveSlot& slot, int time, int lane, double weight);
   void fillPolicyGradient(const DriveSlot& slot, int time, int lane, const DriveBatchWeights& weights);
 

@@ -14,7 +14,7 @@ PracticeEpisode toPractice(const std::vector<RecordedChoice>& choices, const Enc
   PracticeEpisode episode;
   episode.recorded = true;
   episode.allowed.assign(choices.size() * actions, true);
-  episode.probabilities.assign(choices.size() * actions, 0.0f);
+  episode.probabilities.assign(choices.size() * actions, 1.0f / static_cast<float>(actions));
   episode.inputs.assign(choices.size() * (own + kDrivePrivilegedInputs), 0.0f);
   float* input = episode.inputs.data();
   for (const RecordedChoice& choice : choices) {
