@@ -1,11 +1,16 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
+#include <vector>
 
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/learning/drive_course.hpp"
 #include "lstm_planner/learning/initialisation.hpp"
+#include "lstm_planner/learning/parameter_vector.hpp"
 #include "lstm_planner/network/layers.hpp"
+#include "thread_ranks.hpp"
 
 namespace lstm_planner {
 
@@ -30,6 +35,30 @@ LayerStack tinyNetwork(const Parameters& parameters, std::uint64_t seed) {
                                     networkOutputs(parameters.policy));
   initialise({}, seed, layers);
   return layers;
+}
+
+/// `reported`: the numbers of a learner's report, as a vector.
+template <typename Learner, typename Parameters, typename Reported>
+void expectTheSameOnAnyNumberOfRanks(const Parameters& parameters, std::uint64_t seed, const Reported& reported) {
+  struct Outcome {
+    Eigen::VectorXf weights;
+    std::vector<double> reported;
+  };
+  const auto learnOn = [&](Communicator* communicator) {
+    Parameters own = parameters;
+    own.communicator = communicator;
+    Learner learner(own, tinyNetwork(own, seed));
+    learner.iterate();
+    const auto report = learner.iterate();
+    return Outcome{parameterVector(learner.layers()), reported(report)};
+  };
+  const Outcome one = learnOn(oneProcess());
+  for (const int ranks : {2, 3}) {  // 3: more ranks than there are worlds
+    for (const Outcome& outcome : onRanks(ranks, learnOn)) {
+      EXPECT_EQ(outcome.weights, one.weights) << ranks << " ranks";
+      EXPECT_EQ(outcome.reported, one.reported) << ranks << " ranks";
+    }
+  }
 }
 
 }  // namespace lstm_planner

@@ -11,7 +11,6 @@
 #include "lstm_planner/learning/parameter_vector.hpp"
 #include "lstm_planner/learning/recorded_choices.hpp"
 #include "recorded_drives_fixtures.hpp"
-#include "thread_ranks.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -41,26 +40,10 @@ TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
 }
 
 TEST_P(DriveActorCriticWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
-  struct Outcome {
-    Eigen::VectorXf weights;
-    std::vector<double> reported;
-  };
-  const auto learnOn = [](Communicator* communicator) {
-    DriveActorCriticParameters parameters = tiny(GetParam());
-    parameters.communicator = communicator;
-    DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
-    learner.iterate();
-    const auto report = learner.iterate();
-    return Outcome{parameterVector(learner.layers()),
-                   {report.steps, report.reward, report.arrival, report.entropy, report.explained}};
-  };
-  const Outcome one = learnOn(oneProcess());
-  for (const int ranks : {2, 3}) {  // 3: more ranks than there are worlds
-    for (const Outcome& outcome : onRanks(ranks, learnOn)) {
-      EXPECT_EQ(outcome.weights, one.weights) << ranks << " ranks";
-      EXPECT_EQ(outcome.reported, one.reported) << ranks << " ranks";
-    }
-  }
+  expectTheSameOnAnyNumberOfRanks<DriveActorCritic>(
+      tiny(GetParam()), kNetworkSeed, [](const DriveActorCriticReport& report) {
+        return std::vector<double>{report.steps, report.reward, report.arrival, report.entropy, report.explained};
+      });
 }
 
 TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {

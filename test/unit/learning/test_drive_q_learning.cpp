@@ -12,7 +12,6 @@
 #include "lstm_planner/learning/drive_judge.hpp"
 #include "lstm_planner/learning/drive_q_learning.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
-#include "thread_ranks.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -56,26 +55,10 @@ class DriveQLearningWithViews : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveQLearningWithViews, ::testing::Values(1, 8));
 
 TEST_P(DriveQLearningWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
-  struct Outcome {
-    Eigen::VectorXf weights;
-    std::vector<double> reported;
-  };
-  const auto learnOn = [](Communicator* communicator) {
-    DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>(GetParam());
-    parameters.communicator = communicator;
-    DriveQLearning learner(parameters, tinyNetwork(parameters, kNetworkSeed));
-    learner.iterate();
-    const auto report = learner.iterate();
-    return Outcome{parameterVector(learner.layers()),
-                   {report.steps, report.reward, report.arrival, report.value, report.error}};
-  };
-  const Outcome one = learnOn(oneProcess());
-  for (const int ranks : {2, 3}) {  // 3: more ranks than there are worlds
-    for (const Outcome& outcome : onRanks(ranks, learnOn)) {
-      EXPECT_EQ(outcome.weights, one.weights) << ranks << " ranks";
-      EXPECT_EQ(outcome.reported, one.reported) << ranks << " ranks";
-    }
-  }
+  expectTheSameOnAnyNumberOfRanks<DriveQLearning>(
+      tinyTraining<DriveQLearningParameters>(GetParam()), kNetworkSeed, [](const DriveQLearningReport& report) {
+        return std::vector<double>{report.steps, report.reward, report.arrival, report.value, report.error};
+      });
 }
 
 TEST_P(DriveQLearningWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
@@ -181,7 +164,11 @@ std::vector<PracticeEpisode> someDrives(int inputs, int actions) {
       }
       for (int action = 0; action < actions; ++action) episode.allowed.push_back(1);
       // Looked at with eight views only; the robot turns once about.
-      episode.bearings.push_back({static_cast<int>(step + 1) % kDriveViews, uniform(random), uniform(random), {}});
+      Observation seen;
+      seen.heading = static_cast<double>(step + 1) * kViewAngle;
+      seen.goal_bearing = uniform(random);
+      seen.previous_action = uniform(random);
+      episode.bearings.push_back(bearingsOf(seen));
     }
   }
   return episodes;
