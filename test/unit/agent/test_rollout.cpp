@@ -64,6 +64,14 @@ TEST_F(Rollout, GoesThroughTheWaypointFirst) {
   }
 }
 
+TEST_F(Rollout, OfTwoStepsAsFarAsideOfTheGoalTakesTheOneThatIsFree) {
+  // Behind the network's steps, at (0.8, 0), the way ahead and the one to the right are blocked.
+  planFor(situationAt({}, 0.0, {{1.3, 0.0}, {1.15, -0.4}}), {4.0, 0.0, 0.0});
+  const auto left =
+      std::max_element(plan_.begin(), plan_.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
+  EXPECT_NEAR(left->y, 0.4 * std::sin(M_PI / 4.0), 1e-6);
+}
+
 TEST_F(Rollout, GoesRoundWhatTheScanShows) {
   // A wall across the way, with its end 0.4 m to the left of it. The way through it is not the way of the plan.
   const std::vector<Point2> wall = test::wall({1.2, -1.5}, {1.2, 0.4});
