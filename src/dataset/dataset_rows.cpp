@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "dataset/dataset_row_check.hpp"
 #include "dataset/step_quantities.hpp"
 
 namespace lstm_planner {
@@ -165,6 +166,24 @@ long nextEpisode(DatasetFile* file) { return file->numberOf("SELECT max(id) FROM
 
 namespace {
 
+/// Runs `work` for a row; what it throws begins with the row's name.
+template <typename Work>
+void atRow(const char* name, Int64 id, Work&& work) {
+  try {
+    work();
+  } catch (const std::exception& error) {
+    throw std::invalid_argument(std::string(name) + " " + std::to_string(id) + ": " + error.what());
+  }
+}
+
+/// Row `id` of another table.
+template <typename Rows>
+auto& rowOf(Rows& rows, const char* name, Int64 id) {
+  const auto found = rows.find(id);
+  if (found == rows.end()) throw std::invalid_argument(std::string("there is no ") + name + " " + std::to_string(id));
+  return found->second;
+}
+
 /// Executes a query row by row.
 template <typename Work>
 void forEachRow(Statement* query, Work&& work) {
@@ -184,7 +203,10 @@ std::map<Int64, Recording> readRecordings(Poco::Data::Session& session) {
       into(id), into(description.source), into(description.software_version), into(description.odometry_frame),
       into(description.begun), into(parameters), into(finished);
   forEachRow(&query, [&] {
-    description.parameters = recorderParametersFromJson(nlohmann::json::parse(parameters));
+    atRow("recording", id, [&] {
+      description.parameters = recorderParametersFromJson(nlohmann::json::parse(parameters));
+      checkRow(description);
+    });
     recordings[id].description = description;
     recordings[id].finished = finished != 0;
   });
@@ -198,7 +220,8 @@ void readRejections(Poco::Data::Session& session, std::map<Int64, Recording>* re
   Statement query(session);
   query << "SELECT recording, reason, count FROM rejections", into(recording), into(reason), into(count);
   forEachRow(&query, [&] {
-    recordings->at(recording).rejections[static_cast<std::size_t>(rejectionNamed(reason))] = static_cast<long>(count);
+    Recording& counted = rowOf(*recordings, "recording", recording);
+    counted.rejections[static_cast<std::size_t>(rejectionNamed(reason))] = static_cast<long>(count);
   });
 }
 
@@ -241,11 +264,13 @@ std::map<Int64, EpisodePlace> readEpisodes(Poco::Data::Session& session, std::ma
       into(episode.goal.pose.yaw), into(episode.goal_source), into(episode.begun), into(episode.ended), into(ending),
       into(discarded);
   forEachRow(&query, [&] {
-    episode.end = episodeEndNamed(ending);
-    episode.discarded = discarded != 0;
-    std::vector<RecordedEpisode>& episodes = recordings->at(recording).episodes;
-    places[id] = {recording, episodes.size()};
-    episodes.push_back({episode, {}});
+    atRow("episode", id, [&] {
+      episode.end = episodeEndNamed(ending);
+      episode.discarded = discarded != 0;
+      std::vector<RecordedEpisode>& episodes = rowOf(*recordings, "recording", recording).episodes;
+      places[id] = {recording, episodes.size()};
+      episodes.push_back({episode, {}});
+    });
   });
   return places;
 }
@@ -256,8 +281,9 @@ void readSteps(Poco::Data::Session& session, bool with_scans, Work&& work) {
   StepRow row;
   Poco::Nullable<BLOB> blob;
   Statement query(session);
-  query << "SELECT " + joined(stepColumns()) + (with_scans ? ", scans.ranges" : "") + " FROM steps" +
+  query << "SELECT steps.id, " + joined(stepColumns()) + (with_scans ? ", scans.ranges" : "") + " FROM steps" +
                (with_scans ? " LEFT JOIN scans ON scans.step = steps.id" : "") + " ORDER BY steps.id";
+  query, into(row.id);
   visitMembers(row, [&](auto& member) { query, into(member); });
   if (with_scans) query, into(blob);
   forEachRow(&query, [&] { work(row, blob); });
@@ -281,11 +307,15 @@ Dataset readRows(DatasetFile* file, bool with_scans) {
   const std::map<Int64, ScanGeometry> geometries = readGeometries(session);
   const std::map<Int64, EpisodePlace> places = readEpisodes(session, &recordings);
   readSteps(session, with_scans, [&](const StepRow& row, const Poco::Nullable<BLOB>& blob) {
-    const EpisodePlace& place = places.at(row.episode);
-    DriveStep step = toStep(row);
-    step.geometry = geometries.at(row.geometry);
-    if (!blob.isNull()) step.ranges = toRanges(blob.value());
-    recordings.at(place.recording).episodes[place.index].steps.push_back(std::move(step));
+    atRow("step", row.id, [&] {
+      const EpisodePlace& place = rowOf(places, "episode", row.episode);
+      Recording& recording = recordings.at(place.recording);
+      DriveStep step = toStep(row);
+      step.geometry = rowOf(geometries, "geometry", row.geometry);
+      if (!blob.isNull()) step.ranges = toRanges(blob.value());
+      checkRow(step, recording.description.parameters.action_angles.size());
+      recording.episodes[place.index].steps.push_back(std::move(step));
+    });
   });
   Dataset dataset;
   for (auto& [id, recording] : recordings) dataset.recordings.push_back(std::move(recording));

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "lstm_planner/dataset/dataset.hpp"
+
+namespace lstm_planner {
+
+// What holds for each row that is read from a dataset file, whoever made the file: readers index arrays and reserve
+// memory by these values. Each throws std::invalid_argument saying what is wrong.
+
+void checkRow(const RecordingDescription& description);
+
+/// `angles`: the number of allowed angles of its recording.
+void checkRow(const DriveStep& step, std::size_t angles);
+
+}  // namespace lstm_planner
