@@ -51,7 +51,7 @@ class ColumnVisitor {
 
  private:
   template <typename Quantity>
-  void split(const std::string& name, const char* unit, Quantity& quantity) const {
+  void split(const std::string& name, [[maybe_unused]] const char* unit, Quantity& quantity) const {
     using Plain = std::remove_const_t<Quantity>;
     if constexpr (std::is_same_v<Plain, Twist2>) {
       visit_(name + "_linear", "m/s", quantity.linear);
