@@ -24,7 +24,6 @@ constexpr double kClockRate = 100.0;                    // Hz
 constexpr double kTimeIncrement = 1.7361e-5;            // s between two beams
 constexpr std::uint64_t kClockStart = 100'000'000'000;  // ns; later than any buffer or time-out reaches back from
 constexpr std::uint64_t kLongestGap = 1'000'000'000;    // ns that are made up for when the node was held up
-const ros::WallDuration kCommandPatience(0.5);          // for a controller that is at work
 constexpr double kStaleReport = 10.0;                   // s between two warnings
 
 geometry_msgs::TransformStamped transform(const std::string& parent, const std::string& child, const ros::Time& stamp,
@@ -102,7 +101,7 @@ void Create2Stub::runOwnClock() {
 
 void Create2Stub::waitForCommand() {
   const auto period = static_cast<std::uint64_t>(1e9 * parameters_.command_period);
-  const ros::WallTime deadline = ros::WallTime::now() + kCommandPatience;
+  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(parameters_.command_patience);
   while (controlled_ && time_ >= command_time_ + period && ros::ok()) {
     // A controller that has ended its work says nothing any more; it is waited for once.
     controlled_ = ros::WallTime::now() < deadline;

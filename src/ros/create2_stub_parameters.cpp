@@ -92,6 +92,7 @@ Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_n
   reader.read("publish_clock", &parameters.publish_clock);
   reader.read("real_time_factor", &parameters.real_time_factor);
   reader.read("command_period", &parameters.command_period);
+  reader.read("command_patience", &parameters.command_patience);
 
   if (parameters.robot_model != "CREATE_2") {
     throw std::invalid_argument("parameter " + private_node.resolveName("robot_model") + " is '" +
@@ -106,6 +107,8 @@ Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_n
   check(parameters.real_time_factor > 0.0 && parameters.real_time_factor <= 100.0, private_node, "real_time_factor",
         parameters.real_time_factor, "more than 0 and at most 100, so that the other nodes can keep up");
   check(parameters.command_period >= 0.0, private_node, "command_period", parameters.command_period, "0 s or more");
+  check(parameters.command_patience >= 0.0 && parameters.command_patience <= 60.0, private_node, "command_patience",
+        parameters.command_patience, "0 to 60 s");
   for (const std::string& name : reader.unknownParameters()) {
     if (!isReadElsewhere(private_node, name)) ROS_WARN("parameter %s is not known and has no effect", name.c_str());
   }

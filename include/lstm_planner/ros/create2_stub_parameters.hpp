@@ -45,6 +45,7 @@ struct Create2StubParameters {
   bool publish_clock = false;     ///< the stub drives /clock
   double real_time_factor = 1.0;  ///< simulated seconds a second while it does
   double command_period = 0.0;    ///< s of simulated time after which it waits for a controller at work; 0: it never does
+  double command_patience = 0.5;  ///< s of the computer's time that it waits at most
 };
 
 /// Reads all parameters from the node's private namespace; what is not set keeps its default. Throws
