@@ -1,11 +1,12 @@
 // The controller under move_base. The clock stands still unless a test moves it.
 
 #include <gtest/gtest.h>
-#include <pluginlib/class_loader.hpp>
 #include <ros/package.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <pluginlib/class_loader.hpp>
 
 #include "lstm_planner/ros/steering_controller.hpp"
 #include "ros/planner_fixture.hpp"
@@ -47,6 +48,12 @@ class ControllerTest : public PlannerTest {
     });
   }
 
+  /// Expects that the controller lets the robot stand, and that the log says why.
+  void expectStands(const std::string& reason, const std::function<void()>& pass) {
+    log_.expectRefusal([&] { return controller_->computeVelocityCommands(velocity_); }, "the robot stands: " + reason,
+                       pass);
+    EXPECT_TRUE(stands());
+  }
   bool stands() const { return velocity_.linear.x == 0.0 && velocity_.angular.z == 0.0; }
 
   std::unique_ptr<SteeringController> controller_;
@@ -60,36 +67,34 @@ TEST_F(ControllerTest, DrivesStraightAlongAStraightPlan) {
 
 TEST_F(ControllerTest, StandsWithoutAPlanAndWithAnEmptyOne) {
   EXPECT_TRUE(controller_->setPlan({}));
-  EXPECT_FALSE(controller_->computeVelocityCommands(velocity_));
-  EXPECT_TRUE(stands());
+  expectStands("there is no plan to follow", [&] { stand(kLogPeriod); });
   EXPECT_FALSE(controller_->isGoalReached());
 }
 
 TEST_F(ControllerTest, StandsWhileTheScanIsOldAndGoesOnWhenItReturns) {
-  robot_.wait(0.25);  // scan_timeout is 0.2 s, odom_timeout 0.3 s
-  EXPECT_FALSE(controller_->computeVelocityCommands(velocity_));
-  EXPECT_TRUE(stands());
+  expectStands("the newest message on /scan is 0.25", [&] {
+    stand(kLogPeriod);
+    robot_.wait(0.25);  // scan_timeout is 0.2 s, odom_timeout 0.3 s
+  });
+  controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
   EXPECT_TRUE(computeAt(robot_.pose()));
   EXPECT_GT(velocity_.linear.x, 0.0);
 }
 
 TEST_F(ControllerTest, StandsWhileTheOdometryIsOld) {
-  robot_.wait(0.35);
-  robot_.publishScan();
-  EXPECT_FALSE(controller_->computeVelocityCommands(velocity_));
-  EXPECT_TRUE(stands());
+  expectStands("the newest message on /odom is 0.35", [&] {
+    stand(kLogPeriod);
+    robot_.wait(0.35);
+    robot_.publishScan();
+  });
   EXPECT_FALSE(controller_->isGoalReached());
 }
 
 TEST_F(ControllerTest, StandsWhenThePlanIsNotRenewed) {
   EXPECT_TRUE(controller_->setPlan(straightPlan("odom", {}, 3.0)));
-  const ros::Time renewed = ros::Time::now();
-  EXPECT_TRUE(eventually([&] {
-    robot_.again();
-    return ros::Time::now() > renewed + ros::Duration(2.0) && controller_->isGoalReached() == false &&
-           !controller_->computeVelocityCommands(velocity_);
-  })) << "plan_timeout is 2 s";
-  EXPECT_TRUE(stands());
+  EXPECT_TRUE(computeAt(robot_.pose()));
+  expectStands("the plan is 2.", [&] { robot_.again(); });  // plan_timeout is 2 s
+  EXPECT_FALSE(controller_->isGoalReached());
   controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
   EXPECT_TRUE(computeAt(robot_.pose()));
 }
@@ -108,11 +113,16 @@ TEST_F(ControllerTest, FollowsAPlanInAnotherFrame) {
 TEST_F(ControllerTest, RefusesAPlanThatIsNotFiniteOrNotInOneFrame) {
   auto plan = straightPlan("odom", {}, 1.0);
   plan[3].pose.position.x = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(controller_->setPlan(plan));
-  EXPECT_FALSE(controller_->computeVelocityCommands(velocity_)) << "the last plan is not followed either";
+  const auto expectRefused = [&](const std::string& reason) {
+    log_.expectRefusal([&] { return controller_->setPlan(plan); }, "the plan is not followed: " + reason,
+                       [&] { stand(kLogPeriod); });
+    // The last plan is not followed either.
+    expectStands("there is no plan to follow", [&] { stand(kLogPeriod); });
+  };
+  expectRefused("the plan has a pose that is not finite");
   plan = straightPlan("odom", {}, 1.0);
   plan.back().header.frame_id = "map";
-  EXPECT_FALSE(controller_->setPlan(plan));
+  expectRefused("the plan has a pose in frame 'map', expected 'odom'");
 }
 
 TEST_F(ControllerTest, ArrivesWithinThePositionTolerance) {
@@ -149,6 +159,8 @@ TEST_F(ControllerTest, BadParametersLeaveItStanding) {
   ros::param::set("~/SteeringController/max_linear", -1.0);
   SteeringController controller;
   EXPECT_NO_THROW(controller.initialize("SteeringController", &tf_, costmap_.get()));
+  log_.flush();
+  EXPECT_EQ(log_.count("SteeringController cannot be used: parameter max_linear is -1"), 1);
   EXPECT_FALSE(controller.setPlan(straightPlan("odom", {}, 1.0)));
   EXPECT_FALSE(controller.computeVelocityCommands(velocity_));
   EXPECT_TRUE(stands());

@@ -5,10 +5,8 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
-#include <rosgraph_msgs/Log.h>
 #include <tf2_ros/transform_listener.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -19,6 +17,7 @@
 #include "ros/callback_thread.hpp"
 #include "ros/fake_robot.hpp"
 #include "ros/hand_made_model.hpp"
+#include "ros/log_listener.hpp"
 
 namespace lstm_planner {
 
@@ -35,7 +34,8 @@ inline geometry_msgs::PoseStamped stampedPose(const std::string& frame, const Po
 class DecisionListener {
  public:
   explicit DecisionListener(const std::string& planner)
-      : subscriber_(callbacks_.nodeHandle("~/" + planner).subscribe("decision", 10, &DecisionListener::onDecision, this)) {}
+      : subscriber_(
+            callbacks_.nodeHandle("~/" + planner).subscribe("decision", 10, &DecisionListener::onDecision, this)) {}
 
   /// The values of the newest decision by key, "source" among them; empty before the first.
   std::map<std::string, std::string> newest() {
@@ -62,44 +62,6 @@ class DecisionListener {
   std::mutex mutex_;
   std::map<std::string, std::string> newest_;
   int count_ = 0;
-  CallbackThread callbacks_;
-  ros::Subscriber subscriber_;
-};
-
-/// What this process logs.
-class LogListener {
- public:
-  LogListener() : subscriber_(callbacks_.nodeHandle().subscribe("/rosout", 1000, &LogListener::onLog, this)) {
-    EXPECT_TRUE(eventually([&] {
-      ROS_INFO("is somebody listening?");
-      return count("is somebody listening?") > 0;
-    }));
-  }
-
-  /// Number of lines with that text so far.
-  int count(const std::string& text) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return static_cast<int>(std::count_if(lines_.begin(), lines_.end(), [&](const std::string& line) {
-      return line.find(text) != std::string::npos;
-    }));
-  }
-
-  /// Waits until all that was logged before has come in.
-  void flush() {
-    const std::string mark = "mark " + std::to_string(++marks_);
-    ROS_INFO("%s", mark.c_str());
-    EXPECT_TRUE(eventually([&] { return count(mark) > 0; }));
-  }
-
- private:
-  void onLog(const rosgraph_msgs::Log::ConstPtr& line) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    lines_.push_back(line->msg);
-  }
-
-  std::mutex mutex_;
-  std::vector<std::string> lines_;
-  int marks_ = 0;
   CallbackThread callbacks_;
   ros::Subscriber subscriber_;
 };
@@ -160,6 +122,28 @@ class PlannerTest : public testing::Test {
     return plan(planner, stampedPose("odom", {never_asked_, 50.0, 0.0}));
   }
 
+  /// Expects that the planner refuses the goal, and that the log says why. Before each attempt the robot stands for as
+  /// long as the planner keeps silent about the same reason, and publishes all it senses.
+  void expectNoPlan(LstmGlobalPlanner* planner, const geometry_msgs::PoseStamped& goal, const std::string& reason) {
+    log_.expectRefusal([&] { return plan(planner, goal); }, "no plan: " + reason, [&] { stand(kLogPeriod); });
+    EXPECT_TRUE(plan_.empty());
+  }
+  /// Expects that a planner with the parameters as they are is refused at its start, for that reason, and never plans.
+  void expectUnusable(const std::string& reason) {
+    const auto lines = [&](const std::string& text) {
+      log_.flush();
+      return log_.count(text);
+    };
+    const std::string refused = "LstmGlobalPlanner cannot be used: ";
+    const int before = lines(refused);
+    LstmGlobalPlanner planner;
+    EXPECT_NO_THROW(planner.initialize("LstmGlobalPlanner", costmap_.get()));
+    EXPECT_EQ(lines(refused), before + 1);
+    EXPECT_GT(log_.count(reason), 0) << reason;
+    EXPECT_FALSE(preview(&planner)) << reason;
+  }
+  void stand(double seconds) { robot_.moveTo(robot_.pose(), seconds); }
+
   /// Moves the robot, and waits until the planner has heard of it.
   void moveTo(LstmGlobalPlanner* planner, const Pose2& pose, double seconds) {
     robot_.moveTo(pose, seconds);
@@ -181,8 +165,8 @@ class PlannerTest : public testing::Test {
     }));
   }
 
-  /// Asks for a plan to the driven goal (in odom) and returns the decision behind it. Decisions of earlier calls may still
-  /// be on their way: those made elsewhere are told apart by their distance to the goal.
+  /// Asks for a plan to the driven goal (in odom) and returns the decision behind it. Decisions of earlier calls may
+  /// still be on their way: those made elsewhere are told apart by their distance to the goal.
   std::map<std::string, std::string> decide(LstmGlobalPlanner* planner, const geometry_msgs::PoseStamped& goal,
                                             DecisionListener* decisions) {
     const int before = decisions->count();
@@ -196,7 +180,10 @@ class PlannerTest : public testing::Test {
     return decision;
   }
 
+  static constexpr double kLogPeriod = 2.05;  ///< s, after which the plugins repeat a line
+
   FakeRobot robot_;
+  LogListener log_;
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener tf_listener_;
   TemporaryModelFile model_;

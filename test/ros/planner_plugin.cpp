@@ -1,10 +1,11 @@
-// The global planner under move_base: what comes in, what comes out, start and end. The clock stands still unless a test moves it.
+// The global planner under move_base: what comes in, what comes out, start and end. The clock stands still unless a
+// test moves it.
 
 #include <gtest/gtest.h>
-#include <pluginlib/class_loader.hpp>
 #include <ros/package.h>
 
 #include <cmath>
+#include <pluginlib/class_loader.hpp>
 #include <thread>
 
 #include "ros/planner_fixture.hpp"
@@ -64,15 +65,18 @@ TEST_F(PlannerTest, GoalInAnotherFrameIsTransformed) {
 
 TEST_F(PlannerTest, GoalInAnUnknownOrUnnamedFrameIsRefused) {
   auto planner = makePlanner();
-  EXPECT_FALSE(plan(planner.get(), stampedPose("moon", kGoal)));
-  EXPECT_TRUE(plan_.empty());
-  EXPECT_FALSE(plan(planner.get(), stampedPose("", kGoal)));
+  expectNoPlan(planner.get(), stampedPose("moon", kGoal), "no transform from moon to odom");
+  expectNoPlan(planner.get(), stampedPose("", kGoal), "the goal names no frame");
 }
 
 TEST_F(PlannerTest, StartInAnotherFrameOrFarFromTheRobotIsRefused) {
   auto planner = makePlanner();
-  EXPECT_FALSE(planner->makePlan(stampedPose("map", {}), stampedPose("odom", kGoal), plan_));
-  EXPECT_FALSE(planner->makePlan(stampedPose("odom", {3.0, 0.0, 0.0}), stampedPose("odom", kGoal), plan_));
+  const auto expectRefusedFrom = [&](const geometry_msgs::PoseStamped& start, const std::string& reason) {
+    log_.expectRefusal([&] { return planner->makePlan(start, stampedPose("odom", kGoal), plan_); }, reason,
+                       [&] { stand(kLogPeriod); });
+  };
+  expectRefusedFrom(stampedPose("map", {}), "no plan: the start is in frame 'map', expected odom");
+  expectRefusedFrom(stampedPose("odom", {3.0, 0.0, 0.0}), "no plan: the start is 3.000000 m from the robot");
 }
 
 TEST_F(PlannerTest, GoalFarOutsideARollingCostmapIsAccepted) {
@@ -83,7 +87,7 @@ TEST_F(PlannerTest, GoalFarOutsideARollingCostmapIsAccepted) {
 
 TEST_F(PlannerTest, GoalThatIsNotFiniteIsRefusedAndAZeroQuaternionMeansHeadingZero) {
   auto planner = makePlanner();
-  EXPECT_FALSE(plan(planner.get(), stampedPose("odom", {std::nan(""), 0.0, 0.0})));
+  expectNoPlan(planner.get(), stampedPose("odom", {std::nan(""), 0.0, 0.0}), "the goal's pose is not finite");
   auto goal = stampedPose("odom", kGoal);
   goal.pose.orientation = geometry_msgs::Quaternion();
   ASSERT_TRUE(plan(planner.get(), goal));
@@ -97,41 +101,45 @@ TEST_F(PlannerTest, SecondsWithoutSensorsAreNotWaitedFor) {
   const ros::WallTime before = ros::WallTime::now();
   EXPECT_FALSE(plan(&planner, stampedPose("odom", kGoal)));
   EXPECT_LT((ros::WallTime::now() - before).toSec(), 0.1) << "move_base's costmap is locked meanwhile";
+  log_.flush();
+  EXPECT_EQ(log_.count("no plan: no scan has been received on /scan"), 1);
 }
 
 TEST_F(PlannerTest, OldScanOrOdometryGivesNoPlanUntilTheyReturn) {
   auto planner = makePlanner();
-  robot_.wait(0.6);
-  EXPECT_FALSE(preview(planner.get())) << "scan_timeout and odom_timeout are 0.5 s";
-  robot_.publishScan();
-  EXPECT_FALSE(preview(planner.get())) << "the odometry is still old";
+  const auto ask = [&] { return preview(planner.get()); };
+  // scan_timeout and odom_timeout are 0.5 s.
+  const auto wait = [&] {
+    stand(kLogPeriod);
+    robot_.wait(0.6);
+  };
+  log_.expectRefusal(ask, "no plan: the newest message on /scan is 0.6", wait);
+  log_.expectRefusal(ask, "no plan: the newest message on /odom is 0.6", [&] {
+    wait();
+    robot_.publishScan();
+  });
   moveTo(planner.get(), robot_.pose(), 0.1);
 }
 
 TEST_F(PlannerTest, OdometryThatIsNotFiniteGivesNoPlan) {
   auto planner = makePlanner();
-  robot_.moveTo({std::nan(""), 0.0, 0.0}, 0.1);
-  EXPECT_TRUE(eventually([&] {
-    return !planner->makePlan(stampedPose("odom", {}), stampedPose("odom", kGoal), plan_);
-  }));
+  log_.expectRefusal([&] { return planner->makePlan(stampedPose("odom", {}), stampedPose("odom", kGoal), plan_); },
+                     "no plan: the odometry on /odom has a pose or twist that is not finite",
+                     [&] {
+                       robot_.moveTo({std::nan(""), 0.0, 0.0}, kLogPeriod);
+                     });
 }
 
 TEST_F(PlannerTest, ScanNarrowerThanTheSectorsGivesNoPlan) {
   auto planner = makePlanner();
   robot_.scan_span = M_PI_2;
-  EXPECT_TRUE(eventually([&] {
-    robot_.again();
-    return !preview(planner.get());
-  }));
+  expectNoPlan(planner.get(), stampedPose("odom", kGoal), "the scan covers -45");
 }
 
 TEST_F(PlannerTest, ScannerThatReachesLessThanHalfTheRangeCapGivesNoPlan) {
   auto planner = makePlanner();
   robot_.range_max = 2.0;  // the model's range cap is 6 m
-  EXPECT_TRUE(eventually([&] {
-    robot_.again();
-    return !preview(planner.get());
-  }));
+  expectNoPlan(planner.get(), stampedPose("odom", kGoal), "the scanner reaches 2.000000 m");
 }
 
 TEST_F(PlannerTest, ScannerUpsideDownSeesTheSame) {
@@ -168,38 +176,35 @@ TEST_F(PlannerTest, TwoThreadsMayAskAtOnce) {
 
 TEST_F(PlannerTest, MissingOrDamagedModelRefusesEveryPlanAndThrowsNothing) {
   model_.truncate();
-  LstmGlobalPlanner damaged;
-  EXPECT_NO_THROW(damaged.initialize("LstmGlobalPlanner", costmap_.get()));
-  EXPECT_FALSE(plan(&damaged, stampedPose("odom", kGoal)));
-
-  for (const char* path : {"/no/such/model.onnx", "package://no_such_package/model.onnx", ""}) {
+  expectUnusable(model_.path() + ": ");
+  for (const char* path : {"/no/such/model.onnx", "package://no_such_package/model.onnx"}) {
     ros::param::set("~/LstmGlobalPlanner/model", path);
-    LstmGlobalPlanner missing;
-    EXPECT_NO_THROW(missing.initialize("LstmGlobalPlanner", costmap_.get())) << path;
-    EXPECT_FALSE(plan(&missing, stampedPose("odom", kGoal))) << path;
+    expectUnusable(path);
   }
+  ros::param::set("~/LstmGlobalPlanner/model", "");
+  expectUnusable("model");
 }
 
 TEST_F(PlannerTest, ModelForASmallerRobotOrAnotherStepIsRefused) {
-  for (const char* name : {"shield/footprint_radius", "step/length"}) {
-    ros::param::set(std::string("~/LstmGlobalPlanner/") + name, 0.6);
-    LstmGlobalPlanner planner;
-    EXPECT_NO_THROW(planner.initialize("LstmGlobalPlanner", costmap_.get()));
-    robot_.again();
-    EXPECT_FALSE(preview(&planner)) << name;
-    ros::param::del(std::string("~/LstmGlobalPlanner/") + name);
-  }
+  ros::param::set("~/LstmGlobalPlanner/shield/footprint_radius", 0.6);
+  expectUnusable("shield/footprint_radius is 0.600000 m");
+  ros::param::del("~/LstmGlobalPlanner/shield");
+  ros::param::set("~/LstmGlobalPlanner/step/length", 0.6);
+  expectUnusable("step/length is 0.600000 m");
 }
 
 TEST_F(PlannerTest, PlansOnlyAfterInitializeAndASecondInitializeChangesNothing) {
   LstmGlobalPlanner planner;
-  EXPECT_FALSE(plan(&planner, stampedPose("odom", kGoal)));
+  expectNoPlan(&planner, stampedPose("odom", kGoal), "the planner is not initialised");
   EXPECT_NO_THROW(planner.initialize("LstmGlobalPlanner", nullptr));
   EXPECT_FALSE(plan(&planner, stampedPose("odom", kGoal)));
 
   auto initialised = makePlanner();
   EXPECT_NO_THROW(initialised->initialize("LstmGlobalPlanner", costmap_.get()));
   EXPECT_TRUE(preview(initialised.get()));
+  log_.flush();
+  EXPECT_EQ(log_.count("LstmGlobalPlanner cannot be used: it was initialised without a costmap"), 1);
+  EXPECT_EQ(log_.count("LstmGlobalPlanner is already initialised"), 1);
 }
 
 TEST_F(PlannerTest, OutlivesTheCostmap) {
@@ -211,27 +216,25 @@ TEST_F(PlannerTest, OutlivesTheCostmap) {
 }
 
 TEST_F(PlannerTest, PlannerFrequencyOfZeroIsWarnedOfOnce) {
-  LogListener log;
   makePlanner();
-  log.flush();
-  EXPECT_EQ(log.count("planner_frequency"), 0);
+  log_.flush();
+  EXPECT_EQ(log_.count("planner_frequency"), 0);
   ros::param::del("~/planner_frequency");  // move_base's default is 0
   makePlanner();
-  log.flush();
-  EXPECT_EQ(log.count("planner_frequency is 0"), 1);
+  log_.flush();
+  EXPECT_EQ(log_.count("planner_frequency is 0"), 1);
 }
 
 TEST_F(PlannerTest, PlannerThatFailsInATightLoopSaysSoOnce) {
-  LogListener log;
   auto planner = makePlanner();
   robot_.wait(1000.0);
-  log.flush();
-  const int before = log.count("no plan");
+  log_.flush();
+  const int before = log_.count("no plan");
   for (int i = 0; i < 500; ++i) {
     EXPECT_FALSE(preview(planner.get()));
   }
-  log.flush();
-  EXPECT_EQ(log.count("no plan"), before + 1);
+  log_.flush();
+  EXPECT_EQ(log_.count("no plan"), before + 1);
 }
 
 TEST_F(PlannerTest, LoadsByItsNameThroughPluginlib) {
