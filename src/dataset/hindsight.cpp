@@ -17,6 +17,15 @@ struct Stretch {
   std::size_t end = 0;
 };
 
+/// One message of each moment: where stamps stand still, what stands would be looked at again and again.
+std::vector<OdometryHeard> thinned(const std::vector<OdometryHeard>& way) {
+  std::vector<OdometryHeard> thin;
+  for (const OdometryHeard& heard : way) {
+    if (thin.empty() || heard.stamp != thin.back().stamp) thin.push_back(heard);
+  }
+  return thin;
+}
+
 std::vector<Stretch> stretchesOf(const std::vector<OdometryHeard>& way, const RecorderParameters& recorder) {
   std::vector<Stretch> stretches;
   OdometryHistory history(recorder.max_speed);
@@ -64,9 +73,15 @@ class GoalFinder {
   /// The last message before the robot left each place where it stood, and the end of the stretch.
   std::vector<std::size_t> stopsOf(const Stretch& stretch) const {
     std::vector<std::size_t> stops;
+    std::size_t next = 0;  // where the robot had moved since the message before
     for (std::size_t i = stretch.first; i < stretch.end; ++i) {
+      // Mostly it has moved there since this message, too, and there is no need to look at what lies between.
+      const bool ends_early = i < next && next < stretch.end && hasMoved(i, next) &&
+                              way_[next - 1].stamp - way_[i].stamp < parameters_.stop;
+      if (ends_early) continue;
       std::size_t last = i;
       while (last + 1 < stretch.end && !hasMoved(i, last + 1)) ++last;
+      next = last + 1;
       if (way_[last].stamp - way_[i].stamp < parameters_.stop && last + 1 < stretch.end) continue;
       stops.push_back(last);
       i = last;
@@ -134,11 +149,13 @@ void validate(const HindsightParameters& parameters) {
                  "at least shortest = " + std::to_string(parameters.shortest));
 }
 
-std::vector<DriveEvent> hindsightGoals(const std::vector<OdometryHeard>& way, const HindsightParameters& parameters,
-                                       const RecorderParameters& recorder, const std::string& frame) {
+std::vector<DriveEvent> hindsightGoals(const std::vector<OdometryHeard>& messages,
+                                       const HindsightParameters& parameters, const RecorderParameters& recorder,
+                                       const std::string& frame) {
   validate(parameters);
   checkParameter(parameters.shortest > recorder.goal_tolerance, "shortest", parameters.shortest,
                  "more than the goal tolerance of " + std::to_string(recorder.goal_tolerance));
+  const std::vector<OdometryHeard> way = thinned(messages);
   std::vector<DriveEvent> goals;
   GoalFinder finder(way, parameters, recorder, frame, &goals);
   for (const Stretch& stretch : stretchesOf(way, recorder)) finder.find(stretch);

@@ -8,6 +8,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kKept = 1.0;            // s
+constexpr std::size_t kMostKept = 2000;  // entries: where stamps hardly go on, the oldest are forgotten
 constexpr double kContinued = 0.2;       // s
 constexpr double kSlack = 0.25;          // m, what rounding and late stamps may add
 constexpr double kMaxTurnRate = 6.0;     // rad/s
@@ -31,7 +32,7 @@ void OdometryHistory::add(const Entry& entry) {
     return;
   }
   entries_.push_back(entry);
-  while (entries_.front().stamp < entry.stamp - kKept) {
+  while (entries_.front().stamp < entry.stamp - kKept || entries_.size() > kMostKept) {
     entries_.pop_front();
   }
 }

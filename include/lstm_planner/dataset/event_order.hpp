@@ -1,7 +1,9 @@
 #pragma once
 
-#include <deque>
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "lstm_planner/dataset/drive_events.hpp"
 
@@ -9,9 +11,12 @@ namespace lstm_planner {
 
 /// Puts events into the order of their stamps: topics arrive independently of each other, so what comes first is
 /// chance. An event is given out when another one is `delay` (s) newer. Whatever arrives within that time comes out in
-/// the same order every time; of equal stamps odometry, then goals, then scans.
+/// the same order every time; of equal stamps odometry, then goals, then scans. At most kMostWaiting events are held
+/// back: where stamps stand still, the oldest is given out early.
 class EventOrder {
  public:
+  static constexpr std::size_t kMostWaiting = 4096;  ///< a second of odometry at 1 kHz with three fast scanners
+
   enum class Verdict {
     kTaken,
     kLate,     ///< older than what was given out; not taken
@@ -23,7 +28,7 @@ class EventOrder {
 
   Verdict add(DriveEvent event);
 
-  /// The oldest event if its time has come; `all`: whether or not.
+  /// The oldest event if its time has come, or too many wait; `all`: whether or not.
   std::optional<DriveEvent> take(bool all = false);
 
   /// Forgets which stamps there were.
@@ -32,9 +37,10 @@ class EventOrder {
  private:
   double delay_;
   double horizon_;
-  std::deque<DriveEvent> events_;  ///< in order
-  std::optional<double> newest_;   ///< s
-  std::optional<double> taken_;    ///< s
+  /// By stamp (s) and kind: the variant lists kinds in the order in which events of the same moment are worked on.
+  std::multimap<std::pair<double, std::size_t>, DriveEvent> events_;
+  std::optional<double> newest_;  ///< s
+  std::optional<double> taken_;   ///< s
 };
 
 }  // namespace lstm_planner

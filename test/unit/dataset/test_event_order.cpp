@@ -1,9 +1,9 @@
-#include "lstm_planner/dataset/event_order.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
+
+#include "lstm_planner/dataset/event_order.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -23,7 +23,8 @@ TEST(EventOrder, GivesTheSameOrderHoweverTopicsInterleave) {
   std::vector<int> arrival = {0, 1, 2, 3, 4};
   do {
     EventOrder order(1.0, 10.0);
-    for (const int index : arrival) EXPECT_EQ(order.add(events[static_cast<std::size_t>(index)]), EventOrder::Verdict::kTaken);
+    for (const int index : arrival)
+      EXPECT_EQ(order.add(events[static_cast<std::size_t>(index)]), EventOrder::Verdict::kTaken);
     const std::size_t odometry = odometryAt(0.0).index();
     const std::size_t scan = scanAt(0.0).index();
     const std::vector<std::pair<double, std::size_t>> expected = {
@@ -58,6 +59,17 @@ TEST(EventOrder, NoticesThatTheClockWasSet) {
   EXPECT_EQ(order.add(odometryAt(103.0)), EventOrder::Verdict::kClockSet);
   order.clear();
   EXPECT_EQ(order.add(odometryAt(97.0)), EventOrder::Verdict::kTaken);
+}
+
+TEST(EventOrder, HoldsABoundedNumberOfEventsBackWhereStampsStandStill) {
+  EventOrder order(0.3, 2.0);
+  std::size_t held = 0;
+  for (int i = 0; i < 200000; ++i) {
+    ASSERT_EQ(order.add(i % 2 == 0 ? scanAt(5.0) : odometryAt(5.0)), EventOrder::Verdict::kTaken) << "none is late";
+    held += 1 - takeAll(&order, false).size();
+    ASSERT_LE(held, EventOrder::kMostWaiting);
+  }
+  EXPECT_EQ(takeAll(&order, true).size(), held);
 }
 
 }  // namespace

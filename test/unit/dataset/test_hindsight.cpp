@@ -182,6 +182,21 @@ TEST(HindsightTest, CirclesOnTheSpotHaveNoGoal) {
   EXPECT_TRUE(goalsOf(way).empty());
 }
 
+TEST(HindsightTest, AFloodOfMessagesWhoseStampsHardlyGoOnChangesNothing) {
+  std::vector<OdometryHeard> way = Way().drive(5.0).stand(3.0).odometry();
+  const std::vector<DriveEvent> goals = hindsightGoals(way, {}, {}, "odom");
+  ASSERT_FALSE(goals.empty());
+  constexpr double kLasts = 2e-4;  // s
+  std::vector<OdometryHeard> flood(200000, way.front());
+  for (std::size_t i = 0; i < flood.size(); ++i) {
+    flood[i].stamp -= kLasts * (1.0 - static_cast<double>(i) / static_cast<double>(flood.size()));
+  }
+  way.insert(way.begin(), flood.begin(), flood.end());
+  const std::vector<DriveEvent> again = hindsightGoals(way, {}, {}, "odom");
+  ASSERT_EQ(again.size(), goals.size());
+  for (std::size_t i = 0; i < goals.size(); ++i) EXPECT_NEAR(stampOf(again[i]), stampOf(goals[i]), 2.0 * kLasts);
+}
+
 TEST(HindsightTest, NothingOfNothing) {
   EXPECT_TRUE(hindsightGoals({}, {}, {}, "odom").empty());
   EXPECT_TRUE(goalsOf(Way()).empty());
