@@ -31,7 +31,8 @@ find_ros_flavour() {
 # Debian packages the build and the tests need, one a line.
 required_packages() {
   printf '%s\n' cmake g++ make gnuplot-nox libboost-dev libboost-program-options-dev libeigen3-dev libgmock-dev \
-    libgtest-dev libopencv-dev libpoco-dev libprotobuf-dev libyaml-cpp-dev nlohmann-json3-dev protobuf-compiler python3
+    libgtest-dev libopencv-dev libpoco-dev libprotobuf-dev libsqlite3-dev libyaml-cpp-dev nlohmann-json3-dev \
+    protobuf-compiler python3
   if [ "$1" = noetic ]; then
     printf 'ros-noetic-%s\n' actionlib actionlib-msgs catkin costmap-2d diagnostic-msgs geometry-msgs move-base \
       move-base-msgs nav-core nav-msgs pluginlib rosbag rosbash roscpp rosgraph-msgs roslaunch roslib rosparam \

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "dataset/dataset_schema.hpp"
+#include "dataset/schema_check.hpp"
 
 namespace lstm_planner {
 
@@ -63,11 +64,14 @@ void DatasetFile::open(int patience) {
   constexpr std::size_t kLoginTimeout = 10;  // s
   // An absolute path cannot be mistaken for a URI, and stays right where the process changes its folder.
   session_.emplace("SQLite", std::filesystem::absolute(path_).string(), kLoginTimeout);
+  guard_.emplace(*session_);
+  allowWork();
   setPatience(patience);
   // With a rollback journal the one file is the whole dataset whenever nobody is writing; a write-ahead log would keep
   // the newest steps in a second file. EXTRA also syncs the folder, so that no journal is replayed after a power cut.
   execute("PRAGMA synchronous = EXTRA");
   execute("PRAGMA foreign_keys = ON");
+  execute("PRAGMA ignore_check_constraints = ON");  // the schema has none; another's would be evaluated
   if (use_ == Use::kRead) execute("PRAGMA query_only = ON");
 }
 
@@ -92,7 +96,17 @@ void DatasetFile::checkVersion() {
     throw DatasetError("dataset '" + path_ + "' has schema version " + std::to_string(version) + ", expected " +
                        std::to_string(kDatasetSchemaVersion) + ": it was made by a newer lstm_planner");
   }
-  transact([this] { checkLength(); });
+  transact([this] {
+    checkLength();
+    const std::string flaw = flawOfSchema(*session_);
+    if (!flaw.empty()) throw DatasetError("'" + path_ + "' is no dataset of lstm_planner: " + flaw);
+  });
+}
+
+void DatasetFile::allowWork() {
+  std::error_code error;
+  const auto length = std::filesystem::file_size(path_, error);
+  guard_->allow(error ? 0 : length);
 }
 
 void DatasetFile::checkLength() {
@@ -119,6 +133,7 @@ std::optional<long> DatasetFile::numberOf(const std::string& query) {
 }
 
 std::string DatasetFile::reason(const std::exception& error) const {
+  if (guard_ && guard_->hasEndedQuery()) return "a query took much longer than the file's length gives reason to";
   // SQLite's own words do not depend on the version of Poco.
   if (session_ && dynamic_cast<const Poco::Data::SQLite::SQLiteException*>(&error) != nullptr) {
     const std::string words = Poco::Data::SQLite::Utility::lastError(*session_);

@@ -6,11 +6,13 @@
 #include <optional>
 #include <string>
 
+#include "dataset/query_guard.hpp"
 #include "lstm_planner/dataset/dataset.hpp"
 
 namespace lstm_planner {
 
-/// An open dataset file. What SQLite complains about is thrown as DatasetError, one sentence with the path.
+/// An open dataset file, which nobody need trust. What SQLite complains about is thrown as DatasetError, one sentence
+/// with the path.
 class DatasetFile {
  public:
   enum class Use {
@@ -22,11 +24,14 @@ class DatasetFile {
   /// `patience`: ms to wait for others who have the file locked. Throws DatasetError when it is missing, no dataset,
   /// damaged, or of a newer schema.
   DatasetFile(const std::string& path, Use use, int patience);
+  DatasetFile(const DatasetFile&) = delete;
+  DatasetFile& operator=(const DatasetFile&) = delete;
 
   /// Runs `work` in a transaction: all of it is on the disk, or nothing. Throws DatasetError.
   template <typename Work>
   void transact(Work&& work) {
     guard([&] {
+      allowWork();
       execute(use_ == Use::kRead ? "BEGIN" : "BEGIN IMMEDIATE");
       in_transaction_ = true;
       work();
@@ -59,6 +64,7 @@ class DatasetFile {
   void open(int patience);
   void checkVersion();
   void checkLength();
+  void allowWork();
   void makeTables();
   std::string reason(const std::exception& error) const;
   [[noreturn]] void fail(const std::exception& error);
@@ -66,6 +72,7 @@ class DatasetFile {
   std::string path_;
   Use use_;
   bool in_transaction_ = false;
+  std::optional<QueryGuard> guard_;  ///< outlives the session, which calls it
   std::optional<Poco::Data::Session> session_;
 };
 

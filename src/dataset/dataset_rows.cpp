@@ -298,10 +298,19 @@ DriveStep toStep(const StepRow& row) {
   return step;
 }
 
+/// Pages that are used several times would make a short file into many long rows.
+void checkPages(Poco::Data::Session& session) {
+  std::string flaw;
+  session << "PRAGMA quick_check(1)", into(flaw), limit(1), now;
+  std::replace(flaw.begin(), flaw.end(), '\n', ' ');
+  if (flaw != "ok") throw std::invalid_argument("SQLite finds it damaged: " + flaw);
+}
+
 }  // namespace
 
 Dataset readRows(DatasetFile* file, bool with_scans) {
   Poco::Data::Session& session = file->session();
+  checkPages(session);
   std::map<Int64, Recording> recordings = readRecordings(session);
   readRejections(session, &recordings);
   const std::map<Int64, ScanGeometry> geometries = readGeometries(session);
