@@ -11,6 +11,7 @@
 #include "dataset/dataset_rows.hpp"
 #include "dataset/step_quantities.hpp"
 #include "lstm_planner/agent/action_set.hpp"
+#include "lstm_planner/perception/sectors.hpp"
 
 namespace lstm_planner {
 
@@ -39,6 +40,7 @@ class EpisodeCheck {
         checkLabel(step);
         checkObservation(step);
         checkSectors(step);
+        checkScan(step);
       }
       before = &step;
     }
@@ -141,6 +143,33 @@ class EpisodeCheck {
       }
       if (std::min(nearest, cap) > range * (1.0 + kRounding)) {
         say("minimum_range_", i, " is ", nearest, " m, expected at most the mean range of ", range, " m");
+      }
+    }
+  }
+
+  /// Means depend on what a reading without a return stands for, and that is not in the file.
+  void checkScan(const DriveStep& step) {
+    if (step.ranges.empty()) return;
+    if (step.ranges.size() != static_cast<std::size_t>(step.geometry.beams)) {
+      say("its scan has ", step.ranges.size(), " ranges, expected ", step.geometry.beams);
+      return;
+    }
+    try {
+      const LaserScan scan = scanOf(step.geometry, step.ranges);
+      compare(step, averageSectors(scan, step.geometry.mount, {}, parameters_.range_cap));
+    } catch (const UnusableScan& error) {
+      say(error.what());
+    }
+  }
+
+  void compare(const DriveStep& step, const Sectors& scan) {
+    for (std::size_t i = 0; i < scan.beams.size(); ++i) {
+      if (step.beams[i] != scan.beams[i] || step.measured[i] != scan.measured[i]) {
+        say("beams_", i, " and measured_", i, " are ", step.beams[i], " and ", step.measured[i], ", but its scan has ",
+            scan.beams[i], " and ", scan.measured[i]);
+      } else if (step.minimum_ranges[i] != scan.nearest[i]) {
+        say("minimum_range_", i, " is ", step.minimum_ranges[i], " m, but the nearest in its scan is ", scan.nearest[i],
+            " m");
       }
     }
   }

@@ -1,11 +1,26 @@
 #include "dataset/dataset_row_check.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+
+#include "lstm_planner/perception/sectors.hpp"
 
 namespace lstm_planner {
 
 void checkRow(const RecordingDescription& description) { validate(description.parameters); }
+
+void checkRow(const ScanGeometry& geometry) {
+  if (geometry.beams < 1 || geometry.beams > kMostBeams) {
+    throw std::invalid_argument("it has " + std::to_string(geometry.beams) + " beams, expected 1 to " +
+                                std::to_string(kMostBeams));
+  }
+  LaserScan scan = scanOf(geometry, std::vector<float>(static_cast<std::size_t>(geometry.beams)));
+  checkScan(scan, geometry.mount);
+  const double somewhere = std::clamp(1.0, geometry.range_min, geometry.range_max);
+  std::fill(scan.ranges.begin(), scan.ranges.end(), static_cast<float>(somewhere));
+  averageSectors(scan, geometry.mount, {}, 1.0);
+}
 
 void checkRow(const DriveStep& step, std::size_t angles) {
   if (step.label < 0 || static_cast<std::size_t>(step.label) >= angles) {

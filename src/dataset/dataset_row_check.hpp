@@ -8,6 +8,7 @@ namespace lstm_planner {
 // memory by these values. Each throws std::invalid_argument saying what is wrong.
 
 void checkRow(const RecordingDescription& description);
+void checkRow(const ScanGeometry& geometry);
 
 /// `angles`: the number of allowed angles of its recording.
 void checkRow(const DriveStep& step, std::size_t angles);

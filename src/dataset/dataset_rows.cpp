@@ -9,6 +9,7 @@
 
 #include "dataset/dataset_row_check.hpp"
 #include "dataset/step_quantities.hpp"
+#include "dataset/value_check.hpp"
 
 namespace lstm_planner {
 
@@ -54,9 +55,13 @@ BLOB toBlob(const std::vector<float>& ranges) {
   return BLOB(reinterpret_cast<const unsigned char*>(ranges.data()), ranges.size() * sizeof(float));
 }
 
-std::vector<float> toRanges(const BLOB& blob) {
-  if (blob.size() % sizeof(float) != 0) throw std::invalid_argument("a scan has a broken length");
-  std::vector<float> ranges(blob.size() / sizeof(float));
+std::vector<float> toRanges(const BLOB& blob, int beams) {
+  const std::size_t expected = static_cast<std::size_t>(beams) * sizeof(float);
+  if (blob.size() != expected) {
+    throw std::invalid_argument("its scan has " + std::to_string(blob.size()) + " bytes, expected " +
+                                std::to_string(expected) + " of " + std::to_string(beams) + " beams");
+  }
+  std::vector<float> ranges(static_cast<std::size_t>(beams));
   std::copy(blob.rawContent(), blob.rawContent() + blob.size(), reinterpret_cast<unsigned char*>(ranges.data()));
   return ranges;
 }
@@ -239,6 +244,7 @@ std::map<Int64, ScanGeometry> readGeometries(Poco::Data::Session& session) {
       into(upside_down);
   forEachRow(&query, [&] {
     geometry.mount.upside_down = upside_down != 0;
+    atRow("geometry", id, [&] { checkRow(geometry); });
     geometries[id] = geometry;
   });
   return geometries;
@@ -311,6 +317,7 @@ void checkPages(Poco::Data::Session& session) {
 Dataset readRows(DatasetFile* file, bool with_scans) {
   Poco::Data::Session& session = file->session();
   checkPages(session);
+  checkValues(session);
   std::map<Int64, Recording> recordings = readRecordings(session);
   readRejections(session, &recordings);
   const std::map<Int64, ScanGeometry> geometries = readGeometries(session);
@@ -321,7 +328,7 @@ Dataset readRows(DatasetFile* file, bool with_scans) {
       Recording& recording = recordings.at(place.recording);
       DriveStep step = toStep(row);
       step.geometry = rowOf(geometries, "geometry", row.geometry);
-      if (!blob.isNull()) step.ranges = toRanges(blob.value());
+      if (!blob.isNull()) step.ranges = toRanges(blob.value(), step.geometry.beams);
       checkRow(step, recording.description.parameters.action_angles.size());
       recording.episodes[place.index].steps.push_back(std::move(step));
     });

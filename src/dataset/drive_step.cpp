@@ -4,6 +4,7 @@
 #include <array>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 namespace lstm_planner {
 
@@ -33,6 +34,16 @@ bool ScanGeometry::operator==(const ScanGeometry& other) const {
              std::tie(other.frame, other.angle_min, other.angle_increment, other.beams, other.range_min,
                       other.range_max) &&
          asTuple(mount) == asTuple(other.mount);
+}
+
+LaserScan scanOf(const ScanGeometry& geometry, std::vector<float> ranges) {
+  LaserScan scan;
+  scan.angle_min = geometry.angle_min;
+  scan.angle_increment = geometry.angle_increment;
+  scan.range_min = geometry.range_min;
+  scan.range_max = geometry.range_max;
+  scan.ranges = std::move(ranges);
+  return scan;
 }
 
 const char* toString(EpisodeEnd end) { return kEpisodeEnds.at(static_cast<std::size_t>(end)); }

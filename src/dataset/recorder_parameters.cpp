@@ -1,11 +1,21 @@
 #include "lstm_planner/dataset/recorder_parameters.hpp"
 
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
 #include "lstm_planner/agent/action_set.hpp"
 #include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
 
 namespace {
+
+void checkAtMost(const char* name, double value, double largest) {
+  std::ostringstream expected;
+  expected << "a positive number up to " << largest;
+  checkParameter(value > 0.0 && value <= largest, name, value, expected.str());
+}
 
 /// Calls `visit(name, value)` for every number of the parameters, for both directions of the conversion.
 template <typename Parameters, typename Visitor>
@@ -33,17 +43,18 @@ void visitNumbers(Parameters& parameters, Visitor visit) {
 }  // namespace
 
 void validate(const RecorderParameters& parameters) {
-  checkPositive("period", parameters.period);
-  checkPositive("min_step_distance", parameters.min_step_distance);
+  checkAtMost("period", parameters.period, 3600.0);
+  checkAtMost("min_step_distance", parameters.min_step_distance, 100.0);
   checkParameter(parameters.min_step_turn >= 0.0 && parameters.min_step_turn <= M_PI, "min_step_turn",
                  parameters.min_step_turn, "zero, or an angle up to pi");
+  checkAtMost("max_gap", parameters.max_gap, 86400.0);
   checkParameter(parameters.max_gap > parameters.period, "max_gap", parameters.max_gap,
                  "more than period = " + std::to_string(parameters.period));
   checkParameter(parameters.max_label_error > 0.0 && parameters.max_label_error <= M_PI, "max_label_error",
                  parameters.max_label_error, "an angle in (0, pi]");
-  checkPositive("range_cap", parameters.range_cap);
-  checkPositive("max_speed", parameters.max_speed);
-  checkPositive("goal_tolerance", parameters.goal_tolerance);
+  checkAtMost("range_cap", parameters.range_cap, 1000.0);
+  checkAtMost("max_speed", parameters.max_speed, 1000.0);
+  checkAtMost("goal_tolerance", parameters.goal_tolerance, 100.0);
   checkParameter(parameters.delay >= 0.0 && parameters.delay < parameters.max_gap, "delay", parameters.delay,
                  "zero or more, and less than max_gap = " + std::to_string(parameters.max_gap));
   const ActionSet actions(parameters.action_angles);
@@ -57,6 +68,10 @@ nlohmann::json toJson(const RecorderParameters& parameters) {
 }
 
 RecorderParameters recorderParametersFromJson(const nlohmann::json& json) {
+  if (!json.is_object()) {
+    throw std::invalid_argument(std::string("the recorder's parameters are of type ") + json.type_name() +
+                                ", expected an object");
+  }
   RecorderParameters parameters;
   visitNumbers(parameters, [&](const char* name, auto& value) {
     if (json.contains(name)) json.at(name).get_to(value);

@@ -73,13 +73,7 @@ class RecordingReader {
                                   " m, the network one of " + std::to_string(policy_.encoder.range_cap) +
                                   " m, and without kept scans the ranges cannot be averaged anew");
     }
-    LaserScan scan;
-    scan.stamp = step.stamp;
-    scan.angle_min = step.geometry.angle_min;
-    scan.angle_increment = step.geometry.angle_increment;
-    scan.range_min = step.geometry.range_min;
-    scan.range_max = step.geometry.range_max;
-    scan.ranges = step.ranges;
+    const LaserScan scan = scanOf(step.geometry, step.ranges);
     return averageSectors(scan, step.geometry.mount, {}, policy_.encoder.range_cap);
   }
 

@@ -47,8 +47,9 @@ struct Dataset {
 long stepCount(const Dataset& dataset);  ///< without those of discarded episodes
 
 /// Reads a whole dataset file (an SQLite database, `sqlite3 FILE .schema` explains it); it may be being recorded.
-/// `with_scans`: DriveStep::ranges too. Throws DatasetError when it is not there, not a dataset, damaged, or of a newer
-/// schema.
+/// `with_scans`: DriveStep::ranges too. Throws DatasetError when it is not there, not a dataset, damaged, of a newer
+/// schema, or has a row that no recorder writes: a value of another type than the schema's, numbers that are not finite
+/// or too large, a label that names no angle, a scan of another length than its geometry's.
 Dataset readDataset(const std::string& path, bool with_scans = false);
 
 /// Writes a new file that appears whole or not at all. Throws DatasetError, also when there is such a file.

@@ -12,9 +12,16 @@
 
 namespace lstm_planner {
 
+/// Larger than any coordinate (m), time (s) or angle (rad) that is measured; sums and squares of what is smaller are
+/// finite.
+constexpr double kLargestNumber = 1e10;
+
+/// More than any scanner has.
+constexpr int kMostBeams = 100'000;
+
 /// How a scan was taken: the same for many steps.
 struct ScanGeometry {
-  std::string frame;  ///< the scanner's
+  std::string frame;             ///< the scanner's
   double angle_min = 0.0;        ///< rad
   double angle_increment = 0.0;  ///< rad
   int beams = 0;
@@ -25,8 +32,11 @@ struct ScanGeometry {
   bool operator==(const ScanGeometry& other) const;
 };
 
-/// One step of somebody's drive, as it was measured: what was seen, where the goal was, and which way was taken. Nothing
-/// in it is scaled, so that it can be encoded for any network later.
+/// A scan of that geometry, without stamp.
+LaserScan scanOf(const ScanGeometry& geometry, std::vector<float> ranges);
+
+/// One step of somebody's drive, as it was measured: what was seen, where the goal was, and which way was taken.
+/// Nothing in it is scaled, so that it can be encoded for any network later.
 struct DriveStep {
   long number = 0;          ///< in its episode, from 0; a gap is a step that no allowed angle was near enough to
   double stamp = 0.0;       ///< s, of the scan
@@ -52,14 +62,14 @@ struct DriveStep {
 
 /// Why an episode ended.
 enum class EpisodeEnd {
-  kRunning,         ///< it has not; or the recording was cut off
-  kArrived,         ///< the robot came within the goal tolerance
-  kNewGoal,         ///< another goal was given
-  kAborted,         ///< the goal was cancelled, or whoever drove there gave it up
-  kTimeJump,        ///< the clock jumped, or nothing was heard for longer than RecorderParameters::max_gap
-  kOdometryJump,    ///< the odometry jumped
-  kPaused,          ///< recording was paused
-  kFinished         ///< recording ended
+  kRunning,       ///< it has not; or the recording was cut off
+  kArrived,       ///< the robot came within the goal tolerance
+  kNewGoal,       ///< another goal was given
+  kAborted,       ///< the goal was cancelled, or whoever drove there gave it up
+  kTimeJump,      ///< the clock jumped, or nothing was heard for longer than RecorderParameters::max_gap
+  kOdometryJump,  ///< the odometry jumped
+  kPaused,        ///< recording was paused
+  kFinished       ///< recording ended
 };
 const char* toString(EpisodeEnd end);
 /// Throws std::invalid_argument for another text than toString() gives.
@@ -72,7 +82,7 @@ struct Episode {
   double begun = 0.0;       ///< s
   double ended = 0.0;       ///< s
   EpisodeEnd end = EpisodeEnd::kRunning;
-  bool discarded = false;   ///< by the driver; not to be learned from
+  bool discarded = false;  ///< by the driver; not to be learned from
 };
 
 /// Why something that was seen has not become a step.

@@ -26,10 +26,18 @@ inline RecordingDescription exampleDescription(const std::string& source = "live
   return description;
 }
 
+/// 190 degrees, upside down; `beams` of 0: scans are not kept, those that were seen had 16.
+inline ScanGeometry exampleGeometry(int beams) {
+  const int count = beams > 0 ? beams : 16;
+  const double span = degreesToRadians(190.0);
+  return {"laser", -0.5 * span, span / (count - 1), count, 0.02, 30.0, {{0.1, 0.0, 0.01}, true}};
+}
+
 /// A robot that drives about as a recorder would see it: every number follows from the ones that it depends on, and
 /// none is round.
 inline RecordedEpisode exampleEpisode(int steps, unsigned seed, int beams = 16) {
   constexpr double kCap = 6.0;
+  constexpr float kNothing = std::numeric_limits<float>::infinity();
   Random random(seed);
   const ActionSet actions(RecorderParameters().action_angles);
   RecordedEpisode recorded;
@@ -54,21 +62,23 @@ inline RecordedEpisode exampleEpisode(int steps, unsigned seed, int beams = 16) 
     step.next_pose = {next.x, next.y, direction};
     step.twist = {uniform(random, 0.1, 0.3), uniform(random, -0.5, 0.5)};
     step.goal = {episode.goal.pose.x + 0.01, episode.goal.pose.y - 0.02};
-    Sectors sectors;
-    for (std::size_t sector = 0; sector < kSectorCount; ++sector) {
-      const bool is_empty = sector == 3;
-      step.beams[sector] = sectors.beams[sector] = 90;
-      step.measured[sector] = sectors.measured[sector] = is_empty ? 0 : 80 + static_cast<int>(sector);
-      sectors.range[sector] = is_empty ? kCap : uniform(random, 1.0, kCap);
-      step.minimum_ranges[sector] = is_empty ? std::numeric_limits<double>::infinity() : sectors.range[sector] * 0.7;
+    step.geometry = exampleGeometry(beams);
+    LaserScan scan = scanOf(step.geometry, {});
+    for (int beam = 0; beam < step.geometry.beams; ++beam) {
+      const double direction = step.geometry.mount.pose.yaw - scan.angle_min - beam * scan.angle_increment;
+      const bool in_empty_sector = direction >= -M_PI / 8.0 && direction < 0.0;
+      scan.ranges.push_back(in_empty_sector ? kNothing : static_cast<float>(uniform(random, 0.1, 9.0)));
     }
+    scan.ranges[2] = std::numeric_limits<float>::quiet_NaN();
+    const Sectors sectors = averageSectors(scan, step.geometry.mount, {}, kCap);
+    step.beams = sectors.beams;
+    step.measured = sectors.measured;
+    step.minimum_ranges = sectors.nearest;
+    if (beams > 0) step.ranges = scan.ranges;
     step.observation = observe(sectors, pose, step.goal, previous_action);
     step.observation.visits[2] = 1.5;
     step.driven_angle = drivenAngle(step.pose, step.next_pose, RecorderParameters().min_step_distance);
     step.label = actions.nearest(step.driven_angle);
-    step.geometry = {"laser", -M_PI_2, M_PI / 15.0, 16, 0.02, 30.0, {{0.1, 0.0, 0.01}, true}};
-    for (int beam = 0; beam < beams; ++beam) step.ranges.push_back(static_cast<float>(uniform(random, 0.1, 9.0)));
-    if (beams > 2) step.ranges[2] = std::numeric_limits<float>::quiet_NaN();
     previous_action = actions.angle(step.label);
     pose = step.next_pose;
     stamp = step.next_stamp;

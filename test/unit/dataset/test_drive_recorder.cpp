@@ -1,5 +1,3 @@
-#include "lstm_planner/dataset/drive_recorder.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "lstm_planner/dataset/drive_recorder.hpp"
 #include "step_list.hpp"
 
 namespace lstm_planner {

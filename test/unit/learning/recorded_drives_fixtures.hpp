@@ -28,6 +28,7 @@ inline RecordedEpisode driveTowards(const Point2& goal, int steps, const Pose2& 
     step.observation = observe(sectors, pose, goal, previous);
     step.label = actions.nearest(step.observation.goal_bearing);
     step.driven_angle = actions.angle(step.label);
+    step.geometry = {"laser", -M_PI_2, M_PI / 180.0, 181, 0.02, 30.0, {}};
     pose.yaw = normalizeAngle(pose.yaw + step.driven_angle);
     const Point2 next = pointAlong(pose, pose.yaw, 0.15);
     pose = {next.x, next.y, pose.yaw};
