@@ -166,7 +166,7 @@ PackedWeights::PackedWeights(const std::vector<LayerMatrices>& layers, const std
   }
   memory_.resize(roundedUp(arrange(&items) + kFloatsAPage, kFloatsALine) / kFloatsALine);
   const auto address = reinterpret_cast<std::uintptr_t>(memory_.data()) / sizeof(float);
-  float* first_page = memory_.front().values + (roundedUp(address, kFloatsAPage) - address);
+  float* first_page = reinterpret_cast<float*>(memory_.data()) + (roundedUp(address, kFloatsAPage) - address);
   for (const Item& item : items) {
     item.packed->weights = first_page + item.offset;
     write(item, first_page + item.offset);
