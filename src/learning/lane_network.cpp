@@ -9,7 +9,7 @@
 
 namespace lstm_planner {
 
-LaneNetwork::LaneNetwork(const LayerStack& layers, int lanes, int steps) : lanes_(lanes), steps_(steps) {
+LaneNetwork::LaneNetwork(const LayerStack& layers, int lanes, int steps) : lanes_(lanes) {
   validateLayers(layers);
   if (lanes < kLaneGroup || lanes % kLaneGroup != 0 || steps < 1) {
     throw std::invalid_argument(std::to_string(lanes) + " lanes and " + std::to_string(steps) +

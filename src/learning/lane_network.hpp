@@ -61,7 +61,6 @@ class LaneNetwork {
   }
 
   int lanes_ = 0;
-  int steps_ = 0;
   int input_size_ = 0;
   int output_size_ = 0;
   std::vector<std::unique_ptr<LaneLayer>> layers_;
