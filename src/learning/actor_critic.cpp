@@ -1,6 +1,7 @@
 #include "lstm_planner/learning/actor_critic.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -136,7 +137,7 @@ class ActorCritic::Implementation {
   }
 
   void restore(const std::vector<std::uint8_t>& checkpoint) try {
-    const nlohmann::json content = nlohmann::json::from_cbor(checkpoint);
+    const nlohmann::json content = checkpointJson(checkpoint);
     if (content.at("format") != kCheckpointFormat) throw std::invalid_argument("another format");
     const Eigen::VectorXf policy = vectorFromJson(content.at("policy"));
     const Eigen::VectorXf critic = vectorFromJson(content.at("critic"));
@@ -147,7 +148,7 @@ class ActorCritic::Implementation {
     critic_optimiser_.setState(optimiserFromJson(content.at("critic_optimiser")));
     advantage_variances_ = content.at("advantage_variances").get<std::vector<double>>();
     all_steps_ = content.at("steps").get<double>();
-    updates_ = content.at("updates").get<int>();
+    updates_ = static_cast<int>(wholeNumber(content.at("updates"), 0, INT_MAX));
     policy_parameters_ = policy;
     critic_parameters_ = critic;
   } catch (const std::exception& error) {

@@ -1,6 +1,7 @@
 #include "lstm_planner/learning/drive_actor_critic.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -151,7 +152,7 @@ class DriveActorCritic::Implementation {
   }
 
   void restore(const std::vector<std::uint8_t>& checkpoint) try {
-    const nlohmann::json content = nlohmann::json::from_cbor(checkpoint);
+    const nlohmann::json content = checkpointJson(checkpoint);
     if (content.at("format") != kCheckpointFormat) throw std::invalid_argument("another format");
     const Eigen::VectorXf policy = vectorFromJson(content.at("policy"));
     const Eigen::VectorXf critic = vectorFromJson(content.at("critic"));
@@ -166,7 +167,7 @@ class DriveActorCritic::Implementation {
     critic_parameters_ = critic;
     advantage_variances_ = variances;
     all_steps_ = content.at("steps").get<double>();
-    iterations_ = content.at("iterations").get<int>();
+    iterations_ = static_cast<int>(wholeNumber(content.at("iterations"), 0, INT_MAX));
     setParameterVector(policy_parameters_, policy_);
   } catch (const nlohmann::json::exception& error) {
     throw std::invalid_argument(std::string("not a checkpoint of this training: ") + error.what());

@@ -1,6 +1,7 @@
 #include "lstm_planner/learning/drive_q_learning.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -100,7 +101,7 @@ class DriveQLearning::Implementation {
   }
 
   void restore(const std::vector<std::uint8_t>& checkpoint) try {
-    const nlohmann::json content = nlohmann::json::from_cbor(checkpoint);
+    const nlohmann::json content = checkpointJson(checkpoint);
     if (content.at("format") != kCheckpointFormat) throw std::invalid_argument("another format");
     const Eigen::VectorXf weights = vectorFromJson(content.at("weights"));
     const Eigen::VectorXf target_weights = vectorFromJson(content.at("target_weights"));
@@ -108,7 +109,7 @@ class DriveQLearning::Implementation {
       throw std::invalid_argument("a network of another size");
     }
     const auto steps = content.at("steps").get<double>();
-    const auto iterations = content.at("iterations").get<int>();
+    const auto iterations = static_cast<int>(wholeNumber(content.at("iterations"), 0, INT_MAX));
     optimiser_.setState(optimiserFromJson(content.at("optimiser")));
     weights_ = weights;
     target_weights_ = target_weights;

@@ -1,3 +1,4 @@
+#include <climits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -28,8 +29,10 @@ LossSum lossFrom(const Json& json) {
   LossSum sum;
   sum.loss = json.at("loss").get<double>();
   sum.weight = json.at("weight").get<double>();
-  const auto classes = json.at("classes").get<Eigen::Index>();
-  const auto counts = json.at("confusion").get<std::vector<std::int64_t>>();
+  constexpr std::int64_t kMostClasses = 1000;
+  const Eigen::Index classes = wholeNumber(json.at("classes"), 0, kMostClasses);
+  std::vector<std::int64_t> counts;
+  for (const Json& count : json.at("confusion")) counts.push_back(wholeNumber(count, 0, INT64_MAX));
   if (static_cast<Eigen::Index>(counts.size()) != classes * classes)
     throw std::invalid_argument("bad confusion matrix");
   sum.confusion = Eigen::Map<const ConfusionMatrix>(counts.data(), classes, classes);
@@ -46,7 +49,7 @@ Json toJson(const EpochReport& report) {
 
 EpochReport reportFrom(const Json& json) {
   EpochReport report;
-  report.epoch = json.at("epoch").get<int>();
+  report.epoch = static_cast<int>(wholeNumber(json.at("epoch"), 0, INT_MAX));
   report.learning_rate = json.at("learning_rate").get<double>();
   report.training = lossFrom(json.at("training"));
   report.validation = lossFrom(json.at("validation"));
@@ -83,7 +86,7 @@ std::vector<std::uint8_t> toBytes(const GridImitationState& state) {
 }
 
 GridImitationState gridImitationStateFrom(const std::vector<std::uint8_t>& bytes) try {
-  const Json json = Json::from_cbor(bytes);
+  const Json json = checkpointJson(bytes);
   if (json.at("format") != kFormat) throw std::invalid_argument("another format");
   GridImitationState state;
   for (const Json& learner : json.at("learners")) state.learners.push_back(vectorFromJson(learner));
@@ -91,7 +94,7 @@ GridImitationState gridImitationStateFrom(const std::vector<std::uint8_t>& bytes
   state.training.best_weights = vectorFromJson(json.at("best_weights"));
   state.training.optimiser.velocity = vectorFromJson(json.at("velocity"));
   state.training.optimiser.squared_average = vectorFromJson(json.at("squared_average"));
-  state.training.optimiser.updates = json.at("updates").get<long>();
+  state.training.optimiser.updates = wholeNumber(json.at("updates"), 0, LONG_MAX);
   state.curve = curveFrom(json.at("curve"));
   state.training.curve = curveFrom(json.at("round_curve"));
   return state;

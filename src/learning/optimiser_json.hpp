@@ -1,13 +1,16 @@
 #pragma once
 
+#include <climits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "checkpoint_json.hpp"
 #include "lstm_planner/learning/optimiser.hpp"
 
 namespace lstm_planner {
 
-// Parts of a learner's checkpoint. Reading throws nlohmann::json::exception for what is missing or of another type.
+// Parts of a learner's checkpoint. Reading throws nlohmann::json::exception or std::invalid_argument for what is
+// missing or of another type.
 
 inline nlohmann::json vectorToJson(const Eigen::VectorXf& values) {
   return std::vector<float>(values.data(), values.data() + values.size());
@@ -26,7 +29,7 @@ inline nlohmann::json optimiserToJson(const Optimiser::State& state) {
 
 inline Optimiser::State optimiserFromJson(const nlohmann::json& json) {
   return {vectorFromJson(json.at("velocity")), vectorFromJson(json.at("squared_average")),
-          json.at("updates").get<long>()};
+          wholeNumber(json.at("updates"), 0, LONG_MAX)};
 }
 
 }  // namespace lstm_planner

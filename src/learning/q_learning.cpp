@@ -1,6 +1,7 @@
 #include "lstm_planner/learning/q_learning.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -128,7 +129,7 @@ class QLearning::Implementation {
   }
 
   void restore(const std::vector<std::uint8_t>& checkpoint) try {
-    const nlohmann::json content = nlohmann::json::from_cbor(checkpoint);
+    const nlohmann::json content = checkpointJson(checkpoint);
     if (content.at("format") != kCheckpointFormat) throw std::invalid_argument("another format");
     const Eigen::VectorXf weights = vectorFromJson(content.at("weights"));
     const Eigen::VectorXf target_weights = vectorFromJson(content.at("target_weights"));
@@ -136,7 +137,7 @@ class QLearning::Implementation {
       throw std::invalid_argument("a network of another size");
     }
     const auto steps = content.at("steps").get<double>();
-    const auto updates = content.at("updates").get<int>();
+    const auto updates = static_cast<int>(wholeNumber(content.at("updates"), 0, INT_MAX));
     optimiser_.setState(optimiserFromJson(content.at("optimiser")));
     weights_ = weights;
     target_weights_ = target_weights;

@@ -5,9 +5,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <system_error>
+
+#include "checkpoint_json.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -30,6 +34,25 @@ std::string firstDifference(const Json& made_with, const Json& wanted) {
   return "";
 }
 
+/// The first two lines. Throws std::invalid_argument when they are not a checkpoint's.
+Json readHeader(const std::string& path, std::istream* file) {
+  std::string first_line;
+  std::string header_line;
+  std::getline(*file, first_line);
+  if (first_line == kFirstLine) std::getline(*file, header_line);
+  std::string why;
+  try {
+    Json header = checkpointJson(header_line);
+    if (header.is_object() && header.count("settings") == 1 && header["settings"].is_object() &&
+        header.count("progress") == 1 && header.count("learner_bytes") == 1) {
+      return header;
+    }
+  } catch (const std::invalid_argument& error) {
+    if (first_line == kFirstLine) why = std::string(" (") + error.what() + ")";
+  }
+  throw std::invalid_argument("'" + path + "' is not a checkpoint of a training" + why + ", expected one or no file");
+}
+
 }  // namespace
 
 void writeTrainingCheckpoint(const std::string& path, const TrainingCheckpoint& checkpoint) {
@@ -49,20 +72,17 @@ void writeTrainingCheckpoint(const std::string& path, const TrainingCheckpoint& 
 }
 
 std::optional<TrainingCheckpoint> readTrainingCheckpoint(const std::string& path, const Json& settings) {
+  const std::string sentence = "cannot read checkpoint '" + path + "': ";
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) return std::nullopt;
+  // A pipe or a device may never end.
+  if (!error && status.type() != std::filesystem::file_type::regular) {
+    throw std::invalid_argument(sentence + "it is no regular file");
+  }
   std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    if (errno == ENOENT) return std::nullopt;
-    throw std::invalid_argument("cannot read checkpoint '" + path + "': " + std::strerror(errno));
-  }
-  std::string first_line;
-  std::string header_line;
-  std::getline(file, first_line);
-  std::getline(file, header_line);
-  const Json header = Json::parse(header_line, nullptr, false);
-  if (first_line != kFirstLine || !header.is_object() || header.count("settings") == 0 ||
-      header.count("progress") == 0 || header.count("learner_bytes") == 0) {
-    throw std::invalid_argument("'" + path + "' is not a checkpoint of a training, expected one or no file");
-  }
+  if (!file) throw std::invalid_argument(sentence + std::strerror(errno));
+  const Json header = readHeader(path, &file);
   TrainingCheckpoint checkpoint;
   checkpoint.settings = header["settings"];
   checkpoint.progress = header["progress"];
@@ -72,7 +92,7 @@ std::optional<TrainingCheckpoint> readTrainingCheckpoint(const std::string& path
                                 ": give the same options again, or another file");
   }
   checkpoint.learner.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
-  if (checkpoint.learner.size() != header["learner_bytes"].get<std::size_t>()) {
+  if (header["learner_bytes"] != checkpoint.learner.size()) {
     throw std::invalid_argument("checkpoint '" + path + "' has " + std::to_string(checkpoint.learner.size()) +
                                 " bytes of the learner, expected " + header["learner_bytes"].dump());
   }

@@ -125,6 +125,16 @@ TEST(GridImitation, RefusesBytesThatAreNoState) {
   EXPECT_THROW(gridImitationStateFrom(bytes), std::invalid_argument);
 }
 
+TEST(GridImitation, RefusesAStateOfManyLevels) {
+  const std::vector<std::uint8_t> lists_in_lists(1000000, 0x81);
+  try {
+    gridImitationStateFrom(lists_in_lists);
+    FAIL() << "it was taken";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("more than 16 levels"), std::string::npos) << error.what();
+  }
+}
+
 TEST(GridImitation, ThesisTrainsAsInItsTables) {
   const GridImitationParameters thesis = thesisImitation();
   EXPECT_NO_THROW(validate(thesis));

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -61,6 +62,27 @@ TEST_F(TrainingCheckpointFile, RefusesOtherFiles) {
   EXPECT_NE(refusal({}).find("is not a checkpoint"), std::string::npos);
   std::ofstream(path_, std::ios::trunc).close();
   EXPECT_NE(refusal({}).find("is not a checkpoint"), std::string::npos);
+}
+
+TEST_F(TrainingCheckpointFile, RefusesALengthThatIsNoNumber) {
+  std::ofstream(path_) << "lstm_planner training checkpoint 1\n"
+                       << R"({"settings": {}, "progress": {}, "learner_bytes": "four"})"
+                       << "\nfour";
+  EXPECT_NE(refusal({}).find("4 bytes of the learner, expected \"four\""), std::string::npos);
+}
+
+TEST_F(TrainingCheckpointFile, RefusesAHeaderOfManyLevels) {
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  std::ofstream(path_) << "lstm_planner training checkpoint 1\n"
+                       << R"({"settings": {"seed": )" << deep << R"(}, "progress": {}, "learner_bytes": 0})"
+                       << "\n";
+  EXPECT_NE(refusal({{"seed", 1}}).find("more than 16 levels"), std::string::npos);
+}
+
+TEST_F(TrainingCheckpointFile, RefusesAPipe) {
+  std::filesystem::remove(path_);
+  ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+  EXPECT_NE(refusal({}).find("no regular file"), std::string::npos);
 }
 
 TEST_F(TrainingCheckpointFile, LeavesTheOldOneWhenItCannotWrite) {
