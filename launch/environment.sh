@@ -1,9 +1,12 @@
 # shellcheck shell=bash
-# What launch/demo.sh and test/run.sh have in common: find ROS 1, install what is missing, build in a workspace outside
-# the source tree, and enter that workspace's environment. To be sourced by them; does nothing by itself.
+# What launch/demo.sh, test/run.sh and test/fuzz/run.sh have in common: find ROS 1, install what is missing, build in a
+# workspace outside the source tree, and enter that workspace's environment. To be sourced by them; does nothing by
+# itself. They may set more_packages and more_optional_packages.
 #
 #   LSTM_PLANNER_WS   the workspace; default ${XDG_CACHE_HOME:-~/.cache}/lstm_planner
 
+more_packages=()
+more_optional_packages=()
 source_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)"
 workspace="${LSTM_PLANNER_WS:-${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/lstm_planner}"
 noetic_setup=/opt/ros/noetic/setup.bash
@@ -32,7 +35,7 @@ find_ros_flavour() {
 required_packages() {
   printf '%s\n' cmake g++ make gnuplot-nox libboost-dev libboost-program-options-dev libeigen3-dev libgmock-dev \
     libgtest-dev libopencv-dev libpoco-dev libprotobuf-dev libsqlite3-dev libyaml-cpp-dev nlohmann-json3-dev \
-    protobuf-compiler python3
+    protobuf-compiler python3 "${more_packages[@]}"
   if [ "$1" = noetic ]; then
     printf 'ros-noetic-%s\n' actionlib actionlib-msgs catkin costmap-2d diagnostic-msgs geometry-msgs move-base \
       move-base-msgs nav-core nav-msgs pluginlib rosbag rosbash roscpp rosgraph-msgs roslaunch roslib rosparam \
@@ -53,7 +56,7 @@ required_packages() {
 # driver's own messages, the navigation stack's other planners to compare with, MPI for several processes, Google
 # Benchmark, a viewer when there is a display.
 optional_packages() {
-  printf '%s\n' libbenchmark-dev libopenmpi-dev openmpi-bin python3-onnx
+  printf '%s\n' libbenchmark-dev libopenmpi-dev openmpi-bin python3-onnx "${more_optional_packages[@]}"
   [ "$1" = noetic ] && printf 'ros-noetic-%s\n' create-msgs dwa-local-planner dynamic-reconfigure global-planner
   if [ -n "${DISPLAY:-}" ]; then
     if [ "$1" = noetic ]; then echo ros-noetic-rviz; else echo rviz; fi

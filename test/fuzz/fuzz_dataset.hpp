@@ -1,0 +1,64 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fuzz/harness.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/dataset/dataset_check.hpp"
+#include "lstm_planner/dataset/drive_recorder.hpp"
+#include "lstm_planner/dataset/recording_sink.hpp"
+
+namespace lstm_planner::fuzz {
+
+/// The bytes of a dataset of one short drive, with scans.
+inline std::string soundDataset() {
+  RecordingSink sink{RecordingDescription{{}, softwareVersion(), "live", "odom", "2026-11-21T12:00:00Z"}};
+  DriveRecorder recorder({}, &sink, [](const std::string&, double) { return std::optional<Pose2>(Pose2()); });
+  recorder.add(GoalHeard{1000.0, {"odom", {3.0, 0.5, 0.0}}, "fuzz"});
+  LaserScan scan{0.0, -M_PI_2, M_PI / 15.0, 0.1, 30.0, std::vector<float>(16, 2.5f)};
+  for (int i = 0; i < 30; ++i) {
+    const double stamp = 1000.0 + 0.1 * i;
+    recorder.add(OdometryHeard{stamp, {0.03 * i, 0.0, 0.0}, {0.3, 0.0}});
+    scan.stamp = stamp;
+    recorder.add(ScanHeard{stamp, scan, {}, "laser"});
+  }
+  recorder.finish();
+  sink.recording().finished = true;
+  require(sink.recording().episodes.size() == 1 && !sink.recording().episodes[0].steps.empty(), "the drive has steps");
+
+  const std::string path = std::filesystem::temp_directory_path() / ("lstm_planner_fuzz_" + std::to_string(::getpid()));
+  std::filesystem::remove(path);
+  writeDataset(path, {{sink.recording()}});
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  std::filesystem::remove(path);
+  return bytes;
+}
+
+/// All that reads a dataset file. What can be read and holds no contradiction is finite.
+inline void readDatasetFile(const std::string& path) {
+  expectRefusal<DatasetError>([&] {
+    if (!checkDatasetFile(path).empty()) return;
+    for (const Recording& recording : readDataset(path, true).recordings) {
+      for (const RecordedEpisode& episode : recording.episodes) {
+        for (const DriveStep& step : episode.steps) {
+          require(isFinite(step.pose) && isFinite(step.next_pose) && std::isfinite(step.driven_angle),
+                  "steps without a fault are finite");
+          const auto actions = static_cast<int>(recording.description.parameters.action_angles.size());
+          require(step.label >= 0 && step.label < actions, "labels without a fault are allowed angles");
+        }
+      }
+    }
+  });
+  expectRefusal<DatasetError>([&] { readDataset(path); });
+}
+
+}  // namespace lstm_planner::fuzz

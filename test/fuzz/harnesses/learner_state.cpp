@@ -1,0 +1,52 @@
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "fuzz/harness.hpp"
+#include "lstm_planner/learning/actor_critic.hpp"
+#include "lstm_planner/learning/grid_imitation.hpp"
+#include "lstm_planner/learning/initialisation.hpp"
+#include "lstm_planner/learning/q_learning.hpp"
+
+namespace lstm_planner::fuzz {
+namespace {
+
+template <typename Learner, typename Parameters>
+Learner smallLearner() {
+  Parameters parameters;
+  parameters.threads = 1;
+  parameters.agents = 16;
+  const GridEncoder encoder(parameters.encoder);
+  return Learner(parameters, makeLstmStack(encoder.size(), {1}, encoder.outputs()));
+}
+
+void restore(int learner, const std::vector<std::uint8_t>& state) {
+  static ActorCritic actor_critic = smallLearner<ActorCritic, ActorCriticParameters>();
+  static QLearning q_learning = smallLearner<QLearning, QLearningParameters>();
+  switch (learner % 3) {
+    case 0:
+      gridImitationStateFrom(state);
+      break;
+    case 1:
+      actor_critic.restore(state);
+      break;
+    default:
+      q_learning.restore(state);
+  }
+}
+
+/// What a checkpoint holds of a learner: '0', '1' or '2' says which; then JSON, which is stored as CBOR, or CBOR
+/// itself.
+void readState(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return;
+  std::vector<std::uint8_t> state(data + 1, data + size);
+  const nlohmann::json json = nlohmann::json::parse(state, nullptr, false);
+  if (!json.is_discarded()) state = nlohmann::json::to_cbor(json);
+  expectRefusal<std::invalid_argument>([&] { restore(data[0] - '0', state); });
+}
+
+const Registration registration("learner_state", &readState);
+
+}  // namespace
+}  // namespace lstm_planner::fuzz

@@ -1,0 +1,65 @@
+#include <cmath>
+#include <vector>
+
+#include "fuzz/fuzz_scan.hpp"
+#include "fuzz/harness.hpp"
+#include "lstm_planner/agent/motion_controller.hpp"
+#include "lstm_planner/agent/shield.hpp"
+#include "lstm_planner/agent/situation.hpp"
+#include "lstm_planner/perception/moving_returns.hpp"
+
+namespace lstm_planner::fuzz {
+namespace {
+
+constexpr double kRangeCap = 6.0;       // m
+constexpr double kFootprint = 0.17425;  // m
+constexpr double kPeriod = 0.1;         // s
+constexpr std::size_t kMostScans = 4;
+
+void checkSituation(const Situation& situation, const LaserScan& scan) {
+  for (int sector = 0; sector < kSectorCount; ++sector) {
+    const auto i = static_cast<std::size_t>(sector);
+    require(situation.sectors.range[i] > 0.0 && situation.sectors.range[i] <= kRangeCap * (1.0 + 1e-6),
+            "sector ranges are positive and at most the cap");
+    require(situation.sectors.beams[i] > 0 && situation.sectors.measured[i] <= situation.sectors.beams[i],
+            "each sector has beams");
+  }
+  require(situation.obstacles.size() <= scan.ranges.size(), "an obstacle is a beam");
+  for (const Point2& point : situation.obstacles) {
+    require(std::isfinite(point.x) && std::isfinite(point.y), "obstacles are finite");
+  }
+}
+
+/// Some scans, one after the other, each seen by the planner's eyes and driven after by the controller.
+void seeAndDrive(const std::uint8_t* data, std::size_t size) {
+  FuzzInput input(data, size);
+  static const MotionParameters parameters;
+  static const MotionController controller(parameters);
+  static const std::vector<Pose2> straight_on = {{}, {0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, {2.0, 0.0, 0.0}};
+  Shield shield(kFootprint, parameters.safety_margin, 2.0);
+  MovingReturns moving(parameters.moving);
+  Situation situation;
+  double time = 0.0;
+  for (std::size_t i = 0; i < kMostScans && !input.empty(); ++i) {
+    const LaserScan scan = anyScan(&input);
+    const SensorMount mount = anyMount(&input);
+    const Twist2 twist{input.numberIn(-0.5, 0.5), input.numberIn(-3.0, 3.0)};
+    time += input.number();
+    try {
+      perceive(scan, mount, {}, kRangeCap, &situation);
+    } catch (const UnusableScan&) {
+      continue;
+    }
+    checkSituation(situation, scan);
+    shield.show(situation.obstacles);
+    moving.show(situation.profile, {}, time);
+    const Twist2 command = controller.compute(straight_on, {}, twist, shield, kPeriod, moving.points());
+    require(command.linear >= 0.0 && command.linear <= parameters.max_linear, "the speed is within its limits");
+    require(std::abs(command.angular) <= parameters.max_angular, "the rate is within its limits");
+  }
+}
+
+const Registration registration("scan", &seeAndDrive);
+
+}  // namespace
+}  // namespace lstm_planner::fuzz
