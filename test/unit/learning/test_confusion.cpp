@@ -9,6 +9,7 @@
 #include <string>
 
 #include "lstm_planner/learning/confusion.hpp"
+#include "picture_check.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -51,7 +52,7 @@ TEST(Confusion, TextHasARowALabelWithItsRecallAndARowOfPrecisions) {
   EXPECT_THROW(confusionText(confusion(), {"-45", "0"}), std::invalid_argument);
 }
 
-TEST(Confusion, PictureIsAPngAndTheCountsAreBesideIt) {
+TEST(Confusion, PictureIsDrawnAndTheCountsAreBesideIt) {
   if (std::system("command -v gnuplot > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
   const fs::path folder = fs::temp_directory_path() / ("confusion " + std::to_string(::getpid()));
   fs::create_directories(folder);
@@ -60,7 +61,7 @@ TEST(Confusion, PictureIsAPngAndTheCountsAreBesideIt) {
     std::ifstream stream(folder / name, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(stream), {});
   };
-  EXPECT_EQ(content("it.png").substr(0, 8), "\x89PNG\r\n\x1a\n");
+  test::expectPicture((folder / "it.png").string(), 720, 640);
   EXPECT_EQ(content("it.csv"), "label,answer -45,answer 0,answer 45\n-45,0,4,0\n0,2,6,0\n45,0,0,0\n");
   fs::remove_all(folder);
 }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "picture_check.hpp"
 #include "unit/dataset/dataset_fixtures.hpp"
 
 namespace lstm_planner {
@@ -66,11 +67,7 @@ TEST_F(DatasetTool, SaysWhatADatasetHolds) {
 TEST_F(DatasetTool, DrawsADataset) {
   if (std::system("command -v gnuplot > /dev/null") != 0) GTEST_SKIP() << "SKIPPED: gnuplot is not installed";
   success("info a.db --picture a.png");
-  std::ifstream picture(in("a.png"), std::ios::binary);
-  std::string begin(8, ' ');
-  picture.read(begin.data(), 8);
-  EXPECT_EQ(begin, "\x89PNG\r\n\x1a\n");
-  EXPECT_GT(std::filesystem::file_size(in("a.png")), 10000u) << "an empty page is smaller";
+  test::expectPicture(in("a.png"), 1400, 800);
 }
 
 TEST_F(DatasetTool, TellsASoundDatasetFromOneWithFlaws) {

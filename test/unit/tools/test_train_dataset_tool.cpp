@@ -8,6 +8,7 @@
 #include <string>
 
 #include "lstm_planner/agent/drive_policy.hpp"
+#include "picture_check.hpp"
 #include "tool_test.hpp"
 #include "unit/learning/recorded_drives_fixtures.hpp"
 
@@ -102,10 +103,11 @@ TEST_F(TrainDatasetTool, ThesisPresetMeasuresTheInstability) {
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_NE(outcome.output.find("the accuracy of an epoch (Eq. 4.5) and that of the weights at its end"),
             std::string::npos);
-  for (const char* name : {"instability", "curve", "confusion"}) {
-    EXPECT_TRUE(exists(std::string(name) + ".png")) << name;
+  for (const char* name : {"instability", "curve", "confusion"})
     EXPECT_TRUE(exists(std::string(name) + ".csv")) << name;
-  }
+  test::expectPicture(in("instability.png"), 1000, 900);
+  test::expectPicture(in("curve.png"), 900, 800);
+  test::expectPicture(in("confusion.png"), 720, 640);
 }
 
 TEST_F(TrainDatasetTool, BadOptionsAreRefusedWithASentenceBeforeAnythingIsWritten) {
