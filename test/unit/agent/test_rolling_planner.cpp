@@ -65,17 +65,26 @@ TEST(RollingGrid, RollsWithTheAgentAndForgetsWhatLeavesTheWindow) {
   EXPECT_FALSE(walls.isWall(end));
 }
 
-/// Walks where the planner says; the number of steps, or -1.
-int walk(RollingPlanner* planner, const PassableGrid& grid, CellIndex cell, CellIndex goal, int max_steps) {
-  planner->start();
-  for (int step = 0; step < max_steps; ++step) {
+/// Walks where `decide` says; the number of steps, or -1.
+template <typename Decide>
+int walk(const Decide& decide, const PassableGrid& grid, CellIndex cell, CellIndex goal, int max_steps) {
+  for (int step = 0; step <= max_steps; ++step) {
     if (cell == goal) return step;
-    planner->observe(observationAt(grid, cell, goal));
-    const int direction = planner->direction();
+    const int direction = decide(observationAt(grid, cell, goal));
     if (direction == kNoWay || !movePossible(grid, cell, direction, CornerCutting::kForbidden)) return -1;
     cell = cellBeside(cell, direction);
   }
   return -1;
+}
+
+/// The same with a planner.
+int walk(RollingPlanner* planner, const PassableGrid& grid, CellIndex cell, CellIndex goal, int max_steps) {
+  planner->start();
+  const auto decide = [&](const GridObservation& observation) {
+    planner->observe(observation);
+    return planner->direction();
+  };
+  return walk(decide, grid, cell, goal, max_steps);
 }
 
 TEST(RollingPlanner, GoesStraightWhereNothingIsInTheWay) {
@@ -85,23 +94,35 @@ TEST(RollingPlanner, GoesStraightWhereNothingIsInTheWay) {
 
 TEST(RollingPlanner, ArrivesWhereverThereIsAWayInAMapThatFitsTheWindow) {
   // The window is 160 cells and the agent within 16 cells of its middle: nothing of 60 cells is ever forgotten, and
-  // what is known of the walls only grows.
+  // what is known of the walls only grows. A random walk shows that the limit of steps tells good from bad.
+  constexpr double kMostSteps = 4.0;  // a cell of the shortest way
   RollingPlanner planner;
+  Random random(4);
   int reachable = 0;
+  int reached_by_chance = 0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     PassableGrid grid = randomGrid(60, 0.1 + 0.002 * static_cast<double>(seed), seed);
     grid.set({3, 3}, true);
     grid.set({55, 50}, true);
     const float length = GridDistances(grid, {55, 50}, CornerCutting::kForbidden).at({3, 3});
-    const int steps = walk(&planner, grid, {3, 3}, {55, 50}, 60 * 60 * 60);
     if (std::isinf(length)) {
-      EXPECT_EQ(steps, -1) << seed;
-    } else {
-      ++reachable;
-      EXPECT_GT(steps, 0) << seed;
+      EXPECT_EQ(walk(&planner, grid, {3, 3}, {55, 50}, 60 * 60 * 60), -1) << seed;
+      continue;
     }
+    const int max_steps = static_cast<int>(kMostSteps * length);
+    ++reachable;
+    EXPECT_GE(walk(&planner, grid, {3, 3}, {55, 50}, max_steps), 52) << seed;
+    const auto wander = [&](const GridObservation& observation) {
+      int direction = 0;
+      do {
+        direction = static_cast<int>(uniformIndex(random, 8));
+      } while (!movePossible(grid, observation.cell, direction, CornerCutting::kForbidden));
+      return direction;
+    };
+    reached_by_chance += walk(wander, grid, {3, 3}, {55, 50}, max_steps) > 0 ? 1 : 0;
   }
   EXPECT_GT(reachable, 100);
+  EXPECT_LT(reached_by_chance, reachable / 10);
 }
 
 TEST(RollingPlanner, TheFirstPlanInAKnownPlaceIsAsShortAsTheShortestWay) {

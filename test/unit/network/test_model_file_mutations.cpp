@@ -1,5 +1,6 @@
 #include <random>
 
+#include "lstm_planner/learning/parameter_vector.hpp"
 #include "lstm_planner/network/network.hpp"
 #include "unit/network/model_file_fixtures.hpp"
 #include "unit/network/network_fixtures.hpp"
@@ -31,12 +32,35 @@ class ModelFileMutations : public test::ModelFileTest {
 
   std::string validFile() {
     LayerMaker make(1);
-    writeModelFile(path_, {{make.dense(3, 2, Activation::kRelu), make.lstm(2, 2, Activation::kSigmoid),
-                            make.recurrent(2, 2), make.dense(2, 2), SoftmaxLayer{}},
-                           {{"key", "value"}}});
+    layers_ = {make.dense(3, 2, Activation::kRelu), make.lstm(2, 2, Activation::kSigmoid), make.recurrent(2, 2),
+               make.dense(2, 2), SoftmaxLayer{}};
+    writeModelFile(path_, {layers_, {{"key", "value"}}});
     return readBytes();
   }
+
+  LayerStack layers_;  ///< of the valid file
 };
+
+TEST_F(ModelFileMutations, AFlippedBitChangesOneWeightWhereItIsOneOfAWeightAndNeverTheSizes) {
+  const std::string valid = validFile();
+  const Eigen::VectorXf weights = parameterVector(layers_);
+  int bytes_of_weights = 0;
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    std::string bytes = valid;
+    bytes[i] = static_cast<char>(bytes[i] ^ 1);
+    writeBytes(bytes);
+    try {
+      const LayerStack layers = readModelFile(path_).layers;
+      ASSERT_EQ(layers.size(), layers_.size()) << "byte " << i;
+      const Eigen::VectorXf read = parameterVector(layers);
+      ASSERT_EQ(read.size(), weights.size()) << "byte " << i;
+      bytes_of_weights += (read.array() != weights.array()).count() == 1 ? 1 : 0;
+    } catch (const ModelFileError& error) {
+      EXPECT_NE(std::string(error.what()).find(path_), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_EQ(bytes_of_weights, 4 * weights.size());
+}
 
 TEST_F(ModelFileMutations, ChangedBytesAreReadOrRefused) {
   const std::string valid = validFile();
@@ -49,7 +73,7 @@ TEST_F(ModelFileMutations, ChangedBytesAreReadOrRefused) {
     for (int change = 0; change < changes; ++change) bytes[random() % bytes.size()] = static_cast<char>(random());
     (readMutation(bytes) == Outcome::kRead ? read : refused) += 1;
   }
-  // Weights are read whatever they are, structure is not: both must have been met.
+  // Both must have been met.
   EXPECT_GT(read, 100);
   EXPECT_GT(refused, 100);
 }
