@@ -3,18 +3,24 @@
 #include <Poco/InflatingStream.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 #include <utility>
 
 #include "carmen_log_line.hpp"
 #include "lstm_planner/dataset/drive_recorder.hpp"
+#include "lstm_planner/files/input_file.hpp"
 
 namespace lstm_planner {
 
 namespace {
 
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 28;
+constexpr std::size_t kMostLines = 1'000'000;
 constexpr const char* kOdometryFrame = "odom";
 constexpr const char* kScanFrame = "laser";
 
@@ -26,8 +32,13 @@ class LogReader {
   LogReader(const std::string& path, CarmenLog* log) : path_(path), log_(log) {}
 
   std::vector<CarmenLine> read() {
+    try {
+      checkInputFile(path_, kMostBytes);
+    } catch (const InputFileError& error) {
+      throw std::invalid_argument("the log " + path_ + " cannot be read: " + error.what());
+    }
     std::ifstream file(path_, std::ios::binary);
-    if (!file) throw std::invalid_argument("the log " + path_ + " cannot be read");
+    if (!file) throw std::invalid_argument("the log " + path_ + " cannot be read: " + std::strerror(errno));
     const bool is_compressed = file.get() == 0x1f && file.get() == 0x8b;
     file.clear();
     file.seekg(0);
@@ -59,6 +70,12 @@ class LogReader {
       }
       if (stream->gcount() == 0 && stream->fail()) return;
       ++number_;
+      bytes_ += static_cast<std::uintmax_t>(stream->gcount());
+      if (bytes_ > kMostBytes || lines_.size() >= kMostLines) {
+        throw std::invalid_argument("the log " + path_ + " is too long: expected at most " +
+                                    std::to_string(kMostBytes) + " bytes, decompressed, and " +
+                                    std::to_string(kMostLines) + " scans and lines ODOM");
+      }
       take(buffer.c_str());
     }
   }
@@ -86,11 +103,13 @@ class LogReader {
     } else if (kind == "PARAM") {
       takeParameter(text);
     } else {
-      // What is no keyword is not worth a count of its own.
+      // What is no keyword is not worth a count of its own; nor is what comes after all that CARMEN has.
       constexpr std::size_t kLongestKeyword = 32;
+      constexpr std::size_t kMostKeywords = 100;
       const bool is_keyword = kind.size() <= kLongestKeyword &&
                               std::all_of(kind.begin(), kind.end(), [](char c) { return c > ' ' && c <= '~'; });
-      ++log_->ignored[is_keyword ? kind : "?"];
+      const bool is_new = log_->ignored.count(kind) == 0;
+      ++log_->ignored[is_keyword && !(is_new && log_->ignored.size() >= kMostKeywords) ? kind : "?"];
     }
   }
 
@@ -121,6 +140,7 @@ class LogReader {
   std::vector<CarmenLine> lines_;
   double front_laser_offset_ = 0.0;  ///< m
   long number_ = 0;                  ///< of the line
+  std::uintmax_t bytes_ = 0;         ///< decompressed
 };
 
 constexpr double kClockSet = 5.0;     // s

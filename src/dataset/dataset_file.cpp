@@ -5,15 +5,15 @@
 #include <Poco/Data/SQLite/Utility.h>
 #include <Poco/Data/Statement.h>
 #include <Poco/Nullable.h>
-#include <sys/stat.h>
 
-#include <cerrno>
-#include <cstring>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <system_error>
 
 #include "dataset/dataset_schema.hpp"
 #include "dataset/schema_check.hpp"
+#include "lstm_planner/files/input_file.hpp"
 
 namespace lstm_planner {
 
@@ -29,13 +29,13 @@ void registerSqliteOnce() {
 
 /// Whether there is something at the path; a folder or a pipe is an error in any case.
 bool isThere(const std::string& path, const std::string& sentence) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) {
-    if (errno == ENOENT) return false;
-    throw DatasetError(sentence + std::strerror(errno));
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown) && !unknown) return false;
+  try {
+    checkInputFile(path, std::numeric_limits<std::uintmax_t>::max());
+  } catch (const InputFileError& error) {
+    throw DatasetError(sentence + error.what());
   }
-  if (S_ISDIR(status.st_mode)) throw DatasetError(sentence + "it is a folder, expected a file");
-  if (!S_ISREG(status.st_mode)) throw DatasetError(sentence + "it is not a plain file");
   return true;
 }
 

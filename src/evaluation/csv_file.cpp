@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+
+#include "lstm_planner/files/input_file.hpp"
 
 namespace lstm_planner {
 namespace {
 
 constexpr const char* kBlank = " \t\r";
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 26;  // bytes
+constexpr std::size_t kLongestLine = std::size_t{1} << 16;        // letters
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> fields;
@@ -21,6 +25,19 @@ std::vector<std::string> split(const std::string& line) {
     fields.push_back(first == std::string::npos ? "" : field.substr(first, last - first + 1));
   }
   return fields;
+}
+
+std::string readWhole(const std::string& path) {
+  try {
+    return readInputFile(path, kLargestFile);
+  } catch (const InputFileError& error) {
+    throw std::invalid_argument("'" + path + "' cannot be read: " + error.what());
+  }
+}
+
+[[noreturn]] void refuseLength(const std::string& path, int number) {
+  throw std::invalid_argument("'" + path + "', line " + std::to_string(number) + ": it is longer than " +
+                              std::to_string(kLongestLine) + " letters");
 }
 
 double toNumber(const std::string& text, const std::string& where, const std::string& column) {
@@ -36,9 +53,10 @@ double toNumber(const std::string& text, const std::string& where, const std::st
 
 CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& columns,
                  const std::vector<std::string>& optional_columns) {
-  std::ifstream file(path);
+  std::istringstream file(readWhole(path));
   std::string line;
-  if (!file || !std::getline(file, line)) throw std::invalid_argument("'" + path + "' cannot be read");
+  if (!std::getline(file, line)) throw std::invalid_argument("'" + path + "' cannot be read: it is empty");
+  if (line.size() > kLongestLine) refuseLength(path, 1);
   const std::vector<std::string> names = split(line);
   std::vector<std::string> wanted = columns;
   wanted.insert(wanted.end(), optional_columns.begin(), optional_columns.end());
@@ -54,13 +72,13 @@ CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& column
   }
   for (int number = 2; std::getline(file, line); ++number) {
     if (line.find_first_not_of(kBlank) == std::string::npos) continue;
+    if (line.size() > kLongestLine) refuseLength(path, number);
     const std::string where = "'" + path + "', line " + std::to_string(number);
     const std::vector<std::string> fields = split(line);
-    std::vector<double> numbers(wanted.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (has_[i]) numbers[i] = toNumber(places[i] < fields.size() ? fields[places[i]] : "", where, wanted[i]);
+      const std::string field = places[i] < fields.size() ? fields[places[i]] : "";
+      numbers_.push_back(has_[i] ? toNumber(field, where, wanted[i]) : std::numeric_limits<double>::quiet_NaN());
     }
-    numbers_.push_back(std::move(numbers));
   }
 }
 

@@ -3,21 +3,23 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
 #include <iomanip>
 #include <locale>
 #include <opencv2/imgcodecs.hpp>
-#include <sstream>
 #include <vector>
+
+#include "grid/map_image.hpp"
+#include "lstm_planner/files/input_file.hpp"
 
 namespace lstm_planner {
 namespace {
 
-constexpr double kMostPixels = 268435456.0;  // as OccupancyGrid: 2^28 cells
+constexpr std::uintmax_t kLargestImageFile = std::uintmax_t{1} << 29;
+// Nobody's is longer, and libraries of some systems follow nested brackets until the stack ends.
+constexpr std::uintmax_t kLargestDescription = 4096;
 
 struct MapDescription {
   std::string image;
@@ -28,12 +30,20 @@ struct MapDescription {
   double free_threshold = 0.0;
 };
 
+std::string readWhole(const std::string& kind, const std::string& path, std::uintmax_t largest) {
+  try {
+    return readInputFile(path, largest);
+  } catch (const InputFileError& error) {
+    throw MapFileError("the " + kind + " " + path + " cannot be read: " + error.what());
+  }
+}
+
 /// Reads the fields of one yaml file and says which one is wrong.
 class DescriptionReader {
  public:
   explicit DescriptionReader(const std::string& path) : path_(path) {
     try {
-      root_ = YAML::LoadFile(path);
+      root_ = YAML::Load(readWhole("map", path, kLargestDescription));
     } catch (const YAML::Exception& error) {
       throw MapFileError("the map " + path + " cannot be read as yaml: " + error.what());
     }
@@ -107,51 +117,13 @@ std::string imagePath(const std::string& yaml_path, const std::string& image) {
   return image.front() == '/' || slash == std::string::npos ? image : yaml_path.substr(0, slash + 1) + image;
 }
 
-/// Next number of a PNM header, which may be preceded by comments; -1 when there is none.
-double pnmNumber(std::istream& stream) {
-  while (stream) {
-    stream >> std::ws;
-    if (stream.peek() != '#') break;
-    stream.ignore(4096, '\n');
-  }
-  double value = -1.0;
-  return stream >> value ? value : -1.0;
-}
-
-/// Refuses images of absurd size from their header, before the decoder allocates anything.
-void checkImageHeader(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::array<char, 24> head{};
-  if (!stream.read(head.data(), 2)) throw MapFileError("the map image " + path + " cannot be read or is empty");
-
-  double width = 1.0;
-  double height = 1.0;
-  if (head[0] == 'P' && std::isdigit(static_cast<unsigned char>(head[1])) != 0) {
-    width = pnmNumber(stream);
-    height = pnmNumber(stream);
-  } else if (static_cast<unsigned char>(head[0]) == 0x89 && head[1] == 'P') {
-    stream.read(head.data() + 2, 22);
-    const auto bigEndian = [&head](std::size_t first) {
-      double value = 0.0;
-      for (std::size_t i = first; i < first + 4; ++i) value = value * 256.0 + static_cast<unsigned char>(head[i]);
-      return value;
-    };
-    width = bigEndian(16);
-    height = bigEndian(20);
-  }
-  if (!(width > 0.0) || !(height > 0.0) || width * height > kMostPixels) {
-    std::ostringstream size;
-    size << std::fixed << std::setprecision(0) << width << " x " << height;
-    throw MapFileError("the map image " + path + " has " + size.str() +
-                       " pixels, expected positive sizes and at most 2^28 pixels");
-  }
-}
-
 cv::Mat readImage(const std::string& path) {
-  checkImageHeader(path);
+  const std::string bytes = readWhole("map image", path, kLargestImageFile);
+  checkMapImage(bytes, path);
   cv::Mat image;
   try {
-    image = cv::imread(path, cv::IMREAD_UNCHANGED);
+    const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
+    image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception& error) {
     throw MapFileError("the map image " + path + " cannot be decoded: " + error.err);
   }

@@ -15,6 +15,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 26;  // about a million scenarios
+constexpr std::size_t kLongestLine = 4096;                        // letters, most of them the map's name
 constexpr std::size_t kFields = 9;
 constexpr int kDigits = 6;
 
@@ -38,7 +39,7 @@ class ScenarioReader {
 
   std::vector<Scenario> read() {
     lines_.next();
-    const std::vector<std::string_view> version = wordsOf(lines_.line());
+    const std::vector<std::string_view> version = wordsOf(lines_.line().substr(0, kLongestLine));
     if (version.size() != 2 || version[0] != "version" || (version[1] != "1" && version[1] != "1.0")) {
       lines_.refuse(printable(lines_.line()) + ", expected 'version 1'");
     }
@@ -52,6 +53,10 @@ class ScenarioReader {
 
  private:
   Scenario scenario() {
+    if (lines_.line().size() > kLongestLine) {
+      lines_.refuse("the line has " + std::to_string(lines_.line().size()) + " letters, expected at most " +
+                    std::to_string(kLongestLine));
+    }
     words_ = wordsOf(lines_.line());
     if (words_.size() < kFields) {
       lines_.refuse("a scenario of " + std::to_string(words_.size()) +

@@ -1,12 +1,9 @@
 #include "grid/movingai_text.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 
+#include "lstm_planner/files/input_file.hpp"
 #include "lstm_planner/grid/movingai.hpp"
 
 namespace lstm_planner {
@@ -16,26 +13,13 @@ namespace {
 bool isBlank(char letter) { return letter == ' ' || letter == '\t'; }
 
 std::string readWhole(const std::string& kind, const std::string& path, std::uintmax_t largest) {
-  namespace fs = std::filesystem;
-  const auto refuse = [&](const std::string& why) -> void {
-    throw MovingAiFileError("the " + kind + " " + path + why);
-  };
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) refuse(" does not exist");
-  if (!error && !fs::is_regular_file(status)) refuse(" is no regular file");
-  const std::uintmax_t size = error ? 0 : fs::file_size(path, error);
-  if (error) refuse(" cannot be read: " + error.message());
-  if (size == 0) refuse(" is empty");
-  if (size > largest) {
-    refuse(" has " + std::to_string(size) + " bytes, expected at most " + std::to_string(largest));
+  try {
+    std::string content = readInputFile(path, largest);
+    if (!content.empty()) return content;
+  } catch (const InputFileError& error) {
+    throw MovingAiFileError("the " + kind + " " + path + " cannot be read: " + error.what());
   }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse(std::string(" cannot be read: ") + std::strerror(errno));
-  std::string content(static_cast<std::size_t>(size), '\0');
-  stream.read(&content[0], static_cast<std::streamsize>(size));
-  if (static_cast<std::uintmax_t>(stream.gcount()) != size) refuse(" ended while it was read");
-  return content;
+  throw MovingAiFileError("the " + kind + " " + path + " is empty");
 }
 
 }  // namespace

@@ -2,16 +2,17 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
 #include "checkpoint_json.hpp"
+#include "lstm_planner/files/input_file.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -19,6 +20,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kFirstLine = "lstm_planner training checkpoint 1";
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;
+constexpr std::size_t kLongestHeader = std::size_t{1} << 20;
 
 /// Like "cells = [8,8] instead of [16]"; empty when all settings are the same.
 std::string firstDifference(const Json& made_with, const Json& wanted) {
@@ -34,12 +37,22 @@ std::string firstDifference(const Json& made_with, const Json& wanted) {
   return "";
 }
 
-/// The first two lines. Throws std::invalid_argument when they are not a checkpoint's.
-Json readHeader(const std::string& path, std::istream* file) {
-  std::string first_line;
-  std::string header_line;
-  std::getline(*file, first_line);
-  if (first_line == kFirstLine) std::getline(*file, header_line);
+std::string readWhole(const std::string& path) {
+  try {
+    return readInputFile(path, kLargestFile);
+  } catch (const InputFileError& error) {
+    throw std::invalid_argument("cannot read checkpoint '" + path + "': " + error.what());
+  }
+}
+
+/// The first two lines, behind which `end` is set. Throws std::invalid_argument when they are not a checkpoint's.
+Json readHeader(const std::string& path, const std::string& content, std::size_t* end) {
+  const std::size_t first_end = std::min(content.find('\n'), content.size());
+  const std::string first_line = content.substr(0, first_end);
+  const std::size_t begin = std::min(first_end + 1, content.size());
+  const std::size_t header_end = std::min(content.find('\n', begin), content.size());
+  const std::string header_line = content.substr(begin, std::min(header_end - begin, kLongestHeader));
+  *end = std::min(header_end + 1, content.size());
   std::string why;
   try {
     Json header = checkpointJson(header_line);
@@ -72,17 +85,11 @@ void writeTrainingCheckpoint(const std::string& path, const TrainingCheckpoint& 
 }
 
 std::optional<TrainingCheckpoint> readTrainingCheckpoint(const std::string& path, const Json& settings) {
-  const std::string sentence = "cannot read checkpoint '" + path + "': ";
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found) return std::nullopt;
-  // A pipe or a device may never end.
-  if (!error && status.type() != std::filesystem::file_type::regular) {
-    throw std::invalid_argument(sentence + "it is no regular file");
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::invalid_argument(sentence + std::strerror(errno));
-  const Json header = readHeader(path, &file);
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown) && !unknown) return std::nullopt;
+  const std::string content = readWhole(path);
+  std::size_t header_end = 0;
+  const Json header = readHeader(path, content, &header_end);
   TrainingCheckpoint checkpoint;
   checkpoint.settings = header["settings"];
   checkpoint.progress = header["progress"];
@@ -91,7 +98,7 @@ std::optional<TrainingCheckpoint> readTrainingCheckpoint(const std::string& path
     throw std::invalid_argument("checkpoint '" + path + "' is of a training " + difference +
                                 ": give the same options again, or another file");
   }
-  checkpoint.learner.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  checkpoint.learner.assign(content.begin() + static_cast<std::ptrdiff_t>(header_end), content.end());
   if (header["learner_bytes"] != checkpoint.learner.size()) {
     throw std::invalid_argument("checkpoint '" + path + "' has " + std::to_string(checkpoint.learner.size()) +
                                 " bytes of the learner, expected " + header["learner_bytes"].dump());

@@ -4,10 +4,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <system_error>
 
+#include "lstm_planner/files/input_file.hpp"
+#include "network/onnx_field_count.hpp"
 #include "network/onnx_names.hpp"
 #include "network/onnx_reader.hpp"
 #include "network/onnx_writer.hpp"
@@ -23,18 +24,11 @@ constexpr std::uintmax_t kMaximumFileSize = std::uintmax_t{128} << 20;
 std::string fileName(const std::string& path) { return "model file " + path + ": "; }
 
 std::string readWholeFile(const std::string& path) {
-  std::error_code error;
-  // A pipe or a device may never end.
-  if (!fs::is_regular_file(path, error)) throw ModelFileError("there is no such file, expected an ONNX model");
-  const std::uintmax_t size = fs::file_size(path, error);
-  if (error || size > kMaximumFileSize) {
-    throw ModelFileError("it has " + std::to_string(size) + " bytes, expected at most " +
-                         std::to_string(kMaximumFileSize));
+  try {
+    return readInputFile(path, kMaximumFileSize);
+  } catch (const InputFileError& error) {
+    throw ModelFileError("it cannot be read: " + std::string(error.what()) + ", expected an ONNX model");
   }
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes(std::istreambuf_iterator<char>(file), {});
-  if (!file) throw ModelFileError("it cannot be read, expected a readable file");
-  return bytes;
 }
 
 /// Two serialised messages one after the other are one message. With the graph last, no truncated file is complete in
@@ -75,6 +69,7 @@ void replaceFile(const std::string& path, const std::string& bytes) {
 Model readModelFile(const std::string& path) {
   try {
     const std::string bytes = readWholeFile(path);
+    onnx::checkFieldCount(bytes);
     onnx_subset::ModelProto file;
     if (!file.ParseFromString(bytes)) {
       throw ModelFileError("it is truncated or not protobuf, expected an ONNX model");

@@ -15,12 +15,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <new>
 #include <stdexcept>
 
 #include "bag_odometry.hpp"
 #include "bag_topics.hpp"
 #include "lstm_planner/dataset/event_order.hpp"
+#include "lstm_planner/files/input_file.hpp"
 #include "lstm_planner/ros/conversions.hpp"
 #include "lstm_planner/ros/drive_messages.hpp"
 
@@ -42,6 +45,7 @@ class BagListener {
 class BagPlayer {
  public:
   BagPlayer(const std::string& path, const BagDriveOptions& options) : options_(options) {
+    checkInputFile(path, std::numeric_limits<std::uintmax_t>::max());
     bag_.open(path, rosbag::bagmode::Read);
     topics_ = chooseTopics(bag_, options);
   }
@@ -267,6 +271,8 @@ BagDriveResult recordBag(const std::string& path, const BagDriveOptions& options
   } catch (const rosbag::BagUnindexedException&) {
     throw std::invalid_argument(bag + "has no index, as when recording was cut off: rosbag reindex makes one");
   } catch (const ros::Exception& error) {
+    throw std::invalid_argument(bag + "cannot be read: " + error.what());
+  } catch (const InputFileError& error) {
     throw std::invalid_argument(bag + "cannot be read: " + error.what());
   } catch (const std::bad_alloc&) {
     throw std::invalid_argument(bag + "cannot be read: it is damaged");

@@ -8,10 +8,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <vector>
 
+#include "lstm_planner/files/input_file.hpp"
 #include "lstm_planner/ros/conversions.hpp"
 
 namespace lstm_planner {
@@ -45,8 +48,11 @@ BagReplayPlayer::BagReplayPlayer(const std::string& path, const Topics& topics)
       transforms_(node_.advertise<tf2_msgs::TFMessage>("/tf", kQueue)),
       map_(node_.advertise<nav_msgs::OccupancyGrid>("map", 1, true)) {
   try {
+    checkInputFile(path, std::numeric_limits<std::uintmax_t>::max());
     bag_.open(path);
     readClock();
+  } catch (const InputFileError& error) {
+    throw std::invalid_argument("'" + path + "' cannot be read: " + error.what());
   } catch (const rosbag::BagException& error) {
     throw std::invalid_argument("'" + path + "' cannot be read: " + error.what());
   }

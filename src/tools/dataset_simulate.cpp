@@ -8,6 +8,7 @@
 #include "lstm_planner/dataset/dataset_summary.hpp"
 #include "lstm_planner/dataset/recording_sink.hpp"
 #include "lstm_planner/evaluation/recorded_drives.hpp"
+#include "lstm_planner/files/input_file.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_report.hpp"
 #include "tools/drive_worlds.hpp"
@@ -75,9 +76,10 @@ Point2 wayPointOf(const YAML::Node& node) {
 }
 
 std::vector<Point2> readWayPoints(const std::string& path) {
+  constexpr std::uintmax_t kLargestFile = 1 << 16;
   std::vector<Point2> points;
   try {
-    const YAML::Node file = YAML::LoadFile(path);
+    const YAML::Node file = YAML::Load(readInputFile(path, kLargestFile));
     const YAML::Node list = file.IsSequence() ? file : file["goals"] ? file["goals"] : file["way_points"];
     if (!list || !list.IsSequence()) throw std::invalid_argument("expected a list, or one called goals or way_points");
     for (const char* frame : {"frame", "way_point_frame"}) {

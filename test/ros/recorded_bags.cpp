@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <rosbag/view.h>
 
 #include <fstream>
@@ -228,6 +229,9 @@ void writeBytes(const std::string& path, const std::string& bytes) { std::ofstre
 TEST(RecordedBagTest, FilesThatAreNoBagsAreRefusedInASentence) {
   EXPECT_EQ(refusalOf(pathOf("none.bag")).find("cannot be read: "), 0u);
   EXPECT_EQ(refusalOf(testing::TempDir()).find("cannot be read: "), 0u) << refusalOf(testing::TempDir());
+  ASSERT_EQ(::mkfifo(pathOf("pipe.bag").c_str(), 0600), 0);
+  EXPECT_EQ(refusalOf(pathOf("pipe.bag")), "cannot be read: it is a pipe or a device, expected a regular file");
+  std::remove(pathOf("pipe.bag").c_str());
   writeBytes(pathOf("text.bag"), "this is no bag\n");
   EXPECT_EQ(refusalOf(pathOf("text.bag")).find("cannot be read: "), 0u);
   writeBytes(pathOf("empty.bag"), "");

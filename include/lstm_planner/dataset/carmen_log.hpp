@@ -22,7 +22,8 @@ struct CarmenLog {
   long odometry = 0;                    ///< lines ODOM that are used
   double duration = 0.0;                ///< s
   bool mount_known = false;             ///< false: nothing says where the scanner sits; taken as the base's origin
-  std::map<std::string, long> ignored;  ///< other lines by their first word, "#" for comments
+  std::map<std::string, long> ignored;  ///< other lines by their first word, "#" for comments,
+                                        ///< "?" for what is no keyword, or one too many
   long repeated = 0;   ///< lines ODOM left out: they repeat the pose of the scan before them, and programs that
                        ///< correct poses insert such lines with stamps that mean nothing
   long late = 0;       ///< lines with a stamp later than that of a line behind them; see readCarmenLog()
@@ -45,7 +46,8 @@ struct CarmenLog {
 /// - The scanner sits at `mount`; else where ROBOTLASER1 has laser and robot; else at PARAM robot_frontlaser_offset (m
 ///   ahead); else at the base's origin.
 ///
-/// Throws std::invalid_argument naming the file when it cannot be read or holds no scans.
+/// Throws std::invalid_argument naming the file when it cannot be read, holds no scans, or is longer than 256 MiB
+/// (decompressed) or a million scans and lines ODOM.
 CarmenLog readCarmenLog(const std::string& path, const std::optional<SensorMount>& mount = std::nullopt);
 
 /// Gives a log to a recorder, with goals found in hindsight: logs name none.

@@ -14,15 +14,15 @@ class CsvFile {
   CsvFile(const std::string& path, const std::vector<std::string>& columns,
           const std::vector<std::string>& optional_columns = {});
 
-  std::size_t lines() const { return numbers_.size(); }
+  std::size_t lines() const { return numbers_.size() / has_.size(); }
   /// `column` as in the constructor's lists, the optional ones after the others.
   bool has(std::size_t column) const { return has_[column]; }
   /// NaN for a column that is not there.
-  double number(std::size_t line, std::size_t column) const { return numbers_[line][column]; }
+  double number(std::size_t line, std::size_t column) const { return numbers_[line * has_.size() + column]; }
 
  private:
   std::vector<bool> has_;
-  std::vector<std::vector<double>> numbers_;
+  std::vector<double> numbers_;  ///< line by line
 };
 
 }  // namespace lstm_planner

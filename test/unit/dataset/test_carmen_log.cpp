@@ -234,7 +234,7 @@ TEST(CarmenLogTest, CompressedLogsAreTheSame) {
 }
 
 TEST(CarmenLogTest, WhatIsNoLogIsRefusedInASentence) {
-  EXPECT_EQ(refusalOf(pathOf("none")), "the log " + pathOf("none") + " cannot be read");
+  EXPECT_EQ(refusalOf(pathOf("none")), "the log " + pathOf("none") + " cannot be read: there is no such file");
   const std::string none = written("without_scans.log", odometry(1.0, 0.0) + "NEFF 3\n");
   EXPECT_EQ(refusalOf(none), "the log " + none + " holds no scans: expected lines FLASER or ROBOTLASER1 among its 2");
   const std::string malformed = written("malformed.log", "FLASER x\n");
@@ -247,6 +247,28 @@ TEST(CarmenLogTest, WhatIsNoLogIsRefusedInASentence) {
             "the log " + long_line + " cannot be read on behind line 0: it is damaged, or no log");
   EXPECT_NE(refusalOf(written("empty.log", "")), "");
   EXPECT_NE(refusalOf(testing::TempDir()), "");
+}
+
+TEST(CarmenLogTest, ShortLogsThatBecomeLongAreRefused) {
+  std::string text;
+  for (int i = 0; i < 257; ++i) text += '#' + std::string((1 << 20) - 2, ' ') + '\n';
+  const std::string large = written("large.log.gz", compressed(text));
+  EXPECT_NE(refusalOf(large).find("is too long: expected at most 268435456 bytes"), std::string::npos)
+      << refusalOf(large);
+  text.clear();
+  for (int i = 0; i < 1000001; ++i) text += "ODOM 0 0 0 0 0 0 " + std::to_string(i) + "\n";
+  const std::string many = written("many.log.gz", compressed(text));
+  EXPECT_NE(refusalOf(many).find("and 1000000 scans and lines ODOM"), std::string::npos) << refusalOf(many);
+}
+
+TEST(CarmenLogTest, CountsABoundedNumberOfKeywords) {
+  std::string text = frontLaser(1.0, "0 0 0", "0 0 0");
+  for (int i = 0; i < 5000; ++i) text += "WORD" + std::to_string(i) + " 1\n";
+  const CarmenLog log = readCarmenLog(written("words.log", text));
+  EXPECT_LE(log.ignored.size(), 101u);
+  long lines = 0;
+  for (const auto& [kind, count] : log.ignored) lines += count;
+  EXPECT_EQ(lines, 5000);
 }
 
 TEST(CarmenLogTest, DamagedCompressedLogsAreRefused) {

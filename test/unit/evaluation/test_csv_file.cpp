@@ -43,6 +43,11 @@ TEST_F(CsvFileTest, TellsWhichOptionalColumnsAreThere) {
   EXPECT_EQ(file.number(0, 3), 3.0);
 }
 
+TEST_F(CsvFileTest, LinesHaveABoundedLength) {
+  EXPECT_NE(complaintAbout("x,y\n1,2\n" + std::string(70000, ',')).find("line 3: it is longer than 65536 letters"),
+            std::string::npos);
+}
+
 TEST_F(CsvFileTest, AnOptionalColumnThatIsThereMustHoldNumbers) {
   EXPECT_NE(complaintAbout("x,y,radius\n1,2,wide\n").find("line 2: column radius is 'wide'"), std::string::npos);
   EXPECT_NE(complaintAbout("x,y,radius\n1,2\n").find("line 2: column radius is ''"), std::string::npos);

@@ -119,6 +119,11 @@ TEST_F(MapServerMap, NamesWhatIsWrongInTheYaml) {
   EXPECT_NE(refusal(write("map.yaml", image + "resolution: 0.05\norigin: [0, .nan, 0]" + rest)), "");
 }
 
+TEST_F(MapServerMap, RefusesAYamlThatIsTooLong) {
+  const std::string nested = "image: " + std::string(5000, '[');
+  EXPECT_NE(refusal(write("map.yaml", nested)).find("it has 5007 bytes, expected at most 4096"), std::string::npos);
+}
+
 TEST_F(MapServerMap, RefusesBrokenImages) {
   const auto refusalOf = [this](const std::string& content) {
     write("bad.pgm", content);
@@ -133,6 +138,12 @@ TEST_F(MapServerMap, RefusesBrokenImages) {
   EXPECT_NE(refusalOf("P5\n131072 131072\n255\n").find("at most 2^28"), std::string::npos);
   const std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\1\0\0\0\1\0\0\x08\0\0\0\0", 29);
   EXPECT_NE(refusalOf(png).find("65536 x 65536"), std::string::npos);
+  const std::string deep("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x40\0\0\0\x40\0\x10\x06\0\0\0", 29);
+  EXPECT_NE(refusalOf(deep).find("16384 x 16384 pixels of 8 bytes"), std::string::npos) << refusalOf(deep);
+  EXPECT_NE(refusalOf("P6\n16384 16384\n65535\n").find("pixels of 6 bytes"), std::string::npos);
+  const std::string bmp = std::string("BM") + std::string(12, '\0') + std::string("\x28\0\0\0\0\0\1\0\0\0\1\0", 12);
+  EXPECT_NE(refusalOf(bmp).find("65536 x 65536"), std::string::npos) << refusalOf(bmp);
+  EXPECT_NE(refusalOf("\xff\xd8\xff\xe0 JFIF").find("is of no kind that is known here"), std::string::npos);
 }
 
 TEST_F(MapServerMap, ReadsBackWhatItWrote) {

@@ -120,8 +120,8 @@ TEST_F(MovingAiMap, RefusesOtherHeaders) {
 }
 
 TEST_F(MovingAiMap, RefusesWhatIsNoFile) {
-  EXPECT_EQ(refusal([&] { readMovingAiMap(folder_ + "missing.map"); }), "the map missing.map does not exist");
-  EXPECT_EQ(refusal([&] { readMovingAiMap(folder_); }), "the map  is no regular file");
+  EXPECT_EQ(refusal([&] { readMovingAiMap(folder_ + "missing.map"); }), "the map missing.map cannot be read: there is no such file");
+  EXPECT_EQ(refusal([&] { readMovingAiMap(folder_); }), "the map  cannot be read: it is a folder, expected a file");
   EXPECT_THROW(readMovingAiMap("/dev/zero"), MovingAiFileError);
 }
 

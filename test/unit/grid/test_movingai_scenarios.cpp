@@ -57,6 +57,7 @@ TEST_F(MovingAiScenarios, RefuseBadFieldsWithTheirLine) {
                 "column and row, optimal length");
   EXPECT_EQ(said("-1 a.map 4 3 0 1 3 2 2"), where + "the bucket is '-1', expected a whole number of at least 0");
   EXPECT_EQ(said("0 a\tb.map 4 3 0 1 3 2 2"), where + "the map is 'a\\x09b.map', expected a file's name");
+  EXPECT_EQ(said(std::string(5000, ' ')), where + "the line has 5000 letters, expected at most 4096");
   EXPECT_EQ(said("0 a.map 0 3 0 1 3 2 2"), where + "the map's width is '0', expected a whole number of at least 1");
   EXPECT_EQ(said("0 a.map 4 3 0 1 3 x 2"), where + "the goal's row is 'x', expected a whole number of at least 0");
   EXPECT_EQ(said("0 a.map 4 3 0 3 3 2 2"), where + "the start (0, 3) lies outside the map of 4 x 3 cells");

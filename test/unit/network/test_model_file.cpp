@@ -97,7 +97,26 @@ TEST_F(ModelFile, FailedWritesLeaveNothingBehind) {
 TEST_F(ModelFile, MissingFilesAndFoldersAreRefused) {
   EXPECT_REFUSED(refusal(), "no such file");
   fs::create_directory(path_);
-  EXPECT_REFUSED(refusal(), "no such file");
+  EXPECT_REFUSED(refusal(), "it is a folder");
+}
+
+std::string lengthOf(std::size_t bytes) {
+  std::string varint;
+  for (; bytes >= 128; bytes >>= 7U) varint += static_cast<char>(bytes % 128 + 128);
+  return varint + static_cast<char>(bytes);
+}
+
+std::string field(char tag, const std::string& content) { return tag + lengthOf(content.size()) + content; }
+
+TEST_F(ModelFile, ShortFilesThatTakeMuchMemoryAreRefused) {
+  const char kGraph = 0x3a;
+  std::string nodes;
+  for (int i = 0; i < 300000; ++i) nodes += field(0x0a, "");
+  writeBytes(field(kGraph, nodes));
+  EXPECT_REFUSED(refusal(), "more than 200000 nodes, attributes and other fields");
+  const std::string integers = field(0x3a, std::string(300000, '\1'));  // packed int64_data
+  writeBytes(field(kGraph, field(0x2a, integers)));
+  EXPECT_REFUSED(refusal(), "more than 200000 nodes, attributes and other fields");
 }
 
 TEST_F(ModelFile, EmptyAndForeignFilesAreRefused) {
