@@ -11,7 +11,15 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kMostBytes = 268435456.0;  // as OccupancyGrid: 2^28 cells
+constexpr double kMostPixels = 67108864.0;  // 2^26: 400 m by 400 m at 5 cm
+constexpr double kMostBytes = 268435456.0;  // 2^28, of a decoded image
+
+/// What a header says about the memory that decoding takes.
+struct ImageSize {
+  double width = 0.0;        ///< pixels
+  double height = 0.0;       ///< pixels
+  double pixel_bytes = 0.0;  ///< of a decoded pixel
+};
 
 bool begins(const std::string& bytes, const char* with) { return bytes.rfind(with, 0) == 0; }
 
@@ -81,11 +89,12 @@ void checkMapImage(const std::string& bytes, const std::string& path) {
   } else {
     throw MapFileError("the map image " + path + " is of no kind that is known here; expected pgm, png or bmp");
   }
-  if (!(size.width > 0.0) || !(size.height > 0.0) || size.width * size.height * size.pixel_bytes > kMostBytes) {
+  if (!(size.width > 0.0) || !(size.height > 0.0) || size.width * size.height > kMostPixels ||
+      size.width * size.height * size.pixel_bytes > kMostBytes) {
     std::ostringstream sentence;
     sentence << std::fixed << std::setprecision(0) << "the map image " << path << " has " << size.width << " x "
              << size.height << " pixels of " << size.pixel_bytes
-             << " bytes, expected positive sizes and at most 2^28 bytes";
+             << " bytes, expected positive sizes and at most 2^26 pixels or 2^28 bytes";
     throw MapFileError(sentence.str());
   }
 }

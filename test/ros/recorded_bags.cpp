@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <rosbag/view.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <iterator>
