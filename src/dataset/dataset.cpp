@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "dataset/dataset_file.hpp"
+#include "dataset/dataset_row_check.hpp"
 #include "dataset/dataset_rows.hpp"
 
 namespace lstm_planner {
@@ -25,7 +26,10 @@ void writeRows(const Dataset& dataset, DatasetFile* file) {
     rows.setRejections(recording_id, recording.rejections);
     for (const RecordedEpisode& episode : recording.episodes) {
       rows.addEpisode(++episode_id, recording_id, episode.episode);
-      for (const DriveStep& step : episode.steps) rows.addStep(episode_id, step);
+      for (const DriveStep& step : episode.steps) {
+        checkRow(step, recording.description.parameters.action_angles.size());
+        rows.addStep(episode_id, step);
+      }
     }
     if (recording.finished) rows.finishRecording(recording_id);
   }

@@ -1,9 +1,12 @@
 #include "dataset/dataset_row_check.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "dataset/step_quantities.hpp"
 #include "lstm_planner/perception/sectors.hpp"
 
 namespace lstm_planner {
@@ -22,7 +25,24 @@ void checkRow(const ScanGeometry& geometry) {
   averageSectors(scan, geometry.mount, {}, 1.0);
 }
 
+namespace {
+
+void checkNumbers(const DriveStep& step) {
+  visitColumns(step, [&](const std::string& name, const char*, const auto& number) {
+    const double value = static_cast<double>(number);
+    const bool is_missing = name.rfind("minimum_range_", 0) == 0 && std::isinf(value) && value > 0.0;
+    if (std::abs(value) <= kLargestNumber || is_missing) return;
+    std::ostringstream sentence;
+    sentence << "its " << name << " is " << value << ", expected a number from -" << kLargestNumber << " to "
+             << kLargestNumber;
+    throw std::invalid_argument(sentence.str());
+  });
+}
+
+}  // namespace
+
 void checkRow(const DriveStep& step, std::size_t angles) {
+  checkNumbers(step);
   if (step.label < 0 || static_cast<std::size_t>(step.label) >= angles) {
     throw std::invalid_argument("its label is " + std::to_string(step.label) + ", expected 0 to " +
                                 std::to_string(angles - 1));

@@ -13,8 +13,8 @@
 
 #include "dataset/dataset_file.hpp"
 #include "dataset/dataset_lock.hpp"
+#include "dataset/dataset_row_check.hpp"
 #include "dataset/dataset_rows.hpp"
-#include "dataset/step_quantities.hpp"
 
 namespace lstm_planner {
 
@@ -49,15 +49,6 @@ struct FinishRecording {};
 /// A call that is to be written.
 using Entry = std::variant<BeginEpisode, AddStep, EndEpisode, DiscardEpisode, FinishRecording>;
 
-void checkFinite(const DriveStep& step) {
-  visitColumns(step, [&](const std::string& name, const char*, const auto& number) {
-    const double value = static_cast<double>(number);
-    if (std::isfinite(value) || (name.rfind("minimum_range_", 0) == 0 && value > 0.0)) return;
-    throw std::invalid_argument("step " + std::to_string(step.number) + ": " + name + " is " + std::to_string(value) +
-                                ", expected a finite number");
-  });
-}
-
 /// What tells a file from another one that has taken its place.
 std::pair<dev_t, ino_t> identityOf(const std::string& path) {
   struct stat status {};
@@ -69,7 +60,8 @@ std::pair<dev_t, ino_t> identityOf(const std::string& path) {
 
 class DatasetWriter::Implementation {
  public:
-  Implementation(const std::string& path, const RecordingDescription& description) : path_(path), lock_(path) {
+  Implementation(const std::string& path, const RecordingDescription& description)
+      : path_(path), angles_(description.parameters.action_angles.size()), lock_(path) {
     file_.emplace(path, DatasetFile::Use::kCreate, kPatienceToBegin);
     file_->transact([&] {
       recording_ = nextRecording(&*file_);
@@ -97,7 +89,7 @@ class DatasetWriter::Implementation {
       throw std::invalid_argument("step " + std::to_string(step.number) + " was added after step " +
                                   std::to_string(last_number_) + " of the same episode");
     }
-    checkFinite(step);
+    checkRow(step, angles_);
     last_number_ = step.number;
     if (!is_kept_ || waiting_steps_ >= kMostWaiting) {
       ++lost_;
@@ -219,6 +211,7 @@ class DatasetWriter::Implementation {
     }
   }
 
+  const std::size_t angles_;
   std::optional<DatasetLock> lock_;
   std::optional<DatasetFile> file_;
   std::optional<DatasetRows> rows_;

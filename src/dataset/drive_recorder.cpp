@@ -29,7 +29,7 @@ DriveRecorder::DriveRecorder(const RecorderParameters& parameters, StepSink* sin
       observer_(parameters.agent) {}
 
 void DriveRecorder::add(DriveEvent event) {
-  if (!std::isfinite(stampOf(event))) {
+  if (!flawOf(event).empty()) {
     sink_->reject(Rejection::kNotFinite);
     return;
   }

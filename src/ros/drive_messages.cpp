@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "lstm_planner/ros/conversions.hpp"
 #include "lstm_planner/ros/goal_listener.hpp"
@@ -25,14 +26,8 @@ double stampOr(const ros::Time& stamp, const ros::Time& received) {
 /// Goals are made by people and scripts: the stamp is often missing, or of long ago, because tf takes the newest
 /// transform then, or that of another computer's clock.
 double recentStampOr(const ros::Time& stamp, const ros::Time& received) {
-  const double age = (received - stamp).toSec();
+  const double age = received.toSec() - stamp.toSec();  // ros::Duration throws for more than 68 years
   return age <= kOldest && age >= -kAhead ? stamp.toSec() : received.toSec();
-}
-
-/// +inf is a range_max that some simulators have.
-bool isFinite(const LaserScan& scan) {
-  return std::isfinite(scan.angle_min) && std::isfinite(scan.angle_increment) && std::isfinite(scan.range_min) &&
-         !std::isnan(scan.range_max);
 }
 
 }  // namespace
@@ -43,8 +38,7 @@ DriveMessages::DriveMessages(const tf2::BufferCore& tf, const std::string& base_
     : tf_(tf),
       base_frame_(frameName(base_frame)),
       given_mount_(mount),
-      recorder_(parameters, sink,
-                [this](const std::string& frame, double stamp) { return locate(frame, stamp); }) {}
+      recorder_(parameters, sink, [this](const std::string& frame, double stamp) { return locate(frame, stamp); }) {}
 
 void DriveMessages::hear(const sensor_msgs::LaserScan& scan, const ros::Time& received) {
   ScanHeard heard;
@@ -52,24 +46,19 @@ void DriveMessages::hear(const sensor_msgs::LaserScan& scan, const ros::Time& re
   heard.frame = frameName(scan.header.frame_id);
   fromMessage(scan, &heard.scan);
   heard.scan.stamp = heard.stamp;
-  if (!isFinite(heard.scan)) return reject(Rejection::kNotFinite, "the scan's angles or limits are not finite");
   // Only odometry says in which frame the robot moves, and so where the scanner sits in it.
   if (!odometry_heard_) return reject(Rejection::kNoOdometry, "no odometry has been heard yet");
   const SensorMount* mount = mountOf(heard.frame);
   if (mount == nullptr) return;
   heard.mount = *mount;
-  recorder_.add(std::move(heard));
+  add(std::move(heard));
 }
 
 void DriveMessages::hear(const nav_msgs::Odometry& odometry, const ros::Time& received) {
   const geometry_msgs::Twist& twist = odometry.twist.twist;
-  const OdometryHeard heard{stampOr(odometry.header.stamp, received), fromMessage(odometry.pose.pose),
-                            {twist.linear.x, twist.angular.z}};
-  if (!lstm_planner::isFinite(heard.pose) || !std::isfinite(heard.twist.linear) ||
-      !std::isfinite(heard.twist.angular)) {
-    return reject(Rejection::kNotFinite,
-                  "the odometry has a pose or twist that is not finite, or a zero quaternion");
-  }
+  const OdometryHeard heard{
+      stampOr(odometry.header.stamp, received), fromMessage(odometry.pose.pose), {twist.linear.x, twist.angular.z}};
+  if (!isUsable(heard)) return;
   odometry_heard_ = true;
   odometry_frame_ = frameName(odometry.header.frame_id);
   const std::string base_frame = frameName(odometry.child_frame_id);
@@ -77,7 +66,7 @@ void DriveMessages::hear(const nav_msgs::Odometry& odometry, const ros::Time& re
     base_frame_ = base_frame;
     mounts_.clear();
   }
-  recorder_.add(heard);
+  add(heard);
 }
 
 void DriveMessages::hear(const move_base_msgs::MoveBaseActionGoal& goal, const std::string& source,
@@ -116,18 +105,19 @@ void DriveMessages::hearGoal(const geometry_msgs::PoseStamped& goal, const std::
     const bool no_frame = frameName(goal.header.frame_id).empty();
     return reject(no_frame ? Rejection::kNoTransform : Rejection::kNotFinite, error.what());
   }
+  if (!isUsable(heard)) return;
   const bool forwarded = last_goal_ && last_goal_->source != source && sameGoal(last_goal_->goal, heard.goal) &&
                          std::abs(heard.stamp - last_goal_->stamp) <= kForwarded;
   last_goal_ = LastGoal{heard.goal, source, heard.stamp};
   if (forwarded) return;
   action_goal_ = {};
-  recorder_.add(heard);
+  add(heard);
 }
 
 void DriveMessages::hearEnd(const ros::Time& stamp) {
   last_goal_.reset();
   action_goal_ = {};
-  recorder_.add(GoalGivenUp{stamp.toSec()});
+  add(GoalGivenUp{stamp.toSec()});
 }
 
 std::optional<Pose2> DriveMessages::locate(const std::string& frame, double stamp) const {
@@ -160,6 +150,16 @@ const SensorMount* DriveMessages::mountOf(const std::string& frame) {
   }
   reject(Rejection::kNoTransform, problem);
   return nullptr;
+}
+
+bool DriveMessages::isUsable(const DriveEvent& event) {
+  const std::string flaw = flawOf(event);
+  if (!flaw.empty()) reject(Rejection::kNotFinite, flaw);
+  return flaw.empty();
+}
+
+void DriveMessages::add(DriveEvent event) {
+  if (isUsable(event)) recorder_.add(std::move(event));
 }
 
 void DriveMessages::reject(Rejection rejection, const std::string& problem) {

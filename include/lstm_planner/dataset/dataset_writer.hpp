@@ -16,7 +16,7 @@ namespace lstm_planner {
 ///
 /// The calls of StepSink throw only what no recorder gives reason to: std::logic_error for a step or an end without an
 /// episode, or after finish(); std::invalid_argument for a step whose number does not ascend in its episode, or with a
-/// number that is not finite. Not thread safe.
+/// number or label that no reader takes (readDataset). Not thread safe.
 class DatasetWriter : public StepSink {
  public:
   /// Throws DatasetError when the file cannot be made, is not a dataset, or another writer has it open.

@@ -30,6 +30,7 @@ class DriveRecorder {
   /// `sink` must outlive the recorder. Throws std::invalid_argument (validate).
   DriveRecorder(const RecorderParameters& parameters, StepSink* sink, FrameLookup lookup);
 
+  /// What has a flaw (flawOf()) is rejected.
   void add(DriveEvent event);
 
   /// Something was heard that could not become an event.

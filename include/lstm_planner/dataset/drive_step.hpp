@@ -93,7 +93,7 @@ enum class Rejection {
   kNoOdometry,      ///< no odometry around the scan
   kNoTransform,     ///< where the scanner sits, or where the goal's frame is, was not known
   kUnusableScan,    ///< averageSectors() refused it
-  kNotFinite,       ///< a message with a number that is not finite
+  kNotFinite,       ///< a message with a number that is not finite, or larger than any measurement: flawOf()
   kLate,            ///< the message came after later ones had been worked on
   kNoAllowedAngle,  ///< the robot went where no allowed angle leads, e.g. backwards
   kNoNextStep,      ///< its episode ended before its label was known

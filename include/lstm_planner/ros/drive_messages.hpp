@@ -57,6 +57,8 @@ class DriveMessages {
 
   std::optional<Pose2> locate(const std::string& frame, double stamp) const;
   const SensorMount* mountOf(const std::string& frame);
+  bool isUsable(const DriveEvent& event);
+  void add(DriveEvent event);
   void reject(Rejection rejection, const std::string& problem);
 
   const tf2::BufferCore& tf_;

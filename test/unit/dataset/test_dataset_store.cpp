@@ -169,9 +169,26 @@ TEST_F(DatasetStore, RefusesAStepThatNoRecorderMakes) {
   DriveStep broken = episode.steps[1];
   broken.observation.goal_bearing = std::nan("");
   EXPECT_THROW(writer.addStep(broken), std::invalid_argument);
+  broken = episode.steps[1];
+  broken.label = 5;
+  EXPECT_THROW(writer.addStep(broken), std::invalid_argument) << "could not be read again";
   writer.addStep(episode.steps[1]);
   writer.finish();
   EXPECT_THROW(writer.addStep(episode.steps[1]), std::logic_error) << "after the end";
+}
+
+TEST_F(DatasetStore, WritesNoDatasetThatCouldNotBeReadAgain) {
+  Dataset dataset;
+  dataset.recordings = {exampleRecording(1, 1)};
+  dataset.recordings[0].episodes[0].steps[1].observation.goal_distance = 1.0 / 0.0;
+  try {
+    writeDataset(in("a.db"), dataset);
+    ADD_FAILURE() << "written";
+  } catch (const DatasetError& error) {
+    EXPECT_NE(std::string(error.what()).find("its goal_distance is inf, expected a number"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
 TEST_F(DatasetStore, RefusesASecondWriterUntilTheFirstIsDone) {

@@ -350,6 +350,32 @@ TEST_F(DriveRecorderTest, NumbersThatAreNotFiniteAreCounted) {
   EXPECT_EQ(steps_.rejected(Rejection::kNotFinite), 1);
 }
 
+TEST_F(DriveRecorderTest, WhatNobodyMeasuresIsCountedAndMakesNoSteps) {
+  DrivenRobot robot;
+  robot.drive(3.0, {0.3, 0.0});
+  const std::vector<DriveEvent>& events = robot.events;
+  const auto with = [&](const DriveEvent& event) {
+    steps_ = StepList();
+    std::vector<DriveEvent> heard = events;
+    heard.insert(heard.begin() + 3, event);
+    record(heard);
+    EXPECT_GT(steps_.rejected(Rejection::kNoGoal), 0) << "the drive itself has no goal, and that goal is none";
+    EXPECT_TRUE(steps_.episodes().empty());
+    return steps_.rejected(Rejection::kNotFinite);
+  };
+  const double stamp = stampOf(events[2]);
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(with(GoalHeard{stamp, {"odom", {1.7e308, 0.0, 0.0}}, "test"}), 1);
+  EXPECT_EQ(with(GoalHeard{stamp, {"odom", {0.0, -infinity, 0.0}}, "test"}), 1);
+  EXPECT_EQ(with(GoalHeard{stamp, {std::string(2000, 'o'), {}}, "test"}), 1);
+  EXPECT_EQ(with(OdometryHeard{stamp, {0.0, 1e300, 0.0}, {}}), 1);
+  EXPECT_EQ(with(OdometryHeard{stamp, {}, {std::nan(""), 0.0}}), 1);
+  EXPECT_EQ(with(GoalGivenUp{1e300}), 1);
+  ScanHeard scan{stamp, {}, {}, "laser"};
+  scan.scan.ranges.resize(static_cast<std::size_t>(kMostBeams) + 1);
+  EXPECT_EQ(with(scan), 1);
+}
+
 TEST(RecorderParameters, ComeBackFromJson) {
   RecorderParameters parameters;
   parameters.period = 0.25;
