@@ -20,6 +20,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "bag_message_check.hpp"
 #include "bag_odometry.hpp"
 #include "bag_topics.hpp"
 #include "lstm_planner/dataset/event_order.hpp"
@@ -55,46 +56,85 @@ class BagPlayer {
   /// `tf` is told the transforms before the messages behind them are heard.
   void play(tf2::BufferCore* tf, BagListener* listener) {
     OdometryFromTransforms odometry(options_.odometry_frame, options_.base_frame);
+    stamps_ = StampCheck();
+    skipped_ = 0;
     rosbag::View view(bag_, rosbag::TopicQuery(topics_.all()));
     for (const rosbag::MessageInstance& message : view) {
-      const std::string topic = message.getTopic();
-      const ros::Time received = message.getTime();
-      if (topic == topics_.scan) {
-        if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) listener->hear(*scan, received);
-      } else if (topic == topics_.odometry) {
-        if (const auto heard = message.instantiate<nav_msgs::Odometry>()) listener->hear(*heard, received);
-      } else if (isAmong(topics_.transforms, topic)) {
-        playTransforms(message, tf, &odometry, listener);
-      } else if (isAmong(topics_.goals, topic)) {
-        listener->hearGoal(message);
-      } else {
-        listener->hearEnd(message);
+      try {
+        checkArrays(message);
+        play(message, tf, &odometry, listener);
+      } catch (const rosbag::BagException&) {
+        throw;  // the file is damaged, not the message
+      } catch (const std::exception& error) {
+        skip(message, error.what());
       }
     }
   }
+
+  /// Messages that the last play() could not use, and why the first.
+  long skipped() const { return skipped_; }
+  const std::string& firstSkipped() const { return first_skipped_; }
 
  private:
   static bool isAmong(const std::vector<std::string>& topics, const std::string& topic) {
     return std::find(topics.begin(), topics.end(), topic) != topics.end();
   }
 
+  void play(const rosbag::MessageInstance& message, tf2::BufferCore* tf, OdometryFromTransforms* odometry,
+            BagListener* listener) {
+    const std::string topic = message.getTopic();
+    if (topic == topics_.scan) {
+      const auto scan = message.instantiate<sensor_msgs::LaserScan>();
+      if (scan && isPlausible(*scan, message)) listener->hear(*scan, message.getTime());
+    } else if (topic == topics_.odometry) {
+      const auto heard = message.instantiate<nav_msgs::Odometry>();
+      if (heard && isPlausible(*heard, message)) listener->hear(*heard, message.getTime());
+    } else if (isAmong(topics_.transforms, topic)) {
+      playTransforms(message, tf, odometry, listener);
+    } else if (isAmong(topics_.goals, topic)) {
+      listener->hearGoal(message);
+    } else {
+      listener->hearEnd(message);
+    }
+  }
+
   void playTransforms(const rosbag::MessageInstance& message, tf2::BufferCore* tf, OdometryFromTransforms* odometry,
-                      BagListener* listener) const {
+                      BagListener* listener) {
     const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
     if (!transforms) return;
+    const bool is_static = message.getTopic() == "/tf_static";
+    std::vector<geometry_msgs::TransformStamped> plausible;
     for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
-      tf->setTransform(transform, "bag", message.getTopic() == "/tf_static");
+      if (!is_static && !isPlausible(transform, message)) continue;
+      tf->setTransform(transform, "bag", is_static);
+      plausible.push_back(transform);
     }
     if (!topics_.odometry.empty()) return;
-    for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
+    for (const geometry_msgs::TransformStamped& transform : plausible) {
       const std::optional<nav_msgs::Odometry> heard = odometry->of(transform, *tf);
       if (heard) listener->hear(*heard, message.getTime());
     }
   }
 
+  template <typename Stamped>
+  bool isPlausible(const Stamped& stamped, const rosbag::MessageInstance& message) {
+    const double stamp = stamped.header.stamp.toSec();
+    if (stamps_.isPlausible(stamp, message.getTime().toSec())) return true;
+    skip(message, "it has a stamp of " + std::to_string(stamp) + " s, far ahead of the others");
+    return false;
+  }
+
+  void skip(const rosbag::MessageInstance& message, const std::string& why) {
+    if (++skipped_ > 1) return;
+    first_skipped_ = message.getTopic() + " at " + std::to_string(message.getTime().toSec()) + " s: " + why;
+  }
+
   const BagDriveOptions& options_;
   rosbag::Bag bag_;
   BagTopics topics_;
+  StampCheck stamps_;
+  long skipped_ = 0;
+  std::string first_skipped_;
 };
 
 /// Finds out what a bag holds before anything is recorded.
@@ -257,6 +297,8 @@ BagDriveResult record(const std::string& path, const BagDriveOptions& options, c
   Recorder recorder(tf, options, mount, parameters, std::move(goals), sink);
   player.play(&tf, &recorder);
   recorder.finish();
+  result.skipped = player.skipped();
+  result.first_skipped = player.firstSkipped();
   return result;
 }
 
@@ -276,7 +318,7 @@ BagDriveResult recordBag(const std::string& path, const BagDriveOptions& options
     throw std::invalid_argument(bag + "cannot be read: " + error.what());
   } catch (const std::bad_alloc&) {
     throw std::invalid_argument(bag + "cannot be read: it is damaged");
-  } catch (const std::invalid_argument& error) {
+  } catch (const std::exception& error) {
     throw std::invalid_argument(bag + error.what());
   }
 }

@@ -62,6 +62,10 @@ void print(const BagDriveResult& result, const BagDriveOptions& options) {
   std::cout << "  " << result.duration << " s: " << result.scans << " scans of " << result.scan_topic << ", "
             << result.odometry << " odometry messages of " << result.odometry_source << ", " << result.goals
             << " goals " << (options.hindsight ? "in hindsight" : "of " + listed(result.goal_topics)) << "\n";
+  if (result.skipped > 0) {
+    std::cout << "  " << result.skipped << " messages are broken: left out, the first on " << result.first_skipped
+              << "\n";
+  }
   if (!result.mount_known) {
     std::cout << "  where the scanner sits is not in the bag: taken as the base's origin, looking ahead (--mount)\n";
   }

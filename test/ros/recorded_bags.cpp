@@ -240,6 +240,63 @@ TEST(RecordedBagTest, FilesThatAreNoBagsAreRefusedInASentence) {
   EXPECT_EQ(refusalOf(pathOf("nothing.bag")), "has no scans: expected a topic of sensor_msgs/LaserScan among none");
 }
 
+/// The bag of goals.bag with one more message, in the middle.
+template <typename Message>
+std::string withMessage(const std::string& name, const std::string& topic, const Message& message) {
+  const std::string path = written(name);
+  rosbag::Bag bag(path, rosbag::bagmode::Append);
+  bag.write(topic, ros::Time(DriveBag::kStart + 10.0), message);
+  return path;
+}
+
+TEST(RecordedBagTest, AStampFarAheadOfTheOthersIsLeftOutAndSaid) {
+  const Outcome whole = recorded(written("whole.bag"));
+  ASSERT_EQ(whole.result.skipped, 0);
+  tf2_msgs::TFMessage transforms;
+  transforms.transforms.resize(1);
+  transforms.transforms[0].header.frame_id = "odom";
+  transforms.transforms[0].child_frame_id = "base_link";
+  transforms.transforms[0].transform.rotation.w = 1.0;
+  for (const std::uint32_t seconds : {4294967295U, 4000000000U}) {
+    transforms.transforms[0].header.stamp = ros::Time(seconds, 0);
+    const Outcome outcome = recorded(withMessage("tf_ahead.bag", "/tf", transforms));
+    EXPECT_EQ(outcome.result.skipped, 1);
+    EXPECT_NE(outcome.result.first_skipped.find("/tf at "), std::string::npos) << outcome.result.first_skipped;
+    EXPECT_NE(outcome.result.first_skipped.find("far ahead of the others"), std::string::npos);
+    EXPECT_EQ(outcome.recording.episodes.size(), whole.recording.episodes.size());
+    EXPECT_EQ(outcome.recording.episodes[0].steps.size(), whole.recording.episodes[0].steps.size());
+  }
+}
+
+TEST(RecordedBagTest, AGoalIsTakenWhateverItsStampUnlessItIsTooFarAway) {
+  geometry_msgs::PoseStamped goal;
+  goal.header.frame_id = "odom";
+  goal.header.stamp = ros::Time(4294967295U, 0);
+  goal.pose.orientation.w = 1.0;
+  goal.pose.position.x = 50.0;
+  EXPECT_EQ(recorded(withMessage("goal_ahead.bag", "/move_base_simple/goal", goal)).recording.episodes.size(), 6u);
+  goal.pose.position.x = 1.7e308;
+  const Outcome outcome = recorded(withMessage("goal_far.bag", "/move_base_simple/goal", goal));
+  EXPECT_EQ(outcome.recording.episodes.size(), 5u);
+  EXPECT_EQ(outcome.recording.rejections[static_cast<std::size_t>(Rejection::kNotFinite)], 1);
+}
+
+TEST(RecordedBagTest, AScanThatSaysItIsLongerThanItsMessageIsLeftOut) {
+  sensor_msgs::LaserScan scan;
+  const std::string frame = "the_broken_frame";
+  scan.header.frame_id = frame;
+  const std::string path = withMessage("broken_scan.bag", "/scan", scan);
+  std::string bytes = bytesOf(path);
+  constexpr std::size_t kLimits = 7 * sizeof(float);
+  const std::size_t count = bytes.rfind(frame) + frame.size() + kLimits;
+  bytes.replace(count, 4, std::string("\0\0\0\x40", 4));  // 2^30 ranges
+  writeBytes(path, bytes);
+  const Outcome outcome = recorded(path);
+  EXPECT_EQ(outcome.result.skipped, 1);
+  EXPECT_NE(outcome.result.first_skipped.find("/scan at "), std::string::npos) << outcome.result.first_skipped;
+  EXPECT_EQ(outcome.recording.episodes.size(), 5u);
+}
+
 TEST(RecordedBagTest, BagsThatWereCutOffAreRefusedInASentence) {
   const std::string bytes = bytesOf(written("whole.bag"));
   Random random(3);

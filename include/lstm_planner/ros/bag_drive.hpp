@@ -35,6 +35,8 @@ struct BagDriveResult {
   std::string odometry_source;  ///< a topic, or "tf"
   std::string odometry_frame;
   std::vector<std::string> goal_topics;  ///< those of the bag that were listened to
+  long skipped = 0;                      ///< messages that are broken or have a stamp far ahead of the others
+  std::string first_skipped;             ///< topic, time and why
   bool mount_known = true;  ///< false: no transform; the scanner was taken to sit at the base's origin, looking ahead
 };
 
