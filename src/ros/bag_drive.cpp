@@ -20,13 +20,14 @@
 #include <new>
 #include <stdexcept>
 
-#include "bag_message_check.hpp"
+#include "bag_message.hpp"
 #include "bag_odometry.hpp"
 #include "bag_topics.hpp"
 #include "lstm_planner/dataset/event_order.hpp"
 #include "lstm_planner/files/input_file.hpp"
 #include "lstm_planner/ros/conversions.hpp"
 #include "lstm_planner/ros/drive_messages.hpp"
+#include "stamp_check.hpp"
 
 namespace lstm_planner {
 
@@ -61,7 +62,6 @@ class BagPlayer {
     rosbag::View view(bag_, rosbag::TopicQuery(topics_.all()));
     for (const rosbag::MessageInstance& message : view) {
       try {
-        checkArrays(message);
         play(message, tf, &odometry, listener);
       } catch (const rosbag::BagException&) {
         throw;  // the file is damaged, not the message
@@ -84,10 +84,10 @@ class BagPlayer {
             BagListener* listener) {
     const std::string topic = message.getTopic();
     if (topic == topics_.scan) {
-      const auto scan = message.instantiate<sensor_msgs::LaserScan>();
+      const auto scan = messageOf<sensor_msgs::LaserScan>(message);
       if (scan && isPlausible(*scan, message)) listener->hear(*scan, message.getTime());
     } else if (topic == topics_.odometry) {
-      const auto heard = message.instantiate<nav_msgs::Odometry>();
+      const auto heard = messageOf<nav_msgs::Odometry>(message);
       if (heard && isPlausible(*heard, message)) listener->hear(*heard, message.getTime());
     } else if (isAmong(topics_.transforms, topic)) {
       playTransforms(message, tf, odometry, listener);
@@ -100,7 +100,7 @@ class BagPlayer {
 
   void playTransforms(const rosbag::MessageInstance& message, tf2::BufferCore* tf, OdometryFromTransforms* odometry,
                       BagListener* listener) {
-    const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
+    const auto transforms = messageOf<tf2_msgs::TFMessage>(message);
     if (!transforms) return;
     const bool is_static = message.getTopic() == "/tf_static";
     std::vector<geometry_msgs::TransformStamped> plausible;
@@ -142,7 +142,6 @@ class Survey : public BagListener {
  public:
   Survey(const BagDriveOptions& options, const RecorderParameters& parameters)
       : base_frame_(frameName(options.base_frame)),
-        parameters_(parameters),
         order_(parameters.delay, parameters.max_gap) {}
 
   void hear(const sensor_msgs::LaserScan& scan, const ros::Time& received) override {
@@ -207,7 +206,6 @@ class Survey : public BagListener {
 
   std::string base_frame_;
   std::string scan_frame_;
-  const RecorderParameters& parameters_;
   EventOrder order_;
   std::vector<OdometryHeard> way_;
 };
@@ -232,17 +230,17 @@ class Recorder : public BagListener {
     const std::string topic = message.getTopic().substr(1);
     // As the node itself calls the goals that it publishes there.
     const std::string source = topic == "dataset_recorder/goal" ? "way-points" : topic;
-    if (const auto goal = message.instantiate<geometry_msgs::PoseStamped>()) {
+    if (const auto goal = messageOf<geometry_msgs::PoseStamped>(message)) {
       messages_.hearGoal(*goal, source, message.getTime());
-    } else if (const auto action = message.instantiate<move_base_msgs::MoveBaseActionGoal>()) {
+    } else if (const auto action = messageOf<move_base_msgs::MoveBaseActionGoal>(message)) {
       messages_.hear(*action, source, message.getTime());
     }
   }
 
   void hearEnd(const rosbag::MessageInstance& message) override {
-    if (const auto cancel = message.instantiate<actionlib_msgs::GoalID>()) {
+    if (const auto cancel = messageOf<actionlib_msgs::GoalID>(message)) {
       messages_.hear(*cancel, message.getTime());
-    } else if (const auto result = message.instantiate<move_base_msgs::MoveBaseActionResult>()) {
+    } else if (const auto result = messageOf<move_base_msgs::MoveBaseActionResult>(message)) {
       messages_.hear(*result, message.getTime());
     }
   }

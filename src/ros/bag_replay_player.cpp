@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bag_message.hpp"
 #include "lstm_planner/files/input_file.hpp"
 #include "lstm_planner/ros/conversions.hpp"
 
@@ -66,10 +67,10 @@ void BagReplayPlayer::readClock() {
   rosbag::View sensors(bag_, rosbag::TopicQuery(std::vector<std::string>{topics_.scan, topics_.odometry}));
   for (const rosbag::MessageInstance& message : sensors) {
     std_msgs::Header header;
-    if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
+    if (const auto scan = messageOf<sensor_msgs::LaserScan>(message)) {
       header = scan->header;
       if (scan_frame_.empty()) scan_frame_ = frameName(header.frame_id);
-    } else if (const auto odometry = message.instantiate<nav_msgs::Odometry>()) {
+    } else if (const auto odometry = messageOf<nav_msgs::Odometry>(message)) {
       header = odometry->header;
       if (odometry_frame_.empty()) odometry_frame_ = frameName(header.frame_id);
       if (base_frame_.empty()) base_frame_ = frameName(odometry->child_frame_id);
@@ -136,18 +137,18 @@ void BagReplayPlayer::tellTime(const ros::Time& time) {
 void BagReplayPlayer::publish(const rosbag::MessageInstance& message) {
   const std::string& topic = message.getTopic();
   if (topic == topics_.scan) {
-    if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) scans_.publish(scan);
+    if (const auto scan = messageOf<sensor_msgs::LaserScan>(message)) scans_.publish(scan);
   } else if (topic == topics_.odometry) {
-    const auto odometry = message.instantiate<nav_msgs::Odometry>();
+    const auto odometry = messageOf<nav_msgs::Odometry>(message);
     if (!odometry) return;
     odometry_.publish(odometry);
     if (!has_transforms_) publishPose(*odometry);
   } else if (isTransforms(topic)) {
-    if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) transforms_.publish(transforms);
+    if (const auto transforms = messageOf<tf2_msgs::TFMessage>(message)) transforms_.publish(transforms);
   } else if (isStaticTransforms(topic)) {
-    const auto transforms = message.instantiate<tf2_msgs::TFMessage>();
+    const auto transforms = messageOf<tf2_msgs::TFMessage>(message);
     if (transforms) static_transforms_.sendTransform(transforms->transforms);
-  } else if (const auto map = message.instantiate<nav_msgs::OccupancyGrid>()) {
+  } else if (const auto map = messageOf<nav_msgs::OccupancyGrid>(message)) {
     map_.publish(map);
   }
 }
