@@ -57,6 +57,20 @@ inline Model goalSeekingModel(const PolicyDescription& description = {}) {
   return model;
 }
 
+/// A model that always prefers to go straight on.
+inline Model straightAheadModel(const PolicyDescription& description = {}) {
+  const int actions = description.actions.size();
+  DenseLayer layer{Eigen::MatrixXf::Zero(actions, static_cast<int>(description.encoder.input_layout.size())),
+                   Eigen::VectorXf::Zero(actions), Activation::kIdentity};
+  for (int action = 0; action < actions; ++action) {
+    layer.bias(action) = static_cast<float>(std::cos(description.actions.angle(action)));
+  }
+  Model model;
+  model.layers.push_back(layer);
+  writeMetadata(description, &model.metadata);
+  return model;
+}
+
 /// A model file that lives as long as the object.
 class TemporaryModelFile {
  public:

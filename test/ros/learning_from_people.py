@@ -22,6 +22,9 @@ VALIDATION_STEPS = 1000
 LEAST_ACCURACY = 88.0  # %, on the validation set
 GOALS = 5
 LEAST_REACHED = 4
+LONGEST_PATH = 2.5  # times the shortest; the rescue alone, with a network that only drives straight on, needs 3
+LEAST_ALONE = 50.0  # % of the drives that the network ends alone, without the rescue
+MOST_UNTAUGHT = 35.0  # % of the same with a network that only learned which label is the most frequent
 RECORDING_PATIENCE = 600.0  # s of the computer's clock; only ends what would last for ever
 DRIVING_PATIENCE = 900.0  # s likewise
 
@@ -109,6 +112,18 @@ class LearningFromPeople(unittest.TestCase):
         return [float(re.search(pattern + r" accuracy ([0-9.]+) %", printed).group(1))
                 for pattern in (r"wrote .*:", r"always the most frequent label:")]
 
+    def share_alone(self, model):
+        """How many drives end without the rescue, %, in offices and rooms that nobody drove in."""
+        tool("judge", "--model", self.path(model), "--kinds", "offices", "rooms", "--worlds", "40", "--json",
+             self.path("judged.json"))
+        with open(self.path("judged.json"), encoding="utf-8") as judged:
+            drives = json.load(judged)["worlds"]["all"]
+        return 100.0 * drives["arrived"] / drives["drives"]
+
+    def train_for_one_epoch(self):
+        tool("train", "--dataset", self.path("training.sqlite"), "--inputs", "events", "trace", "motion", "--epochs",
+             "1", "--output", self.path("untaught.onnx"))
+
     def drive(self):
         """What the demo says of its goals, in its own building."""
         driving = launch(package_file("launch", "demo.launch"), "model:=" + self.path("model.onnx"), "leader:=network",
@@ -125,6 +140,9 @@ class LearningFromPeople(unittest.TestCase):
     def test_a_network_that_learned_from_a_driver_drives_in_another_building(self):
         self.record(int(1.05 * (TRAINING_STEPS + VALIDATION_STEPS)))
         accuracy, constant_accuracy = self.train()
+        self.assertGreaterEqual(self.share_alone("model.onnx"), LEAST_ALONE)
+        self.train_for_one_epoch()
+        self.assertLessEqual(self.share_alone("untaught.onnx"), MOST_UNTAUGHT)
         result = self.drive()
         print(json.dumps(result, indent=2))
         print("accuracy %.1f %%, of always the same answer %.1f %%" % (accuracy, constant_accuracy))
@@ -134,6 +152,7 @@ class LearningFromPeople(unittest.TestCase):
         self.assertEqual(len(legs), GOALS)
         self.assertGreaterEqual(sum(leg["reached"] for leg in legs), LEAST_REACHED)
         self.assertEqual(sum(leg["contacts"] for leg in legs), 0)
+        self.assertLess(sum(leg["path_m"] for leg in legs), LONGEST_PATH * sum(leg["shortest_m"] for leg in legs))
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "real_data.hpp"
+#include "ros/hand_made_model.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -49,29 +50,45 @@ void writeGoalsFile(const std::string& path, const DriveTask& task) {
 /// move_base where the package has no host for its plugins of its own, because it was built with the navigation stack.
 std::string moveBase() { return ros::package::getPath("nav_core").empty() ? "standalone" : "real"; }
 
-TEST(RealMap, DemoArrivesInWillowWithoutContact) {
+/// What the demo says of a drive to the task's goal.
+nlohmann::json drive(const DriveTask& task, const std::string& arguments) {
+  const TemporaryFolder folder;
+  writeGoalsFile(folder.path() + "/goals.yaml", task);
+  const std::string command =
+      "timeout --signal=INT 100 roslaunch lstm_planner demo.launch rviz:=false picture:= "
+      "real_time_factor:=4 map:=" +
+      willowMap() + " free_threshold:=" + std::to_string(kWillowFreeThreshold) + " goals:=" + folder.path() +
+      "/goals.yaml result:=" + folder.path() + "/result move_base:=" + moveBase() + arguments;
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  std::ifstream file(folder.path() + "/result");
+  int exit_code = -1;
+  file >> exit_code;
+  EXPECT_EQ(exit_code, 0) << command;
+  return nlohmann::json::parse(file);
+}
+
+/// Driven path over the shortest that knows the map.
+double detour(const nlohmann::json& result) {
+  const nlohmann::json& leg = result.at("legs").at(0);
+  return leg.at("path_m").get<double>() / leg.at("shortest_m").get<double>();
+}
+
+TEST(RealMap, DemoArrivesInWillowOnAShortPathAndAUselessNetworkOnALongOne) {
   if (!std::ifstream(willowMap())) {
     GTEST_SKIP() << "no map " << willowMap();
   }
   const GridWorld world(readMapServerMap(willowMap(), kWillowFreeThreshold));
   const std::vector<DriveTask> tasks = drawTasksBetween(world, 1, 6.0, 8.0);
   ASSERT_EQ(tasks.size(), 1u);
-  const TemporaryFolder folder;
-  writeGoalsFile(folder.path() + "/goals.yaml", tasks.front());
 
-  const std::string command = "timeout --signal=INT 100 roslaunch lstm_planner demo.launch rviz:=false picture:= "
-                              "real_time_factor:=4 map:=" + willowMap() +
-                              " free_threshold:=" + std::to_string(kWillowFreeThreshold) + " goals:=" + folder.path() +
-                              "/goals.yaml result:=" + folder.path() + "/result move_base:=" + moveBase();
-  ASSERT_EQ(std::system(command.c_str()), 0) << command;
-
-  std::ifstream file(folder.path() + "/result");
-  int exit_code = -1;
-  file >> exit_code;
-  ASSERT_EQ(exit_code, 0);
-  const nlohmann::json result = nlohmann::json::parse(file);
+  const nlohmann::json result = drive(tasks.front(), "");
   EXPECT_EQ(result.at("reached"), 1);
   EXPECT_EQ(result.at("contacts"), 0);
+  EXPECT_LT(detour(result), 1.5);
+
+  // The escape brings any network to the goal, some time.
+  const TemporaryModelFile useless(straightAheadModel());
+  EXPECT_GT(detour(drive(tasks.front(), " leader:=network model:=" + useless.path())), 2.0);
 }
 
 }  // namespace
