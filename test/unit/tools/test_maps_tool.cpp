@@ -1,0 +1,82 @@
+// The commands `lstm_planner maps` and `report` as a user runs them.
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "lstm_planner/grid/map_server_map.hpp"
+#include "lstm_planner/grid/movingai.hpp"
+#include "lstm_planner/search/grid_distances.hpp"
+#include "picture_check.hpp"
+#include "tool_test.hpp"
+
+namespace lstm_planner {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MapsTool : public test::ToolTest {
+ protected:
+  void success(const std::string& arguments) const {
+    const test::Outcome outcome = runTool(arguments);
+    ASSERT_EQ(outcome.status, 0) << arguments << "\n" << outcome.output;
+  }
+
+  std::string textOf(const std::string& name) const {
+    std::ifstream file(in(name));
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+};
+
+TEST_F(MapsTool, EachKindWritesMapsWithScenariosOfTheRightLength) {
+  for (const std::string kind : {"maze", "random", "rooms", "caves"}) {
+    success("maps --kind " + kind + " --count 2 --columns 40 --rows 32 --name it --output " + in(kind));
+    for (const char* name : {"it-0.map", "it-1.map"}) {
+      const PassableGrid grid = readMovingAiMap(in(kind + "/Maps/" + name));
+      EXPECT_EQ(grid.columns(), 40) << kind;
+      EXPECT_EQ(grid.rows(), 32) << kind;
+      const auto scenarios = readScenarios(in(kind + "/Scenarios/" + name + ".scen"));
+      ASSERT_GT(scenarios.size(), 10u) << kind;
+      const auto& last = scenarios.back();
+      EXPECT_NEAR(GridDistances(grid, last.goal, CornerCutting::kForbidden).at(last.start), last.optimal_length, 1e-3)
+          << kind;
+    }
+  }
+}
+
+TEST_F(MapsTool, TheKindBuildingIsAMapServerMapOfTheSizeAskedFor) {
+  success("maps --output " + in("house") + " --width 8 --height 6 --resolution 0.1");
+  const OccupancyGrid map = readMapServerMap(in("house.yaml"));
+  EXPECT_EQ(map.columns(), 80);
+  EXPECT_EQ(map.rows(), 60);
+}
+
+TEST_F(MapsTool, AnUnknownKindIsRefused) {
+  const test::Outcome outcome = runTool("maps --kind jungle --output " + in("jungle"));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.output.find("jungle"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("caves"), std::string::npos) << "what would have been accepted: " << outcome.output;
+}
+
+TEST_F(MapsTool, ReportComparesAgentsInTablesAndPictures) {
+  success("maps --kind maze --corridor-width 4 --columns 48 --rows 48 --name it --output " + in("mazes"));
+  success("report --output " + in("report") + " --scenarios " + in("mazes") +
+          " --agents astar dstar boundary lstm=" LSTM_PLANNER_SOURCE_DIR "/models/grid_lstm.onnx --count 20");
+  const std::string report = textOf("report/report.md");
+  for (const char* agent : {"A*", "D*", "boundary", "LSTM"}) EXPECT_NE(report.find(agent), std::string::npos) << agent;
+  EXPECT_NE(report.find("| A* | 100.0 % |"), std::string::npos) << report;
+  int pictures = 0;
+  for (const auto& entry : fs::directory_iterator(in("report"))) {
+    if (entry.path().extension() != ".png") continue;
+    ++pictures;
+    const cv::Mat picture = cv::imread(entry.path().string(), cv::IMREAD_COLOR);
+    ASSERT_FALSE(picture.empty()) << entry.path();
+    EXPECT_GT(test::countColoured(picture), 100) << entry.path();
+  }
+  EXPECT_EQ(pictures, 2) << "success by length, and a figure of the thesis";
+}
+
+}  // namespace
+}  // namespace lstm_planner
