@@ -1,0 +1,74 @@
+// The command `lstm_planner train` for the robot without a dataset, as a user runs it.
+
+#include <fstream>
+#include <sstream>
+
+#include "lstm_planner/agent/drive_policy.hpp"
+#include "tool_test.hpp"
+
+namespace lstm_planner {
+namespace {
+
+class TrainRobotTool : public test::ToolTest {
+ protected:
+  static test::Outcome success(const std::string& arguments) {
+    const test::Outcome outcome = runTool(arguments);
+    EXPECT_EQ(outcome.status, 0) << arguments << "\n" << outcome.output;
+    return outcome;
+  }
+
+  std::string bytesOf(const std::string& name) const {
+    std::ifstream file(in(name), std::ios::binary);
+    std::ostringstream bytes;
+    bytes << file.rdbuf();
+    return bytes.str();
+  }
+};
+
+TEST_F(TrainRobotTool, ImitationReinforcementAndJudgingFollowOnEachOther) {
+  success("train --inputs trace motion --rounds 1 --worlds 4 --epochs 2 --validation 4 --cells 4 --output " +
+          in("first.onnx"));
+  EXPECT_EQ(DrivePolicy::fromFile(in("first.onnx")).description().encoder.views, 1);
+  success("train --method actor-critic --init " + in("first.onnx") +
+          " --iterations 1 --worlds 3 --starts 2 --max-steps 40 --validation 2 --keep last --output " + in("own.onnx"));
+  EXPECT_NE(bytesOf("own.onnx"), bytesOf("first.onnx")) << "nothing was learned";
+  const test::Outcome judged = success("judge --worlds 6 --max-steps 60 --model " + in("own.onnx"));
+  for (const char* kind : {"mazes", "offices", "corridors", "forest", "open", "rooms", "all"}) {
+    EXPECT_NE(judged.output.find(std::string("\n") + kind), std::string::npos) << judged.output;
+  }
+}
+
+TEST_F(TrainRobotTool, QLearningStartsFromNothing) {
+  success(
+      "train --method q-learning --views 8 --cells 4 --kinds open --iterations 2 --worlds 3 --starts 2 --max-steps 40 "
+      "--validation 2 --output " +
+      in("own.onnx"));
+  EXPECT_EQ(DrivePolicy::fromFile(in("own.onnx")).description().encoder.views, 8);
+}
+
+TEST_F(TrainRobotTool, GoesOnAfterCtrlCAsIfNothingHadBeen) {
+  const std::string training =
+      std::string(kTool) +
+      " train --method actor-critic --views 8 --cells 4 --kinds open --iterations 10 --worlds 3 --starts 2 "
+      "--max-steps 40 --validation 2 --threads 1 --output model.onnx --checkpoint model.checkpoint";
+  const auto runIn = [&](const std::string& folder, const std::string& command) {
+    return test::runShell("mkdir -p '" + in(folder) + "' && cd '" + in(folder) + "' || exit 1; " + command);
+  };
+  const test::Outcome whole = runIn("whole", training);
+  ASSERT_EQ(whole.status, 0) << whole.output;
+
+  // Ctrl-C as soon as there is something to go on from.
+  const test::Outcome stopped =
+      runIn("parts", training +
+                         " & process=$!; until [ -s model.checkpoint ]; do kill -0 $process || break; done; "
+                         "kill -INT $process; wait $process");
+  EXPECT_EQ(stopped.status, 130) << stopped.output;
+  EXPECT_NE(stopped.output.find("interrupted; the same command goes on from here"), std::string::npos)
+      << stopped.output;
+  const test::Outcome resumed = runIn("parts", training);
+  ASSERT_EQ(resumed.status, 0) << resumed.output;
+  EXPECT_TRUE(bytesOf("parts/model.onnx") == bytesOf("whole/model.onnx"));
+}
+
+}  // namespace
+}  // namespace lstm_planner
