@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "real_data.hpp"
 #include "tool_test.hpp"
@@ -79,6 +80,75 @@ TEST_F(DriveTool, DrawsPicturesOfGeneratedWorlds) {
   result("--worlds open --goals 3 --pictures " + in("pictures"));
   for (const char* name : {"best_open-", "median_open-", "worst_open-"}) EXPECT_EQ(picturesNamed(name), 1u) << name;
 }
+
+TEST_F(DriveTool, EachConditionHasItsEffect) {
+  const auto drive = [this](const std::string& conditions) {
+    nlohmann::json json = result("--map " LSTM_PLANNER_SOURCE_DIR "/config/demo_building.yaml --goals 4 " + conditions);
+    EXPECT_EQ(json["reached"], 4) << conditions;
+    EXPECT_EQ(json["contacts"], 0) << conditions;
+    return json;
+  };
+  const nlohmann::json usual = drive("");
+  EXPECT_LT(usual["mean_goal_error_m"], 0.2) << "the odometry is exact, and position_tolerance 0.2 m";
+  EXPECT_LT(usual["mean_ratio"], 1.5);
+
+  const nlohmann::json slip = drive("--slip 0.2");
+  EXPECT_EQ(slip["slip"], 0.2);
+  EXPECT_GT(slip["mean_goal_error_m"], 0.5) << "the odometry does not notice";
+  const nlohmann::json latency = drive("--latency 0.4");
+  EXPECT_EQ(latency["latency_s"], 0.4);
+  EXPECT_GT(latency["mean_time_s"], usual["mean_time_s"]) << "it drives with more care";
+  for (const auto& [key, value] : {std::pair("dropout", 0.5), std::pair("noise_m", 0.02)}) {
+    const std::string option = key == std::string("dropout") ? "--dropout " : "--noise ";
+    const nlohmann::json other = drive(option + std::to_string(value));
+    EXPECT_EQ(other[key], value);
+    EXPECT_NE(other["mean_time_s"], usual["mean_time_s"]) << "it saw something else";
+  }
+}
+
+/// What README says of each leader, in a sample: nothing is touched, every goal is reached, on paths that are no
+/// longer.
+struct SampleBound {
+  const char* leader;
+  double barn_ratio;
+  double barn_score;
+  double building_ratio;
+};
+
+class DriveToolSample : public DriveTool, public ::testing::WithParamInterface<SampleBound> {
+ protected:
+  nlohmann::json resultOfLeader(const std::string& where) const {
+    return result("--leader " + std::string(GetParam().leader) + " --drift 0.02 " + where);
+  }
+};
+
+TEST_P(DriveToolSample, OfBarnWorldsIsAsInTheReadme) {
+  const std::string barn = realData("barn/barn_cylinders.csv");
+  if (!std::ifstream(barn)) GTEST_SKIP() << "no " << barn;
+  const nlohmann::json json =
+      resultOfLeader("--barn " + barn + " --only 1 20 50 60 80 100 120 140 150 160 180 200 220 240 250");
+  EXPECT_GE(json["goals"], 10);
+  EXPECT_EQ(json["reached"], json["goals"]);
+  EXPECT_EQ(json["contacts"], 0);
+  EXPECT_LE(json["mean_ratio"], GetParam().barn_ratio);
+  EXPECT_GE(json["barn_score_k4"], GetParam().barn_score);
+}
+
+TEST_P(DriveToolSample, OfRealBuildingsIsAsInTheReadme) {
+  const std::string map = realData("maps/building_31.yaml");
+  if (!std::ifstream(map)) GTEST_SKIP() << "no " << map;
+  const nlohmann::json json = resultOfLeader("--goals 6 --map " + map + " " + realData("maps/stata_basement.yaml") +
+                                             " " + realData("maps/brsu-c069.yaml") + " " + willowMap() + "=0.19");
+  EXPECT_EQ(json["goals"], 24);
+  EXPECT_EQ(json["reached"], 24);
+  EXPECT_EQ(json["contacts"], 0);
+  EXPECT_LE(json["mean_ratio"], GetParam().building_ratio);
+}
+
+INSTANTIATE_TEST_SUITE_P(Leaders, DriveToolSample,
+                         ::testing::Values(SampleBound{"route", 0.9, 0.17, 1.25},
+                                           SampleBound{"network", 1.0, 0.15, 1.6}),
+                         [](const auto& info) { return std::string(info.param.leader); });
 
 TEST_F(DriveTool, RefusesBadOptionsWithASentence) {
   const auto complaint = [](const std::string& arguments) {
