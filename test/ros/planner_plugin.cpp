@@ -2,10 +2,16 @@
 // test moves it.
 
 #include <gtest/gtest.h>
+#include <nav_msgs/Path.h>
 #include <ros/package.h>
+#include <visualization_msgs/MarkerArray.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 #include <pluginlib/class_loader.hpp>
+#include <string>
 #include <thread>
 
 #include "ros/planner_fixture.hpp"
@@ -155,6 +161,48 @@ TEST_F(PlannerTest, ScannerUpsideDownSeesTheSame) {
   planner = makePlanner();
   announce(goal, planner.get(), &decisions);
   EXPECT_EQ(decisions.newest().at("preferences"), upright.at("preferences"));
+}
+
+TEST_F(PlannerTest, PlanAndMarkersAreThoseOfTheDrivenGoalAndNotOfAQuestion) {
+  std::mutex mutex;
+  nav_msgs::Path path;
+  int paths_to_elsewhere = 0;
+  std::map<std::string, int> markers;
+  CallbackThread callbacks;
+  const auto onPath = [&](const nav_msgs::Path::ConstPtr& message) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    path = *message;
+    paths_to_elsewhere += distanceBetween(kGoal, path.poses.back().pose.position) > kGoalTolerance ? 1 : 0;
+  };
+  const auto onMarkers = [&](const visualization_msgs::MarkerArray::ConstPtr& message) {
+    const std::lock_guard<std::mutex> lock(mutex);
+    markers.clear();
+    for (const auto& marker : message->markers) ++markers[marker.ns];
+  };
+  ros::NodeHandle node_handle = callbacks.nodeHandle("~/LstmGlobalPlanner");
+  const ros::Subscriber paths = node_handle.subscribe<nav_msgs::Path>("plan", 10, onPath);
+  const ros::Subscriber arrays = node_handle.subscribe<visualization_msgs::MarkerArray>("markers", 10, onMarkers);
+  DecisionListener decisions("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  ASSERT_TRUE(eventually([&] { return paths.getNumPublishers() > 0 && arrays.getNumPublishers() > 0; }));
+  const auto goal = stampedPose("odom", kGoal);
+  announce(goal, planner.get(), &decisions);
+  plan(planner.get(), stampedPose("odom", {-3.0, 2.0, 0.0}));
+
+  moveTo(planner.get(), {0.1, 0.0, 0.0}, 0.2);
+  ASSERT_TRUE(plan(planner.get(), goal));
+  const auto same = [](const geometry_msgs::PoseStamped& a, const geometry_msgs::PoseStamped& b) {
+    return a.header.frame_id == b.header.frame_id && a.header.stamp == b.header.stamp && distance(a, b) == 0.0;
+  };
+  EXPECT_TRUE(eventually([&] {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return std::equal(path.poses.begin(), path.poses.end(), plan_.begin(), plan_.end(), same);
+  }));
+  const std::lock_guard<std::mutex> lock(mutex);
+  EXPECT_EQ(path.header.frame_id, "odom");
+  EXPECT_EQ(paths_to_elsewhere, 0);
+  EXPECT_EQ(markers["preferences"], 5);
+  for (const char* name : {"sectors", "waypoint", "trace", "goal"}) EXPECT_GE(markers[name], 1) << name;
 }
 
 TEST_F(PlannerTest, TwoThreadsMayAskAtOnce) {
