@@ -1,8 +1,10 @@
 // move_base (or standalone_move_base) with both plugins drives the simulated robot, seen from outside.
 
 #include <actionlib/client/simple_action_client.h>
+#include <geometry_msgs/PoseStamped.h>
 #include <gtest/gtest.h>
 #include <move_base_msgs/MoveBaseAction.h>
+#include <nav_msgs/GetPlan.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <std_msgs/UInt32.h>
@@ -142,6 +144,42 @@ TEST_F(ClosedLoopTest, StandsStillWithinHalfASecondWhenTheScanStopsAndGoesOnWhen
   EXPECT_LT(speed(), 0.01) << "still without a scan";
   ASSERT_TRUE(pauseScan(false));
   EXPECT_TRUE(eventuallyDrives());
+}
+
+TEST_F(ClosedLoopTest, TakesAGoalFromRvizsTopic) {
+  ros::NodeHandle node_handle;
+  ros::Publisher goals = node_handle.advertise<geometry_msgs::PoseStamped>("move_base_simple/goal", 1);
+  ASSERT_TRUE(eventually([&] { return goals.getNumSubscribers() > 0; }));
+  const Pose2 before = pose();
+  geometry_msgs::PoseStamped goal;
+  goal.header.frame_id = "map";
+  goal.pose = toMessage(distanceBetween(before, kNear) > 0.5 ? kNear : kBehindTheBox);
+  goals.publish(goal);
+  EXPECT_TRUE(eventuallyDrives());
+  EXPECT_TRUE(eventually([&] { return distanceBetween(before, pose()) > 0.2; }));
+}
+
+TEST_F(ClosedLoopTest, MakePlanAnswersWithoutDriving) {
+  secondsUntilStill();
+  const Pose2 before = pose();
+  nav_msgs::GetPlan service;
+  service.request.goal.header.frame_id = "map";
+  service.request.goal.pose = toMessage({before.x + 3.0, before.y + 4.0, 0.0});
+  // It is not served before the goal of the test before is over.
+  ASSERT_TRUE(eventually([&] { return ros::service::call("move_base/make_plan", service); }));
+  const auto& poses = service.response.plan.poses;
+  ASSERT_GT(poses.size(), 2u);
+  // The robot starts in the middle of the odometry frame, turned: lengths are the same in both.
+  const auto& first = poses.front().pose.position;
+  const auto& last = poses.back().pose.position;
+  EXPECT_EQ(poses.front().header.frame_id, "odom");
+  EXPECT_NEAR(std::hypot(last.x - first.x, last.y - first.y), 5.0, 0.1);
+  EXPECT_LT(distanceBetween(before, pose()), 0.01);
+
+  service.request.goal.header.frame_id = "moon";
+  service.response = {};
+  EXPECT_TRUE(!ros::service::call("move_base/make_plan", service) || service.response.plan.poses.empty());
+  EXPECT_TRUE(log_.eventuallyHas("moon"));
 }
 
 TEST_F(ClosedLoopTest, GoalInsideAnObstacleIsAbortedWithoutContact) {
