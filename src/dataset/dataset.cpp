@@ -1,15 +1,12 @@
 #include "lstm_planner/dataset/dataset.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <system_error>
 
 #include "dataset/dataset_file.hpp"
 #include "dataset/dataset_row_check.hpp"
 #include "dataset/dataset_rows.hpp"
+#include "lstm_planner/files/output_file.hpp"
 
 namespace lstm_planner {
 
@@ -35,10 +32,6 @@ void writeRows(const Dataset& dataset, DatasetFile* file) {
   }
 }
 
-[[noreturn]] void refuseExisting(const std::string& path) {
-  throw DatasetError("dataset '" + path + "' cannot be written: there is such a file already");
-}
-
 }  // namespace
 
 long stepCount(const Dataset& dataset) {
@@ -59,26 +52,20 @@ Dataset readDataset(const std::string& path, bool with_scans) {
 }
 
 void writeDataset(const std::string& path, const Dataset& dataset) {
+  const std::string sentence = "dataset '" + path + "' cannot be written: ";
   std::error_code unknown;
-  if (std::filesystem::exists(path, unknown)) refuseExisting(path);
-  const std::string partial = path + ".partial-" + std::to_string(::getpid());
+  if (std::filesystem::exists(path, unknown)) throw DatasetError(sentence + "there is such a file already");
   try {
+    OutputFile output(path, OutputFile::Existing::kRefuse);
     {
-      DatasetFile file(partial, DatasetFile::Use::kCreate, kPatience);
+      DatasetFile file(output.partPath(), DatasetFile::Use::kCreate, kPatience);
       file.transact([&] { writeRows(dataset, &file); });
     }
-    // Unlike a renaming, a link does not replace what somebody has put there meanwhile.
-    if (::link(partial.c_str(), path.c_str()) != 0) {
-      if (errno == EEXIST) refuseExisting(path);
-      std::filesystem::rename(partial, path);  // on file systems without links, as on most USB sticks
-    }
-    std::filesystem::remove(partial, unknown);
-  } catch (const std::exception& error) {
-    std::filesystem::remove(partial, unknown);
-    std::filesystem::remove(partial + "-journal", unknown);
-    const auto* known = dynamic_cast<const DatasetError*>(&error);
-    if (known == nullptr) throw DatasetError("dataset '" + path + "' cannot be written: " + error.what());
+    output.commit();
+  } catch (const DatasetError&) {
     throw;
+  } catch (const std::exception& error) {
+    throw DatasetError(sentence + error.what());
   }
 }
 

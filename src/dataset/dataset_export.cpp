@@ -1,15 +1,13 @@
 #include "lstm_planner/dataset/dataset_export.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <sstream>
 
 #include "dataset/dataset_columns.hpp"
 #include "dataset/step_quantities.hpp"
+#include "lstm_planner/files/output_file.hpp"
 
 namespace lstm_planner {
 
@@ -29,11 +27,7 @@ void writeNumber(std::ostream& out, Number number) {
   if (std::isfinite(static_cast<double>(number))) out << number;
 }
 
-}  // namespace
-
-void exportCsv(const std::string& path, const Dataset& dataset, bool with_scans) {
-  std::ofstream out(path);
-  if (!out) throw DatasetError("'" + path + "' cannot be written: " + std::strerror(errno));
+void writeRows(const Dataset& dataset, bool with_scans, std::ostream& out) {
   const std::size_t beams = with_scans ? mostBeams(dataset) : 0;
   writeNames(out, beams);
   forEachStep(dataset, [&](long recording, long episode, const DriveStep& step) {
@@ -46,8 +40,18 @@ void exportCsv(const std::string& path, const Dataset& dataset, bool with_scans)
     }
     out << '\n';
   });
-  out.close();
-  if (!out) throw DatasetError("'" + path + "' cannot be written: " + std::strerror(errno));
+}
+
+}  // namespace
+
+void exportCsv(const std::string& path, const Dataset& dataset, bool with_scans) {
+  try {
+    OutputFile file(path);
+    writeRows(dataset, with_scans, file.stream());
+    file.commit();
+  } catch (const OutputFileError& error) {
+    throw DatasetError("'" + path + "' cannot be written: " + error.what());
+  }
 }
 
 }  // namespace lstm_planner

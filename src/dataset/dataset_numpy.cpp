@@ -3,10 +3,7 @@
 #include <Poco/Zip/Compress.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -17,6 +14,7 @@
 #include "dataset/numpy_array.hpp"
 #include "dataset/step_quantities.hpp"
 #include "lstm_planner/dataset/dataset_export.hpp"
+#include "lstm_planner/files/output_file.hpp"
 
 namespace lstm_planner {
 
@@ -120,10 +118,9 @@ void exportNumpy(const std::string& path, const Dataset& dataset, bool with_scan
   ColumnCollector collector;
   forEachStep(dataset,
               [&](long recording, long episode, const DriveStep& step) { collector.add(recording, episode, step); });
-  std::ofstream out(path, std::ios::binary);
-  if (!out) throw DatasetError("'" + path + "' cannot be written: " + std::strerror(errno));
   try {
-    Archive archive(out);
+    OutputFile file(path);
+    Archive archive(file.stream());
     for (const Column& column : collector.columns()) {
       archive.add(column.name, column.integers.empty() ? toNpy(column.numbers, column.row_length)
                                                        : toNpy(column.integers, column.row_length));
@@ -131,11 +128,12 @@ void exportNumpy(const std::string& path, const Dataset& dataset, bool with_scan
     archive.add("action_angles", toNpy(dataset.recordings.at(0).description.parameters.action_angles));
     if (with_scans) addScans(dataset, &archive);
     archive.close();
+    file.commit();
   } catch (const Poco::Exception& error) {
     throw DatasetError("'" + path + "' cannot be written: " + error.displayText());
+  } catch (const OutputFileError& error) {
+    throw DatasetError("'" + path + "' cannot be written: " + error.what());
   }
-  out.close();
-  if (!out) throw DatasetError("'" + path + "' cannot be written: " + std::strerror(errno));
 }
 
 }  // namespace lstm_planner

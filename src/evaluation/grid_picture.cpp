@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
+
+#include "lstm_planner/evaluation/picture_file.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -141,15 +142,7 @@ void writeGridPicture(const std::string& path, const PassableGrid& grid, const G
   drawWays(picture, &canvas);
   canvas.circle(picture.start, 6.0, kInk, cv::FILLED);
   canvas.circle(picture.goal, 8.0, kGoal, 3);
-  bool written = false;
-  try {
-    written = cv::imwrite(path, withText(canvas.image(), picture));
-  } catch (const cv::Exception&) {
-    // An extension that OpenCV does not know; said below like any other failure.
-  }
-  if (!written) {
-    throw std::runtime_error("picture '" + path + "' cannot be written (expected a path to a .png or .jpg)");
-  }
+  writePicture(path, withText(canvas.image(), picture));
 }
 
 }  // namespace lstm_planner

@@ -57,8 +57,10 @@ std::string successTrendCsv(const GridComparison& comparison, std::size_t set) {
   return out.str();
 }
 
-void drawSuccessTrend(const GridComparison& comparison, std::size_t set, const std::string& csv_path,
-                      const std::string& png_path) {
+namespace {
+
+std::string scriptOf(const GridComparison& comparison, std::size_t set, const std::string& csv_path,
+                     const std::string& png_path) {
   const GridTaskSet& tasks = comparison.sets[set];
   const std::string csv = quotedForGnuplot(csv_path);
   std::ostringstream script;
@@ -77,7 +79,15 @@ void drawSuccessTrend(const GridComparison& comparison, std::size_t set, const s
            << ") every ::0::0 title 'LSTM, thesis (printed)' with points pt 3 ps 2 lw 2 lc 'black'";
   }
   script << ';';
-  runGnuplot(script.str(), "success trend '" + png_path + "'", csv_path);
+  return script.str();
+}
+
+}  // namespace
+
+void drawSuccessTrend(const GridComparison& comparison, std::size_t set, const std::string& csv_path,
+                      const std::string& png_path) {
+  runGnuplot("success trend", png_path, csv_path,
+             [&](const std::string& path) { return scriptOf(comparison, set, csv_path, path); });
 }
 
 }  // namespace lstm_planner

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "evaluation/map_canvas.hpp"
+#include "lstm_planner/evaluation/picture_file.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -225,14 +225,7 @@ void writeTracePicture(const std::string& path, const OccupancyGrid& map, const 
   for (const Point2& contact : picture.contacts) canvas.cross(contact, picture.robot_radius, kContact, 2.5);
   if (!picture.legend) drawScale(&canvas);
   Strip(picture, &canvas).draw();
-  bool written = false;
-  try {
-    written = cv::imwrite(path, canvas.image());
-  } catch (const cv::Exception&) {
-    // An extension that OpenCV does not know; said below like any other failure.
-  }
-  if (!written)
-    throw std::runtime_error("picture '" + path + "' cannot be written (expected a path to a .png or .jpg)");
+  writePicture(path, canvas.image());
 }
 
 }  // namespace lstm_planner

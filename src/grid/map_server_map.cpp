@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <iomanip>
 #include <locale>
 #include <opencv2/imgcodecs.hpp>
@@ -13,6 +12,7 @@
 
 #include "grid/map_image.hpp"
 #include "lstm_planner/files/input_file.hpp"
+#include "lstm_planner/files/output_file.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -134,6 +134,28 @@ cv::Mat readImage(const std::string& path) {
   return image;
 }
 
+void writeImage(const OccupancyGrid& grid, std::ostream* image) {
+  image->imbue(std::locale::classic());
+  *image << "P5\n" << grid.columns() << " " << grid.rows() << "\n255\n";
+  std::vector<char> line(static_cast<std::size_t>(grid.columns()));
+  for (int row = grid.rows() - 1; row >= 0; --row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      const Cell cell = grid.at({column, row});
+      // 205 lies between the thresholds written below: 50 / 255 is just above 0.196.
+      const int value = cell == Cell::kFree ? 254 : cell == Cell::kOccupied ? 0 : 205;
+      line[static_cast<std::size_t>(column)] = static_cast<char>(value);
+    }
+    image->write(line.data(), static_cast<std::streamsize>(line.size()));
+  }
+}
+
+void writeDescription(const OccupancyGrid& grid, const std::string& image, std::ostream* yaml) {
+  yaml->imbue(std::locale::classic());
+  *yaml << std::setprecision(17) << "image: " << YAML::Dump(YAML::Node(image)) << "\nresolution: " << grid.resolution()
+        << "\norigin: [" << grid.origin().x << ", " << grid.origin().y << ", " << grid.origin().yaw
+        << "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+}
+
 }  // namespace
 
 OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_threshold) {
@@ -169,29 +191,17 @@ OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_thresho
 void writeMapServerMap(const std::string& stem, const OccupancyGrid& grid) {
   if (grid.columns() == 0 || grid.rows() == 0) throw MapFileError("the map " + stem + " has no cells to write");
   const std::string image_path = stem + ".pgm";
-  std::ofstream image(image_path, std::ios::binary);
-  image << "P5\n" << grid.columns() << " " << grid.rows() << "\n255\n";
-  std::vector<char> line(static_cast<std::size_t>(grid.columns()));
-  for (int row = grid.rows() - 1; row >= 0; --row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const Cell cell = grid.at({column, row});
-      // 205 lies between the thresholds written below: 50 / 255 is just above 0.196.
-      const int value = cell == Cell::kFree ? 254 : cell == Cell::kOccupied ? 0 : 205;
-      line[static_cast<std::size_t>(column)] = static_cast<char>(value);
-    }
-    image.write(line.data(), static_cast<std::streamsize>(line.size()));
-  }
-  image.close();
-  if (!image) throw MapFileError("the map image " + image_path + " cannot be written");
-
   const std::string yaml_path = stem + ".yaml";
-  std::ofstream yaml(yaml_path);
-  yaml.imbue(std::locale::classic());
-  yaml << std::setprecision(17) << "image: " << YAML::Dump(YAML::Node(image_path.substr(image_path.rfind('/') + 1)))
-       << "\nresolution: " << grid.resolution() << "\norigin: [" << grid.origin().x << ", " << grid.origin().y << ", "
-       << grid.origin().yaw << "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
-  yaml.close();
-  if (!yaml) throw MapFileError("the map " + yaml_path + " cannot be written");
+  try {
+    OutputFile image(image_path);
+    OutputFile yaml(yaml_path);
+    writeImage(grid, &image.stream());
+    writeDescription(grid, image_path.substr(image_path.rfind('/') + 1), &yaml.stream());
+    image.commit();
+    yaml.commit();
+  } catch (const OutputFileError& error) {
+    throw MapFileError("the map " + yaml_path + " cannot be written: " + error.what());
+  }
 }
 
 }  // namespace lstm_planner

@@ -1,9 +1,7 @@
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 #include "grid/movingai_text.hpp"
+#include "lstm_planner/files/output_file.hpp"
 #include "lstm_planner/grid/movingai.hpp"
 
 namespace lstm_planner {
@@ -98,6 +96,18 @@ std::vector<std::string_view> readRows(TextLines* lines, const MapSize& size, co
   return rows;
 }
 
+void writeRows(const PassableGrid& grid, std::ostream* file) {
+  *file << "type octile\nheight " << std::to_string(grid.rows()) << "\nwidth " << std::to_string(grid.columns())
+        << "\nmap\n";
+  std::string letters(static_cast<std::size_t>(grid.columns()) + 1, '\n');
+  for (int row = 0; row < grid.rows() && *file; ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      letters[static_cast<std::size_t>(column)] = grid.passable({column, row}) ? '.' : '@';
+    }
+    *file << letters;
+  }
+}
+
 }  // namespace
 
 PassableGrid readMovingAiMap(const std::string& path, PassableRule rule) {
@@ -118,18 +128,13 @@ PassableGrid readMovingAiMap(const std::string& path, PassableRule rule) {
 
 void writeMovingAiMap(const std::string& path, const PassableGrid& grid) {
   if (grid.size() == 0) throw MovingAiFileError("the map " + path + " has no cells to write");
-  std::ofstream file(path, std::ios::binary);
-  file << "type octile\nheight " << std::to_string(grid.rows()) << "\nwidth " << std::to_string(grid.columns())
-       << "\nmap\n";
-  std::string letters(static_cast<std::size_t>(grid.columns()) + 1, '\n');
-  for (int row = 0; row < grid.rows() && file; ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      letters[static_cast<std::size_t>(column)] = grid.passable({column, row}) ? '.' : '@';
-    }
-    file << letters;
+  try {
+    OutputFile file(path);
+    writeRows(grid, &file.stream());
+    file.commit();
+  } catch (const OutputFileError& error) {
+    throw MovingAiFileError("the map " + path + " cannot be written: " + error.what());
   }
-  file.close();
-  if (!file) throw MovingAiFileError("the map " + path + " cannot be written: " + std::strerror(errno));
 }
 
 }  // namespace lstm_planner

@@ -1,14 +1,12 @@
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <locale>
 #include <sstream>
 
 #include "grid/movingai_text.hpp"
+#include "lstm_planner/files/output_file.hpp"
 #include "lstm_planner/grid/movingai.hpp"
 
 namespace lstm_planner {
@@ -121,6 +119,16 @@ bool canBeReadAgain(const Scenario& scenario) {
          std::isfinite(scenario.optimal_length) && scenario.optimal_length >= 0.0;
 }
 
+void writeLines(const std::vector<Scenario>& scenarios, std::ostream* file) {
+  file->imbue(std::locale::classic());  // no grouping of thousands
+  *file << "version 1\n" << std::setprecision(kDigits);
+  for (const Scenario& scenario : scenarios) {
+    *file << scenario.bucket << '\t' << scenario.map << '\t' << scenario.columns << '\t' << scenario.rows << '\t'
+          << scenario.start.column << '\t' << scenario.start.row << '\t' << scenario.goal.column << '\t'
+          << scenario.goal.row << '\t' << scenario.optimal_length << '\n';
+  }
+}
+
 }  // namespace
 
 std::vector<Scenario> readScenarios(const std::string& path) { return ScenarioReader(path).read(); }
@@ -131,16 +139,13 @@ void writeScenarios(const std::string& path, const std::vector<Scenario>& scenar
     throw MovingAiFileError("the scenario file " + path + ", line " + std::to_string(i + kFirstScenarioLine) +
                             ": not written, expected a map with a name, start and goal inside it, and a finite length");
   }
-  std::ofstream file(path, std::ios::binary);
-  file.imbue(std::locale::classic());  // no grouping of thousands
-  file << "version 1\n" << std::setprecision(kDigits);
-  for (const Scenario& scenario : scenarios) {
-    file << scenario.bucket << '\t' << scenario.map << '\t' << scenario.columns << '\t' << scenario.rows << '\t'
-         << scenario.start.column << '\t' << scenario.start.row << '\t' << scenario.goal.column << '\t'
-         << scenario.goal.row << '\t' << scenario.optimal_length << '\n';
+  try {
+    OutputFile file(path);
+    writeLines(scenarios, &file.stream());
+    file.commit();
+  } catch (const OutputFileError& error) {
+    throw MovingAiFileError("the scenario file " + path + " cannot be written: " + error.what());
   }
-  file.close();
-  if (!file) throw MovingAiFileError("the scenario file " + path + " cannot be written: " + std::strerror(errno));
 }
 
 void checkScenario(const Scenario& scenario, std::size_t line, const PassableGrid& grid, const std::string& path) {

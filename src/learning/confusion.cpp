@@ -1,16 +1,14 @@
 #include "lstm_planner/learning/confusion.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 
 #include "gnuplot.hpp"
+#include "lstm_planner/files/output_file.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -32,8 +30,7 @@ std::string percent(double value) {
   return text.str();
 }
 
-void writeCsv(const std::string& path, const ConfusionMatrix& confusion, const std::vector<std::string>& names) {
-  std::ofstream file(path);
+void writeCsv(std::ostream& file, const ConfusionMatrix& confusion, const std::vector<std::string>& names) {
   file << "label";
   for (const std::string& name : names) file << ",answer " << name;
   file << '\n';
@@ -42,8 +39,6 @@ void writeCsv(const std::string& path, const ConfusionMatrix& confusion, const s
     for (Eigen::Index column = 0; column < confusion.cols(); ++column) file << ',' << confusion(row, column);
     file << '\n';
   }
-  file.close();
-  if (!file) throw std::runtime_error("confusion matrix '" + path + "' cannot be written: " + std::strerror(errno));
 }
 
 /// Cells coloured by their share of the row, with share and count written on them. One line, as gnuplot's -e wants it.
@@ -145,8 +140,9 @@ void writeConfusion(const std::string& png_path, const ConfusionMatrix& confusio
                     const std::vector<std::string>& names) {
   requireNames(confusion, names);
   const std::string csv_path = png_path.substr(0, png_path.rfind('.')) + ".csv";
-  writeCsv(csv_path, confusion, names);
-  runGnuplot(gnuplotScript(png_path, confusion, names), "confusion matrix '" + png_path + "'", csv_path);
+  writeOutputFile("confusion matrix", csv_path, [&](std::ostream& file) { writeCsv(file, confusion, names); });
+  runGnuplot("confusion matrix", png_path, csv_path,
+             [&](const std::string& path) { return gnuplotScript(path, confusion, names); });
 }
 
 }  // namespace lstm_planner

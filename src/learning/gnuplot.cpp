@@ -8,6 +8,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "lstm_planner/files/output_file.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -36,14 +38,22 @@ int runCommand(const std::string& command, std::string& output) {
 
 std::string quotedForGnuplot(const std::string& text) { return "'" + replaceAll(text, '\'', "''") + "'"; }
 
-void runGnuplot(const std::string& script, const std::string& what, const std::string& csv_path) {
-  std::string output;
-  const int status = runCommand("gnuplot -e " + quotedForShell(script), output);
-  constexpr int kCommandNotFound = 127;
-  if (status == kCommandNotFound) {
-    throw std::runtime_error(what + " needs gnuplot, which is not installed; the numbers are in '" + csv_path + "'");
+void runGnuplot(const std::string& what, const std::string& png_path, const std::string& csv_path,
+                const std::function<std::string(const std::string& path)>& script_for) {
+  const std::string name = what + " '" + png_path + "'";
+  try {
+    OutputFile picture(png_path);
+    std::string output;
+    const int status = runCommand("gnuplot -e " + quotedForShell(script_for(picture.partPath())), output);
+    constexpr int kCommandNotFound = 127;
+    if (status == kCommandNotFound) {
+      throw std::runtime_error(name + " needs gnuplot, which is not installed; the numbers are in '" + csv_path + "'");
+    }
+    if (status != 0) throw std::runtime_error("gnuplot cannot draw " + name + ": " + output);
+    picture.commit();
+  } catch (const OutputFileError& error) {
+    throw std::runtime_error(name + " cannot be written: " + error.what());
   }
-  if (status != 0) throw std::runtime_error("gnuplot cannot draw " + what + ": " + output);
 }
 
 }  // namespace lstm_planner

@@ -1,13 +1,11 @@
 #include "lstm_planner/learning/learning_curve.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 
 #include "gnuplot.hpp"
+#include "lstm_planner/files/output_file.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -62,10 +60,7 @@ std::string gnuplotScript(const std::string& csv_path, const std::string& png_pa
   return script.str();
 }
 
-}  // namespace
-
-void writeLearningCurveCsv(const std::string& csv_path, const std::vector<EpochReport>& curve) {
-  std::ofstream file(csv_path);
+void writeRows(const std::vector<EpochReport>& curve, std::ostream& file) {
   file.precision(std::numeric_limits<double>::max_digits10);
   const bool has_validation = hasValidation(curve);
   const bool has_average = hasAverage(curve);
@@ -81,15 +76,20 @@ void writeLearningCurveCsv(const std::string& csv_path, const std::vector<EpochR
     if (has_average) file << ',' << report.averaged.accuracy() << ',' << report.averaged.meanLoss();
     file << '\n';
   }
-  file.close();
-  if (!file) throw std::runtime_error("learning curve '" + csv_path + "' cannot be written: " + std::strerror(errno));
+}
+
+}  // namespace
+
+void writeLearningCurveCsv(const std::string& csv_path, const std::vector<EpochReport>& curve) {
+  writeOutputFile("learning curve", csv_path, [&](std::ostream& file) { writeRows(curve, file); });
 }
 
 void writeLearningCurve(const std::string& csv_path, const std::string& png_path,
                         const std::vector<EpochReport>& curve) {
   writeLearningCurveCsv(csv_path, curve);
   if (curve.empty()) throw std::runtime_error("learning curve '" + png_path + "' has no epochs, expected at least one");
-  runGnuplot(gnuplotScript(csv_path, png_path, curve), "learning curve '" + png_path + "'", csv_path);
+  runGnuplot("learning curve", png_path, csv_path,
+             [&](const std::string& path) { return gnuplotScript(csv_path, path, curve); });
 }
 
 }  // namespace lstm_planner

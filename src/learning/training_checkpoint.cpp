@@ -1,18 +1,13 @@
 #include "lstm_planner/learning/training_checkpoint.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
 #include "checkpoint_json.hpp"
 #include "lstm_planner/files/input_file.hpp"
+#include "lstm_planner/files/output_file.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -72,16 +67,15 @@ void writeTrainingCheckpoint(const std::string& path, const TrainingCheckpoint& 
   const Json header = {{"settings", checkpoint.settings},
                        {"progress", checkpoint.progress},
                        {"learner_bytes", checkpoint.learner.size()}};
-  const std::string temporary = path + ".tmp" + std::to_string(::getpid());
-  std::ofstream file(temporary, std::ios::binary);
-  file << kFirstLine << '\n' << header.dump() << '\n';
-  file.write(reinterpret_cast<const char*>(checkpoint.learner.data()),
-             static_cast<std::streamsize>(checkpoint.learner.size()));
-  file.close();
-  if (file && std::rename(temporary.c_str(), path.c_str()) == 0) return;
-  const std::string reason = std::strerror(errno);
-  std::remove(temporary.c_str());
-  throw std::runtime_error("cannot write checkpoint '" + path + "': " + reason);
+  try {
+    OutputFile file(path);
+    file.stream() << kFirstLine << '\n' << header.dump() << '\n';
+    file.stream().write(reinterpret_cast<const char*>(checkpoint.learner.data()),
+                        static_cast<std::streamsize>(checkpoint.learner.size()));
+    file.commit();
+  } catch (const OutputFileError& error) {
+    throw std::runtime_error("cannot write checkpoint '" + path + "': " + error.what());
+  }
 }
 
 std::optional<TrainingCheckpoint> readTrainingCheckpoint(const std::string& path, const Json& settings) {

@@ -1,10 +1,7 @@
 #include "lstm_planner/learning/training_stability.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -12,6 +9,7 @@
 #include <utility>
 
 #include "gnuplot.hpp"
+#include "lstm_planner/files/output_file.hpp"
 #include "lstm_planner/learning/parameter_vector.hpp"
 
 namespace lstm_planner {
@@ -60,8 +58,8 @@ std::string gnuplotScript(const std::string& csv_path, const std::string& png_pa
          << "set title 'training set'; plot " << file
          << "2*100) with lines lc rgb '#e69f00' title 'mean over batches while the weights move (Eq. 4.5)', " << file
          << "3*100) with lines lc rgb '#0072b2' title 'weights at the end of the epoch', " << file
-         << "4*100) with lines lw 2 lc rgb '#009e73' title 'averaged weights'; set title 'validation set'; plot " << file
-         << "5*100) with lines lc rgb '#0072b2' title 'weights at the end of the epoch', " << file
+         << "4*100) with lines lw 2 lc rgb '#009e73' title 'averaged weights'; set title 'validation set'; plot "
+         << file << "5*100) with lines lc rgb '#0072b2' title 'weights at the end of the epoch', " << file
          << "6*100) with lines lw 2 lc rgb '#009e73' title 'averaged weights'; unset multiplot; ";
   return script.str();
 }
@@ -148,11 +146,9 @@ std::string stabilityText(const std::vector<EpochAccuracies>& epochs) {
 void writeStability(const std::string& png_path, const std::vector<EpochAccuracies>& epochs) {
   if (epochs.empty()) throw std::runtime_error("stability '" + png_path + "' has no epochs, expected at least one");
   const std::string csv_path = png_path.substr(0, png_path.rfind('.')) + ".csv";
-  std::ofstream file(csv_path);
-  file << csv(epochs);
-  file.close();
-  if (!file) throw std::runtime_error("stability '" + csv_path + "' cannot be written: " + std::strerror(errno));
-  runGnuplot(gnuplotScript(csv_path, png_path, epochs), "stability '" + png_path + "'", csv_path);
+  writeOutputFile("stability", csv_path, [&](std::ostream& file) { file << csv(epochs); });
+  runGnuplot("stability", png_path, csv_path,
+             [&](const std::string& path) { return gnuplotScript(csv_path, path, epochs); });
 }
 
 }  // namespace lstm_planner

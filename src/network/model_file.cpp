@@ -1,13 +1,9 @@
 #include "lstm_planner/network/model_file.hpp"
 
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
-#include <system_error>
 
 #include "lstm_planner/files/input_file.hpp"
+#include "lstm_planner/files/output_file.hpp"
 #include "network/onnx_field_count.hpp"
 #include "network/onnx_names.hpp"
 #include "network/onnx_reader.hpp"
@@ -16,8 +12,6 @@
 
 namespace lstm_planner {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMaximumFileSize = std::uintmax_t{128} << 20;
 
@@ -51,16 +45,13 @@ std::string serialise(const Model& model) {
 }
 
 void replaceFile(const std::string& path, const std::string& bytes) {
-  const std::string unfinished = path + ".part" + std::to_string(getpid());
-  std::ofstream file(unfinished, std::ios::binary | std::ios::trunc);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  std::error_code error;
-  if (file) fs::rename(unfinished, path, error);
-  if (!file || error) {
-    const std::string reason = error ? " (" + error.message() + ")" : "";
-    fs::remove(unfinished, error);
-    throw ModelFileError("it cannot be written" + reason + ", expected a folder that exists and is writable");
+  try {
+    OutputFile file(path);
+    file.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.commit();
+  } catch (const OutputFileError& error) {
+    throw ModelFileError("it cannot be written (" + std::string(error.what()) +
+                         "), expected a folder that exists and is writable");
   }
 }
 

@@ -4,10 +4,11 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <stdexcept>
+
+#include "lstm_planner/files/output_file.hpp"
 
 namespace lstm_planner {
 
@@ -54,12 +55,8 @@ BagReplay::BagReplay(const BagReplayParameters& parameters)
 }
 
 void BagReplay::writeDecisionsFile() const {
-  std::ofstream file(parameters_.decisions);
-  writeDecisions(replay_.decisions(), &file);
-  file.close();
-  if (!file) {
-    throw std::invalid_argument("'" + parameters_.decisions + "' cannot be written");
-  }
+  writeOutputFile("file", parameters_.decisions,
+                  [this](std::ostream& file) { writeDecisions(replay_.decisions(), &file); });
 }
 
 void BagReplay::run() {

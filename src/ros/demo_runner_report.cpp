@@ -1,10 +1,10 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "lstm_planner/files/output_file.hpp"
 #include "lstm_planner/ros/demo_runner.hpp"
 
 namespace lstm_planner {
@@ -96,10 +96,7 @@ void writeDemoResult(const std::string& path, int exit_code, const std::vector<D
                          {"legs", nlohmann::json::array()}};
   for (const DemoLeg& leg : legs) json["legs"].push_back(toJson(leg));
   if (!error.empty()) json["error"] = error;
-  std::ofstream file(path);
-  file << exit_code << '\n' << json.dump(2) << '\n';
-  file.close();
-  if (!file) throw std::runtime_error("result file '" + path + "' cannot be written");
+  writeOutputFile("result file", path, [&](std::ostream& file) { file << exit_code << '\n' << json.dump(2) << '\n'; });
 }
 
 }  // namespace lstm_planner

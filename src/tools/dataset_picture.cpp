@@ -110,7 +110,8 @@ void drawDataset(const std::string& path, const Dataset& dataset) {
   writeLabels(scratch.file("labels"), summarise(dataset));
   writeRanges(scratch.file("ranges"), dataset);
   writeWays(scratch.file("ways"), scratch.file("ends"), dataset);
-  runGnuplot(scriptOf(path, scratch), "picture '" + path + "'", scratch.file("ways"));
+  runGnuplot("picture", path, scratch.file("ways"),
+             [&](const std::string& part_path) { return scriptOf(part_path, scratch); });
 }
 
 }  // namespace lstm_planner

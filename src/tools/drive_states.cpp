@@ -6,6 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "lstm_planner/evaluation/picture_file.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -75,12 +77,12 @@ void DriveStates::drawBelow(const std::string& path) const {
     return std::tanh(steps_[static_cast<std::size_t>(step)].hidden[row]);
   });
   cv::Mat all;
-  cv::vconcat(std::vector<cv::Mat>{drive,
-                                   line("preferences, step by step: leftmost angle above, rightmost below", drive.cols),
-                                   preferences,
-                                   line("hidden state: red positive, blue negative, a row a cell", drive.cols), hidden},
-              all);
-  if (!cv::imwrite(path, all)) throw std::runtime_error("picture '" + path + "' cannot be written");
+  cv::vconcat(
+      std::vector<cv::Mat>{drive, line("preferences, step by step: leftmost angle above, rightmost below", drive.cols),
+                           preferences, line("hidden state: red positive, blue negative, a row a cell", drive.cols),
+                           hidden},
+      all);
+  writePicture(path, all);
 }
 
 }  // namespace lstm_planner

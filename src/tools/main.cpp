@@ -1,10 +1,12 @@
 #include <chrono>
+#include <csignal>
 #include <cstring>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <thread>
 
+#include "lstm_planner/files/output_file.hpp"
 #include "tools/command.hpp"
 #include "tools/ranks.hpp"
 
@@ -40,6 +42,13 @@ int fail(const std::string& sentence) {
   return 2;
 }
 
+/// Nothing is left of what was being written.
+void endBySignal(int signal) {
+  lstm_planner::removeUnfinishedFiles();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 int run(const lstm_planner::Command& command, const std::vector<std::string>& arguments) {
   const int ranks = lstm_planner::ranks()->size();
   if (ranks > 1 && !command.shared) {
@@ -70,6 +79,9 @@ int runTool(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+    if (std::signal(signal, endBySignal) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
   try {
     const lstm_planner::MpiSession session(&argc, &argv);
     return runTool(argc, argv);

@@ -5,22 +5,22 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
+#include "lstm_planner/files/output_file.hpp"
 #include "tools/ranks.hpp"
 
 namespace lstm_planner {
 
 void checkWritable(const std::string& path) {
   if (!isFirstRank()) return;
-  std::error_code unknown;
-  const bool was_there = std::filesystem::exists(path, unknown);
-  const bool writable = std::ofstream(path, std::ios::app).is_open();
-  const int reason = errno;
-  if (!writable) throw std::invalid_argument("cannot write '" + path + "': " + std::strerror(reason));
-  if (!was_there) std::filesystem::remove(path, unknown);
+  try {
+    if (std::filesystem::is_directory(path)) throw OutputFileError("it is a folder");
+    OutputFile(path).stream();
+  } catch (const OutputFileError& error) {
+    throw std::invalid_argument("cannot write '" + path + "': " + error.what());
+  }
 }
 
 void makeOutputFolder(const std::string& path) {
@@ -35,10 +35,7 @@ void makeOutputFolder(const std::string& path) {
 
 void writeTextFile(const std::string& path, const std::string& text) {
   if (!isFirstRank()) return;
-  std::ofstream file(path);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error("cannot write '" + path + "': " + std::strerror(errno));
+  writeOutputFile("file", path, [&](std::ostream& file) { file << text; });
 }
 
 }  // namespace lstm_planner

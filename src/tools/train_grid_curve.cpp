@@ -73,7 +73,8 @@ void writeGridCurve(const std::string& png_path, const std::vector<std::string>&
                     const std::vector<GridCurvePoint>& points) {
   const std::string csv_path = png_path.substr(0, png_path.rfind('.')) + ".csv";
   writeTextFile(csv_path, csv(set_names, points));
-  runGnuplot(script(csv_path, png_path, set_names), "learning curve '" + png_path + "'", csv_path);
+  runGnuplot("learning curve", png_path, csv_path,
+             [&](const std::string& path) { return script(csv_path, path, set_names); });
 }
 
 }  // namespace lstm_planner
