@@ -127,6 +127,15 @@ TEST(DatasetCheck, FindsEachFlawAndSaysWhereItIs) {
   }
 }
 
+TEST(DatasetCheck, EndsAfterMoreSentencesThanAnybodyReads) {
+  Dataset dataset = exampleDataset();
+  std::vector<DriveStep>& steps = dataset.recordings[0].episodes[1].steps;
+  steps.assign(20000, steps[0]);
+  const std::vector<std::string> sentences = checkDataset(dataset);
+  EXPECT_LT(sentences.size(), 10100u);
+  EXPECT_EQ(sentences.back(), "nothing behind recording 0, episode 1 was looked at");
+}
+
 TEST(DatasetCheck, AllowsAStepToBeLeftOut) {
   Dataset dataset = exampleDataset();
   std::vector<DriveStep>& steps = dataset.recordings[0].episodes[2].steps;
