@@ -35,9 +35,11 @@ Network& Network::operator=(Network&&) noexcept = default;
 Network::~Network() = default;
 
 const float* Network::memory(std::size_t which) const {
-  return memories_.data()->values + which * packed_->memorySize();
+  return reinterpret_cast<const float*>(memories_.data()) + which * packed_->memorySize();
 }
-float* Network::memory(std::size_t which) { return memories_.data()->values + which * packed_->memorySize(); }
+float* Network::memory(std::size_t which) {
+  return reinterpret_cast<float*>(memories_.data()) + which * packed_->memorySize();
+}
 
 const VectorXf& Network::forward(const ConstValues& input) {
   if (input.size() != input_size_) {

@@ -22,6 +22,12 @@ std::string compressed(const std::string& text) {
   return stream.str();
 }
 
+RecorderParameters smallMemory() {
+  RecorderParameters parameters;
+  parameters.agent.memory.width = 8.0;
+  return parameters;
+}
+
 /// A log as it is, plain or compressed; one that begins with 'z' is compressed first.
 void readLog(const std::uint8_t* data, std::size_t size) {
   static ScratchFile file(".log");
@@ -32,7 +38,7 @@ void readLog(const std::uint8_t* data, std::size_t size) {
     const CarmenLog read = readCarmenLog(file.path());
     require(read.scans > 0 && read.events.size() >= static_cast<std::size_t>(read.scans), "a log has scans");
     RecordingSink sink{RecordingDescription{}};
-    recordCarmenLog(read, {}, {}, &sink);
+    recordCarmenLog(read, {}, smallMemory(), &sink);
     for (const RecordedEpisode& episode : sink.recording().episodes) {
       for (const DriveStep& step : episode.steps) {
         require(isFinite(step.pose) && std::isfinite(step.driven_angle), "steps are finite");

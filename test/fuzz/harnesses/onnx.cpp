@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -341,8 +342,12 @@ void readModel(const std::uint8_t* data, std::size_t size) {
   file.write(modelFile(data, size));
   expectRefusal<ModelFileError>([] {
     DrivePolicy policy = DrivePolicy::fromFile(file.path());
-    const Eigen::VectorXf& preferences = policy.advance(Observation());
-    require(preferences.size() == policy.description().actions.size(), "each action has a preference");
+    // Weights may be so large that a sum of them is not finite.
+    expectRefusal<std::invalid_argument>([&] {
+      const Eigen::VectorXf& preferences = policy.advance(Observation());
+      require(preferences.size() == policy.description().actions.size(), "each action has a preference");
+      require(preferences.allFinite(), "preferences are finite");
+    });
   });
 }
 
