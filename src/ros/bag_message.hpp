@@ -5,6 +5,7 @@
 
 #include <boost/make_shared.hpp>
 #include <boost/shared_ptr.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -39,10 +40,11 @@ class MessageBytes : public ros::serialization::IStream {
 template <typename Message>
 boost::shared_ptr<const Message> messageOf(const rosbag::MessageInstance& instance) {
   if (!instance.isType<Message>()) return nullptr;
-  std::vector<std::uint8_t> bytes(instance.size());
-  ros::serialization::OStream copy(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  const std::uint32_t size = instance.size();
+  std::vector<std::uint8_t> bytes(size + std::size_t{1});  // one more, as an empty vector has no address
+  ros::serialization::OStream copy(bytes.data(), size);
   instance.write(copy);
-  MessageBytes stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  MessageBytes stream(bytes.data(), size);
   auto message = boost::make_shared<Message>();
   ros::serialization::deserialize(stream, *message);
   return message;
