@@ -116,7 +116,9 @@ MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& vie
   if (center < 0) {
     return Sight::kUnknown;
   }
-  const long half = std::lround(aside / std::abs(profile.increment));
+  const double beams_aside = aside / std::abs(profile.increment);
+  if (beams_aside > static_cast<double>(profile.ranges.size())) return Sight::kUnknown;  // nor would a whole number hold it
+  const long half = std::lround(beams_aside);
   const long first = center - half;
   const long last = center + half;
   if (first < 0 || last >= static_cast<long>(profile.ranges.size())) {
