@@ -58,6 +58,7 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(self.parameter(config, "/move_base/LstmGlobalPlanner/model"), "/m.onnx")
         self.assertEqual(self.parameter(config, "/demo_runner/result"), "/r")
         self.assertEqual(self.parameter(config, "/create2_stub/real_time_factor"), 3)
+        self.assertGreater(self.parameter(config, "/create2_stub/command_period"), 0)
         self.assertEqual(self.parameter(config, "/create2_stub/robot/slip"), 0.1)
         self.assertTrue(self.parameter(config, "/use_sim_time"))
 
