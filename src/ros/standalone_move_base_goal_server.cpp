@@ -22,8 +22,6 @@ double distanceBetweenPoses(const geometry_msgs::PoseStamped& a, const geometry_
   return std::hypot(b.pose.position.x - a.pose.position.x, b.pose.position.y - a.pose.position.y);
 }
 
-bool isLongerAgo(const ros::Time& time, double duration) { return (ros::Time::now() - time).toSec() > duration; }
-
 }  // namespace
 
 StandaloneMoveBase::GoalServer::GoalServer(tf2_ros::Buffer& tf)
@@ -69,7 +67,9 @@ bool StandaloneMoveBase::GoalServer::begin(const move_base_msgs::MoveBaseGoal& g
     return false;
   }
   state_ = State::kPlanning;
-  last_valid_plan_ = last_valid_control_ = last_progress_ = ros::Time::now();
+  last_valid_plan_.restart();
+  last_valid_control_.restart();
+  last_progress_.restart();
   stopRobot();
   planner_.start(target);
   current_goal_publisher_.publish(target);
@@ -108,14 +108,14 @@ bool StandaloneMoveBase::GoalServer::takePlan() {
     abort("The controller refused the plan.");
     return false;
   }
-  last_valid_plan_ = ros::Time::now();
+  last_valid_plan_.restart();
   state_ = State::kControlling;
   return true;
 }
 
 bool StandaloneMoveBase::GoalServer::waitForPlan() {
   // A planner slower than the patience still gets its one chance.
-  if (planner_.failures() == 0 || !isLongerAgo(last_valid_plan_, parameters_.planner_patience)) return true;
+  if (planner_.failures() == 0 || !last_valid_plan_.isLongerAgo(parameters_.planner_patience)) return true;
   const std::string duration = withUnit(parameters_.planner_patience, "s");
   abort(pose_known_ ? "No plan was found for " + duration +
                           ": there is no way to the goal, or the planner has no sensor data (its messages say which)."
@@ -131,19 +131,19 @@ bool StandaloneMoveBase::GoalServer::drive() {
   }
   geometry_msgs::Twist velocity;
   if (!plugins_.computeVelocity(velocity)) return recoverController();
-  last_valid_control_ = ros::Time::now();
+  last_valid_control_.restart();
   velocity_publisher_.publish(velocity);
   return true;
 }
 
 bool StandaloneMoveBase::GoalServer::recoverController() {
-  if (isLongerAgo(last_valid_control_, parameters_.controller_patience)) {
+  if (last_valid_control_.isLongerAgo(parameters_.controller_patience)) {
     abort("The controller found no safe velocity for " + withUnit(parameters_.controller_patience, "s") + ".");
     return false;
   }
   stopRobot();
   state_ = State::kPlanning;
-  last_valid_plan_ = ros::Time::now();
+  last_valid_plan_.restart();
   planner_.request();
   return true;
 }
@@ -152,9 +152,9 @@ bool StandaloneMoveBase::GoalServer::isOscillating(const geometry_msgs::PoseStam
   if (parameters_.oscillation_timeout <= 0.0) return false;
   if (distanceBetweenPoses(progress_pose_, robot) >= parameters_.oscillation_distance) {
     progress_pose_ = robot;
-    last_progress_ = ros::Time::now();
+    last_progress_.restart();
   }
-  return isLongerAgo(last_progress_, parameters_.oscillation_timeout);
+  return last_progress_.isLongerAgo(parameters_.oscillation_timeout);
 }
 
 void StandaloneMoveBase::GoalServer::stopRobot() { velocity_publisher_.publish(geometry_msgs::Twist()); }

@@ -14,6 +14,7 @@
 #include "standalone_move_base_parameters.hpp"
 #include "standalone_move_base_planner_thread.hpp"
 #include "standalone_move_base_plugins.hpp"
+#include "stopwatch.hpp"
 
 namespace lstm_planner {
 
@@ -62,9 +63,9 @@ class StandaloneMoveBase::GoalServer {
   PlannerThread planner_;
 
   State state_ = State::kPlanning;
-  ros::Time last_valid_plan_;
-  ros::Time last_valid_control_;
-  ros::Time last_progress_;
+  Stopwatch last_valid_plan_;
+  Stopwatch last_valid_control_;
+  Stopwatch last_progress_;
   geometry_msgs::PoseStamped progress_pose_;
 
   ros::Publisher velocity_publisher_;

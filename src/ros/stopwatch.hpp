@@ -1,0 +1,24 @@
+#pragma once
+
+#include <ros/time.h>
+
+namespace lstm_planner {
+
+/// Time since something happened, by ROS's clock. When the clock is set back it starts anew: a wait is then at most
+/// twice as long as it should be, and not endless.
+class Stopwatch {
+ public:
+  void restart() { since_ = ros::Time::now(); }
+
+  /// Whether it happened more than `duration` s ago.
+  bool isLongerAgo(double duration) {
+    const ros::Time now = ros::Time::now();
+    if (now < since_) since_ = now;
+    return now.toSec() - since_.toSec() > duration;
+  }
+
+ private:
+  ros::Time since_;
+};
+
+}  // namespace lstm_planner
