@@ -1,11 +1,15 @@
 #include "lstm_planner/ros/message_queue.hpp"
 
+#include <ros/console.h>
+
 #include <chrono>
+#include <exception>
 
 namespace lstm_planner {
 namespace {
 
 constexpr std::chrono::milliseconds kLongestWait(100);
+constexpr double kLogPeriod = 2.0;  // s
 
 }  // namespace
 
@@ -28,7 +32,12 @@ ros::NodeHandle MessageQueue::nodeHandle(const std::string& name_space) {
 
 void MessageQueue::handOut() {
   const std::lock_guard<std::mutex> lock(handing_out_);
-  queue_.callAvailable();
+  try {
+    queue_.callAvailable();
+  } catch (const std::exception& error) {
+    // tf throws for stamps at the end of time; in a thread of its own nobody else would catch that.
+    ROS_ERROR_THROTTLE(kLogPeriod, "a message could not be used: %s", error.what());
+  }
 }
 
 void MessageQueue::handOutNowAndThen() {
