@@ -1,10 +1,10 @@
 #include "lstm_planner/ros/lstm_global_planner.hpp"
 
-#include <pluginlib/class_list_macros.hpp>
 #include <ros/console.h>
 #include <ros/node_handle.h>
 
 #include <exception>
+#include <pluginlib/class_list_macros.hpp>
 
 #include "lstm_planner/ros/plan_maker.hpp"
 #include "lstm_planner/ros/plugin_parameters.hpp"
@@ -20,9 +20,10 @@ constexpr double kLogPeriod = 2.0;  // s
 void warnOfPlanningOnce() {
   const double frequency = ros::NodeHandle("~").param("planner_frequency", 0.0);
   if (frequency <= 0.0) {
-    ROS_WARN("%s/planner_frequency is 0: one plan a goal. This planner sees no farther than its scanner and needs to "
-             "plan again while it drives; set it to 5",
-             ros::this_node::getName().c_str());
+    ROS_WARN(
+        "%s/planner_frequency is 0: one plan a goal. This planner sees no farther than its scanner and needs to "
+        "plan again while it drives; set it to 5",
+        ros::this_node::getName().c_str());
   }
 }
 
@@ -40,21 +41,26 @@ void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* c
     return;
   }
   if (costmap_ros == nullptr) {
-    ROS_FATAL("%s cannot be used: it was initialised without a costmap", name.c_str());
+    refuse(name, "it was initialised without a costmap");
     return;
   }
   try {
     const GlobalPlannerParameters parameters = loadGlobalPlannerParameters(ros::NodeHandle("~/" + name));
     warnOfPlanningOnce();
-    plan_maker_ = std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(),
-                                              costmap_ros->getBaseFrameID());
+    plan_maker_ =
+        std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(), costmap_ros->getBaseFrameID());
     ROS_INFO("%s plans in %s with the model %s", name.c_str(), costmap_ros->getGlobalFrameID().c_str(),
              parameters.model.c_str());
   } catch (const std::exception& error) {
-    ROS_FATAL("%s cannot be used: %s", name.c_str(), error.what());
+    refuse(name, error.what());
   } catch (...) {
-    ROS_FATAL("%s cannot be used, for an unknown reason", name.c_str());
+    refuse(name, "the reason is not known");
   }
+}
+
+void LstmGlobalPlanner::refuse(const std::string& name, const std::string& reason) {
+  why_unusable_ = reason;
+  ROS_FATAL("%s cannot be used: %s", name.c_str(), reason.c_str());
 }
 
 bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
@@ -66,7 +72,7 @@ bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const 
       plan_maker_->makePlan(start, goal, &plan);
       return true;
     }
-    ROS_ERROR_THROTTLE(kLogPeriod, "no plan: the planner is not initialised");
+    ROS_ERROR_THROTTLE(kLogPeriod, "no plan: the planner cannot be used: %s", why_unusable_.c_str());
   } catch (const std::exception& error) {
     ROS_WARN_THROTTLE(kLogPeriod, "no plan: %s", error.what());
   } catch (...) {

@@ -1,10 +1,10 @@
 #include "lstm_planner/ros/steering_controller.hpp"
 
-#include <pluginlib/class_list_macros.hpp>
 #include <ros/console.h>
 #include <ros/node_handle.h>
 
 #include <exception>
+#include <pluginlib/class_list_macros.hpp>
 
 #include "lstm_planner/ros/plan_follower.hpp"
 #include "lstm_planner/ros/plugin_parameters.hpp"
@@ -31,17 +31,22 @@ void SteeringController::initialize(std::string name, tf2_ros::Buffer* tf, costm
     return;
   }
   if (tf == nullptr || costmap_ros == nullptr) {
-    ROS_FATAL("%s cannot be used: it was initialised without tf or a costmap", name.c_str());
+    refuse(name, "it was initialised without tf or a costmap");
     return;
   }
   try {
     const SteeringControllerParameters parameters = loadSteeringControllerParameters(ros::NodeHandle("~/" + name));
     plan_follower_ = std::make_unique<PlanFollower>(parameters, costmap_ros->getBaseFrameID(), *tf);
   } catch (const std::exception& error) {
-    ROS_FATAL("%s cannot be used: %s", name.c_str(), error.what());
+    refuse(name, error.what());
   } catch (...) {
-    ROS_FATAL("%s cannot be used, for an unknown reason", name.c_str());
+    refuse(name, "the reason is not known");
   }
+}
+
+void SteeringController::refuse(const std::string& name, const std::string& reason) {
+  why_unusable_ = reason;
+  ROS_FATAL("%s cannot be used: %s", name.c_str(), reason.c_str());
 }
 
 bool SteeringController::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
@@ -51,7 +56,8 @@ bool SteeringController::setPlan(const std::vector<geometry_msgs::PoseStamped>& 
       plan_follower_->setPlan(plan);
       return true;
     }
-    ROS_ERROR_THROTTLE(kLogPeriod, "the controller is not initialised");
+    ROS_ERROR_THROTTLE(kLogPeriod, "the plan is not followed: the controller cannot be used: %s",
+                       why_unusable_.c_str());
   } catch (const std::exception& error) {
     ROS_WARN_THROTTLE(kLogPeriod, "the plan is not followed: %s", error.what());
   } catch (...) {
@@ -70,7 +76,9 @@ bool SteeringController::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) 
       cmd_vel.angular.z = twist.angular;
       return true;
     }
-    ROS_WARN_THROTTLE(kLogPeriod, "the robot stands: there is no plan to follow");
+    const std::string reason =
+        plan_follower_ ? "there is no plan to follow" : "the controller cannot be used: " + why_unusable_;
+    ROS_WARN_THROTTLE(kLogPeriod, "the robot stands: %s", reason.c_str());
   } catch (const std::exception& error) {
     ROS_WARN_THROTTLE(kLogPeriod, "the robot stands: %s", error.what());
   } catch (...) {

@@ -16,9 +16,9 @@ class PlanMaker;
 /// The global planner plugin for move_base: plans from the laser scan, the odometry and a recurrent network, without a
 /// map.
 ///
-/// A plan starts at the robot, goes through the waypoint that the network chose for the current step, on through what the
-/// scan shows free, and ends at the goal. Most of it is a guess that is replaced while the robot drives, so move_base's
-/// planner_frequency must be above 0. The costmap is used for the names of its frames only.
+/// A plan starts at the robot, goes through the waypoint that the network chose for the current step, on through what
+/// the scan shows free, and ends at the goal. Most of it is a guess that is replaced while the robot drives, so
+/// move_base's planner_frequency must be above 0. The costmap is used for the names of its frames only.
 ///
 /// Subscribes scan, odom (topics are parameters) and ~current_goal. Publishes, in "~/" + name: plan (nav_msgs/Path),
 /// markers (visualization_msgs/MarkerArray), decision (diagnostic_msgs/DiagnosticArray).
@@ -37,8 +37,11 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
                 std::vector<geometry_msgs::PoseStamped>& plan) override;
 
  private:
+  void refuse(const std::string& name, const std::string& reason);
+
   std::mutex mutex_;
-  std::unique_ptr<PlanMaker> plan_maker_;  ///< null until initialised
+  std::unique_ptr<PlanMaker> plan_maker_;                          ///< null until initialised
+  std::string why_unusable_ = "initialize() has not been called";  ///< as long as it is not
 };
 
 }  // namespace lstm_planner

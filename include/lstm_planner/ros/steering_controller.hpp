@@ -15,8 +15,8 @@ namespace lstm_planner {
 
 class PlanFollower;
 
-/// The local planner plugin for move_base: turns and drives along the plan within the Create 2's limits, slows down near
-/// obstacles, and stands still when scan or odometry are too old.
+/// The local planner plugin for move_base: turns and drives along the plan within the Create 2's limits, slows down
+/// near obstacles, and stands still when scan or odometry are too old.
 ///
 /// Subscribes scan and odom (topics are parameters). The costmap is used for the name of the robot's frame only.
 /// Parameters: SteeringControllerParameters, in "~/" + name. Thread safe; nothing is ever thrown out of it.
@@ -38,8 +38,11 @@ class SteeringController : public nav_core::BaseLocalPlanner {
   bool isGoalReached() override;
 
  private:
+  void refuse(const std::string& name, const std::string& reason);
+
   std::mutex mutex_;
-  std::unique_ptr<PlanFollower> plan_follower_;  ///< null until initialised
+  std::unique_ptr<PlanFollower> plan_follower_;                    ///< null until initialised
+  std::string why_unusable_ = "initialize() has not been called";  ///< as long as it is not
 };
 
 }  // namespace lstm_planner
