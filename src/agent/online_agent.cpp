@@ -4,13 +4,13 @@
 
 namespace lstm_planner {
 
-OnlineAgent::OnlineAgent(DrivePolicy policy, const AgentParameters& parameters)
-    : agent_(std::move(policy), parameters) {}
+OnlineAgent::OnlineAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules)
+    : agent_(std::move(policy), parameters), rules_((validate(rules), rules)) {}
 
 void OnlineAgent::look(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time) {
   const AgentParameters& parameters = agent_.parameters();
   checkFits(description(), parameters.step.length, parameters.shield.footprint_radius, scan.range_max);
-  perceive(scan, mount, {}, description().encoder.range_cap, &situation_);
+  perceive(scan, mount, rules_, description().encoder.range_cap, &situation_);
   situation_.pose = pose;
   situation_.time = time;
 }

@@ -2,11 +2,11 @@
 
 namespace lstm_planner {
 
-void perceive(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, double range_cap,
+void perceive(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, double range_cap,
               Situation* situation) {
   checkScan(scan, mount);
-  toProfile(scan, mount, limits, &situation->profile);
-  situation->sectors = averageSectors(situation->profile, range_cap);
+  toProfile(scan, mount, rules, &situation->profile);
+  situation->sectors = averageSectors(situation->profile, rules.least_measured, range_cap);
   toPoints(situation->profile, &situation->beams, &situation->obstacles);
 }
 

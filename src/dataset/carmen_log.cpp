@@ -246,6 +246,12 @@ CarmenLog readCarmenLog(const std::string& path, const std::optional<SensorMount
   return log;
 }
 
+ScanRules carmenLogRules() {
+  ScanRules rules;
+  rules.beyond_is_no_return = true;
+  return rules;
+}
+
 void recordCarmenLog(const CarmenLog& log, const HindsightParameters& hindsight, const RecorderParameters& parameters,
                      StepSink* sink) {
   DriveRecorder recorder(parameters, sink, [](const std::string& frame, double) {

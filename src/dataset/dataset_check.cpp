@@ -158,7 +158,7 @@ class EpisodeCheck {
     }
     try {
       const LaserScan scan = scanOf(step.geometry, step.ranges);
-      compare(step, averageSectors(scan, step.geometry.mount, {}, parameters_.range_cap));
+      compare(step, averageSectors(scan, step.geometry.mount, parameters_.scan_rules, parameters_.range_cap));
     } catch (const UnusableScan& error) {
       say(error.what());
     }

@@ -160,7 +160,7 @@ void DriveRecorder::look(const ScanHeard& scan) {
 bool DriveRecorder::see(const ScanHeard& scan) {
   if (!situation_) situation_.emplace();
   try {
-    perceive(scan.scan, scan.mount, {}, parameters_.range_cap, &*situation_);
+    perceive(scan.scan, scan.mount, parameters_.scan_rules, parameters_.range_cap, &*situation_);
   } catch (const UnusableScan&) {
     sink_->reject(Rejection::kUnusableScan);
     return false;

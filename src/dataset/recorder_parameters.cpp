@@ -27,6 +27,7 @@ void visitNumbers(Parameters& parameters, Visitor visit) {
   visit("max_label_error", parameters.max_label_error);
   visit("range_cap", parameters.range_cap);
   visit("max_speed", parameters.max_speed);
+  visit("least_measured", parameters.scan_rules.least_measured);
   visit("goal_tolerance", parameters.goal_tolerance);
   visit("delay", parameters.delay);
   visit("keep_scans", parameters.keep_scans);
@@ -57,6 +58,7 @@ void validate(const RecorderParameters& parameters) {
   checkAtMost("goal_tolerance", parameters.goal_tolerance, 100.0);
   checkParameter(parameters.delay >= 0.0 && parameters.delay < parameters.max_gap, "delay", parameters.delay,
                  "zero or more, and less than max_gap = " + std::to_string(parameters.max_gap));
+  validate(parameters.scan_rules);
   const ActionSet actions(parameters.action_angles);
   validate(parameters.agent);
 }
@@ -64,6 +66,7 @@ void validate(const RecorderParameters& parameters) {
 nlohmann::json toJson(const RecorderParameters& parameters) {
   nlohmann::json json;
   visitNumbers(parameters, [&](const char* name, const auto& value) { json[name] = value; });
+  json["no_return"] = noReturnText(parameters.scan_rules);
   return json;
 }
 
@@ -76,6 +79,7 @@ RecorderParameters recorderParametersFromJson(const nlohmann::json& json) {
   visitNumbers(parameters, [&](const char* name, auto& value) {
     if (json.contains(name)) json.at(name).get_to(value);
   });
+  if (json.contains("no_return")) setNoReturn(json.at("no_return").get<std::string>(), &parameters.scan_rules);
   return parameters;
 }
 

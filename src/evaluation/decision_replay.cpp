@@ -24,8 +24,8 @@ bool isJump(EpisodeEnd end) { return end == EpisodeEnd::kTimeJump || end == Epis
 
 }  // namespace
 
-DecisionReplay::DecisionReplay(DrivePolicy policy, const AgentParameters& parameters)
-    : agent_(std::move(policy), parameters) {}
+DecisionReplay::DecisionReplay(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules)
+    : agent_(std::move(policy), parameters, rules) {}
 
 void DecisionReplay::beginEpisode(const Episode& episode) {
   const bool goes_on = episode_ && isJump(episode_->end) && sameGoal(episode_->goal, episode.goal);
@@ -71,12 +71,14 @@ void DecisionReplay::endEpisode(double, EpisodeEnd end) {
   }
 }
 
-RecorderParameters replayParameters(const PolicyDescription& description, const AgentParameters& agent) {
+RecorderParameters replayParameters(const PolicyDescription& description, const AgentParameters& agent,
+                                    const ScanRules& rules) {
   RecorderParameters parameters;
   parameters.range_cap = description.encoder.range_cap;
   parameters.keep_scans = true;
   parameters.action_angles = description.actions.angles();
   parameters.agent = agent;
+  parameters.scan_rules = rules;
   return parameters;
 }
 

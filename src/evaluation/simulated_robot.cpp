@@ -75,7 +75,7 @@ void SimulatedRobot::scan(LaserScan* scan) { scanner_.scan(world_, base_.truePos
 
 void SimulatedRobot::sense(double range_cap, Situation* situation) {
   scan(&scan_);
-  perceive(scan_, parameters_.scanner.mount, {}, range_cap, situation);
+  perceive(scan_, parameters_.scanner.mount, Hokuyo::rules(), range_cap, situation);
   situation->time = time_;
   situation->pose = base_.odometry();
 }

@@ -74,7 +74,7 @@ class RecordingReader {
                                   " m, and without kept scans the ranges cannot be averaged anew");
     }
     const LaserScan scan = scanOf(step.geometry, step.ranges);
-    return averageSectors(scan, step.geometry.mount, {}, policy_.encoder.range_cap);
+    return averageSectors(scan, step.geometry.mount, recorded().scan_rules, policy_.encoder.range_cap);
   }
 
   const Recording& recording_;

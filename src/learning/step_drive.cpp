@@ -79,7 +79,7 @@ DriveResult::End StepDrive::run(int max_steps, NavigationAgent* agent) {
 
 void StepDrive::sense(double range_cap, Situation* situation) {
   scanner_.scan(world_, pose_, time_, &scan_);
-  perceive(scan_, conditions_.scanner.mount, {}, range_cap, situation);
+  perceive(scan_, conditions_.scanner.mount, Hokuyo::rules(), range_cap, situation);
   situation->time = time_;
   situation->pose = odometry_;
 }

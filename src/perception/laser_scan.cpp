@@ -21,11 +21,9 @@ bool isPositiveAndFinite(float value) {
 
 }  // namespace
 
-bool isMeasuredRange(float range, const LaserScan& scan, const ScanLimits& limits) {
-  if (!std::isfinite(range) || range <= 0.0f) return false;
-  // Messages carry the limits as floats: a reading that equals its limit must not fall out by the rounding of a double.
-  if (range < static_cast<float>(scan.range_min) || range > static_cast<float>(scan.range_max)) return false;
-  return std::abs(range - limits.no_return_reading) > limits.no_return_tolerance;
+bool isMeasuredRange(float range, const LaserScan& scan, const ScanRules& rules) {
+  const float meaning = ReadingBounds(scan, rules).meaning(allOf(range))[0];
+  return meaning > 0.0f && std::isfinite(meaning);
 }
 
 long RangeProfile::beamTowards(double towards) const {
@@ -42,34 +40,31 @@ long RangeProfile::beamTowards(double towards) const {
   return kTurn - turn < step ? 0 : (turn / step < static_cast<double>(count) ? count - 1 : -1);
 }
 
-void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, RangeProfile* profile) {
-  constexpr float kNothingThere = std::numeric_limits<float>::infinity();
+void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, RangeProfile* profile) {
   const double mirror = mount.upside_down ? -1.0 : 1.0;
   profile->origin = {mount.pose.x, mount.pose.y};
   profile->first_direction = mount.pose.yaw + mirror * scan.angle_min;
   profile->increment = mirror * scan.angle_increment;
+  profile->nearest_range = scan.range_min;
   profile->ranges.resize(scan.ranges.size());
-  const ReadingBounds bounds(scan, limits);
+  const ReadingBounds bounds(scan, rules);
   const std::size_t beams = scan.ranges.size();
-  const auto converted = [&](Floats readings) {
-    const Floats otherwise = select(bounds.areNothing(readings), allOf(kNothingThere), Floats{});
-    return select(bounds.areMeasured(readings), readings, otherwise);
-  };
   const float* const readings = scan.ranges.data();
   float* const ranges = profile->ranges.data();
   std::size_t i = 0;
-  for (; i + kLanes <= beams; i += kLanes) store(converted(loadFloats(readings + i)), ranges + i);
-  for (; i < beams; ++i) ranges[i] = converted(allOf(readings[i]))[0];
+  for (; i + kLanes <= beams; i += kLanes) store(bounds.meaning(loadFloats(readings + i)), ranges + i);
+  for (; i < beams; ++i) ranges[i] = bounds.meaning(allOf(readings[i]))[0];
 }
 
-void toPoints(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, std::vector<Point2>* points) {
+void toPoints(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, std::vector<Point2>* points) {
   RangeProfile profile;
   BeamDirections directions;
-  toProfile(scan, mount, limits, &profile);
+  toProfile(scan, mount, rules, &profile);
   toPoints(profile, &directions, points);
 }
 
 void toPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points) {
+  constexpr float kTooNear = -std::numeric_limits<float>::infinity();
   const std::size_t beams = profile.ranges.size();
   directions->set(profile.first_direction, profile.increment, beams);
   points->resize(beams);
@@ -80,9 +75,10 @@ void toPoints(const RangeProfile& profile, BeamDirections* directions, std::vect
   std::size_t count = 0;
   for (std::size_t i = 0; i < beams; ++i) {
     // Written in any case, and overwritten by the next: faster than a jump that nobody can foresee.
-    const double range = ranges[i];
+    const bool too_near = ranges[i] == kTooNear;
+    const double range = too_near ? profile.nearest_range : ranges[i];
     out[count] = {origin.x + range * units[i].x, origin.y + range * units[i].y};
-    count += isPositiveAndFinite(ranges[i]) ? 1 : 0;
+    count += isPositiveAndFinite(ranges[i]) || too_near ? 1 : 0;
   }
   points->resize(count);
 }

@@ -99,7 +99,7 @@ void MovingReturns::keepView() {
   for (std::size_t beam = 0; beam < profile.ranges.size(); ++beam) {
     const float range = profile.ranges[beam];
     const float before = range > margin ? range - margin : 0.0f;
-    view_.limits[beam] = range == 0.0f ? std::numeric_limits<float>::infinity() : before * before;
+    view_.limits[beam] = range <= 0.0f ? std::numeric_limits<float>::infinity() : before * before;
   }
   if (view_count_ == views_.size()) views_.emplace_back();
   std::swap(views_[view_count_], view_);
@@ -232,9 +232,7 @@ void MovingReturns::collectPoints() {
     return;
   }
   for (const Point2& point : returns_) {
-    const auto near = [&](const Place& place) {
-      return squaredDistance(place.point, point) < kSameThing * kSameThing;
-    };
+    const auto near = [&](const Place& place) { return squaredDistance(place.point, point) < kSameThing * kSameThing; };
     if (std::any_of(places_.begin(), places_.end(), near)) {
       points_.push_back(view_.toBase(point));
     }

@@ -22,11 +22,14 @@ Pose2 between(const OdometryHistory::Entry& a, const OdometryHistory::Entry& b, 
 
 }  // namespace
 
+void OdometryHistory::restart() {
+  if (entries_.empty()) return;
+  ++jumps_;
+  entries_.clear();
+}
+
 void OdometryHistory::add(const Entry& entry) {
-  if (!entries_.empty() && !follows(entry)) {
-    ++jumps_;
-    entries_.clear();
-  }
+  if (!entries_.empty() && !follows(entry)) restart();
   if (!entries_.empty() && entry.stamp == newest().stamp) {
     entries_.back() = entry;
     return;

@@ -1,6 +1,7 @@
 #include "lstm_planner/perception/sectors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -63,9 +64,10 @@ bool coversWindow(const BeamFan& fan) {
 
 /// What some neighbouring beams see.
 struct BeamSum {
-  double range = 0.0;  ///< m, each at most the cap
+  double range = 0.0;  ///< m, of those that are known; each at most the cap
   float nearest = std::numeric_limits<float>::infinity();
-  int measured = 0;
+  int measured = 0;  ///< with a range
+  int known = 0;     ///< with a range, or seeing nothing
 };
 
 BeamSum sumOf(const float* ranges, long count, double range_cap) {
@@ -75,29 +77,34 @@ BeamSum sumOf(const float* ranges, long count, double range_cap) {
   Doubles sums[2] = {};
   Floats nearest = allOf(kInfinity);
   Ints measured = {};
+  Ints known = {};
   Ints uncapped = {};
   for (long beam = 0; beam < count; beam += kLanes) {
     const long left = count - beam;
     const Floats four = left < kLanes ? loadFloats(ranges + beam, left) : loadFloats(ranges + beam);
-    const Ints is_known = four > Floats{};
-    const Ints is_uncapped = is_known & (four < allOf(cap));
+    const Ints sees = four > Floats{};
+    const Ints is_uncapped = sees & (four < allOf(cap));
     const Floats uncapped_ranges = select(is_uncapped, four, Floats{});
     sums[0] += firstTwo(uncapped_ranges);
     sums[1] += lastTwo(uncapped_ranges);
-    nearest = lesser(select(is_known, four, allOf(kInfinity)), nearest);
-    measured -= is_known & (four < allOf(kInfinity));
+    nearest = lesser(select(sees, four, allOf(kInfinity)), nearest);
+    measured -= sees & (four < allOf(kInfinity));
+    known -= sees | (four == allOf(RangeProfile::kSilent));
     uncapped -= is_uncapped;
   }
   BeamSum sum;
   sums[0] += sums[1];
-  sum.range = sums[0][0] + sums[0][1] + static_cast<double>(count - sumOfLanes(uncapped)) * range_cap;
+  sum.known = sumOfLanes(known);
+  sum.range = sums[0][0] + sums[0][1] + static_cast<double>(sum.known - sumOfLanes(uncapped)) * range_cap;
   sum.measured = sumOfLanes(measured);
   for (int lane = 0; lane < kLanes; ++lane) sum.nearest = std::min<float>(sum.nearest, nearest[lane]);
   return sum;
 }
 
+using SectorCounts = std::array<int, kSectorCount>;
+
 void addBeams(const std::vector<float>& ranges, double range_cap, const BeamFan& fan, double window_start,
-              Sectors* sectors) {
+              Sectors* sectors, SectorCounts* known) {
   const long beams = static_cast<long>(ranges.size());
   long begin = firstBeamFrom(window_start, fan);
   for (int sector = 0; sector < kSectorCount; ++sector) {
@@ -106,34 +113,66 @@ void addBeams(const std::vector<float>& ranges, double range_cap, const BeamFan&
     sectors->range[sector] += sum.range;
     sectors->nearest[sector] = std::min<double>(sectors->nearest[sector], sum.nearest);
     sectors->measured[sector] += sum.measured;
+    (*known)[sector] += sum.known;
     sectors->beams[sector] += static_cast<int>(end - begin);
     begin = end;
+  }
+}
+
+[[noreturn]] void refuse(const std::string& what_it_has, const std::string& expected) {
+  throw UnusableScan("the scan has " + what_it_has + ", expected " + expected);
+}
+
+void checkSector(int sector, int beams, int known, double least_measured, double increment) {
+  if (beams == 0) {
+    refuse("an increment of " + degrees(increment), "at least one beam in each sector of " + degrees(kSectorWidth));
+  }
+  if (known == 0 || known < least_measured * beams) {
+    const double from = sector * kSectorWidth - kWindow / 2.0;
+    refuse(std::to_string(known) + " of " + std::to_string(beams) + " beams measured from " + degrees(from) + " to " +
+               degrees(from + kSectorWidth) + " around the robot's heading",
+           "at least the share least_measured = " + std::to_string(least_measured) +
+               ": the scanner is covered, or its driver sends other readings for no return (no_return)");
   }
 }
 
 }  // namespace
 
 void checkScan(const LaserScan& scan, const SensorMount& mount) {
+  constexpr std::size_t kMostBeams = 100000;
+  constexpr double kFarthestFirstBeam = 4.0 * M_PI;
+  constexpr double kFinestIncrement = 1e-5;
+  constexpr double kFarthestMount = 100.0;                                                   // m
+  const auto is_within = [](double value, double most) { return std::abs(value) <= most; };  // false for NaN
   if (scan.ranges.empty()) throw UnusableScan("the scan has no ranges, expected at least one beam a sector");
-  if (!std::isfinite(scan.angle_min) || !std::isfinite(scan.angle_increment) || scan.angle_increment == 0.0) {
-    throw UnusableScan("the scan has angle_min " + std::to_string(scan.angle_min) + " and angle_increment " +
-                       std::to_string(scan.angle_increment) + ", expected finite angles and an increment other than 0");
+  if (scan.ranges.size() > kMostBeams) {
+    refuse(std::to_string(scan.ranges.size()) + " ranges", "at most " + std::to_string(kMostBeams));
+  }
+  if (!is_within(scan.angle_min, kFarthestFirstBeam) || !is_within(scan.angle_increment, kTurn) ||
+      is_within(scan.angle_increment, kFinestIncrement)) {
+    refuse(
+        "angle_min " + std::to_string(scan.angle_min) + " and angle_increment " + std::to_string(scan.angle_increment),
+        "finite angles and an increment other than 0 of at least 1e-5 rad");
+  }
+  if (!(scan.range_min >= 0.0 && scan.range_min < scan.range_max)) {
+    refuse("range_min " + std::to_string(scan.range_min) + " and range_max " + std::to_string(scan.range_max),
+           "0 or more, and range_min below range_max");
   }
   if (!isFinite(mount.pose)) throw UnusableScan("the pose of the scanner on the robot is not finite");
-  if (!std::isfinite(scan.range_min) || std::isnan(scan.range_max) || scan.range_max <= scan.range_min) {
-    throw UnusableScan("the scan has range_min " + std::to_string(scan.range_min) + " and range_max " +
-                       std::to_string(scan.range_max) + ", expected range_min below range_max");
+  if (!is_within(mount.pose.x, kFarthestMount) || !is_within(mount.pose.y, kFarthestMount)) {
+    throw UnusableScan("the scanner is at (" + std::to_string(mount.pose.x) + ", " + std::to_string(mount.pose.y) +
+                       ") m on the robot, expected at most 100 m from its centre");
   }
 }
 
-Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, double range_cap) {
+Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, double range_cap) {
   checkScan(scan, mount);
   RangeProfile profile;
-  toProfile(scan, mount, limits, &profile);
-  return averageSectors(profile, range_cap);
+  toProfile(scan, mount, rules, &profile);
+  return averageSectors(profile, rules.least_measured, range_cap);
 }
 
-Sectors averageSectors(const RangeProfile& profile, double range_cap) {
+Sectors averageSectors(const RangeProfile& profile, double least_measured, double range_cap) {
   if (!(range_cap > 0.0) || !std::isfinite(range_cap)) {
     throw std::invalid_argument("the range cap is " + std::to_string(range_cap) +
                                 " m, expected a positive finite distance");
@@ -148,16 +187,14 @@ Sectors averageSectors(const RangeProfile& profile, double range_cap) {
   }
 
   Sectors sectors;
-  addBeams(profile.ranges, range_cap, fan, 0.0, &sectors);
+  SectorCounts known{};
+  addBeams(profile.ranges, range_cap, fan, 0.0, &sectors, &known);
   // A full turn may begin inside the window: the rest of the window is then at the start of the fan.
-  if (!coversWindow(fan)) addBeams(profile.ranges, range_cap, fan, -kTurn, &sectors);
+  if (!coversWindow(fan)) addBeams(profile.ranges, range_cap, fan, -kTurn, &sectors, &known);
 
   for (int sector = 0; sector < kSectorCount; ++sector) {
-    if (sectors.beams[sector] == 0) {
-      throw UnusableScan("the scan has an increment of " + degrees(fan.increment) +
-                         ", expected at least one beam in each sector of " + degrees(kSectorWidth));
-    }
-    sectors.range[sector] /= sectors.beams[sector];
+    checkSector(sector, sectors.beams[sector], known[sector], least_measured, fan.increment);
+    sectors.range[sector] /= known[sector];
   }
   return sectors;
 }

@@ -29,9 +29,12 @@ std::string joined(const std::map<std::string, long>& counts, bool name_first) {
 
 BagReplay::BagReplay(const BagReplayParameters& parameters)
     : parameters_(parameters),
-      replay_(DrivePolicy::fromFile(resolvePackagePath(parameters.planner.model)), parameters.planner.agent),
-      drive_(recordBag(parameters.bag, parameters.drive,
-                       replayParameters(replay_.description(), parameters.planner.agent), &replay_)),
+      replay_(DrivePolicy::fromFile(resolvePackagePath(parameters.planner.model)), parameters.planner.agent,
+              parameters.planner.sensors.scan_rules),
+      drive_(recordBag(
+          parameters.bag, parameters.drive,
+          replayParameters(replay_.description(), parameters.planner.agent, parameters.planner.sensors.scan_rules),
+          &replay_)),
       player_(parameters.bag, {drive_.scan_topic, drive_.odometry_source == "tf" ? "" : drive_.odometry_source}),
       // The way is the driver's here, and BagReplayDriver shows it.
       markers_(ros::NodeHandle("~/LstmGlobalPlanner"), replay_.description(), 0),

@@ -1,25 +1,36 @@
 #include "lstm_planner/ros/frame_transformer.hpp"
 
 #include "lstm_planner/ros/conversions.hpp"
+#include "lstm_planner/ros/message_age.hpp"
 
 namespace lstm_planner {
 
-Pose2 FrameTransformer::transform(const std::string& target, const std::string& source) const {
+Pose2 FrameTransformer::transform(const std::string& target, const std::string& source, const ros::Time& now) const {
   if (target == source) {
     return {};
   }
+  geometry_msgs::TransformStamped transform;
   try {
-    return fromMessage(tf_.lookupTransform(target, source, ros::Time(0)).transform);
+    transform = tf_.lookupTransform(target, source, ros::Time(0));
   } catch (const tf2::TransformException& error) {
     throw FrameError("no transform from " + source + " to " + target + ": " + error.what());
   }
+  const bool is_static = transform.header.stamp.isZero();
+  if (!is_static && timeout_ > 0.0) {
+    const std::string problem = ageProblem(secondsBetween(transform.header.stamp, now), timeout_, "tf_timeout");
+    if (!problem.empty()) throw FrameError("the newest transform from " + source + " to " + target + " is " + problem);
+  }
+  const Pose2 pose = fromMessage(transform.transform);
+  if (!isFinite(pose)) throw FrameError("the transform from " + source + " to " + target + " is not finite");
+  return pose;
 }
 
-Pose2 FrameTransformer::transform(const std::string& target, const std::string& source, const ros::Time& time) const {
+Pose2 FrameTransformer::transformAt(const std::string& target, const std::string& source, const ros::Time& time,
+                                    const ros::Time& now) const {
   if (target != source && !time.isZero() && tf_.canTransform(target, source, time)) {
     return fromMessage(tf_.lookupTransform(target, source, time).transform);
   }
-  return transform(target, source);
+  return transform(target, source, now);
 }
 
 }  // namespace lstm_planner

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/ros/conversions.hpp"
+#include "lstm_planner/ros/message_age.hpp"
 
 namespace lstm_planner {
 
@@ -18,7 +19,7 @@ constexpr double kShieldReach = 2.0;
 PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const std::string& base_frame,
                            const tf2_ros::Buffer& tf)
     : parameters_(parameters),
-      frames_(tf),
+      frames_(tf, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf),
       controller_(parameters.motion),
       shield_(parameters.footprint_radius, parameters.motion.safety_margin, kShieldReach),
@@ -52,7 +53,7 @@ Twist2 PlanFollower::compute() {
   const ros::Time now = ros::Time::now();
   const SensorReading reading = sensors_.read(now);
   checkPlanAge(now);
-  compose(odometryFromPlan(reading.odometry_frame), plan_, &odometry_plan_);
+  compose(odometryFromPlan(reading.odometry_frame, now), plan_, &odometry_plan_);
   look(reading);
   return controller_.compute(odometry_plan_, reading.scan_pose, reading.twist, shield_,
                              1.0 / parameters_.controller_frequency, moving_.points());
@@ -62,34 +63,39 @@ bool PlanFollower::goalReached() {
   if (plan_.empty()) {
     return false;
   }
-  const SensorReading reading = sensors_.read(ros::Time::now());
-  const Pose2 goal = compose(odometryFromPlan(reading.odometry_frame), plan_.back());
+  const ros::Time now = ros::Time::now();
+  const SensorReading reading = sensors_.read(now);
+  const Pose2 goal = compose(odometryFromPlan(reading.odometry_frame, now), plan_.back());
   return controller_.goalReached(reading.newest_pose, goal);
 }
 
 void PlanFollower::checkPlanAge(const ros::Time& now) const {
   // move_base goes on with the last plan when its planner refuses to make another one; this makes it notice.
-  const double age = (now - plan_time_).toSec();
-  if (parameters_.plan_timeout > 0.0 && age > parameters_.plan_timeout) {
-    throw OutdatedPlan("the plan is " + std::to_string(age) + " s old, allowed are " +
+  if (parameters_.plan_timeout <= 0.0) return;
+  const double age = secondsBetween(plan_time_, now);
+  if (age < 0.0) {
+    throw OutdatedPlan("the clock was set back by at least " + std::to_string(-age) +
+                       " s since the plan was made: how old it is is not known");
+  }
+  if (age > parameters_.plan_timeout) {
+    throw OutdatedPlan("the plan is " + std::to_string(age) + " s old, allowed are plan_timeout = " +
                        std::to_string(parameters_.plan_timeout) + " s: the planner does not renew it");
   }
 }
 
-Pose2 PlanFollower::odometryFromPlan(const std::string& odometry_frame) const {
-  return plan_.empty() ? Pose2() : frames_.transform(odometry_frame, plan_frame_);
+Pose2 PlanFollower::odometryFromPlan(const std::string& odometry_frame, const ros::Time& now) const {
+  return plan_.empty() ? Pose2() : frames_.transform(odometry_frame, plan_frame_, now);
 }
 
 void PlanFollower::look(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
-  toProfile(scan_, reading.mount, {}, &profile_);
-  toPoints(profile_, &directions_, &obstacles_);
-  shield_.show(obstacles_);
+  perceive(scan_, reading.mount, parameters_.sensors.scan_rules, kShieldReach, &seen_);
+  shield_.show(seen_.obstacles);
   if (reading.jumps != jumps_) {
     moving_.reset();
     jumps_ = reading.jumps;
   }
-  moving_.show(profile_, reading.scan_pose, reading.scan->header.stamp.toSec());
+  moving_.show(seen_.profile, reading.scan_pose, reading.scan_stamp);
 }
 
 }  // namespace lstm_planner

@@ -25,9 +25,10 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
                      const std::string& global_frame, const std::string& base_frame)
     : parameters_(parameters),
       global_frame_(frameName(global_frame)),
-      agent_(DrivePolicy::fromFile(resolvePackagePath(parameters.model)), parameters.agent),
+      agent_(DrivePolicy::fromFile(resolvePackagePath(parameters.model)), parameters.agent,
+             parameters.sensors.scan_rules),
       tf_listener_(tf_, messages_.nodeHandle(), false),
-      frames_(tf_),
+      frames_(tf_, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf_),
       goals_(messages_.nodeHandle("~")),
       tracker_(goalPatience()),
@@ -41,18 +42,18 @@ void PlanMaker::makePlan(const geometry_msgs::PoseStamped& start, const geometry
   now_ = ros::Time::now();
   const GoalInFrame goal = goalFromMessage(goal_message);
   const SensorReading reading = sensors_.read(now_);
-  global_from_odometry_ = frames_.transform(global_frame_, reading.odometry_frame);
+  global_from_odometry_ = frames_.transform(global_frame_, reading.odometry_frame, now_);
   checkStart(start, compose(global_from_odometry_, reading.newest_pose));
   look(reading);
 
   Pose2 goal_in_global_frame =
-      compose(frames_.transform(global_frame_, goal.frame, goal_message.header.stamp), goal.pose);
+      compose(frames_.transformAt(global_frame_, goal.frame, goal_message.header.stamp, now_), goal.pose);
   const GoalTracker::Verdict verdict = ask(goal, &goal_in_global_frame);
   const Point2 position = toLocalFrame(global_from_odometry_, {goal_in_global_frame.x, goal_in_global_frame.y});
   const Pose2 odometry_goal{position.x, position.y, goal_in_global_frame.yaw - global_from_odometry_.yaw};
   const bool driven = verdict != GoalTracker::Verdict::kQuestion;
-  const Decision& decision = driven ? drive(odometry_goal, reading, verdict == GoalTracker::Verdict::kNewGoal)
-                                    : preview(odometry_goal);
+  const Decision& decision =
+      driven ? drive(odometry_goal, reading, verdict == GoalTracker::Verdict::kNewGoal) : preview(odometry_goal);
   rollOut(agent_.situation(), decision, driven ? agent_.shield() : preview_shield_, odometry_goal, parameters_.agent,
           parameters_.rollout, &plan_);
   toGlobalFrame(decision, goal_in_global_frame, plan);
@@ -79,7 +80,7 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
 
 void PlanMaker::look(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
-  agent_.look(scan_, reading.mount, reading.scan_pose, scan_.stamp > 0.0 ? scan_.stamp : now_.toSec());
+  agent_.look(scan_, reading.mount, reading.scan_pose, reading.scan_stamp);
 }
 
 GoalTracker::Verdict PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
@@ -111,7 +112,8 @@ const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading
       ROS_WARN("the goal moved by %.2f m in the odometry frame, the way so far is forgotten",
                distanceBetween(last_goal, goal));
       break;
-    case OnlineAgent::Fresh::kNo: break;
+    case OnlineAgent::Fresh::kNo:
+      break;
   }
   return agent_.decision();
 }

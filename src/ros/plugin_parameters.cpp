@@ -8,6 +8,13 @@
 
 namespace lstm_planner {
 
+void readScanRules(ParameterReader* reader, ScanRules* rules) {
+  std::string no_return = noReturnText(*rules);
+  reader->read("no_return", &no_return);
+  setNoReturn(no_return, rules);
+  reader->read("least_measured", &rules->least_measured);
+}
+
 namespace {
 
 void readSensors(ParameterReader* reader, SensorParameters* sensors) {
@@ -15,7 +22,9 @@ void readSensors(ParameterReader* reader, SensorParameters* sensors) {
   reader->read("odom_topic", &sensors->odom_topic);
   reader->read("scan_timeout", &sensors->scan_timeout);
   reader->read("odom_timeout", &sensors->odom_timeout);
+  reader->read("tf_timeout", &sensors->tf_timeout);
   reader->read("max_speed", &sensors->max_speed);
+  readScanRules(reader, &sensors->scan_rules);
 }
 
 void readStep(ParameterReader* reader, StepParameters* step) {
@@ -96,7 +105,9 @@ void readMotion(ParameterReader* reader, MotionParameters* motion) {
 void check(const SensorParameters& sensors) {
   checkPositive("scan_timeout", sensors.scan_timeout);
   checkPositive("odom_timeout", sensors.odom_timeout);
+  checkParameter(sensors.tf_timeout >= 0.0, "tf_timeout", sensors.tf_timeout, "0 or more");
   checkPositive("max_speed", sensors.max_speed);
+  validate(sensors.scan_rules);
 }
 
 void readLeader(ParameterReader* reader, Leader* leader) {

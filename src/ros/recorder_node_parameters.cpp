@@ -21,6 +21,7 @@ void readRecorder(ParameterReader* reader, RecorderParameters* recorder) {
   reader->read("max_gap", &recorder->max_gap);
   reader->read("max_label_error", &recorder->max_label_error);
   reader->read("range_cap", &recorder->range_cap);
+  readScanRules(reader, &recorder->scan_rules);
   reader->read("max_speed", &recorder->max_speed);
   reader->read("goal_tolerance", &recorder->goal_tolerance);
   reader->read("delay", &recorder->delay);

@@ -23,6 +23,7 @@ struct FromLogOptions {
 bool readOptions(const std::vector<std::string>& arguments, FromLogOptions* options) {
   // Published logs are thinned: a scan every metre, or every few seconds.
   options->recorder.max_gap = 10.0;
+  options->recorder.scan_rules = carmenLogRules();
   po::options_description log("makes a dataset of CARMEN logs (FLASER or ROBOTLASER1, plain or .gz)");
   // clang-format off
   log.add_options()

@@ -36,6 +36,7 @@ struct SimulateOptions {
 bool readOptions(const std::vector<std::string>& arguments, SimulateOptions* options) {
   RecordedDrivesParameters& drives = options->drives;
   drives.robot.base.odometry_error = 0.02;
+  drives.recorder.scan_rules = Hokuyo::rules();
   po::options_description all("somebody drives a simulated Create 2 between way-points: a dataset without a robot");
   // clang-format off
   all.add_options()

@@ -26,6 +26,12 @@ void addRecorderOptions(RecorderParameters* parameters, po::options_description*
       ("goal-tolerance", numberOption(&p.goal_tolerance), "m; nearer to the goal than this is arrived")
       ("delay", numberOption(&p.delay), "s; how late messages may come and still count")
       ("range-cap", numberOption(&p.range_cap), "m; farther ranges count as this when sectors are averaged")
+      ("no-return", po::value<std::string>()->default_value(noReturnText(p.scan_rules))->notifier([&p](const std::string& text) {
+         setNoReturn(text, &p.scan_rules);
+       }), "readings that mean no return besides +inf: \"nan\", \"zero\", \"below\" (range_min), \"beyond\" (range_max), a number (m); for "
+           "urg_node: \"nan zero beyond 65.53\"")
+      ("least-measured", numberOption(&p.scan_rules.least_measured),
+       "share of the beams in each sector that a scan must have measured to be used")
       ("no-scans", po::bool_switch()->notifier([&p](bool without) { p.keep_scans = p.keep_scans && !without; }),
        "keep the sectors only");
   // clang-format on

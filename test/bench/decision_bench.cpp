@@ -158,7 +158,7 @@ void plan(benchmark::State& state, int rollout_steps, bool cold, const std::stri
   }
   AgentParameters parameters;
   parameters.leader = leader;
-  auto agent = std::make_unique<OnlineAgent>(shippedPolicy(), parameters);
+  auto agent = std::make_unique<OnlineAgent>(shippedPolicy(), parameters, Hokuyo::rules());
   long pass = 0;
   for (auto _ : state) {
     for (Replay& replay : replays) replay.run(++pass, agent.get());

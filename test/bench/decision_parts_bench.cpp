@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "call_times.hpp"
+#include "lstm_planner/agent/drive_trace.hpp"
 #include "lstm_planner/agent/observer.hpp"
 #include "lstm_planner/agent/obstacle_memory.hpp"
 #include "lstm_planner/agent/online_agent.hpp"
-#include "lstm_planner/agent/drive_trace.hpp"
 #include "lstm_planner/perception/moving_returns.hpp"
 #include "recorded_steps.hpp"
 
@@ -41,8 +41,9 @@ class Parts {
   }
 
   void decide(const RecordedDrive& drive, const RecordedStep& step, PartTimes* times) {
-    times->perceive.measure(
-        [&] { perceive(step.scan, drive.mount, {}, policy_.description().encoder.range_cap, &situation_); });
+    times->perceive.measure([&] {
+      perceive(step.scan, drive.mount, Hokuyo::rules(), policy_.description().encoder.range_cap, &situation_);
+    });
     situation_.pose = step.pose;
     situation_.time = step.time;
     times->moving_returns.measure([&] { moving_.show(situation_.profile, situation_.pose, situation_.time); });
@@ -50,8 +51,8 @@ class Parts {
     memory_.clearChanges();
     times->memory_and_route.measure([&] { guide_.update(situation_); });
     times->observe_and_network.measure([&] {
-      const Observation observation = observe(situation_, goal_, 0.0, policy_.description().encoder.position_cell,
-                                              &trace_);
+      const Observation observation =
+          observe(situation_, goal_, 0.0, policy_.description().encoder.position_cell, &trace_);
       benchmark::DoNotOptimize(policy_.advance(observation).data());
     });
     times->shield.measure([&] {

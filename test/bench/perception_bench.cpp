@@ -29,7 +29,7 @@ const std::vector<Situation>& situations() {
     for (const RecordedDrive& drive : recordedDrives()) {
       for (const RecordedStep& step : drive.steps) {
         all.emplace_back();
-        perceive(step.scan, drive.mount, {}, kRangeCap, &all.back());
+        perceive(step.scan, drive.mount, Hokuyo::rules(), kRangeCap, &all.back());
         all.back().pose = step.pose;
         all.back().time = step.time;
       }
@@ -93,7 +93,7 @@ void perceiving(benchmark::State& state) {
     std::size_t call = 0;
     for (const RecordedDrive& drive : recordedDrives()) {
       for (const RecordedStep& step : drive.steps) {
-        times.time(call++, [&] { perceive(step.scan, drive.mount, {}, kRangeCap, &situation); });
+        times.time(call++, [&] { perceive(step.scan, drive.mount, Hokuyo::rules(), kRangeCap, &situation); });
         benchmark::DoNotOptimize(situation.obstacles.data());
       }
     }

@@ -36,7 +36,7 @@ RecordedDrive recordDrive(const std::string& name, const World& world, const Dri
   SimulatedRobot::Parameters robot_parameters;
   robot_parameters.latency = kPeriod;
   SimulatedRobot robot(world, robot_parameters, task.start, seed);
-  OnlineAgent agent(shippedPolicy(), agent_parameters);
+  OnlineAgent agent(shippedPolicy(), agent_parameters, Hokuyo::rules());
   const MotionController controller{MotionParameters()};
   const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry begins at the start
 

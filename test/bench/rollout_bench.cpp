@@ -21,7 +21,7 @@ const RecordedDrive& driveIn(const std::string& world) {
 
 Situation situationOf(const RecordedDrive& drive, const RecordedStep& step) {
   Situation situation;
-  perceive(step.scan, drive.mount, {}, 6.0, &situation);
+  perceive(step.scan, drive.mount, Hokuyo::rules(), 6.0, &situation);
   situation.pose = step.pose;
   situation.time = step.time;
   return situation;
@@ -37,7 +37,7 @@ ObstacleMemory memoryOf(const RecordedDrive& drive) {
 /// A plan of so many steps through what one scan shows.
 void rollOutPlan(benchmark::State& state) {
   const RecordedDrive& drive = driveIn("office");
-  OnlineAgent agent(shippedPolicy(), kAgent);
+  OnlineAgent agent(shippedPolicy(), kAgent, Hokuyo::rules());
   const RecordedStep& step = drive.steps.front();
   agent.look(step.scan, drive.mount, step.pose, step.time);
   agent.drive({drive.goal.x, drive.goal.y}, true, 0);

@@ -36,6 +36,7 @@ class BagPlannerTest : public testing::Test {
     ros::param::set("~/LstmGlobalPlanner/model", shippedModel());
     ros::param::set("~/LstmGlobalPlanner/leader", "network");
     ros::param::set("~/LstmGlobalPlanner/max_speed", max_speed);
+    ros::param::set("~/LstmGlobalPlanner/no_return", no_return_);
     ros::param::set("~/planner_frequency", 1.0 / call_period);
     ros::param::set("~/costmap/global_frame", global_frame);
     ros::param::set("~/costmap/robot_base_frame", "base_link");
@@ -69,6 +70,7 @@ class BagPlannerTest : public testing::Test {
   ros::Publisher tf_publisher_ = node_handle_.advertise<tf2_msgs::TFMessage>("/tf", 10);
   ros::Publisher goal_publisher_ = ros::NodeHandle("~").advertise<geometry_msgs::PoseStamped>("current_goal", 1);
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  std::string no_return_ = noReturnText(urgNodeRules());  ///< what the drivers of the recordings send
   DecisionListener decisions_{"LstmGlobalPlanner"};
   boost::shared_ptr<nav_core::BaseGlobalPlanner> planner() { return planner_; }
 

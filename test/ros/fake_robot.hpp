@@ -28,7 +28,8 @@ inline bool eventually(const std::function<bool()>& condition) {
   return condition();
 }
 
-/// Publishes what a robot with a scanner would, at poses and times that the test sets. The clock stands still in between.
+/// Publishes what a robot with a scanner would, at poses and times that the test sets. The clock stands still in
+/// between.
 class FakeRobot {
  public:
   FakeRobot()
@@ -81,6 +82,7 @@ class FakeRobot {
     odometry.header.stamp = ros::Time::now();
     odometry.child_frame_id = "base_footprint";
     odometry.pose.pose = toMessage(pose_);
+    alter_odometry(&odometry);
     odometry_publisher_.publish(odometry);
   }
 
@@ -97,6 +99,7 @@ class FakeRobot {
     for (double angle = -0.5 * scan_span; angle <= 0.5 * scan_span; angle += M_PI / 180.0) {
       scan.ranges.push_back(range(angle));
     }
+    alter_scan(&scan);
     scan_publisher_.publish(scan);
   }
 
@@ -105,6 +108,9 @@ class FakeRobot {
   std::string scan_frame = "laser";
   double scan_span = 1.5 * M_PI;
   double range_max = 30.0;
+  /// What is wrong with the messages.
+  std::function<void(sensor_msgs::LaserScan*)> alter_scan = [](sensor_msgs::LaserScan*) {};
+  std::function<void(nav_msgs::Odometry*)> alter_odometry = [](nav_msgs::Odometry*) {};
   std::function<float(double)> range = [](double angle) { return static_cast<float>(4.0 + angle); };
 
  private:

@@ -243,7 +243,7 @@ TEST_F(PlannerTest, ModelForASmallerRobotOrAnotherStepIsRefused) {
 
 TEST_F(PlannerTest, PlansOnlyAfterInitializeAndASecondInitializeChangesNothing) {
   LstmGlobalPlanner planner;
-  expectNoPlan(&planner, stampedPose("odom", kGoal), "the planner is not initialised");
+  expectNoPlan(&planner, stampedPose("odom", kGoal), "the planner cannot be used: initialize() has not been called");
   EXPECT_NO_THROW(planner.initialize("LstmGlobalPlanner", nullptr));
   EXPECT_FALSE(plan(&planner, stampedPose("odom", kGoal)));
 

@@ -338,6 +338,8 @@ TEST_P(RealRecordedBagTest, ConvertsWithHindsight) {
   options.hindsight = true;
   RecorderParameters parameters;
   parameters.max_speed = bag.max_speed;
+  parameters.scan_rules = urgNodeRules();
+  parameters.scan_rules.below_is_no_return = true;  // a URG-04LX sends its error codes as millimetres
   const Outcome outcome = recorded(path, options, parameters);
   EXPECT_EQ(outcome.result.scans, bag.scans);
   EXPECT_EQ(outcome.result.odometry_source, bag.odometry);

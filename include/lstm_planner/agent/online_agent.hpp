@@ -2,11 +2,12 @@
 
 #include "lstm_planner/agent/navigation_agent.hpp"
 #include "lstm_planner/perception/laser_scan.hpp"
+#include "lstm_planner/perception/scan_rules.hpp"
 
 namespace lstm_planner {
 
-/// Feeds a NavigationAgent with scans and with a goal that may be given anew or move: what the planner in a robot and the
-/// replay of a recording have in common. Poses and goals are in the odometry frame. Not thread safe.
+/// Feeds a NavigationAgent with scans and with a goal that may be given anew or move: what the planner in a robot and
+/// the replay of a recording have in common. Poses and goals are in the odometry frame. Not thread safe.
 class OnlineAgent {
  public:
   /// Why the way so far was forgotten.
@@ -18,7 +19,8 @@ class OnlineAgent {
   };
 
   /// Throws std::invalid_argument for bad parameters or a policy that does not fit them.
-  OnlineAgent(DrivePolicy policy, const AgentParameters& parameters);
+  /// `rules`: what the scanner's readings mean.
+  OnlineAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules);
 
   /// What the scanner sees at `time` (s) from `pose`. Throws UnusableScan, or std::invalid_argument when the model was
   /// made for another scanner or robot.
@@ -39,6 +41,7 @@ class OnlineAgent {
 
  private:
   NavigationAgent agent_;
+  ScanRules rules_;
   Situation situation_;
   long jumps_ = 0;  ///< that were heard of
 };

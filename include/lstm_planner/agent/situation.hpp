@@ -18,8 +18,10 @@ struct Situation {
   BeamDirections beams;           ///< of the scanner; only perceive() needs them, and only to be fast
 };
 
-/// Fills sectors, obstacles and profile from a scan, reusing the memory of `situation`. Throws UnusableScan.
-void perceive(const LaserScan& scan, const SensorMount& mount, const ScanLimits& limits, double range_cap,
+/// Fills sectors, obstacles and profile from a scan, reusing the memory of `situation`: the one place where a scan is
+/// checked and understood, for planner, controller, recorder and simulation. Throws UnusableScan as averageSectors();
+/// `situation` must then not be used.
+void perceive(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, double range_cap,
               Situation* situation);
 
 }  // namespace lstm_planner

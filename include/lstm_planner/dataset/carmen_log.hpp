@@ -10,6 +10,7 @@
 #include "lstm_planner/dataset/hindsight.hpp"
 #include "lstm_planner/dataset/recorder_parameters.hpp"
 #include "lstm_planner/perception/laser_scan.hpp"
+#include "lstm_planner/perception/scan_rules.hpp"
 
 namespace lstm_planner {
 
@@ -49,6 +50,9 @@ struct CarmenLog {
 /// Throws std::invalid_argument naming the file when it cannot be read, holds no scans, or is longer than 256 MiB
 /// (decompressed) or a million scans and lines ODOM.
 CarmenLog readCarmenLog(const std::string& path, const std::optional<SensorMount>& mount = std::nullopt);
+
+/// What readings mean in such logs: the largest possible ones, that nothing came back.
+ScanRules carmenLogRules();
 
 /// Gives a log to a recorder, with goals found in hindsight: logs name none.
 void recordCarmenLog(const CarmenLog& log, const HindsightParameters& hindsight, const RecorderParameters& parameters,

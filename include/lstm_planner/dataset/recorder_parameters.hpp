@@ -4,24 +4,26 @@
 #include <vector>
 
 #include "lstm_planner/agent/agent_parameters.hpp"
+#include "lstm_planner/perception/scan_rules.hpp"
 
 namespace lstm_planner {
 
 /// How driving is cut into steps and labelled. They are stored with what was recorded.
 struct RecorderParameters {
-  double period = 0.5;             ///< s between steps (thesis 4.2: 2 Hz)
-  double min_step_distance = 0.05; ///< m; the robot has moved since the last step when it went this far
-  double min_step_turn = 0.7854;   ///< rad; ... or, unless 0, when it turned this far in place
-  double max_gap = 2.0;            ///< s; silence of scan or odometry longer than this ends an episode
-  double max_label_error = 0.3927; ///< rad; a step whose driven angle is farther than this from the nearest allowed angle is
-                                   ///< not labelled (half the distance between the thesis's angles)
-  double range_cap = 6.0;          ///< m; farther ranges count as this when sectors are averaged
-  double max_speed = 1.0;          ///< m/s; odometry that moves faster has jumped
-  double goal_tolerance = 0.3;     ///< m; nearer to the goal than this is arrived
-  double delay = 0.3;              ///< s; how long messages are waited for before those with later stamps are worked on
-  bool keep_scans = true;          ///< whether whole scans are stored, too
+  double period = 0.5;              ///< s between steps (thesis 4.2: 2 Hz)
+  double min_step_distance = 0.05;  ///< m; the robot has moved since the last step when it went this far
+  double min_step_turn = 0.7854;    ///< rad; ... or, unless 0, when it turned this far in place
+  double max_gap = 2.0;             ///< s; silence of scan or odometry longer than this ends an episode
+  double max_label_error = 0.3927;  ///< rad; a step whose driven angle is farther than this from the nearest allowed
+                                    ///< angle is not labelled (half the distance between the thesis's angles)
+  double range_cap = 6.0;           ///< m; farther ranges count as this when sectors are averaged
+  double max_speed = 1.0;           ///< m/s; odometry that moves faster has jumped
+  double goal_tolerance = 0.3;      ///< m; nearer to the goal than this is arrived
+  double delay = 0.3;      ///< s; how long messages are waited for before those with later stamps are worked on
+  bool keep_scans = true;  ///< whether whole scans are stored, too
   std::vector<double> action_angles = {-1.5707963, -0.7853982, 0.0, 0.7853982, 1.5707963};  ///< rad, the allowed angles
-  AgentParameters agent;           ///< of what is remembered for the network: memory, footprint, step length
+  ScanRules scan_rules;   ///< what the scanner's readings mean
+  AgentParameters agent;  ///< of what is remembered for the network: memory, footprint, step length
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

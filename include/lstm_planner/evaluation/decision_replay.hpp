@@ -35,7 +35,7 @@ struct ReplayedDecision {
 class DecisionReplay : public StepSink {
  public:
   /// Throws std::invalid_argument for bad parameters or a policy that does not fit them.
-  DecisionReplay(DrivePolicy policy, const AgentParameters& parameters);
+  DecisionReplay(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules);
 
   void beginEpisode(const Episode& episode) override;
   /// Throws std::invalid_argument when the step has no scan, or one that the model was not made for.
@@ -58,7 +58,8 @@ class DecisionReplay : public StepSink {
 };
 
 /// How a drive is to be cut into steps for a replay: those of the planner, with the model's steering angles.
-RecorderParameters replayParameters(const PolicyDescription& description, const AgentParameters& agent);
+RecorderParameters replayParameters(const PolicyDescription& description, const AgentParameters& agent,
+                                    const ScanRules& rules);
 
 /// How often planner and driver did the same.
 struct Agreement {

@@ -21,11 +21,14 @@ class OdometryHistory {
   /// Takes a finite entry. After a jump, of the pose or of the clock, the history starts anew.
   void add(const Entry& entry);
 
+  /// What comes next is of another frame: counts as a jump, unless there was nothing before.
+  void restart();
+
   bool empty() const { return entries_.empty(); }
   const Entry& newest() const { return entries_.back(); }
 
-  /// The pose at `stamp`: interpolated, or, up to 0.2 s beyond the newest entry, continued at the speed between the last
-  /// two. The nearest known pose for anything farther away. Requires !empty().
+  /// The pose at `stamp`: interpolated, or, up to 0.2 s beyond the newest entry, continued at the speed between the
+  /// last two. The nearest known pose for anything farther away. Requires !empty().
   Pose2 poseAt(double stamp) const;
 
   /// Number of jumps so far.

@@ -10,26 +10,29 @@
 
 namespace lstm_planner {
 
-/// A transform that is not known; what() says which and why.
+/// A transform that is not known or too old; what() says which and why.
 class FrameError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Planar transforms between frames; never waits for one.
+/// Planar transforms between frames; never waits for one. Static ones are never too old.
 class FrameTransformer {
  public:
-  /// `tf` must outlive the object.
-  explicit FrameTransformer(const tf2_ros::Buffer& tf) : tf_(tf) {}
+  /// `tf` must outlive the object. `timeout`: s; transforms that are older, or stamped further in the future, are not
+  /// used; 0 = any will do.
+  FrameTransformer(const tf2_ros::Buffer& tf, double timeout) : tf_(tf), timeout_(timeout) {}
 
   /// Pose of the frame `source` in the frame `target`, from the newest transforms there are. Throws FrameError.
-  Pose2 transform(const std::string& target, const std::string& source) const;
+  Pose2 transform(const std::string& target, const std::string& source, const ros::Time& now) const;
 
-  /// The same at a time, s; from the newest transforms when the time is zero or not covered.
-  Pose2 transform(const std::string& target, const std::string& source, const ros::Time& time) const;
+  /// The same at another time; from the newest transforms when that time is zero or not covered.
+  Pose2 transformAt(const std::string& target, const std::string& source, const ros::Time& time,
+                    const ros::Time& now) const;
 
  private:
   const tf2_ros::Buffer& tf_;
+  double timeout_;
 };
 
 }  // namespace lstm_planner

@@ -10,6 +10,7 @@
 
 #include "lstm_planner/agent/motion_controller.hpp"
 #include "lstm_planner/agent/shield.hpp"
+#include "lstm_planner/agent/situation.hpp"
 #include "lstm_planner/perception/moving_returns.hpp"
 #include "lstm_planner/ros/frame_transformer.hpp"
 #include "lstm_planner/ros/message_queue.hpp"
@@ -36,7 +37,8 @@ class PlanFollower {
   void setPlan(const std::vector<geometry_msgs::PoseStamped>& plan);
   bool hasPlan() const { return !plan_.empty(); }
 
-  /// The next command. Throws SensorError, FrameError or OutdatedPlan when it is not safe to move. Zero without a plan.
+  /// The next command. Throws SensorError, UnusableScan, FrameError or OutdatedPlan when it is not safe to move. Zero
+  /// without a plan.
   Twist2 compute();
 
   /// Throws as compute().
@@ -44,7 +46,7 @@ class PlanFollower {
 
  private:
   void checkPlanAge(const ros::Time& now) const;
-  Pose2 odometryFromPlan(const std::string& odometry_frame) const;
+  Pose2 odometryFromPlan(const std::string& odometry_frame, const ros::Time& now) const;
   void look(const SensorReading& reading);
 
   SteeringControllerParameters parameters_;
@@ -55,16 +57,14 @@ class PlanFollower {
   Shield shield_;
   MovingReturns moving_;
 
-  ros::Time plan_time_;                 ///< when the plan was set
+  ros::Time plan_time_;  ///< when the plan was set
   std::string plan_frame_;
-  std::vector<Pose2> plan_;             ///< plan's frame
-  std::vector<Pose2> new_plan_;         ///< of setPlan(), until it is found good
-  std::vector<Pose2> odometry_plan_;    ///< of the current call
-  LaserScan scan_;                      ///< of the current call
-  std::vector<Point2> obstacles_;       ///< of the current call
-  RangeProfile profile_;                ///< of the current call
-  BeamDirections directions_;           ///< of the scanner's beams
-  long jumps_ = 0;                      ///< of the odometry, until the last call
+  std::vector<Pose2> plan_;           ///< plan's frame
+  std::vector<Pose2> new_plan_;       ///< of setPlan(), until it is found good
+  std::vector<Pose2> odometry_plan_;  ///< of the current call
+  LaserScan scan_;                    ///< of the current call
+  Situation seen_;                    ///< by the scan of the current call
+  long jumps_ = 0;                    ///< of the odometry, until the last call
 };
 
 }  // namespace lstm_planner

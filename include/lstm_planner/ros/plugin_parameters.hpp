@@ -7,6 +7,7 @@
 #include "lstm_planner/agent/agent_parameters.hpp"
 #include "lstm_planner/agent/motion_controller.hpp"
 #include "lstm_planner/agent/rollout.hpp"
+#include "lstm_planner/perception/scan_rules.hpp"
 #include "lstm_planner/ros/parameter_reader.hpp"
 
 namespace lstm_planner {
@@ -17,7 +18,9 @@ struct SensorParameters {
   std::string odom_topic = "odom";
   double scan_timeout = 0.5;  ///< s; an older scan is not used
   double odom_timeout = 0.5;  ///< s; an older odometry is not used
+  double tf_timeout = 0.5;    ///< s; an older transform between odometry, goal and costmap frames is not used; 0 = any
   double max_speed = 1.0;     ///< m/s; odometry that moves faster than this has jumped
+  ScanRules scan_rules;       ///< what the scanner's readings mean
 };
 
 /// Parameters of LstmGlobalPlanner, in "~/LstmGlobalPlanner"; config/lstm_planner.yaml explains each.
@@ -32,7 +35,7 @@ struct GlobalPlannerParameters {
 
 /// Parameters of SteeringController, in "~/SteeringController"; config/steering_controller.yaml explains each.
 struct SteeringControllerParameters {
-  SensorParameters sensors = {"scan", "odom", 0.2, 0.3, 1.0};
+  SensorParameters sensors = {"scan", "odom", 0.2, 0.3, 0.3, 1.0, {}};
   MotionParameters motion;
   double plan_timeout = 2.0;           ///< s without a new plan after which the robot stops; 0 = never
   double footprint_radius = 0.17425;   ///< m
@@ -47,6 +50,9 @@ SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHan
 /// What the two do before they check: read every parameter into its variable.
 void readParameters(ParameterReader* reader, GlobalPlannerParameters* parameters);
 void readParameters(ParameterReader* reader, SteeringControllerParameters* parameters);
+
+/// Reads no_return and least_measured. Throws std::invalid_argument as setNoReturn().
+void readScanRules(ParameterReader* reader, ScanRules* rules);
 
 /// The file behind package://NAME/PATH; any other path as it is. Throws std::invalid_argument for an unknown package.
 std::string resolvePackagePath(const std::string& path);

@@ -22,12 +22,13 @@ namespace lstm_planner {
 /// What the sensors say at one moment.
 struct SensorReading {
   sensor_msgs::LaserScan::ConstPtr scan;
-  SensorMount mount;           ///< of the scanner in the base frame
+  double scan_stamp = 0.0;  ///< s; when it was received, where the driver does not stamp its scans
+  SensorMount mount;        ///< of the scanner in the base frame
   std::string odometry_frame;
-  Pose2 scan_pose;             ///< base in the odometry frame when the scan was taken
-  Pose2 newest_pose;           ///< base in the odometry frame, newest
-  Twist2 twist;                ///< newest, base frame
-  long jumps = 0;              ///< how often the odometry has jumped so far
+  Pose2 scan_pose;    ///< base in the odometry frame when the scan was taken
+  Pose2 newest_pose;  ///< base in the odometry frame, newest
+  Twist2 twist;       ///< newest, base frame
+  long jumps = 0;     ///< how often the odometry has jumped so far
 };
 
 /// There is no usable reading; what() says why.
@@ -44,7 +45,8 @@ class SensorListener {
   SensorListener(MessageQueue* messages, const SensorParameters& parameters, const std::string& base_frame,
                  const tf2_ros::Buffer& tf);
 
-  /// Of what has come until now. Throws SensorError when scan or odometry is missing, too old, not finite, or the scanner's place is not known.
+  /// Of what has come until now. Throws SensorError when scan or odometry is missing, too old, not finite, or the
+  /// scanner's place is not known.
   SensorReading read(const ros::Time& now);
 
  private:

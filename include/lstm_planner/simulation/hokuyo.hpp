@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lstm_planner/perception/laser_scan.hpp"
+#include "lstm_planner/perception/scan_rules.hpp"
 #include "lstm_planner/simulation/random.hpp"
 #include "lstm_planner/simulation/world.hpp"
 
@@ -36,6 +37,9 @@ class Hokuyo {
 
   /// The scan from `base_pose` (pose of the robot in the world); `scan` is overwritten and its memory reused.
   void scan(const World& world, const Pose2& base_pose, double stamp, LaserScan* scan);
+
+  /// What its readings mean: those of the driver.
+  static ScanRules rules() { return urgNodeRules(); }
 
   const HokuyoParameters& parameters() const { return parameters_; }
 

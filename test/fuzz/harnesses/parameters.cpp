@@ -101,7 +101,7 @@ LaserScan roomScan(int blocked) {
 constexpr int kSteps = 4;
 
 void drive(const AgentParameters& parameters) {
-  OnlineAgent agent(noPolicy(), parameters);
+  OnlineAgent agent(noPolicy(), parameters, {});
   std::vector<Pose2> plan;
   for (int step = 0; step < kSteps; ++step) {
     const Pose2 pose{0.3 * step, 0.0, 0.5 * step};

@@ -21,7 +21,7 @@ class BadModel(unittest.TestCase):
         robot.send(NEAR)
         self.assertEqual(robot.finish(), GoalStatus.ABORTED)
         self.assertEqual(robot.judge.path, 0.0)
-        self.assertTrue([line for line in robot.log if "no plan: the planner is not initialised" in line])
+        self.assertTrue([line for line in robot.log if "no plan: the planner cannot be used: " in line])
         robot.choose_planner(NAVFN)
         robot.send(NEAR)
         self.assertEqual(robot.finish(), GoalStatus.SUCCEEDED)

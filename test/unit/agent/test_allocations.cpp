@@ -17,7 +17,7 @@ namespace {
 class Driver {
  public:
   explicit Driver(const AgentParameters& parameters = {})
-      : parameters_(parameters), agent_(shippedPolicy(), parameters_) {}
+      : parameters_(parameters), agent_(shippedPolicy(), parameters_, Hokuyo::rules()) {}
 
   /// Each drive begins at another place: what was seen in the one before is forgotten.
   void run(const RecordedDrive& drive) {
@@ -107,7 +107,7 @@ TEST(Allocations, TheAgentWithoutRescueKeepsAtMost64Kibibytes) {
   Situation situation;
   situation.obstacles.reserve(2 * scan.ranges.size());
   agent->setGoal({drive.goal.x, drive.goal.y});
-  perceive(scan, drive.mount, {}, agent->policy().description().encoder.range_cap, &situation);
+  perceive(scan, drive.mount, Hokuyo::rules(), agent->policy().description().encoder.range_cap, &situation);
   const long seen = heapCount().live_bytes;
   agent->update(situation);
   EXPECT_LE(built + heapCount().live_bytes - seen, 64 << 10);

@@ -18,7 +18,7 @@ TEST(Perceive, FillsSectorsAndPointsFromOneScan) {
   }
 }
 
-TEST(Perceive, LeavesNanBeamsOutOfThePointsAndCountsThemAsTheCap) {
+TEST(Perceive, LeavesNanBeamsOutOfThePointsAndTheAverages) {
   LaserScan scan = makeHokuyoScan(2.0f);
   scan.ranges[560] = std::numeric_limits<float>::quiet_NaN();  // 5 degrees to the left: sector 4, one of its 90 beams
   Situation situation;
@@ -27,7 +27,7 @@ TEST(Perceive, LeavesNanBeamsOutOfThePointsAndCountsThemAsTheCap) {
   for (const Point2& point : situation.obstacles) {
     EXPECT_NEAR(std::hypot(point.x, point.y), 2.0, 1e-6);
   }
-  EXPECT_NEAR(situation.sectors.range[4], (89.0 * 2.0 + 6.0) / 90.0, 1e-9);
+  EXPECT_DOUBLE_EQ(situation.sectors.range[4], 2.0);
   EXPECT_DOUBLE_EQ(situation.sectors.range[3], 2.0);
 }
 

@@ -333,6 +333,7 @@ TEST_P(RealCarmenLogTest, EveryScanIsAccountedForAndStepsBeginAtTheirPoses) {
   RecorderParameters parameters;
   parameters.period = 1e-4;  // every scan is a look: no two are nearer to each other
   parameters.max_gap = 10.0;
+  parameters.scan_rules = carmenLogRules();
   StepList list;
   recordCarmenLog(log, {}, parameters, &list);
   long steps = 0;

@@ -13,7 +13,7 @@ constexpr double kStepLength = 0.2;  // m, driven in a step
 constexpr double kPeriod = 0.5;      // s
 
 /// Prefers the left, then straight on; the driver of these tests goes straight on.
-DecisionReplay leftwards() { return DecisionReplay(test::policyPreferring({0.1f, 0.2f, 0.3f, 0.9f, 0.4f}), {}); }
+DecisionReplay leftwards() { return DecisionReplay(test::policyPreferring({0.1f, 0.2f, 0.3f, 0.9f, 0.4f}), {}, {}); }
 
 /// The n-th step of a drive straight along x, in a hall whose walls are 5 m away.
 DriveStep step(int n) {
@@ -157,7 +157,7 @@ TEST(DecisionReplayTest, CutsADriveIntoStepsWithTheModelsAnglesAndScans) {
   PolicyDescription description;
   description.actions = ActionSet({-1.0, 0.0, 1.0});
   description.encoder.range_cap = 4.0;
-  const RecorderParameters parameters = replayParameters(description, {});
+  const RecorderParameters parameters = replayParameters(description, {}, {});
   EXPECT_NO_THROW(validate(parameters));
   EXPECT_EQ(parameters.action_angles, description.actions.angles());
   EXPECT_EQ(parameters.range_cap, 4.0);

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +11,8 @@
 
 namespace lstm_planner {
 namespace {
+
+using testing::HasSubstr;
 
 constexpr double kCap = 6.0;
 constexpr double kHalfDegree = M_PI / 360.0;
@@ -96,21 +99,34 @@ TEST(AverageSectors, UsesBothEndsOfAFullTurn) {
   }
 }
 
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+/// Of a scan of 2 m with another reading in one of the 90 beams of sector 1.
+double averageWith(float reading, const ScanRules& rules) {
+  LaserScan scan = makeHokuyoScan(2.0f);
+  scan.ranges[300] = reading;
+  const Sectors sectors = averageSectors(scan, {}, rules, kCap);
+  EXPECT_EQ(sectors.measured[1], 89) << reading;
+  return sectors.range[1];
+}
+
 TEST(AverageSectors, AveragesEveryFormOfNoReturnAsTheCap) {
-  const float inf = std::numeric_limits<float>::infinity();
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (const float none : {inf, -inf, nan, 0.0f, -1.0f, 0.01f, 61.0f, 65.53f, 82.0f}) {
-    LaserScan scan = makeHokuyoScan(2.0f);
-    scan.ranges[300] = none;  // one of the 90 beams of sector 1
-    const Sectors sectors = averageSectors(scan, {}, {}, kCap);
-    EXPECT_NEAR(sectors.range[1], (89.0 * 2.0 + kCap) / 90.0, 1e-9) << none;
-    EXPECT_EQ(sectors.measured[1], 89) << none;
+  for (const float none : {kInf, kNan, 0.0f, 61.0f, 65.53f, 82.0f}) {
+    EXPECT_NEAR(averageWith(none, urgNodeRules()), (89.0 * 2.0 + kCap) / 90.0, 1e-9) << none;
+  }
+  EXPECT_NEAR(averageWith(kInf, ScanRules()), (89.0 * 2.0 + kCap) / 90.0, 1e-9);
+}
+
+TEST(AverageSectors, LeavesOutWhatWasNotMeasured) {
+  for (const float unmeasured : {-kInf, kNan, 0.0f, -1.0f, 0.01f, 61.0f, 65.53f}) {
+    EXPECT_DOUBLE_EQ(averageWith(unmeasured, ScanRules()), 2.0) << unmeasured;
   }
 }
 
 TEST(AverageSectors, SaysWhenASectorSawNothing) {
   LaserScan scan = makeHokuyoScan(10.0f);
-  for (std::size_t beam = 180; beam < 270; ++beam) scan.ranges[beam] = 0.0f;
+  for (std::size_t beam = 180; beam < 270; ++beam) scan.ranges[beam] = kInf;
   const Sectors sectors = averageSectors(scan, {}, {}, kCap);
   EXPECT_FALSE(sectors.hasMeasurement(0));
   EXPECT_TRUE(sectors.hasMeasurement(1)) << "farther than the cap, but measured";
@@ -118,9 +134,9 @@ TEST(AverageSectors, SaysWhenASectorSawNothing) {
   EXPECT_EQ(sectors.range[1], kCap);
 }
 
-std::string refusal(const LaserScan& scan, const SensorMount& mount = {}) {
+std::string refusal(const LaserScan& scan, const SensorMount& mount = {}, const ScanRules& rules = {}) {
   try {
-    averageSectors(scan, mount, {}, kCap);
+    averageSectors(scan, mount, rules, kCap);
   } catch (const UnusableScan& error) {
     return error.what();
   }
@@ -149,6 +165,54 @@ TEST(AverageSectors, RefusesUnusableGeometry) {
   scan.range_max = 0.01;
   EXPECT_NE(refusal(scan), "");
   EXPECT_THROW(averageSectors(makeHokuyoScan(), {}, {}, 0.0), std::invalid_argument);
+}
+
+TEST(AverageSectors, RefusesNumbersThatNoScannerHas) {
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(refusal(makeScan(inf, 0.01, 400)), HasSubstr("expected finite angles"));
+  EXPECT_THAT(refusal(makeScan(1e30, 0.01, 400)), HasSubstr("expected finite angles"));
+  EXPECT_THAT(refusal(makeScan(-2.0, inf, 400)), HasSubstr("expected finite angles"));
+  EXPECT_THAT(refusal(makeScan(-2.0, 1e-45, 400)), HasSubstr("an increment other than 0 of at least 1e-5 rad"));
+  EXPECT_THAT(refusal(makeScan(-2.0, 0.01, 100001)), HasSubstr("100001 ranges, expected at most 100000"));
+  EXPECT_THAT(refusal(makeHokuyoScan(), {{1e9, 0.0, 0.0}, false}), HasSubstr("expected at most 100 m"));
+  LaserScan scan = makeHokuyoScan();
+  scan.range_max = 0.0;
+  EXPECT_THAT(refusal(scan), HasSubstr("expected 0 or more, and range_min below range_max"));
+  scan.range_max = 60.0;
+  scan.range_min = inf;
+  EXPECT_THAT(refusal(scan), HasSubstr("range_min inf"));
+}
+
+TEST(AverageSectors, RefusesAScanOfWhichNothingWasMeasured) {
+  for (const float reading : {kNan, 0.0f, 0.01f, -kInf, 61.0f}) {
+    EXPECT_THAT(refusal(makeHokuyoScan(reading)), HasSubstr("0 of 90 beams measured")) << reading;
+  }
+  EXPECT_THAT(refusal(makeHokuyoScan(0.01f), {}, urgNodeRules()), HasSubstr("0 of 90 beams measured"))
+      << "a hand on the lens";
+}
+
+TEST(AverageSectors, TakesAnOpenFieldByEitherConvention) {
+  EXPECT_EQ(refusal(makeHokuyoScan(kInf)), "");
+  for (const float reading : {kNan, 0.0f, 65.53f, 61.0f}) {
+    EXPECT_EQ(refusal(makeHokuyoScan(reading), {}, urgNodeRules()), "") << reading;
+  }
+}
+
+TEST(AverageSectors, RefusesASectorOfWhichLessThanTheLeastShareWasMeasured) {
+  LaserScan scan = makeHokuyoScan(2.0f);
+  for (std::size_t beam = 270; beam < 270 + 45; ++beam) scan.ranges[beam] = kNan;  // half of sector 1
+  EXPECT_EQ(refusal(scan), "");
+  scan.ranges[270 + 45] = kNan;
+  EXPECT_THAT(refusal(scan), HasSubstr("44 of 90 beams measured from -67.500000 degrees to -45.000000 degrees"));
+  ScanRules tolerant;
+  tolerant.least_measured = 0.4;
+  EXPECT_EQ(refusal(scan, {}, tolerant), "");
+}
+
+TEST(AverageSectors, DoesNotMindWhatIsNotMeasuredBehindTheRobot) {
+  LaserScan scan = makeHokuyoScan(2.0f);
+  for (std::size_t beam = 0; beam < 180; ++beam) scan.ranges[beam] = kNan;
+  EXPECT_EQ(refusal(scan), "");
 }
 
 }  // namespace

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+namespace lstm_planner {
+
+/// What the readings of a scanner mean, and how much of a scan must have been measured.
+///
+/// REP-117 is the default: +inf means that nothing is within range, which is a measurement; NaN is no measurement; -inf
+/// means that something is too near to be measured. Readings outside [range_min, range_max] are no measurements. The
+/// other members say which readings a driver sends in place of +inf. What was not measured is not free.
+struct ScanRules {
+  bool nan_is_no_return = false;
+  bool zero_is_no_return = false;
+  bool below_is_no_return =
+      false;  ///< readings above 0 and below range_min, as of a URG-04LX; a covered one sends them, too
+  bool beyond_is_no_return = false;  ///< finite readings above range_max
+  double no_return_code = 0.0;       ///< m; readings within 0.02 m of it, such as 65.53 m, the end of a 16 bit counter;
+                                     ///< 0 = there is no such code
+  double least_measured = 0.5;       ///< share of the beams in each sector that must be measured
+};
+
+/// What Hokuyo scanners send behind urg_node, old ones included: NaN, 0, 65.53 m or readings beyond range_max.
+ScanRules urgNodeRules();
+
+/// The readings in place of +inf as text: the words "nan", "zero", "below" and "beyond" and one number (m), separated
+/// by spaces; empty for REP-117 alone.
+std::string noReturnText(const ScanRules& rules);
+/// Reads that text into `rules`. Throws std::invalid_argument with the word and what was expected.
+void setNoReturn(const std::string& text, ScanRules* rules);
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const ScanRules& rules);
+
+}  // namespace lstm_planner

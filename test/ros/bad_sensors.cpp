@@ -1,0 +1,258 @@
+// Planner and controller with sensors that lie: both refuse with the same sentence, the robot stands, and both go on
+// when the sensors are well again. The clock stands still unless a test moves it.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/ros/message_queue.hpp"
+#include "lstm_planner/ros/sensor_listener.hpp"
+#include "lstm_planner/ros/steering_controller.hpp"
+#include "ros/planner_fixture.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+const ros::Time kEndOfTime(4294967295u, 0);
+
+class BadSensorTest : public PlannerTest {
+ protected:
+  void SetUp() override {
+    planner_ = makePlanner();
+    controller_.initialize("SteeringController", &tf_, costmap_.get());
+    ASSERT_TRUE(eventuallyBothGoOn());
+  }
+  void TearDown() override { ros::param::del("~/SteeringController"); }
+
+  /// Renewed in each call, so that its age is no reason to stand.
+  bool drives() {
+    controller_.setPlan({stampedPose("odom", robot_.pose()), stampedPose("odom", {robot_.pose().x + 3.0, 0.0, 0.0})});
+    const bool drives = controller_.computeVelocityCommands(velocity_);
+    EXPECT_TRUE(drives || (velocity_.linear.x == 0.0 && velocity_.angular.z == 0.0));
+    return drives;
+  }
+
+  bool eventuallyBothGoOn() {
+    return eventually([&] {
+      robot_.again();
+      return preview(planner_.get()) && drives() && velocity_.linear.x > 0.0;
+    });
+  }
+
+  /// Until both say the sentence: what is logged is throttled, and messages take their time.
+  bool eventuallyBothRefuse(const std::string& sentence) {
+    return eventually([&] {
+      robot_.again();
+      const bool refuse = !preview(planner_.get()) && !drives();
+      return refuse && log_.count("no plan: " + sentence) > 0 && log_.count("the robot stands: " + sentence) > 0;
+    });
+  }
+
+  std::unique_ptr<LstmGlobalPlanner> planner_;
+  SteeringController controller_;
+  geometry_msgs::Twist velocity_;
+  LogListener log_;
+};
+
+struct ScanLie {
+  const char* name;
+  std::function<void(sensor_msgs::LaserScan*)> tell;
+  const char* sentence;
+};
+std::ostream& operator<<(std::ostream& out, const ScanLie& lie) { return out << lie.name; }
+
+void setAll(sensor_msgs::LaserScan* scan, float range) { scan->ranges.assign(scan->ranges.size(), range); }
+
+const ScanLie kScanLies[] = {
+    {"NoBeams", [](auto* scan) { scan->ranges.clear(); }, "the scan has no ranges"},
+    {"NanAngle", [](auto* scan) { scan->angle_min = kNan; }, "the scan has angle_min nan"},
+    {"InfiniteAngle", [](auto* scan) { scan->angle_min = kInf; }, "the scan has angle_min inf"},
+    {"NanIncrement", [](auto* scan) { scan->angle_increment = kNan; }, "the scan has angle_min"},
+    {"InfiniteIncrement", [](auto* scan) { scan->angle_increment = kInf; }, "the scan has angle_min"},
+    {"TinyIncrement", [](auto* scan) { scan->angle_increment = 1e-45F; }, "the scan has angle_min"},
+    {"NoRange", [](auto* scan) { scan->range_max = 0.0F; }, "the scan has range_min"},
+    {"InfiniteRangeMin", [](auto* scan) { scan->range_min = kInf; }, "the scan has range_min inf"},
+    {"LooksBackwards", [](auto* scan) { scan->angle_min = static_cast<float>(M_PI_2); }, "the scan covers"},
+    {"AllNan", [](auto* scan) { setAll(scan, kNan); }, "the scan has 0 of"},
+    {"AllZero", [](auto* scan) { setAll(scan, 0.0F); }, "the scan has 0 of"},
+    {"AllBelowRangeMin", [](auto* scan) { setAll(scan, 0.01F); }, "the scan has 0 of"},
+    {"AllTooNear", [](auto* scan) { setAll(scan, -kInf); }, "the scan has 0 of"},
+    {"AllNegative", [](auto* scan) { setAll(scan, -1.0F); }, "the scan has 0 of"},
+    {"NoFrame", [](auto* scan) { scan->header.frame_id.clear(); }, "the scan on /scan names no frame"},
+    {"UnknownFrame", [](auto* scan) { scan->header.frame_id = "lost"; }, "where the scanner sits is not known"},
+    {"InTheFuture", [](auto* scan) { scan->header.stamp += ros::Duration(10.0); },
+     "the newest message on /scan is stamped"},
+    {"AtTheEndOfTime", [](auto* scan) { scan->header.stamp = kEndOfTime; }, "the newest message on /scan is stamped"},
+    {"Stuck", [](auto* scan) { scan->header.stamp = ros::Time(99.0); }, "the newest message on /scan is"},
+};
+
+class BadScanTest : public BadSensorTest, public testing::WithParamInterface<ScanLie> {};
+
+TEST_P(BadScanTest, IsRefusedByBothUntilItIsWellAgain) {
+  robot_.alter_scan = GetParam().tell;
+  EXPECT_TRUE(eventuallyBothRefuse(GetParam().sentence)) << GetParam().sentence;
+  robot_.alter_scan = [](auto*) {};
+  EXPECT_TRUE(eventuallyBothGoOn());
+}
+
+INSTANTIATE_TEST_SUITE_P(Lies, BadScanTest, testing::ValuesIn(kScanLies),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+struct OdometryLie {
+  const char* name;
+  std::function<void(nav_msgs::Odometry*)> tell;
+  const char* sentence;
+};
+std::ostream& operator<<(std::ostream& out, const OdometryLie& lie) { return out << lie.name; }
+
+const OdometryLie kOdometryLies[] = {
+    {"NanPosition", [](auto* odometry) { odometry->pose.pose.position.x = kNan; },
+     "the odometry on /odom has a pose or twist that is not finite"},
+    {"ZeroQuaternion", [](auto* odometry) { odometry->pose.pose.orientation = geometry_msgs::Quaternion(); },
+     "the odometry on /odom has a pose or twist that is not finite"},
+    {"NanTwist", [](auto* odometry) { odometry->twist.twist.linear.x = kNan; },
+     "the odometry on /odom has a pose or twist that is not finite"},
+    {"NoFrame", [](auto* odometry) { odometry->header.frame_id.clear(); }, "the odometry on /odom names no frame"},
+    {"InTheFuture", [](auto* odometry) { odometry->header.stamp += ros::Duration(10.0); },
+     "the newest message on /odom is stamped"},
+    {"AtTheEndOfTime", [](auto* odometry) { odometry->header.stamp = kEndOfTime; },
+     "the newest message on /odom is stamped"},
+    {"Stuck", [](auto* odometry) { odometry->header.stamp = ros::Time(99.0); }, "the newest message on /odom is"},
+};
+
+class BadOdometryTest : public BadSensorTest, public testing::WithParamInterface<OdometryLie> {};
+
+TEST_P(BadOdometryTest, IsRefusedByBothUntilItIsWellAgain) {
+  robot_.alter_odometry = GetParam().tell;
+  EXPECT_TRUE(eventuallyBothRefuse(GetParam().sentence)) << GetParam().sentence;
+  robot_.alter_odometry = [](auto*) {};
+  EXPECT_TRUE(eventuallyBothGoOn());
+}
+
+INSTANTIATE_TEST_SUITE_P(Lies, BadOdometryTest, testing::ValuesIn(kOdometryLies),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST_F(BadSensorTest, RefusesToFollowAPlanThatWasMadeBeforeTheClockWasSetBack) {
+  ros::param::set("~/SteeringController/plan_timeout",
+                  1000.0);  // the only age that could stop it is not the limit here
+  SteeringController controller;
+  controller.initialize("SteeringController", &tf_, costmap_.get());
+  ASSERT_TRUE(controller.setPlan({stampedPose("odom", {}), stampedPose("odom", {3.0, 0.0, 0.0})}));
+  const auto drives = [&] {
+    robot_.again();
+    return controller.computeVelocityCommands(velocity_);
+  };
+  ASSERT_TRUE(eventually(drives));
+  robot_.wait(-50.0);
+  EXPECT_TRUE(
+      eventually([&] { return !drives() && log_.count("the robot stands: the clock was set back by at least") > 0; }));
+  ASSERT_TRUE(controller.setPlan({stampedPose("odom", {}), stampedPose("odom", {3.0, 0.0, 0.0})}));
+  EXPECT_TRUE(eventually(drives)) << "with a new plan it goes on";
+}
+
+TEST_F(BadSensorTest, UnstampedScansHaveTheTimeWhenTheyWereReceived) {
+  robot_.alter_scan = [](auto* scan) { scan->header.stamp = ros::Time(); };
+  MessageQueue messages;
+  SensorListener sensors(&messages, {}, "base_footprint", tf_);
+  double stamp = 0.0;
+  EXPECT_TRUE(eventually([&] {
+    robot_.again();
+    try {
+      stamp = sensors.read(ros::Time::now()).scan_stamp;
+    } catch (const SensorError&) {
+    }
+    return stamp > 0.0;
+  }));
+  EXPECT_LE(stamp, ros::Time::now().toSec());
+  EXPECT_GT(stamp, 100.0) << "the tests' clock begins there";
+  EXPECT_TRUE(eventuallyBothGoOn());
+}
+
+/// A transform between odometry and the plan's frame.
+geometry_msgs::TransformStamped localisation(const ros::Time& stamp) {
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "odom";
+  transform.header.stamp = stamp;
+  transform.child_frame_id = "world";
+  transform.transform.rotation.w = 1.0;
+  return transform;
+}
+
+TEST_F(BadSensorTest, RefusesTransformsThatAreMissingOldOrOfTheFuture) {
+  tf2_ros::TransformBroadcaster broadcaster;
+  SteeringController controller;
+  controller.initialize("SteeringController", &tf_, costmap_.get());
+  double age = 0.0;
+  const auto drives = [&] {
+    robot_.again();
+    if (std::isfinite(age)) broadcaster.sendTransform(localisation(ros::Time::now() - ros::Duration(age)));
+    controller.setPlan({stampedPose("world", {}), stampedPose("world", {3.0, 0.0, 0.0})});
+    return controller.computeVelocityCommands(velocity_);
+  };
+  const auto refuses = [&](const std::string& sentence) {
+    return eventually([&] { return !drives() && log_.count("the robot stands: " + sentence) > 0; });
+  };
+  age = kInf;
+  EXPECT_TRUE(refuses("no transform from world to odom")) << "missing";
+  age = 0.0;
+  EXPECT_TRUE(eventually(drives));
+  age = kInf;
+  EXPECT_TRUE(refuses("the newest transform from world to odom is")) << "late: tf_timeout is 0.3 s";
+  age = 0.0;
+  EXPECT_TRUE(eventually(drives));
+  age = -5.0;
+  EXPECT_TRUE(refuses("the newest transform from world to odom is stamped")) << "in the future";
+}
+
+TEST_F(BadSensorTest, AMessageThatCannotBeUsedDoesNotEndTheProcess) {
+  MessageQueue messages;
+  std::atomic<int> calls{0};
+  const ros::Subscriber subscriber = messages.nodeHandle().subscribe<sensor_msgs::LaserScan>(
+      "scan", 1, [&calls](const sensor_msgs::LaserScan::ConstPtr&) {
+        ++calls;
+        throw std::runtime_error("as tf does for a stamp at the end of time");
+      });
+  EXPECT_TRUE(eventually([&] {
+    robot_.again();
+    messages.handOut();
+    return calls > 1 && log_.count("a message could not be used: as tf does for a stamp at the end of time") > 0;
+  }));
+}
+
+TEST_F(BadSensorTest, RefusalsAfterAFatalErrorRepeatItsReason) {
+  ros::param::set("~/SteeringController/max_linear", -1.0);
+  SteeringController controller;
+  controller.initialize("SteeringController", &tf_, costmap_.get());
+  EXPECT_FALSE(controller.setPlan({stampedPose("odom", {})}));
+  EXPECT_FALSE(controller.computeVelocityCommands(velocity_));
+  ros::param::set("~/BadPlanner/model", "/nowhere/model.onnx");
+  LstmGlobalPlanner planner;
+  planner.initialize("BadPlanner", costmap_.get());
+  EXPECT_FALSE(plan(&planner, stampedPose("odom", {3.0, 0.0, 0.0})));
+  ros::param::del("~/BadPlanner");
+  log_.flush();
+  EXPECT_EQ(log_.count("the plan is not followed: the controller cannot be used: parameter max_linear is -1"), 1);
+  EXPECT_EQ(log_.count("the robot stands: the controller cannot be used: parameter max_linear is -1"), 1);
+  EXPECT_EQ(log_.count("no plan: the planner cannot be used: "), 1);
+  EXPECT_GE(log_.count("/nowhere/model.onnx"), 2);
+}
+
+}  // namespace
+}  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "bad_sensors");
+  const ros::NodeHandle node_handle;
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
