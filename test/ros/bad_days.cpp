@@ -1,0 +1,309 @@
+// The robot drives, and something breaks: it stands within half a second, says why, touches nothing, and goes on when
+// all is well again. Move_base (or standalone_move_base) hosts both plugins with their shipped parameters.
+
+#include <actionlib/client/simple_action_client.h>
+#include <gtest/gtest.h>
+#include <move_base_msgs/MoveBaseAction.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/LaserScan.h>
+#include <std_msgs/UInt32.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <mutex>
+#include <ostream>
+#include <string>
+
+#include "lstm_planner/ros/conversions.hpp"
+#include "ros/callback_thread.hpp"
+#include "ros/fake_robot.hpp"
+#include "ros/log_listener.hpp"
+
+namespace lstm_planner {
+namespace {
+
+using Client = actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction>;
+
+/// Far apart, so that the robot is still on its way when something breaks (map frame).
+const Pose2 kGoals[] = {{6.5, 1.25, 0.0}, {2.0, 8.25, 0.0}};
+
+constexpr double kStandsWithin = 0.5;  // s
+constexpr double kPlanTimeout = 2.0;   // s, as shipped; the last plan may be made from a scan of
+constexpr double kScanTimeout = 0.5;   // s before
+constexpr double kWatched = 1.0;       // s after which it must still stand
+constexpr double kStill = 0.01;        // m/s
+
+/// How messages get from the robot to move_base. Each returns false for a message that is lost.
+struct Passage {
+  std::function<bool(sensor_msgs::LaserScan*)> scan = [](auto*) { return true; };
+  std::function<bool(sensor_msgs::LaserScan*)> planners_scan = [](auto*) { return true; };
+  std::function<bool(nav_msgs::Odometry*)> odometry = [](auto*) { return true; };
+  std::function<bool(rosgraph_msgs::Clock*)> clock = [](auto*) { return true; };
+};
+
+/// Passes the robot's messages on, and watches what it really does.
+class Relay {
+ public:
+  Relay() {
+    ros::NodeHandle node = callbacks_.nodeHandle();
+    scans_ = node.advertise<sensor_msgs::LaserScan>("scan", 1);
+    planners_scans_ = node.advertise<sensor_msgs::LaserScan>("planners_scan", 1);
+    odometry_ = node.advertise<nav_msgs::Odometry>("odom", 10);
+    clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 10);
+    const auto hints = ros::TransportHints().tcpNoDelay();
+    subscribers_ = {node.subscribe("true_scan", 1, &Relay::onScan, this, hints),
+                    node.subscribe("true_odom", 10, &Relay::onOdometry, this, hints),
+                    node.subscribe("/true_clock", 10, &Relay::onClock, this, hints),
+                    node.subscribe("create2_stub/ground_truth", 10, &Relay::onTruth, this, hints),
+                    node.subscribe("create2_stub/contacts", 10, &Relay::onContacts, this)};
+  }
+
+  /// Returns when it is done, the time (s) of the robot's own clock.
+  double use(const Passage& passage) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    passage_ = passage;
+    return time_;
+  }
+
+  double time() const { return locked(time_); }
+  double lastMotion() const { return locked(last_motion_); }
+  double speed() const { return locked(speed_); }
+  unsigned contacts() const { return locked(contact_count_); }
+  Pose2 pose() const { return locked(pose_); }
+
+ private:
+  template <typename T>
+  T locked(const T& value) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return value;
+  }
+
+  void onScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    sensor_msgs::LaserScan passed = *scan;
+    if (passage_.scan(&passed)) scans_.publish(passed);
+    sensor_msgs::LaserScan planners = *scan;
+    if (passage_.scan(&planners) && passage_.planners_scan(&planners)) planners_scans_.publish(planners);
+  }
+  void onOdometry(const nav_msgs::Odometry::ConstPtr& odometry) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    nav_msgs::Odometry passed = *odometry;
+    if (passage_.odometry(&passed)) odometry_.publish(passed);
+  }
+  void onClock(const rosgraph_msgs::Clock::ConstPtr& clock) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    rosgraph_msgs::Clock passed = *clock;
+    if (passage_.clock(&passed)) clock_.publish(passed);
+  }
+  void onTruth(const nav_msgs::Odometry::ConstPtr& truth) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    time_ = truth->header.stamp.toSec();
+    pose_ = fromMessage(truth->pose.pose);
+    speed_ = std::abs(truth->twist.twist.linear.x) + 0.1 * std::abs(truth->twist.twist.angular.z);
+    if (speed_ >= kStill) last_motion_ = time_;
+  }
+  void onContacts(const std_msgs::UInt32::ConstPtr& contacts) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    contact_count_ = contacts->data;
+  }
+
+  mutable std::mutex mutex_;
+  Passage passage_;
+  double time_ = 0.0;
+  double last_motion_ = 0.0;
+  double speed_ = 0.0;
+  unsigned contact_count_ = 0;
+  Pose2 pose_;
+  CallbackThread callbacks_;
+  ros::Publisher scans_;
+  ros::Publisher planners_scans_;
+  ros::Publisher odometry_;
+  ros::Publisher clock_;
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+/// One for all tests: without it the clock would stand.
+Relay& relay() {
+  static Relay relay;
+  return relay;
+}
+
+class BadDayTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(eventually([] { return relay().time() > 0.0; }));
+    ASSERT_TRUE(client_.waitForServer(ros::Duration(60.0)));
+    drive();
+  }
+  void TearDown() override {
+    relay().use({});
+    client_.cancelAllGoals();
+    EXPECT_EQ(relay().contacts(), 0u);
+  }
+
+  /// To the goal that is farther away.
+  void drive() {
+    const Pose2 here = relay().pose();
+    const bool first = distanceBetween(here, kGoals[0]) > distanceBetween(here, kGoals[1]);
+    move_base_msgs::MoveBaseGoal goal;
+    goal.target_pose.header.frame_id = "map";
+    goal.target_pose.pose = toMessage(kGoals[first ? 0 : 1]);
+    client_.sendGoal(goal);
+    ASSERT_TRUE(eventually([] { return relay().speed() > 0.15; }));
+  }
+
+  /// Breaks something, and expects that the robot stands soon and says why.
+  void expectStands(const Passage& fault, double within, const std::string& sentence) {
+    const int before = log_.count(sentence);
+    const double begin = relay().use(fault);
+    ASSERT_TRUE(eventually([&] { return relay().time() > begin + within + kWatched; }));
+    EXPECT_LE(relay().lastMotion() - begin, within) << "s until it stood";
+    if (!sentence.empty()) {
+      EXPECT_TRUE(eventually([&] { return log_.count(sentence) > before; })) << sentence;
+    }
+  }
+
+  /// All is well again. A goal that was given up meanwhile is given again.
+  void expectGoesOn() {
+    relay().use({});
+    EXPECT_TRUE(eventually([&] {
+      if (client_.getState().isDone()) drive();
+      return relay().speed() > 0.1;
+    }));
+  }
+
+  Client client_{"move_base", true};
+  LogListener log_;
+};
+
+struct Fault {
+  const char* name;
+  Passage passage;
+  const char* sentence;
+  double within = kStandsWithin;
+};
+std::ostream& operator<<(std::ostream& out, const Fault& fault) { return out << fault.name; }
+
+Passage scans(const std::function<void(sensor_msgs::LaserScan*)>& spoil) {
+  Passage passage;
+  passage.scan = [spoil](auto* scan) { return spoil(scan), true; };
+  return passage;
+}
+Passage odometry(const std::function<void(nav_msgs::Odometry*)>& spoil) {
+  Passage passage;
+  passage.odometry = [spoil](auto* odometry) { return spoil(odometry), true; };
+  return passage;
+}
+
+Passage noScans() {
+  Passage passage;
+  passage.scan = [](auto*) { return false; };
+  return passage;
+}
+Passage noOdometry() {
+  Passage passage;
+  passage.odometry = [](auto*) { return false; };
+  return passage;
+}
+Passage noScansForThePlanner() {
+  Passage passage;
+  passage.planners_scan = [](auto*) { return false; };
+  return passage;
+}
+Passage clockThatStands() {
+  Passage passage;
+  passage.clock = [](auto*) { return false; };
+  return passage;
+}
+Passage clockSetBack(double seconds) {
+  Passage passage;
+  passage.clock = [seconds](auto* clock) { return clock->clock -= ros::Duration(seconds), true; };
+  return passage;
+}
+
+void setAll(sensor_msgs::LaserScan* scan, float range) { scan->ranges.assign(scan->ranges.size(), range); }
+
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+const ros::Time kEndOfTime(4294967295u, 0);
+const ros::Time kBeginning(1.0);
+
+const Fault kFaults[] = {
+    {"ScansStop", noScans(), "the robot stands: the newest message on /scan is"},
+    {"ScansWithoutBeams", scans([](auto* scan) { scan->ranges.clear(); }), "the robot stands: the scan has no ranges"},
+    {"ScansWithNanAngles", scans([](auto* scan) { scan->angle_min = kNan; }),
+     "the robot stands: the scan has angle_min nan"},
+    {"ScansWithoutIncrement", scans([](auto* scan) { scan->angle_increment = 0.0F; }),
+     "the robot stands: the scan has angle_min"},
+    {"ScansWithoutReach", scans([](auto* scan) { scan->range_max = 0.0F; }),
+     "the robot stands: the scan has range_min"},
+    {"ScansThatLookBackwards", scans([](auto* scan) { scan->angle_min += 3.0F; }), "the robot stands: the scan covers"},
+    {"ScannerCovered", scans([](auto* scan) { setAll(scan, 0.01F); }), "the robot stands: the scan has 0 of"},
+    {"ScannerTouched", scans([](auto* scan) { setAll(scan, -kInf); }), "the robot stands: the scan has 0 of"},
+    {"ScannerHalfCovered", scans([](auto* scan) { std::fill(scan->ranges.begin() + 540, scan->ranges.end(), 0.01F); }),
+     "the robot stands: the scan has"},
+    {"ScansStuck", scans([](auto* scan) { scan->header.stamp = kBeginning; }),
+     "the robot stands: the newest message on /scan is"},
+    {"ScansOfTheFuture", scans([](auto* scan) { scan->header.stamp += ros::Duration(60.0); }),
+     "the robot stands: the newest message on /scan is stamped"},
+    {"ScansOfThePast", scans([](auto* scan) { scan->header.stamp -= ros::Duration(5.0); }),
+     "the robot stands: the newest message on /scan is"},
+    {"ScansAtTheEndOfTime", scans([](auto* scan) { scan->header.stamp = kEndOfTime; }),
+     "the robot stands: the newest message on /scan is stamped"},
+    {"ScansWithoutFrame", scans([](auto* scan) { scan->header.frame_id.clear(); }),
+     "the robot stands: the scan on /scan names no frame"},
+    {"ScansInAnotherFrame", scans([](auto* scan) { scan->header.frame_id = "elsewhere"; }),
+     "the robot stands: where the scanner sits is not known"},
+    {"OdometryStops", noOdometry(), "the robot stands: the newest message on /odom is"},
+    {"OdometryNan", odometry([](auto* odometry) { odometry->pose.pose.position.y = kNan; }),
+     "the robot stands: the odometry on /odom has a pose or twist that is not finite"},
+    {"OdometryWithoutRotation",
+     odometry([](auto* odometry) { odometry->pose.pose.orientation = geometry_msgs::Quaternion(); }),
+     "the robot stands: the odometry on /odom has a pose or twist that is not finite"},
+    {"OdometryWithoutFrame", odometry([](auto* odometry) { odometry->header.frame_id.clear(); }),
+     "the robot stands: the odometry on /odom names no frame"},
+    {"OdometryInAnotherFrame", odometry([](auto* odometry) { odometry->header.frame_id = "odom_2"; }),
+     "the robot stands: no transform from odom to odom_2"},
+    {"OdometryStuck", odometry([](auto* odometry) { odometry->header.stamp = kBeginning; }),
+     "the robot stands: the newest message on /odom is"},
+    {"OdometryAtTheEndOfTime", odometry([](auto* odometry) { odometry->header.stamp = kEndOfTime; }),
+     "the robot stands: the newest message on /odom is stamped"},
+    {"PlanIsNotRenewed", noScansForThePlanner(), "the robot stands: the plan is",
+     kScanTimeout + kPlanTimeout + kStandsWithin},
+    {"ClockStands", clockThatStands(), ""},
+    {"ClockSetBack", clockSetBack(30.0), "the robot stands: the"},
+};
+
+class FaultTest : public BadDayTest, public testing::WithParamInterface<Fault> {};
+
+TEST_P(FaultTest, TheRobotStandsSaysWhyAndGoesOnAfterwards) {
+  expectStands(GetParam().passage, GetParam().within, GetParam().sentence);
+  expectGoesOn();
+}
+
+INSTANTIATE_TEST_SUITE_P(Sensors, FaultTest, testing::ValuesIn(kFaults),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST_F(BadDayTest, DrivesOnWithoutStamps) {
+  Passage unstamped = scans([](auto* scan) { scan->header.stamp = ros::Time(); });
+  unstamped.odometry = [](auto* odometry) { return odometry->header.stamp = ros::Time(), true; };
+  const double begin = relay().use(unstamped);
+  ASSERT_TRUE(eventually([&] { return relay().time() > begin + 2.0; }));
+  EXPECT_TRUE(eventually([&] { return relay().speed() > 0.1; }));
+}
+
+}  // namespace
+}  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "bad_days");
+  const ros::NodeHandle node_handle;
+  lstm_planner::relay();
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
