@@ -159,6 +159,10 @@ void checkScan(const LaserScan& scan, const SensorMount& mount) {
            "0 or more, and range_min below range_max");
   }
   if (!isFinite(mount.pose)) throw UnusableScan("the pose of the scanner on the robot is not finite");
+  if (!is_within(mount.pose.yaw, kFarthestFirstBeam)) {
+    throw UnusableScan("the scanner is turned by " + std::to_string(mount.pose.yaw) +
+                       " rad on the robot, expected at most two turns");
+  }
   if (!is_within(mount.pose.x, kFarthestMount) || !is_within(mount.pose.y, kFarthestMount)) {
     throw UnusableScan("the scanner is at (" + std::to_string(mount.pose.x) + ", " + std::to_string(mount.pose.y) +
                        ") m on the robot, expected at most 100 m from its centre");

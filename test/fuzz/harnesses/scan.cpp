@@ -16,6 +16,20 @@ constexpr double kFootprint = 0.17425;  // m
 constexpr double kPeriod = 0.1;         // s
 constexpr std::size_t kMostScans = 4;
 
+/// Told from the message alone, without the code that is tested: some beam ahead has a range or sees nothing.
+bool isSomethingMeasuredAhead(const LaserScan& scan, const SensorMount& mount) {
+  constexpr double kAhead = M_PI_2 + 0.5;  // rad; a beam's width and rounding more than the window
+  const double sense = mount.upside_down ? -1.0 : 1.0;
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    const double range = scan.ranges[beam];
+    const double angle = mount.pose.yaw + sense * (scan.angle_min + static_cast<double>(beam) * scan.angle_increment);
+    const bool is_range = range > 0.0 && range >= static_cast<float>(scan.range_min) && std::isfinite(range);
+    const bool is_nothing = std::isinf(range) && range > 0.0;
+    if ((is_range || is_nothing) && std::abs(normalizeAngle(angle)) <= kAhead) return true;
+  }
+  return false;
+}
+
 void checkSituation(const Situation& situation, const LaserScan& scan) {
   for (int sector = 0; sector < kSectorCount; ++sector) {
     const auto i = static_cast<std::size_t>(sector);
@@ -50,6 +64,7 @@ void seeAndDrive(const std::uint8_t* data, std::size_t size) {
     } catch (const UnusableScan&) {
       continue;
     }
+    require(isSomethingMeasuredAhead(scan, mount), "what was not measured is not free: the scan is refused");
     checkSituation(situation, scan);
     shield.show(situation.obstacles);
     moving.show(situation.profile, {}, time);

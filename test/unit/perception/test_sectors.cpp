@@ -175,6 +175,7 @@ TEST(AverageSectors, RefusesNumbersThatNoScannerHas) {
   EXPECT_THAT(refusal(makeScan(-2.0, 1e-45, 400)), HasSubstr("an increment other than 0 of at least 1e-5 rad"));
   EXPECT_THAT(refusal(makeScan(-2.0, 0.01, 100001)), HasSubstr("100001 ranges, expected at most 100000"));
   EXPECT_THAT(refusal(makeHokuyoScan(), {{1e9, 0.0, 0.0}, false}), HasSubstr("expected at most 100 m"));
+  EXPECT_THAT(refusal(makeHokuyoScan(), {{0.0, 0.0, 1e300}, false}), HasSubstr("expected at most two turns"));
   LaserScan scan = makeHokuyoScan();
   scan.range_max = 0.0;
   EXPECT_THAT(refusal(scan), HasSubstr("expected 0 or more, and range_min below range_max"));
