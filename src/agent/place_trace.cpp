@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lstm_planner/agent/reach.hpp"
+
 namespace lstm_planner {
 namespace {
 
-constexpr double kFarthest = 1e6;  ///< m from the origin
+constexpr double kFarthest = 2.0 * kFarthestPose;  ///< m from the origin; what lies around poses is asked for, too
 constexpr int kLastStamp = (1 << 14) - 1;
 constexpr int kWindowBits = 7;
 

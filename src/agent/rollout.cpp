@@ -8,24 +8,73 @@ namespace lstm_planner {
 
 namespace {
 
-/// Appends poses from the end of the plan to `end`, looking along the way.
-void lineTo(const Point2& end, double spacing, std::vector<Pose2>* plan) {
-  const Pose2 begin = plan->back();
-  const double length = distanceBetween(begin, end);
-  if (length <= 0.0) {
-    return;
+/// Makes a plan of straight pieces, all poses looking along it.
+class PlanLine {
+ public:
+  /// Goes on from the plan's last pose.
+  PlanLine(double spacing, std::vector<Pose2>* plan) : spacing_(spacing), plan_(*plan) {}
+
+  /// Appends poses from the end of the plan to `end`; as soon as there are too many, keeps it for finish().
+  void lineTo(const Point2& end) {
+    if (!beyond_.empty()) {
+      beyond_.push_back(end);
+      return;
+    }
+    const Pose2 begin = plan_.back();
+    const double length = distanceBetween(begin, end);
+    if (length <= 0.0) {
+      return;
+    }
+    const double direction = directionTo(begin, end);
+    const double poses = std::max(1.0, std::ceil(length / spacing_));
+    const Point2 step{(end.x - begin.x) / poses, (end.y - begin.y) / poses};
+    const std::size_t first = plan_.size();
+    const std::size_t room = kMostDensePlanPoses - std::min(kMostDensePlanPoses, first);
+    const bool fits = poses <= static_cast<double>(room);
+    const std::size_t count = fits ? static_cast<std::size_t>(poses) : room;
+    plan_.resize(first + count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto steps = static_cast<double>(i + 1);
+      plan_[first + i] = {begin.x + steps * step.x, begin.y + steps * step.y, direction};
+    }
+    if (fits) {
+      plan_.back() = {end.x, end.y, direction};
+    } else {
+      beyond_.push_back(end);
+    }
   }
-  const double direction = directionTo(begin, end);
-  const int poses = std::max(1, static_cast<int>(std::ceil(length / spacing)));
-  const Point2 step{(end.x - begin.x) / poses, (end.y - begin.y) / poses};
-  const std::size_t first = plan->size();
-  plan->resize(first + static_cast<std::size_t>(poses));
-  Pose2* pose = plan->data() + first;
-  for (int i = 1; i < poses; ++i) {
-    *pose++ = {begin.x + i * step.x, begin.y + i * step.y, direction};
+
+  /// Appends the rest, which cuts corners where it must be coarse.
+  void finish() {
+    double length = 0.0;
+    Point2 from{plan_.back().x, plan_.back().y};
+    for (const Point2& corner : beyond_) {
+      length += distanceBetween(from, corner);
+      from = corner;
+    }
+    const auto room = static_cast<double>(kMostPlanPoses - plan_.size());
+    const double gap = length / std::min(room, std::ceil(length / spacing_));
+    from = {plan_.back().x, plan_.back().y};
+    double before = 0.0;  // m from `from` back to the last pose
+    for (const Point2& corner : beyond_) {
+      const double piece = distanceBetween(from, corner);
+      double along = gap - before;
+      for (; along < piece && plan_.size() + 1 < kMostPlanPoses; along += gap) {
+        append({from.x + along / piece * (corner.x - from.x), from.y + along / piece * (corner.y - from.y)});
+      }
+      before = piece - (along - gap);
+      from = corner;
+    }
+    if (!beyond_.empty()) append(beyond_.back());
   }
-  *pose = {end.x, end.y, direction};
-}
+
+ private:
+  void append(const Point2& place) { plan_.push_back({place.x, place.y, directionTo(plan_.back(), place)}); }
+
+  double spacing_;
+  std::vector<Pose2>& plan_;
+  std::vector<Point2> beyond_;  ///< where the pieces end for which there were too many poses
+};
 
 /// The free step from `at` (base frame) that leads most towards the goal; false when there is none.
 bool stepTowards(const Point2& goal, const Shield& shield, const AgentParameters& agent, const ActionSet& actions,
@@ -66,10 +115,11 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
   static const ActionSet actions;
   plan->clear();
   plan->push_back(situation.pose);
+  PlanLine line(parameters.spacing, plan);
   if (decision.source != Decision::Source::kArrived) {
-    lineTo(decision.waypoint, parameters.spacing, plan);
+    line.lineTo(decision.waypoint);
     for (const Point2& corner : decision.way_on) {
-      lineTo(corner, parameters.spacing, plan);
+      line.lineTo(corner);
     }
     const Point2 local_goal = toLocalFrame(situation.pose, decision.destination);
     Point2 at = toLocalFrame(situation.pose, decision.waypoint);
@@ -78,7 +128,7 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
       // Straight on for another step: a controller that looks ahead of the waypoint must not turn for the goal before
       // the leader has decided to.
       at = pointAlong(at, direction, shield.freeDistance(at, direction, agent.step.length, agent.shield.clearance));
-      lineTo(toParentFrame(situation.pose, at), parameters.spacing, plan);
+      line.lineTo(toParentFrame(situation.pose, at));
     }
     double left = distanceBetween(at, local_goal);
     const bool moves = decision.way_on.empty() && decision.source != Decision::Source::kLookAround;
@@ -88,10 +138,11 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
         break;  // From here the way to the goal would have to be guessed.
       }
       left = distanceBetween(at, local_goal);
-      lineTo(toParentFrame(situation.pose, at), parameters.spacing, plan);
+      line.lineTo(toParentFrame(situation.pose, at));
     }
   }
-  lineTo(decision.destination, parameters.spacing, plan);
+  line.lineTo(decision.destination);
+  line.finish();
   const Pose2 last{decision.destination.x, decision.destination.y, goal.yaw};
   if (plan->size() == 1) {
     plan->push_back(last);

@@ -136,6 +136,12 @@ TEST_F(PlannerTest, OdometryThatIsNotFiniteGivesNoPlan) {
                      });
 }
 
+TEST_F(PlannerTest, GoalThatIsTooFarAwayGivesNoPlan) {
+  auto planner = makePlanner();
+  expectNoPlan(planner.get(), stampedPose("odom", {100e3, 0.0, 0.0}),
+               "the goal is 100000 m from the robot, expected at most 10000 m");
+}
+
 TEST_F(PlannerTest, ScanNarrowerThanTheSectorsGivesNoPlan) {
   auto planner = makePlanner();
   robot_.scan_span = M_PI_2;

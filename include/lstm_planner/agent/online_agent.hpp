@@ -23,15 +23,15 @@ class OnlineAgent {
   OnlineAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules);
 
   /// What the scanner sees at `time` (s) from `pose`. Throws UnusableScan, or std::invalid_argument when the model was
-  /// made for another scanner or robot.
+  /// made for another scanner or robot or the pose is out of reach (checkPose).
   void look(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time);
 
   /// Decides about what was looked at last: decision(). `is_new`: the goal was given since the last call. `jumps`: how
-  /// often the odometry has jumped so far.
+  /// often the odometry has jumped so far. Throws std::invalid_argument for a goal out of reach (checkGoal).
   Fresh drive(const Point2& goal, bool is_new, long jumps);
 
-  /// What drive() would decide for a goal that has just been set; changes nothing that it depends on.
-  Decision preview(const Point2& goal) const { return agent_.preview(situation_, goal); }
+  /// What drive() would decide for a goal that has just been set, and throw; changes nothing that it depends on.
+  Decision preview(const Point2& goal) const;
 
   const Decision& decision() const { return agent_.decision(); }
   const Situation& situation() const { return situation_; }
@@ -43,7 +43,8 @@ class OnlineAgent {
   NavigationAgent agent_;
   ScanRules rules_;
   Situation situation_;
-  long jumps_ = 0;  ///< that were heard of
+  bool is_new_ = false;  ///< the goal, and nothing was decided for it
+  long jumps_ = 0;       ///< that were heard of
 };
 
 }  // namespace lstm_planner

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "lstm_planner/agent/navigation_agent.hpp"
@@ -12,9 +13,15 @@ struct RolloutParameters {
   int steps = 8;          ///< steps beyond the waypoint, through free space that the scan shows
 };
 
+/// A plan has no more poses than this, however far away the goal is: 1.5 MB as messages.
+constexpr std::size_t kMostPlanPoses = 10000;
+/// So many poses from the robot on are spaced as RolloutParameters say, 400 m with 0.05 m. What lies beyond is made
+/// anew long before the robot is there, and gets as many as are left, evenly spaced.
+constexpr std::size_t kMostDensePlanPoses = 8000;
+
 /// The plan of a decision: from the robot's pose through the waypoint, on towards the goal through what the scan shows
-/// free, then straight to the goal. Dense; starts exactly at the pose and ends exactly at the goal with the goal's yaw;
-/// all other poses look along the plan. Overwrites `plan`, reusing its memory.
+/// free, then straight to the goal. Dense up to kMostDensePlanPoses; starts exactly at the pose and ends exactly at the
+/// goal with the goal's yaw; all other poses look along the plan. Overwrites `plan`, reusing its memory.
 void rollOut(const Situation& situation, const Decision& decision, const Shield& shield, const Pose2& goal,
              const AgentParameters& agent, const RolloutParameters& parameters, std::vector<Pose2>* plan);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lstm_planner/agent/reach.hpp"
 #include "lstm_planner/agent/rollout.hpp"
 #include "unit/agent/agent_fixtures.hpp"
 
@@ -103,6 +104,47 @@ TEST_F(Rollout, LeadsToTheSideWhileLookingAround) {
   EXPECT_GT(std::abs(plan[1].yaw), 1.0);
   EXPECT_EQ(plan.back().x, 5.0);
   EXPECT_LE(longestGap(), parameters_.spacing + 1e-9);
+}
+
+TEST_F(Rollout, HasABoundedNumberOfPosesHoweverFarTheGoal) {
+  for (const double distance : {450.0, kFarthestGoal, 1e8}) {
+    SCOPED_TRACE(distance);
+    const std::vector<Pose2>& plan = planFor(situationAt({}), {distance, 0.0, 2.5});
+    EXPECT_LE(plan.size(), kMostPlanPoses);
+    EXPECT_EQ(plan.back().x, distance);
+    EXPECT_EQ(plan.back().yaw, 2.5);
+    // As dense as ever near the robot, then evenly spaced.
+    for (std::size_t i = 1; i < kMostDensePlanPoses; ++i) {
+      ASSERT_LE(distanceBetween(plan[i - 1], plan[i]), parameters_.spacing + 1e-9) << i;
+    }
+    EXPECT_LE(longestGap(), 1.01 * distance / static_cast<double>(kMostPlanPoses - kMostDensePlanPoses));
+  }
+}
+
+TEST_F(Rollout, IsDenseToTheEndForOrdinaryDistances) {
+  planFor(situationAt({}), {300.0, 200.0, 0.0});
+  EXPECT_LE(longestGap(), parameters_.spacing + 1e-9);
+}
+
+TEST_F(Rollout, FollowsALongRouteMoreCoarselyFarFromTheRobot) {
+  // Lanes of 50 m, 1 m apart: 2.6 km.
+  Decision decision;
+  decision.source = Decision::Source::kRoute;
+  decision.waypoint = {0.4, 0.0};
+  for (int lane = 0; lane < 50; ++lane) {
+    decision.way_on.push_back({lane % 2 == 0 ? 50.0 : 0.0, static_cast<double>(lane)});
+    decision.way_on.push_back({lane % 2 == 0 ? 50.0 : 0.0, lane + 1.0});
+  }
+  decision.destination = decision.way_on.back();
+  rollOut(situationAt({}), decision, agent_.shield(), {0.0, 50.0, 1.0}, agent_.parameters(), parameters_, &plan_);
+  EXPECT_LE(plan_.size(), kMostPlanPoses);
+  EXPECT_EQ(plan_.back().y, 50.0);
+  EXPECT_EQ(plan_.back().yaw, 1.0);
+  EXPECT_LE(longestGap(), 1.2);
+  for (const Pose2& pose : plan_) {
+    const bool on_lane = std::abs(pose.y - std::round(pose.y)) < 1e-6;
+    ASSERT_TRUE(on_lane || pose.x < 1e-6 || pose.x > 50.0 - 1e-6) << pose.x << ", " << pose.y;
+  }
 }
 
 TEST_F(Rollout, ForgetsThePlanBefore) {

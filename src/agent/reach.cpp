@@ -1,0 +1,27 @@
+#include "lstm_planner/agent/reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace lstm_planner {
+
+void checkPose(const Pose2& pose) {
+  if (std::abs(pose.x) <= kFarthestPose && std::abs(pose.y) <= kFarthestPose && std::isfinite(pose.yaw)) return;
+  std::ostringstream message;
+  message << "the robot's pose in the odometry frame is (" << pose.x << ", " << pose.y << ") m with yaw " << pose.yaw
+          << ", expected at most " << kFarthestPose << " m from the origin along each axis";
+  throw std::invalid_argument(message.str());
+}
+
+void checkGoal(const Pose2& pose, const Point2& goal) {
+  const double distance = distanceBetween(pose, goal);
+  if (distance <= kFarthestGoal) return;
+  std::ostringstream message;
+  message << "the goal is " << distance << " m from the robot, expected at most " << kFarthestGoal
+          << " m: is it given in the right frame?";
+  throw std::invalid_argument(message.str());
+}
+
+}  // namespace lstm_planner
