@@ -188,13 +188,13 @@ int CostToGo::next(ObstacleMemory& memory, int cell, int column, int row) const 
     return -1;
   }
   const int cost = costs_[index(cell)];
-  const int columns = column - cell % side_;
-  const int rows = row - cell / side_;
+  const std::int64_t columns = column - cell % side_;  // their squares need more than 32 bits from 9.3 km on
+  const std::int64_t rows = row - cell / side_;
   int next = -1;
-  int nearest = std::numeric_limits<int>::max();
+  std::int64_t nearest = std::numeric_limits<std::int64_t>::max();
   for (int direction = 0; direction < kGridRayCount; ++direction) {
     const CellIndex& way = kGridRaySteps[index(direction)];
-    const int distance = (columns - way.column) * (columns - way.column) + (rows - way.row) * (rows - way.row);
+    const std::int64_t distance = (columns - way.column) * (columns - way.column) + (rows - way.row) * (rows - way.row);
     const int neighbour = neighbourOf(cell, direction);
     const int step = cost - costs_[index(neighbour)];
     if (distance < nearest && step > 0 &&

@@ -5,6 +5,7 @@
 
 #include "agent/whole_numbers.hpp"
 #include "lstm_planner/agent/obstacle_memory.hpp"
+#include "lstm_planner/agent/reach.hpp"
 #include "perception/scan_kernels.hpp"
 
 namespace lstm_planner {
@@ -19,7 +20,7 @@ constexpr std::size_t kPadding = 16;     ///< of what ScanKernels write
 }  // namespace
 
 void ObstacleMemory::look(const Situation& situation) {
-  if (!isFinite(situation.pose)) {
+  if (!isInReach(situation.pose)) {
     return;
   }
   moveWindow(situation.pose);

@@ -7,8 +7,14 @@
 
 namespace lstm_planner {
 
+bool isInReach(const Pose2& pose) {
+  return std::abs(pose.x) <= kFarthestPose && std::abs(pose.y) <= kFarthestPose && std::isfinite(pose.yaw);
+}
+
+bool isInReach(const Pose2& pose, const Point2& goal) { return distanceBetween(pose, goal) <= kFarthestGoal; }
+
 void checkPose(const Pose2& pose) {
-  if (std::abs(pose.x) <= kFarthestPose && std::abs(pose.y) <= kFarthestPose && std::isfinite(pose.yaw)) return;
+  if (isInReach(pose)) return;
   std::ostringstream message;
   message << "the robot's pose in the odometry frame is (" << pose.x << ", " << pose.y << ") m with yaw " << pose.yaw
           << ", expected at most " << kFarthestPose << " m from the origin along each axis";
@@ -16,10 +22,9 @@ void checkPose(const Pose2& pose) {
 }
 
 void checkGoal(const Pose2& pose, const Point2& goal) {
-  const double distance = distanceBetween(pose, goal);
-  if (distance <= kFarthestGoal) return;
+  if (isInReach(pose, goal)) return;
   std::ostringstream message;
-  message << "the goal is " << distance << " m from the robot, expected at most " << kFarthestGoal
+  message << "the goal is " << distanceBetween(pose, goal) << " m from the robot, expected at most " << kFarthestGoal
           << " m: is it given in the right frame?";
   throw std::invalid_argument(message.str());
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "agent/whole_numbers.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -123,8 +125,8 @@ bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& end, d
   const int side = memory.side();
   const int end_cell = memory.cellAt(end);
   const Point2 origin = memory.centerOf(0);
-  end_column_ = end_cell < 0 ? static_cast<int>(std::lround((end.x - origin.x) / memory.cellSize())) : end_cell % side;
-  end_row_ = end_cell < 0 ? static_cast<int>(std::lround((end.y - origin.y) / memory.cellSize())) : end_cell / side;
+  end_column_ = end_cell < 0 ? roundOf((end.x - origin.x) / memory.cellSize()) : end_cell % side;
+  end_row_ = end_cell < 0 ? roundOf((end.y - origin.y) / memory.cellSize()) : end_cell / side;
   ends_.clear();
   if (end_cell < 0) {
     ending_ = Ending::kBorder;

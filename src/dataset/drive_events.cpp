@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lstm_planner/agent/reach.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -15,8 +17,8 @@ bool isMeasured(double number) { return std::abs(number) <= kLargestMeasured; }
 bool isMeasured(const Pose2& pose) { return isMeasured(pose.x) && isMeasured(pose.y) && isMeasured(pose.yaw); }
 
 std::string flawOf(const OdometryHeard& odometry) {
-  const bool is_fine =
-      isMeasured(odometry.pose) && isMeasured(odometry.twist.linear) && isMeasured(odometry.twist.angular);
+  const bool is_fine = isInReach(odometry.pose) && isMeasured(odometry.pose) && isMeasured(odometry.twist.linear) &&
+                       isMeasured(odometry.twist.angular);
   return is_fine ? "" : "the odometry has a pose or twist that is not finite or too large, or a zero quaternion";
 }
 

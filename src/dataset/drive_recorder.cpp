@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lstm_planner/agent/reach.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -144,6 +146,10 @@ void DriveRecorder::look(const ScanHeard& scan) {
     return;
   }
   goal_position_ = toParentFrame(*frame, {goal_->pose.x, goal_->pose.y});
+  if (!isInReach(situation_->pose, goal_position_)) {
+    sink_->reject(Rejection::kNotFinite);
+    return;
+  }
   if (isAt(goal_position_, situation_->pose)) {
     endEpisode(EpisodeEnd::kArrived);
   } else if (!in_episode_) {

@@ -174,10 +174,11 @@ std::size_t squaresOf(const SquareFrame& frame, const double* places, std::size_
     }
     const Wide xs = load<Wide>(x + in_chunk);
     const Wide ys = load<Wide>(y + in_chunk);
-    const auto columns = integers(frame.cosine * xs - frame.sine * ys + frame.x) + frame.first_column;
-    const auto rows = integers(frame.sine * xs + frame.cosine * ys + frame.y) + frame.first_row;
-    const auto outside = (xs * xs + ys * ys > reach) | (columns < 0) | (columns >= frame.sides) | (rows < 0) |
-                         (rows >= frame.sides);
+    const auto near = xs * xs + ys * ys <= reach;
+    // What is far away may be too much for a whole number.
+    const auto columns = integers(near ? frame.cosine * xs - frame.sine * ys + frame.x : Wide{}) + frame.first_column;
+    const auto rows = integers(near ? frame.sine * xs + frame.cosine * ys + frame.y : Wide{}) + frame.first_row;
+    const auto outside = ~near | (columns < 0) | (columns >= frame.sides) | (rows < 0) | (rows >= frame.sides);
     storeKeys(all + i, ((rows << 16) | columns) | outside);
   }
   std::size_t kept = 0;

@@ -43,7 +43,8 @@ class ObstacleMemory {
   /// Nothing is known any more.
   void forget();
 
-  /// Takes in what is seen from where the robot is: forgets what the scan looks through, then marks the returns.
+  /// Takes in what is seen from where the robot is: forgets what the scan looks through, then marks the returns. Does
+  /// nothing where the pose is out of reach (isInReach).
   void look(const Situation& situation);
 
   /// A place that turned out not to be passable although nothing is seen there; until forget(), or until so many others

@@ -12,7 +12,11 @@ constexpr double kFarthestPose = 1e7;
 /// farther away was most likely given in another frame.
 constexpr double kFarthestGoal = 1e4;
 
-/// Throw std::invalid_argument with the distance and what is allowed. NaN is refused, too.
+/// False where something is not finite, too.
+bool isInReach(const Pose2& pose);
+bool isInReach(const Pose2& pose, const Point2& goal);
+
+/// Throw std::invalid_argument with the distance and what is allowed.
 void checkPose(const Pose2& pose);
 void checkGoal(const Pose2& pose, const Point2& goal);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lstm_planner/agent/obstacle_memory.hpp"
+#include "lstm_planner/agent/reach.hpp"
 #include "unit/agent/agent_fixtures.hpp"
 #include "unit/agent/memory_fixtures.hpp"
 
@@ -368,6 +369,39 @@ TEST(ObstacleMemory, IgnoresAPoseThatIsNotFinite) {
   EXPECT_TRUE(isBlocked(&memory, {1.0, 0.0}));
   EXPECT_FALSE(isBlocked(&memory, {0.45, 0.0}));
   EXPECT_GE(memory.cellAt({0.0, 0.0}), 0);
+}
+
+TEST(ObstacleMemory, StaysWhereItIsWhenThePoseIsOutOfReach) {
+  ObstacleMemory memory = emptyMemory();
+  memory.look(returnsAt({{1.0, 0.0}}));
+  for (const Pose2& pose : {Pose2{1.2e8, 0.0, 0.0}, Pose2{0.0, -1e12, 0.0}, Pose2{1e300, 1e300, 0.0}}) {
+    memory.look(test::situationAt(pose, 0.0, {{0.5, 0.0}}));
+    EXPECT_EQ(memory.cellAt({pose.x, pose.y}), -1);
+    EXPECT_FALSE(memory.isFree({pose.x, pose.y}, {pose.x, pose.y}, Passage::kTight));
+  }
+  EXPECT_TRUE(isBlocked(&memory, {1.0, 0.0}));
+  EXPECT_EQ(memory.cellAt({std::nan(""), 0.0}), -1);
+}
+
+TEST(ObstacleMemory, RemembersAmongTheFarthestPosesAsAtTheOrigin) {
+  for (const Point2& corner : {Point2{kFarthestPose, kFarthestPose}, Point2{-kFarthestPose, kFarthestPose}}) {
+    ObstacleMemory memory = emptyMemory();
+    memory.look(test::situationAt({corner.x, corner.y, M_PI_2}, 0.0, {{1.0, 0.0}}));
+    EXPECT_TRUE(isBlocked(&memory, {corner.x, corner.y + 1.0}));
+    EXPECT_FALSE(isBlocked(&memory, {corner.x + 1.0, corner.y}));
+  }
+}
+
+TEST(ObstacleMemory, TakesNoNoticeOfReturnsThatAreTooFarForWholeNumbers) {
+  ObstacleMemory memory = emptyMemory();
+  memory.look(test::situationAt({}, 0.0, {{1e9, 0.0}, {1.0, 0.0}, {-1e30, 1e30}, {0.0, -1e38}}));
+  EXPECT_TRUE(isBlocked(&memory, {1.0, 0.0}));
+  for (int cell = 0; cell < memory.side() * memory.side(); ++cell) {
+    const Point2 center = memory.centerOf(cell);
+    if (std::hypot(center.x - 1.0, center.y) > 0.6) {
+      ASSERT_EQ(memory.passage(cell), Passage::kRoomy) << center.x << ", " << center.y;
+    }
+  }
 }
 
 TEST(ObstacleMemory, DoesNotRememberWhatIsFartherThanItsReach) {

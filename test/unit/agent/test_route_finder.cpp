@@ -101,6 +101,17 @@ TEST_F(RouteFinderTest, GoesStraightWhereNothingIsKnown) {
   EXPECT_LT(route_.cost, 1.08 * (route_.length + 0.3));
 }
 
+TEST_F(RouteFinderTest, GoesTowardsTheGoalHoweverFarItIs) {
+  remember({});
+  for (const double distance : {100.0, 9.2e3, 9.27e3, 9.5e3, 1e4, 1e6, 1e9, 1e12, 1e30}) {
+    const Point2 goal{0.8 * distance, -0.6 * distance};
+    ASSERT_TRUE(find({0.1, 0.1}, goal)) << distance;
+    const Point2& out = route_.points.at(route_.points.size() - 2);
+    EXPECT_GT(out.x, 5.0) << distance;
+    EXPECT_NEAR(route_.length, distance, 0.03 * distance) << distance;
+  }
+}
+
 TEST_F(RouteFinderTest, GoesRoundAWallOnAWayNearlyAsShortAsATautString) {
   remember(test::wall({2.0, -1.0}, {2.0, 3.0}));
   const Point2 goal{4.0, 0.0};

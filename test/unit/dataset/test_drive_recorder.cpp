@@ -376,6 +376,16 @@ TEST_F(DriveRecorderTest, WhatNobodyMeasuresIsCountedAndMakesNoSteps) {
   EXPECT_EQ(with(scan), 1);
 }
 
+TEST_F(DriveRecorderTest, PosesAndGoalsOutOfReachAreCountedAndMakeNoStep) {
+  DrivenRobot robot;
+  robot.events.push_back(OdometryHeard{robot.time(), {1e9, 0.0, 0.0}, {}});
+  robot.events.push_back(goalAt(robot.time(), 1e6, 0.0));
+  robot.drive(2.0, {0.3, 0.0});
+  record(robot.events);
+  EXPECT_GE(steps_.rejected(Rejection::kNotFinite), 3);
+  EXPECT_TRUE(steps_.episodes().empty());
+}
+
 TEST(RecorderParameters, ComeBackFromJson) {
   RecorderParameters parameters;
   parameters.period = 0.25;
