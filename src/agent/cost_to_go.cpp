@@ -39,29 +39,39 @@ bool CostToGo::search(ObstacleMemory& memory, int start, const std::vector<End>&
   start_ = start;
   start_column_ = start % side_;
   start_row_ = start / side_;
+  bool found = searchOnce(memory, ends);
+  if (!found && overflowed_) {  // some way costs more than 16 bits tell
+    clear(memory.side());
+    wide_costs_.resize(costs_.size(), kNone);
+    is_wide_ = true;
+    found = searchOnce(memory, ends);
+  }
+  trace(memory, start, column, row);
+  return found;
+}
+
+bool CostToGo::searchOnce(ObstacleMemory& memory, const std::vector<End>& ends) {
   base_ = kNone;
   for (const End& end : ends) {
     base_ = std::min(base_, end.cost);
   }
   std::uint32_t lowest = kNone;
   for (const End& end : ends) {
-    lowest = std::min(lowest, end.cost - base_ + octileBetween(end.cell, start));
+    lowest = std::min(lowest, end.cost - base_ + octileBetween(end.cell, start_));
   }
   open_.clear(lowest);
   for (const End& end : ends) {
     reach(end.cell % side_, end.cell / side_, end.cost - base_);
   }
-  const bool found = run(memory, start);
-  trace(memory, start, column, row);
-  return found;
+  return run(memory, start_);
 }
 
 bool CostToGo::searchAgain(ObstacleMemory& memory, int start, int column, int row) {
-  if (costs_[index(start)] == kFar) {
+  if (left(start) == kNone) {
     return false;
   }
   trace(memory, start, column, row);
-  return costs_[index(way_.back())] == 0 || isAtBorder(way_.back());
+  return left(way_.back()) == 0 || isAtBorder(way_.back());
 }
 
 void CostToGo::trace(ObstacleMemory& memory, int start, int column, int row) {
@@ -74,16 +84,26 @@ void CostToGo::trace(ObstacleMemory& memory, int start, int column, int row) {
 void CostToGo::clear(int side) {
   if (side != side_) {
     side_ = side;
+    wide_costs_.clear();
     costs_.assign(index(side) * index(side), kFar);
     touched_.assign(index(side), {kFar, 0});
     way_.reserve(2 * index(side));
-    return;
+  } else if (is_wide_) {
+    forgetTouched(kNone, &wide_costs_);
+  } else {
+    forgetTouched(kFar, &costs_);
   }
+  is_wide_ = false;
+  overflowed_ = false;
+}
+
+template <typename Cost>
+void CostToGo::forgetTouched(Cost unknown, std::vector<Cost>* costs) {
   for (int row = 0; row < side_; ++row) {
     Span& span = touched_[index(row)];
     if (span.first <= span.last) {
-      const auto begin = costs_.begin() + row * side_;
-      std::fill(begin + span.first, begin + span.last + 1, kFar);
+      const auto begin = costs->begin() + row * side_;
+      std::fill(begin + span.first, begin + span.last + 1, unknown);
     }
     span = {kFar, 0};
   }
@@ -98,7 +118,7 @@ bool CostToGo::run(ObstacleMemory& memory, int target) {
     std::uint16_t row = 0;
     open_.pop(&column, &row);
     const int cell = row * side_ + column;
-    const std::uint32_t cost = costs_[index(cell)];
+    const std::uint32_t cost = left(cell);
     if (lowest != cost + octile(start_column_ - column, start_row_ - row)) {
       continue;  // a cheaper way from it was found meanwhile
     }
@@ -106,6 +126,9 @@ bool CostToGo::run(ObstacleMemory& memory, int target) {
     expand(memory, column, row, cost);
   }
   searched_to_ = more ? lowest - 1 : kNone - 1;
+  if (overflowed_) {
+    searched_to_ = std::min<std::uint32_t>(searched_to_, kFar - 1);  // what was left out has a larger estimate
+  }
   forgetOpen();
   return found;
 }
@@ -116,9 +139,9 @@ void CostToGo::forgetOpen() {
     std::uint16_t column = 0;
     std::uint16_t row = 0;
     open_.pop(&column, &row);
-    std::uint16_t& cost = costs_[index(row * side_ + column)];
-    if (estimate == cost + octile(start_column_ - column, start_row_ - row)) {
-      cost = kFar;
+    const int cell = row * side_ + column;
+    if (estimate == left(cell) + octile(start_column_ - column, start_row_ - row)) {
+      setLeft(index(cell), kNone);
     }
   }
 }
@@ -138,13 +161,16 @@ void CostToGo::expand(ObstacleMemory& memory, int column, int row, std::uint32_t
 }
 
 void CostToGo::reach(int column, int row, std::uint32_t cost) {
-  if (cost < costs_[index(row * side_ + column)]) {
-    costs_[index(row * side_ + column)] = static_cast<std::uint16_t>(cost);
+  const std::size_t cell = index(row * side_ + column);
+  if (cost < (is_wide_ ? wide_costs_[cell] : costs_[cell])) {
+    setLeft(cell, cost);
     Span& span = touched_[index(row)];
     span.first = std::min(span.first, static_cast<std::uint16_t>(column));
     span.last = std::max(span.last, static_cast<std::uint16_t>(column));
     open_.push(cost + octile(start_column_ - column, start_row_ - row), static_cast<std::uint16_t>(column),
                static_cast<std::uint16_t>(row));
+  } else if (cost >= kFar && !is_wide_) {
+    overflowed_ = true;
   }
 }
 
@@ -187,7 +213,7 @@ int CostToGo::next(ObstacleMemory& memory, int cell, int column, int row) const 
   if (isAtBorder(cell)) {
     return -1;
   }
-  const int cost = costs_[index(cell)];
+  const std::uint32_t cost = left(cell);
   const std::int64_t columns = column - cell % side_;  // their squares need more than 32 bits from 9.3 km on
   const std::int64_t rows = row - cell / side_;
   int next = -1;
@@ -196,9 +222,8 @@ int CostToGo::next(ObstacleMemory& memory, int cell, int column, int row) const 
     const CellIndex& way = kGridRaySteps[index(direction)];
     const std::int64_t distance = (columns - way.column) * (columns - way.column) + (rows - way.row) * (rows - way.row);
     const int neighbour = neighbourOf(cell, direction);
-    const int step = cost - costs_[index(neighbour)];
-    if (distance < nearest && step > 0 &&
-        step == static_cast<int>(stepCost(memory, neighbour, direction)) &&
+    const std::uint32_t rest = left(neighbour);
+    if (distance < nearest && rest < cost && cost - rest == stepCost(memory, neighbour, direction) &&
         (entries(memory, neighbour) >> opposite(direction) & 1) != 0) {
       nearest = distance;
       next = neighbour;

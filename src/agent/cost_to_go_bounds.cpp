@@ -21,8 +21,8 @@ std::uint32_t CostToGo::cost(int cell) const {
 }
 
 std::uint32_t CostToGo::relativeCost(int column, int row) const {
-  const std::uint16_t known = costs_[index(row * side_ + column)];
-  if (known != kFar) {
+  const std::uint32_t known = left(row * side_ + column);
+  if (known != kNone) {
     return known;
   }
   if (searched_to_ >= kNone - 1) {

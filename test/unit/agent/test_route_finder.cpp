@@ -112,6 +112,49 @@ TEST_F(RouteFinderTest, GoesTowardsTheGoalHoweverFarItIs) {
   }
 }
 
+TEST(RouteFinder, FindsAWayOfThreeKilometresInsideItsWindow) {
+  // 43 lanes of 1.6 m, joined at alternate ends.
+  MemoryParameters parameters = kDefaults.memory;
+  parameters.reach = 60.0;
+  constexpr double kHalf = 34.4;
+  constexpr double kLane = 1.6;
+  constexpr int kLanes = 43;
+  std::vector<Point2> places;
+  const auto wall = [&](double from, double to, double y) {
+    for (double x = from; x <= to; x += 0.04) places.push_back({x, y});
+  };
+  for (int i = 0; i <= kLanes; ++i) {
+    const bool outside = i == 0 || i == kLanes;
+    wall(outside || i % 2 == 0 ? -kHalf : -kHalf + kLane, outside || i % 2 != 0 ? kHalf : kHalf - kLane,
+         -kHalf + i * kLane);
+  }
+  for (double y = -kHalf; y <= kHalf; y += 0.04) append({{-kHalf, y}, {kHalf, y}}, &places);
+  ObstacleMemory memory(parameters, kDefaults.shield);
+  memory.look(returnsAt(places));
+
+  RouteFinder finder(kTightness);
+  Route route;
+  const Point2 start{kHalf - 0.8, -kHalf + 0.8};
+  const Point2 goal{-kHalf + 0.8, kHalf - 0.8};
+  ASSERT_TRUE(finder.find(memory, start, goal, kTolerance, &route));
+  EXPECT_NEAR(route.length, kLanes * (2.0 * kHalf - kLane), 60.0);
+  EXPECT_TRUE(finder.endsAtGoal());
+  const std::uint32_t whole = finder.costToGo().cost(memory.cellAt(start));
+  EXPECT_GT(whole, 70000u);
+  // The rest of it without a new search, and a short way after it with one.
+  const double length = route.length;
+  const Point2 farther{0.0, -kHalf + 0.8};
+  ASSERT_TRUE(finder.findAgain(memory, farther, &route));
+  EXPECT_NEAR(route.length, length - distanceBetween(start, farther), 1.0);
+  EXPECT_EQ(finder.costToGo().cost(memory.cellAt(farther)) + CostToGo::octile(168, 0), whole);
+  ASSERT_TRUE(finder.find(memory, start, farther, kTolerance, &route));
+  EXPECT_NEAR(route.length, distanceBetween(start, farther), 0.1);
+  // What is walled off is told as ever.
+  append(test::wall({0.0, -kHalf}, {0.0, kHalf}), &places);
+  memory.look(returnsAt(places));
+  EXPECT_FALSE(finder.find(memory, start, goal, kTolerance, &route));
+}
+
 TEST_F(RouteFinderTest, GoesRoundAWallOnAWayNearlyAsShortAsATautString) {
   remember(test::wall({2.0, -1.0}, {2.0, 3.0}));
   const Point2 goal{4.0, 0.0};
