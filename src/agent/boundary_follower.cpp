@@ -193,8 +193,6 @@ bool BoundaryFollower::shouldTurnBack() const {
          std::max(parameters_.first_leg, parameters_.leg_growth * way_back_) + parameters_.goal_weight * (there - here);
 }
 
-std::size_t BoundaryFollower::peakBytes() const {
-  return sizeof(*this) + 2 * (kMostCells + 3) * sizeof(CellIndex) + trail_.peakBytes();
-}
+std::size_t BoundaryFollower::peakBytes() const { return sizeof(*this) + 2 * (kMostCells + 3) * sizeof(CellIndex); }
 
 }  // namespace lstm_planner

@@ -59,38 +59,48 @@ bool canMeet(CellIndex cell, CellIndex a, CellIndex b) {
 }  // namespace
 
 void BoundaryTrail::clear() {
-  for (Way& way : ways_) way.clear();
+  counts_.fill(0);
   lost_ = false;
 }
 
 void BoundaryTrail::moved(CellIndex from, const GridObservation& observation, int follows) {
   if (lost_) return;
+  if (counts_[0] + counts_[1] == 0) origin_ = from;
   for (int end = 0; end < 2; ++end) {
     if (end == follows) continue;
-    Way* way = &ways_[index(end)];
-    extend(way, from, observation.cell);
-    shorten(way, observation);
+    extend(end, from, observation.cell);
+    shorten(end, observation);
   }
-  const std::size_t corners = ways_[0].size() + ways_[1].size();
-  peak_corners_ = std::max(peak_corners_, corners);
-  lost_ = corners > kCapacity;
+  lost_ = lost_ || counts_[0] + counts_[1] > kCapacity;
 }
 
-void BoundaryTrail::extend(Way* way, CellIndex from, CellIndex to) {
+CellIndex BoundaryTrail::corner(int end, std::size_t i) const {
+  const Corner& corner = corners_[placeOf(end, i)];
+  return {origin_.column + corner.column, origin_.row + corner.row};
+}
+
+void BoundaryTrail::push(int end, CellIndex cell) {
+  const auto column = static_cast<std::int16_t>(cell.column - origin_.column);
+  const auto row = static_cast<std::int16_t>(cell.row - origin_.row);
+  lost_ = lost_ || origin_.column + column != cell.column || origin_.row + row != cell.row;
+  corners_[placeOf(end, counts_[index(end)]++)] = {column, row};
+}
+
+void BoundaryTrail::extend(int end, CellIndex from, CellIndex to) {
   const CellIndex step = stepTowards(from, to);
-  if (way->empty()) {
-    way->push_back(from);
+  if (atEnd(end)) {
+    push(end, from);
     return;
   }
-  const CellIndex back = stepTowards(from, way->back());
+  const CellIndex back = stepTowards(from, last(end));
   if (back == step) {
-    if (way->back() == to) way->pop_back();
+    if (last(end) == to) --counts_[index(end)];
     return;
   }
-  if (back.column != -step.column || back.row != -step.row) way->push_back(from);
+  if (back.column != -step.column || back.row != -step.row) push(end, from);
 }
 
-void BoundaryTrail::shorten(Way* way, const GridObservation& observation) {
+void BoundaryTrail::shorten(int end, const GridObservation& observation) {
   const CellIndex cell = observation.cell;
   std::array<int, kGridRayCount> reach{};
   for (int direction = 0; direction < kGridRayCount; ++direction) {
@@ -100,12 +110,13 @@ void BoundaryTrail::shorten(Way* way, const GridObservation& observation) {
     reach[static_cast<std::size_t>(direction)] =
         straight ? free_steps : (movePossible(observation.ranges, direction, corner_cutting_) ? 1 : 0);
   }
-  for (std::size_t i = 0; i + 1 < way->size(); ++i) {
-    const CellIndex a = (*way)[i];
-    const CellIndex b = (*way)[i + 1];
+  std::size_t& count = counts_[index(end)];
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    const CellIndex a = corner(end, i);
+    const CellIndex b = corner(end, i + 1);
     if (!canMeet(cell, a, b)) continue;
     if (onPiece(cell, a, b)) {
-      way->resize(cell == a ? i : i + 1);
+      count = cell == a ? i : i + 1;
       return;
     }
     for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
@@ -113,22 +124,21 @@ void BoundaryTrail::shorten(Way* way, const GridObservation& observation) {
       const int steps = stepsToMeet(cell, ray, reach[direction], a, b);
       if (steps == 0) continue;
       const CellIndex met = {cell.column + steps * ray.column, cell.row + steps * ray.row};
-      way->resize(i + 1);
-      if (met != a) way->push_back(met);
+      count = i + 1;
+      if (met != a) push(end, met);
       return;
     }
   }
 }
 
-int BoundaryTrail::directionTo(int end, CellIndex cell) const {
-  return directionOf(stepTowards(cell, ways_[index(end)].back()));
-}
+int BoundaryTrail::directionTo(int end, CellIndex cell) const { return directionOf(stepTowards(cell, last(end))); }
 
 double BoundaryTrail::lengthTo(int end, CellIndex cell) const {
   double length = 0.0;
-  for (auto corner = ways_[index(end)].rbegin(); corner != ways_[index(end)].rend(); ++corner) {
-    length += stepCount(cell, *corner) * moveLength(directionOf(stepTowards(cell, *corner)));
-    cell = *corner;
+  for (std::size_t i = counts_[index(end)]; i-- > 0;) {
+    const CellIndex next = corner(end, i);
+    length += stepCount(cell, next) * moveLength(directionOf(stepTowards(cell, next)));
+    cell = next;
   }
   return length;
 }

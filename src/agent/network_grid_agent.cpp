@@ -71,7 +71,7 @@ void NetworkGridAgent::step(int direction, bool moved) {
 }
 
 std::size_t NetworkGridAgent::peakBytes() const {
-  const std::size_t escape = escape_ ? escape_->peakBytes() : 0;
+  const std::size_t escape = escape_ ? escape_->peakBytes() - sizeof(*escape_) : 0;
   std::size_t network = 0;
   if (views_) network = views_->bytes();
   if (network_) {

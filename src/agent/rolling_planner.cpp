@@ -20,11 +20,7 @@ unsigned movesBetween(unsigned walls, CornerCutting corner_cutting) {
 }  // namespace
 
 RollingPlanner::RollingPlanner(CornerCutting corner_cutting)
-    : corner_cutting_(corner_cutting),
-      reached_by_(static_cast<std::size_t>(kSide * kSide) / 2),
-      open_cell_(kMostOpen),
-      open_direction_(kMostOpen),
-      open_next_(kMostOpen) {
+    : corner_cutting_(corner_cutting), reached_by_(static_cast<std::size_t>(kSide * kSide) / 2), open_(kMostOpen) {
   way_.reserve(kLongestWay);
 }
 
@@ -37,7 +33,7 @@ void RollingPlanner::start() {
 }
 
 std::size_t RollingPlanner::bytes() const {
-  return sizeof(*this) + walls_.bytes() + reached_by_.size() + kMostOpen * 5 + kLongestWay;
+  return sizeof(*this) + walls_.bytes() + reached_by_.size() + kMostOpen * sizeof(OpenCell) + kLongestWay;
 }
 
 void RollingPlanner::observe(const GridObservation& observation) {
@@ -79,17 +75,18 @@ int RollingPlanner::estimate(int column, int row) const {
 void RollingPlanner::push(std::size_t bucket, int cell, int direction) {
   if (free_ == kNone) return;
   const std::uint16_t entry = free_;
-  free_ = open_next_[entry];
-  open_cell_[entry] = static_cast<std::uint16_t>(cell);
-  open_direction_[entry] = static_cast<std::uint8_t>(direction);
-  open_next_[entry] = buckets_[bucket];
+  OpenCell& open = open_[entry];
+  free_ = open.next;
+  open.cell = static_cast<std::uint32_t>(cell) & 0x7fffu;
+  open.direction = static_cast<std::uint32_t>(direction) & 0xfu;
+  open.next = buckets_[bucket] & 0xfffu;
   buckets_[bucket] = entry;
 }
 
 void RollingPlanner::clearPlan() {
   std::fill(reached_by_.begin(), reached_by_.end(), std::uint8_t{kUnreached << 4 | kUnreached});
   for (std::size_t entry = 0; entry < kMostOpen; ++entry) {
-    open_next_[entry] = entry + 1 < kMostOpen ? static_cast<std::uint16_t>(entry + 1) : kNone;
+    open_[entry].next = (entry + 1 < kMostOpen ? static_cast<std::uint32_t>(entry + 1) : kNone) & 0xfffu;
   }
   free_ = 0;
   buckets_.fill(kNone);
@@ -124,12 +121,13 @@ void RollingPlanner::plan(const GridObservation& observation) {
 
 int RollingPlanner::pop(std::uint16_t* bucket) {
   const std::uint16_t entry = *bucket;
-  *bucket = open_next_[entry];
-  open_next_[entry] = free_;
+  OpenCell& open = open_[entry];
+  *bucket = static_cast<std::uint16_t>(open.next);
+  open.next = free_ & 0xfffu;
   free_ = entry;
-  const int cell = open_cell_[entry];
+  const int cell = static_cast<int>(open.cell);
   if (reachedBy(cell) != kUnreached) return -1;
-  setReachedBy(cell, open_direction_[entry]);
+  setReachedBy(cell, static_cast<std::uint8_t>(open.direction));
   ++expanded_;
   return cell;
 }

@@ -38,9 +38,17 @@ class RollingPlanner {
   static constexpr std::size_t kBuckets = 16;       ///< no move raises cost + estimate by more than 14
   static constexpr std::size_t kMostOpen = 2048;    ///< cells open at a time; more are left out
   static constexpr std::size_t kLongestWay = 1024;  ///< steps of the way that are kept
-  static constexpr std::uint16_t kNone = 0xffff;
+  static constexpr std::uint16_t kNone = 0xfff;
   static constexpr std::uint8_t kUnreached = 15;
   static constexpr std::uint8_t kRoot = 14;
+
+  /// A cell, the direction by which it was reached, and the next one on its list.
+  struct OpenCell {
+    std::uint32_t cell : 15;
+    std::uint32_t direction : 4;
+    std::uint32_t next : 12;
+  };
+  static_assert(kSide * kSide <= 1 << 15 && kMostOpen < kNone, "they fit");
 
   bool isWayFree(const GridObservation& observation) const;
   void clearPlan();
@@ -68,11 +76,7 @@ class RollingPlanner {
   std::vector<std::uint8_t> way_;  ///< directions from where the plan began
 
   std::vector<std::uint8_t> reached_by_;  ///< two cells a byte
-  // Open cells, the direction by which each was reached, and the lists that they are on: one a bucket and the free
-  // ones.
-  std::vector<std::uint16_t> open_cell_;
-  std::vector<std::uint8_t> open_direction_;
-  std::vector<std::uint16_t> open_next_;
+  std::vector<OpenCell> open_;            ///< on lists: one a bucket and the free ones
   std::uint16_t free_ = kNone;
   std::array<std::uint16_t, kBuckets> buckets_{};
 };

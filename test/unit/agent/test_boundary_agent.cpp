@@ -125,7 +125,7 @@ TEST(BoundaryAgent, StaysSmallInALongMaze) {
   const SmallGrid world = {grid, {0, 0}, {800, 0}};
   BoundaryAgent agent;
   EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 200000).end, WalkEnd::kNoWay);
-  EXPECT_LE(agent.peakBytes(), 16384U);
+  EXPECT_LE(agent.peakBytes(), 6U * 1024U);
 }
 
 TEST(BoundaryAgent, ArrivesWhenTheTrailHasNoRoomForTheWayBack) {
@@ -144,8 +144,7 @@ TEST(BoundaryAgent, ArrivesWhenTheTrailHasNoRoomForTheWayBack) {
   BoundaryAgent agent(parameters);
   const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 1000000);
   EXPECT_EQ(walked.end, WalkEnd::kArrived);
-  EXPECT_GT(agent.peakBytes(), BoundaryTrail::kCapacity * sizeof(CellIndex));
-  EXPECT_LE(agent.peakBytes(), 16384U);
+  EXPECT_LE(agent.peakBytes(), 6U * 1024U);
 }
 
 }  // namespace

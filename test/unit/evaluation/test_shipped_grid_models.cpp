@@ -101,6 +101,33 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedGridModel,
                                          Bound{"grid_mlp_4x64", 12}, Bound{"grid_qlearning", 34}),
                          [](const auto& info) { return std::string(info.param.model); });
 
+TEST(ShippedGridModels, TheMainOneNeedsAtMost64KiBInAMazeThatTheTrailHasNoRoomFor) {
+  // A way that bends 1,600 times and then leads back to the goal, two cells above the start.
+  constexpr int kColumns = 1601;
+  PassableGrid maze(kColumns, 7, true);
+  for (int column = 0; column < kColumns; ++column) {
+    if (column + 1 < kColumns) maze.set({column, 1}, false);
+    if (column % 2 == 0) continue;
+    for (int row = 2; row < 7; ++row) maze.set({column, row}, row == (column % 4 == 1 ? 6 : 2));
+  }
+  NetworkGridAgent::Options options;
+  options.escape_parameters.patience = 20;
+  options.escape_parameters.boundary.first_leg = 4000.0;
+  options.escape_parameters.boundary.goal_weight = 0.0;
+  NetworkGridAgent agent(readModelFile(shippedModel("grid_lstm")), options);
+  CellIndex cell{0, 2};
+  const CellIndex goal{0, 0};
+  agent.start(cell, goal);
+  for (int step = 0; step < 5000; ++step) {
+    agent.observe({cell, goal, senseRanges(maze, cell)});
+    const int direction = agent.decide();
+    ASSERT_NE(direction, kNoWay);
+    cell = cellBeside(cell, direction);
+    agent.step(direction, true);
+  }
+  EXPECT_LE(agent.peakBytes(), 64u * 1024u);
+}
+
 TEST(ShippedGridModels, TheTwoMainOnesAreNoLargerThanTheThesissAndNeedAtMost64KiB) {
   for (const char* name : {"grid_lstm", "grid_lstm_trace"}) {
     const Model model = readModelFile(shippedModel(name));
