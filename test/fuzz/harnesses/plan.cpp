@@ -1,0 +1,65 @@
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "fuzz/fuzz_scan.hpp"
+#include "fuzz/harness.hpp"
+#include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/agent/online_agent.hpp"
+#include "lstm_planner/agent/rollout.hpp"
+
+namespace lstm_planner::fuzz {
+namespace {
+
+constexpr int kMostCalls = 8;
+
+AgentParameters smallMemory(Leader leader) {
+  AgentParameters parameters;
+  parameters.leader = leader;
+  parameters.memory.width = 12.8;
+  return parameters;
+}
+
+void checkPlan(const std::vector<Pose2>& plan) {
+  require(plan.size() >= 2 && plan.size() <= static_cast<std::size_t>(kMostPlanPoses),
+          "a plan has two poses at least, and not without bound");
+  for (const Pose2& pose : plan) require(isFinite(pose), "the poses of a plan are finite");
+}
+
+/// The planner's calls while a robot stands and moves anywhere: scans, poses and goals, the last two of any size but
+/// finite, as the plugin lets through.
+void plan(const std::uint8_t* data, std::size_t size) {
+  FuzzInput input(data, size);
+  const auto leader = static_cast<Leader>(input.integer(0, 2));
+  OnlineAgent agent(noPolicy(), smallMemory(leader), {});
+  Pose2 pose;
+  Pose2 goal{3.0, 0.0, 0.0};
+  double time = 1000.0;
+  long jumps = 0;
+  std::vector<Pose2> poses;
+  for (int call = 0; call < kMostCalls && !input.empty(); ++call) {
+    const int kind = input.byte();
+    if ((kind & 3) == 3) pose = anyPose(&input);
+    if ((kind & 4) != 0) pose = {pose.x + input.numberIn(-0.4, 0.4), pose.y + input.numberIn(-0.4, 0.4), pose.yaw};
+    if ((kind & 8) != 0) goal = anyPose(&input);
+    if ((kind & 16) != 0) jumps += input.byte() % 2;
+    time += (kind & 32) != 0 ? input.number() : 0.2;
+    if (!isFinite(pose) || !isFinite(goal)) return;
+    const LaserScan scan = anyScan(&input);
+    expectRefusal<std::invalid_argument>([&] {
+      agent.look(scan, anyMount(&input), pose, time);
+      const bool asks = (kind & 64) != 0;
+      if (!asks) agent.drive({goal.x, goal.y}, (kind & 128) != 0, jumps);
+      const Decision decision = asks ? agent.preview({goal.x, goal.y}) : agent.decision();
+      Shield shield(0.17425, 0.03, 6.0);
+      shield.show(agent.situation().obstacles);
+      rollOut(agent.situation(), decision, shield, goal, smallMemory(leader), {}, &poses);
+      checkPlan(poses);
+    });
+  }
+}
+
+const Registration registration("plan", &plan);
+
+}  // namespace
+}  // namespace lstm_planner::fuzz
