@@ -17,6 +17,21 @@ inline void checkParameter(bool fine, const std::string& name, double value, con
   throw std::invalid_argument(message.str());
 }
 
+/// Throws std::invalid_argument with the range unless least <= value <= most.
+inline void checkRange(const std::string& name, double value, double least, double most) {
+  std::ostringstream expected;
+  expected << "a number in [" << least << ", " << most << "]";
+  checkParameter(value >= least && value <= most, name, value, expected.str());
+}
+
+/// For the functions that visit every number of some parameters with its name and range.
+struct RangeCheck {
+  void operator()(const std::string& name, double value, double least, double most) const {
+    checkRange(prefix + name, value, least, most);
+  }
+  std::string prefix = {};
+};
+
 inline void checkPositive(const std::string& name, double value) {
   checkParameter(value > 0.0, name, value, "a positive number");
 }

@@ -19,24 +19,8 @@ double clamp(double value, double limit) { return std::max(-limit, std::min(limi
 }  // namespace
 
 void validate(const MotionParameters& parameters) {
-  checkPositive("max_linear", parameters.max_linear);
-  checkPositive("max_angular", parameters.max_angular);
-  checkPositive("max_wheel_speed", parameters.max_wheel_speed);
-  checkPositive("axle_length", parameters.axle_length);
-  checkPositive("linear_acceleration", parameters.linear_acceleration);
-  checkPositive("lookahead", parameters.lookahead);
-  checkPositive("nearest_target", parameters.nearest_target);
-  checkPositive("turn_in_place", parameters.turn_in_place);
-  checkPositive("heading_gain", parameters.heading_gain);
-  checkPositive("reaction_time", parameters.reaction_time);
-  checkPositive("safety_margin", parameters.safety_margin);
-  checkPositive("slow_gap", parameters.slow_gap);
-  checkPositive("slow_speed", parameters.slow_speed);
+  visitMotionNumbers(parameters, RangeCheck());
   validate(parameters.moving);
-  checkPositive("person_speed", parameters.person_speed);
-  checkPositive("person_margin", parameters.person_margin);
-  checkPositive("position_tolerance", parameters.position_tolerance);
-  checkPositive("heading_tolerance", parameters.heading_tolerance);
 }
 
 MotionController::MotionController(const MotionParameters& parameters)

@@ -143,8 +143,9 @@ class GoalFinder {
 }  // namespace
 
 void validate(const HindsightParameters& parameters) {
-  checkPositive("stop", parameters.stop);
-  checkPositive("shortest", parameters.shortest);
+  checkRange("stop", parameters.stop, 0.01, 86400.0);
+  checkRange("shortest", parameters.shortest, 0.01, 1e5);
+  checkRange("longest", parameters.longest, 0.01, 1e5);
   checkParameter(parameters.longest >= parameters.shortest, "longest", parameters.longest,
                  "at least shortest = " + std::to_string(parameters.shortest));
 }

@@ -1,6 +1,5 @@
 #include "lstm_planner/dataset/recorder_parameters.hpp"
 
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -10,12 +9,6 @@
 namespace lstm_planner {
 
 namespace {
-
-void checkAtMost(const char* name, double value, double largest) {
-  std::ostringstream expected;
-  expected << "a positive number up to " << largest;
-  checkParameter(value > 0.0 && value <= largest, name, value, expected.str());
-}
 
 /// Calls `visit(name, value)` for every number of the parameters, for both directions of the conversion.
 template <typename Parameters, typename Visitor>
@@ -44,20 +37,11 @@ void visitNumbers(Parameters& parameters, Visitor visit) {
 }  // namespace
 
 void validate(const RecorderParameters& parameters) {
-  checkAtMost("period", parameters.period, 3600.0);
-  checkAtMost("min_step_distance", parameters.min_step_distance, 100.0);
-  checkParameter(parameters.min_step_turn >= 0.0 && parameters.min_step_turn <= M_PI, "min_step_turn",
-                 parameters.min_step_turn, "zero, or an angle up to pi");
-  checkAtMost("max_gap", parameters.max_gap, 86400.0);
+  visitRecorderNumbers(parameters, RangeCheck());
   checkParameter(parameters.max_gap > parameters.period, "max_gap", parameters.max_gap,
                  "more than period = " + std::to_string(parameters.period));
-  checkParameter(parameters.max_label_error > 0.0 && parameters.max_label_error <= M_PI, "max_label_error",
-                 parameters.max_label_error, "an angle in (0, pi]");
-  checkAtMost("range_cap", parameters.range_cap, 1000.0);
-  checkAtMost("max_speed", parameters.max_speed, 1000.0);
-  checkAtMost("goal_tolerance", parameters.goal_tolerance, 100.0);
-  checkParameter(parameters.delay >= 0.0 && parameters.delay < parameters.max_gap, "delay", parameters.delay,
-                 "zero or more, and less than max_gap = " + std::to_string(parameters.max_gap));
+  checkParameter(parameters.delay < parameters.max_gap, "delay", parameters.delay,
+                 "less than max_gap = " + std::to_string(parameters.max_gap));
   validate(parameters.scan_rules);
   const ActionSet actions(parameters.action_angles);
   validate(parameters.agent);

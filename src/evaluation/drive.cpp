@@ -152,10 +152,10 @@ double shareOfSteps(const std::vector<DriveResult>& results, const Count& count)
 }
 
 void validate(const DriveParameters& parameters) {
-  checkPositive("control_period", parameters.control_period);
-  checkPositive("plan_every", parameters.plan_every);
-  checkPositive("rollout.spacing", parameters.rollout.spacing);
-  checkPositive("goal_radius", parameters.goal_radius);
+  checkRange("control_period", parameters.control_period, 0.001, 10.0);
+  checkRange("plan_every", parameters.plan_every, 0.001, 100.0);
+  visitRolloutNumbers(parameters.rollout, RangeCheck());
+  checkRange("goal_radius", parameters.goal_radius, 0.001, 100.0);
 }
 
 }  // namespace

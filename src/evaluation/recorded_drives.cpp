@@ -196,7 +196,7 @@ void validate(const RecordedDrivesParameters& parameters) {
                  "a number that is not negative");
   checkParameter(parameters.steps > 0 || parameters.goals > 0, "goals", static_cast<double>(parameters.goals),
                  "a positive number where steps is 0");
-  checkPositive("time_limit", parameters.time_limit);
+  checkRange("time_limit", parameters.time_limit, 0.1, 1e6);
 }
 
 RecordedDrives recordDrives(const GridWorld& world, const std::vector<Point2>& way_points,

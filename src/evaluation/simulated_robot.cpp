@@ -14,9 +14,8 @@ constexpr double kStanding = 0.02;  // m/s; who is slower towards somebody is no
 
 SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
     : world_(world), parameters_(parameters), base_(parameters.base, start, seed), scanner_(parameters.scanner, ~seed) {
-  checkPositive("physics_period", parameters.physics_period);
-  checkParameter(parameters.latency >= 0.0 && parameters.latency <= 10.0, "latency", parameters.latency,
-                 "a time in [0, 10] s");
+  checkRange("physics_period", parameters.physics_period, 1e-4, 1.0);
+  checkRange("latency", parameters.latency, 0.0, 10.0);
 }
 
 SimulatedRobot::SimulatedRobot(Crowd* crowd, const Parameters& parameters, const Pose2& start, std::uint64_t seed)

@@ -26,14 +26,8 @@ double squaredDistance(const Point2& a, const Point2& b) {
 }  // namespace
 
 void validate(const MovingReturnsParameters& parameters) {
-  checkPositive("moving/range", parameters.range);
-  checkPositive("moving/youngest", parameters.youngest);
+  visitMovingNumbers(parameters, RangeCheck());
   checkParameter(parameters.oldest > parameters.youngest, "moving/oldest", parameters.oldest, "more than youngest");
-  checkPositive("moving/range_margin", parameters.range_margin);
-  checkPositive("moving/lateral_margin", parameters.lateral_margin);
-  checkPositive("moving/angle_margin", parameters.angle_margin);
-  checkParameter(parameters.fewest_beams >= 1, "moving/fewest_beams", parameters.fewest_beams, "1 or more");
-  checkParameter(parameters.hold >= 0.0, "moving/hold", parameters.hold, "0 or more");
 }
 
 MovingReturns::MovingReturns(const MovingReturnsParameters& parameters)

@@ -34,8 +34,8 @@ BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node)
     throw std::invalid_argument("parameter " + private_node.resolveName("bag") +
                                 " is empty, expected the path of a bag");
   }
-  checkParameter(parameters.rate >= 0.0, "rate", parameters.rate, "0 (as fast as possible) or more");
-  checkParameter(parameters.patience >= 0.0, "patience", parameters.patience, "0 or more");
+  checkRange("rate", parameters.rate, 0.0, 1000.0);
+  checkRange("patience", parameters.patience, 0.0, 3600.0);
   return parameters;
 }
 

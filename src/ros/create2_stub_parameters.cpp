@@ -2,21 +2,14 @@
 
 #include <ros/console.h>
 
-#include <sstream>
 #include <stdexcept>
 
+#include "lstm_planner/parameter_check.hpp"
 #include "lstm_planner/ros/parameter_reader.hpp"
 #include "lstm_planner/ros/pose_parameter.hpp"
 
 namespace lstm_planner {
 namespace {
-
-void check(bool fine, const ros::NodeHandle& node, const std::string& name, double value, const std::string& expected) {
-  if (fine) return;
-  std::ostringstream text;
-  text << "parameter " << node.resolveName(name) << " is " << value << ", expected " << expected;
-  throw std::invalid_argument(text.str());
-}
 
 /// Poses and what belongs to the demo runner do not go through the reader.
 bool isReadElsewhere(const ros::NodeHandle& node, const std::string& full_name) {
@@ -24,37 +17,11 @@ bool isReadElsewhere(const ros::NodeHandle& node, const std::string& full_name) 
   return name == "start" || name == "odometry_jump" || name.rfind("scenario/", 0) == 0;
 }
 
-void readRobot(ParameterReader* reader, Create2Parameters* robot) {
-  reader->read("robot/axle_length", &robot->axle_length);
-  reader->read("robot/wheel_diameter", &robot->wheel_diameter);
-  reader->read("robot/ticks_per_revolution", &robot->ticks_per_revolution);
-  reader->read("robot/max_wheel_speed", &robot->max_wheel_speed);
-  reader->read("robot/base_diameter", &robot->base_diameter);
-  reader->read("robot/max_wheel_acceleration", &robot->max_wheel_acceleration);
-  reader->read("robot/slip", &robot->slip);
-  reader->read("robot/drift", &robot->drift);
-  reader->read("robot/odometry_error", &robot->odometry_error);
-  validate(*robot);
-}
-
 void readLaser(ParameterReader* reader, Create2StubParameters* parameters) {
-  HokuyoParameters& laser = parameters->laser;
-  reader->read("laser/beams", &laser.beams);
-  reader->read("laser/angle_min", &laser.angle_min);
-  reader->read("laser/angle_increment", &laser.angle_increment);
-  reader->read("laser/range_min", &laser.range_min);
-  reader->read("laser/range_max", &laser.range_max);
-  reader->read("laser/sight", &laser.sight);
-  reader->read("laser/noise", &laser.noise);
-  reader->read("laser/dropout", &laser.dropout);
-  reader->read("laser/rate", &laser.rate);
-  reader->read("laser/x", &laser.mount.pose.x);
-  reader->read("laser/y", &laser.mount.pose.y);
+  visitHokuyoNumbers(parameters->laser, reader->numbers("laser/"));
   reader->read("laser/z", &parameters->laser_height);
-  reader->read("laser/yaw", &laser.mount.pose.yaw);
-  reader->read("laser/upside_down", &laser.mount.upside_down);
+  reader->read("laser/upside_down", &parameters->laser.mount.upside_down);
   reader->read("laser/frame", &parameters->laser_frame);
-  validate(laser);
 }
 
 }  // namespace
@@ -80,8 +47,12 @@ Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_n
     readPose(private_node, "scenario/start", &parameters.start);
   }
 
-  readRobot(&reader, &parameters.robot);
+  visitCreate2Numbers(parameters.robot, reader.numbers("robot/"));
+  visitCreate2Numbers(parameters.robot, RangeCheck{private_node.resolveName("robot") + "/"});
+  validate(parameters.robot);
   readLaser(&reader, &parameters);
+  visitHokuyoNumbers(parameters.laser, RangeCheck{private_node.resolveName("laser") + "/"});
+  validate(parameters.laser);
   reader.read("base_link_height", &parameters.base_link_height);
   reader.read("publish_static_tf", &parameters.publish_static_tf);
   int seed = 1;
@@ -98,17 +69,19 @@ Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_n
     throw std::invalid_argument("parameter " + private_node.resolveName("robot_model") + " is '" +
                                 parameters.robot_model + "', expected CREATE_2, the only model that is simulated");
   }
-  check(parameters.latch_cmd_duration >= 0.0, private_node, "latch_cmd_duration", parameters.latch_cmd_duration,
-        "0 s or more");
-  check(parameters.loop_hz > 0.0 && parameters.loop_hz <= 100.0, private_node, "loop_hz", parameters.loop_hz,
-        "more than 0 and at most 100 Hz");
-  check(parameters.laser.rate <= 200.0, private_node, "laser/rate", parameters.laser.rate, "at most 200 Hz");
-  check(parameters.circle_radius > 0.0, private_node, "circle_radius", parameters.circle_radius, "more than 0 m");
-  check(parameters.real_time_factor > 0.0 && parameters.real_time_factor <= 100.0, private_node, "real_time_factor",
-        parameters.real_time_factor, "more than 0 and at most 100, so that the other nodes can keep up");
-  check(parameters.command_period >= 0.0, private_node, "command_period", parameters.command_period, "0 s or more");
-  check(parameters.command_patience >= 0.0 && parameters.command_patience <= 60.0, private_node, "command_patience",
-        parameters.command_patience, "0 to 60 s");
+  const auto check = [&](const std::string& name, double value, double least, double most) {
+    checkRange(private_node.resolveName(name), value, least, most);
+  };
+  check("latch_cmd_duration", parameters.latch_cmd_duration, 0.0, 60.0);
+  check("loop_hz", parameters.loop_hz, 0.1, 100.0);
+  check("laser/rate", parameters.laser.rate, 0.1, 200.0);
+  check("laser/z", parameters.laser_height, -100.0, 100.0);
+  check("base_link_height", parameters.base_link_height, -100.0, 100.0);
+  check("free_threshold", parameters.free_threshold, -1.0, 1.0);
+  check("circle_radius", parameters.circle_radius, 0.001, 100.0);
+  check("real_time_factor", parameters.real_time_factor, 0.001, 100.0);  // so that the other nodes can keep up
+  check("command_period", parameters.command_period, 0.0, 60.0);
+  check("command_patience", parameters.command_patience, 0.0, 60.0);
   for (const std::string& name : reader.unknownParameters()) {
     if (!isReadElsewhere(private_node, name)) ROS_WARN("parameter %s is not known and has no effect", name.c_str());
   }

@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "lstm_planner/parameter_check.hpp"
 #include "lstm_planner/ros/demo_runner.hpp"
 #include "lstm_planner/ros/parameter_reader.hpp"
 #include "lstm_planner/ros/pose_parameter.hpp"
@@ -7,10 +8,7 @@
 namespace lstm_planner {
 namespace {
 
-double positive(double value, const std::string& name) {
-  if (value > 0.0) return value;
-  throw std::invalid_argument(name + " is " + std::to_string(value) + ", expected more than 0");
-}
+constexpr double kLongest = 86400.0;  // s
 
 DemoParameters::Goal readGoal(XmlRpc::XmlRpcValue value, const std::string& name, std::size_t number,
                               double time_limit) {
@@ -26,7 +24,8 @@ DemoParameters::Goal readGoal(XmlRpc::XmlRpcValue value, const std::string& name
     if (!whole && limit.getType() != XmlRpcValue::TypeDouble) {
       throw std::invalid_argument(name + "/time_limit is not a number");
     }
-    goal.time_limit = positive(whole ? static_cast<int&>(limit) : static_cast<double&>(limit), name + "/time_limit");
+    goal.time_limit = whole ? static_cast<int&>(limit) : static_cast<double&>(limit);
+    checkRange(name + "/time_limit", goal.time_limit, 0.1, kLongest);
   }
   return goal;
 }
@@ -64,9 +63,10 @@ DemoParameters loadDemoParameters(const ros::NodeHandle& private_node) {
   reader.read("patience", &parameters.patience);
   reader.read("picture", &parameters.picture);
   reader.read("result", &parameters.result);
-  positive(parameters.robot_radius, private_node.resolveName("robot_radius"));
-  positive(parameters.arrival_radius, private_node.resolveName("arrival_radius"));
-  positive(parameters.patience, private_node.resolveName("patience"));
+  checkRange(private_node.resolveName("free_threshold"), parameters.free_threshold, -1.0, 1.0);
+  checkRange(private_node.resolveName("robot_radius"), parameters.robot_radius, 0.02, 5.0);
+  checkRange(private_node.resolveName("arrival_radius"), parameters.arrival_radius, 0.01, 100.0);
+  checkRange(private_node.resolveName("patience"), parameters.patience, 0.1, kLongest);
 
   if (!readPose(private_node, "start", &parameters.start)) {
     readPose(private_node, "scenario/start", &parameters.start);
@@ -79,7 +79,7 @@ DemoParameters loadDemoParameters(const ros::NodeHandle& private_node) {
   }
   double time_limit = 300.0;
   reader.read("scenario/time_limit", &time_limit);
-  positive(time_limit, private_node.resolveName("scenario/time_limit"));
+  checkRange(private_node.resolveName("scenario/time_limit"), time_limit, 0.1, kLongest);
   readGoals(private_node, frame, time_limit, &parameters);
   return parameters;
 }

@@ -14,17 +14,10 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
+/// Of the agent only what the recorder's look back needs is a parameter here.
 void readRecorder(ParameterReader* reader, RecorderParameters* recorder) {
-  reader->read("period", &recorder->period);
-  reader->read("min_step_distance", &recorder->min_step_distance);
-  reader->read("min_step_turn", &recorder->min_step_turn);
-  reader->read("max_gap", &recorder->max_gap);
-  reader->read("max_label_error", &recorder->max_label_error);
-  reader->read("range_cap", &recorder->range_cap);
+  visitRecorderNumbers(*recorder, reader->numbers());
   readScanRules(reader, &recorder->scan_rules);
-  reader->read("max_speed", &recorder->max_speed);
-  reader->read("goal_tolerance", &recorder->goal_tolerance);
-  reader->read("delay", &recorder->delay);
   reader->read("keep_scans", &recorder->keep_scans);
   reader->read("action_angles", &recorder->action_angles);
   reader->read("step/length", &recorder->agent.step.length);
@@ -71,7 +64,7 @@ RecorderNodeParameters loadRecorderNodeParameters(const ros::NodeHandle& node_ha
 
   validate(parameters.recorder);
   checkParameter(parameters.way_points.size() != 1, "way_points", 1.0, "a list of none or of at least two");
-  checkParameter(parameters.disk_low >= 0.0, "disk_low", parameters.disk_low, "0 or more");
+  checkRange("disk_low", parameters.disk_low, 0.0, 1e9);
   if (parameters.way_point_frame.empty()) {
     throw std::invalid_argument("parameter way_point_frame is empty, expected the frame of the way-points");
   }

@@ -1,21 +1,17 @@
 #include "standalone_move_base_parameters.hpp"
 
-#include <cmath>
-#include <sstream>
 #include <stdexcept>
+
+#include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
 namespace {
 
-void loadNumber(const ros::NodeHandle& node, const std::string& name, bool zero_allowed, double& value) {
+void loadNumber(const ros::NodeHandle& node, const std::string& name, double least, double most, double& value) {
   if (node.hasParam(name) && !node.getParam(name, value)) {
-    throw std::runtime_error("parameter " + node.resolveName(name) + " is no number");
+    throw std::invalid_argument("parameter " + node.resolveName(name) + " is no number");
   }
-  if (std::isfinite(value) && (value > 0.0 || (zero_allowed && value == 0.0))) return;
-  std::ostringstream message;
-  message << "parameter " << node.resolveName(name) << " is " << value << ", expected a number "
-          << (zero_allowed ? "not below 0" : "above 0");
-  throw std::runtime_error(message.str());
+  checkRange(node.resolveName(name), value, least, most);
 }
 
 }  // namespace
@@ -24,12 +20,12 @@ StandaloneMoveBaseParameters StandaloneMoveBaseParameters::load(const ros::NodeH
   StandaloneMoveBaseParameters parameters;
   node.getParam("base_global_planner", parameters.base_global_planner);
   node.getParam("base_local_planner", parameters.base_local_planner);
-  loadNumber(node, "planner_frequency", true, parameters.planner_frequency);
-  loadNumber(node, "controller_frequency", false, parameters.controller_frequency);
-  loadNumber(node, "planner_patience", true, parameters.planner_patience);
-  loadNumber(node, "controller_patience", true, parameters.controller_patience);
-  loadNumber(node, "oscillation_timeout", true, parameters.oscillation_timeout);
-  loadNumber(node, "oscillation_distance", false, parameters.oscillation_distance);
+  loadNumber(node, "planner_frequency", 0.0, 1000.0, parameters.planner_frequency);
+  loadNumber(node, "controller_frequency", 0.1, 1000.0, parameters.controller_frequency);
+  loadNumber(node, "planner_patience", 0.0, 86400.0, parameters.planner_patience);
+  loadNumber(node, "controller_patience", 0.0, 86400.0, parameters.controller_patience);
+  loadNumber(node, "oscillation_timeout", 0.0, 86400.0, parameters.oscillation_timeout);
+  loadNumber(node, "oscillation_distance", 0.001, 1000.0, parameters.oscillation_distance);
   return parameters;
 }
 

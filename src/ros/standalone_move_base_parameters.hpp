@@ -17,7 +17,7 @@ struct StandaloneMoveBaseParameters {
   double oscillation_timeout = 0.0;    // s
   double oscillation_distance = 0.5;   // m
 
-  /// Throws std::runtime_error naming the parameter, its value and what was expected.
+  /// Throws std::invalid_argument naming the parameter, its value and what was expected.
   static StandaloneMoveBaseParameters load(const ros::NodeHandle& node);
 };
 

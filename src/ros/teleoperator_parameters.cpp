@@ -10,25 +10,6 @@
 namespace lstm_planner {
 namespace {
 
-void readDriver(ParameterReader* reader, ScriptedDriverParameters* driver) {
-  reader->read("driver/speed", &driver->speed);
-  reader->read("driver/turn_speed", &driver->turn_speed);
-  reader->read("driver/footprint_radius", &driver->footprint_radius);
-  reader->read("driver/clearance", &driver->clearance);
-  reader->read("driver/comfort", &driver->comfort);
-  reader->read("driver/reluctance", &driver->reluctance);
-  reader->read("driver/lookahead", &driver->lookahead);
-  reader->read("driver/sharp_turn", &driver->sharp_turn);
-  reader->read("driver/drives_arcs", &driver->drives_arcs);
-  reader->read("driver/shortest_reaction", &driver->shortest_reaction);
-  reader->read("driver/longest_reaction", &driver->longest_reaction);
-  reader->read("driver/shortest_hold", &driver->shortest_hold);
-  reader->read("driver/wander", &driver->wander);
-  reader->read("driver/pause_interval", &driver->pause_interval);
-  reader->read("driver/longest_pause", &driver->longest_pause);
-  reader->read("driver/arrival_distance", &driver->arrival_distance);
-}
-
 }  // namespace
 
 void readParameters(ParameterReader* reader, TeleoperatorParameters* parameters) {
@@ -46,10 +27,13 @@ void readParameters(ParameterReader* reader, TeleoperatorParameters* parameters)
   reader->read("rate", &parameters->rate);
   reader->read("patience", &parameters->patience);
   reader->read("seed", &parameters->seed);
-  readDriver(reader, &parameters->driver);
-  checkParameter(parameters->goals >= 0, "goals", parameters->goals, "a number that is not negative");
-  checkParameter(parameters->rate >= 10.0 && parameters->rate <= 100.0, "rate", parameters->rate, "10 to 100 Hz");
-  checkPositive("patience", parameters->patience);
+  visitDriverNumbers(parameters->driver, reader->numbers("driver/"));
+  visitDriverNumbers(parameters->driver, RangeCheck{"driver/"});
+  reader->read("driver/drives_arcs", &parameters->driver.drives_arcs);
+  checkRange("free_threshold", parameters->free_threshold, -1.0, 1.0);
+  checkRange("goals", parameters->goals, 0, 1000000);
+  checkRange("rate", parameters->rate, 10.0, 100.0);
+  checkRange("patience", parameters->patience, 0.01, 60.0);
   validate(parameters->driver);
 }
 

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <vector>
 
+#include "lstm_planner/parameter_check.hpp"
 #include "lstm_planner/simulation/random.hpp"
 #include "lstm_planner/simulation/world_generators.hpp"
 #include "simulation/building.hpp"
-#include "simulation/check_range.hpp"
 
 namespace lstm_planner {
 namespace {

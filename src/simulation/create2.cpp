@@ -24,18 +24,7 @@ Pose2 alongArc(const Pose2& pose, double distance, double turn) {
 
 }  // namespace
 
-void validate(const Create2Parameters& parameters) {
-  checkPositive("axle_length", parameters.axle_length);
-  checkPositive("wheel_diameter", parameters.wheel_diameter);
-  checkPositive("ticks_per_revolution", parameters.ticks_per_revolution);
-  checkPositive("max_wheel_speed", parameters.max_wheel_speed);
-  checkPositive("base_diameter", parameters.base_diameter);
-  checkPositive("max_wheel_acceleration", parameters.max_wheel_acceleration);
-  checkParameter(parameters.slip >= 0.0 && parameters.slip <= 1.0, "slip", parameters.slip, "a share in [0, 1]");
-  checkParameter(std::abs(parameters.drift) <= 1.0, "drift", parameters.drift, "a share in [-1, 1]");
-  checkParameter(parameters.odometry_error >= 0.0 && parameters.odometry_error <= 0.5, "odometry_error",
-                 parameters.odometry_error, "a share in [0, 0.5]");
-}
+void validate(const Create2Parameters& parameters) { visitCreate2Numbers(parameters, RangeCheck()); }
 
 Create2::Create2(const Create2Parameters& parameters, const Pose2& true_pose, std::uint64_t seed)
     : parameters_(parameters), true_pose_(true_pose), random_(seed) {

@@ -17,17 +17,13 @@ constexpr int kTries = 2000;
 }  // namespace
 
 void validate(const CrowdParameters& parameters) {
+  visitCrowdNumbers(parameters, RangeCheck());
   const CrowdParameters& p = parameters;
-  checkParameter(p.walkers >= 0 && p.walkers <= 1000, "walkers", p.walkers, "0 to 1000");
-  checkParameter(p.smallest_radius > 0.0, "smallest_radius", p.smallest_radius, "a positive number");
   checkParameter(p.largest_radius >= p.smallest_radius, "largest_radius", p.largest_radius,
                  "at least smallest_radius = " + std::to_string(p.smallest_radius));
-  checkParameter(p.slowest > 0.0, "slowest", p.slowest, "a positive number");
   checkParameter(p.fastest >= p.slowest, "fastest", p.fastest, "at least slowest = " + std::to_string(p.slowest));
-  checkParameter(p.shortest_stand >= 0.0, "shortest_stand", p.shortest_stand, "0 or more");
   checkParameter(p.longest_stand >= p.shortest_stand, "longest_stand", p.longest_stand,
                  "at least shortest_stand = " + std::to_string(p.shortest_stand));
-  checkParameter(p.first_distance >= 0.0, "first_distance", p.first_distance, "0 or more");
 }
 
 Crowd::Crowd(const World& surroundings, const std::vector<Point2>& places, const CrowdParameters& parameters,

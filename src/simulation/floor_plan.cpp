@@ -1,7 +1,7 @@
 #include "lstm_planner/simulation/floor_plan.hpp"
 
+#include "lstm_planner/parameter_check.hpp"
 #include "simulation/building.hpp"
-#include "simulation/check_range.hpp"
 
 namespace lstm_planner {
 namespace {

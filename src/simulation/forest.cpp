@@ -2,11 +2,11 @@
 #include <cmath>
 #include <vector>
 
+#include "lstm_planner/parameter_check.hpp"
 #include "lstm_planner/simulation/random.hpp"
 #include "lstm_planner/simulation/world.hpp"
 #include "lstm_planner/simulation/world_generators.hpp"
 #include "simulation/building.hpp"
-#include "simulation/check_range.hpp"
 #include "simulation/open_areas.hpp"
 
 namespace lstm_planner {

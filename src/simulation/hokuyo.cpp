@@ -13,23 +13,15 @@ namespace {
 constexpr std::size_t kNoiseTableSize = 8192;
 constexpr double kFar = 10.0;      // m
 constexpr double kFarNoise = 3.0;  // times the noise nearby
-constexpr int kMostBeams = 100000;
 
 }  // namespace
 
 void validate(const HokuyoParameters& parameters) {
-  const HokuyoParameters& p = parameters;
-  checkParameter(p.beams >= 1 && p.beams <= kMostBeams, "beams", p.beams, "1 to 100000");
-  checkParameter(true, "angle_min", p.angle_min, "a finite angle");
-  checkParameter(p.angle_increment != 0.0, "angle_increment", p.angle_increment, "a finite angle other than 0");
-  checkParameter(p.range_min >= 0.0, "range_min", p.range_min, "a finite distance of at least 0");
-  checkParameter(p.range_max > p.range_min, "range_max", p.range_max, "a finite distance above range_min");
-  checkPositive("sight", p.sight);
-  checkParameter(p.noise >= 0.0, "noise", p.noise, "a finite distance of at least 0");
-  checkParameter(p.dropout >= 0.0 && p.dropout <= 1.0, "dropout", p.dropout, "a probability in [0, 1]");
-  checkPositive("rate", p.rate);
-  if (!isFinite(parameters.mount.pose))
-    throw std::invalid_argument("the pose of the scanner on the robot is not finite");
+  visitHokuyoNumbers(parameters, RangeCheck());
+  checkParameter(parameters.angle_increment != 0.0, "angle_increment", parameters.angle_increment,
+                 "an angle other than 0");
+  checkParameter(parameters.range_max > parameters.range_min, "range_max", parameters.range_max,
+                 "a distance above range_min");
 }
 
 Hokuyo::Hokuyo(const HokuyoParameters& parameters, std::uint64_t seed) : parameters_(parameters), random_(seed) {

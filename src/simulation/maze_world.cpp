@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "lstm_planner/grid/map_generators.hpp"
+#include "lstm_planner/parameter_check.hpp"
 #include "lstm_planner/simulation/random.hpp"
 #include "lstm_planner/simulation/world_generators.hpp"
-#include "simulation/check_range.hpp"
 
 namespace lstm_planner {
 namespace {

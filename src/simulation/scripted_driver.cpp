@@ -30,28 +30,10 @@ Pose2 driveOn(const Pose2& pose, const Twist2& twist, double seconds) {
 }  // namespace
 
 void validate(const ScriptedDriverParameters& parameters) {
-  checkPositive("speed", parameters.speed);
-  checkPositive("turn_speed", parameters.turn_speed);
-  checkPositive("footprint_radius", parameters.footprint_radius);
-  checkParameter(parameters.clearance >= 0.0, "clearance", parameters.clearance, "a distance that is not negative, m");
-  checkParameter(parameters.comfort >= 0.0, "comfort", parameters.comfort, "a distance that is not negative, m");
-  checkParameter(parameters.reluctance >= 0.0, "reluctance", parameters.reluctance, "a number that is not negative");
-  checkPositive("lookahead", parameters.lookahead);
-  checkParameter(parameters.sharp_turn > kSteered && parameters.sharp_turn <= M_PI, "sharp_turn", parameters.sharp_turn,
-                 "an angle in (0.2, pi] rad");
-  checkParameter(parameters.shortest_reaction >= 0.0, "shortest_reaction", parameters.shortest_reaction,
-                 "a time that is not negative, s");
-  checkParameter(parameters.longest_reaction >= parameters.shortest_reaction && parameters.longest_reaction <= 0.5,
-                 "longest_reaction", parameters.longest_reaction, "a time from shortest_reaction to 0.5 s");
-  checkParameter(parameters.shortest_hold >= 0.0 && parameters.shortest_hold <= 0.5, "shortest_hold",
-                 parameters.shortest_hold, "a time in [0, 0.5] s");
-  checkParameter(parameters.wander >= 0.0 && parameters.wander <= 0.5, "wander", parameters.wander,
-                 "an angle in [0, 0.5] rad");
-  checkParameter(parameters.pause_interval >= 0.0, "pause_interval", parameters.pause_interval,
-                 "a time that is not negative, s");
-  checkParameter(parameters.longest_pause >= 0.0, "longest_pause", parameters.longest_pause,
-                 "a time that is not negative, s");
-  checkPositive("arrival_distance", parameters.arrival_distance);
+  visitDriverNumbers(parameters, RangeCheck());
+  checkParameter(parameters.sharp_turn > kSteered, "sharp_turn", parameters.sharp_turn, "more than 0.2 rad");
+  checkParameter(parameters.longest_reaction >= parameters.shortest_reaction, "longest_reaction",
+                 parameters.longest_reaction, "at least shortest_reaction");
 }
 
 ScriptedDriver::ScriptedDriver(const GridWorld& world, const ScriptedDriverParameters& parameters, std::uint64_t seed)

@@ -3,8 +3,15 @@
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
 #include "lstm_planner/ros/plugin_parameters.hpp"
 #include "lstm_planner/ros/recorder_node_parameters.hpp"
+#include "lstm_planner/ros/teleoperator_parameters.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -30,6 +37,53 @@ TEST(ShippedParameters, ControllerYamlListsEveryParameterWithItsDefault) {
 
 TEST(ShippedParameters, RecorderYamlListsEveryParameterWithItsDefault) {
   expectYamlIsTheDefaults<RecorderNodeParameters>("DatasetRecorder");
+}
+
+/// Every number that `visit_all` visits is refused by its name when it is none that can be meant.
+template <typename Parameters, typename VisitAll, typename Load>
+void expectRanges(const std::string& name, const VisitAll& visit_all, const Load& load) {
+  const ros::NodeHandle node("~/" + name);
+  std::vector<std::string> names;
+  Parameters defaults;
+  visit_all(defaults, [&](const std::string& number, const auto&, double, double) { names.push_back(number); });
+  EXPECT_GT(names.size(), 5u);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const std::string& number : names) {
+    for (const double wrong : {std::nan(""), kInfinity, -kInfinity, 1e300, -1e300}) {
+      node.setParam(number, wrong);
+      try {
+        load(node);
+        ADD_FAILURE() << number << " may be " << wrong;
+      } catch (const std::invalid_argument& error) {
+        EXPECT_NE(std::string(error.what()).find(number), std::string::npos) << error.what();
+      }
+    }
+    node.deleteParam(number);
+  }
+  EXPECT_NO_THROW(load(node));
+}
+
+TEST(ShippedParameters, NumbersOutOfTheirRangeAreRefusedByName) {
+  expectRanges<GlobalPlannerParameters>(
+      "PlannerRanges", [](auto& p, const auto& visit) { visitPlannerNumbers(p, visit); }, loadGlobalPlannerParameters);
+  expectRanges<SteeringControllerParameters>(
+      "ControllerRanges", [](auto& p, const auto& visit) { visitControllerNumbers(p, visit); },
+      loadSteeringControllerParameters);
+  expectRanges<RecorderNodeParameters>(
+      "RecorderRanges", [](auto& p, const auto& visit) { visitRecorderNumbers(p.recorder, visit); },
+      loadRecorderNodeParameters);
+  expectRanges<TeleoperatorParameters>(
+      "DriverRanges",
+      [](auto& p, const auto& visit) {
+        visitDriverNumbers(p.driver, [&](const std::string& number, auto& value, double least, double most) {
+          visit("driver/" + number, value, least, most);
+        });
+      },
+      [](const ros::NodeHandle& node) {
+        ParameterReader reader(node);
+        TeleoperatorParameters parameters;
+        readParameters(&reader, &parameters);
+      });
 }
 
 }  // namespace

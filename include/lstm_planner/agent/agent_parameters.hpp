@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 
 namespace lstm_planner {
@@ -78,6 +79,52 @@ struct AgentParameters {
   double goal_drift = 0.02;      ///< share of the way driven by which odometry may be wrong: a goal that turns out to
                                  ///< lie in, or behind, an obstacle counts as reached from that far away
 };
+
+/// Obstacles matter to the memory within so many of its squares of the middle of the footprint: what an update costs
+/// grows with the square of it.
+constexpr double kMostNearSquares = 16.0;
+constexpr double kMostSquaresASide = 2000.0;  ///< of the memory
+
+/// Calls visit(name, value, least, most) for every number. Lengths and times are those of robots from a toy to a car on
+/// floors and yards; what drives the cost of an update is bounded such that it stays in milliseconds.
+template <typename Parameters, typename Visitor>
+void visitAgentNumbers(Parameters& agent, const Visitor& visit) {
+  visit("goal_tolerance", agent.goal_tolerance, 0.01, 10.0);
+  visit("goal_in_sight", agent.goal_in_sight, 0.0, 100.0);
+  visit("goal_drift", agent.goal_drift, 0.0, 0.9);
+  auto& step = agent.step;
+  visit("step/length", step.length, 0.05, 5.0);
+  visit("step/turn", step.turn, 0.01, 2.0 * M_PI);
+  visit("step/period", step.period, 0.01, 60.0);
+  visit("step/reached", step.reached, 0.001, 1.0);
+  visit("step/stall", step.stall, 0.01, 600.0);
+  visit("step/still_distance", step.still_distance, 1e-4, 1.0);
+  visit("step/still_turn", step.still_turn, 1e-4, M_PI);
+  auto& shield = agent.shield;
+  visit("shield/footprint_radius", shield.footprint_radius, 0.02, 5.0);
+  visit("shield/clearance", shield.clearance, 0.0, 5.0);
+  visit("shield/tight_clearance", shield.tight_clearance, 0.0, 5.0);
+  visit("shield/shortest_step", shield.shortest_step, 0.002, 5.0);
+  visit("shield/reach", shield.reach, 0.1, 100.0);
+  auto& memory = agent.memory;
+  visit("memory/resolution", memory.resolution, 0.01, 1.0);
+  visit("memory/width", memory.width, 4.0, 1000.0);
+  visit("memory/reach", memory.reach, 0.1, 100.0);
+  visit("memory/comfort", memory.comfort, 0.0, 5.0);
+  visit("memory/tightness", memory.tightness, 1.0, 100.0);
+  auto& escape = agent.escape;
+  visit("escape/patience_steps", escape.patience_steps, 1, 1000000);
+  visit("escape/patience_distance", escape.patience_distance, 0.1, 1e5);
+  visit("escape/last_resort", escape.last_resort, 1.0, 1e6);
+  visit("escape/progress", escape.progress, 0.01, 100.0);
+  visit("escape/follow_step", escape.follow_step, 0.05, 5.0);
+  visit("escape/probe_angle", escape.probe_angle, 0.01, 0.78);
+  visit("escape/wall_turn", escape.wall_turn, 0.01, 3.14);
+  visit("escape/leave_margin", escape.leave_margin, 0.01, 100.0);
+  visit("escape/first_leg", escape.first_leg, 0.1, 1e5);
+  visit("escape/loop_tolerance", escape.loop_tolerance, 0.01, 100.0);
+  visit("escape/loop_length", escape.loop_length, 0.1, 1e5);
+}
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const AgentParameters& parameters);

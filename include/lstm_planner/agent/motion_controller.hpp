@@ -30,6 +30,29 @@ struct MotionParameters {
   double heading_tolerance = 3.15;   ///< rad; pi or more = any heading will do
 };
 
+/// Calls visit(name, value, least, most) for every number.
+template <typename Parameters, typename Visitor>
+void visitMotionNumbers(Parameters& motion, const Visitor& visit) {
+  visit("max_linear", motion.max_linear, 0.01, 10.0);
+  visit("max_angular", motion.max_angular, 0.01, 20.0);
+  visit("max_wheel_speed", motion.max_wheel_speed, 0.01, 20.0);
+  visit("axle_length", motion.axle_length, 0.01, 5.0);
+  visit("linear_acceleration", motion.linear_acceleration, 0.01, 50.0);
+  visit("lookahead", motion.lookahead, 0.01, 20.0);
+  visit("nearest_target", motion.nearest_target, 0.001, 5.0);
+  visit("turn_in_place", motion.turn_in_place, 0.01, 4.0);
+  visit("heading_gain", motion.heading_gain, 0.01, 100.0);
+  visit("reaction_time", motion.reaction_time, 0.001, 10.0);
+  visit("safety_margin", motion.safety_margin, 0.001, 5.0);
+  visit("slow_gap", motion.slow_gap, 0.001, 20.0);
+  visit("slow_speed", motion.slow_speed, 0.001, 10.0);
+  visitMovingNumbers(motion.moving, visit);
+  visit("person_speed", motion.person_speed, 0.01, 20.0);
+  visit("person_margin", motion.person_margin, 0.001, 10.0);
+  visit("position_tolerance", motion.position_tolerance, 0.001, 10.0);
+  visit("heading_tolerance", motion.heading_tolerance, 0.001, 10.0);
+}
+
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const MotionParameters& parameters);
 

@@ -63,6 +63,7 @@ class ObstacleMemory {
 
   int side() const { return side_; }  ///< cells a side of the window
   double cellSize() const { return cell_size_; }
+  int nearCells() const { return near_cells_; }  ///< within which an obstacle matters to what is passable
   /// Index of the cell at a position, row by row; -1 outside the window.
   int cellAt(const Point2& position) const;
   Point2 centerOf(int cell) const;

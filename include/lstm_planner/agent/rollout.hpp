@@ -13,6 +13,14 @@ struct RolloutParameters {
   int steps = 8;          ///< steps beyond the waypoint, through free space that the scan shows
 };
 
+/// Calls visit(name, value, least, most) for every number: move_base drops the start of a plan whose poses are a metre
+/// apart, and each step costs as much as a decision's.
+template <typename Parameters, typename Visitor>
+void visitRolloutNumbers(Parameters& rollout, const Visitor& visit) {
+  visit("rollout/spacing", rollout.spacing, 0.01, 0.5);
+  visit("rollout/steps", rollout.steps, 0, 100);
+}
+
 /// A plan has no more poses than this, however far away the goal is: 1.5 MB as messages.
 constexpr std::size_t kMostPlanPoses = 10000;
 /// So many poses from the robot on are spaced as RolloutParameters say, 400 m with 0.05 m. What lies beyond is made

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -25,6 +26,20 @@ struct RecorderParameters {
   ScanRules scan_rules;   ///< what the scanner's readings mean
   AgentParameters agent;  ///< of what is remembered for the network: memory, footprint, step length
 };
+
+/// Calls visit(name, value, least, most) for every number that is the recorder's own.
+template <typename Parameters, typename Visitor>
+void visitRecorderNumbers(Parameters& recorder, const Visitor& visit) {
+  visit("period", recorder.period, 1e-4, 3600.0);
+  visit("min_step_distance", recorder.min_step_distance, 1e-4, 100.0);
+  visit("min_step_turn", recorder.min_step_turn, 0.0, M_PI);
+  visit("max_gap", recorder.max_gap, 0.001, 86400.0);
+  visit("max_label_error", recorder.max_label_error, 1e-4, M_PI);
+  visit("range_cap", recorder.range_cap, 0.01, 1000.0);
+  visit("max_speed", recorder.max_speed, 0.01, 1000.0);
+  visit("goal_tolerance", recorder.goal_tolerance, 0.001, 100.0);
+  visit("delay", recorder.delay, 0.0, 3600.0);
+}
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const RecorderParameters& parameters);

@@ -24,6 +24,19 @@ struct MovingReturnsParameters {
   double hold = 1.0;             ///< s; a thing that stands still counts as moving for this long, then as static
 };
 
+/// Calls visit(name, value, least, most) for every number.
+template <typename Parameters, typename Visitor>
+void visitMovingNumbers(Parameters& moving, const Visitor& visit) {
+  visit("moving/range", moving.range, 0.1, 100.0);
+  visit("moving/youngest", moving.youngest, 0.001, 10.0);
+  visit("moving/oldest", moving.oldest, 0.001, 10.0);  // all scans until then are kept
+  visit("moving/range_margin", moving.range_margin, 0.001, 10.0);
+  visit("moving/lateral_margin", moving.lateral_margin, 0.001, 10.0);
+  visit("moving/angle_margin", moving.angle_margin, 1e-4, 1.0);
+  visit("moving/fewest_beams", moving.fewest_beams, 1, 10000);
+  visit("moving/hold", moving.hold, 0.0, 600.0);
+}
+
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const MovingReturnsParameters& parameters);
 

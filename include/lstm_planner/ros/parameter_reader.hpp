@@ -11,6 +11,17 @@ namespace lstm_planner {
 /// Reads the parameters of one namespace into variables that hold their defaults.
 class ParameterReader {
  public:
+  /// Reads what the functions visit that name every number of some parameters: visitAgentNumbers() and the like.
+  struct Numbers {
+    template <typename T>
+    void operator()(const std::string& name, T& value, double, double) const {
+      reader->read(prefix + name, &value);
+    }
+    ParameterReader* reader;
+    std::string prefix;
+  };
+  Numbers numbers(const std::string& prefix = "") { return {this, prefix}; }
+
   explicit ParameterReader(const ros::NodeHandle& node_handle) : node_handle_(node_handle) {}
 
   /// Leaves `value` alone when the parameter is not set. Throws std::invalid_argument naming the parameter and the

@@ -42,6 +42,29 @@ struct SteeringControllerParameters {
   double controller_frequency = 20.0;  ///< Hz, how often move_base asks for a command
 };
 
+/// Call visit(name, value, least, most) for every number.
+template <typename Parameters, typename Visitor>
+void visitSensorNumbers(Parameters& sensors, const Visitor& visit) {
+  visit("scan_timeout", sensors.scan_timeout, 0.01, 60.0);
+  visit("odom_timeout", sensors.odom_timeout, 0.01, 60.0);
+  visit("tf_timeout", sensors.tf_timeout, 0.0, 60.0);
+  visit("max_speed", sensors.max_speed, 0.01, 100.0);
+}
+template <typename Parameters, typename Visitor>
+void visitPlannerNumbers(Parameters& planner, const Visitor& visit) {
+  visitSensorNumbers(planner.sensors, visit);
+  visitAgentNumbers(planner.agent, visit);
+  visitRolloutNumbers(planner.rollout, visit);
+  visit("trace_length", planner.trace_length, 0, 100000);
+}
+template <typename Parameters, typename Visitor>
+void visitControllerNumbers(Parameters& controller, const Visitor& visit) {
+  visitSensorNumbers(controller.sensors, visit);
+  visitMotionNumbers(controller.motion, visit);
+  visit("plan_timeout", controller.plan_timeout, 0.0, 3600.0);
+  visit("footprint_radius", controller.footprint_radius, 0.02, 5.0);
+}
+
 /// Both read the namespace of `node_handle`, warn of parameters there that are not known, and throw
 /// std::invalid_argument naming the parameter, its value and what was expected.
 GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_handle);

@@ -25,6 +25,20 @@ struct Create2Parameters {
   double odometry_error = 0.0;
 };
 
+/// Calls visit(name, value, least, most) for every number.
+template <typename Parameters, typename Visitor>
+void visitCreate2Numbers(Parameters& robot, const Visitor& visit) {
+  visit("axle_length", robot.axle_length, 0.01, 5.0);
+  visit("wheel_diameter", robot.wheel_diameter, 0.001, 5.0);
+  visit("ticks_per_revolution", robot.ticks_per_revolution, 1.0, 1e6);
+  visit("max_wheel_speed", robot.max_wheel_speed, 0.01, 20.0);
+  visit("base_diameter", robot.base_diameter, 0.01, 10.0);
+  visit("max_wheel_acceleration", robot.max_wheel_acceleration, 0.01, 1e9);
+  visit("slip", robot.slip, 0.0, 1.0);
+  visit("drift", robot.drift, -1.0, 1.0);
+  visit("odometry_error", robot.odometry_error, 0.0, 0.5);
+}
+
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const Create2Parameters& parameters);
 

@@ -21,6 +21,19 @@ struct CrowdParameters {
   double first_distance = 1.0;   ///< m between the robot and every walker at the start, at the least
 };
 
+/// Calls visit(name, value, least, most) for every number.
+template <typename Parameters, typename Visitor>
+void visitCrowdNumbers(Parameters& crowd, const Visitor& visit) {
+  visit("walkers", crowd.walkers, 0, 1000);
+  visit("smallest_radius", crowd.smallest_radius, 0.01, 5.0);
+  visit("largest_radius", crowd.largest_radius, 0.01, 5.0);
+  visit("slowest", crowd.slowest, 0.01, 20.0);
+  visit("fastest", crowd.fastest, 0.01, 20.0);
+  visit("shortest_stand", crowd.shortest_stand, 0.0, 3600.0);
+  visit("longest_stand", crowd.longest_stand, 0.0, 3600.0);
+  visit("first_distance", crowd.first_distance, 0.0, 1000.0);
+}
+
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const CrowdParameters& parameters);
 

@@ -25,6 +25,23 @@ struct HokuyoParameters {
   SensorMount mount;                    ///< in the base frame
 };
 
+/// Calls visit(name, value, least, most) for every number.
+template <typename Parameters, typename Visitor>
+void visitHokuyoNumbers(Parameters& laser, const Visitor& visit) {
+  visit("beams", laser.beams, 1, 100000);
+  visit("angle_min", laser.angle_min, -10.0, 10.0);
+  visit("angle_increment", laser.angle_increment, -10.0, 10.0);
+  visit("range_min", laser.range_min, 0.0, 100.0);
+  visit("range_max", laser.range_max, 0.0, 1000.0);
+  visit("sight", laser.sight, 0.01, 1000.0);
+  visit("noise", laser.noise, 0.0, 10.0);
+  visit("dropout", laser.dropout, 0.0, 1.0);
+  visit("rate", laser.rate, 0.01, 1000.0);
+  visit("x", laser.mount.pose.x, -100.0, 100.0);
+  visit("y", laser.mount.pose.y, -100.0, 100.0);
+  visit("yaw", laser.mount.pose.yaw, -10.0, 10.0);
+}
+
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const HokuyoParameters& parameters);
 

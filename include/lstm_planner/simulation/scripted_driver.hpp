@@ -32,6 +32,26 @@ struct ScriptedDriverParameters {
   double arrival_distance = 0.15;  ///< m; nearer to the goal than this is arrived
 };
 
+/// Calls visit(name, value, least, most) for every number.
+template <typename Parameters, typename Visitor>
+void visitDriverNumbers(Parameters& driver, const Visitor& visit) {
+  visit("speed", driver.speed, 0.01, 10.0);
+  visit("turn_speed", driver.turn_speed, 0.01, 20.0);
+  visit("footprint_radius", driver.footprint_radius, 0.02, 5.0);
+  visit("clearance", driver.clearance, 0.0, 5.0);
+  visit("comfort", driver.comfort, 0.0, 10.0);
+  visit("reluctance", driver.reluctance, 0.0, 100.0);
+  visit("lookahead", driver.lookahead, 0.01, 20.0);
+  visit("sharp_turn", driver.sharp_turn, 0.2, 3.1416);
+  visit("shortest_reaction", driver.shortest_reaction, 0.0, 0.5);
+  visit("longest_reaction", driver.longest_reaction, 0.0, 0.5);
+  visit("shortest_hold", driver.shortest_hold, 0.0, 0.5);
+  visit("wander", driver.wander, 0.0, 0.5);
+  visit("pause_interval", driver.pause_interval, 0.0, 86400.0);
+  visit("longest_pause", driver.longest_pause, 0.0, 3600.0);
+  visit("arrival_distance", driver.arrival_distance, 0.01, 10.0);
+}
+
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const ScriptedDriverParameters& parameters);
 

@@ -51,9 +51,9 @@ TEST_F(DatasetRowsTest, ParametersAreThoseOfARecorder) {
     return refusalAfter("UPDATE recordings SET parameters = '" + json + "'");
   };
   EXPECT_EQ(with(R"({"period": -1})"),
-            refused("recording 1: parameter period is -1, expected a positive number up to 3600"));
+            refused("recording 1: parameter period is -1, expected a number in [0.0001, 3600]"));
   EXPECT_EQ(with(R"({"range_cap": 1e300})"),
-            refused("recording 1: parameter range_cap is 1e+300, expected a positive number up to 1000"));
+            refused("recording 1: parameter range_cap is 1e+300, expected a number in [0.01, 1000]"));
   EXPECT_EQ(with("[]"), refused("recording 1: the recorder's parameters are of type array, expected an object"));
   EXPECT_EQ(with("{").find(refused("recording 1: ")), 0u) << with("{");
 }

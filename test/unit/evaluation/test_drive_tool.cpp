@@ -159,7 +159,7 @@ TEST_F(DriveTool, RefusesBadOptionsWithASentence) {
   EXPECT_NE(complaint("").find("one of --map, --barn, --worlds and --walkers is needed"), std::string::npos);
   EXPECT_NE(complaint("--map a.yaml --worlds open").find("exclude each other"), std::string::npos);
   EXPECT_NE(complaint("--worlds jungle").find("mazes, offices"), std::string::npos);
-  EXPECT_NE(complaint("--walkers -1").find("walkers is -1, expected 0 to 1000"), std::string::npos);
+  EXPECT_NE(complaint("--walkers -1").find("walkers is -1, expected a number in [0, 1000]"), std::string::npos);
   EXPECT_NE(complaint("--walkers 1 --drift 2").find("odometry_error is 2"), std::string::npos);
   EXPECT_NE(complaint("--walkers 1 --goals 0").find("--goals"), std::string::npos);
   EXPECT_NE(complaint("--barn " + in("none.csv")).find("none.csv' cannot be read"), std::string::npos);

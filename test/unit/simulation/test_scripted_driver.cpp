@@ -215,7 +215,8 @@ TEST(ScriptedDriver, RefusesParametersThatMakeNoSenseByName) {
     }
     return "";
   };
-  EXPECT_EQ(messageOf(&ScriptedDriverParameters::speed, -0.3), "parameter speed is -0.3, expected a positive number");
+  EXPECT_EQ(messageOf(&ScriptedDriverParameters::speed, -0.3),
+            "parameter speed is -0.3, expected a number in [0.01, 10]");
   EXPECT_NE(messageOf(&ScriptedDriverParameters::longest_reaction, 0.1).find("longest_reaction"), std::string::npos);
   EXPECT_NE(messageOf(&ScriptedDriverParameters::wander, NAN).find("wander"), std::string::npos);
   EXPECT_EQ(messageOf(&ScriptedDriverParameters::speed, 0.2), "");
