@@ -132,6 +132,21 @@ void addBarn(const DriveOptions& options, DriveCourse* course) {
   }
 }
 
+/// Throws when some number that was asked for is no goal's and no world's.
+void checkNumbers(const std::vector<int>& wanted, const DriveCourse& course) {
+  for (const int number : wanted) {
+    const auto hasIt = [number](const DriveWorld& world) {
+      return std::any_of(world.exercises.begin(), world.exercises.end(),
+                         [number](const auto& exercise) { return exercise.number == number; });
+    };
+    if (std::none_of(course.worlds.begin(), course.worlds.end(), hasIt)) {
+      throw std::invalid_argument(
+          "--only is " + std::to_string(number) +
+          ", expected the number of a goal, below --goals, or of a world in the file of --barn");
+    }
+  }
+}
+
 }  // namespace
 
 OccupancyGrid readClosedMap(const std::string& text, double free_threshold) {
@@ -155,10 +170,7 @@ DriveCourse makeDriveCourse(const DriveOptions& options) {
     addRoom(options, &course);
   }
   if (options.time_limit) course.rules.time_limit = *options.time_limit;
-  const auto isEmpty = [](const DriveWorld& world) { return world.exercises.empty(); };
-  if (std::all_of(course.worlds.begin(), course.worlds.end(), isEmpty)) {
-    throw std::invalid_argument("--only leaves nothing to drive");
-  }
+  checkNumbers(options.only, course);
   return course;
 }
 

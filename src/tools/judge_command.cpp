@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/program_options.hpp>
 #include <cmath>
 #include <iomanip>
@@ -78,7 +79,8 @@ std::pair<double, double> intervalOf(int hits, int count) {
   const double share = hits / n;
   const double middle = (share + kZ * kZ / (2.0 * n)) / (1.0 + kZ * kZ / n);
   const double half = kZ / (1.0 + kZ * kZ / n) * std::sqrt(share * (1.0 - share) / n + kZ * kZ / (4.0 * n * n));
-  return {middle - half, middle + half};
+  // Rounding may put an end a little below 0 or above 1.
+  return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
 }
 
 struct Sums {

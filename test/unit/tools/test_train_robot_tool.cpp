@@ -38,6 +38,11 @@ TEST_F(TrainRobotTool, ImitationReinforcementAndJudgingFollowOnEachOther) {
   }
 }
 
+TEST_F(TrainRobotTool, TheIntervalOfAShareOfNothingStartsAtZero) {
+  const test::Outcome judged = success("judge --leader none --kinds open --worlds 2 --max-steps 1");
+  EXPECT_NE(judged.output.find("0.0 %  [0.0, 32.4]"), std::string::npos) << judged.output;
+}
+
 TEST_F(TrainRobotTool, QLearningStartsFromNothing) {
   success(
       "train --method q-learning --views 8 --cells 4 --kinds open --iterations 2 --worlds 3 --starts 2 --max-steps 40 "
