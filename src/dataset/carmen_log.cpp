@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -61,9 +62,9 @@ class LogReader {
  private:
   void read(std::istream* stream) {
     constexpr std::streamsize kLongestLine = 1 << 20;
-    std::string buffer(static_cast<std::size_t>(kLongestLine), '\0');
+    const std::unique_ptr<char[]> buffer(new char[kLongestLine]);  // zeros would take longer than a short log
     for (;;) {
-      stream->getline(&buffer[0], kLongestLine);
+      stream->getline(buffer.get(), kLongestLine);
       if (stream->bad() || (stream->fail() && stream->gcount() + 1 >= kLongestLine)) {
         throw std::invalid_argument("the log " + path_ + " cannot be read on behind line " + std::to_string(number_) +
                                     ": it is damaged, or no log");
@@ -76,7 +77,7 @@ class LogReader {
                                     std::to_string(kMostBytes) + " bytes, decompressed, and " +
                                     std::to_string(kMostLines) + " scans and lines ODOM");
       }
-      take(buffer.c_str());
+      take(buffer.get());
     }
   }
 

@@ -3,6 +3,8 @@
 #include <Poco/Data/Statement.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "dataset/dataset_schema.hpp"
@@ -65,9 +67,10 @@ std::string flawOfSchema(Poco::Data::Session& session) {
   if (generated != columns.end()) {
     return "it has the column " + textOf(*generated) + ", expected nothing but plain columns";
   }
+  std::set<std::string> found;
+  for (const SchemaColumn& column : columns) found.insert(textOf(column));
   for (const SchemaColumn& expected : schemaColumns()) {
-    const auto is_expected = [&](const SchemaColumn& column) { return textOf(column) == textOf(expected); };
-    if (std::none_of(columns.begin(), columns.end(), is_expected)) return "it has no column " + textOf(expected);
+    if (found.count(textOf(expected)) == 0) return "it has no column " + textOf(expected);
   }
   return "";
 }
