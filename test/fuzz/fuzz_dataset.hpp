@@ -43,22 +43,28 @@ inline std::string soundDataset() {
   return bytes;
 }
 
-/// All that reads a dataset file. What can be read and holds no contradiction is finite.
+inline void checkRecording(const Recording& recording) {
+  const auto actions = static_cast<int>(recording.description.parameters.action_angles.size());
+  for (const RecordedEpisode& episode : recording.episodes) {
+    for (const DriveStep& step : episode.steps) {
+      require(isFinite(step.pose) && isFinite(step.next_pose) && std::isfinite(step.driven_angle),
+              "steps without a fault are finite");
+      require(step.label >= 0 && step.label < actions, "labels without a fault are allowed angles");
+    }
+  }
+}
+
+/// All that reads a dataset file, which opens it once to check it and once to read it. What can be read and holds no
+/// contradiction is finite.
 inline void readDatasetFile(const std::string& path) {
+  bool is_sound = false;
+  expectRefusal<DatasetError>([&] { is_sound = checkDatasetFile(path).empty(); });
   expectRefusal<DatasetError>([&] {
-    if (!checkDatasetFile(path).empty()) return;
-    for (const Recording& recording : readDataset(path, true).recordings) {
-      for (const RecordedEpisode& episode : recording.episodes) {
-        for (const DriveStep& step : episode.steps) {
-          require(isFinite(step.pose) && isFinite(step.next_pose) && std::isfinite(step.driven_angle),
-                  "steps without a fault are finite");
-          const auto actions = static_cast<int>(recording.description.parameters.action_angles.size());
-          require(step.label >= 0 && step.label < actions, "labels without a fault are allowed angles");
-        }
-      }
+    const bool with_scans = is_sound;
+    for (const Recording& recording : readDataset(path, with_scans).recordings) {
+      if (is_sound) checkRecording(recording);
     }
   });
-  expectRefusal<DatasetError>([&] { readDataset(path); });
 }
 
 }  // namespace lstm_planner::fuzz

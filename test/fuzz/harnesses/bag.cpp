@@ -17,6 +17,7 @@
 #include "fuzz/fuzz_scan.hpp"
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
+#include "fuzz/small_memory.hpp"
 #include "lstm_planner/dataset/recording_sink.hpp"
 #include "lstm_planner/ros/bag_drive.hpp"
 
@@ -250,9 +251,9 @@ class BagMaker {
   bool has_odd_bytes_ = false;
 };
 
-RecorderParameters smallMemory() {
+RecorderParameters smallWorld() {
   RecorderParameters parameters;
-  parameters.agent.memory.width = 8.0;
+  parameters.agent.memory = smallMemory();
   return parameters;
 }
 
@@ -265,7 +266,7 @@ void convertBag(const std::uint8_t* data, std::size_t size) {
   BagMaker(file.path(), &input).make();
   expectRefusal<std::invalid_argument>([&] {
     RecordingSink sink{RecordingDescription{}};
-    const BagDriveResult result = recordBag(file.path(), options, smallMemory(), &sink);
+    const BagDriveResult result = recordBag(file.path(), options, smallWorld(), &sink);
     require(std::isfinite(result.begun) && std::isfinite(result.duration), "a bag has a duration");
     for (const RecordedEpisode& episode : sink.recording().episodes) {
       require(isFinite(episode.episode.goal.pose), "goals are finite");

@@ -9,6 +9,7 @@
 
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
+#include "fuzz/small_memory.hpp"
 #include "lstm_planner/dataset/recording_sink.hpp"
 
 namespace lstm_planner::fuzz {
@@ -22,9 +23,9 @@ std::string compressed(const std::string& text) {
   return stream.str();
 }
 
-RecorderParameters smallMemory() {
+RecorderParameters smallWorld() {
   RecorderParameters parameters;
-  parameters.agent.memory.width = 8.0;
+  parameters.agent.memory = smallMemory();
   return parameters;
 }
 
@@ -38,7 +39,7 @@ void readLog(const std::uint8_t* data, std::size_t size) {
     const CarmenLog read = readCarmenLog(file.path());
     require(read.scans > 0 && read.events.size() >= static_cast<std::size_t>(read.scans), "a log has scans");
     RecordingSink sink{RecordingDescription{}};
-    recordCarmenLog(read, {}, smallMemory(), &sink);
+    recordCarmenLog(read, {}, smallWorld(), &sink);
     for (const RecordedEpisode& episode : sink.recording().episodes) {
       for (const DriveStep& step : episode.steps) {
         require(isFinite(step.pose) && std::isfinite(step.driven_angle), "steps are finite");

@@ -3,6 +3,7 @@
 
 #include "fuzz/fuzz_scan.hpp"
 #include "fuzz/harness.hpp"
+#include "fuzz/small_memory.hpp"
 #include "lstm_planner/agent/motion_controller.hpp"
 #include "lstm_planner/agent/online_agent.hpp"
 #include "lstm_planner/agent/rollout.hpp"
@@ -130,10 +131,10 @@ void record(const RecorderParameters& parameters) {
   RecordingSink sink{RecordingDescription{}};
   DriveRecorder recorder(parameters, &sink, [](const std::string&, double) { return std::optional<Pose2>(Pose2()); });
   recorder.add(GoalHeard{1000.0, {"odom", {5.0, 2.0, 0.0}}, "fuzz"});
-  for (int step = 0; step < 3 * kSteps; ++step) {
-    const double stamp = 1000.0 + 0.3 * step;
-    recorder.add(OdometryHeard{stamp, {0.1 * step, 0.0, 0.1 * step}, {0.3, 0.3}});
-    recorder.add(ScanHeard{stamp, roomScan(5 * step), {}, "laser"});
+  for (int step = 0; step <= kSteps; ++step) {
+    const double stamp = 1000.0 + 0.6 * step;
+    recorder.add(OdometryHeard{stamp, {0.2 * step, 0.0, 0.1 * step}, {0.3, 0.3}});
+    recorder.add(ScanHeard{stamp, roomScan(16 * step), {}, "laser"});
   }
   recorder.finish();
 }
@@ -152,7 +153,7 @@ void useParameters(const std::uint8_t* data, std::size_t size) {
       return;
     }
     RecorderParameters recorder;
-    recorder.agent.memory.width = 12.8;
+    recorder.agent.memory = smallMemory();
     changer.change(&recorder.agent);
     if (kind == 1) {
       validate(recorder.agent);

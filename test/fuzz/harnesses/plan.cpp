@@ -4,6 +4,7 @@
 
 #include "fuzz/fuzz_scan.hpp"
 #include "fuzz/harness.hpp"
+#include "fuzz/small_memory.hpp"
 #include "lstm_planner/agent/drive_policy.hpp"
 #include "lstm_planner/agent/online_agent.hpp"
 #include "lstm_planner/agent/rollout.hpp"
@@ -13,10 +14,10 @@ namespace {
 
 constexpr int kMostCalls = 8;
 
-AgentParameters smallMemory(Leader leader) {
+AgentParameters smallWorld(Leader leader) {
   AgentParameters parameters;
   parameters.leader = leader;
-  parameters.memory.width = 12.8;
+  parameters.memory = smallMemory();
   return parameters;
 }
 
@@ -31,7 +32,7 @@ void checkPlan(const std::vector<Pose2>& plan) {
 void plan(const std::uint8_t* data, std::size_t size) {
   FuzzInput input(data, size);
   const auto leader = static_cast<Leader>(input.integer(0, 2));
-  OnlineAgent agent(noPolicy(), smallMemory(leader), {});
+  OnlineAgent agent(noPolicy(), smallWorld(leader), {});
   Pose2 pose;
   Pose2 goal{3.0, 0.0, 0.0};
   double time = 1000.0;
@@ -53,7 +54,7 @@ void plan(const std::uint8_t* data, std::size_t size) {
       const Decision decision = asks ? agent.preview({goal.x, goal.y}) : agent.decision();
       Shield shield(0.17425, 0.03, 6.0);
       shield.show(agent.situation().obstacles);
-      rollOut(agent.situation(), decision, shield, goal, smallMemory(leader), {}, &poses);
+      rollOut(agent.situation(), decision, shield, goal, smallWorld(leader), {}, &poses);
       checkPlan(poses);
     });
   }

@@ -3,6 +3,7 @@
 
 #include "fuzz/fuzz_scan.hpp"
 #include "fuzz/harness.hpp"
+#include "fuzz/small_memory.hpp"
 #include "lstm_planner/dataset/drive_recorder.hpp"
 
 namespace lstm_planner::fuzz {
@@ -43,9 +44,9 @@ class CheckingSink : public StepSink {
   int rejections_ = 0;
 };
 
-RecorderParameters smallMemory() {
+RecorderParameters smallWorld() {
   RecorderParameters parameters;
-  parameters.agent.memory.width = 8.0;
+  parameters.agent.memory = smallMemory();
   return parameters;
 }
 
@@ -78,7 +79,7 @@ DriveEvent anyEvent(FuzzInput* input, double stamp, Pose2* pose) {
 /// Any odometry, scans and goals, with any stamps.
 void record(const std::uint8_t* data, std::size_t size) {
   FuzzInput input(data, size);
-  static const RecorderParameters parameters = smallMemory();
+  static const RecorderParameters parameters = smallWorld();
   const bool map_is_known = input.flag();
   CheckingSink sink;
   DriveRecorder recorder(parameters, &sink, [&](const std::string& frame, double) -> std::optional<Pose2> {
