@@ -30,8 +30,10 @@ std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footp
   std::vector<DriveTask> tasks;
   GeodesicField::Options options;
   options.clearance = needed;
-  for (int failures = 0; static_cast<int>(tasks.size()) < count; ++failures) {
-    if (failures > 100 * count) {
+  // Where only few pairs of places are far enough apart, one takes some hundred draws.
+  const int most_draws = 1000 + 100 * count;
+  for (int draws = 0; static_cast<int>(tasks.size()) < count; ++draws) {
+    if (draws > most_draws) {
       throw std::invalid_argument("the map has no two places at least " + std::to_string(shortest) +
                                   " m apart that can be reached from one another");
     }

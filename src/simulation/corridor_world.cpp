@@ -14,6 +14,8 @@ constexpr double kEdge = 0.2;      // m of ground around the corridors
 constexpr double kWall = 0.5;      // m between corridors side by side, at the least
 constexpr double kShortest = 2.5;  // m of corridor
 constexpr int kTries = 50;         // to find room for another corridor
+constexpr double kExtent = 5.5;    // m along x or y that the corridors reach at the least
+constexpr int kWorlds = 20;        // drawn, of which the last one is taken where none reaches as far
 
 /// Where the middle of a corridor runs, m.
 struct Corridor {
@@ -32,7 +34,8 @@ class Digger {
   Digger(const CorridorWorldParameters& parameters, Random& random, OccupancyGrid* grid)
       : parameters_(parameters), random_(random), grid_(*grid) {}
 
-  void dig() {
+  /// Returns how far the corridors reach, m along x or y, from end to end.
+  double dig() {
     const Point2 middle{0.5 * parameters_.width, 0.5 * parameters_.height};
     dig(drawAt(middle, parameters_.width >= parameters_.height));
     for (int i = 1; i < parameters_.corridors; ++i) {
@@ -46,6 +49,7 @@ class Digger {
         break;
       }
     }
+    return extent();
   }
 
  private:
@@ -89,6 +93,17 @@ class Digger {
     dug_.push_back(corridor);
   }
 
+  double extent() const {
+    Point2 low = dug_[0].begin;
+    Point2 high = low;
+    for (const Corridor& corridor : dug_) {
+      const Point2 end = corridor.at(1.0);
+      low = {std::min(low.x, end.x), std::min(low.y, end.y)};
+      high = {std::max(high.x, end.x), std::max(high.y, end.y)};
+    }
+    return std::max(high.x - low.x, high.y - low.y);
+  }
+
   const CorridorWorldParameters& parameters_;
   Random& random_;
   OccupancyGrid& grid_;
@@ -109,9 +124,12 @@ void validate(const CorridorWorldParameters& parameters) {
 OccupancyGrid generateCorridorWorld(const CorridorWorldParameters& parameters, std::uint64_t seed) {
   validate(parameters);
   const auto cells = [&](double metres) { return static_cast<int>(std::lround(metres / parameters.resolution)); };
-  OccupancyGrid grid(cells(parameters.width), cells(parameters.height), parameters.resolution, {}, Cell::kOccupied);
+  const OccupancyGrid solid(cells(parameters.width), cells(parameters.height), parameters.resolution, {},
+                            Cell::kOccupied);
+  OccupancyGrid grid = solid;
   Random random(seed);
-  Digger(parameters, random, &grid).dig();
+  // In one world of some hundred hardly a corridor finds room beside the first.
+  for (int i = 1; Digger(parameters, random, &grid).dig() < kExtent && i < kWorlds; ++i) grid = solid;
   return grid;
 }
 

@@ -135,6 +135,14 @@ TEST(CorridorWorld, IsOneAreaWhateverTheSeed) {
   }
 }
 
+/// Of these seeds' first draws hardly a corridor finds room beside the first.
+TEST(CorridorWorld, HasPlacesFiveMetresApartHoweverFewCorridorsFindRoom) {
+  for (const std::uint64_t seed : {10306937756567203133ULL, 9642425941035453867ULL}) {
+    const GridWorld world(generateWorld(WorldKind::kCorridors, seed));
+    EXPECT_NO_THROW(drawTasks(world, 1, kFootprint, kClearance, 5.0, seed)) << seed;
+  }
+}
+
 TEST(Forest, CanBeCrossedHoweverDenseItIs) {
   ForestParameters parameters;
   parameters.density = 0.3;
