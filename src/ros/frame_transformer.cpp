@@ -17,8 +17,11 @@ Pose2 FrameTransformer::transform(const std::string& target, const std::string& 
   }
   const bool is_static = transform.header.stamp.isZero();
   if (!is_static && timeout_ > 0.0) {
-    const std::string problem = ageProblem(secondsBetween(transform.header.stamp, now), timeout_, "tf_timeout");
-    if (!problem.empty()) throw FrameError("the newest transform from " + source + " to " + target + " is " + problem);
+    const double age = secondsBetween(transform.header.stamp, now);
+    const std::string problem = ageProblem(age, timeout_, "tf_timeout");
+    const std::string sentence = "the newest transform from " + source + " to " + target + " is " + problem;
+    if (!problem.empty() && age < 0.0) throw FutureTransform(sentence);
+    if (!problem.empty()) throw FrameError(sentence);
   }
   const Pose2 pose = fromMessage(transform.transform);
   if (!isFinite(pose)) throw FrameError("the transform from " + source + " to " + target + " is not finite");

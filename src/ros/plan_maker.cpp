@@ -39,6 +39,18 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
 
 void PlanMaker::makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
                          std::vector<geometry_msgs::PoseStamped>* plan) {
+  try {
+    makePlanFromWhatIsHeard(start, goal_message, plan);
+  } catch (const FutureTransform&) {
+    // One that was on its way when the clock was set back. As long as tf holds it, tf takes none that is 10 s older.
+    tf_.clear();
+    throw;
+  }
+}
+
+void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
+                                        const geometry_msgs::PoseStamped& goal_message,
+                                        std::vector<geometry_msgs::PoseStamped>* plan) {
   now_ = ros::Time::now();
   const GoalInFrame goal = goalFromMessage(goal_message);
   const SensorReading reading = sensors_.read(now_);

@@ -16,6 +16,12 @@ class FrameError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The newest transform is stamped too far in the future: the clock was set back, or the clocks differ.
+class FutureTransform : public FrameError {
+ public:
+  using FrameError::FrameError;
+};
+
 /// Planar transforms between frames; never waits for one. Static ones are never too old.
 class FrameTransformer {
  public:
@@ -23,7 +29,8 @@ class FrameTransformer {
   /// used; 0 = any will do.
   FrameTransformer(const tf2_ros::Buffer& tf, double timeout) : tf_(tf), timeout_(timeout) {}
 
-  /// Pose of the frame `source` in the frame `target`, from the newest transforms there are. Throws FrameError.
+  /// Pose of the frame `source` in the frame `target`, from the newest transforms there are. Throws FrameError,
+  /// FutureTransform where that is the reason.
   Pose2 transform(const std::string& target, const std::string& source, const ros::Time& now) const;
 
   /// The same at another time; from the newest transforms when that time is zero or not covered.

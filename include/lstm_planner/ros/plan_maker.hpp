@@ -41,6 +41,8 @@ class PlanMaker {
                 std::vector<geometry_msgs::PoseStamped>* plan);
 
  private:
+  void makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
+                               std::vector<geometry_msgs::PoseStamped>* plan);
   void checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const;
   void look(const SensorReading& reading);
   GoalTracker::Verdict ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
