@@ -24,6 +24,16 @@ void fromMessage(const sensor_msgs::LaserScan& message, LaserScan* scan) {
   scan->ranges.assign(message.ranges.begin(), message.ranges.end());
 }
 
+void toMessage(const LaserScan& scan, sensor_msgs::LaserScan* message) {
+  message->angle_min = static_cast<float>(scan.angle_min);
+  message->angle_max =
+      static_cast<float>(scan.angle_min + scan.angle_increment * (static_cast<double>(scan.ranges.size()) - 1.0));
+  message->angle_increment = static_cast<float>(scan.angle_increment);
+  message->range_min = static_cast<float>(scan.range_min);
+  message->range_max = static_cast<float>(scan.range_max);
+  message->ranges = scan.ranges;
+}
+
 Pose2 fromMessage(const geometry_msgs::Pose& message) {
   return {message.position.x, message.position.y, yawOf(message.orientation)};
 }

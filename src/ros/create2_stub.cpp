@@ -170,13 +170,7 @@ void Create2Stub::publishScan() {
   if (scan_paused_) return;
   laser_.scan(*world_, robot_.robot().truePose(), 1e-9 * static_cast<double>(time_), &scan_);
   scan_message_.header.stamp = simulatedTime();
-  scan_message_.angle_min = static_cast<float>(scan_.angle_min);
-  scan_message_.angle_max =
-      static_cast<float>(scan_.angle_min + scan_.angle_increment * static_cast<double>(scan_.ranges.size() - 1));
-  scan_message_.angle_increment = static_cast<float>(scan_.angle_increment);
-  scan_message_.range_min = static_cast<float>(scan_.range_min);
-  scan_message_.range_max = static_cast<float>(scan_.range_max);
-  scan_message_.ranges = scan_.ranges;
+  toMessage(scan_, &scan_message_);
   scan_publisher_.publish(scan_message_);
 }
 

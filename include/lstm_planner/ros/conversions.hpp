@@ -17,6 +17,9 @@ namespace lstm_planner {
 /// Overwrites `scan`, reusing its memory.
 void fromMessage(const sensor_msgs::LaserScan& message, LaserScan* scan);
 
+/// Overwrites all but the header, the times of a beam and a scan, and the intensities.
+void toMessage(const LaserScan& scan, sensor_msgs::LaserScan* message);
+
 /// Position and yaw; the yaw is NaN when the quaternion is zero or not finite.
 Pose2 fromMessage(const geometry_msgs::Pose& message);
 
