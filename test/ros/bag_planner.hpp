@@ -1,18 +1,17 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <ros/package.h>
 #include <rosbag/bag.h>
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
 #include <memory>
-#include <pluginlib/class_loader.hpp>
 #include <string>
 #include <vector>
 
 #include "real_data.hpp"
 #include "ros/planner_fixture.hpp"
+#include "ros/plugin_loader.hpp"
 #include "ros/recording.hpp"
 
 namespace lstm_planner {
@@ -25,7 +24,6 @@ inline std::string shippedBag(const std::string& file) {
 /// The global planner, loaded and made as move_base does, and the topics on which a recording is played to it.
 class BagPlannerTest : public testing::Test {
  protected:
-  BagPlannerTest() : loader_(pluginPackage(), "nav_core::BaseGlobalPlanner") {}
   ~BagPlannerTest() override {
     ros::param::del("~/LstmGlobalPlanner");
     ros::param::del("~/planner_frequency");
@@ -47,7 +45,7 @@ class BagPlannerTest : public testing::Test {
     costmap_tf_.setUsingDedicatedThread(true);
     costmap_tf_.setTransform(identity(global_frame, "base_link"), "test", true);
     costmap_ = std::make_unique<costmap_2d::Costmap2DROS>("costmap", costmap_tf_);
-    planner_ = loader_.createInstance("lstm_planner/LstmGlobalPlanner");
+    planner_ = loader_->createInstance("lstm_planner/LstmGlobalPlanner");
     planner_->initialize("LstmGlobalPlanner", costmap_.get());
     ASSERT_TRUE(eventually([&] {
       return scan_publisher_.getNumSubscribers() > 0 && odometry_publisher_.getNumSubscribers() > 0 &&
@@ -75,11 +73,9 @@ class BagPlannerTest : public testing::Test {
   boost::shared_ptr<nav_core::BaseGlobalPlanner> planner() { return planner_; }
 
  private:
-  static std::string pluginPackage() { return ros::package::getPath("nav_core").empty() ? "lstm_planner" : "nav_core"; }
-
   tf2_ros::Buffer costmap_tf_;
   std::unique_ptr<costmap_2d::Costmap2DROS> costmap_;
-  pluginlib::ClassLoader<nav_core::BaseGlobalPlanner> loader_;
+  std::unique_ptr<PlannerLoader> loader_ = plannerLoader();
   boost::shared_ptr<nav_core::BaseGlobalPlanner> planner_;
 };
 

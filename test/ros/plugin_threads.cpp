@@ -1,38 +1,20 @@
 // The plugins in a process with several threads: asked in one while messages arrive in others, loaded and unloaded
 // meanwhile, and two of a kind at once. test/sanitize.sh runs it under the thread sanitizer.
 
-#include <dirent.h>
 #include <gtest/gtest.h>
-#include <nav_core/base_local_planner.h>
-#include <ros/package.h>
 
 #include <atomic>
 #include <memory>
-#include <pluginlib/class_loader.hpp>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "ros/planner_fixture.hpp"
+#include "ros/plugin_loader.hpp"
+#include "ros/process_figures.hpp"
 
 namespace lstm_planner {
 namespace {
-
-using PlannerLoader = pluginlib::ClassLoader<nav_core::BaseGlobalPlanner>;
-using ControllerLoader = pluginlib::ClassLoader<nav_core::BaseLocalPlanner>;
-
-std::string interfacePackage() { return ros::package::getPath("nav_core").empty() ? "lstm_planner" : "nav_core"; }
-
-/// Entries of a folder of /proc.
-int countEntries(const char* folder) {
-  DIR* entries = opendir(folder);
-  int count = 0;
-  while (entries != nullptr && readdir(entries) != nullptr) ++count;
-  if (entries != nullptr) closedir(entries);
-  return count;
-}
-int countThreads() { return countEntries("/proc/self/task"); }
-int countDescriptors() { return countEntries("/proc/self/fd"); }
 
 /// The robot's messages, sent without a pause by a thread of its own, as long as the object lives.
 class Traffic {
@@ -58,9 +40,7 @@ class Traffic {
 
 class PluginThreads : public PlannerTest {
  protected:
-  PluginThreads()
-      : planners_(std::make_unique<PlannerLoader>(interfacePackage(), "nav_core::BaseGlobalPlanner")),
-        controllers_(std::make_unique<ControllerLoader>(interfacePackage(), "nav_core::BaseLocalPlanner")) {}
+  PluginThreads() : planners_(plannerLoader()), controllers_(controllerLoader()) {}
   ~PluginThreads() override { ros::param::del("~/second"); }
 
   boost::shared_ptr<nav_core::BaseGlobalPlanner> loadPlanner(const std::string& name) {
@@ -118,8 +98,8 @@ TEST_F(PluginThreads, LoadAndUnloadUnderTraffic) {
       const auto controller = loadController();
       driven += eventually([&] { return planAndFollow(planner.get(), controller.get(), {6.0, 1.0, 0.0}); }) ? 1 : 0;
     }
-    planners_ = std::make_unique<PlannerLoader>(interfacePackage(), "nav_core::BaseGlobalPlanner");
-    controllers_ = std::make_unique<ControllerLoader>(interfacePackage(), "nav_core::BaseLocalPlanner");
+    planners_ = plannerLoader();
+    controllers_ = controllerLoader();
     if (i == repetitions / 2) {
       threads = countThreads();
       descriptors = countDescriptors();
