@@ -1,7 +1,7 @@
 # shellcheck shell=bash
-# What launch/demo.sh, test/run.sh, test/sanitize.sh and test/fuzz/run.sh have in common: find ROS 1, install what is
-# missing, build in a workspace outside the source tree, and enter that workspace's environment. To be sourced by them;
-# does nothing by itself. They may set more_packages and more_optional_packages.
+# What launch/demo.sh and the scripts in test and test/fuzz have in common: find ROS 1, install what is missing, build in a
+# workspace outside the source tree, and enter that workspace's environment. To be sourced by them; does nothing by itself.
+# They may set more_packages and more_optional_packages.
 #
 #   LSTM_PLANNER_WS   the workspace; default ${XDG_CACHE_HOME:-~/.cache}/lstm_planner
 
