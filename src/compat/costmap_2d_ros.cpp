@@ -28,7 +28,7 @@ bool Costmap2DROS::getRobotPose(geometry_msgs::PoseStamped& global_pose) const {
     ROS_WARN_THROTTLE(kWarningPeriod, "%s: the robot's pose is unknown: %s", name_.c_str(), exception.what());
     return false;
   }
-  const double age = (ros::Time::now() - transform.header.stamp).toSec();
+  const double age = ros::Time::now().toSec() - transform.header.stamp.toSec();
   // A transform without a stamp is a static one and does not age.
   if (!transform.header.stamp.isZero() && age > transform_tolerance_) {
     ROS_WARN_THROTTLE(kWarningPeriod, "%s: the transform from %s to %s is %.2f s old, older than %.2f s", name_.c_str(),

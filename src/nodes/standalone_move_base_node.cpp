@@ -1,23 +1,16 @@
-#include <ros/callback_queue.h>
 #include <ros/ros.h>
-#include <ros/spinner.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2_ros/buffer.h>
 
 #include <exception>
 #include <lstm_planner/ros/standalone_move_base.hpp>
+#include <lstm_planner/ros/transform_listener.hpp>
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "move_base");
+  const ros::NodeHandle node_handle;  // out here, since nothing is logged any more when the last one has gone
   try {
-    // The listener's own thread would wake up a hundred times a second whether there are transforms or not.
-    ros::NodeHandle transforms_node;
-    ros::CallbackQueue transforms_queue;
-    transforms_node.setCallbackQueue(&transforms_queue);
-    ros::AsyncSpinner transforms_spinner(1, &transforms_queue);
     tf2_ros::Buffer transforms;
-    transforms.setUsingDedicatedThread(true);
-    tf2_ros::TransformListener listener(transforms, transforms_node, false);
-    transforms_spinner.start();
+    const lstm_planner::TransformListener listener(&transforms);
     lstm_planner::StandaloneMoveBase move_base(transforms);
     ros::spin();
   } catch (const std::exception& exception) {

@@ -30,7 +30,7 @@ DatasetRecorder::Implementation::Implementation(const RecorderNodeParameters& pa
     : parameters_(parameters),
       file_(parameters),
       progress_(parameters.recorder.action_angles.size()),
-      tf_listener_(tf_),
+      tf_listener_(&tf_),
       messages_(tf_, parameters.base_frame, std::nullopt, parameters.recorder, &progress_),
       way_points_(parameters.way_points, parameters.seed),
       markers_(private_node_, parameters.recorder.action_angles) {

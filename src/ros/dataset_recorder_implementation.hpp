@@ -5,7 +5,6 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <deque>
 #include <functional>
@@ -20,6 +19,7 @@
 #include "dataset_recorder_way_points.hpp"
 #include "lstm_planner/ros/dataset_recorder.hpp"
 #include "lstm_planner/ros/drive_messages.hpp"
+#include "lstm_planner/ros/transform_listener.hpp"
 
 namespace lstm_planner {
 
@@ -62,7 +62,7 @@ class DatasetRecorder::Implementation {
   RecorderFile file_;
   RecordingProgress progress_;
   tf2_ros::Buffer tf_;
-  tf2_ros::TransformListener tf_listener_;
+  TransformListener tf_listener_;
   DriveMessages messages_;
   WayPointPicker way_points_;
   std::optional<int> exit_code_;  ///< once nothing is recorded any more

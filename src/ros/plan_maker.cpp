@@ -27,7 +27,7 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       global_frame_(frameName(global_frame)),
       agent_(DrivePolicy::fromFile(resolvePackagePath(parameters.model)), parameters.agent,
              parameters.sensors.scan_rules),
-      tf_listener_(tf_, messages_.nodeHandle(), false),
+      tf_listener_(&tf_, messages_.nodeHandle()),
       frames_(tf_, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf_),
       goals_(messages_.nodeHandle("~")),
@@ -42,7 +42,7 @@ void PlanMaker::makePlan(const geometry_msgs::PoseStamped& start, const geometry
   try {
     makePlanFromWhatIsHeard(start, goal_message, plan);
   } catch (const FutureTransform&) {
-    // One that was on its way when the clock was set back. As long as tf holds it, tf takes none that is 10 s older.
+    // One that was on its way when the clock was set back. As long as tf holds it, it is the newest.
     tf_.clear();
     throw;
   }

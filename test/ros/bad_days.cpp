@@ -9,6 +9,7 @@
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_msgs/UInt32.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
 #include <functional>
@@ -33,6 +34,8 @@ const Pose2 kGoals[] = {{6.5, 1.25, 0.0}, {2.0, 8.25, 0.0}};
 constexpr double kStandsWithin = 0.5;  // s
 constexpr double kPlanTimeout = 2.0;   // s, as shipped; the last plan may be made from a scan of
 constexpr double kScanTimeout = 0.5;   // s before
+constexpr double kTfTimeout = 0.3;     // s, the controller's, as shipped
+constexpr double kPoseTimeout = 0.5;   // s, the costmap's, as shipped
 constexpr double kWatched = 1.0;       // s after which it must still stand
 constexpr double kStill = 0.01;        // m/s
 
@@ -42,6 +45,7 @@ struct Passage {
   std::function<bool(sensor_msgs::LaserScan*)> planners_scan = [](auto*) { return true; };
   std::function<bool(nav_msgs::Odometry*)> odometry = [](auto*) { return true; };
   std::function<bool(rosgraph_msgs::Clock*)> clock = [](auto*) { return true; };
+  std::function<bool(geometry_msgs::TransformStamped*)> transform = [](auto*) { return true; };
 };
 
 /// Passes the robot's messages on, and watches what it really does.
@@ -53,10 +57,14 @@ class Relay {
     planners_scans_ = node.advertise<sensor_msgs::LaserScan>("planners_scan", 1);
     odometry_ = node.advertise<nav_msgs::Odometry>("odom", 10);
     clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 10);
+    transforms_ = node.advertise<tf2_msgs::TFMessage>("/tf", 10);
+    static_transforms_ = node.advertise<tf2_msgs::TFMessage>("/tf_static", 1, true);
     const auto hints = ros::TransportHints().tcpNoDelay();
     subscribers_ = {node.subscribe("true_scan", 1, &Relay::onScan, this, hints),
                     node.subscribe("true_odom", 10, &Relay::onOdometry, this, hints),
                     node.subscribe("/true_clock", 10, &Relay::onClock, this, hints),
+                    node.subscribe("/true_tf", 10, &Relay::onTransforms, this, hints),
+                    node.subscribe("/true_tf_static", 1, &Relay::onStaticTransforms, this, hints),
                     node.subscribe("create2_stub/ground_truth", 10, &Relay::onTruth, this, hints),
                     node.subscribe("create2_stub/contacts", 10, &Relay::onContacts, this)};
   }
@@ -98,6 +106,30 @@ class Relay {
     rosgraph_msgs::Clock passed = *clock;
     if (passage_.clock(&passed)) clock_.publish(passed);
   }
+  /// What a localisation says comes along with each transform of the odometry.
+  void onTransforms(const tf2_msgs::TFMessage::ConstPtr& message) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    tf2_msgs::TFMessage passed;
+    for (geometry_msgs::TransformStamped transform : message->transforms) {
+      odometry_in_map_.header.stamp = transform.header.stamp;
+      geometry_msgs::TransformStamped localisation = odometry_in_map_;
+      if (passage_.transform(&transform)) passed.transforms.push_back(transform);
+      if (passage_.transform(&localisation)) passed.transforms.push_back(localisation);
+    }
+    transforms_.publish(passed);
+  }
+  void onStaticTransforms(const tf2_msgs::TFMessage::ConstPtr& message) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    tf2_msgs::TFMessage passed;
+    for (const auto& transform : message->transforms) {
+      if (transform.header.frame_id == "map") {
+        odometry_in_map_ = transform;
+      } else {
+        passed.transforms.push_back(transform);
+      }
+    }
+    static_transforms_.publish(passed);
+  }
   void onTruth(const nav_msgs::Odometry::ConstPtr& truth) {
     const std::lock_guard<std::mutex> lock(mutex_);
     time_ = truth->header.stamp.toSec();
@@ -117,11 +149,14 @@ class Relay {
   double speed_ = 0.0;
   unsigned contact_count_ = 0;
   Pose2 pose_;
+  geometry_msgs::TransformStamped odometry_in_map_;
   CallbackThread callbacks_;
   ros::Publisher scans_;
   ros::Publisher planners_scans_;
   ros::Publisher odometry_;
   ros::Publisher clock_;
+  ros::Publisher transforms_;
+  ros::Publisher static_transforms_;
   std::vector<ros::Subscriber> subscribers_;
 };
 
@@ -195,6 +230,28 @@ Passage scans(const std::function<void(sensor_msgs::LaserScan*)>& spoil) {
 Passage odometry(const std::function<void(nav_msgs::Odometry*)>& spoil) {
   Passage passage;
   passage.odometry = [spoil](auto* odometry) { return spoil(odometry), true; };
+  return passage;
+}
+
+/// Spoils where the odometry sits in the map.
+Passage localisation(const std::function<bool(geometry_msgs::TransformStamped*)>& pass) {
+  Passage passage;
+  passage.transform = [pass](auto* transform) { return transform->header.frame_id != "map" || pass(transform); };
+  return passage;
+}
+Passage localisationAt(double seconds) {
+  return localisation([seconds](auto* transform) { return transform->header.stamp += ros::Duration(seconds), true; });
+}
+
+Passage noTransforms() {
+  Passage passage;
+  passage.transform = [](auto*) { return false; };
+  return passage;
+}
+/// Spoils where the robot is by its odometry; the planner's host looks it up.
+Passage odometryTransform(const std::function<bool(geometry_msgs::TransformStamped*)>& pass) {
+  Passage passage;
+  passage.transform = [pass](auto* transform) { return transform->header.frame_id != "odom" || pass(transform); };
   return passage;
 }
 
@@ -277,6 +334,32 @@ const Fault kFaults[] = {
     {"ClockSetBack", clockSetBack(30.0), "the robot stands: the"},
 };
 
+/// With the plans' frame connected to the odometry by a localisation.
+const Fault kTransformFaults[] = {
+    {"Missing", localisation([](auto*) { return false; }), "the robot stands: the newest transform from map to odom is",
+     kTfTimeout + kStandsWithin},
+    {"Late", localisationAt(-5.0), "the robot stands: the newest transform from map to odom is",
+     kTfTimeout + kStandsWithin},
+    {"InTheFuture", localisationAt(5.0), "the robot stands: the newest transform from map to odom is stamped",
+     kTfTimeout + kStandsWithin},
+    {"FarInTheFuture", localisationAt(1000.0),
+     "the transform from odom to map by /bad_transforms is not used: it is stamped", kTfTimeout + kStandsWithin},
+    {"AtTheEndOfTime", localisation([](auto* transform) { return transform->header.stamp = kEndOfTime, true; }),
+     "the transform from odom to map by /bad_transforms is not used: it is stamped 4294967295",
+     kTfTimeout + kStandsWithin},
+    {"Nan", localisation([](auto* transform) { return transform->transform.translation.x = kNan, true; }),
+     "the robot stands: the newest transform from map to odom is", kTfTimeout + kStandsWithin},
+    {"WithoutRotation", localisation([](auto* transform) { return transform->transform.rotation.w = 0.0, true; }),
+     "the robot stands: the newest transform from map to odom is", kTfTimeout + kStandsWithin},
+    {"NoneAtAll", noTransforms(), "the robot stands: the newest transform from map to odom is",
+     kTfTimeout + kStandsWithin},
+    {"OdometryMissing", odometryTransform([](auto*) { return false; }), "the robot stands: the plan is",
+     kPoseTimeout + kPlanTimeout + kStandsWithin},
+    {"OdometryAtTheEndOfTime",
+     odometryTransform([](auto* transform) { return transform->header.stamp = kEndOfTime, true; }),
+     "the robot stands: the plan is", kPoseTimeout + kPlanTimeout + kStandsWithin},
+};
+
 class FaultTest : public BadDayTest, public testing::WithParamInterface<Fault> {};
 
 TEST_P(FaultTest, TheRobotStandsSaysWhyAndGoesOnAfterwards) {
@@ -285,6 +368,10 @@ TEST_P(FaultTest, TheRobotStandsSaysWhyAndGoesOnAfterwards) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sensors, FaultTest, testing::ValuesIn(kFaults),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+// In bad_transforms.test.
+INSTANTIATE_TEST_SUITE_P(Transforms, FaultTest, testing::ValuesIn(kTransformFaults),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST_F(BadDayTest, DrivesOnWithoutStamps) {

@@ -214,16 +214,16 @@ TEST_F(BadSensorTest, RefusesTransformsThatAreMissingOldOrOfTheFuture) {
 
 TEST_F(BadSensorTest, ATransformOnItsWayWhenTheClockIsSetBackDoesNotStopThePlannerUntilItsStamp) {
   tf2_ros::TransformBroadcaster broadcaster;
-  robot_.wait(5000.0);
+  robot_.wait(100.0);
   const auto plansAt = [&](double ahead) {
     robot_.again();
     broadcaster.sendTransform(localisation(ros::Time::now() + ros::Duration(ahead)));
     return plan(planner_.get(), stampedPose("world", {3.0, 0.0, 0.0}));
   };
   ASSERT_TRUE(eventually([&] { return plansAt(0.0); }));
-  robot_.wait(-4000.0);
+  robot_.wait(-8.0);
   const std::string reason = "no plan: the newest transform from world to odom is stamped";
-  ASSERT_TRUE(eventually([&] { return !plansAt(4000.0) && log_.count(reason) > 0; }));
+  ASSERT_TRUE(eventually([&] { return !plansAt(8.0) && log_.count(reason) > 0; }));
   EXPECT_TRUE(eventually([&] { return plansAt(0.0); }));
 }
 

@@ -1,5 +1,7 @@
 // What is in the file, and what the recorder says of it, whatever happens to the recorder.
 
+#include <tf2_msgs/TFMessage.h>
+
 #include "ros/recorder_fixture.hpp"
 
 namespace lstm_planner {
@@ -140,6 +142,18 @@ TEST_F(RecorderTest, AFullDiskIsSaidAndNothingIsLostOnceThereIsRoomAgain) {
   const Dataset dataset = finish();
   EXPECT_EQ(stepCount(dataset), 12);
   EXPECT_EQ(dataset.recordings.at(0).episodes.size(), 1U);
+}
+
+TEST_F(RecorderTest, ATransformAtTheEndOfTimeIsSaidAndRecordingGoesOn) {
+  ros::Publisher transforms = ros::NodeHandle().advertise<tf2_msgs::TFMessage>("/tf", 10);
+  start();
+  giveGoal(goalAt(5.0, 0.0));
+  EXPECT_TRUE(eventually([&] {
+    transforms.publish(transformAtTheEndOfTime());
+    return contains(recorder_->printed(), "is not used: it is stamped 4294967296");
+  }));
+  drive({0.4, 0.0, 0.0}, 2.0);
+  EXPECT_GE(stepCount(finish()), 3);
 }
 
 TEST_F(RecorderTest, BadParametersEndTheNodeWithASentence) {

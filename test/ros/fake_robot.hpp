@@ -3,6 +3,7 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
+#include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
@@ -26,6 +27,17 @@ inline bool eventually(const std::function<bool()>& condition) {
     ros::WallDuration(0.002).sleep();
   }
   return condition();
+}
+
+/// Of the odometry; tf itself throws for such a stamp.
+inline tf2_msgs::TFMessage transformAtTheEndOfTime() {
+  tf2_msgs::TFMessage message;
+  message.transforms.emplace_back();
+  message.transforms[0].header.stamp = ros::TIME_MAX;
+  message.transforms[0].header.frame_id = "odom";
+  message.transforms[0].child_frame_id = "base_footprint";
+  message.transforms[0].transform.rotation.w = 1.0;
+  return message;
 }
 
 /// Publishes what a robot with a scanner would, at poses and times that the test sets. The clock stands still in

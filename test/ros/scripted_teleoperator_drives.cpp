@@ -5,6 +5,7 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <std_msgs/UInt32.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
 #include <functional>
@@ -14,6 +15,7 @@
 
 #include "lstm_planner/ros/conversions.hpp"
 #include "lstm_planner/ros/teleoperator_parameters.hpp"
+#include "ros/fake_robot.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -111,6 +113,9 @@ TEST_F(ScriptedTeleoperator, DrivesToItsOwnWayPointsAndEnds) {
       "scripted_teleoperator/goal", 10,
       [&](const geometry_msgs::PoseStamped::ConstPtr& goal) { announced.push_back(goal->header.frame_id); });
   ASSERT_TRUE(waitUntil([&] { return command_subscriber_.getNumPublishers() == 1; }));
+  ros::Publisher transforms = node_.advertise<tf2_msgs::TFMessage>("/tf", 10);
+  ASSERT_TRUE(waitUntil([&] { return transforms.getNumSubscribers() > 0; }));
+  transforms.publish(transformAtTheEndOfTime());
   EXPECT_TRUE(waitUntilAt({1.5, 2.0})) << "the second of two way-points";
   EXPECT_TRUE(waitUntil([&] { return command_subscriber_.getNumPublishers() == 0; })) << "it does not end";
   EXPECT_EQ(command_.linear, 0.0);

@@ -3,7 +3,6 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/time.h>
 #include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <stdexcept>
 #include <string>
@@ -18,6 +17,7 @@
 #include "lstm_planner/ros/message_queue.hpp"
 #include "lstm_planner/ros/plugin_parameters.hpp"
 #include "lstm_planner/ros/sensor_listener.hpp"
+#include "lstm_planner/ros/transform_listener.hpp"
 
 namespace lstm_planner {
 
@@ -59,7 +59,7 @@ class PlanMaker {
 
   MessageQueue messages_;
   tf2_ros::Buffer tf_;
-  tf2_ros::TransformListener tf_listener_;
+  TransformListener tf_listener_;
   FrameTransformer frames_;
   SensorListener sensors_;
   GoalListener goals_;

@@ -3,7 +3,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
-#include <tf2_ros/transform_listener.h>
+#include <tf2_ros/buffer.h>
 
 #include <atomic>
 #include <optional>
@@ -11,6 +11,7 @@
 
 #include "lstm_planner/perception/odometry_history.hpp"
 #include "lstm_planner/ros/teleoperator_parameters.hpp"
+#include "lstm_planner/ros/transform_listener.hpp"
 #include "lstm_planner/simulation/world.hpp"
 
 namespace lstm_planner {
@@ -64,7 +65,7 @@ class ScriptedTeleoperator {
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
   tf2_ros::Buffer tf_;
-  tf2_ros::TransformListener listener_{tf_};
+  TransformListener listener_{&tf_};
   ros::Subscriber goal_subscriber_;
   ros::Subscriber truth_subscriber_;
   ros::Publisher goal_publisher_;

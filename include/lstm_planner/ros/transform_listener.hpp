@@ -1,0 +1,46 @@
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <ros/subscriber.h>
+#include <ros/time.h>
+#include <tf2_msgs/TFMessage.h>
+#include <tf2_ros/buffer.h>
+
+#include <memory>
+#include <string>
+
+namespace lstm_planner {
+
+/// Fills a buffer from the topics tf and tf_static, as tf2_ros::TransformListener does, and survives any message. A
+/// transform stamped farther ahead of the clock than the buffer remembers (10 s by default) is left out with a
+/// sentence: the buffer would forget all others and refuse new ones until the clock has caught up, and at the end of
+/// time it throws. A clock that is set back clears the buffer.
+class TransformListener {
+ public:
+  /// In a thread of its own. `buffer` must outlive the object.
+  explicit TransformListener(tf2_ros::Buffer* buffer);
+
+  /// In whatever thread serves the queue of `node_handle`.
+  TransformListener(tf2_ros::Buffer* buffer, ros::NodeHandle node_handle);
+
+  TransformListener(const TransformListener&) = delete;
+  TransformListener& operator=(const TransformListener&) = delete;
+
+ private:
+  void subscribe(ros::NodeHandle node_handle);
+  void onTransforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event);
+  void onStaticTransforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event);
+  void clearIfClockWasSetBack(const ros::Time& now);
+  void add(const geometry_msgs::TransformStamped& transform, const std::string& publisher, bool is_static);
+
+  tf2_ros::Buffer& buffer_;
+  ros::Time last_update_;
+  ros::CallbackQueue queue_;
+  ros::Subscriber subscriber_;
+  ros::Subscriber static_subscriber_;
+  std::unique_ptr<ros::AsyncSpinner> spinner_;  ///< null without a thread of its own
+};
+
+}  // namespace lstm_planner
