@@ -2,6 +2,7 @@
 
 #include <tf2_msgs/TFMessage.h>
 
+#include "lstm_planner/dataset/dataset_check.hpp"
 #include "ros/recorder_fixture.hpp"
 
 namespace lstm_planner {
@@ -10,6 +11,12 @@ namespace {
 constexpr int kOk = diagnostic_msgs::DiagnosticStatus::OK;
 constexpr int kWarning = diagnostic_msgs::DiagnosticStatus::WARN;
 constexpr int kError = diagnostic_msgs::DiagnosticStatus::ERROR;
+
+/// As `dataset check`.
+void expectSoundFile(const std::string& path) {
+  const std::vector<std::string> flaws = checkDatasetFile(path);
+  EXPECT_TRUE(flaws.empty()) << flaws.front();
+}
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
@@ -77,6 +84,7 @@ TEST_F(RecorderTest, WhatWasSaidToBeStoredSurvivesBeingKilled) {
   EXPECT_EQ(stored, 5);
   recorder_->signal(SIGKILL);
   EXPECT_EQ(recorder_->wait(), -SIGKILL);
+  expectSoundFile(file());
   const Dataset dataset = readDataset(file());
   EXPECT_GE(stepCount(dataset), stored);
   EXPECT_FALSE(dataset.recordings.at(0).finished);
@@ -88,6 +96,7 @@ TEST_F(RecorderTest, WhatWasSaidToBeStoredSurvivesBeingKilled) {
   ASSERT_EQ(both.recordings.size(), 2U) << "the same file goes on";
   EXPECT_EQ(both.recordings[0].episodes.at(0).steps.size(), static_cast<std::size_t>(stepCount(dataset)));
   EXPECT_TRUE(both.recordings[1].finished);
+  expectSoundFile(file());
 }
 
 TEST_F(RecorderTest, BeingInterruptedWritesWhatWasHeard) {
@@ -142,6 +151,30 @@ TEST_F(RecorderTest, AFullDiskIsSaidAndNothingIsLostOnceThereIsRoomAgain) {
   const Dataset dataset = finish();
   EXPECT_EQ(stepCount(dataset), 12);
   EXPECT_EQ(dataset.recordings.at(0).episodes.size(), 1U);
+}
+
+TEST_F(RecorderTest, AFileThatCannotGrowIsSaidAndHoldsWhatWasStored) {
+  start();
+  giveGoal(goalAt(50.0, 0.0));
+  drive({0.4, 0.0, 0.0}, 2.0);
+  // Write-ahead log and dataset may grow a little, and then no more, wherever in a transaction that is.
+  recorder_->limitFiles(std::filesystem::file_size(file()) + 20000);
+  ASSERT_TRUE(eventually([this] {
+    const Pose2 pose = robot_.pose();
+    drive({pose.x + 0.4, 0.0, 0.0}, 2.0);
+    return count("level") == kError;
+  }));
+  const std::string sentence = "dataset '" + file() + "'";
+  EXPECT_TRUE(contains(value("message"), "cannot write") && contains(value("message"), sentence)) << value("message");
+  const auto isLogged = [&] { return contains(recorder_->printed(), "cannot write"); };
+  EXPECT_TRUE(eventually(isLogged) || eventually(isLogged)) << "every ten seconds";
+  const long stored = count("steps stored");
+  EXPECT_GT(stored, 0);
+  recorder_->signal(SIGTERM);
+  EXPECT_EQ(recorder_->wait(), 1) << "what waits is lost";
+  EXPECT_TRUE(contains(recorder_->printed(), "steps are not in it")) << recorder_->printed();
+  expectSoundFile(file());
+  EXPECT_EQ(stepCount(readDataset(file())), stored);
 }
 
 TEST_F(RecorderTest, ATransformAtTheEndOfTimeIsSaidAndRecordingGoesOn) {
