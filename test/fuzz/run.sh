@@ -35,9 +35,9 @@ harness_names() { basename -s .cpp "$source_dir"/test/fuzz/harnesses/*.cpp; }
 # Runs one fuzzer ($1) within the limits that hold for every input: 10 s, 1 GB, 512 MB at once.
 run_fuzzer() {
   local name="$1" found="$workspace/fuzz/$1"
-  # Traces of where memory was taken cost a tenth of the time, and weighing inputs by their entropy up to half of it;
-  # run a failure's input again without these options.
-  local -x ASAN_OPTIONS="malloc_context_size=1:quarantine_size_mb=16:${ASAN_OPTIONS:-}"
+  # Traces of where memory was taken cost a tenth of the time, much memory that waits to be used again a quarter, and
+  # weighing inputs by their entropy up to half of it; run a failure's input again without these options.
+  local -x ASAN_OPTIONS="malloc_context_size=1:quarantine_size_mb=1:thread_local_quarantine_size_kb=64:${ASAN_OPTIONS:-}"
   mkdir -p "$found"
   say "$name: $runs executions at most, log in $found.log"
   "$workspace/devel/lib/lstm_planner/fuzz_$name" -runs="$runs" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=1024 \
