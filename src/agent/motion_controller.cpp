@@ -18,6 +18,18 @@ double clamp(double value, double limit) { return std::max(-limit, std::min(limi
 
 }  // namespace
 
+/// What moves, and what has moved and stands.
+struct MotionController::Persons {
+  Persons(double footprint_radius, double reach, const std::vector<Point2>& moving_points,
+          const std::vector<Point2>& resting_points)
+      : moving(footprint_radius, 0.0, reach), resting(footprint_radius, 0.0, reach) {
+    moving.show(moving_points);
+    resting.show(resting_points);
+  }
+  Shield moving;
+  Shield resting;
+};
+
 void validate(const MotionParameters& parameters) {
   visitMotionNumbers(parameters, RangeCheck());
   validate(parameters.moving);
@@ -27,7 +39,8 @@ MotionController::MotionController(const MotionParameters& parameters)
     : parameters_((validate(parameters), parameters)) {}
 
 Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current,
-                                 const Shield& shield, double period, const std::vector<Point2>& moving) const {
+                                 const Shield& shield, double period, const std::vector<Point2>& moving,
+                                 const std::vector<Point2>& resting) const {
   if (plan.empty() || !isFinite(pose)) {
     return {};
   }
@@ -56,9 +69,12 @@ Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& po
     const double reachable = std::max(0.0, current.linear) + parameters_.linear_acceleration * period;
     twist.linear = std::min({parameters_.max_linear * std::cos(error), brakes, reachable});
     twist = withinWheelLimits(twist);
-    Shield persons(shield.footprintRadius(), 0.0, yieldingReach(shield.footprintRadius()));
-    persons.show(moving);
+    const Persons persons(shield.footprintRadius(), yieldingReach(shield.footprintRadius()), moving, resting);
     twist.linear = safeSpeed(twist, current, shield, persons, period);
+  }
+  // Wheels that turn the robot brake it later: before somebody it stands first, then it turns.
+  if (twist.linear == 0.0 && current.linear > kSpeedError && !moving.empty()) {
+    return {};
   }
   return withinWheelLimits(twist);
 }
@@ -113,7 +129,7 @@ Twist2 MotionController::withinWheelLimits(const Twist2& twist) const {
 }
 
 double MotionController::safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield,
-                                   const Shield& persons, double period) const {
+                                   const Persons& persons, double period) const {
   constexpr int kTries = 8;
   constexpr double kCreep = 0.005;  // m/s; slower is standing
   double speed = std::min(wanted.linear, cautiousSpeed(wanted, shield));
@@ -155,6 +171,11 @@ double MotionController::yieldingSpeed(const Twist2& twist, const Shield& person
   const double gap = persons.arcGap({}, twist.angular / twist.linear, stoppingWay(twist.linear));
   const double time = (gap - parameters_.person_margin) / parameters_.person_speed;
   return std::max(0.0, (time - parameters_.reaction_time) * parameters_.linear_acceleration);
+}
+
+double MotionController::yieldingSpeed(const Twist2& twist, const Persons& persons) const {
+  const double beside_resting = std::max(parameters_.person_slow_speed, yieldingSpeed(twist, persons.resting));
+  return std::min(beside_resting, yieldingSpeed(twist, persons.moving));
 }
 
 double MotionController::stoppingWay(double speed) const {

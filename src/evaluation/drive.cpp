@@ -34,7 +34,7 @@ class ControlledRobot : public LoopRobot {
     }
     moving_.show(situation.profile, situation.pose, situation.time);
     robot_.command(controller_.compute(plan_, situation.pose, robot_.measuredTwist(), agent.shield(),
-                                       parameters_.control_period, moving_.points()));
+                                       parameters_.control_period, moving_.points(), moving_.resting()));
     robot_.advance(parameters_.control_period);
   }
 

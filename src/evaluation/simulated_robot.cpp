@@ -10,6 +10,12 @@ namespace {
 
 constexpr double kStanding = 0.02;  // m/s; who is slower towards somebody is not driving into him
 
+/// m/s towards `other`.
+double approachSpeed(const Point2& position, const Point2& velocity, const Point2& other) {
+  const double direction = directionTo(position, other);
+  return velocity.x * std::cos(direction) + velocity.y * std::sin(direction);
+}
+
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
@@ -30,17 +36,28 @@ void SimulatedRobot::obeyCommands() {
   }
 }
 
+/// Whether the robot at `position` touches nobody but walkers that have run into it (counted then) and lets them pass.
+bool SimulatedRobot::isBrushedBy(const Point2& position, const Point2& velocity) const {
+  const double radius = 0.5 * parameters_.base.base_diameter;
+  if (crowd_ == nullptr || crowd_->surroundings().touches(position, radius)) return false;
+  const std::vector<Crowd::Walker>& walkers = crowd_->walkers();
+  return std::all_of(walkers.begin(), walkers.end(), [&](const Crowd::Walker& walker) {
+    const bool touches = distanceBetween(position, walker.body.center) < radius + walker.body.radius;
+    return !touches || (walker.beside_robot && approachSpeed(position, velocity, walker.body.center) <= kStanding);
+  });
+}
+
 /// Moves unless something is in the way; returns the velocity that the robot had or wanted, m/s in the world.
 Point2 SimulatedRobot::move(double seconds) {
   const Pose2 before = base_.truePose();
   base_.step(seconds);
   const Pose2 after = base_.truePose();
   const Point2 velocity{(after.x - before.x) / seconds, (after.y - before.y) / seconds};
-  const bool touches = world_.touches({after.x, after.y}, 0.5 * parameters_.base.base_diameter);
-  if (touches) {
-    contacts_ += touching_ ? 0 : 1;
-    base_.holdPosition({before.x, before.y, after.yaw});
-  }
+  const Point2 position{after.x, after.y};
+  const bool blocked = world_.touches(position, 0.5 * parameters_.base.base_diameter);
+  if (blocked) base_.holdPosition({before.x, before.y, after.yaw});
+  const bool touches = blocked && !isBrushedBy(position, velocity);
+  contacts_ += touches && !touching_ ? 1 : 0;
   touching_ = touches;
   path_length_ += distanceBetween(before, base_.truePose());
   return velocity;
@@ -50,8 +67,7 @@ void SimulatedRobot::letWalk(double seconds, const Point2& velocity) {
   const Point2 here{base_.truePose().x, base_.truePose().y};
   for (const Circle& walker : crowd_->advance(seconds, {here, 0.5 * parameters_.base.base_diameter})) {
     if (touching_) continue;  // counted already
-    const double direction = directionTo(here, walker.center);
-    const double approach = velocity.x * std::cos(direction) + velocity.y * std::sin(direction);
+    const double approach = approachSpeed(here, velocity, walker.center);
     const bool moves = std::hypot(velocity.x, velocity.y) > kStanding;
     ++(approach > kStanding ? contacts_ : bumped_);
     bumped_moving_ += moves && approach <= kStanding ? 1 : 0;

@@ -15,6 +15,7 @@ constexpr double kViewSpacing = 0.05;   // s between the scans that are kept
 constexpr double kFastestRobot = 2.0;   // m/s; odometry that is faster has jumped
 constexpr double kPlaceSpacing = 0.08;  // m between remembered places
 constexpr double kSameThing = 0.15;     // m; a return this near to a place, or to the next return, belongs to it
+constexpr double kRestingReach = 1.5;   // m from the robot; what rests farther away does not matter yet
 constexpr std::size_t kMostGap = 2;     // beams of a moving thing that may be missing or in doubt between two
 
 double squaredDistance(const Point2& a, const Point2& b) {
@@ -37,6 +38,7 @@ void MovingReturns::reset() {
   view_count_ = 0;
   places_.clear();
   points_.clear();
+  resting_.clear();
 }
 
 void MovingReturns::show(const RangeProfile& profile, const Pose2& pose, double time) {
@@ -214,26 +216,40 @@ void MovingReturns::notePlace(const Point2& point) {
 
 void MovingReturns::forgetPlaces() {
   const auto over = [&](const Place& place) {
-    return view_.time - place.time > parameters_.hold ||
+    return view_.time - place.time > std::max(parameters_.hold, parameters_.remember) ||
            (place.time < view_.time && sightOf(place.point, view_) == Sight::kFree);
   };
   places_.erase(std::remove_if(places_.begin(), places_.end(), over), places_.end());
 }
 
 void MovingReturns::collectPoints() {
-  points_.clear();
-  if (places_.empty()) {
+  moving_places_.clear();
+  resting_places_.clear();
+  for (const Place& place : places_) {
+    if (view_.time - place.time <= parameters_.hold) {
+      moving_places_.push_back(place.point);
+    } else if (distanceBetween(place.point, view_.pose) <= kRestingReach) {
+      resting_places_.push_back(place.point);
+    }
+  }
+  collectNear(moving_places_, &points_);
+  collectNear(resting_places_, &resting_);
+}
+
+void MovingReturns::collectNear(const std::vector<Point2>& places, std::vector<Point2>* points) const {
+  points->clear();
+  if (places.empty()) {
     return;
   }
   for (const Point2& point : returns_) {
-    const auto near = [&](const Place& place) { return squaredDistance(place.point, point) < kSameThing * kSameThing; };
-    if (std::any_of(places_.begin(), places_.end(), near)) {
-      points_.push_back(view_.toBase(point));
+    const auto near = [&](const Point2& place) { return squaredDistance(place, point) < kSameThing * kSameThing; };
+    if (std::any_of(places.begin(), places.end(), near)) {
+      points->push_back(view_.toBase(point));
     }
   }
-  for (const Place& place : places_) {
-    if (sightOf(place.point, view_) == Sight::kUnknown) {
-      points_.push_back(view_.toBase(place.point));
+  for (const Point2& place : places) {
+    if (sightOf(place, view_) == Sight::kUnknown) {
+      points->push_back(view_.toBase(place));
     }
   }
 }

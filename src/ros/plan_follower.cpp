@@ -56,7 +56,7 @@ Twist2 PlanFollower::compute() {
   compose(odometryFromPlan(reading.odometry_frame, now), plan_, &odometry_plan_);
   look(reading);
   return controller_.compute(odometry_plan_, reading.scan_pose, reading.twist, shield_,
-                             1.0 / parameters_.controller_frequency, moving_.points());
+                             1.0 / parameters_.controller_frequency, moving_.points(), moving_.resting());
 }
 
 bool PlanFollower::goalReached() {

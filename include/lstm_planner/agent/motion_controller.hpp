@@ -26,6 +26,7 @@ struct MotionParameters {
   MovingReturnsParameters moving;    ///< how people are found
   double person_speed = 1.0;         ///< m/s at which whatever moves may come towards the robot
   double person_margin = 0.15;       ///< m between what moves and the footprint, by then the robot stands
+  double person_slow_speed = 0.08;   ///< m/s at most beside what has moved before and stands: it may walk on
   double position_tolerance = 0.2;   ///< m
   double heading_tolerance = 3.15;   ///< rad; pi or more = any heading will do
 };
@@ -49,6 +50,7 @@ void visitMotionNumbers(Parameters& motion, const Visitor& visit) {
   visitMovingNumbers(motion.moving, visit);
   visit("person_speed", motion.person_speed, 0.01, 20.0);
   visit("person_margin", motion.person_margin, 0.001, 10.0);
+  visit("person_slow_speed", motion.person_slow_speed, 0.0, 10.0);
   visit("position_tolerance", motion.position_tolerance, 0.001, 10.0);
   visit("heading_tolerance", motion.heading_tolerance, 0.001, 10.0);
 }
@@ -62,16 +64,17 @@ void validate(const MotionParameters& parameters);
 /// place is always allowed.
 ///
 /// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
-/// speed of a person could reach the margin around it. It waits there, and goes on when nothing moves near it.
+/// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves
+/// near it.
 class MotionController {
  public:
   explicit MotionController(const MotionParameters& parameters);
 
   /// The next command. `plan` and `pose` are in the same frame, `current` is the measured twist, `shield` has been
   /// shown the latest scan, `period` is the time to the next command, s; `moving` are points of things that move, base
-  /// frame (MovingReturns). Zero for an empty plan.
+  /// frame, `resting` of things that have moved and stand (MovingReturns). Zero for an empty plan.
   Twist2 compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current, const Shield& shield,
-                 double period, const std::vector<Point2>& moving = {}) const;
+                 double period, const std::vector<Point2>& moving = {}, const std::vector<Point2>& resting = {}) const;
 
   /// At the plan's last pose within the tolerances.
   bool goalReached(const Pose2& pose, const Pose2& goal) const;
@@ -79,13 +82,16 @@ class MotionController {
   const MotionParameters& parameters() const { return parameters_; }
 
  private:
+  struct Persons;
+
   Pose2 target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const;
   Twist2 withinWheelLimits(const Twist2& twist) const;
-  double safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield, const Shield& persons,
+  double safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield, const Persons& persons,
                    double period) const;
   double cautiousSpeed(const Twist2& twist, const Shield& shield) const;
   double allowedSpeed(const Twist2& twist, const Twist2& current, const Shield& shield, double period) const;
   double yieldingSpeed(const Twist2& twist, const Shield& persons) const;
+  double yieldingSpeed(const Twist2& twist, const Persons& persons) const;
   double yieldingReach(double footprint_radius) const;
   double stoppingWay(double speed) const;
 

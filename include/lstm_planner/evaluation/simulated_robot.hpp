@@ -46,7 +46,8 @@ class SimulatedRobot {
   const Pose2& truePose() const { return base_.truePose(); }
   const Pose2& odometry() const { return base_.odometry(); }
   const Twist2& measuredTwist() const { return base_.measuredTwist(); }
-  int contacts() const { return contacts_; }           ///< how often the footprint began to touch something
+  /// How often the footprint began to touch something; not a walker that runs into it, unless it drives towards him.
+  int contacts() const { return contacts_; }
   int bumped() const { return bumped_; }               ///< how often a walker ran into the robot
   int bumpedMoving() const { return bumped_moving_; }  ///< of those, while it moved aside or away from him
   double pathLength() const { return path_length_; }   ///< m truly driven
@@ -58,6 +59,7 @@ class SimulatedRobot {
   };
   void obeyCommands();
   Point2 move(double seconds);
+  bool isBrushedBy(const Point2& position, const Point2& velocity) const;
   void letWalk(double seconds, const Point2& velocity);
 
   const World& world_;

@@ -21,7 +21,8 @@ struct MovingReturnsParameters {
   double lateral_margin = 0.05;  ///< m beside it, and
   double angle_margin = 0.03;    ///< rad beside it, too
   int fewest_beams = 4;          ///< neighbouring beams that must agree
-  double hold = 1.0;             ///< s; a thing that stands still counts as moving for this long, then as static
+  double hold = 1.0;             ///< s; a thing that stands still counts as moving for this long, then as resting
+  double remember = 10.0;        ///< s after its last motion that it counts as resting, then as static
 };
 
 /// Calls visit(name, value, least, most) for every number.
@@ -35,6 +36,7 @@ void visitMovingNumbers(Parameters& moving, const Visitor& visit) {
   visit("moving/angle_margin", moving.angle_margin, 1e-4, 1.0);
   visit("moving/fewest_beams", moving.fewest_beams, 1, 10000);
   visit("moving/hold", moving.hold, 0.0, 600.0);
+  visit("moving/remember", moving.remember, 0.0, 600.0);
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
@@ -42,7 +44,7 @@ void validate(const MovingReturnsParameters& parameters);
 
 /// Tells which returns of a scan belong to things that move: those that lie where an earlier scan looked through. What
 /// was hidden before, such as a wall behind a corner, was not seen free and does not count; nor does what goes away
-/// from the scanner. Remembers such places for a while in the odometry frame.
+/// from the scanner. Remembers such places for a while in the odometry frame: somebody who stands may walk on.
 class MovingReturns {
  public:
   explicit MovingReturns(const MovingReturnsParameters& parameters);
@@ -52,6 +54,9 @@ class MovingReturns {
 
   /// Returns of the last scan that move, and places out of its sight where something has just moved; base frame, m.
   const std::vector<Point2>& points() const { return points_; }
+
+  /// The same near the robot, of what has moved before and stands now.
+  const std::vector<Point2>& resting() const { return resting_; }
 
   /// Forgets all: after a jump of the odometry, for instance.
   void reset();
@@ -93,6 +98,7 @@ class MovingReturns {
   void notePlace(const Point2& point);
   void forgetPlaces();
   void collectPoints();
+  void collectNear(const std::vector<Point2>& places, std::vector<Point2>* points) const;
 
   MovingReturnsParameters parameters_;
   View view_;                   ///< the last scan
@@ -106,7 +112,8 @@ class MovingReturns {
   std::vector<float> positions_;       ///< among that view's beams
   std::vector<Point2> group_;          ///< returns beside one another that may be moving
   std::vector<Place> places_;
-  std::vector<Point2> points_;
+  std::vector<Point2> moving_places_, resting_places_;  ///< odometry frame
+  std::vector<Point2> points_, resting_;
 };
 
 }  // namespace lstm_planner

@@ -65,6 +65,7 @@ class Crowd : public World {
   std::vector<Circle> advance(double seconds, const Circle& robot);
 
   const std::vector<Walker>& walkers() const { return walkers_; }
+  const World& surroundings() const { return surroundings_; }
 
  private:
   Point2 drawPlace(double radius);

@@ -30,7 +30,7 @@ class AmongPersons {
     shield_.show(situation_.obstacles);
     moving_.show(situation_.profile, situation_.pose, situation_.time);
     robot_.command(controller_.compute(plan_, situation_.pose, robot_.measuredTwist(), shield_, kPeriod,
-                                       moving_.points()));
+                                       moving_.points(), moving_.resting()));
     robot_.advance(kPeriod);
   }
   const SimulatedRobot& robot() const { return robot_; }

@@ -226,6 +226,25 @@ TEST_F(MotionControllerTest, IsNeverFasterThanLetsItStandBeforeAPersonComes) {
       controller_.compute(plan, {}, {0.3, 0.0}, shield_, kPeriod, {{kRadius + 1.1, 0.0}}).linear, limits.max_linear);
 }
 
+TEST_F(MotionControllerTest, IsSlowBesideAPersonWhoStands) {
+  const MotionParameters& limits = controller_.parameters();
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {5.0, 0.0}});
+  const std::vector<Point2> person = {{0.0, kRadius + 0.09}};
+  const Twist2 current{0.3, 0.0};
+  EXPECT_DOUBLE_EQ(controller_.compute(plan, {}, current, shield_, kPeriod, {}, person).linear,
+                   limits.person_slow_speed);
+  EXPECT_EQ(controller_.compute(plan, {}, current, shield_, kPeriod, person).linear, 0.0) << "this one moves";
+  EXPECT_DOUBLE_EQ(controller_.compute(plan, {}, current, shield_, kPeriod, {}, {{0.0, kRadius + 1.1}}).linear,
+                   limits.max_linear);
+}
+
+TEST_F(MotionControllerTest, StandsBeforeAPersonBeforeItTurns) {
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {3.0, 3.0}});
+  const std::vector<Point2> person = {{0.3, 0.0}};
+  EXPECT_EQ(controller_.compute(plan, {}, {0.2, 0.0}, shield_, kPeriod, person).angular, 0.0);
+  EXPECT_GT(controller_.compute(plan, {}, {0.0, 0.0}, shield_, kPeriod, person).angular, 1.0);
+}
+
 TEST_F(MotionControllerTest, TurnsThoughAPersonIsNear) {
   const Twist2 twist = controller_.compute(planAlong({{0.0, 0.0}, {0.0, 5.0}}), {}, {}, shield_, kPeriod, {{0.3, 0.0}});
   EXPECT_EQ(twist.linear, 0.0);

@@ -104,6 +104,23 @@ TEST(SimulatedRobot, IsBumpedIntoFromBehind) {
   EXPECT_NEAR(robot.truePose().x, 0.8, 0.05) << "a bump does not stop it";
 }
 
+TEST(SimulatedRobot, PassingAWalkerWhoRanIntoItsSideIsNoContact) {
+  const CircleWorld floor({});
+  std::vector<Point2> places{{0.0, 2.0}};
+  CrowdParameters parameters;
+  parameters.walkers = 1;
+  parameters.slowest = parameters.fastest = 1.0;
+  parameters.shortest_stand = parameters.longest_stand = 5.0;
+  Crowd crowd(floor, places, parameters, {}, 1);
+  places[0] = {0.0, -2.0};
+  SimulatedRobot robot(&crowd, {}, {}, 1);
+  while (robot.bumped() == 0 && robot.time() < 30.0) robot.advance(0.02);
+  robot.command({0.1, 0.0});
+  robot.advance(2.0);
+  EXPECT_EQ(robot.contacts(), 0);
+  EXPECT_EQ(robot.bumped(), 1);
+}
+
 TEST(SimulatedRobot, ObeysCommandsWhenTheLatencyHasPassed) {
   const CircleWorld world({});
   SimulatedRobot::Parameters parameters;

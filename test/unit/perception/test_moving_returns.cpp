@@ -104,8 +104,8 @@ TEST_F(MovingReturnsTest, LeavesThePersonAloneWhoGoesAway) {
   }
 }
 
-TEST_F(MovingReturnsTest, CountsAPersonWhoStandsStillAsStaticAfterAWhile) {
-  const Pose2 pose{5.0, 2.0, M_PI_2};
+TEST_F(MovingReturnsTest, CountsAPersonWhoStandsStillAsRestingAndThenAsStatic) {
+  const Pose2 pose{5.0, 3.0, M_PI_2};
   Circle person{{5.0, 5.0}, 0.25};
   for (int i = 0; i < 10; ++i, person.center.y -= 0.1) look(pose, {person});
   const double stops = time_;
@@ -116,6 +116,9 @@ TEST_F(MovingReturnsTest, CountsAPersonWhoStandsStillAsStaticAfterAWhile) {
   // Where it stands was seen free up to 0.6 s after it came, and is held for 1 s after that.
   while (time_ < stops + 1.8) look(pose, {person});
   EXPECT_TRUE(moving_.points().empty());
+  EXPECT_GT(moving_.resting().size(), 5u);
+  while (time_ < stops + 0.6 + MovingReturnsParameters{}.remember + kPeriod) look(pose, {person});
+  EXPECT_TRUE(moving_.resting().empty());
 }
 
 TEST_F(MovingReturnsTest, RemembersForAWhileWhomItHasTurnedItsBackTo) {
