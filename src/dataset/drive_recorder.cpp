@@ -116,6 +116,7 @@ void DriveRecorder::work(const GoalHeard& goal) {
 void DriveRecorder::work(const GoalGivenUp&) { endEpisode(EpisodeEnd::kAborted); }
 
 void DriveRecorder::work(const ScanHeard& scan) {
+  silence_.show(scan.scan, parameters_.scan_rules, scan.stamp);
   if (!history_.empty() && history_.newest().stamp == scan.stamp) {
     look(scan);
   } else if (waiting_.size() < kMostWaitingScans) {
@@ -165,6 +166,10 @@ void DriveRecorder::look(const ScanHeard& scan) {
 
 bool DriveRecorder::see(const ScanHeard& scan) {
   if (!situation_) situation_.emplace();
+  if (silence_.isCovered()) {
+    sink_->reject(Rejection::kUnusableScan);
+    return false;
+  }
   try {
     perceive(scan.scan, scan.mount, parameters_.scan_rules, parameters_.range_cap, &*situation_);
   } catch (const UnusableScan&) {

@@ -38,6 +38,8 @@ void SensorListener::onScan(const ros::MessageEvent<sensor_msgs::LaserScan const
   const std::lock_guard<std::mutex> lock(mutex_);
   scan_ = event.getConstMessage();
   scan_stamp_ = stampOr(scan_->header.stamp, event.getReceiptTime());
+  fromMessage(*scan_, &laser_scan_);
+  silence_.show(laser_scan_, parameters_.scan_rules, scan_stamp_.toSec());
 }
 
 void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event) {
@@ -73,6 +75,11 @@ SensorReading SensorListener::read(const ros::Time& now) {
   checkAge(secondsBetween(scan_stamp_, now), parameters_.scan_timeout, scan_subscriber_.getTopic(), "scan_timeout");
   checkAge(secondsBetween(odometry_stamp_, now), parameters_.odom_timeout, odometry_subscriber_.getTopic(),
            "odom_timeout");
+  if (silence_.isCovered()) {
+    throw SensorError("the scanner counts as covered: on " + scan_subscriber_.getTopic() +
+                      " no beam has had a return since a scan in which " +
+                      std::to_string(std::lround(100.0 * silence_.shareBefore())) + " % of them had one");
+  }
   if (!odometry_is_finite_ || history_.empty()) {
     throw SensorError("the odometry on " + odometry_subscriber_.getTopic() +
                       " has a pose or twist that is not finite, or a zero quaternion");

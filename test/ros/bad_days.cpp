@@ -302,6 +302,8 @@ const Fault kFaults[] = {
     {"ScannerTouched", scans([](auto* scan) { setAll(scan, -kInf); }), "the robot stands: the scan has 0 of"},
     {"ScannerHalfCovered", scans([](auto* scan) { std::fill(scan->ranges.begin() + 540, scan->ranges.end(), 0.01F); }),
      "the robot stands: the scan has"},
+    {"ScannerCoveredInTheDriversCode", scans([](auto* scan) { setAll(scan, kNan); }),
+     "the robot stands: the scanner counts as covered"},
     {"ScansStuck", scans([](auto* scan) { scan->header.stamp = kBeginning; }),
      "the robot stands: the newest message on /scan is"},
     {"ScansOfTheFuture", scans([](auto* scan) { scan->header.stamp += ros::Duration(60.0); }),

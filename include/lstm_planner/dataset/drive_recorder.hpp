@@ -12,6 +12,7 @@
 #include "lstm_planner/dataset/event_order.hpp"
 #include "lstm_planner/dataset/recorder_parameters.hpp"
 #include "lstm_planner/perception/odometry_history.hpp"
+#include "lstm_planner/perception/silence_watch.hpp"
 
 namespace lstm_planner {
 
@@ -78,6 +79,7 @@ class DriveRecorder {
   std::vector<ScanHeard> waiting_;      ///< scans that are newer than the odometry
   std::optional<double> last_look_;     ///< number of its period
   std::optional<Situation> situation_;  ///< at the last look
+  SilenceWatch silence_;
   Observer observer_;
 
   std::optional<GoalInFrame> goal_;

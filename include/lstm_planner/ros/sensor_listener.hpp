@@ -14,6 +14,7 @@
 
 #include "lstm_planner/perception/laser_scan.hpp"
 #include "lstm_planner/perception/odometry_history.hpp"
+#include "lstm_planner/perception/silence_watch.hpp"
 #include "lstm_planner/ros/message_queue.hpp"
 #include "lstm_planner/ros/plugin_parameters.hpp"
 
@@ -45,8 +46,8 @@ class SensorListener {
   SensorListener(MessageQueue* messages, const SensorParameters& parameters, const std::string& base_frame,
                  const tf2_ros::Buffer& tf);
 
-  /// Of what has come until now. Throws SensorError when scan or odometry is missing, too old, not finite, or the
-  /// scanner's place is not known.
+  /// Of what has come until now. Throws SensorError when scan or odometry is missing, too old, not finite, the scanner is
+  /// covered (SilenceWatch) or its place is not known.
   SensorReading read(const ros::Time& now);
 
  private:
@@ -63,6 +64,8 @@ class SensorListener {
   std::string odometry_frame_;
   sensor_msgs::LaserScan::ConstPtr scan_;
   ros::Time scan_stamp_;
+  LaserScan laser_scan_;  ///< the same
+  SilenceWatch silence_;
   ros::Time odometry_stamp_;
   bool odometry_is_finite_ = true;
   OdometryHistory history_;

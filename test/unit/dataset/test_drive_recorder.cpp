@@ -301,6 +301,23 @@ TEST_F(DriveRecorderTest, ScansThatCannotBeAveragedAreCountedAndTheNextIsTaken) 
   EXPECT_NEAR(steps_.episodes()[0].steps[2].stamp, 101.025, 1e-9);
 }
 
+TEST_F(DriveRecorderTest, NothingIsRecordedWhileTheScannerIsCovered) {
+  DrivenRobot robot;
+  robot.events.push_back(goalAt(robot.time(), 10.0, 0.0));
+  robot.drive(3.0, {0.3, 0.0});
+  for (DriveEvent& event : robot.events) {
+    auto* scan = std::get_if<ScanHeard>(&event);
+    const bool covered = scan != nullptr && scan->stamp > 101.2 && scan->stamp < 102.2;
+    if (covered) std::fill(scan->scan.ranges.begin(), scan->scan.ranges.end(), std::nanf(""));
+  }
+  parameters_.scan_rules = urgNodeRules();
+  record(robot.events);
+  EXPECT_GT(steps_.rejected(Rejection::kUnusableScan), 0);
+  for (const DriveStep& step : steps_.episodes().at(0).steps) {
+    EXPECT_TRUE(step.stamp < 101.2 || step.stamp > 102.2 - 1e-6) << step.stamp;
+  }
+}
+
 TEST_F(DriveRecorderTest, AGoalInAFrameThatIsNotKnownIsCounted) {
   DrivenRobot robot;
   robot.events.push_back(GoalHeard{robot.time(), {"map", {10.0, 0.0, 0.0}}, "test"});
