@@ -2,7 +2,6 @@
 
 #include <ros/console.h>
 
-#include <algorithm>
 #include <exception>
 
 namespace lstm_planner {
@@ -11,10 +10,11 @@ namespace {
 constexpr int kQueue = 100;
 constexpr double kLogPeriod = 2.0;  // s
 
-/// The stamp (s) up to which a buffer can take transforms. Zero, before a simulator's clock has come, is no time.
-double latestUsable(const ros::Time& now, const ros::Duration& memory) {
-  const double latest = ros::TIME_MAX.toSec() - memory.toSec();
-  return now.isZero() ? latest : std::min(latest, now.toSec() + memory.toSec());
+void sayLeftOut(const geometry_msgs::TransformStamped& transform, const std::string& publisher, const ros::Time& now) {
+  ROS_ERROR_THROTTLE(kLogPeriod,
+                     "the transform from %s to %s by %s is not used: it is stamped %.3f s, and the clock says %.3f s",
+                     transform.child_frame_id.c_str(), transform.header.frame_id.c_str(), publisher.c_str(),
+                     transform.header.stamp.toSec(), now.toSec());
 }
 
 }  // namespace
@@ -40,8 +40,11 @@ void TransformListener::subscribe(ros::NodeHandle node_handle) {
 }
 
 void TransformListener::onTransforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event) {
-  clearIfClockWasSetBack(ros::Time::now());
-  for (const auto& transform : event.getConstMessage()->transforms) add(transform, event.getPublisherName(), false);
+  const ros::Time now = ros::Time::now();
+  clearIfClockWasSetBack(now);
+  for (const auto& transform : event.getConstMessage()->transforms) {
+    addMoving(transform, event.getPublisherName(), now);
+  }
 }
 
 void TransformListener::onStaticTransforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event) {
@@ -53,20 +56,34 @@ void TransformListener::clearIfClockWasSetBack(const ros::Time& now) {
     ROS_WARN("the clock was set back by %.3f s: all transforms so far are forgotten",
              last_update_.toSec() - now.toSec());
     buffer_.clear();
+    newest_.clear();
   }
   last_update_ = now;
 }
 
+void TransformListener::addMoving(const geometry_msgs::TransformStamped& transform, const std::string& publisher,
+                                  const ros::Time& now) {
+  const double memory = buffer_.getCacheLength().toSec();
+  const double stamp = transform.header.stamp.toSec();
+  // Zero, before a simulator's clock has come, is no time.
+  const auto isAhead = [&](double time) { return !now.isZero() && time > now.toSec() + memory; };
+  const auto last = newest_.find(transform.child_frame_id);
+  const bool was_sound = last != newest_.end() && !isAhead(last->second);
+  if (stamp > ros::TIME_MAX.toSec() - memory || (isAhead(stamp) && was_sound)) {
+    return sayLeftOut(transform, publisher, now);
+  }
+  if (last != newest_.end() && isAhead(last->second) && !isAhead(stamp)) {
+    ROS_WARN("the transform from %s to %s was stamped %.3f s, and is %.3f s now: all transforms so far are forgotten",
+             transform.child_frame_id.c_str(), transform.header.frame_id.c_str(), last->second, stamp);
+    buffer_.clear();
+    newest_.clear();
+  }
+  newest_[transform.child_frame_id] = stamp;
+  add(transform, publisher, false);
+}
+
 void TransformListener::add(const geometry_msgs::TransformStamped& transform, const std::string& publisher,
                             bool is_static) {
-  const double stamp = transform.header.stamp.toSec();
-  const ros::Time now = ros::Time::now();
-  if (!is_static && stamp > latestUsable(now, buffer_.getCacheLength())) {
-    ROS_ERROR_THROTTLE(
-        kLogPeriod, "the transform from %s to %s by %s is not used: it is stamped %.3f s, and the clock says %.3f s",
-        transform.child_frame_id.c_str(), transform.header.frame_id.c_str(), publisher.c_str(), stamp, now.toSec());
-    return;
-  }
   try {
     buffer_.setTransform(transform, publisher, is_static);
   } catch (const std::exception& error) {

@@ -86,6 +86,13 @@ TEST_F(TransformListenerTest, LeavesOutWhatWouldMakeItForgetAllOthers) {
   EXPECT_TRUE(takes(2.0, ros::Time(1001.0))) << "a clock that is a little ahead";
 }
 
+TEST_F(TransformListenerTest, TakesThoseOfAPublisherWhoseClockIsAheadUntilItIsSetRight) {
+  EXPECT_TRUE(takes(1.0, ros::Time(700000.0)));
+  EXPECT_TRUE(takes(2.0, ros::Time(700001.0)));
+  EXPECT_TRUE(takes(3.0, ros::Time(1001.0)));
+  EXPECT_TRUE(log_.eventuallyHas("the transform from odom to map was stamped 700001.000 s, and is 1001.000 s now"));
+}
+
 TEST_F(TransformListenerTest, ForgetsAllWhenTheClockIsSetBack) {
   EXPECT_TRUE(takes(1.0, ros::Time::now()));
   ros::Time::setNow(ros::Time(500.0));

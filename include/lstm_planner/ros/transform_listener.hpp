@@ -8,15 +8,17 @@
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/buffer.h>
 
+#include <map>
 #include <memory>
 #include <string>
 
 namespace lstm_planner {
 
 /// Fills a buffer from the topics tf and tf_static, as tf2_ros::TransformListener does, and survives any message. A
-/// transform stamped farther ahead of the clock than the buffer remembers (10 s by default) is left out with a
-/// sentence: the buffer would forget all others and refuse new ones until the clock has caught up, and at the end of
-/// time it throws. A clock that is set back clears the buffer.
+/// transform stamped farther ahead of the clock than the buffer remembers (10 s by default) makes it forget all others
+/// of its frame and refuse new ones until the clock has caught up. It is left out with a sentence when one with a sound
+/// stamp came before, and forgotten when one comes after; a publisher whose own clock is ahead is taken. The end of
+/// time, for which tf throws, is always left out. A clock that is set back clears the buffer.
 class TransformListener {
  public:
   /// In a thread of its own. `buffer` must outlive the object.
@@ -33,10 +35,12 @@ class TransformListener {
   void onTransforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event);
   void onStaticTransforms(const ros::MessageEvent<tf2_msgs::TFMessage const>& event);
   void clearIfClockWasSetBack(const ros::Time& now);
+  void addMoving(const geometry_msgs::TransformStamped& transform, const std::string& publisher, const ros::Time& now);
   void add(const geometry_msgs::TransformStamped& transform, const std::string& publisher, bool is_static);
 
   tf2_ros::Buffer& buffer_;
   ros::Time last_update_;
+  std::map<std::string, double> newest_;  ///< s, the stamp of the last transform that was taken, by child frame
   ros::CallbackQueue queue_;
   ros::Subscriber subscriber_;
   ros::Subscriber static_subscriber_;
