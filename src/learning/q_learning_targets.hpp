@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "lstm_planner/learning/q_learning.hpp"
 #include "lstm_planner/parameter_check.hpp"
 
 namespace lstm_planner {
@@ -57,8 +56,5 @@ void validateQ(const Parameters& parameters) {
   checkPositive("value_scale", parameters.value_scale);
   checkPositive("huber", parameters.huber);
 }
-
-/// R(s) as ThesisRewardWeights says.
-double thesisReward(const GridMemory& memory, const ThesisRewardWeights& weights);
 
 }  // namespace lstm_planner

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "grid_reward.hpp"
+
 namespace lstm_planner {
 namespace {
 
