@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/evaluation/drive.hpp"
-#include "lstm_planner/grid/map_server_map.hpp"
+#include "lstm_planner/base/grid/map_server_map.hpp"
+#include "lstm_planner/robot/evaluation/drive.hpp"
 
 namespace lstm_planner {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/evaluation/grid_agent_factory.hpp"
-#include "lstm_planner/evaluation/grid_report.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_report.hpp"
 
 namespace lstm_planner {
 

@@ -3,13 +3,13 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "lstm_planner/dataset/dataset_check.hpp"
-#include "lstm_planner/dataset/dataset_edit.hpp"
-#include "lstm_planner/dataset/dataset_export.hpp"
-#include "lstm_planner/dataset/dataset_summary.hpp"
+#include "lstm_planner/robot/dataset/dataset_check.hpp"
+#include "lstm_planner/robot/dataset/dataset_edit.hpp"
+#include "lstm_planner/robot/dataset/dataset_export.hpp"
+#include "lstm_planner/robot/dataset/dataset_summary.hpp"
 #include "tools/dataset_commands.hpp"
-#include "tools/options.hpp"
 #include "tools/dataset_report.hpp"
+#include "tools/options.hpp"
 #include "tools/output_file.hpp"
 
 namespace lstm_planner {

@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "lstm_planner/ros/bag_drive.hpp"
+#include "lstm_planner/ros/recorder/bag_drive.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_conversion.hpp"
 #include "tools/options.hpp"

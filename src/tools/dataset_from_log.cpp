@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "lstm_planner/dataset/carmen_log.hpp"
+#include "lstm_planner/robot/dataset/carmen_log.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_conversion.hpp"
 #include "tools/options.hpp"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "learning/gnuplot.hpp"
+#include "lstm_planner/base/common/gnuplot.hpp"
 #include "tools/dataset_report.hpp"
 
 namespace lstm_planner {

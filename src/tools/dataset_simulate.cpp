@@ -5,10 +5,10 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "lstm_planner/dataset/dataset_summary.hpp"
-#include "lstm_planner/dataset/recording_sink.hpp"
-#include "lstm_planner/evaluation/recorded_drives.hpp"
-#include "lstm_planner/files/input_file.hpp"
+#include "lstm_planner/base/common/input_file.hpp"
+#include "lstm_planner/robot/dataset/dataset_summary.hpp"
+#include "lstm_planner/robot/dataset/recording_sink.hpp"
+#include "lstm_planner/robot/evaluation/recorded_drives.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_report.hpp"
 #include "tools/drive_worlds.hpp"

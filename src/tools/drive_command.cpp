@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "learning/parallel_for.hpp"
+#include "lstm_planner/base/common/parallel_for.hpp"
 #include "tools/command.hpp"
 #include "tools/drive_options.hpp"
 #include "tools/drive_report.hpp"

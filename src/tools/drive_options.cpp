@@ -3,7 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lstm_planner/simulation/generated_world.hpp"
+#include "lstm_planner/robot/simulation/generated_world.hpp"
 #include "tools/options.hpp"
 #include "tools/output_file.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/evaluation/drive.hpp"
+#include "lstm_planner/robot/evaluation/drive.hpp"
 
 namespace lstm_planner {
 

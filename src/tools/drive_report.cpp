@@ -6,7 +6,7 @@
 #include <ostream>
 #include <sstream>
 
-#include "lstm_planner/evaluation/barn.hpp"
+#include "lstm_planner/robot/evaluation/barn.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "lstm_planner/evaluation/picture_file.hpp"
+#include "lstm_planner/base/common/picture_file.hpp"
 
 namespace lstm_planner {
 namespace {

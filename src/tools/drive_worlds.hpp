@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/evaluation/drive.hpp"
-#include "lstm_planner/simulation/world.hpp"
+#include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/robot/simulation/world.hpp"
 #include "tools/drive_options.hpp"
 
 namespace lstm_planner {

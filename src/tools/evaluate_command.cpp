@@ -4,9 +4,9 @@
 #include <sstream>
 #include <utility>
 
-#include "lstm_planner/evaluation/grid_agent_factory.hpp"
-#include "lstm_planner/evaluation/grid_evaluation.hpp"
-#include "lstm_planner/evaluation/grid_gallery.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_gallery.hpp"
 #include "tools/command.hpp"
 #include "tools/grid_options.hpp"
 #include "tools/options.hpp"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/evaluation/grid_agent_factory.hpp"
-#include "lstm_planner/evaluation/grid_evaluation.hpp"
-#include "lstm_planner/evaluation/grid_tasks.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_tasks.hpp"
 
 namespace lstm_planner {
 

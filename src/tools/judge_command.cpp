@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/learning/confusion.hpp"
-#include "lstm_planner/learning/drive_judge.hpp"
-#include "lstm_planner/learning/recorded_choices.hpp"
-#include "lstm_planner/learning/step_drive.hpp"
+#include "lstm_planner/base/learning/confusion.hpp"
+#include "lstm_planner/robot/learning/drive_judge.hpp"
+#include "lstm_planner/robot/learning/recorded_choices.hpp"
+#include "lstm_planner/robot/learning/step_drive.hpp"
 #include "tools/command.hpp"
 #include "tools/options.hpp"
 #include "tools/output_file.hpp"

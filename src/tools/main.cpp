@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "lstm_planner/files/output_file.hpp"
+#include "lstm_planner/base/common/output_file.hpp"
 #include "tools/command.hpp"
 #include "tools/ranks.hpp"
 

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <utility>
 
-#include "lstm_planner/learning/confusion.hpp"
-#include "lstm_planner/learning/dataset_sequences.hpp"
+#include "lstm_planner/base/learning/confusion.hpp"
+#include "lstm_planner/robot/learning/dataset_sequences.hpp"
 
 namespace lstm_planner {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/agent/drive_policy.hpp"
-#include "lstm_planner/dataset/dataset.hpp"
-#include "lstm_planner/learning/gradient.hpp"
+#include "lstm_planner/base/learning/gradient.hpp"
+#include "lstm_planner/robot/dataset/dataset.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
 
 namespace lstm_planner {
 

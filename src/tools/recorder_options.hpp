@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "lstm_planner/dataset/hindsight.hpp"
-#include "lstm_planner/dataset/recorder_parameters.hpp"
-#include "lstm_planner/perception/laser_scan.hpp"
+#include "lstm_planner/robot/dataset/hindsight.hpp"
+#include "lstm_planner/robot/dataset/recorder_parameters.hpp"
+#include "lstm_planner/robot/perception/laser_scan.hpp"
 
 namespace lstm_planner {
 

@@ -3,8 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lstm_planner/evaluation/grid_report.hpp"
-#include "lstm_planner/evaluation/grid_thesis.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_report.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_thesis.hpp"
 #include "tools/agent_list.hpp"
 #include "tools/command.hpp"
 #include "tools/grid_options.hpp"

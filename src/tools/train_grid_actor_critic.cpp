@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "lstm_planner/learning/actor_critic.hpp"
+#include "lstm_planner/grid_world/learning/actor_critic.hpp"
 #include "tools/actor_critic_options.hpp"
 #include "tools/options.hpp"
 #include "tools/ranks.hpp"

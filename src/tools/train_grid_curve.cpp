@@ -3,7 +3,7 @@
 #include <limits>
 #include <sstream>
 
-#include "learning/gnuplot.hpp"
+#include "lstm_planner/base/common/gnuplot.hpp"
 #include "tools/output_file.hpp"
 
 namespace lstm_planner {

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/learning/grid_imitation.hpp"
-#include "lstm_planner/learning/learning_curve.hpp"
-#include "lstm_planner/learning/training_checkpoint.hpp"
+#include "lstm_planner/base/learning/learning_curve.hpp"
+#include "lstm_planner/base/learning/training_checkpoint.hpp"
+#include "lstm_planner/grid_world/learning/grid_imitation.hpp"
 #include "tools/interruption.hpp"
 #include "tools/options.hpp"
 #include "tools/progress.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/learning/grid_imitation.hpp"
+#include "lstm_planner/grid_world/learning/grid_imitation.hpp"
 #include "tools/train_grid_options.hpp"
 
 namespace lstm_planner {

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "lstm_planner/agent/network_grid_agent.hpp"
-#include "lstm_planner/evaluation/grid_evaluation.hpp"
+#include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 #include "tools/ranks.hpp"
 
 namespace lstm_planner {

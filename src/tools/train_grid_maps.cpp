@@ -5,9 +5,9 @@
 #include <functional>
 #include <stdexcept>
 
-#include "learning/parallel_for.hpp"
-#include "lstm_planner/evaluation/scenario_generator.hpp"
-#include "lstm_planner/grid/map_generators.hpp"
+#include "lstm_planner/base/common/parallel_for.hpp"
+#include "lstm_planner/base/grid/map_generators.hpp"
+#include "lstm_planner/grid_world/world/scenario_generator.hpp"
 
 namespace lstm_planner {
 namespace {

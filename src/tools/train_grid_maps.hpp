@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/evaluation/grid_tasks.hpp"
-#include "lstm_planner/learning/grid_course.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_tasks.hpp"
+#include "lstm_planner/grid_world/learning/grid_course.hpp"
 #include "tools/train_grid_options.hpp"
 
 namespace lstm_planner {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/base/network/model_file.hpp"
 #include "tools/output_file.hpp"
 #include "tools/train_commands.hpp"
 

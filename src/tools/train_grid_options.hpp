@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/agent/grid_encoder.hpp"
-#include "lstm_planner/learning/initialisation.hpp"
-#include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/base/network/layers.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 
 namespace lstm_planner {
 

@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "lstm_planner/learning/q_learning.hpp"
+#include "lstm_planner/grid_world/learning/q_learning.hpp"
 #include "tools/options.hpp"
 #include "tools/q_learning_options.hpp"
 #include "tools/ranks.hpp"

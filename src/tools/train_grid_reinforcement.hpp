@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "lstm_planner/learning/grid_course.hpp"
-#include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/base/network/layers.hpp"
+#include "lstm_planner/grid_world/learning/grid_course.hpp"
 #include "tools/train_grid_options.hpp"
 
 namespace lstm_planner {

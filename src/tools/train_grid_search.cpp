@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/learning/grid_structure_search.hpp"
+#include "lstm_planner/grid_world/learning/grid_structure_search.hpp"
 #include "tools/interruption.hpp"
 #include "tools/options.hpp"
 #include "tools/output_file.hpp"

@@ -2,8 +2,8 @@
 #include <sstream>
 #include <utility>
 
-#include "lstm_planner/learning/drive_actor_critic.hpp"
-#include "lstm_planner/learning/recorded_choices.hpp"
+#include "lstm_planner/robot/learning/drive_actor_critic.hpp"
+#include "lstm_planner/robot/learning/recorded_choices.hpp"
 #include "tools/actor_critic_options.hpp"
 #include "tools/options.hpp"
 #include "tools/output_file.hpp"

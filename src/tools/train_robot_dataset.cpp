@@ -5,13 +5,13 @@
 #include <sstream>
 #include <utility>
 
-#include "lstm_planner/dataset/dataset.hpp"
-#include "lstm_planner/dataset/dataset_edit.hpp"
-#include "lstm_planner/learning/confusion.hpp"
-#include "lstm_planner/learning/initialisation.hpp"
-#include "lstm_planner/learning/learning_curve.hpp"
-#include "lstm_planner/learning/training_stability.hpp"
-#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/base/learning/confusion.hpp"
+#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/base/learning/learning_curve.hpp"
+#include "lstm_planner/base/learning/training_stability.hpp"
+#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/robot/dataset/dataset.hpp"
+#include "lstm_planner/robot/dataset/dataset_edit.hpp"
 #include "tools/interruption.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranks.hpp"

@@ -1,8 +1,8 @@
 #include <iomanip>
 #include <iostream>
 
-#include "lstm_planner/learning/imitation.hpp"
-#include "lstm_planner/learning/learning_curve.hpp"
+#include "lstm_planner/base/learning/learning_curve.hpp"
+#include "lstm_planner/robot/learning/imitation.hpp"
 #include "tools/options.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranks.hpp"

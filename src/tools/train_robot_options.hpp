@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/agent/drive_policy.hpp"
-#include "lstm_planner/learning/drive_course.hpp"
-#include "lstm_planner/learning/drive_judge.hpp"
-#include "lstm_planner/learning/initialisation.hpp"
-#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "lstm_planner/robot/learning/drive_course.hpp"
+#include "lstm_planner/robot/learning/drive_judge.hpp"
 
 namespace lstm_planner {
 

@@ -2,7 +2,7 @@
 #include <sstream>
 #include <utility>
 
-#include "lstm_planner/learning/drive_q_learning.hpp"
+#include "lstm_planner/robot/learning/drive_q_learning.hpp"
 #include "tools/options.hpp"
 #include "tools/output_file.hpp"
 #include "tools/q_learning_options.hpp"

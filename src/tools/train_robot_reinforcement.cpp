@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/learning/training_checkpoint.hpp"
+#include "lstm_planner/base/learning/training_checkpoint.hpp"
 #include "tools/interruption.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranks.hpp"

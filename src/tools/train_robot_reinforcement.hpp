@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/agent/drive_policy.hpp"
-#include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/base/network/layers.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_robot_options.hpp"
 

@@ -1,5 +1,5 @@
 #include "bench_support.hpp"
-#include "lstm_planner/learning/actor_critic.hpp"
+#include "lstm_planner/grid_world/learning/actor_critic.hpp"
 
 namespace lstm_planner {
 namespace {

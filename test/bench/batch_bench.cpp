@@ -4,8 +4,8 @@
 
 #include "bench_support.hpp"
 #include "floor.hpp"
-#include "lstm_planner/network/batch_network.hpp"
-#include "lstm_planner/network/network.hpp"
+#include "lstm_planner/base/network/batch_network.hpp"
+#include "lstm_planner/base/network/network.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "call_times.hpp"
-#include "lstm_planner/agent/online_agent.hpp"
-#include "lstm_planner/agent/rollout.hpp"
+#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/rollout.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner {

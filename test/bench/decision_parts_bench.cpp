@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "call_times.hpp"
-#include "lstm_planner/agent/drive_trace.hpp"
-#include "lstm_planner/agent/observer.hpp"
-#include "lstm_planner/agent/obstacle_memory.hpp"
-#include "lstm_planner/agent/online_agent.hpp"
-#include "lstm_planner/perception/moving_returns.hpp"
+#include "lstm_planner/robot/driving/drive_trace.hpp"
+#include "lstm_planner/robot/driving/observer.hpp"
+#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/memory/obstacle_memory.hpp"
+#include "lstm_planner/robot/perception/moving_returns.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner {

@@ -1,10 +1,10 @@
 #include <memory>
 
 #include "bench_support.hpp"
-#include "lstm_planner/agent/greedy_agent.hpp"
-#include "lstm_planner/agent/network_grid_agent.hpp"
-#include "lstm_planner/evaluation/grid_evaluation.hpp"
-#include "lstm_planner/simulation/random.hpp"
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/grid_world/agent/greedy_agent.hpp"
+#include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lstm_planner/network/instruction_set.hpp"
-#include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/base/network/instruction_set.hpp"
+#include "lstm_planner/base/network/layers.hpp"
 
 namespace lstm_planner {
 

@@ -4,7 +4,7 @@
 
 #include "bench_support.hpp"
 #include "floor.hpp"
-#include "lstm_planner/network/network.hpp"
+#include "lstm_planner/base/network/network.hpp"
 #include "textbook_lstm.hpp"
 
 namespace lstm_planner {

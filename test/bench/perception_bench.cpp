@@ -5,14 +5,14 @@
 #include <limits>
 #include <vector>
 
-#include "lstm_planner/agent/action_set.hpp"
-#include "lstm_planner/agent/obstacle_memory.hpp"
-#include "lstm_planner/agent/shield.hpp"
-#include "lstm_planner/agent/situation.hpp"
-#include "lstm_planner/evaluation/drive.hpp"
-#include "lstm_planner/perception/moving_returns.hpp"
-#include "lstm_planner/simulation/generated_world.hpp"
-#include "lstm_planner/simulation/hokuyo.hpp"
+#include "lstm_planner/robot/driving/action_set.hpp"
+#include "lstm_planner/robot/driving/shield.hpp"
+#include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/robot/memory/obstacle_memory.hpp"
+#include "lstm_planner/robot/perception/moving_returns.hpp"
+#include "lstm_planner/robot/perception/situation.hpp"
+#include "lstm_planner/robot/simulation/generated_world.hpp"
+#include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner {

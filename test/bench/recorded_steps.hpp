@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/agent/drive_policy.hpp"
-#include "lstm_planner/evaluation/drive.hpp"
-#include "lstm_planner/perception/laser_scan.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/robot/perception/laser_scan.hpp"
 
 namespace lstm_planner {
 

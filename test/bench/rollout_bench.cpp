@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/agent/online_agent.hpp"
-#include "lstm_planner/agent/rollout.hpp"
+#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/rollout.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner {

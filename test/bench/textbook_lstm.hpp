@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/base/network/layers.hpp"
 
 namespace lstm_planner {
 

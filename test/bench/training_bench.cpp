@@ -1,6 +1,6 @@
 #include "bench_support.hpp"
-#include "lstm_planner/learning/trainer.hpp"
-#include "lstm_planner/simulation/random.hpp"
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/base/learning/trainer.hpp"
 
 namespace lstm_planner {
 namespace {

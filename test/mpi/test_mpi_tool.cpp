@@ -10,8 +10,8 @@
 #include <sstream>
 #include <string>
 
-#include "lstm_planner/evaluation/scenario_generator.hpp"
-#include "lstm_planner/grid/map_generators.hpp"
+#include "lstm_planner/base/grid/map_generators.hpp"
+#include "lstm_planner/grid_world/world/scenario_generator.hpp"
 #include "tool_test.hpp"
 
 namespace lstm_planner {

@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/ros/message_queue.hpp"
-#include "lstm_planner/ros/sensor_listener.hpp"
-#include "lstm_planner/ros/steering_controller.hpp"
+#include "lstm_planner/ros/common/message_queue.hpp"
+#include "lstm_planner/ros/common/sensor_listener.hpp"
+#include "lstm_planner/ros/controller/steering_controller.hpp"
 #include "ros/planner_fixture.hpp"
 
 namespace lstm_planner {

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <mutex>
 
-#include "lstm_planner/ros/conversions.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/callback_thread.hpp"
 #include "ros/fake_robot.hpp"
 #include "ros/log_listener.hpp"

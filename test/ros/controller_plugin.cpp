@@ -8,7 +8,7 @@
 #include <limits>
 #include <pluginlib/class_loader.hpp>
 
-#include "lstm_planner/ros/steering_controller.hpp"
+#include "lstm_planner/ros/controller/steering_controller.hpp"
 #include "ros/planner_fixture.hpp"
 
 namespace lstm_planner {

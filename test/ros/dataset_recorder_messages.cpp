@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include "lstm_planner/ros/conversions.hpp"
-#include "lstm_planner/ros/drive_messages.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/recorder/drive_messages.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -11,8 +11,8 @@
 #include <set>
 #include <string>
 
-#include "lstm_planner/dataset/dataset.hpp"
-#include "lstm_planner/ros/conversions.hpp"
+#include "lstm_planner/robot/dataset/dataset.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/recorder_process.hpp"
 
 namespace lstm_planner {

@@ -14,8 +14,8 @@
 #include <limits>
 #include <string>
 
-#include "lstm_planner/ros/conversions.hpp"
-#include "lstm_planner/simulation/random.hpp"
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {
 

@@ -13,7 +13,7 @@
 #include <limits>
 #include <string>
 
-#include "lstm_planner/ros/conversions.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {
 

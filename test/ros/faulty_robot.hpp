@@ -15,9 +15,9 @@
 #include <memory>
 #include <string>
 
-#include "lstm_planner/evaluation/simulated_robot.hpp"
-#include "lstm_planner/ros/conversions.hpp"
-#include "lstm_planner/simulation/random.hpp"
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/robot/simulation/simulated_robot.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {
 

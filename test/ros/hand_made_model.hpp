@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/agent/drive_policy.hpp"
-#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
 
 namespace lstm_planner {
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/ros/lstm_global_planner.hpp"
+#include "lstm_planner/ros/planner/lstm_global_planner.hpp"
 #include "ros/callback_thread.hpp"
 #include "ros/fake_robot.hpp"
 #include "ros/hand_made_model.hpp"

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/geometry.hpp"
-#include "lstm_planner/ros/conversions.hpp"
+#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/plugin_loader.hpp"
 #include "ros/process_figures.hpp"
 

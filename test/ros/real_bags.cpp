@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "lstm_planner/ros/plugin_parameters.hpp"
+#include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "ros/bag_planner.hpp"
 
 namespace lstm_planner {

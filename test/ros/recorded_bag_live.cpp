@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <map>
 
-#include "lstm_planner/dataset/recording_sink.hpp"
-#include "lstm_planner/ros/bag_drive.hpp"
+#include "lstm_planner/robot/dataset/recording_sink.hpp"
+#include "lstm_planner/ros/recorder/bag_drive.hpp"
 #include "ros/drive_bag.hpp"
 #include "ros/recorder_process.hpp"
 

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <ostream>
 
-#include "lstm_planner/dataset/recording_sink.hpp"
-#include "lstm_planner/ros/bag_drive.hpp"
+#include "lstm_planner/robot/dataset/recording_sink.hpp"
+#include "lstm_planner/ros/recorder/bag_drive.hpp"
 #include "real_data.hpp"
 #include "ros/drive_bag.hpp"
 

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/robot/dataset/dataset.hpp"
 #include "ros/fake_robot.hpp"
 #include "ros/recorder_process.hpp"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/ros/conversions.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/ros/conversions.hpp"
-#include "lstm_planner/ros/teleoperator_parameters.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
 #include "ros/fake_robot.hpp"
 
 namespace lstm_planner {

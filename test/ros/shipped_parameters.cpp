@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/ros/plugin_parameters.hpp"
-#include "lstm_planner/ros/recorder_node_parameters.hpp"
-#include "lstm_planner/ros/teleoperator_parameters.hpp"
+#include "lstm_planner/ros/common/plugin_parameters.hpp"
+#include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
+#include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -16,13 +16,13 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/agent/agent_parameters.hpp"
-#include "lstm_planner/dataset/dataset_check.hpp"
-#include "lstm_planner/dataset/dataset_writer.hpp"
-#include "lstm_planner/evaluation/drive.hpp"
-#include "lstm_planner/ros/drive_messages.hpp"
-#include "lstm_planner/ros/recorder_node_parameters.hpp"
-#include "lstm_planner/simulation/generated_world.hpp"
+#include "lstm_planner/robot/dataset/dataset_check.hpp"
+#include "lstm_planner/robot/dataset/dataset_writer.hpp"
+#include "lstm_planner/robot/driving/agent_parameters.hpp"
+#include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/robot/simulation/generated_world.hpp"
+#include "lstm_planner/ros/recorder/drive_messages.hpp"
+#include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "ros/fake_robot.hpp"
 #include "ros/faulty_robot.hpp"
 #include "ros/plugin_host.hpp"

@@ -1,6 +1,6 @@
 // Transforms that would make tf throw, or forget all others. The clock stands still unless a test moves it.
 
-#include "lstm_planner/ros/transform_listener.hpp"
+#include "lstm_planner/ros/common/transform_listener.hpp"
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>

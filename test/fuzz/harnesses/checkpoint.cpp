@@ -3,7 +3,7 @@
 
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
-#include "lstm_planner/learning/training_checkpoint.hpp"
+#include "lstm_planner/base/learning/training_checkpoint.hpp"
 
 namespace lstm_planner::fuzz {
 namespace {

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "fuzz/harness.hpp"
-#include "lstm_planner/learning/actor_critic.hpp"
-#include "lstm_planner/learning/grid_imitation.hpp"
-#include "lstm_planner/learning/initialisation.hpp"
-#include "lstm_planner/learning/q_learning.hpp"
+#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/grid_world/learning/actor_critic.hpp"
+#include "lstm_planner/grid_world/learning/grid_imitation.hpp"
+#include "lstm_planner/grid_world/learning/q_learning.hpp"
 
 namespace lstm_planner::fuzz {
 namespace {

@@ -1,6 +1,6 @@
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
-#include "lstm_planner/grid/movingai.hpp"
+#include "lstm_planner/grid_world/world/movingai.hpp"
 
 namespace lstm_planner::fuzz {
 namespace {

@@ -8,10 +8,10 @@
 #include "fuzz/fuzz_input.hpp"
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
-#include "lstm_planner/agent/drive_policy.hpp"
-#include "lstm_planner/learning/initialisation.hpp"
-#include "lstm_planner/network/model_file.hpp"
-#include "network/onnx_writer.hpp"
+#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/base/network/onnx_writer.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "onnx_subset.pb.h"
 
 namespace lstm_planner::fuzz {

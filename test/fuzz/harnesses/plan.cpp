@@ -5,9 +5,9 @@
 #include "fuzz/fuzz_scan.hpp"
 #include "fuzz/harness.hpp"
 #include "fuzz/small_memory.hpp"
-#include "lstm_planner/agent/drive_policy.hpp"
-#include "lstm_planner/agent/online_agent.hpp"
-#include "lstm_planner/agent/rollout.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/rollout.hpp"
 
 namespace lstm_planner::fuzz {
 namespace {

@@ -4,7 +4,7 @@
 #include "fuzz/fuzz_scan.hpp"
 #include "fuzz/harness.hpp"
 #include "fuzz/small_memory.hpp"
-#include "lstm_planner/dataset/drive_recorder.hpp"
+#include "lstm_planner/robot/dataset/drive_recorder.hpp"
 
 namespace lstm_planner::fuzz {
 namespace {

@@ -3,10 +3,10 @@
 
 #include "fuzz/fuzz_scan.hpp"
 #include "fuzz/harness.hpp"
-#include "lstm_planner/agent/motion_controller.hpp"
-#include "lstm_planner/agent/shield.hpp"
-#include "lstm_planner/agent/situation.hpp"
-#include "lstm_planner/perception/moving_returns.hpp"
+#include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "lstm_planner/robot/driving/shield.hpp"
+#include "lstm_planner/robot/perception/moving_returns.hpp"
+#include "lstm_planner/robot/perception/situation.hpp"
 
 namespace lstm_planner::fuzz {
 namespace {

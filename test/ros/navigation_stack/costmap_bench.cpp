@@ -20,8 +20,8 @@
 
 #include "call_times.hpp"
 #include "costmap_course.hpp"
-#include "lstm_planner/ros/conversions.hpp"
-#include "lstm_planner/ros/plan_maker.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/planner/plan_maker.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner {

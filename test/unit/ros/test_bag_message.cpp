@@ -7,7 +7,7 @@
 #include <cstring>
 #include <vector>
 
-#include "ros/bag_message.hpp"
+#include "ros/recorder/bag_message.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/robot/dataset/dataset.hpp"
 #include "real_data.hpp"
 #include "tool_test.hpp"
 

@@ -9,7 +9,7 @@
 #include <iterator>
 
 #include "picture_check.hpp"
-#include "unit/dataset/dataset_fixtures.hpp"
+#include "unit/robot/dataset/dataset_fixtures.hpp"
 
 namespace lstm_planner {
 namespace {

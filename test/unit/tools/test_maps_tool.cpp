@@ -4,9 +4,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "lstm_planner/grid/map_server_map.hpp"
-#include "lstm_planner/grid/movingai.hpp"
-#include "lstm_planner/search/grid_distances.hpp"
+#include "lstm_planner/base/grid/map_server_map.hpp"
+#include "lstm_planner/grid_world/search/grid_distances.hpp"
+#include "lstm_planner/grid_world/world/movingai.hpp"
 #include "picture_check.hpp"
 #include "tool_test.hpp"
 

@@ -7,10 +7,10 @@
 #include <fstream>
 #include <string>
 
-#include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "picture_check.hpp"
 #include "tool_test.hpp"
-#include "unit/learning/recorded_drives_fixtures.hpp"
+#include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "lstm_planner/agent/drive_policy.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "tool_test.hpp"
 
 namespace lstm_planner {

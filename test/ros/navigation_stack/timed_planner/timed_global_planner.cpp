@@ -1,12 +1,12 @@
 #include <nav_core/base_global_planner.h>
-#include <pluginlib/class_list_macros.hpp>
-#include <pluginlib/class_loader.hpp>
 #include <ros/ros.h>
 #include <std_msgs/Float64MultiArray.h>
 
 #include <boost/shared_ptr.hpp>
 #include <ctime>
 #include <memory>
+#include <pluginlib/class_list_macros.hpp>
+#include <pluginlib/class_loader.hpp>
 #include <string>
 #include <vector>
 

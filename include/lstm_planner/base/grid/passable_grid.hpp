@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/base/grid/grid_rays.hpp"
+#include "lstm_planner/base/grid/occupancy_grid.hpp"
+
+namespace lstm_planner {
+
+/// Which cells of an ASCII map may be entered. Row 0 is the first line of the map's file, column 0 its first letter;
+/// lengths are in cells. Cells outside are not passable.
+class PassableGrid {
+ public:
+  PassableGrid() = default;
+  /// Throws std::invalid_argument for a size that is not positive or for more than 2^26 cells.
+  PassableGrid(int columns, int rows, bool passable);
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  bool contains(CellIndex cell) const {
+    return cell.column >= 0 && cell.row >= 0 && cell.column < columns_ && cell.row < rows_;
+  }
+  bool passable(CellIndex cell) const { return contains(cell) && cells_[offset(cell)] != 0; }
+  /// `cell` must be inside.
+  void set(CellIndex cell, bool passable) { cells_[offset(cell)] = passable ? 1 : 0; }
+
+  std::size_t size() const { return cells_.size(); }
+  /// Position of a cell inside in vectors of size() values.
+  std::size_t offset(CellIndex cell) const {
+    return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(cell.column);
+  }
+
+ private:
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<std::uint8_t> cells_;
+};
+
+/// Whether a diagonal move may pass a blocked cell at its side. The MovingAI benchmark forbids it; the thesis's agents
+/// did it.
+enum class CornerCutting { kForbidden, kAllowed };
+
+/// Moves are numbered like the rays: kGridRaySteps[direction]; odd directions are diagonals.
+constexpr int kGridMoveCount = kGridRayCount;
+
+inline bool operator==(CellIndex a, CellIndex b) { return a.column == b.column && a.row == b.row; }
+inline bool operator!=(CellIndex a, CellIndex b) { return !(a == b); }
+
+inline CellIndex cellBeside(CellIndex cell, int direction) {
+  const CellIndex step = kGridRaySteps[static_cast<std::size_t>(direction)];
+  return {cell.column + step.column, cell.row + step.row};
+}
+
+/// 1 or sqrt(2), cells.
+inline double moveLength(int direction) { return direction % 2 == 0 ? 1.0 : 1.4142135623730951; }
+
+/// Whether the cell beside may be entered from `cell`.
+bool movePossible(const PassableGrid& grid, CellIndex cell, int direction, CornerCutting corner_cutting);
+
+/// What the thesis's agent senses (Eq. 3.1): the number of steps to the first cell that is not passable, in the order of
+/// kGridRaySteps; 1 when the neighbour is blocked, at most kGridRayCap. Without the factor sqrt(2) on diagonals.
+using GridRanges = std::array<std::uint8_t, kGridRayCount>;
+GridRanges senseRanges(const PassableGrid& grid, CellIndex cell);
+
+/// The same question answered from what was sensed.
+bool movePossible(const GridRanges& ranges, int direction, CornerCutting corner_cutting);
+
+}  // namespace lstm_planner

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lstm_planner/base/learning/sequence.hpp"
+#include "lstm_planner/base/network/layers.hpp"
+
+namespace lstm_planner {
+
+/// How often a label (row) was answered with a class (column).
+using ConfusionMatrix = Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// Cross-entropy (thesis Eq. 2.31) and answers, summed over the steps whose weight is not 0.
+struct LossSum {
+  double loss = 0.0;          ///< sum of weight * -ln(probability of the label)
+  double weight = 0.0;        ///< sum of the weights
+  ConfusionMatrix confusion;  ///< steps, not weighted
+
+  LossSum& operator+=(const LossSum& other);
+
+  double meanLoss() const;  ///< 0 when nothing was summed
+  double accuracy() const;  ///< share of right answers (thesis Eq. 3.5-3.6), in [0, 1]; 0 when nothing was summed
+};
+
+/// Loss of a stack over many sequences at once, and its gradient by back-propagation through time (thesis
+/// Eq. 2.17-2.19).
+///
+/// The error of a sequence's step is the cross-entropy of the softmax of the last layer's outputs; a SoftmaxLayer at
+/// the end is the same softmax and not applied twice. Its derivative by the preference k is weight * (probability_k -
+/// target_k), so that a linear last layer with inputs z gets the gradient sum_n (phi_nk - t_nk) z_n; thesis Eq. 2.32
+/// prints phi_n for z_n. Errors go back to the first step of every sequence.
+///
+/// An object holds the layers' shapes and the memory for one batch at a time: one object a thread.
+/// Scalar is float for training and double for checking the gradient.
+template <typename Scalar>
+class SequenceGradient {
+ public:
+  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+
+  /// Throws std::invalid_argument when the layers do not fit together or a softmax is not the last layer.
+  explicit SequenceGradient(const LayerStack& layers);
+  SequenceGradient(SequenceGradient&&) noexcept;
+  SequenceGradient& operator=(SequenceGradient&&) noexcept;
+  ~SequenceGradient();
+
+  /// Number of parameters, ordered as in parameterVector().
+  Eigen::Index parameterCount() const;
+
+  /// Loss with the given parameters, forward only.
+  LossSum loss(const Vector& parameters, const std::vector<const Sequence*>& batch);
+
+  /// The same, and the gradient of LossSum::loss (a sum, not a mean) in `gradient`.
+  /// Sequences must be valid (validateSequences); a wrong number of parameters throws std::invalid_argument.
+  LossSum lossAndGradient(const Vector& parameters, const std::vector<const Sequence*>& batch, Vector& gradient);
+
+  /// Preferences before the softmax, outputs x steps, for one sequence.
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> preferences(const Vector& parameters, const Sequence& sequence);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+extern template class SequenceGradient<float>;
+extern template class SequenceGradient<double>;
+
+}  // namespace lstm_planner

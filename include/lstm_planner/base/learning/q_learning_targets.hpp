@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "lstm_planner/base/common/parameter_check.hpp"
+
+namespace lstm_planner {
+
+/// One step of an agent. Values are in the reward's unit: cells in the grid world, m for the robot.
+struct QTransition {
+  int direction = 0;
+  double estimate = 0.0;  ///< Q(s, a) of the move that was made, by the network that learns
+  double reward = 0.0;
+  double value = 0.0;   ///< max over a of Q(s, a) by the target network
+  bool greedy = false;  ///< whether the move was the best by the network that learns
+  bool forced = false;  ///< there was nothing to choose
+  bool arrived = false;
+  bool timed_out = false;  ///< the episode was cut off after this step
+};
+
+/// What the estimates of consecutive steps should have been: r + gamma max_a' Q(s', a') for trace_decay 0 (Eq. 2.38),
+/// for others Watkins's Q(lambda). Of the last of `steps`, which only says what the state after the others is worth,
+/// nothing but the value counts; it gets no target.
+///
+/// A state in which there was nothing to choose is worth what came of it.
+///
+/// Where an episode was cut off, the state after is unknown: the target is the estimate, so that nothing is learned.
+std::vector<double> lambdaTargets(const std::vector<QTransition>& steps, double discount, double trace_decay);
+
+/// Derivative of Huber's loss of estimate - target: the error, no larger than `huber`.
+double huberDerivative(double error, double huber);
+
+/// Share of moves at random, sinking linearly from `start` to `end` at `share` of the training, `progress` of which is
+/// done.
+double explorationAt(double progress, double start, double end, double share);
+
+/// Throws std::invalid_argument naming the first parameter that makes no sense.
+template <typename Parameters>
+void validateQ(const Parameters& parameters) {
+  const auto share = [](const char* name, double value) {
+    checkParameter(value >= 0.0 && value <= 1.0, name, value, "0 to 1");
+  };
+  checkParameter(parameters.target_interval >= 1, "target_interval", parameters.target_interval, "at least 1");
+  checkParameter(parameters.discount >= 0.0 && parameters.discount < 1.0, "discount", parameters.discount,
+                 "a number in [0, 1)");
+  share("trace_decay", parameters.trace_decay);
+  share("exploration_start", parameters.exploration_start);
+  share("exploration_end", parameters.exploration_end);
+  share("exploration_share", parameters.exploration_share);
+  const auto cost = [](const char* name, double value) { checkParameter(value >= 0.0, name, value, "at least 0"); };
+  cost("step_cost", parameters.step_cost);
+  cost("arrival_bonus", parameters.arrival_bonus);
+  cost("thesis_reward.range", parameters.thesis_reward.range);
+  cost("thesis_reward.distance", parameters.thesis_reward.distance);
+  cost("thesis_reward.angle", parameters.thesis_reward.angle);
+  checkPositive("value_scale", parameters.value_scale);
+  checkPositive("huber", parameters.huber);
+}
+
+}  // namespace lstm_planner

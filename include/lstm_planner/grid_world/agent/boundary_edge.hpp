@@ -1,0 +1,45 @@
+#pragma once
+
+#include "lstm_planner/grid_world/agent/grid_agent.hpp"
+
+namespace lstm_planner {
+
+enum class SeenCell { kFree, kBlocked, kUnknown };
+
+/// What the eight rays say about a cell.
+SeenCell seenCell(const GridObservation& observation, CellIndex cell);
+
+/// On which side the wall is kept while a boundary is followed.
+enum class WallSide { kRight, kLeft };
+
+inline WallSide otherSide(WallSide side) { return side == WallSide::kRight ? WallSide::kLeft : WallSide::kRight; }
+
+/// A piece of an obstacle's boundary: the side of a free cell where the neighbour is blocked. `wall` is even (east,
+/// north, west, south).
+///
+/// The edges of a connected region of free cells form cycles, one for each connected piece of boundary; which of two
+/// edges follows another where two blocked cells touch at a corner depends on whether the corner may be cut.
+struct BoundaryEdge {
+  CellIndex cell;
+  int wall = 0;
+};
+
+inline bool operator==(BoundaryEdge a, BoundaryEdge b) { return a.cell == b.cell && a.wall == b.wall; }
+
+/// How the boundary goes on behind an edge.
+struct BoundaryStep {
+  enum class Kind {
+    kUnseen,  ///< what is needed has not been seen; `cells` are to be entered in any case
+    kStep     ///< `next` is the next edge, reached over `cells`
+  };
+  Kind kind = Kind::kUnseen;
+  BoundaryEdge next;
+  int cell_count = 0;
+  CellIndex cells[2];
+};
+
+/// The step along the cycle of `edge`, with the wall on the given side, as far as one observation shows it.
+BoundaryStep nextAlongBoundary(const GridObservation& observation, BoundaryEdge edge, WallSide side,
+                               CornerCutting corner_cutting);
+
+}  // namespace lstm_planner

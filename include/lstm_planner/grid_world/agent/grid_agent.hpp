@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "lstm_planner/base/grid/passable_grid.hpp"
+
+namespace lstm_planner {
+
+/// What an agent of the grid world knows before a step (thesis 3.2): where it is, where it is going, and how far the
+/// eight rays reach.
+struct GridObservation {
+  CellIndex cell;
+  CellIndex goal;
+  GridRanges ranges{};
+};
+
+/// Answer of an agent that has found out that there is no way to the goal.
+constexpr int kNoWay = -1;
+
+/// An agent that moves from cell to cell towards a goal: the one interface of learned, reactive and searching agents.
+///
+/// An episode is start(), then observe(), decide(), step() again and again, until the goal is reached.
+class GridAgent {
+ public:
+  virtual ~GridAgent() = default;
+
+  /// Forgets everything of the episode before.
+  virtual void start(CellIndex start, CellIndex goal) = 0;
+
+  virtual void observe(const GridObservation& observation) = 0;
+
+  /// The direction to move in (kGridRaySteps), or kNoWay. Asked twice after one observation it answers the same.
+  virtual int decide() = 0;
+
+  /// What became of the move that was tried: `moved` is false when it ran into an obstacle.
+  virtual void step(int direction, bool moved) = 0;
+
+  /// Memory of the agent itself that an episode needed so far, at its highest: the model's weights, hidden state, trace,
+  /// escape, lists and maps of a search. Bytes.
+  virtual std::size_t peakBytes() const = 0;
+
+  /// Cells taken from the open list of a search since start(); 0 for an agent that does not search.
+  virtual std::size_t expandedCells() const { return 0; }
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "lstm_planner/grid_world/agent/grid_agent.hpp"
+#include "lstm_planner/grid_world/agent/rolling_planner.hpp"
+#include "lstm_planner/grid_world/agent/visit_trace.hpp"
+
+namespace lstm_planner {
+
+/// What an agent remembers of its episode besides the hidden state: bounded, and updated in one place.
+class GridMemory {
+ public:
+  GridMemory() = default;
+  /// An agent that also remembers walls, and where they leave a way.
+  explicit GridMemory(RollingPlanner planner) : planner_(std::move(planner)) {}
+
+  void start();
+
+  /// Once before every step.
+  void observe(const GridObservation& observation);
+
+  /// After the step; the direction in which the agent moved.
+  void step(int direction) { previous_direction_ = direction; }
+
+  const GridObservation& observation() const { return observation_; }
+  const VisitTrace& trace() const { return trace_; }
+  const RollingPlanner* planner() const { return planner_ ? &*planner_ : nullptr; }
+  int previousDirection() const { return previous_direction_; }  ///< -1 before the first step
+  double goalDistance() const { return goal_distance_; }         ///< octile, cells
+  double bestDistance() const { return best_distance_; }         ///< the least goalDistance() so far
+  int stepsSinceBest() const { return steps_since_best_; }
+  bool inNewPlace() const { return in_new_place_; }  ///< a large block of the trace that was not visited before
+  std::size_t bytes() const { return VisitTrace::bytes() + (planner_ ? planner_->bytes() : 0); }
+
+ private:
+  GridObservation observation_;
+  VisitTrace trace_;
+  std::optional<RollingPlanner> planner_;
+  int previous_direction_ = -1;
+  double goal_distance_ = 0.0;
+  double best_distance_ = 0.0;
+  int steps_since_best_ = 0;
+  bool in_new_place_ = false;
+};
+
+/// Which inputs a network for the grid world has, and from how many sides it looks; travels in the model file.
+struct GridEncoderParameters {
+  enum class Inputs {
+    kThesis,  ///< 8 ranges, distance, angle, previous action (thesis 3.2): 11 inputs
+    kTrace,   ///< and where the agent has been, around it and along the rays, on the scales of VisitTrace
+    kMap,     ///< and where a RollingPlanner would go
+  };
+  Inputs inputs = Inputs::kTrace;
+
+  /// 1: one network with an output a direction. 8: the same network, with one output, looks into each direction in
+  /// turn, everything turned such that it lies ahead; the weights are shared and each view has a hidden state of its
+  /// own.
+  int views = 8;
+};
+
+/// "thesis", "trace" or "map"; throws std::invalid_argument for another name.
+const char* nameOf(GridEncoderParameters::Inputs inputs);
+GridEncoderParameters::Inputs gridInputsNamed(const std::string& name);
+
+/// The memory that an agent with such inputs needs.
+GridMemory makeGridMemory(const GridEncoderParameters& parameters,
+                          CornerCutting corner_cutting = CornerCutting::kForbidden);
+
+/// To and from the metadata of a model file (keys: grid_inputs, grid_views). Reading throws std::invalid_argument for a
+/// missing or malformed key.
+void writeMetadata(const GridEncoderParameters& parameters, std::map<std::string, std::string>* metadata);
+GridEncoderParameters readGridEncoderParameters(const std::map<std::string, std::string>& metadata);
+
+/// Turns an agent's memory into the network's input. All inputs are finite and about in [-1, 1].
+class GridEncoder {
+ public:
+  /// Throws std::invalid_argument for a number of views other than 1 and 8.
+  explicit GridEncoder(const GridEncoderParameters& parameters);
+
+  const GridEncoderParameters& parameters() const { return parameters_; }
+  int size() const;
+  int outputs() const { return parameters_.views == 1 ? kGridMoveCount : 1; }
+
+  /// Reads off what does not depend on the view.
+  void look(const GridMemory& memory);
+
+  /// Input i of a view goes to input[i * stride].
+  void encode(int view, float* input, int stride) const;
+
+  static constexpr int kRayFeatures = 7;
+  static constexpr int kThesisInputs = kGridRayCount + 3;
+  static constexpr int kTraceScalars = 10;
+  static constexpr int kMapScalars = 4;
+
+ private:
+  void lookAlongRays(const GridMemory& memory);
+
+  GridEncoderParameters parameters_;
+  std::array<std::array<float, kGridRayCount>, kRayFeatures> rays_{};
+  int previous_direction_ = -1;
+  float goal_angle_ = 0.0f;     ///< rad, from the first ray's direction to the second's
+  float goal_distance_ = 0.0f;  ///< cells
+  float goal_cos_ = 1.0f;
+  float goal_sin_ = 0.0f;
+  std::array<float, 5> progress_{};
+  int way_direction_ = kNoWay;  ///< of the planner
+  float detour_ = 0.0f;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
+#include "lstm_planner/grid_world/search/heuristic.hpp"
+
+namespace lstm_planner {
+
+/// Which agent, and how it is set up.
+struct GridAgentOptions {
+  std::string agent = "lstm";
+  std::string model;  ///< ONNX file of an agent that is a network
+  CornerCutting corner_cutting = CornerCutting::kForbidden;
+  HeuristicParameters heuristic;                   ///< of A*
+  bool keep_closed = false;                        ///< of A*: cells are expanded once, however reached later
+  bool shield = true;                              ///< of a network: moves into something sensed are not chosen
+  bool escape = true;                              ///< of a network: boundary following when it gets nowhere
+  int patience = GridEscapeParameters().patience;  ///< steps without progress before the escape
+};
+
+/// "astar", "dstar", "rolling", "greedy", "boundary" and the networks: "lstm", "rnn", "mlp", "qlearning", "network".
+const std::vector<std::string>& gridAgentNames();
+
+/// Whether the agent of this name needs a model. Which layers it has is the model file's business; the names say what
+/// a table calls it.
+bool isNetworkAgent(const std::string& name);
+
+/// A maker of such agents; a model is read once, here. Throws std::invalid_argument for an unknown name, a missing
+/// model or a bad scale, and ModelFileError or std::invalid_argument for a model that cannot be used.
+GridAgentMaker gridAgentMaker(const GridAgentOptions& options);
+
+}  // namespace lstm_planner

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/grid_world/agent/grid_agent.hpp"
+#include "lstm_planner/grid_world/world/range_table.hpp"
+
+namespace lstm_planner {
+
+/// How an episode in a grid is run and when it ends (thesis 3.3).
+struct GridEpisodeRules {
+  CornerCutting corner_cutting = CornerCutting::kForbidden;
+  std::int64_t max_steps = 1000;  ///< 0 = no limit but gridStepBound()
+  int arrival_distance = 1;       ///< cells, the larger of the distances along rows and columns
+};
+
+/// Steps after which an episode without limit is given up all the same, so that an agent that runs in circles ends:
+/// 16 a cell of the map and never fewer than a million. Boundary following arrived after 0.95 a cell at most.
+std::int64_t gridStepBound(const PassableGrid& grid);
+
+/// What became of one episode. Trivially copyable, so that a list of them can be sent from process to process.
+struct GridEpisode {
+  enum class End : std::uint8_t {
+    kArrived,
+    kCollision,  ///< tried to move into something blocked, which ends the episode
+    kTimeout,
+    kNoWay,  ///< the agent says that the goal cannot be reached
+  };
+  End end = End::kTimeout;
+  std::int64_t straight_moves = 0;
+  std::int64_t diagonal_moves = 0;
+  double optimal_length = 0.0;  ///< cells, of the scenario
+  double seconds = 0.0;         ///< processor time of the agent and its sensing, from start() to the last step
+  /// Cells that a search took from its open list; for an agent that does not search, the inputs it built: one a step
+  /// (thesis, Table 3.6).
+  std::int64_t expanded = 0;
+  std::int64_t peak_bytes = 0;
+
+  std::int64_t steps() const { return straight_moves + diagonal_moves; }
+  double length() const;  ///< cells travelled
+
+  /// Length / optimum. The agent stops within one cell of the goal, so this can be a little below 1; it is 1 where the
+  /// start is that near already and nothing is left to do.
+  double ratio() const;
+};
+
+/// Runs `agent` from `start` to `goal` in a map with the given ranges. The cells visited are written to `path`, where
+/// given. Throws std::invalid_argument for a start that is blocked or outside, and std::logic_error for a decision that
+/// is no direction.
+GridEpisode runGridEpisode(const PassableGrid& grid, const RangeTable& ranges, CellIndex start, CellIndex goal,
+                           const GridEpisodeRules& rules, GridAgent* agent, std::vector<CellIndex>* path = nullptr);
+
+}  // namespace lstm_planner

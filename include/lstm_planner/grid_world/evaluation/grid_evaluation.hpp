@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/base/common/communicator.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_tasks.hpp"
+
+namespace lstm_planner {
+
+/// Makes an agent for a map; called from several threads at once.
+using GridAgentMaker = std::function<std::unique_ptr<GridAgent>(const PassableGrid&)>;
+
+struct GridEvaluationOptions {
+  GridEpisodeRules rules;
+  int threads = 2;
+  Communicator* communicator = oneProcess();  ///< ranks that share the tasks; each gets all episodes
+  std::function<void(double)> progress;       ///< told the share done, from the calling thread; may be empty
+};
+
+/// Runs the tasks [first, last) of a set, each with an agent of its own, and returns their episodes in this order. But
+/// for the times, they do not depend on the number of threads and ranks nor on how the tasks are split into ranges.
+std::vector<GridEpisode> evaluateGridTasks(const GridTaskSet& set, std::size_t first, std::size_t last,
+                                           const GridAgentMaker& make_agent, const GridEvaluationOptions& options);
+
+/// One agent in one set. Means are over the episodes that arrived (not a number where none did), except for the time
+/// of a step.
+struct GridSetSummary {
+  std::string name;
+  std::size_t scenarios = 0;
+  std::size_t arrived = 0;
+  std::size_t collisions = 0;
+  std::size_t timeouts = 0;
+  std::size_t no_way = 0;
+  double mean_ratio = 0.0;  ///< GridEpisode::ratio()
+  double median_ratio = 0.0;
+  double p95_ratio = 0.0;     ///< the smallest ratio that 95 % do not exceed
+  double mean_length = 0.0;   ///< cells
+  double mean_optimal = 0.0;  ///< cells
+  double mean_time = 0.0;     ///< s
+  double mean_expanded = 0.0;
+  double ns_per_step = 0.0;     ///< over all episodes
+  std::int64_t peak_bytes = 0;  ///< the highest of all episodes
+
+  double share(std::size_t count) const { return static_cast<double>(count) / static_cast<double>(scenarios); }
+};
+
+/// Throws std::invalid_argument when there is no episode.
+GridSetSummary summarizeGridEpisodes(const std::string& name, const std::vector<GridEpisode>& episodes);
+
+/// With `success`, `collisions` and `timeouts` as shares of the scenarios; what is missing to 1 are agents that said
+/// that there is no way. A mean over nothing is null.
+nlohmann::json toJson(const GridSetSummary& summary);
+
+/// For people: one line a set.
+void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& summaries);
+
+}  // namespace lstm_planner

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_picture.hpp"
+
+namespace lstm_planner {
+
+/// An agent as tables and pictures call it.
+struct NamedGridAgent {
+  std::string name;
+  GridAgentMaker make;
+};
+
+/// Runs a task once more with each agent and puts their ways, lengths and ends into one picture.
+GridPicture pictureOfTask(const GridTaskSet& set, std::size_t task, const std::vector<NamedGridAgent>& agents,
+                          const GridEpisodeRules& rules);
+
+/// The task with the longest way relative to the optimum, of those that arrived.
+std::optional<std::size_t> longestDetour(const std::vector<GridEpisode>& episodes);
+
+/// The task in the middle, of those that arrived, by ratio.
+std::optional<std::size_t> typicalArrival(const std::vector<GridEpisode>& episodes);
+
+/// The tasks with the given end, the shortest optimum first.
+std::vector<std::size_t> tasksThatEnded(const std::vector<GridEpisode>& episodes, GridEpisode::End end);
+
+/// "arrived", "collision", "timeout", "no way".
+const char* toString(GridEpisode::End end);
+
+}  // namespace lstm_planner

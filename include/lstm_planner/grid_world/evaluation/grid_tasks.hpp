@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/grid_world/world/movingai.hpp"
+
+namespace lstm_planner {
+
+/// A benchmark set: the scenario files of one folder, in the order of their names.
+struct GridSetFiles {
+  std::string name;  ///< of the folder above `Scenarios`; else of the folder itself
+  std::vector<std::string> scenario_files;
+};
+
+/// The sets in a folder: `folder` is a set with `Scenarios` and `Maps` in it, or its `Scenarios`, or holds `.scen`
+/// files beside their maps, or is a folder of such sets. Throws std::invalid_argument when there is no scenario file.
+std::vector<GridSetFiles> findGridSets(const std::string& folder);
+
+/// Which maps of a set take part. Learning keeps to the maps numbered 0 to 5 of a set (the number at the end of the
+/// name, else the place in the order of the names) and, in sets of more than 20 maps, to the first half by name; the
+/// others validate.
+enum class MapSelection { kAll, kTrain, kValidation };
+
+struct ScenarioSelection {
+  MapSelection maps = MapSelection::kAll;
+  double min_length = 0.0;  ///< cells, of the optimum, inclusive
+  double max_length = std::numeric_limits<double>::infinity();
+  std::size_t count = 0;  ///< of a set, drawn without putting back; 0 = all
+  std::uint64_t seed = 1;
+  PassableRule rule = PassableRule::kBenchmark;  ///< kThesis leaves out scenarios that start or end in swamp
+};
+
+/// The scenario files of the selected maps.
+std::vector<std::string> selectScenarioFiles(const GridSetFiles& files, MapSelection selection);
+
+struct GridTask {
+  std::size_t map = 0;  ///< place in GridTaskSet::maps
+  CellIndex start;
+  CellIndex goal;
+  double optimal_length = 0.0;  ///< cells, without corner cutting
+};
+
+/// What an agent is judged by in one set.
+struct GridTaskSet {
+  std::string name;
+  std::vector<std::string> map_names;
+  std::vector<PassableGrid> maps;
+  std::vector<GridTask> tasks;  ///< map by map
+  /// Scenarios that were left out, of the selected maps and lengths, because the benchmark gives the length 0 to goals
+  /// that cannot be reached: a hundred of Dragon Age's hundred thousand.
+  std::size_t without_way = 0;
+};
+
+/// Draws from a set's scenarios; the same for the same seed, whatever other sets are drawn. Throws MovingAiFileError
+/// for files that cannot be used and std::invalid_argument when no scenario is left.
+GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& selection);
+
+}  // namespace lstm_planner

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/base/common/communicator.hpp"
+#include "lstm_planner/base/learning/optimiser.hpp"
+#include "lstm_planner/base/network/layers.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
+#include "lstm_planner/grid_world/learning/grid_course.hpp"
+
+namespace lstm_planner {
+
+/// Advantage actor-critic (Mnih et al., "Asynchronous methods for deep reinforcement learning", ICML 2016, in its
+/// synchronous form) with generalised advantages (Schulman et al., ICLR 2016). Actions are always those that the shield
+/// allows. The reward is what a step brings the agent nearer to the goal by the true shortest way, less a cost a step;
+/// neither that distance nor the critic, which sees it, is known to the agent that is shipped.
+struct ActorCriticParameters {
+  GridEncoderParameters encoder;
+  std::vector<int> critic_units = {48, 32};
+  int updates = 20000;      ///< of the weights, over all epochs
+  int epochs = 10;          ///< parts, each with new maps' goals and new episodes; checkpoints lie between them
+  int agents = 128;         ///< at a time; rounded up to whole tiles
+  int window = 64;          ///< steps of each agent an update: errors go back that far
+  int max_steps = 1500;     ///< of an episode
+  double discount = 0.997;  ///< a step
+  double advantage_decay = 0.95;
+  double entropy_start = 0.0015;  ///< weight of the entropy, sinking linearly
+  double entropy_end = 0.0001;
+  double step_cost = 0.2;       ///< cells
+  double arrival_bonus = 10.0;  ///< cells
+  double learning_rate = 0.003;
+  double critic_learning_rate = 0.003;
+  double max_gradient_norm = 0.5;
+  std::uint64_t seed = 1;
+  int threads = 2;                            ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the agents; does not change the result
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const ActorCriticParameters& parameters);
+
+/// What the agents did since the last report.
+struct ActorCriticReport {
+  int update = 0;
+  double steps = 0.0;      ///< of all agents since the beginning
+  double reward = 0.0;     ///< mean a step
+  double arrival = 0.0;    ///< share of the episodes that ended by arriving
+  double ratio = 0.0;      ///< mean length / optimum of those
+  double entropy = 0.0;    ///< mean, nat
+  double explained = 0.0;  ///< share of the returns' variance that the critic explains
+};
+
+/// Learns in place, update by update.
+class ActorCritic {
+ public:
+  /// `layers` are the policy's, with weights to begin from; GridEncoder says how many inputs and outputs it has. Throws
+  /// std::invalid_argument for what does not fit.
+  ActorCritic(const ActorCriticParameters& parameters, LayerStack layers);
+  ~ActorCritic();
+
+  /// Begins epoch `epoch` (from 0) with new episodes; what happens in it depends only on the weights and the seed.
+  void beginEpoch(int epoch, const GridCourse& course);
+
+  /// One window of all agents, and one step of the optimisers. Of several ranks all have to call it.
+  void update();
+
+  /// Since the last call.
+  ActorCriticReport report();
+
+  const LayerStack& layers() const;
+
+  /// Everything that the next epoch depends on. Between epochs only.
+  std::vector<std::uint8_t> checkpoint() const;
+  /// Throws std::invalid_argument when it is not a checkpoint of the same networks.
+  void restore(const std::vector<std::uint8_t>& checkpoint);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/grid_world/search/grid_distances.hpp"
+#include "lstm_planner/grid_world/world/range_table.hpp"
+
+namespace lstm_planner {
+
+/// A map to learn on, with what is computed once for it.
+struct CourseMap {
+  PassableGrid grid;
+  RangeTable ranges;
+};
+
+/// A place to go to: the true distance to it from everywhere (known while learning only), and where to start from, by
+/// length of the shortest way.
+struct CourseGoal {
+  std::shared_ptr<const CourseMap> map;
+  CellIndex goal;
+  GridDistances distances;
+  std::vector<std::vector<CellIndex>> starts;  ///< by length: bucket i from shortest + i * bucket width
+};
+
+struct GridCourseParameters {
+  double min_length = 10.0;   ///< cells; of the shortest way, >= 2
+  double max_length = 300.0;  ///< cells
+  double short_share = 0.5;   ///< of the episodes whose length is drawn in proportion to 1 / length, not uniformly
+  double long_share = 0.05;   ///< of the episodes that are longer than max_length
+  double longest = 1500.0;    ///< cells; of those
+  int goals = 600;            ///< kept at a time, over all maps
+  bool mirrored = true;       ///< every map also mirrored at its diagonal
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const GridCourseParameters& parameters);
+
+/// Draws the episodes to learn from: maps by weight, and lengths of the shortest way uniformly in their range or, for a
+/// share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are short ways. A
+/// few are much longer.
+class GridCourse {
+ public:
+  struct Episode {
+    std::shared_ptr<const CourseGoal> goal;
+    CellIndex start;
+    std::size_t set = 0;  ///< in which the map is
+  };
+
+  /// `sets` of maps and the share of episodes that each is to get. Throws std::invalid_argument when there is no map,
+  /// or a weight is not positive.
+  struct Set {
+    std::vector<PassableGrid> maps;
+    double weight = 1.0;
+  };
+  GridCourse(const GridCourseParameters& parameters, const std::vector<Set>& sets, std::uint64_t seed, int threads);
+
+  std::size_t sets() const { return sets_.size(); }
+
+  /// May be called from several threads at once, with different generators.
+  Episode draw(Random& random) const;
+
+  /// Replaces the oldest `count` goals by new ones; not while others draw.
+  void renew(int count);
+
+ private:
+  struct CourseSet {
+    std::vector<std::shared_ptr<const CourseMap>> maps;
+    std::vector<std::shared_ptr<const CourseGoal>> goals;
+    std::size_t oldest = 0;
+    double share = 0.0;
+  };
+  std::size_t drawBucket(Random& random) const;
+  std::size_t drawSet(Random& random) const;
+  std::shared_ptr<const CourseGoal> makeGoal(const CourseSet& set, Random& random) const;
+
+  GridCourseParameters parameters_;
+  std::vector<CourseSet> sets_;
+  std::size_t buckets_ = 0;       ///< of lengths up to max_length
+  std::size_t long_buckets_ = 0;  ///< of those beyond
+  Random random_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lstm_planner/base/common/communicator.hpp"
+#include "lstm_planner/base/network/layers.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
+#include "lstm_planner/grid_world/learning/grid_course.hpp"
+
+namespace lstm_planner {
+
+/// Weights of the reward that the thesis quotes (Eq. 2.36), R(s) = -sum(tau_r r_i) + tau_d d + tau_theta theta.
+///
+/// As printed, and with weights above zero, it would send an agent away from its goal and up to the walls. It is read
+/// as R(s) = -(tau_r sum(1 / r_i) + tau_d d + tau_theta theta): the minus stands before the whole sum, and the
+/// "proximity" r_i is near where the range is short, so that every term is a cost that ends with the arrival. d is the
+/// octile distance to the goal, theta the angle between the move before and the way to the goal.
+struct ThesisRewardWeights {
+  double range = 0.02;     ///< tau_r, times 1 cell / range, of each of the 8 rays
+  double distance = 0.02;  ///< tau_d, a cell
+  double angle = 0.1;      ///< tau_theta, a rad; the angle is in [0, pi], 0 before the first move
+};
+
+/// Q-learning (Watkins and Dayan 1992; thesis Eq. 2.34-2.39) with a recurrent network whose outputs are the values of
+/// the moves (Hausknecht and Stone, "Deep recurrent Q-learning for partially observable MDPs", 2015).
+///
+/// Many agents walk at once, and the weights learn from the window of steps that all of them just made, instead of from
+/// a replay memory: such steps are as little correlated as replayed ones (Mnih et al., "Asynchronous methods for deep
+/// reinforcement learning", ICML 2016), and the hidden state in which a window begins is the one that today's network
+/// has there, where a replayed window would need one that an older network left.
+struct QLearningParameters {
+  enum class Reward {
+    kProgress,  ///< cells nearer to the goal by the true shortest way, less a cost a step, as ActorCritic
+    kThesis,    ///< Eq. 2.36, of the state in which the step begins
+  };
+  GridEncoderParameters encoder;
+  int updates = 20000;     ///< of the weights, over all epochs
+  int agents = 256;        ///< at a time; rounded up to whole tiles
+  int window = 64;         ///< steps of each agent an update: errors go back that far
+  int max_steps = 1000;    ///< of an episode
+  double discount = 0.97;  ///< gamma, a step, in [0, 1)
+
+  /// lambda in [0, 1] of returns that look further than one step, up to the next move that was not the best (Watkins's
+  /// Q(lambda)); 0: one-step targets, Eq. 2.38.
+  double trace_decay = 0.8;
+
+  /// The best next move is chosen by the network that learns, its value read off the target network (van Hasselt et
+  /// al., "Deep reinforcement learning with double Q-learning", AAAI 2016); off: both by the target network.
+  bool double_q = true;
+  int target_interval = 50;        ///< updates between copies of the weights into the target network
+  double exploration_start = 1.0;  ///< share of moves at random (epsilon), sinking linearly
+  double exploration_end = 0.05;
+  double exploration_share = 0.3;  ///< of the updates, after which exploration_end is reached
+  Reward reward = Reward::kProgress;
+  double step_cost = 0.2;       ///< cells; kProgress only
+  double arrival_bonus = 10.0;  ///< cells; kProgress only
+  ThesisRewardWeights thesis_reward;
+  double value_scale = 20.0;  ///< an output of the network times this is a value, cells
+  double huber = 5.0;         ///< cells; errors beyond it count by their size, not its square
+  double learning_rate = 0.003;
+  double max_gradient_norm = 0.5;
+  std::uint64_t seed = 1;
+  int threads = 2;  ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the agents; does not change the result
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const QLearningParameters& parameters);
+
+/// What the agents did since the last report. Means over nothing are 0.
+struct QLearningReport {
+  int update = 0;
+  double steps = 0.0;    ///< of all agents since the beginning
+  double reward = 0.0;   ///< mean a step
+  double arrival = 0.0;  ///< share of the episodes that ended by arriving
+  double ratio = 0.0;    ///< mean length / optimum of those
+  double epsilon = 0.0;  ///< of the last update
+  double value = 0.0;    ///< mean of the moves made, cells: where it grows and grows, learning diverges
+  double error = 0.0;    ///< root of the mean squared error of these values, cells
+};
+
+/// Learns in place, update by update.
+class QLearning {
+ public:
+  /// `layers` with weights to begin from; GridEncoder says how many inputs and outputs they have. Throws
+  /// std::invalid_argument for what does not fit.
+  QLearning(const QLearningParameters& parameters, LayerStack layers);
+  ~QLearning();
+
+  /// Begins epoch `epoch` (from 0) with new episodes; `course` must outlive it.
+  void beginEpoch(int epoch, const GridCourse& course);
+
+  /// One window of all agents, and one step of the optimiser. Of several ranks all have to call it. Throws
+  /// std::logic_error before the first epoch.
+  void update();
+
+  /// Since the last call.
+  QLearningReport report();
+
+  const LayerStack& layers() const;
+
+  /// Everything that the next epoch depends on. Between epochs only.
+  std::vector<std::uint8_t> checkpoint() const;
+  /// Throws std::invalid_argument when it is not a checkpoint of the same network.
+  void restore(const std::vector<std::uint8_t>& checkpoint);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace lstm_planner

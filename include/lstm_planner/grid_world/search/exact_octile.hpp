@@ -1,0 +1,39 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+
+#include "lstm_planner/base/grid/passable_grid.hpp"
+
+namespace lstm_planner {
+
+/// Octile distance between two cells, as the numbers of straight and diagonal steps that it consists of: compared
+/// exactly, where sums of sqrt(2) in floating point would call equal distances different.
+struct OctileDistance {
+  std::int64_t straight = 0;
+  std::int64_t diagonal = 0;
+
+  /// In cells.
+  double length() const { return static_cast<double>(straight) + 1.4142135623730951 * static_cast<double>(diagonal); }
+};
+
+inline OctileDistance octileDistance(CellIndex a, CellIndex b) {
+  const std::int64_t columns = std::abs(std::int64_t{a.column} - b.column);
+  const std::int64_t rows = std::abs(std::int64_t{a.row} - b.row);
+  return {std::abs(columns - rows), std::min(columns, rows)};
+}
+
+inline bool operator==(OctileDistance a, OctileDistance b) {
+  return a.straight == b.straight && a.diagonal == b.diagonal;
+}
+
+/// Exact for distances below 2^30 steps.
+inline bool operator<(OctileDistance a, OctileDistance b) {
+  // a < b where (a.straight - b.straight) < (b.diagonal - a.diagonal) sqrt(2); squares with the sign kept are ordered
+  // like the numbers themselves.
+  const auto signed_square = [](std::int64_t x) { return x < 0 ? -x * x : x * x; };
+  return signed_square(a.straight - b.straight) < 2 * signed_square(b.diagonal - a.diagonal);
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "lstm_planner/base/grid/passable_grid.hpp"
+
+namespace lstm_planner {
+
+/// Length of the shortest way from every cell of a known grid to one goal, in cells, computed by buckets of width 1
+/// (Dial's algorithm: no move is shorter, so the order within a bucket does not matter).
+class GridDistances {
+ public:
+  GridDistances() = default;
+  /// Everything is unreachable from a goal outside or in a wall.
+  GridDistances(const PassableGrid& grid, CellIndex goal, CornerCutting corner_cutting);
+
+  /// +inf outside and where there is no way.
+  float at(CellIndex cell) const;
+
+ private:
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<float> lengths_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/base/grid/passable_grid.hpp"
+
+namespace lstm_planner {
+
+/// Lengths of ways as integers, so that searches compare them without rounding: kStraightCost units are one cell.
+using MoveCost = std::int64_t;
+
+/// The ratio of both is a convergent of the continued fraction of sqrt(2), with more than 2^26 in the denominator. No
+/// fraction with a smaller denominator lies between it and sqrt(2), so sums of these costs are ordered exactly like the
+/// true lengths a + b sqrt(2) on every grid that PassableGrid accepts, and equal only if a and b are. It is the
+/// convergent from above: a straight line is never longer than the moves along it.
+constexpr MoveCost kStraightCost = 93222358;
+constexpr MoveCost kDiagonalCost = 131836323;
+static_assert(kDiagonalCost * kDiagonalCost - 2 * kStraightCost * kStraightCost == 1, "a convergent from above");
+
+constexpr MoveCost moveCost(int direction) { return direction % 2 == 0 ? kStraightCost : kDiagonalCost; }
+
+/// A way through a grid, from its first cell to its last.
+struct GridPath {
+  std::vector<CellIndex> cells;  ///< start and goal included; empty when there is no way
+  std::int64_t straight_moves = 0;
+  std::int64_t diagonal_moves = 0;
+
+  bool found() const { return !cells.empty(); }
+  /// Cells; rounded once, however long the way is.
+  double length() const {
+    return static_cast<double>(straight_moves) + moveLength(1) * static_cast<double>(diagonal_moves);
+  }
+};
+
+/// The direction (kGridRaySteps) of the move between two cells that touch.
+int directionBetween(CellIndex from, CellIndex to);
+
+/// The way along neighbouring cells.
+GridPath pathAlong(std::vector<CellIndex> cells);
+
+}  // namespace lstm_planner

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "lstm_planner/grid_world/search/grid_path.hpp"
+
+namespace lstm_planner {
+
+/// Estimates of the length of a way between two cells from their distance in columns and rows alone (thesis
+/// Eq. 1.2-1.5). A search is optimal with an estimate that is never too long (admissible).
+enum class Heuristic {
+  kManhattan,       ///< columns + rows. Not admissible where diagonal moves are: up to sqrt(2) times too long
+  kChebyshev,       ///< the larger of both: diagonal moves as if they cost 1. Admissible
+  kOctile,          ///< exact where nothing is in the way. Admissible
+  kEuclidean,       ///< the straight line. Admissible
+  kScaledEuclidean  ///< the straight line times a scale. Not admissible for a scale above 1
+};
+
+/// "Found to work better than any other configuration" (thesis 3.1).
+constexpr double kThesisEuclideanScale = 25.0;
+
+/// Scales above would let sums of costs overflow on the largest grids.
+constexpr double kLargestEuclideanScale = 1000.0;
+
+struct HeuristicParameters {
+  Heuristic kind = Heuristic::kOctile;
+  double scale = kThesisEuclideanScale;  ///< of kScaledEuclidean
+};
+
+/// Throws std::invalid_argument for a scale that is not from 0 to kLargestEuclideanScale.
+void checkHeuristic(const HeuristicParameters& heuristic);
+
+/// Whether a search with it always finds a shortest way.
+bool isAdmissible(const HeuristicParameters& heuristic);
+
+/// Estimated cost between two cells. `heuristic` must have passed checkHeuristic().
+MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, CellIndex to);
+
+/// "manhattan", "chebyshev", "octile", "euclidean", "scaled_euclidean".
+std::string heuristicName(Heuristic heuristic);
+/// Throws std::invalid_argument for another name.
+Heuristic heuristicNamed(const std::string& name);
+
+constexpr std::array<Heuristic, 5> kHeuristics = {Heuristic::kManhattan, Heuristic::kChebyshev, Heuristic::kOctile,
+                                                  Heuristic::kEuclidean, Heuristic::kScaledEuclidean};
+
+}  // namespace lstm_planner

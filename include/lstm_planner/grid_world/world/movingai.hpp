@@ -1,0 +1,70 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/base/grid/passable_grid.hpp"
+
+namespace lstm_planner {
+
+// The files of the grid benchmark that the thesis uses (N. Sturtevant, "Benchmarks for Grid-Based Pathfinding", 2012,
+// movingai.com). Lines may end in LF or CR LF, the last one in nothing; empty lines may follow the last one.
+
+/// A map or scenario file that cannot be used; what() is one sentence with the file, the line and what was expected.
+class MovingAiFileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Which letters of a map may be entered. All letters of the format are read under both rules: `.` and `G` (ground),
+/// `S` (swamp), `W` (water), `T` (trees), `@` and `O` (out of bounds).
+enum class PassableRule {
+  /// `.`, `G` and `S`. The format calls swamp "passable from regular terrain" and water "traversable, but not passable
+  /// from terrain". Swamp is therefore ground here; water, which a robot on ground can never enter, is a wall, also for
+  /// scenarios that start in it.
+  kBenchmark,
+  kThesis,  ///< `.` only
+};
+
+/// Reads a `.map` file of type octile: `type octile`, then `height ROWS` and `width COLUMNS` in either order, `map`,
+/// and the rows. Throws MovingAiFileError for anything else, before memory for the grid is taken: sizes that are no
+/// positive numbers or beyond what PassableGrid holds, too few or too many rows, rows of another length, other letters.
+PassableGrid readMovingAiMap(const std::string& path, PassableRule rule = PassableRule::kBenchmark);
+
+/// Writes passable cells as `.`, others as `@`. Throws MovingAiFileError when the file cannot be written or the grid
+/// has no cells.
+void writeMovingAiMap(const std::string& path, const PassableGrid& grid);
+
+/// One line of a `.scen` file, version 1.
+struct Scenario {
+  int bucket = 0;   ///< floor(optimal length / 4) in the benchmark's files
+  std::string map;  ///< as written in the file
+  int columns = 0;  ///< size of the map that the scenario is meant for
+  int rows = 0;
+  CellIndex start;
+  CellIndex goal;
+  double optimal_length = 0.0;  ///< cells, without corner cutting; 6 significant digits
+};
+
+/// Scenario i is line i + 2 of its file: `version` is the first line, and none between scenarios may be empty.
+constexpr std::size_t kFirstScenarioLine = 2;
+
+/// Reads a `.scen` file (`version 1` or `version 1.0`). Throws MovingAiFileError, also for a start or a goal outside
+/// the size that the scenario itself names. The map file is not looked at: see checkScenario().
+std::vector<Scenario> readScenarios(const std::string& path);
+
+/// Writes version 1 with lengths of 6 significant digits. Throws MovingAiFileError when the file cannot be written or a
+/// scenario could not be read again.
+void writeScenarios(const std::string& path, const std::vector<Scenario>& scenarios);
+
+/// Throws MovingAiFileError naming `path` and the scenario's line (its place in the file) when it does not fit the map:
+/// another size, start or goal outside or in a wall.
+void checkScenario(const Scenario& scenario, std::size_t line, const PassableGrid& grid, const std::string& path);
+
+/// The map file that a scenario file of the benchmark's folders belongs to: `<set>/Scenarios/NAME.map.scen` is about
+/// `<set>/Maps/NAME.map`; a map beside the scenario file comes first. Throws MovingAiFileError when neither exists or
+/// the name does not end in `.scen`.
+std::string mapOfScenarioFile(const std::string& scenario_path);
+
+}  // namespace lstm_planner

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/grid_world/world/movingai.hpp"
+
+namespace lstm_planner {
+
+/// Bucket b of a scenario file holds the shortest ways of 4 b up to 4 (b + 1) cells.
+constexpr double kBucketLength = 4.0;
+
+struct ScenarioDrawParameters {
+  int per_bucket = 10;  ///< scenarios in every bucket, where the map has as many
+};
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const ScenarioDrawParameters& parameters);
+
+/// Draws scenarios for a map as the grid benchmark has them: as many in every bucket, in the order of buckets, each
+/// with the length of the shortest way without corner cutting. Goals are random passable cells; each gives at most one
+/// start a bucket, a random one among the cells of that distance. After three times as many goals as scenarios a bucket
+/// it ends, so the last buckets, which few pairs of cells are far enough apart for, may hold fewer. Start and goal
+/// differ; empty when no two cells are connected. The same map, parameters and seed give the same scenarios on every
+/// machine. `map_name` is written into every scenario; `progress` is called with the share that is done. Throws as
+/// validate().
+std::vector<Scenario> drawScenarios(const PassableGrid& grid, const std::string& map_name,
+                                    const ScenarioDrawParameters& parameters, std::uint64_t seed,
+                                    const std::function<void(double)>& progress = {});
+
+}  // namespace lstm_planner

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+
+#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
+
+namespace lstm_planner {
+
+/// A robot in a simulated world, as the closed loop sees it.
+class LoopRobot {
+ public:
+  virtual ~LoopRobot() = default;
+
+  /// What it sees from where it is; `situation` is in the odometry frame and is overwritten.
+  virtual void sense(double range_cap, Situation* situation) = 0;
+
+  /// Drives as was decided until the agent is to look again. `agent` has been shown the situation.
+  virtual void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) = 0;
+
+  /// Whether it says itself that it has arrived.
+  virtual bool hasArrived(const Situation& situation, const Decision& decision) const = 0;
+};
+
+/// Sense, decide, drive, sense again: the one loop in which networks practise and in which they are judged. What a
+/// robot does between two looks is its own: a simulated Create 2 obeys the controller's commands (drive()), one that
+/// practises goes where the controller would lead it (StepDrive), many times as fast.
+class ClosedLoop {
+ public:
+  enum class End {
+    kArrived,  ///< the robot says so
+    kNoWay,    ///< the agent says that there is none
+    kStopped   ///< `goes_on` said so
+  };
+
+  /// Both must outlive the loop.
+  ClosedLoop(LoopRobot* robot, NavigationAgent* agent) : robot_(*robot), agent_(*agent) {}
+
+  /// Gives the agent the goal (odometry frame), which forgets all that it knew. Asks `goes_on` before each look and
+  /// calls `note` with each decision before it is carried out.
+  End run(const Point2& goal, const std::function<bool()>& goes_on, const std::function<void(const Decision&)>& note);
+
+ private:
+  LoopRobot& robot_;
+  NavigationAgent& agent_;
+  Situation situation_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/base/network/batch_network.hpp"
+#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/base/network/network.hpp"
+#include "lstm_planner/robot/driving/action_set.hpp"
+#include "lstm_planner/robot/perception/encoder.hpp"
+
+namespace lstm_planner {
+
+/// What a model was made for; it travels in the model file's metadata.
+struct PolicyDescription {
+  EncoderParameters encoder;
+  ActionSet actions;
+  double step_length = 0.4;           ///< m
+  double footprint_radius = 0.17425;  ///< m
+};
+
+/// To and from the metadata of a model file (keys of the encoder, and: action_angles, step_length, robot_radius).
+/// Reading throws std::invalid_argument for a missing or malformed key.
+void writeMetadata(const PolicyDescription& description, std::map<std::string, std::string>* metadata);
+PolicyDescription readPolicyDescription(const std::map<std::string, std::string>& metadata);
+
+/// How many outputs a network for it has: one an action, or with eight views one, how good it is to go ahead.
+int networkOutputs(const PolicyDescription& description);
+
+/// The view that looks where each action steers, in eighths of a turn from the heading. Throws std::invalid_argument
+/// unless all angles are multiples of 45 degrees.
+std::vector<int> viewsOf(const ActionSet& actions);
+
+/// Observation in, preferences over the steering angles out, with a memory in between: encoder and network together.
+///
+/// With eight views the network looks into eight directions that stay where they are in the odometry frame, such that
+/// one of them is the heading, rounded to 45 degrees; each has a hidden state of its own, and all advance at each step.
+/// An action is worth what the network says in the direction into which it steers. When the robot turns, what was seen
+/// in a direction stays with it. Copies share weights and description.
+class DrivePolicy {
+ public:
+  /// Throws std::invalid_argument when network, encoder and action set do not fit together.
+  DrivePolicy(PolicyDescription description, const LayerStack& layers);
+
+  /// Throws ModelFileError, with the path and what is wrong or does not fit.
+  static DrivePolicy fromFile(const std::string& path);
+
+  /// Advances the hidden state by one step and returns one preference an action; valid until the next call.
+  const Eigen::VectorXf& advance(const Observation& observation);
+
+  void reset();
+  const PolicyDescription& description() const { return *description_; }
+  /// Of all recurrent cells; with eight views one view behind the other. Allocates.
+  Eigen::VectorXf hiddenState() const;
+
+ private:
+  const Eigen::VectorXf& advanceViews(const Observation& observation);
+
+  std::shared_ptr<const PolicyDescription> description_;
+  Encoder encoder_;
+  std::optional<Network> network_;  ///< with one view only
+  Eigen::VectorXf input_;
+
+  // With eight views only.
+  std::optional<BatchNetwork> views_;  ///< an agent a direction of the odometry frame
+  std::vector<int> action_views_;
+  BatchNetwork::Values view_inputs_;
+  Eigen::VectorXf preferences_;
+};
+
+/// For an agent that no network leads: the thesis's inputs and steering angles, all weights zero.
+DrivePolicy noPolicy();
+
+/// Throws std::invalid_argument with one sentence that says what differs when a model made for another step length or a
+/// smaller robot would drive with these parameters. `range_max` is the scanner's (m, 0 = not known yet): it must reach
+/// as far as half the model's range cap.
+void checkFits(const PolicyDescription& description, double step_length, double footprint_radius,
+               double range_max = 0.0);
+
+}  // namespace lstm_planner

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "lstm_planner/robot/driving/agent_parameters.hpp"
+#include "lstm_planner/robot/driving/shield.hpp"
+#include "lstm_planner/robot/perception/situation.hpp"
+
+namespace lstm_planner {
+
+/// A straight way to go: direction in the odometry frame (rad) and length (m).
+struct Heading {
+  double direction = 0.0;
+  double distance = 0.0;
+};
+
+/// Gets the robot nearer to the goal than it has ever been, with bounded memory, wherever there is a way.
+///
+/// Goes straight for the goal; follows the boundary of what is in the way, with the wall on one side; leaves the
+/// boundary where the open way leads nearer to the goal than where the boundary was met. Turns back after 24, 48, 96
+/// ... m (the doubling search), so that the shorter way round costs at most a constant factor. Back where it met the
+/// boundary after a full turn, it goes around once more as close as it can, and then knows that there is no way (after
+/// Lumelsky and Stepanov, "Path-planning strategies for a point mobile automaton", Algorithmica 1987; Kamon and Rivlin,
+/// "Sensory-based motion planning with global proofs", 1997; Baeza-Yates et al., "Searching in the plane", 1993).
+class Escape {
+ public:
+  enum class Outcome {
+    kMove,  ///< go as `move` says
+    kDone,  ///< nearer to the goal than the best distance given to begin(): the network may go on
+    kNoWay  ///< went all around: the goal cannot be reached from here
+  };
+
+  explicit Escape(const EscapeParameters& parameters, const ShieldParameters& shield);
+
+  /// Starts from here; done when the distance to the goal is below `target_distance` (m).
+  void begin(double target_distance);
+
+  /// The same goal lies a little elsewhere. `target_distance` as in begin(); the other distances that are remembered
+  /// change as the one from where the boundary was met.
+  void moveGoal(const Point2& from, const Point2& to, double target_distance);
+
+  /// The next step from the current situation. `shield` has been shown the situation's obstacles.
+  Outcome decide(const Situation& situation, const Shield& shield, const Point2& goal, Heading* move);
+
+ private:
+  double openTowardsGoal(const Situation& situation, const Shield& shield, const Point2& goal, double distance) const;
+  double clearance() const;
+  void followTight(const Pose2& pose, const Point2& goal);
+  void meetBoundary(const Situation& situation, const Shield& shield, const Point2& goal);
+  Heading follow(const Situation& situation, const Shield& shield);
+  bool probe(const Situation& situation, const Shield& shield, double start, double clearance, Heading* move) const;
+  void measureBoundary(const Pose2& pose);
+  double turnOf(double direction) const;
+  bool loopClosed(const Pose2& pose) const;
+
+  EscapeParameters parameters_;
+  ShieldParameters shield_parameters_;
+  double target_distance_ = 0.0;
+  bool following_ = false;
+  int side_ = -1;                  ///< side of the wall: -1 right, +1 left
+  double travel_direction_ = 0.0;  ///< rad, odometry frame: how the boundary was followed last
+  Pose2 last_position_;            ///< where the last decision was made
+  Point2 hit_position_;
+  double leave_below_ = 0.0;          ///< m to the goal, where a boundary was met or left at the nearest
+  bool tight_ = false;                ///< second time around, with the tight clearance
+  int rounds_ = 0;                    ///< boundaries gone around twice
+  double departure_direction_ = 0.0;  ///< rad, odometry frame: how the boundary runs where it was met
+  double along_ = 0.0;   ///< m, signed way along the boundary from the hit; positive in the first direction
+  double turned_ = 0.0;  ///< rad, how much the boundary has turned since the hit
+  int way_ = 1;          ///< +1 while following in the first direction, -1 after turning back
+  double leg_ = 0.0;     ///< m of boundary on this side of the hit before turning back
+};
+
+}  // namespace lstm_planner

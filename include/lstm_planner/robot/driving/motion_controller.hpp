@@ -1,0 +1,101 @@
+#pragma once
+
+#include <vector>
+
+#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/robot/driving/shield.hpp"
+#include "lstm_planner/robot/perception/moving_returns.hpp"
+
+namespace lstm_planner {
+
+/// Limits and habits of the controller; the defaults suit the Create 2.
+struct MotionParameters {
+  double max_linear = 0.3;           ///< m/s (a Create 2 really reaches 0.33)
+  double max_angular = 2.0;          ///< rad/s
+  double max_wheel_speed = 0.5;      ///< m/s; the base clips each wheel at it, which would bend the way
+  double axle_length = 0.235;        ///< m between the wheels
+  double linear_acceleration = 0.6;  ///< m/s^2, speeding up and braking
+  double lookahead = 0.35;           ///< m along the plan to the point that is steered for
+  double nearest_target = 0.06;      ///< m; points of the plan nearer than this have no direction to steer for
+  double turn_in_place = 1.2;        ///< rad; a larger heading error is turned away on the spot
+  double heading_gain = 2.5;         ///< rad/s a rad of heading error
+  double reaction_time = 0.25;       ///< s from a measurement to the wheels, latch of the driver included
+  double safety_margin = 0.03;       ///< m between the footprint and any return, at the least
+  double slow_gap = 0.15;            ///< m; the robot slows down where its way leads nearer to something than this
+  double slow_speed = 0.15;          ///< m/s on the way towards an obstacle that it nearly touches
+  MovingReturnsParameters moving;    ///< how people are found
+  double person_speed = 1.0;         ///< m/s at which whatever moves may come towards the robot
+  double person_margin = 0.15;       ///< m between what moves and the footprint, by then the robot stands
+  double person_slow_speed = 0.08;   ///< m/s at most beside what has moved before and stands: it may walk on
+  double position_tolerance = 0.2;   ///< m
+  double heading_tolerance = 3.15;   ///< rad; pi or more = any heading will do
+};
+
+/// Calls visit(name, value, least, most) for every number.
+template <typename Parameters, typename Visitor>
+void visitMotionNumbers(Parameters& motion, const Visitor& visit) {
+  visit("max_linear", motion.max_linear, 0.01, 10.0);
+  visit("max_angular", motion.max_angular, 0.01, 20.0);
+  visit("max_wheel_speed", motion.max_wheel_speed, 0.01, 20.0);
+  visit("axle_length", motion.axle_length, 0.01, 5.0);
+  visit("linear_acceleration", motion.linear_acceleration, 0.01, 50.0);
+  visit("lookahead", motion.lookahead, 0.01, 20.0);
+  visit("nearest_target", motion.nearest_target, 0.001, 5.0);
+  visit("turn_in_place", motion.turn_in_place, 0.01, 4.0);
+  visit("heading_gain", motion.heading_gain, 0.01, 100.0);
+  visit("reaction_time", motion.reaction_time, 0.001, 10.0);
+  visit("safety_margin", motion.safety_margin, 0.001, 5.0);
+  visit("slow_gap", motion.slow_gap, 0.001, 20.0);
+  visit("slow_speed", motion.slow_speed, 0.001, 10.0);
+  visitMovingNumbers(motion.moving, visit);
+  visit("person_speed", motion.person_speed, 0.01, 20.0);
+  visit("person_margin", motion.person_margin, 0.001, 10.0);
+  visit("person_slow_speed", motion.person_slow_speed, 0.0, 10.0);
+  visit("position_tolerance", motion.position_tolerance, 0.001, 10.0);
+  visit("heading_tolerance", motion.heading_tolerance, 0.001, 10.0);
+}
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const MotionParameters& parameters);
+
+/// Turns and drives along a plan; never commands a motion which, braking included, comes nearer to a return than the
+/// safety margin. What is looked at is the way that the robot really takes: on with the present twist until the command
+/// acts, which may be at once or after the reaction time, then along the commanded arc until it stands. Only turning in
+/// place is always allowed.
+///
+/// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
+/// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves
+/// near it.
+class MotionController {
+ public:
+  explicit MotionController(const MotionParameters& parameters);
+
+  /// The next command. `plan` and `pose` are in the same frame, `current` is the measured twist, `shield` has been
+  /// shown the latest scan, `period` is the time to the next command, s; `moving` are points of things that move, base
+  /// frame, `resting` of things that have moved and stand (MovingReturns). Zero for an empty plan.
+  Twist2 compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current, const Shield& shield,
+                 double period, const std::vector<Point2>& moving = {}, const std::vector<Point2>& resting = {}) const;
+
+  /// At the plan's last pose within the tolerances.
+  bool goalReached(const Pose2& pose, const Pose2& goal) const;
+
+  const MotionParameters& parameters() const { return parameters_; }
+
+ private:
+  struct Persons;
+
+  Pose2 target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const;
+  Twist2 withinWheelLimits(const Twist2& twist) const;
+  double safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield, const Persons& persons,
+                   double period) const;
+  double cautiousSpeed(const Twist2& twist, const Shield& shield) const;
+  double allowedSpeed(const Twist2& twist, const Twist2& current, const Shield& shield, double period) const;
+  double yieldingSpeed(const Twist2& twist, const Shield& persons) const;
+  double yieldingSpeed(const Twist2& twist, const Persons& persons) const;
+  double yieldingReach(double footprint_radius) const;
+  double stoppingWay(double speed) const;
+
+  MotionParameters parameters_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "lstm_planner/robot/driving/drive_trace.hpp"
+#include "lstm_planner/robot/memory/route_guide.hpp"
+#include "lstm_planner/robot/perception/observation.hpp"
+#include "lstm_planner/robot/perception/situation.hpp"
+
+namespace lstm_planner {
+
+/// Composes what the network is told from what is seen and what is remembered: the one place where this is done, for the
+/// agent that drives and for the recorder that watches somebody drive.
+///
+/// `trace`: of the drive so far; the robot is noted to be at the situation's pose. `position_cell`: m, see observe().
+Observation observe(const Situation& situation, const Point2& goal, double previous_action, double position_cell,
+                    DriveTrace* trace);
+
+/// What a recorder remembers of a drive, as the agent would: obstacles and places.
+class Observer {
+ public:
+  explicit Observer(const AgentParameters& parameters) : parameters_(parameters), guide_(parameters) {}
+
+  /// A new goal (odometry frame): the drive so far is forgotten, the obstacles not.
+  void begin(const Point2& goal);
+  /// The odometry jumped: everything is forgotten.
+  void forget();
+  /// What the network would be told at this step; the position is not rounded. In addition, for whoever learns from it
+  /// later: where the way through the obstacles seen so far begins, and how long it is.
+  Observation look(const Situation& situation, const Point2& goal, double previous_action);
+
+ private:
+  AgentParameters parameters_;
+  RouteGuide guide_;
+  DriveTrace trace_;
+};
+
+}  // namespace lstm_planner

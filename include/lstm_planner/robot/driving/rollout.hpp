@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
+
+namespace lstm_planner {
+
+/// How a decision becomes a plan.
+struct RolloutParameters {
+  double spacing = 0.05;  ///< m between poses; about the costmap's resolution, or move_base prunes the plan away
+  int steps = 8;          ///< steps beyond the waypoint, through free space that the scan shows
+};
+
+/// Calls visit(name, value, least, most) for every number: move_base drops the start of a plan whose poses are a metre
+/// apart, and each step costs as much as a decision's.
+template <typename Parameters, typename Visitor>
+void visitRolloutNumbers(Parameters& rollout, const Visitor& visit) {
+  visit("rollout/spacing", rollout.spacing, 0.01, 0.5);
+  visit("rollout/steps", rollout.steps, 0, 100);
+}
+
+/// A plan has no more poses than this, however far away the goal is: 1.5 MB as messages.
+constexpr std::size_t kMostPlanPoses = 10000;
+/// So many poses from the robot on are spaced as RolloutParameters say, 400 m with 0.05 m. What lies beyond is made
+/// anew long before the robot is there, and gets as many as are left, evenly spaced.
+constexpr std::size_t kMostDensePlanPoses = 8000;
+
+/// The plan of a decision: from the robot's pose through the waypoint, on towards the goal through what the scan shows
+/// free, then straight to the goal. Dense up to kMostDensePlanPoses; starts exactly at the pose and ends exactly at the
+/// goal with the goal's yaw; all other poses look along the plan. Overwrites `plan`, reusing its memory.
+void rollOut(const Situation& situation, const Decision& decision, const Shield& shield, const Pose2& goal,
+             const AgentParameters& agent, const RolloutParameters& parameters, std::vector<Pose2>* plan);
+
+}  // namespace lstm_planner

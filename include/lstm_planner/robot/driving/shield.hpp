@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/base/common/geometry.hpp"
+
+namespace lstm_planner {
+
+/// Where a pose comes to that moves `length` metres forward along an arc of that curvature (1/m, positive to the left).
+Pose2 alongArc(const Pose2& from, double curvature, double length);
+
+/// Tells how far a disc can be moved along a straight line or an arc before it comes too near to something that the
+/// scanner measured. Exact for the returns taken as points.
+///
+/// All points, poses and directions are in the base frame of the scan that was shown last. The robot's footprint is
+/// taken as its circumscribed disc, which turning in place does not move: that is always free.
+class Shield {
+ public:
+  /// `footprint_radius`: of the circumscribed disc, m. `hard_margin`: m, see freeDistance(). `reach`: farthest obstacle
+  /// that is looked at, m. Throws std::invalid_argument unless 0 < radius, 0 <= margin and radius + margin < reach.
+  Shield(double footprint_radius, double hard_margin, double reach);
+
+  /// Replaces what is known by the returns of one scan (base frame).
+  void show(const std::vector<Point2>& obstacles);
+
+  /// Length (m, at most `limit`) of the free way from `from` in `direction` (rad) for the footprint grown by
+  /// `clearance`. Where the robot already is nearer to something than that, it may pass it but not come nearer still;
+  /// nearer than the hard margin (or the clearance, if that is less) it may only go away, so that the noise of a
+  /// scanner cannot lure it closer bit by bit. 0 when the first millimetre is blocked.
+  double freeDistance(const Point2& from, double direction, double limit, double clearance) const;
+
+  /// The same along the arc that begins at the pose `from`, forward, with that curvature (1/m, positive to the left; 0
+  /// is the straight line): length of arc in m. This is the way that a differential drive really takes when it is
+  /// commanded linear and angular = curvature * linear.
+  double freeArc(const Pose2& from, double curvature, double limit, double clearance) const;
+
+  /// Distance from `from` to the nearest return, less the footprint radius, m; `reach` when nothing is that near.
+  double gap(const Point2& from) const;
+
+  /// The smallest gap() on that arc of that length (m, 0 or more); `reach` when nothing is that near.
+  double arcGap(const Pose2& from, double curvature, double length) const;
+
+  double footprintRadius() const { return footprint_radius_; }
+
+ private:
+  double footprint_radius_;
+  double hard_margin_;
+  double reach_;
+
+  // Neighbours of a scan lie near one another: whole groups of them need not be looked at.
+  static constexpr std::size_t kGroup = 16;
+  /// A group of kGroup; `all_near`: none is out of reach.
+  void showGroup(const Point2* obstacles, bool all_near);
+  /// Those of a group that are within reach.
+  void showNear(const Point2* obstacles, std::size_t count);
+  /// Calls look(group) for the groups that meet(boxes) lets through, four boxes at a time, until it answers true.
+  template <typename Meet, typename Look>
+  void lookIntoGroups(const Meet& meet, const Look& look) const;
+  /// Calls look(obstacle) for all that are nearer than `distance`, and some others, until it answers true.
+  template <typename Look>
+  void lookAround(const Point2& from, double distance, const Look& look) const;
+  double nearest(const Point2& from) const;
+  /// More than what is lost of a coordinate in a float, m.
+  double blur(const Point2& from) const;
+
+  std::size_t groups_ = 0;
+  std::vector<double> x_, y_;  ///< m, kGroup of each group; where there are fewer, one of them several times
+  std::vector<float> middle_x_, middle_y_, half_x_, half_y_;  ///< m, the box around a group
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "lstm_planner/base/common/communicator.hpp"
+#include "lstm_planner/base/network/layers.hpp"
+#include "lstm_planner/robot/dataset/dataset.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "lstm_planner/robot/learning/drive_course.hpp"
+
+namespace lstm_planner {
+
+/// Reinforcement for the robot: an actor with a critic that sees more (distances that are known in generated worlds
+/// only), generalised advantages, and updates that stay near the policy that drove (Schulman et al., "Proximal policy
+/// optimization algorithms", 2017). Drives are StepDrive's, under random conditions. The reward of a step is what it
+/// brings the robot nearer to the goal by the teacher's way, less a cost.
+struct DriveActorCriticParameters {
+  PolicyDescription policy;
+  DriveCourseParameters course;
+  std::vector<int> critic_units = {48, 32};
+  int iterations = 60;     ///< collect, then update
+  int worlds = 16;         ///< an iteration, new ones each time
+  int goals = 2;           ///< a world
+  int starts = 8;          ///< drives to a goal
+  int max_steps = 300;     ///< of a drive
+  int window = 32;         ///< steps that errors go back at most
+  int passes = 4;          ///< over what was collected
+  double sharpness = 3.0;  ///< times the first policy's preferences, which imitation leaves too close for drawing
+  double clip = 0.2;       ///< how far from 1 a probability's change still counts
+  double discount = 0.99;  ///< a step
+  double advantage_decay = 0.95;
+  double entropy_start = 0.003;  ///< weight of the entropy, sinking linearly
+  double entropy_end = 0.0003;
+  double step_cost = 0.05;     ///< m
+  double arrival_bonus = 3.0;  ///< m
+  double contact_cost = 0.5;   ///< m
+  double learning_rate = 0.002;
+  double critic_learning_rate = 0.005;
+  double max_gradient_norm = 0.5;
+  std::uint64_t seed = 1;
+  int threads = 2;                            ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the drives; does not change the result
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const DriveActorCriticParameters& parameters);
+
+/// What the last iteration brought.
+struct DriveActorCriticReport {
+  int iteration = 0;       ///< from 1
+  double steps = 0.0;      ///< since the beginning
+  double reward = 0.0;     ///< mean a drive, m
+  double arrival = 0.0;    ///< share of the drives
+  double entropy = 0.0;    ///< mean, nat
+  double explained = 0.0;  ///< share of the returns' variance that the critic explains
+};
+
+/// Learns in place.
+class DriveActorCritic {
+ public:
+  /// `layers` are the policy's, with weights to begin from. Throws std::invalid_argument for what does not fit.
+  DriveActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers);
+  ~DriveActorCritic();
+
+  /// From now on each iteration also learns to steer as the driver of these drives did (cross-entropy, rare angles
+  /// weigh more), with the `weight` that the mean over the recorded steps has beside the mean over the practised ones.
+  /// So a network that drives can take over somebody's manner without forgetting how to arrive. Throws
+  /// std::invalid_argument unless the weight is positive, there are steps, and the recordings fit the policy.
+  void follow(const Dataset& recordings, double weight);
+
+  /// Collects drives and learns from them. What happens depends only on the weights, the seed, and how many iterations
+  /// there were before.
+  DriveActorCriticReport iterate();
+
+  int iterations() const;  ///< done so far
+  const LayerStack& layers() const;
+
+  /// Everything that the next iteration depends on.
+  std::vector<std::uint8_t> checkpoint() const;
+  /// Throws std::invalid_argument when it is not a checkpoint of the same networks.
+  void restore(const std::vector<std::uint8_t>& checkpoint);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace lstm_planner

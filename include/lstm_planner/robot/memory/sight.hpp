@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/robot/perception/beam_finder.hpp"
+
+namespace lstm_planner {
+
+struct SightBeams;
+struct SquareGrid;
+
+/// Tells through which places a scan looks: the beam towards them and two on each side end 0.1 m behind them at least.
+/// For thousands of places a scan: all that can be is done once a scan, or for a whole neighbourhood.
+///
+/// Places are relative to the scanner, m, in a frame in which the base has the yaw that show() was told.
+class Sight {
+ public:
+  /// `neighbourhood`: radius around the middle of a cell in which its squares' middles lie, m.
+  explicit Sight(double neighbourhood) : neighbourhood_(static_cast<float>(neighbourhood)) {}
+
+  /// Replaces the scan.
+  void show(const RangeProfile& profile, double yaw);
+
+  /// Nothing is looked through by a scan without beams.
+  bool isBlind() const { return finder_.beams() == 0; }
+
+  /// What ScanKernels work on, until the next show(); not while isBlind().
+  SightBeams beams() const;
+
+ private:
+  static constexpr std::size_t kBlock = 4;   ///< beams
+  static constexpr std::size_t kLevels = 6;  ///< of neighbourhoods, each twice as wide as the last, in blocks
+
+  void measureBeams(const RangeProfile& profile);
+
+  float neighbourhood_;
+  BeamFinder finder_;
+  std::vector<float> padded_;    ///< m, the ranges, and some more at both ends
+  std::vector<float> limits_;    ///< m^2; a beam each: farther places are not looked through
+  std::vector<float> farthest_;  ///< m; the most of 2^level blocks from each one on, level by level
+  std::size_t blocks_ = 0;       ///< from one level of farthest_ to the next
+};
+
+}  // namespace lstm_planner

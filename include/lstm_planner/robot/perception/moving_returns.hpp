@@ -1,0 +1,119 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/robot/perception/beam_directions.hpp"
+#include "lstm_planner/robot/perception/beam_finder.hpp"
+#include "lstm_planner/robot/perception/laser_scan.hpp"
+
+namespace lstm_planner {
+
+/// When a return counts as moving. The margins cover the noise of a scanner, 2 % of odometry error and 10 ms between
+/// the clocks of scan and odometry.
+struct MovingReturnsParameters {
+  double range = 4.0;            ///< m; farther returns are not looked at
+  double youngest = 0.2;         ///< s; what was seen less long ago than this is not compared with:
+  double oldest = 0.6;           ///< s; or longer ago. The first gives the time to notice, the second the slowest motion
+  double range_margin = 0.1;     ///< m behind a return that must have been seen free before it counts as moving
+  double lateral_margin = 0.05;  ///< m beside it, and
+  double angle_margin = 0.03;    ///< rad beside it, too
+  int fewest_beams = 4;          ///< neighbouring beams that must agree
+  double hold = 1.0;             ///< s; a thing that stands still counts as moving for this long, then as resting
+  double remember = 10.0;        ///< s after its last motion that it counts as resting, then as static
+};
+
+/// Calls visit(name, value, least, most) for every number.
+template <typename Parameters, typename Visitor>
+void visitMovingNumbers(Parameters& moving, const Visitor& visit) {
+  visit("moving/range", moving.range, 0.1, 100.0);
+  visit("moving/youngest", moving.youngest, 0.001, 10.0);
+  visit("moving/oldest", moving.oldest, 0.001, 10.0);  // all scans until then are kept
+  visit("moving/range_margin", moving.range_margin, 0.001, 10.0);
+  visit("moving/lateral_margin", moving.lateral_margin, 0.001, 10.0);
+  visit("moving/angle_margin", moving.angle_margin, 1e-4, 1.0);
+  visit("moving/fewest_beams", moving.fewest_beams, 1, 10000);
+  visit("moving/hold", moving.hold, 0.0, 600.0);
+  visit("moving/remember", moving.remember, 0.0, 600.0);
+}
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const MovingReturnsParameters& parameters);
+
+/// Tells which returns of a scan belong to things that move: those that lie where an earlier scan looked through. What
+/// was hidden before, such as a wall behind a corner, was not seen free and does not count; nor does what goes away
+/// from the scanner. Remembers such places for a while in the odometry frame: somebody who stands may walk on.
+class MovingReturns {
+ public:
+  explicit MovingReturns(const MovingReturnsParameters& parameters);
+
+  /// Takes in a scan from `pose` (base in the odometry frame) at `time`, s. A time that goes back forgets all.
+  void show(const RangeProfile& profile, const Pose2& pose, double time);
+
+  /// Returns of the last scan that move, and places out of its sight where something has just moved; base frame, m.
+  const std::vector<Point2>& points() const { return points_; }
+
+  /// The same near the robot, of what has moved before and stands now.
+  const std::vector<Point2>& resting() const { return resting_; }
+
+  /// Forgets all: after a jump of the odometry, for instance.
+  void reset();
+
+ private:
+  /// A scan and where it was taken.
+  struct View {
+    Point2 toBase(const Point2& point) const {
+      const double dx = point.x - pose.x;
+      const double dy = point.y - pose.y;
+      return {cosine * dx + sine * dy, cosine * dy - sine * dx};
+    }
+    Point2 toOdometry(const Point2& point) const {
+      return {pose.x + cosine * point.x - sine * point.y, pose.y + sine * point.x + cosine * point.y};
+    }
+    RangeProfile profile;
+    Pose2 pose;
+    double cosine = 1.0;  ///< of the pose's yaw, which all returns are turned by
+    double sine = 0.0;
+    double time = 0.0;
+    Point2 scanner;             ///< odometry frame
+    BeamFinder finder;          ///< for the odometry frame
+    std::vector<float> limits;  ///< m^2; a beam each: what is farther was surely not seen free
+  };
+  struct Place {
+    Point2 point;       ///< odometry frame
+    double time = 0.0;  ///< s, when something moved there last
+  };
+  enum class Sight { kFree, kTaken, kUnknown };
+
+  void look(const RangeProfile& profile, const Pose2& pose, double time);
+  void dropOldViews();
+  void keepView();
+  Sight sightOf(const Point2& point, const View& view) const;
+  void collectReturns();
+  void compareWith(const View& reference);
+  void findMoving();
+  void closeGroup();
+  void notePlace(const Point2& point);
+  void forgetPlaces();
+  void collectPoints();
+  void collectNear(const std::vector<Point2>& places, std::vector<Point2>* points) const;
+
+  MovingReturnsParameters parameters_;
+  View view_;                   ///< the last scan
+  std::vector<View> views_;     ///< the oldest first; beyond the first view_count_ only memory to be used again
+  std::size_t view_count_ = 0;  ///< of views_
+  BeamDirections directions_;
+  std::vector<Point2> returns_;        ///< of the last scan, odometry frame, in the order of the beams
+  std::vector<std::uint32_t> beams_;   ///< of the returns
+  std::vector<std::uint8_t> is_free_;  ///< a return each: an earlier scan looked through there
+  std::vector<float> x_, y_;           ///< m, the returns relative to an earlier view's scanner
+  std::vector<float> positions_;       ///< among that view's beams
+  std::vector<Point2> group_;          ///< returns beside one another that may be moving
+  std::vector<Place> places_;
+  std::vector<Point2> moving_places_, resting_places_;  ///< odometry frame
+  std::vector<Point2> points_, resting_;
+};
+
+}  // namespace lstm_planner

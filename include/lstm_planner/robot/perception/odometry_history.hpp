@@ -1,0 +1,45 @@
+#pragma once
+
+#include <deque>
+
+#include "lstm_planner/base/common/geometry.hpp"
+
+namespace lstm_planner {
+
+/// The odometry of the last second: gives the pose at the moment a scan was taken, and notices jumps.
+class OdometryHistory {
+ public:
+  struct Entry {
+    double stamp = 0.0;  ///< s
+    Pose2 pose;          ///< base in the odometry frame
+    Twist2 twist;
+  };
+
+  /// `max_speed`: m/s; what moves faster has jumped.
+  explicit OdometryHistory(double max_speed) : max_speed_(max_speed) {}
+
+  /// Takes a finite entry. After a jump, of the pose or of the clock, the history starts anew.
+  void add(const Entry& entry);
+
+  /// What comes next is of another frame: counts as a jump, unless there was nothing before.
+  void restart();
+
+  bool empty() const { return entries_.empty(); }
+  const Entry& newest() const { return entries_.back(); }
+
+  /// The pose at `stamp`: interpolated, or, up to 0.2 s beyond the newest entry, continued at the speed between the
+  /// last two. The nearest known pose for anything farther away. Requires !empty().
+  Pose2 poseAt(double stamp) const;
+
+  /// Number of jumps so far.
+  long jumps() const { return jumps_; }
+
+ private:
+  bool follows(const Entry& entry) const;
+
+  double max_speed_;
+  std::deque<Entry> entries_;
+  long jumps_ = 0;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/robot/simulation/world.hpp"
+
+namespace lstm_planner {
+
+/// How people walk about.
+struct CrowdParameters {
+  int walkers = 10;
+  double smallest_radius = 0.2;  ///< m, of the disc that a walker takes up
+  double largest_radius = 0.3;   ///< m
+  double slowest = 0.3;          ///< m/s
+  double fastest = 1.0;          ///< m/s
+  double shortest_stand = 0.5;   ///< s that a walker stands when the robot is in its way
+  double longest_stand = 2.0;    ///< s
+  double first_distance = 1.0;   ///< m between the robot and every walker at the start, at the least
+};
+
+/// Calls visit(name, value, least, most) for every number.
+template <typename Parameters, typename Visitor>
+void visitCrowdNumbers(Parameters& crowd, const Visitor& visit) {
+  visit("walkers", crowd.walkers, 0, 1000);
+  visit("smallest_radius", crowd.smallest_radius, 0.01, 5.0);
+  visit("largest_radius", crowd.largest_radius, 0.01, 5.0);
+  visit("slowest", crowd.slowest, 0.01, 20.0);
+  visit("fastest", crowd.fastest, 0.01, 20.0);
+  visit("shortest_stand", crowd.shortest_stand, 0.0, 3600.0);
+  visit("longest_stand", crowd.longest_stand, 0.0, 3600.0);
+  visit("first_distance", crowd.first_distance, 0.0, 1000.0);
+}
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const CrowdParameters& parameters);
+
+/// A world with people in it. Each walks straight to a random place, then to another, at a speed of its own; a wall in
+/// its way makes it choose another place, too. Walkers pass through each other. They pay no heed to the robot until the
+/// next step would touch it: then they stand for a while and go elsewhere. Deterministic for a seed.
+class Crowd : public World {
+ public:
+  struct Walker {
+    Circle body;
+    double speed = 0.0;  ///< m/s
+    Point2 destination;
+    double standing = 0.0;      ///< s left
+    bool beside_robot = false;  ///< it has met the robot and not left it since
+  };
+
+  /// `surroundings` and `places`, where walkers begin and go to, must outlive the crowd; places where a walker does not
+  /// fit are not used. `robot` is where the robot starts. Throws as validate(), and std::invalid_argument when no place
+  /// is fit for a walker.
+  Crowd(const World& surroundings, const std::vector<Point2>& places, const CrowdParameters& parameters,
+        const Point2& robot, std::uint64_t seed);
+
+  void castRays(const Point2& origin, double first_direction, double increment, double max_range,
+                std::vector<double>* ranges) const override;
+  bool touches(const Point2& center, double radius) const override;
+
+  /// Lets that much time pass, s: no longer than a tenth of a second, or walkers jump. Returns the walkers that ran
+  /// into the robot, each once a meeting.
+  std::vector<Circle> advance(double seconds, const Circle& robot);
+
+  const std::vector<Walker>& walkers() const { return walkers_; }
+  const World& surroundings() const { return surroundings_; }
+
+ private:
+  Point2 drawPlace(double radius);
+  void step(double seconds, const Circle& robot, Walker* walker, std::vector<Circle>* meetings);
+
+  const World& surroundings_;
+  const std::vector<Point2>& places_;
+  CrowdParameters parameters_;
+  Random random_;
+  std::vector<Walker> walkers_;
+};
+
+/// The middles of all free cells in which a disc of that radius (m) touches nothing.
+std::vector<Point2> standingPlaces(const GridWorld& world, double radius);
+
+/// Places a quarter of a metre apart in the box between two corners in which a disc of that radius (m) touches nothing.
+std::vector<Point2> standingPlaces(const World& world, const Point2& low, const Point2& high, double radius);
+
+}  // namespace lstm_planner

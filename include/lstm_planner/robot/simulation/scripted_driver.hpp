@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/base/grid/distance_field.hpp"
+#include "lstm_planner/robot/simulation/world.hpp"
+
+namespace lstm_planner {
+
+/// How somebody at the keys drives, and how well.
+struct ScriptedDriverParameters {
+  double speed = 0.3;                 ///< m/s while the forward key is held
+  double turn_speed = 1.5;            ///< rad/s while a turn key is held
+  double footprint_radius = 0.17425;  ///< m
+  double clearance = 0.1;             ///< m that the way keeps between the footprint and walls, at the least
+  double comfort = 0.4;               ///< m between them below which the way counts as longer than it is
+  double reluctance = 1.5;            ///< how much longer: see GeodesicField
+  double lookahead = 0.6;             ///< m along the way to the point that is driven at
+  double sharp_turn = 0.5;            ///< rad; who has to turn farther than this stops to turn
+  /// Whether a turn key is pressed while driving, too, so that the robot drives arcs where the way bends less. Labels
+  /// of thesis Eq. 4.1 hardly see arcs: half a second of one is half of its turn away from straight on.
+  bool drives_arcs = false;
+  double shortest_reaction = 0.2;  ///< s from seeing to pressing or releasing a key, at the least
+  double longest_reaction = 0.3;   ///< s, and at the most
+  double shortest_hold = 0.15;     ///< s that a key is held or released, at the least
+  double wander = 0.06;            ///< rad, standard deviation of where is aimed at
+  double pause_interval = 60.0;    ///< s between pauses on average; 0: none
+  double longest_pause = 2.0;      ///< s
+  double arrival_distance = 0.15;  ///< m; nearer to the goal than this is arrived
+};
+
+/// Calls visit(name, value, least, most) for every number.
+template <typename Parameters, typename Visitor>
+void visitDriverNumbers(Parameters& driver, const Visitor& visit) {
+  visit("speed", driver.speed, 0.01, 10.0);
+  visit("turn_speed", driver.turn_speed, 0.01, 20.0);
+  visit("footprint_radius", driver.footprint_radius, 0.02, 5.0);
+  visit("clearance", driver.clearance, 0.0, 5.0);
+  visit("comfort", driver.comfort, 0.0, 10.0);
+  visit("reluctance", driver.reluctance, 0.0, 100.0);
+  visit("lookahead", driver.lookahead, 0.01, 20.0);
+  visit("sharp_turn", driver.sharp_turn, 0.2, 3.1416);
+  visit("shortest_reaction", driver.shortest_reaction, 0.0, 0.5);
+  visit("longest_reaction", driver.longest_reaction, 0.0, 0.5);
+  visit("shortest_hold", driver.shortest_hold, 0.0, 0.5);
+  visit("wander", driver.wander, 0.0, 0.5);
+  visit("pause_interval", driver.pause_interval, 0.0, 86400.0);
+  visit("longest_pause", driver.longest_pause, 0.0, 3600.0);
+  visit("arrival_distance", driver.arrival_distance, 0.01, 10.0);
+}
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const ScriptedDriverParameters& parameters);
+
+/// Drives like a person who sees robot and building from above and has three keys: forward, left and right; with none
+/// held the robot stops. Follows the shortest comfortable way to the goal, stops to turn, reacts late, aims badly,
+/// pauses sometimes, and does not touch what is in the map (unknown cells are as good as walls). Deterministic for a
+/// seed and the poses and times that it is asked at.
+///
+/// To be asked 10 times a second or more often, or it brakes too late.
+class ScriptedDriver {
+ public:
+  enum class State {
+    kWaiting,  ///< there is no goal
+    kDriving,
+    kArrived,  ///< and the keys are released
+    kNoWay     ///< to the goal from where the robot is, or the goal is too near to a wall
+  };
+
+  /// `world` must outlive the driver. Throws as validate().
+  ScriptedDriver(const GridWorld& world, const ScriptedDriverParameters& parameters, std::uint64_t seed);
+
+  void setGoal(const Point2& goal);  ///< world frame
+  void dropGoal();
+
+  /// The command of the keys that are held at that time (s, growing); `pose`: the true one, in the world frame.
+  Twist2 command(const Pose2& pose, double time);
+
+  State state() const { return state_; }
+  /// m, of the way to the goal; +inf when there is none.
+  double distanceToGo(const Point2& position) const;
+
+ private:
+  struct Keys {
+    bool forward = false;
+    int turn = 0;  ///< 1: left, -1: right
+    bool operator==(const Keys& other) const { return forward == other.forward && turn == other.turn; }
+  };
+
+  CellIndex startOfWay(const Point2& position) const;
+  Point2 pointAhead(const Point2& position) const;
+  bool isOpen(const Point2& from, const Point2& to) const;
+  Twist2 twistOf(const Keys& keys) const;
+  bool isSafe(const Pose2& pose, const Keys& keys) const;
+  void look(const Pose2& pose, double time);
+  Keys decide(const Pose2& pose);
+  Keys steer(const Pose2& pose, double error);
+  bool pauses(double time);
+  void wander(double seconds);
+
+  const GridWorld& world_;
+  ScriptedDriverParameters parameters_;
+  DistanceField distances_;
+  Random random_;
+  State state_ = State::kWaiting;
+  Point2 goal_;
+  std::optional<GeodesicField> field_;
+
+  Keys keys_;                    ///< held
+  std::optional<Keys> decided_;  ///< to be held from `change_` on
+  double change_ = 0.0;          ///< s
+  double next_look_ = 0.0;       ///< s
+  double last_look_ = 0.0;       ///< s
+  double pause_end_ = 0.0;       ///< s
+  double aim_error_ = 0.0;       ///< rad
+  bool turning_ = false;         ///< in place
+  bool is_aimed_ = false;        ///< at the way ahead, so that there is little room needed
+};
+
+}  // namespace lstm_planner

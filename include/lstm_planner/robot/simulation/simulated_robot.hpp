@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "lstm_planner/robot/perception/situation.hpp"
+#include "lstm_planner/robot/simulation/create2.hpp"
+#include "lstm_planner/robot/simulation/crowd.hpp"
+#include "lstm_planner/robot/simulation/hokuyo.hpp"
+#include "lstm_planner/robot/simulation/world.hpp"
+
+namespace lstm_planner {
+
+/// A Create 2 with a Hokuyo in a world: moves, senses, counts contacts. No ROS, no real time; the same for the same
+/// seed. Where people walk about, they move as time passes for the robot.
+///
+/// A contact is the robot's own doing: it drove into something, or met a walker towards whom it was driving. A walker
+/// who runs into a robot that stands, or goes elsewhere, has bumped into it.
+class SimulatedRobot {
+ public:
+  struct Parameters {
+    Create2Parameters base;
+    HokuyoParameters scanner;
+    double physics_period = 0.02;  ///< s
+    double latency = 0.0;          ///< s from a command to the wheels, to a whole physics period
+  };
+
+  /// `world` must outlive the robot.
+  SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
+  /// Among people, who must outlive the robot.
+  SimulatedRobot(Crowd* crowd, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
+
+  /// Takes effect when the latency has passed.
+  void command(const Twist2& twist) { commands_.push_back({time_ + parameters_.latency, twist}); }
+
+  /// Lets that much time pass, s.
+  void advance(double seconds);
+
+  /// Scans from where the robot stands; `situation` is in the odometry frame.
+  void sense(double range_cap, Situation* situation);
+
+  /// The scan from where the robot stands, as the driver would publish it; `scan` is overwritten and its memory reused.
+  void scan(LaserScan* scan);
+
+  double time() const { return time_; }  ///< s since the start
+  const Pose2& truePose() const { return base_.truePose(); }
+  const Pose2& odometry() const { return base_.odometry(); }
+  const Twist2& measuredTwist() const { return base_.measuredTwist(); }
+  /// How often the footprint began to touch something; not a walker that runs into it, unless it drives towards him.
+  int contacts() const { return contacts_; }
+  int bumped() const { return bumped_; }               ///< how often a walker ran into the robot
+  int bumpedMoving() const { return bumped_moving_; }  ///< of those, while it moved aside or away from him
+  double pathLength() const { return path_length_; }   ///< m truly driven
+
+ private:
+  struct Command {
+    double time = 0.0;  ///< s, when it takes effect
+    Twist2 twist;
+  };
+  void obeyCommands();
+  Point2 move(double seconds);
+  bool isBrushedBy(const Point2& position, const Point2& velocity) const;
+  void letWalk(double seconds, const Point2& velocity);
+
+  const World& world_;
+  Parameters parameters_;
+  Create2 base_;
+  Hokuyo scanner_;
+  LaserScan scan_;
+  std::deque<Command> commands_;
+  double time_ = 0.0;
+  Crowd* crowd_ = nullptr;
+  int contacts_ = 0;
+  int bumped_ = 0;
+  int bumped_moving_ = 0;
+  bool touching_ = false;
+  double path_length_ = 0.0;
+};
+
+}  // namespace lstm_planner

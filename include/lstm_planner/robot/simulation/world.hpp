@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/base/grid/distance_field.hpp"
+#include "lstm_planner/base/grid/occupancy_grid.hpp"
+
+namespace lstm_planner {
+
+/// What a laser sees and a robot can touch. Thread safe to read.
+class World {
+ public:
+  virtual ~World() = default;
+
+  /// Distances from `origin` to the first obstacle along the directions first_direction + i * increment (rad, world
+  /// frame), i = 0 .. ranges->size() - 1; values beyond max_range (m) come back as +inf. 0 inside an obstacle.
+  virtual void castRays(const Point2& origin, double first_direction, double increment, double max_range,
+                        std::vector<double>* ranges) const = 0;
+
+  /// True when a disc of that radius (m) overlaps an obstacle: exact, cells are squares and circles are circles; one
+  /// that only meets it at a point does not overlap. Throws std::invalid_argument for a disc that is not finite.
+  virtual bool touches(const Point2& center, double radius) const = 0;
+};
+
+/// The occupied cells of a map_server map (unknown cells are neither seen nor touched). Rays are exact at the borders
+/// of the cells; one that meets a corner passes unless both cells beside the corner, or the one behind it, are
+/// occupied.
+class GridWorld : public World {
+ public:
+  explicit GridWorld(OccupancyGrid grid);
+  void castRays(const Point2& origin, double first_direction, double increment, double max_range,
+                std::vector<double>* ranges) const override;
+  bool touches(const Point2& center, double radius) const override;
+  const OccupancyGrid& grid() const { return grid_; }
+  const DistanceField& distances() const { return distances_; }
+
+ private:
+  /// All in cells from the lower left corner; (dx, dy) is the unit vector along the ray.
+  double castRay(double column, double row, double dx, double dy, double max_cells) const;
+  OccupancyGrid grid_;
+  DistanceField distances_;
+  /// A cell each: 0 = occupied, otherwise 1 + whole cells that a ray can go on from anywhere in the cell without
+  /// meeting an occupied one. A byte each, so that a building fits in the cache.
+  std::vector<std::uint8_t> leaps_;
+};
+
+struct Circle {
+  Point2 center;
+  double radius = 0.0;
+};
+
+/// Lowers those ranges, of beams as in World::castRays(), that the circle cuts short.
+void castRaysAtCircle(const Circle& circle, const Point2& origin, double first_direction, double increment,
+                      double max_range, std::vector<double>* ranges);
+
+/// Cylinders on an endless floor (BARN worlds). Throws std::invalid_argument for a circle that is not finite or has a
+/// negative radius.
+class CircleWorld : public World {
+ public:
+  explicit CircleWorld(std::vector<Circle> circles);
+  void castRays(const Point2& origin, double first_direction, double increment, double max_range,
+                std::vector<double>* ranges) const override;
+  bool touches(const Point2& center, double radius) const override;
+
+ private:
+  std::vector<Circle> circles_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <geometry_msgs/Pose.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/Transform.h>
+#include <sensor_msgs/LaserScan.h>
+#include <std_msgs/Header.h>
+
+#include <string>
+#include <vector>
+
+#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/robot/perception/laser_scan.hpp"
+
+namespace lstm_planner {
+
+/// Overwrites `scan`, reusing its memory.
+void fromMessage(const sensor_msgs::LaserScan& message, LaserScan* scan);
+
+/// Overwrites all but the header, the times of a beam and a scan, and the intensities.
+void toMessage(const LaserScan& scan, sensor_msgs::LaserScan* message);
+
+/// Position and yaw; the yaw is NaN when the quaternion is zero or not finite.
+Pose2 fromMessage(const geometry_msgs::Pose& message);
+
+/// Planar part of a transform.
+Pose2 fromMessage(const geometry_msgs::Transform& message);
+
+/// With a unit quaternion.
+geometry_msgs::Pose toMessage(const Pose2& pose);
+
+/// How a scanner sits, from the transform of its frame to the base frame. Throws std::invalid_argument when it is tilted
+/// by more than 15 degrees: such a scan does not show the floor plan.
+SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner);
+
+/// A pose given in the frame of `parent`, in the frame that `parent` is given in.
+Pose2 compose(const Pose2& parent, const Pose2& child);
+
+/// The same for many poses, as in a plan; quick where neighbours have the same yaw. Overwrites `poses`, reusing its
+/// memory.
+void compose(const Pose2& parent, const std::vector<Pose2>& children, std::vector<Pose2>* poses);
+
+/// The same as messages, all with that header.
+void compose(const Pose2& parent, const std::vector<Pose2>& children, const std_msgs::Header& header,
+             std::vector<geometry_msgs::PoseStamped>* messages);
+
+/// Frame without the leading slash that old drivers put there and tf2 refuses.
+std::string frameName(const std::string& frame_id);
+
+}  // namespace lstm_planner

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/time.h>
+#include <tf2_ros/buffer.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "lstm_planner/robot/driving/shield.hpp"
+#include "lstm_planner/robot/perception/moving_returns.hpp"
+#include "lstm_planner/robot/perception/situation.hpp"
+#include "lstm_planner/ros/common/frame_transformer.hpp"
+#include "lstm_planner/ros/common/message_queue.hpp"
+#include "lstm_planner/ros/common/plugin_parameters.hpp"
+#include "lstm_planner/ros/common/sensor_listener.hpp"
+
+namespace lstm_planner {
+
+/// The plan has not been renewed for too long.
+class OutdatedPlan : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Follows a plan by scan and odometry: what SteeringController does once it is initialised. Not thread safe.
+class PlanFollower {
+ public:
+  /// `base_frame`: the robot's, where the odometry does not name it. `tf` must outlive the object.
+  PlanFollower(const SteeringControllerParameters& parameters, const std::string& base_frame,
+               const tf2_ros::Buffer& tf);
+
+  /// Throws std::invalid_argument when the poses are not finite or not all in one named frame; the last plan is then
+  /// forgotten.
+  void setPlan(const std::vector<geometry_msgs::PoseStamped>& plan);
+  bool hasPlan() const { return !plan_.empty(); }
+
+  /// The next command. Throws SensorError, UnusableScan, FrameError or OutdatedPlan when it is not safe to move. Zero
+  /// without a plan.
+  Twist2 compute();
+
+  /// Throws as compute().
+  bool goalReached();
+
+ private:
+  void checkPlanAge(const ros::Time& now) const;
+  Pose2 odometryFromPlan(const std::string& odometry_frame, const ros::Time& now) const;
+  void look(const SensorReading& reading);
+
+  SteeringControllerParameters parameters_;
+  FrameTransformer frames_;
+  MessageQueue messages_;
+  SensorListener sensors_;
+  MotionController controller_;
+  Shield shield_;
+  MovingReturns moving_;
+
+  ros::Time plan_time_;  ///< when the plan was set
+  std::string plan_frame_;
+  std::vector<Pose2> plan_;           ///< plan's frame
+  std::vector<Pose2> new_plan_;       ///< of setPlan(), until it is found good
+  std::vector<Pose2> odometry_plan_;  ///< of the current call
+  LaserScan scan_;                    ///< of the current call
+  Situation seen_;                    ///< by the scan of the current call
+  long jumps_ = 0;                    ///< of the odometry, until the last call
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <geometry_msgs/Twist.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/LaserScan.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+
+#include <cstdint>
+#include <memory>
+
+#include "lstm_planner/robot/simulation/hokuyo.hpp"
+#include "lstm_planner/ros/create2_stub/create2_stub_driver.hpp"
+#include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
+#include "lstm_planner/ros/create2_stub/create2_stub_world.hpp"
+
+namespace lstm_planner {
+
+/// Something that is due every so often on the simulation's clock.
+class Schedule {
+ public:
+  explicit Schedule(double hertz) : period_(static_cast<std::uint64_t>(1e9 / hertz + 0.5)) {}
+  void restart(std::uint64_t now) { next_ = now; }
+  /// True once a period, however often it is asked.
+  bool due(std::uint64_t now) {
+    if (now < next_) return false;
+    while (next_ <= now) next_ += period_;
+    return true;
+  }
+
+ private:
+  std::uint64_t period_;    // ns
+  std::uint64_t next_ = 0;  // ns
+};
+
+/// The node `create2_stub`: a simulated Create 2 with a Hokuyo in a map, seen through the topics of create_driver and
+/// urg_node. The physics runs in fixed steps of 5 ms in lock step with scans and driver loop, on one of three clocks:
+/// the computer's, a /clock that someone else publishes, or a /clock of its own (parameter publish_clock).
+///
+/// Publishes beside the driver's topics (Create2StubDriver): `scan`; `~contacts` (std_msgs/UInt32, latched) and
+/// `~ground_truth` (nav_msgs/Odometry in the map frame, 40 Hz), for judging only. Services: `~pause_scan`
+/// (std_srvs/SetBool, true = no scans), `~jump_odometry` (std_srvs/Trigger).
+class Create2Stub {
+ public:
+  /// Throws std::invalid_argument naming what does not fit.
+  explicit Create2Stub(const Create2StubParameters& parameters);
+
+  /// Returns when ROS shuts down.
+  void run();
+
+ private:
+  void runOwnClock();
+  void waitForCommand();
+  void onCommand(const geometry_msgs::Twist::ConstPtr& message);
+  void runGivenClock();
+  void restartAt(const ros::Time& time);
+  void advance();
+  void publishStaticTransforms();
+  void publishMap();
+  void publishScan();
+  void publishGroundTruth();
+  void publishContacts();
+  bool pauseScan(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool jumpOdometry(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  ros::Time simulatedTime() const;
+  ros::Time driverTime() const;  ///< on a clock that runs by itself no two messages of the driver have the same stamp
+
+  Create2StubParameters parameters_;
+  std::unique_ptr<World> world_;
+  RobotInWorld robot_;
+  Hokuyo laser_;
+  Create2StubDriver driver_;
+  std::uint64_t time_ = 0;  ///< ns, end of the last physics step
+  Schedule scans_;
+  Schedule driver_loop_;
+  Schedule encoders_;
+  Schedule clock_;
+  LaserScan scan_;
+  sensor_msgs::LaserScan scan_message_;
+  bool scan_paused_ = false;
+  unsigned contacts_published_ = 0;
+  bool controlled_ = false;         ///< by a controller that sends command after command
+  std::uint64_t command_time_ = 0;  ///< ns, when the last command came
+
+  ros::NodeHandle node_;
+  ros::NodeHandle private_node_{"~"};
+  tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  ros::Subscriber command_subscriber_;
+  ros::Publisher scan_publisher_;
+  ros::Publisher truth_publisher_;
+  ros::Publisher contacts_publisher_;
+  ros::Publisher map_publisher_;
+  ros::Publisher clock_publisher_;
+  ros::ServiceServer pause_service_;
+  ros::ServiceServer jump_service_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/base/grid/occupancy_grid.hpp"
+#include "lstm_planner/robot/simulation/create2.hpp"
+#include "lstm_planner/robot/simulation/world.hpp"
+#include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
+
+namespace lstm_planner {
+
+/// Circles from a csv file whose first line names the columns: x, y (m), optionally radius (m; else `default_radius`)
+/// and world (only the lines of that `world` count). Throws std::invalid_argument naming the file, the line and what
+/// was expected.
+std::vector<Circle> readCircles(const std::string& path, double default_radius, int world);
+
+/// The world that the parameters name. Throws std::invalid_argument when they name none or two, when its file cannot be
+/// read, or when the robot would touch something at the start pose.
+std::unique_ptr<World> makeWorld(const Create2StubParameters& parameters);
+
+/// A robot in a world. It cannot drive into anything: what it runs against holds it (it may turn, its wheels go on and
+/// the encoders count). A contact is counted when touching begins; it has ended when the robot is 1 cm away.
+class RobotInWorld {
+ public:
+  RobotInWorld(const World& world, const Create2Parameters& parameters, const Pose2& start, std::uint64_t seed);
+
+  void step(double seconds);
+
+  Create2& robot() { return robot_; }
+  const Create2& robot() const { return robot_; }
+  const World& world() const { return world_; }
+  unsigned contacts() const { return contacts_; }
+  /// True while something presses the left or right half of the bumper.
+  bool pressed(bool left) const;
+
+ private:
+  const World& world_;
+  Create2 robot_;
+  double radius_;
+  unsigned contacts_ = 0;
+  bool in_contact_ = false;
+};
+
+}  // namespace lstm_planner

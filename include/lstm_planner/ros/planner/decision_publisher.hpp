@@ -1,0 +1,30 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <std_msgs/Header.h>
+
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
+
+namespace lstm_planner {
+
+/// Publishes each decision and where it came from as diagnostic_msgs/DiagnosticArray on `decision`.
+///
+/// One status, whose message is the decision's source; a warning when the leader does not decide (looking around,
+/// boundary following, the route in the network's place), an error when there is no way. Values: step, goal_distance
+/// (m), goal_bearing (rad), action (its index, -1 for none), preferred (the network's favourite, -1 when none is
+/// asked), overruled (whether another action was taken than that), steering_angle (rad), preferences, allowed.
+class DecisionPublisher {
+ public:
+  explicit DecisionPublisher(ros::NodeHandle node_handle);
+
+  /// `header`: time and odometry frame. Cheap while nobody listens.
+  void publish(const std_msgs::Header& header, const Situation& situation, const Decision& decision, const Pose2& goal);
+
+  bool isListenedTo() const { return publisher_.getNumSubscribers() > 0; }
+
+ private:
+  ros::Publisher publisher_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/time.h>
+#include <tf2_ros/buffer.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/robot/driving/goal_tracker.hpp"
+#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/ros/common/frame_transformer.hpp"
+#include "lstm_planner/ros/common/goal_listener.hpp"
+#include "lstm_planner/ros/common/message_queue.hpp"
+#include "lstm_planner/ros/common/plugin_parameters.hpp"
+#include "lstm_planner/ros/common/sensor_listener.hpp"
+#include "lstm_planner/ros/common/transform_listener.hpp"
+#include "lstm_planner/ros/planner/decision_publisher.hpp"
+#include "lstm_planner/ros/planner/marker_publisher.hpp"
+
+namespace lstm_planner {
+
+/// No plan can be given; what() is the reason in one sentence.
+class PlanRefused : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Turns sensor readings and a goal into a plan: what LstmGlobalPlanner does once it is initialised. Not thread safe.
+class PlanMaker {
+ public:
+  /// `name`: of the plugin; its topics live in "~/" + name. `global_frame`: the frame of the plans. `base_frame`: the
+  /// robot's, where the odometry does not name it. Throws when the model cannot be used with these parameters.
+  PlanMaker(const std::string& name, const GlobalPlannerParameters& parameters, const std::string& global_frame,
+            const std::string& base_frame);
+
+  /// A plan from the robot to the goal in the global frame, stamped now; overwrites `plan`, reusing its memory. Throws
+  /// PlanRefused, SensorError, FrameError, UnusableScan or std::invalid_argument with the reason.
+  void makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
+                std::vector<geometry_msgs::PoseStamped>* plan);
+
+ private:
+  void makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
+                               std::vector<geometry_msgs::PoseStamped>* plan);
+  void checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const;
+  void look(const SensorReading& reading);
+  GoalTracker::Verdict ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
+  const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
+  const Decision& preview(const Pose2& goal);
+  void sayWhoLeads(const Decision& decision);
+  void toGlobalFrame(const Decision& decision, const Pose2& goal, std::vector<geometry_msgs::PoseStamped>* plan) const;
+  void publish(const SensorReading& reading, const Decision& decision, const Pose2& goal,
+               const std::vector<geometry_msgs::PoseStamped>& plan);
+
+  GlobalPlannerParameters parameters_;
+  std::string global_frame_;
+  OnlineAgent agent_;
+
+  MessageQueue messages_;
+  tf2_ros::Buffer tf_;
+  TransformListener tf_listener_;
+  FrameTransformer frames_;
+  SensorListener sensors_;
+  GoalListener goals_;
+  GoalTracker tracker_;
+  MarkerPublisher markers_;
+  DecisionPublisher decisions_;
+  ros::Publisher plan_publisher_;
+
+  ros::Time now_;                ///< of the current call
+  Pose2 global_from_odometry_;   ///< of the current call
+  LaserScan scan_;               ///< of the current call
+  Decision preview_;             ///< of the last question
+  Shield preview_shield_;        ///< shows the last question's scan
+  std::vector<Pose2> plan_;      ///< of the current call, odometry frame
+  Pose2 driven_goal_;            ///< global frame
+  Decision::Source leader_ = Decision::Source::kArrived;  ///< that was said last
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/robot/dataset/drive_step.hpp"
+#include "lstm_planner/robot/dataset/hindsight.hpp"
+#include "lstm_planner/robot/dataset/recorder_parameters.hpp"
+#include "lstm_planner/robot/perception/laser_scan.hpp"
+
+namespace lstm_planner {
+
+/// What a bag does not say itself.
+struct BagDriveOptions {
+  std::string scan_topic;                ///< empty: the bag's only topic of scans
+  std::string odometry_topic;            ///< empty: the bag's only topic of odometry; where there is none, from tf
+  std::string odometry_frame = "odom";   ///< for odometry from tf
+  std::string base_frame = "base_link";  ///< where the odometry does not name it, and for odometry from tf
+  std::optional<SensorMount> mount;      ///< where the scanner sits; empty: from tf
+  std::vector<std::string> goal_topics;  ///< PoseStamped or MoveBaseActionGoal; empty: move_base/goal,
+                                         ///< move_base_simple/goal and dataset_recorder/goal
+  bool hindsight = false;                ///< goals are places the driver went to, not the bag's
+  HindsightParameters hindsight_parameters;
+};
+
+/// What was made of a bag.
+struct BagDriveResult {
+  long scans = 0;
+  long odometry = 0;
+  long goals = 0;         ///< heard, or found in hindsight
+  double begun = 0.0;     ///< s since 1970, by the clock of the computer that recorded
+  double duration = 0.0;  ///< s
+  std::string scan_topic;
+  std::string odometry_source;  ///< a topic, or "tf"
+  std::string odometry_frame;
+  std::vector<std::string> goal_topics;  ///< those of the bag that were listened to
+  long skipped = 0;                      ///< messages that are broken or have a stamp far ahead of the others
+  std::string first_skipped;             ///< topic, time and why
+  bool mount_known = true;  ///< false: no transform; the scanner was taken to sit at the base's origin, looking ahead
+};
+
+/// Replays a bag into a recorder, in the order and with the clock of its messages: the steps are those that the node
+/// dataset_recorder would have made of them. Beside goals move_base's cancel and result are heard, and tf: /tf and
+/// /tf_static, also of the type tf/tfMessage of old. Needs no master, nor ros::init().
+///
+/// Odometry from tf has a message for each transform of `odometry_frame`, and the speeds between them. Goals in
+/// hindsight are found in what the recorder would hear of the odometry: see hindsightGoals().
+///
+/// Throws std::invalid_argument, naming the bag and what was expected, when it cannot be read or has no scans, no
+/// odometry, several topics to choose from, or no goals; `sink` has not been told anything then.
+BagDriveResult recordBag(const std::string& path, const BagDriveOptions& options, const RecorderParameters& parameters,
+                         StepSink* sink);
+
+}  // namespace lstm_planner

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+
+#include "lstm_planner/robot/evaluation/decision_replay.hpp"
+
+namespace lstm_planner {
+
+/// Shows in rviz, on `driver`, which way the driver went and where the planner would have gone elsewhere.
+///
+/// Namespaces: way (blue), driven (blue: an arrow for the driver's angle at each step), planned (an arrow for the
+/// planner's, green where it is the same steering angle, red where it is not), agreement (how often it was so far).
+class BagReplayDriver {
+ public:
+  explicit BagReplayDriver(ros::NodeHandle node_handle);
+
+  /// `frame`: the odometry's.
+  void add(const ReplayedDecision& replayed, const std::string& frame);
+
+  bool isListenedTo() const { return publisher_.getNumSubscribers() > 0; }
+
+ private:
+  visualization_msgs::MarkerArray markers_;
+  long steps_ = 0;
+  long agreed_ = 0;
+  ros::Publisher publisher_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,1 @@
+#include "base/learning/lane_kernels_source.hpp"

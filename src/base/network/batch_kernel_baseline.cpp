@@ -1,0 +1,1 @@
+#include "base/network/batch_kernel_source.hpp"

@@ -1,0 +1,232 @@
+#include "base/network/onnx_graph.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/network/onnx_layers.hpp"
+#include "base/network/onnx_names.hpp"
+#include "base/network/onnx_shapes.hpp"
+#include "lstm_planner/base/network/model_file.hpp"
+
+namespace lstm_planner::onnx {
+namespace {
+
+// Far above any net that runs at each scan.
+constexpr std::size_t kMaximumLayers = 256;
+constexpr std::size_t kMaximumWeights = std::size_t{1} << 24;
+
+}  // namespace
+
+bool isStandardDomain(const std::string& domain) { return domain.empty() || domain == "ai.onnx"; }
+
+LayerStack GraphReader::read() {
+  for (const auto& tensor : graph_.initializer()) addConstant(tensor.name(), tensor);
+  for (const auto& input : graph_.input()) {
+    // Old files list the stored tensors among the inputs.
+    if (constants_.count(input.name()) == 0) addGraphInput(input);
+  }
+  for (const auto& node : graph_.node()) readNode(node);
+  requireOutputs();
+  return std::move(layers_);
+}
+
+void GraphReader::addConstant(const std::string& name, const onnx_subset::TensorProto& tensor) {
+  if (values_.count(name) > 0 || !constants_.emplace(name, &tensor).second) {
+    throw ModelFileError("the value " + quoted(name) + " is defined twice, expected once");
+  }
+}
+
+void GraphReader::addGraphInput(const onnx_subset::ValueInfoProto& input) {
+  const std::string name = "graph input " + quoted(input.name());
+  const auto& type = input.type().tensor_type();
+  if (type.elem_type() != kFloat) {
+    throw ModelFileError(name + " has the data type " + std::to_string(type.elem_type()) + ", expected " +
+                         std::to_string(kFloat) + " (float)");
+  }
+  if (!type.has_shape()) throw ModelFileError(name + " has no shape, expected one");
+  Shape shape;
+  for (const auto& extent : type.shape().dim()) shape.push_back(extent.has_dim_value() ? extent.dim_value() : 1);
+  requireVector(shape, name);
+  define(input.name(), {shape, 0, false, input.name()});
+}
+
+void GraphReader::define(const std::string& name, const Value& value) {
+  if (name.empty()) return;
+  if (constants_.count(name) > 0 || !values_.emplace(name, value).second) {
+    throw ModelFileError("the value " + quoted(name) + " is defined twice, expected once");
+  }
+}
+
+const GraphReader::Value& GraphReader::valueNamed(const std::string& name, const std::string& user) const {
+  const auto found = values_.find(name);
+  if (found == values_.end()) {
+    throw ModelFileError(user + " takes " + quoted(name) +
+                         ", expected a graph input or the result of a node before it");
+  }
+  return found->second;
+}
+
+void GraphReader::readNode(const onnx_subset::NodeProto& proto) {
+  using Read = void (GraphReader::*)(Node&);
+  static const std::map<std::string, Read> kOperators = {
+      {"Constant", &GraphReader::readConstant},
+      {"Gemm", &GraphReader::readGemm},
+      {"Identity", &GraphReader::readShapeNode},
+      {"LSTM", &GraphReader::readLstm},
+      {"RNN", &GraphReader::readRnn},
+      {"Relu", &GraphReader::readActivation},
+      {"Reshape", &GraphReader::readShapeNode},
+      {"Sigmoid", &GraphReader::readActivation},
+      {"Softmax", &GraphReader::readSoftmax},
+      {"Squeeze", &GraphReader::readShapeNode},
+      {"Tanh", &GraphReader::readActivation},
+      {"Transpose", &GraphReader::readShapeNode},
+      {"Unsqueeze", &GraphReader::readShapeNode},
+  };
+  const auto found = kOperators.find(proto.op_type());
+  if (found == kOperators.end() || !isStandardDomain(proto.domain())) {
+    const std::string domain = isStandardDomain(proto.domain()) ? "" : " of the domain " + quoted(proto.domain());
+    throw ModelFileError("the operator " + quoted(proto.op_type()) + domain +
+                         " is not known to the planner, expected LSTM, RNN, Gemm, Relu, Tanh, Sigmoid, Softmax or one "
+                         "that changes only the shape");
+  }
+  Node node(proto, constants_);
+  (this->*found->second)(node);
+  node.finish();
+}
+
+void GraphReader::readConstant(Node& node) {
+  const onnx_subset::TensorProto* tensor = node.tensor("value");
+  if (tensor == nullptr) throw ModelFileError(node.name() + " has no tensor, expected one as its value");
+  addConstant(node.output(0), *tensor);
+}
+
+void GraphReader::readShapeNode(Node& node) {
+  Value value = valueNamed(node.input(0), node.name());
+  const std::string& name = node.operatorName();
+  if (name == "Squeeze") value.shape = shapeAfterSqueeze(node, value.shape);
+  if (name == "Unsqueeze") value.shape = shapeAfterUnsqueeze(node, value.shape);
+  if (name == "Reshape") value.shape = shapeAfterReshape(node, value.shape);
+  if (name == "Transpose") value.shape = shapeAfterTranspose(node, value.shape);
+  define(node.output(0), value);
+}
+
+void GraphReader::readLstm(Node& node) {
+  const Shape shape = takeData(node, 3);
+  LstmLayer layer = lstmLayer(node, shape.back());
+  const std::int64_t cells = layer.recurrent.cols();
+  takeInitialState(node, 5, cells);
+  takeInitialState(node, 6, cells);
+  addLayer(node, std::move(layer));
+  defineStates(node, cells);
+  define(node.output(2), {{1, 1, cells}, stage_, true, ""});
+}
+
+void GraphReader::readRnn(Node& node) {
+  const Shape shape = takeData(node, 3);
+  RecurrentLayer layer = recurrentLayer(node, shape.back());
+  const std::int64_t units = layer.recurrent.cols();
+  takeInitialState(node, 5, units);
+  addLayer(node, std::move(layer));
+  defineStates(node, units);
+}
+
+void GraphReader::readGemm(Node& node) {
+  DenseLayer layer = denseLayer(node, takeData(node, 2).back());
+  const std::int64_t outputs = layer.weights.rows();
+  addLayer(node, std::move(layer));
+  last_is_gemm_ = true;
+  define(node.output(0), {{1, outputs}, stage_, false, ""});
+}
+
+void GraphReader::readActivation(Node& node) {
+  static const std::map<std::string, Activation> kActivations = {
+      {"Relu", Activation::kRelu}, {"Sigmoid", Activation::kSigmoid}, {"Tanh", Activation::kTanh}};
+  const Shape shape = takeData(node, 0);
+  if (!last_is_gemm_) throw ModelFileError(node.name() + " does not follow a Gemm, expected it there only");
+  std::get<DenseLayer>(layers_.back()).activation = kActivations.at(node.operatorName());
+  last_is_gemm_ = false;
+  ++stage_;
+  define(node.output(0), {shape, stage_, false, ""});
+}
+
+void GraphReader::readSoftmax(Node& node) {
+  const Shape shape = takeData(node, 0);
+  requireSoftmaxOverAll(node, shape, opset_);
+  addLayer(node, SoftmaxLayer{});
+  define(node.output(0), {shape, stage_, false, ""});
+}
+
+Shape GraphReader::takeData(const Node& node, std::size_t rank) {
+  const Value& value = valueNamed(node.input(0), node.name());
+  if (value.stage != stage_ || value.is_cell) {
+    throw ModelFileError(node.name() + " takes " + quoted(node.input(0)) +
+                         ", expected the output of the layer before it: the network must be one chain of layers");
+  }
+  if (rank != 0 && (value.shape.size() != rank || elementCount(value.shape, node.name()) != value.shape.back())) {
+    throw ModelFileError(node.name() + " takes the shape " + shapeText(value.shape) + ", expected " +
+                         std::to_string(rank) + " axes, all values along the last");
+  }
+  if (!value.graph_input.empty()) takeGraphInput(node, value);
+  return value.shape;
+}
+
+void GraphReader::takeInitialState(const Node& node, int index, std::int64_t units) {
+  const std::string name = node.input(index);
+  if (name.empty()) return;
+  if (constants_.count(name) > 0) {
+    const std::vector<float> stored = floatValues(node.requiredConstant(index, "initial state"));
+    if (std::any_of(stored.begin(), stored.end(), [](float value) { return value != 0.0f; })) {
+      throw ModelFileError(node.name() + " starts from the stored state " + quoted(name) +
+                           ", which is not zero; expected zeros or a graph input");
+    }
+    return;
+  }
+  const Value& value = valueNamed(name, node.name());
+  if (value.graph_input.empty()) {
+    throw ModelFileError(node.name() + " starts from the computed state " + quoted(name) +
+                         ", expected zeros or a graph input");
+  }
+  if (elementCount(value.shape, quoted(name)) != units) {
+    throw ModelFileError(node.name() + " starts from the state " + quoted(name) + " of the shape " +
+                         shapeText(value.shape) + ", expected " + std::to_string(units) + " values");
+  }
+  takeGraphInput(node, value);
+}
+
+void GraphReader::takeGraphInput(const Node& node, const Value& value) {
+  if (!taken_graph_inputs_.insert(value.graph_input).second) {
+    throw ModelFileError(node.name() + " takes the graph input " + quoted(value.graph_input) +
+                         ", which is used elsewhere already; expected one use of each");
+  }
+}
+
+void GraphReader::addLayer(const Node& node, Layer layer) {
+  layers_.push_back(std::move(layer));
+  last_is_gemm_ = false;
+  ++stage_;
+  // Many nodes may share one stored tensor, so the size of the file is no limit to that of the network.
+  if (layers_.size() > kMaximumLayers || countWeights(layers_) > kMaximumWeights) {
+    throw ModelFileError(node.name() + " makes the network larger than " + std::to_string(kMaximumLayers) +
+                         " layers or " + std::to_string(kMaximumWeights) + " weights");
+  }
+}
+
+void GraphReader::defineStates(const Node& node, std::int64_t units) {
+  // All steps and the last step are the same for a sequence of one.
+  define(node.output(0), {{1, 1, 1, units}, stage_, false, ""});
+  define(node.output(1), {{1, 1, units}, stage_, false, ""});
+}
+
+void GraphReader::requireOutputs() const {
+  if (layers_.empty()) throw ModelFileError("the graph has no layers, expected at least one");
+  bool has_preferences = false;
+  for (const auto& output : graph_.output()) {
+    const Value& value = valueNamed(output.name(), "the graph's output");
+    has_preferences = has_preferences || (value.stage == stage_ && !value.is_cell);
+  }
+  if (!has_preferences)
+    throw ModelFileError("the last layer's output is not an output of the graph, expected it there");
+}
+
+}  // namespace lstm_planner::onnx

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "base/network/onnx_node.hpp"
+#include "lstm_planner/base/network/layers.hpp"
+
+namespace lstm_planner::onnx {
+
+/// The layer that a node of the operator LSTM, RNN or Gemm stands for, on an input of that many values. Throw
+/// ModelFileError when its tensors do not fit together or an attribute asks for what the layer cannot do.
+LstmLayer lstmLayer(Node& node, std::int64_t inputs);
+RecurrentLayer recurrentLayer(Node& node, std::int64_t inputs);
+DenseLayer denseLayer(Node& node, std::int64_t inputs);
+
+}  // namespace lstm_planner::onnx

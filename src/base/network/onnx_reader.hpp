@@ -1,0 +1,11 @@
+#pragma once
+
+#include "lstm_planner/base/network/model_file.hpp"
+#include "onnx_subset.pb.h"
+
+namespace lstm_planner::onnx {
+
+/// The layers and the metadata of a parsed file. Throws ModelFileError with a sentence that does not name the file.
+Model readModel(const onnx_subset::ModelProto& file);
+
+}  // namespace lstm_planner::onnx

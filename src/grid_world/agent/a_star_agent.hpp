@@ -1,0 +1,38 @@
+#pragma once
+
+#include "grid_world/search/a_star.hpp"
+#include "lstm_planner/grid_world/agent/grid_agent.hpp"
+
+namespace lstm_planner {
+
+/// Walks the way that A* finds on the whole map before the first step: the offline agent of the thesis (1.3.1), the
+/// yardstick of the others. It ignores what is sensed.
+class AStarAgent : public GridAgent {
+ public:
+  /// `grid` must stay where it is and must not change its size. Throws std::invalid_argument for a bad scale.
+  explicit AStarAgent(const PassableGrid& grid, AStarParameters parameters = {});
+
+  /// Throws std::invalid_argument when start or goal is outside or not passable.
+  void start(CellIndex start, CellIndex goal) override;
+  /// Plans again when the agent is not where its way led it.
+  void observe(const GridObservation& observation) override;
+  /// kNoWay at the goal, too.
+  int decide() override;
+  void step(int /*direction*/, bool /*moved*/) override {}
+  /// The search's nodes and lists, the way, and the map, without which it could not search.
+  std::size_t peakBytes() const override { return peak_bytes_; }
+  std::size_t expandedCells() const override { return expanded_; }
+
+ private:
+  void plan(CellIndex start);
+
+  const PassableGrid* grid_;
+  AStar search_;
+  CellIndex goal_;
+  GridPath path_;
+  std::size_t place_ = 0;  ///< in the path
+  std::size_t expanded_ = 0;
+  std::size_t peak_bytes_ = 0;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,198 @@
+#include "lstm_planner/grid_world/agent/boundary_follower.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "lstm_planner/base/common/parameter_check.hpp"
+
+namespace lstm_planner {
+namespace {
+
+int directionBetween(CellIndex from, CellIndex to) {
+  const CellIndex step = {to.column - from.column, to.row - from.row};
+  for (int direction = 0; direction < kGridMoveCount; ++direction) {
+    if (kGridRaySteps[static_cast<std::size_t>(direction)] == step) return direction;
+  }
+  return kNoWay;
+}
+
+void checkNotNegative(const char* name, double value) {
+  checkParameter(value >= 0.0, name, value, "a number that is not negative");
+}
+
+}  // namespace
+
+BoundaryFollower::BoundaryFollower(const BoundaryParameters& parameters)
+    : parameters_(parameters), trail_(parameters.corner_cutting) {
+  checkNotNegative("first_leg", parameters.first_leg);
+  checkNotNegative("leg_growth", parameters.leg_growth);
+  checkNotNegative("goal_weight", parameters.goal_weight);
+  for (End& end : ends_) end.cells.reserve(kMostCells + 3);
+}
+
+void BoundaryFollower::start() {
+  started_ = false;
+  state_ = State::kGoing;
+}
+
+void BoundaryFollower::observe(const GridObservation& observation) {
+  const GridObservation before = now_;
+  now_ = observation;
+  if (started_ && observation.cell == before.cell && observation.goal == before.goal) return;
+  if (!started_ || observation.cell != expected_ || observation.goal != before.goal) {
+    started_ = true;
+    state_ = State::kGoing;
+    best_ = octileDistance(observation.cell, observation.goal);
+  } else if (state_ == State::kFollowing || state_ == State::kReturning) {
+    leg_ += moveLength(directionBetween(before.cell, now_.cell));
+    trail_.moved(before.cell, now_, state_ == State::kFollowing ? end_ : -1);
+  }
+  decision_ = nextDirection();
+  expected_ = decision_ == kNoWay ? now_.cell : cellBeside(now_.cell, decision_);
+}
+
+int BoundaryFollower::nextDirection() {
+  if (now_.cell == now_.goal) return kNoWay;
+  const OctileDistance distance = octileDistance(now_.cell, now_.goal);
+  if (distance < best_) {
+    best_ = distance;
+    state_ = State::kGoing;
+  }
+  if (state_ == State::kGoing) {
+    const int direction = nearerNeighbour();
+    if (direction != kNoWay) return direction;
+    meetBoundary();
+  }
+  if (state_ == State::kLeaving || seesNearerCell()) return leaving_direction_;
+  if (state_ == State::kFollowing && shouldTurnBack()) {
+    state_ = State::kReturning;
+    end_ = 1 - end_;
+  }
+  if (state_ == State::kReturning) {
+    if (!trail_.atEnd(end_)) return trail_.directionTo(end_, now_.cell);
+    beginLeg(end_);
+  }
+  End* end = &ends_[static_cast<std::size_t>(end_)];
+  if (!follow(end, ends_[static_cast<std::size_t>(1 - end_)].edge)) return kNoWay;
+  return directionAlong(end);
+}
+
+int BoundaryFollower::nearerNeighbour() const {
+  const OctileDistance distance = octileDistance(now_.cell, now_.goal);
+  OctileDistance nearest = distance;
+  int best = kNoWay;
+  std::int64_t longest = 0;
+  for (int direction = 0; direction < kGridMoveCount; ++direction) {
+    if (!movePossible(now_.ranges, direction, parameters_.corner_cutting)) continue;
+    const OctileDistance next = octileDistance(cellBeside(now_.cell, direction), now_.goal);
+    // Of the two directions of a shortest way, if both are possible, the one that can be kept for longer.
+    const bool diagonal = direction % 2 != 0;
+    if (next == (diagonal ? OctileDistance{distance.straight, distance.diagonal - 1}
+                          : OctileDistance{distance.straight - 1, distance.diagonal})) {
+      const std::int64_t needed = diagonal ? distance.diagonal : distance.straight;
+      const std::int64_t open = std::min<std::int64_t>(needed, now_.ranges[static_cast<std::size_t>(direction)] - 1);
+      if (open > longest) {
+        longest = open;
+        best = direction;
+      }
+    } else if (longest == 0 && next < nearest) {
+      nearest = next;
+      best = direction;
+    }
+  }
+  return best;
+}
+
+void BoundaryFollower::meetBoundary() {
+  const int columns = now_.goal.column - now_.cell.column;
+  const int rows = now_.goal.row - now_.cell.row;
+  const int wall = std::abs(columns) >= std::abs(rows) ? (columns > 0 ? 0 : 4) : (rows > 0 ? 2 : 6);
+  for (End& end : ends_) {
+    end.edge = {now_.cell, wall};
+    end.cells.clear();
+  }
+  ends_[0].side = WallSide::kRight;
+  ends_[1].side = WallSide::kLeft;
+  trail_.clear();
+
+  // First to the side that is open for longer: a wall across it would lead back, away from the goal.
+  const auto range = [&](int turn) { return now_.ranges[static_cast<std::size_t>((wall + turn) % kGridRayCount)]; };
+  beginLeg(range(2) >= range(6) ? 0 : 1);
+}
+
+void BoundaryFollower::beginLeg(int end) {
+  state_ = State::kFollowing;
+  end_ = end;
+  leg_ = 0.0;
+  way_back_ = trail_.lengthTo(1 - end, now_.cell);
+  leg_advanced_ = false;
+}
+
+bool BoundaryFollower::seesNearerCell() {
+  // Going straight, the distance falls until abreast of the goal and grows from there on.
+  bool found = false;
+  int fewest = 0;
+  for (int direction = 0; direction < kGridRayCount; direction += 2) {
+    const CellIndex step = kGridRaySteps[static_cast<std::size_t>(direction)];
+    const int abreast =
+        (now_.goal.column - now_.cell.column) * step.column + (now_.goal.row - now_.cell.row) * step.row;
+    const int steps = std::min(abreast, now_.ranges[static_cast<std::size_t>(direction)] - 1);
+    if (steps < 1 || (found && steps >= fewest)) continue;
+    const CellIndex seen = {now_.cell.column + steps * step.column, now_.cell.row + steps * step.row};
+    if (!(octileDistance(seen, now_.goal) < best_)) continue;
+    found = true;
+    fewest = steps;
+    leaving_direction_ = direction;
+  }
+  if (found) state_ = State::kLeaving;
+  return found;
+}
+
+bool BoundaryFollower::follow(End* end, const BoundaryEdge& other) {
+  while (end->cells.size() < kMostCells && !(octileDistance(end->edge.cell, now_.goal) < best_)) {
+    const BoundaryStep step = nextAlongBoundary(now_, end->edge, end->side, parameters_.corner_cutting);
+    if (step.kind == BoundaryStep::Kind::kUnseen) break;
+    end->edge = step.next;
+    leg_advanced_ = true;
+    if (end->edge == other) return false;
+    for (int i = 0; i < step.cell_count; ++i) append(end, step.cells[i]);
+  }
+  return true;
+}
+
+void BoundaryFollower::append(End* end, CellIndex cell) const {
+  const CellIndex last = end->cells.empty() ? now_.cell : end->cells.back();
+  if (cell != last) end->cells.push_back(cell);
+}
+
+int BoundaryFollower::directionAlong(End* end) const {
+  std::vector<CellIndex>& cells = end->cells;
+  const std::size_t known = cells.size();
+  if (!(octileDistance(end->edge.cell, now_.goal) < best_)) {
+    const BoundaryStep step = nextAlongBoundary(now_, end->edge, end->side, parameters_.corner_cutting);
+    if (step.kind == BoundaryStep::Kind::kUnseen && step.cell_count == 1) cells.push_back(step.cells[0]);
+  }
+  // The farthest of the cells ahead that can be entered from here; bends in between are skipped.
+  std::size_t skipped = cells.size();
+  int direction = kNoWay;
+  while (direction == kNoWay && skipped-- > 0) {
+    const int towards = directionBetween(now_.cell, cells[skipped]);
+    if (towards != kNoWay && movePossible(now_.ranges, towards, parameters_.corner_cutting)) direction = towards;
+  }
+  cells.resize(known);
+  cells.erase(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(std::min(skipped + 1, known)));
+  return direction;
+}
+
+bool BoundaryFollower::shouldTurnBack() const {
+  if (trail_.lost() || !leg_advanced_) return false;
+  // Longer towards the goal than away from it.
+  const double here = octileDistance(now_.cell, now_.goal).length();
+  const double there = octileDistance(ends_[static_cast<std::size_t>(1 - end_)].edge.cell, now_.goal).length();
+  return leg_ >
+         std::max(parameters_.first_leg, parameters_.leg_growth * way_back_) + parameters_.goal_weight * (there - here);
+}
+
+std::size_t BoundaryFollower::peakBytes() const { return sizeof(*this) + 2 * (kMostCells + 3) * sizeof(CellIndex); }
+
+}  // namespace lstm_planner

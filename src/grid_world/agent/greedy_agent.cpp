@@ -1,0 +1,29 @@
+#include "lstm_planner/grid_world/agent/greedy_agent.hpp"
+
+#include "lstm_planner/grid_world/search/exact_octile.hpp"
+
+namespace lstm_planner {
+
+void GreedyAgent::start(CellIndex start, CellIndex goal) {
+  observation_ = {};
+  observation_.cell = start;
+  observation_.goal = goal;
+}
+
+int GreedyAgent::decide() {
+  int best = kNoWay;
+  OctileDistance best_distance;
+  for (int direction = 0; direction < kGridMoveCount; ++direction) {
+    if (!movePossible(observation_.ranges, direction, corner_cutting_)) continue;
+    const OctileDistance distance = octileDistance(cellBeside(observation_.cell, direction), observation_.goal);
+    if (best == kNoWay || distance < best_distance) {
+      best = direction;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+void GreedyAgent::step(int, bool) {}
+
+}  // namespace lstm_planner

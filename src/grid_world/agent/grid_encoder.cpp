@@ -1,0 +1,225 @@
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace lstm_planner {
+namespace {
+
+/// Cells ahead, as far as the ray is free, at which the trace's blocks are looked up.
+constexpr int kSmallProbe = 5;
+constexpr int kLargeProbe = 9;
+constexpr int kFarProbe = 18;
+
+/// Distances up to this one are told apart best (thesis: plain division by a scale).
+constexpr float kDistanceScale = 100.0f;
+constexpr float kMostLogSteps = 16.0f;  ///< log2 of the trace's longest memory
+
+constexpr float kDiagonal = 0.70710678f;
+constexpr std::array<float, kGridRayCount> kCosines = {1, kDiagonal, 0, -kDiagonal, -1, -kDiagonal, 0, kDiagonal};
+
+float cosineOf(int eighths) { return kCosines[static_cast<std::size_t>(eighths & 7)]; }
+float sineOf(int eighths) { return cosineOf(eighths + 6); }
+
+/// log2 by table: ranges and ages come in steps of one, and this runs dozens of times a step.
+class Logarithms {
+ public:
+  Logarithms() {
+    for (std::size_t i = 1; i < values_.size(); ++i) values_[i] = std::log2(static_cast<float>(i));
+  }
+  float operator()(int number) const {
+    const std::size_t index = static_cast<std::size_t>(number);
+    return index < values_.size() ? values_[index] : std::log2(static_cast<float>(number));
+  }
+
+ private:
+  std::array<float, 4096> values_{};
+};
+const Logarithms kLog2;
+
+float freshness(const Visit& visit) { return visit.count == 0 ? 0.0f : 1.0f - kLog2(visit.age + 1) / kMostLogSteps; }
+
+float frequency(const Visit& visit) {
+  const float count = static_cast<float>(visit.count);
+  return count / (count + 2.0f);
+}
+
+CellIndex along(CellIndex cell, int direction, int steps) {
+  const CellIndex step = kGridRaySteps[static_cast<std::size_t>(direction)];
+  return {cell.column + steps * step.column, cell.row + steps * step.row};
+}
+
+double octileDistance(CellIndex a, CellIndex b) {
+  const int columns = std::abs(a.column - b.column);
+  const int rows = std::abs(a.row - b.row);
+  return std::max(columns, rows) + (moveLength(1) - 1.0) * std::min(columns, rows);
+}
+
+}  // namespace
+
+void GridMemory::start() {
+  trace_.clear();
+  if (planner_) planner_->start();
+  previous_direction_ = -1;
+  best_distance_ = -1.0;
+  steps_since_best_ = 0;
+}
+
+void GridMemory::observe(const GridObservation& observation) {
+  observation_ = observation;
+  in_new_place_ = trace_.visit(observation.cell);
+  if (planner_) planner_->observe(observation);
+  goal_distance_ = octileDistance(observation.cell, observation.goal);
+  const bool is_best = best_distance_ < 0.0 || goal_distance_ < best_distance_;
+  steps_since_best_ = is_best ? 0 : steps_since_best_ + 1;
+  if (is_best) best_distance_ = goal_distance_;
+}
+
+GridEncoder::GridEncoder(const GridEncoderParameters& parameters) : parameters_(parameters) {
+  if (parameters.views != 1 && parameters.views != kGridRayCount) {
+    throw std::invalid_argument("grid_views is " + std::to_string(parameters.views) + ", expected 1 or 8");
+  }
+}
+
+int GridEncoder::size() const {
+  if (parameters_.inputs == GridEncoderParameters::Inputs::kThesis) return kThesisInputs;
+  const int map_inputs = parameters_.inputs == GridEncoderParameters::Inputs::kMap ? kMapScalars : 0;
+  return kRayFeatures * kGridRayCount + kTraceScalars + map_inputs;
+}
+
+void GridEncoder::look(const GridMemory& memory) {
+  const GridObservation& observation = memory.observation();
+  const float columns = static_cast<float>(observation.goal.column - observation.cell.column);
+  const float rows = static_cast<float>(observation.goal.row - observation.cell.row);
+  goal_distance_ = std::hypot(columns, rows);
+  goal_cos_ = goal_distance_ > 0.0f ? columns / goal_distance_ : 1.0f;
+  goal_sin_ = goal_distance_ > 0.0f ? rows / goal_distance_ : 0.0f;
+  previous_direction_ = memory.previousDirection();
+  if (parameters_.inputs == GridEncoderParameters::Inputs::kThesis) {
+    goal_angle_ = std::atan2(goal_sin_, goal_cos_);
+    for (std::size_t ray = 0; ray < kGridRayCount; ++ray) {
+      rays_[0][ray] = static_cast<float>(observation.ranges[ray]) / static_cast<float>(kGridRayCap);
+    }
+    return;
+  }
+  lookAlongRays(memory);
+  const VisitTrace& trace = memory.trace();
+  const int behind_best = static_cast<int>(memory.goalDistance() - memory.bestDistance());
+  progress_ = {kLog2(static_cast<int>(goal_distance_) + 1) / 10.0f, kLog2(behind_best + 1) / 10.0f,
+               kLog2(memory.stepsSinceBest() + 1) / kMostLogSteps,
+               frequency(trace.at(VisitTrace::kSmallBlock, observation.cell)),
+               frequency(trace.at(VisitTrace::kLargeBlock, observation.cell))};
+  if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
+  const RollingPlanner* planner = memory.planner();
+  if (planner == nullptr) throw std::invalid_argument("grid_inputs is map, expected a memory with a planner");
+  way_direction_ = planner->direction();
+  const double straight = std::max(1.0, memory.goalDistance());
+  detour_ = way_direction_ == kNoWay
+                ? 1.0f
+                : static_cast<float>(std::log2(std::max(1.0, planner->length() / straight))) / 4.0f;
+}
+
+void GridEncoder::lookAlongRays(const GridMemory& memory) {
+  const GridObservation& observation = memory.observation();
+  const VisitTrace& trace = memory.trace();
+  for (int direction = 0; direction < kGridRayCount; ++direction) {
+    const std::size_t ray = static_cast<std::size_t>(direction);
+    const int range = observation.ranges[ray];
+    const auto probe = [&](VisitTrace::Scale scale, int steps) {
+      return trace.at(scale, along(observation.cell, direction, std::min(range - 1, steps)));
+    };
+    const Visit beside = range > 1 ? trace.at(VisitTrace::kCell, along(observation.cell, direction, 1)) : Visit{};
+    const Visit large = probe(VisitTrace::kLargeBlock, kLargeProbe);
+    rays_[0][ray] = kLog2(range) / 5.643856f;  // log2 of the cap
+    rays_[1][ray] = freshness(beside);
+    rays_[2][ray] = frequency(beside);
+    rays_[3][ray] = frequency(probe(VisitTrace::kSmallBlock, kSmallProbe));
+    rays_[4][ray] = frequency(large);
+    rays_[5][ray] = freshness(large);
+    rays_[6][ray] = frequency(probe(VisitTrace::kLargeBlock, kFarProbe));
+  }
+}
+
+void GridEncoder::encode(int view, float* input, int stride) const {
+  const bool thesis = parameters_.inputs == GridEncoderParameters::Inputs::kThesis;
+  const auto put = [&](float value) {
+    *input = value;
+    input += stride;
+  };
+  for (std::size_t feature = 0; feature < (thesis ? 1 : rays_.size()); ++feature) {
+    for (int ray = 0; ray < kGridRayCount; ++ray) put(rays_[feature][static_cast<std::size_t>((ray + view) & 7)]);
+  }
+  const bool moved = previous_direction_ >= 0;
+  if (thesis) {
+    put(goal_distance_ / (goal_distance_ + kDistanceScale));
+    const float turn = std::remainder(goal_angle_ - static_cast<float>(view) * static_cast<float>(M_PI_4),
+                                      static_cast<float>(2.0 * M_PI));
+    put(turn / static_cast<float>(M_PI));
+    put(moved ? static_cast<float>((previous_direction_ - view) & 7) / 4.0f - 1.0f : 0.0f);
+    return;
+  }
+  put(goal_cos_ * cosineOf(view) + goal_sin_ * sineOf(view));
+  put(goal_sin_ * cosineOf(view) - goal_cos_ * sineOf(view));
+  put(moved ? cosineOf(previous_direction_ - view) : 0.0f);
+  put(moved ? sineOf(previous_direction_ - view) : 0.0f);
+  put(static_cast<float>(view & 1));
+  for (const float value : progress_) put(value);
+  if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
+  const bool has_way = way_direction_ != kNoWay;
+  put(has_way ? cosineOf(way_direction_ - view) : 0.0f);
+  put(has_way ? sineOf(way_direction_ - view) : 0.0f);
+  put(way_direction_ == view ? 1.0f : 0.0f);
+  put(detour_);
+}
+
+namespace {
+
+using Inputs = GridEncoderParameters::Inputs;
+constexpr std::array<std::pair<const char*, Inputs>, 3> kInputNames = {
+    {{"thesis", Inputs::kThesis}, {"trace", Inputs::kTrace}, {"map", Inputs::kMap}}};
+
+}  // namespace
+
+const char* nameOf(GridEncoderParameters::Inputs inputs) {
+  return std::find_if(kInputNames.begin(), kInputNames.end(), [&](const auto& name) { return name.second == inputs; })
+      ->first;
+}
+
+GridEncoderParameters::Inputs gridInputsNamed(const std::string& name) {
+  for (const auto& [known, inputs] : kInputNames) {
+    if (name == known) return inputs;
+  }
+  throw std::invalid_argument("grid_inputs is '" + name + "', expected thesis, trace or map");
+}
+
+void writeMetadata(const GridEncoderParameters& parameters, std::map<std::string, std::string>* metadata) {
+  (*metadata)["grid_inputs"] = nameOf(parameters.inputs);
+  (*metadata)["grid_views"] = std::to_string(parameters.views);
+}
+
+GridEncoderParameters readGridEncoderParameters(const std::map<std::string, std::string>& metadata) {
+  const auto text = [&](const char* key) {
+    const auto entry = metadata.find(key);
+    if (entry == metadata.end()) {
+      throw std::invalid_argument(std::string("the model has no ") + key + ", expected one made for the grid world");
+    }
+    return entry->second;
+  };
+  GridEncoderParameters parameters;
+  parameters.inputs = gridInputsNamed(text("grid_inputs"));
+  const std::string views = text("grid_views");
+  if (views != "1" && views != "8") {
+    throw std::invalid_argument("grid_views is '" + views + "', expected 1 or 8");
+  }
+  parameters.views = views == "1" ? 1 : kGridRayCount;
+  return parameters;
+}
+
+GridMemory makeGridMemory(const GridEncoderParameters& parameters, CornerCutting corner_cutting) {
+  if (parameters.inputs != GridEncoderParameters::Inputs::kMap) return GridMemory();
+  return GridMemory(RollingPlanner(corner_cutting));
+}
+
+}  // namespace lstm_planner

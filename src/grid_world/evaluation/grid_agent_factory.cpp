@@ -1,0 +1,101 @@
+#include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+
+#include "grid_world/agent/a_star_agent.hpp"
+#include "grid_world/agent/boundary_agent.hpp"
+#include "grid_world/agent/d_star_agent.hpp"
+#include "grid_world/agent/rolling_agent.hpp"
+#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/grid_world/agent/greedy_agent.hpp"
+#include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+
+namespace lstm_planner {
+namespace {
+
+const char* const kNetworkNames[] = {"lstm", "rnn", "mlp", "qlearning", "network"};
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+GridAgentMaker aStarMaker(const GridAgentOptions& options) {
+  checkHeuristic(options.heuristic);
+  AStarParameters parameters{options.heuristic, options.corner_cutting};
+  if (options.keep_closed) parameters.closed_cells = ClosedCells::kStayClosed;
+  return [parameters](const PassableGrid& grid) { return std::make_unique<AStarAgent>(grid, parameters); };
+}
+
+GridAgentMaker boundaryMaker(const GridAgentOptions& options) {
+  BoundaryParameters parameters;
+  parameters.corner_cutting = options.corner_cutting;
+  return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<BoundaryAgent>(parameters); };
+}
+
+GridAgentMaker rollingMaker(const GridAgentOptions& options) {
+  const CornerCutting corner_cutting = options.corner_cutting;
+  return [corner_cutting](const PassableGrid& /*grid*/) { return std::make_unique<RollingAgent>(corner_cutting); };
+}
+
+GridAgentMaker greedyMaker(const GridAgentOptions& options) {
+  const CornerCutting corner_cutting = options.corner_cutting;
+  return [corner_cutting](const PassableGrid& /*grid*/) { return std::make_unique<GreedyAgent>(corner_cutting); };
+}
+
+GridAgentMaker dStarMaker(const GridAgentOptions& options) {
+  const CornerCutting corner_cutting = options.corner_cutting;
+  return [corner_cutting](const PassableGrid& grid) {
+    return std::make_unique<DStarAgent>(grid.columns(), grid.rows(), corner_cutting);
+  };
+}
+
+GridAgentMaker networkMaker(const GridAgentOptions& options) {
+  if (options.model.empty()) {
+    throw std::invalid_argument("agent " + options.agent + " has no model, expected an ONNX file");
+  }
+  NetworkGridAgent::Options settings;
+  settings.shield = options.shield;
+  settings.escape = options.escape;
+  settings.escape_parameters.patience = options.patience;
+  settings.corner_cutting = options.corner_cutting;
+  const auto model = std::make_shared<const Model>(readModelFile(options.model));
+  try {
+    NetworkGridAgent(*model, settings);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("model '" + options.model + "' is not for the grid world: " + error.what());
+  }
+  return
+      [model, settings](const PassableGrid& /*grid*/) { return std::make_unique<NetworkGridAgent>(*model, settings); };
+}
+
+}  // namespace
+
+const std::vector<std::string>& gridAgentNames() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = {"astar", "dstar", "rolling", "greedy", "boundary"};
+    all.insert(all.end(), std::begin(kNetworkNames), std::end(kNetworkNames));
+    return all;
+  }();
+  return names;
+}
+
+bool isNetworkAgent(const std::string& name) {
+  return std::find(std::begin(kNetworkNames), std::end(kNetworkNames), name) != std::end(kNetworkNames);
+}
+
+GridAgentMaker gridAgentMaker(const GridAgentOptions& options) {
+  if (options.agent == "astar") return aStarMaker(options);
+  if (options.agent == "dstar") return dStarMaker(options);
+  if (options.agent == "rolling") return rollingMaker(options);
+  if (options.agent == "greedy") return greedyMaker(options);
+  if (options.agent == "boundary") return boundaryMaker(options);
+  if (isNetworkAgent(options.agent)) return networkMaker(options);
+  throw std::invalid_argument("there is no agent '" + options.agent + "', expected one of " + listed(gridAgentNames()));
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,148 @@
+#include "lstm_planner/grid_world/evaluation/grid_picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <stdexcept>
+
+#include "lstm_planner/base/common/picture_file.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr int kSide = 1000;  // pixels of the map's longer side, about
+constexpr int kLine = 26;    // pixels a line of text
+constexpr double kText = 0.55;
+constexpr int kShift = 4;  // sub-pixel bits
+
+const cv::Scalar kFree(255, 255, 255);  // colours are blue, green, red
+const cv::Vec3b kBlocked(90, 90, 90);
+const cv::Scalar kInk(20, 20, 20);
+const cv::Scalar kGoal(60, 160, 30);
+// Told apart by people who are blind to red and green, too.
+const std::array<cv::Scalar, 4> kWayColors = {cv::Scalar(0, 94, 213), cv::Scalar(178, 114, 0), cv::Scalar(115, 158, 0),
+                                              cv::Scalar(167, 121, 204)};
+
+/// The cells that are drawn: those around everything of interest.
+cv::Rect frame(const PassableGrid& grid, const GridPicture& picture) {
+  std::vector<CellIndex> cells = {picture.start, picture.goal};
+  for (const GridPicture::Way& way : picture.ways) cells.insert(cells.end(), way.cells.begin(), way.cells.end());
+  int left = grid.columns(), top = grid.rows(), right = 0, bottom = 0;
+  for (const CellIndex& cell : cells) {
+    left = std::min(left, cell.column);
+    right = std::max(right, cell.column);
+    top = std::min(top, cell.row);
+    bottom = std::max(bottom, cell.row);
+  }
+  constexpr int kSmallest = 48;
+  const int longest = std::max({right - left, bottom - top, kSmallest});
+  const int margin = 4 + longest / 16;
+  // Long, thin pictures show little of what is around the way.
+  const int extra_columns = std::max(0, longest / 2 - (right - left)) / 2;
+  const int extra_rows = std::max(0, longest / 2 - (bottom - top)) / 2;
+  const cv::Rect wanted(cv::Point(left - margin - extra_columns, top - margin - extra_rows),
+                        cv::Point(right + margin + extra_columns + 1, bottom + margin + extra_rows + 1));
+  return wanted & cv::Rect(0, 0, grid.columns(), grid.rows());
+}
+
+class Canvas {
+ public:
+  Canvas(const PassableGrid& grid, const GridPicture& picture) : frame_(frame(grid, picture)) {
+    cv::Mat cells(frame_.height, frame_.width, CV_8UC3, kFree);
+    for (int row = 0; row < frame_.height; ++row) {
+      for (int column = 0; column < frame_.width; ++column) {
+        if (!grid.passable({frame_.x + column, frame_.y + row})) {
+          cells.at<cv::Vec3b>(row, column) = kBlocked;
+        }
+      }
+    }
+    const int longest = std::max(frame_.width, frame_.height);
+    scale_ = longest <= kSide ? std::floor(kSide / static_cast<double>(longest)) : kSide / static_cast<double>(longest);
+    cv::resize(cells, image_, cv::Size(), scale_, scale_, scale_ < 1.0 ? cv::INTER_AREA : cv::INTER_NEAREST);
+  }
+
+  cv::Mat& image() { return image_; }
+  double scale() const { return scale_; }
+
+  /// With sub-pixel bits.
+  cv::Point at(CellIndex cell) const {
+    constexpr double kUnit = 1 << kShift;
+    return {cvRound(((cell.column - frame_.x + 0.5) * scale_ - 0.5) * kUnit),
+            cvRound(((cell.row - frame_.y + 0.5) * scale_ - 0.5) * kUnit)};
+  }
+  void circle(CellIndex cell, double radius, const cv::Scalar& color, int thickness) {
+    cv::circle(image_, at(cell), cvRound(radius * (1 << kShift)), color, thickness, cv::LINE_AA, kShift);
+  }
+  void cross(CellIndex cell, double reach, const cv::Scalar& color, int thickness) {
+    const int side = cvRound(reach * (1 << kShift));
+    for (const int sign : {1, -1}) {
+      const cv::Point corner(side, sign * side);
+      cv::line(image_, at(cell) - corner, at(cell) + corner, color, thickness, cv::LINE_AA, kShift);
+    }
+  }
+
+ private:
+  cv::Rect frame_;
+  double scale_ = 1.0;
+  cv::Mat image_;
+};
+
+const cv::Scalar& colorOf(std::size_t way) { return kWayColors[way % kWayColors.size()]; }
+
+/// Narrower from way to way, so that those below show at the sides.
+int widthOf(std::size_t way, std::size_t ways, double scale) {
+  const double widest = std::min(0.8 * scale, 4.0 * static_cast<double>(ways));
+  return std::max(1 + static_cast<int>(ways - way), cvRound(widest / std::pow(1.8, static_cast<double>(way))));
+}
+
+void drawWays(const GridPicture& picture, Canvas* canvas) {
+  for (std::size_t i = 0; i < picture.ways.size(); ++i) {
+    const GridPicture::Way& way = picture.ways[i];
+    if (way.cells.empty()) continue;
+    std::vector<cv::Point> points;
+    for (const CellIndex& cell : way.cells) points.push_back(canvas->at(cell));
+    const int width = widthOf(i, picture.ways.size(), canvas->scale());
+    cv::polylines(canvas->image(), points, false, colorOf(i), width, cv::LINE_AA, kShift);
+    if (!way.arrived) canvas->cross(way.cells.back(), 10.0, colorOf(i), 4);
+  }
+}
+
+/// The map with a line of text above it, and one below it for each way.
+cv::Mat withText(const cv::Mat& map, const GridPicture& picture) {
+  constexpr int kMargin = 10;
+  const int lines = static_cast<int>(picture.ways.size());
+  constexpr int kNarrowest = 640;
+  cv::Mat page(map.rows + (lines + 2) * kLine, std::max(map.cols, kNarrowest), CV_8UC3, kFree);
+  map.copyTo(page(cv::Rect(0, kLine, map.cols, map.rows)));
+  const auto write = [&](const std::string& text, int left, int line_bottom) {
+    cv::putText(page, text, {left, line_bottom - 8}, cv::FONT_HERSHEY_SIMPLEX, kText, kInk, 1, cv::LINE_AA);
+  };
+  write(picture.title, kMargin, kLine);
+  int bottom = kLine + map.rows;
+  for (std::size_t i = 0; i < picture.ways.size(); ++i) {
+    bottom += kLine;
+    constexpr int kSample = 40;
+    cv::line(page, {kMargin, bottom - kLine / 2}, {kMargin + kSample, bottom - kLine / 2}, colorOf(i), 5, cv::LINE_AA);
+    write(picture.ways[i].label, 2 * kMargin + kSample, bottom);
+  }
+  bottom += kLine;
+  cv::circle(page, {kMargin + 7, bottom - kLine / 2}, 6, kInk, cv::FILLED, cv::LINE_AA);
+  write("start", 2 * kMargin + 10, bottom);
+  cv::circle(page, {kMargin + 107, bottom - kLine / 2}, 7, kGoal, 3, cv::LINE_AA);
+  write("goal", 2 * kMargin + 110, bottom);
+  return page;
+}
+
+}  // namespace
+
+void writeGridPicture(const std::string& path, const PassableGrid& grid, const GridPicture& picture) {
+  if (grid.size() == 0) throw std::invalid_argument("an empty map cannot be drawn");
+  Canvas canvas(grid, picture);
+  drawWays(picture, &canvas);
+  canvas.circle(picture.start, 6.0, kInk, cv::FILLED);
+  canvas.circle(picture.goal, 8.0, kGoal, 3);
+  writePicture(path, withText(canvas.image(), picture));
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,51 @@
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+
+#include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
+
+namespace lstm_planner {
+
+nlohmann::json toJson(const GridSetSummary& summary) {
+  return {{"name", summary.name},
+          {"scenarios", summary.scenarios},
+          {"success", summary.share(summary.arrived)},
+          {"collisions", summary.share(summary.collisions)},
+          {"timeouts", summary.share(summary.timeouts)},
+          {"mean_ratio", summary.mean_ratio},
+          {"median_ratio", summary.median_ratio},
+          {"p95_ratio", summary.p95_ratio},
+          {"mean_length", summary.mean_length},
+          {"mean_optimal", summary.mean_optimal},
+          {"mean_time_s", summary.mean_time},
+          {"mean_expanded", summary.mean_expanded},
+          {"ns_per_step", summary.ns_per_step},
+          {"peak_bytes", summary.peak_bytes}};
+}
+
+void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& summaries) {
+  std::size_t width = 3;
+  for (const GridSetSummary& summary : summaries) width = std::max(width, summary.name.size());
+  const auto name_width = static_cast<int>(width);
+  out << std::left << std::setw(name_width) << "set" << std::right
+      << "  scenarios  arrived  collided  timeout  no way  length/optimum: mean  median    95 %  length  optimum"
+         "   time [ms]  expanded  ns/step  peak [KiB]\n";
+  out << std::fixed;
+  for (const GridSetSummary& summary : summaries) {
+    const auto percent = [&](std::size_t count, int columns) {
+      out << std::setprecision(2) << std::setw(columns - 1) << 100.0 * summary.share(count) << '%';
+    };
+    out << std::left << std::setw(name_width) << summary.name << std::right << std::setw(11) << summary.scenarios;
+    percent(summary.arrived, 9);
+    percent(summary.collisions, 10);
+    percent(summary.timeouts, 9);
+    percent(summary.no_way, 8);
+    out << std::setprecision(3) << std::setw(22) << summary.mean_ratio << std::setw(8) << summary.median_ratio
+        << std::setw(8) << summary.p95_ratio << std::setprecision(1) << std::setw(8) << summary.mean_length
+        << std::setw(9) << summary.mean_optimal << std::setprecision(4) << std::setw(12) << 1e3 * summary.mean_time
+        << std::setprecision(1) << std::setw(10) << summary.mean_expanded << std::setw(9) << summary.ns_per_step
+        << std::setw(12) << static_cast<double>(summary.peak_bytes) / 1024.0 << '\n';
+  }
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,161 @@
+#include "lstm_planner/grid_world/evaluation/grid_tasks.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "lstm_planner/base/common/random.hpp"
+
+namespace lstm_planner {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestNumberedSet = 20;
+constexpr int kTrainMaps = 6;
+
+std::vector<std::string> scenarioFilesIn(const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".scen" && entry.is_regular_file()) files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// The set that a folder is, if it is one.
+std::optional<GridSetFiles> setIn(const fs::path& folder) {
+  const fs::path scenarios = folder / "Scenarios";
+  GridSetFiles files;
+  if (fs::is_directory(scenarios)) {
+    files = {folder.filename().string(), scenarioFilesIn(scenarios)};
+  } else {
+    const bool is_scenarios = folder.filename() == scenarios.filename();
+    files = {(is_scenarios ? folder.parent_path() : folder).filename().string(), scenarioFilesIn(folder)};
+  }
+  if (files.scenario_files.empty()) return std::nullopt;
+  return files;
+}
+
+/// NAME of NAME.map.scen.
+std::string mapName(const std::string& scenario_file) {
+  fs::path name = fs::path(scenario_file).stem();
+  return (name.extension() == ".map" ? name.stem() : name).string();
+}
+
+/// The number that a map's name ends in, or its place where it ends in none.
+int mapNumber(const std::string& name, std::size_t place) {
+  std::size_t digits = name.size();
+  while (digits > 0 && std::isdigit(static_cast<unsigned char>(name[digits - 1])) != 0) --digits;
+  constexpr std::size_t kMostDigits = 9;
+  if (digits == name.size() || name.size() - digits > kMostDigits) return static_cast<int>(place);
+  return std::stoi(name.substr(digits));
+}
+
+struct DrawnScenario {
+  std::size_t file = 0;
+  std::size_t line = 0;
+  Scenario scenario;
+};
+
+std::string noScenarioMessage(const GridSetFiles& files, const ScenarioSelection& selection, std::size_t maps) {
+  static const char* const kSelections[] = {"", "training ", "validation "};
+  std::ostringstream message;
+  message << "set " << files.name << " has no scenario to run with an optimal length from " << selection.min_length
+          << " to " << selection.max_length << " in its " << maps << ' '
+          << kSelections[static_cast<std::size_t>(selection.maps)] << "maps";
+  return message.str();
+}
+
+/// `count` of them in their order, drawn without putting back.
+void keepSome(std::size_t count, std::uint64_t seed, std::vector<DrawnScenario>* scenarios) {
+  if (count == 0 || count >= scenarios->size()) return;
+  std::vector<std::size_t> order(scenarios->size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  Random random(seed);
+  shuffle(&order, random);
+  order.resize(count);
+  std::sort(order.begin(), order.end());
+  std::vector<DrawnScenario> kept;
+  for (const std::size_t i : order) kept.push_back(std::move((*scenarios)[i]));
+  *scenarios = std::move(kept);
+}
+
+}  // namespace
+
+std::vector<GridSetFiles> findGridSets(const std::string& folder) {
+  if (!fs::is_directory(folder)) {
+    throw std::invalid_argument("scenarios '" + folder + "' cannot be read: expected a folder with .scen files");
+  }
+  const fs::path path = fs::canonical(folder);
+  if (const std::optional<GridSetFiles> set = setIn(path)) return {*set};
+  std::vector<GridSetFiles> sets;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
+    if (!entry.is_directory()) continue;
+    if (const std::optional<GridSetFiles> set = setIn(entry.path())) sets.push_back(*set);
+  }
+  if (sets.empty()) {
+    throw std::invalid_argument("folder '" + folder + "' has no scenarios: expected .scen files in it, in " +
+                                "Scenarios/ or in SET/Scenarios/");
+  }
+  std::sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  return sets;
+}
+
+std::vector<std::string> selectScenarioFiles(const GridSetFiles& files, MapSelection selection) {
+  if (selection == MapSelection::kAll) return files.scenario_files;
+  const std::size_t maps = files.scenario_files.size();
+  std::vector<std::string> selected;
+  for (std::size_t place = 0; place < maps; ++place) {
+    const std::string& file = files.scenario_files[place];
+    const bool train = maps > kLargestNumberedSet ? place < maps / 2 : mapNumber(mapName(file), place) < kTrainMaps;
+    if (train == (selection == MapSelection::kTrain)) selected.push_back(file);
+  }
+  return selected;
+}
+
+GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& selection) {
+  const std::vector<std::string> scenario_files = selectScenarioFiles(files, selection.maps);
+  GridTaskSet set;
+  set.name = files.name;
+  std::vector<DrawnScenario> drawn;
+  for (std::size_t file = 0; file < scenario_files.size(); ++file) {
+    std::vector<Scenario> scenarios = readScenarios(scenario_files[file]);
+    for (std::size_t i = 0; i < scenarios.size(); ++i) {
+      const double length = scenarios[i].optimal_length;
+      if (length < selection.min_length || length > selection.max_length) continue;
+      if (length == 0.0 && scenarios[i].start != scenarios[i].goal) {
+        ++set.without_way;
+        continue;
+      }
+      drawn.push_back({file, i + 1, std::move(scenarios[i])});
+    }
+  }
+  keepSome(selection.count, selection.seed, &drawn);
+
+  std::size_t loaded = scenario_files.size();
+  for (const DrawnScenario& one : drawn) {
+    const Scenario& scenario = one.scenario;
+    const std::string& path = scenario_files[one.file];
+    if (one.file != loaded) {
+      loaded = one.file;
+      set.maps.push_back(readMovingAiMap(mapOfScenarioFile(path), selection.rule));
+      set.map_names.push_back(mapName(path));
+    }
+    const PassableGrid& map = set.maps.back();
+    const bool swamp_ends = selection.rule == PassableRule::kThesis && map.contains(scenario.start) &&
+                            map.contains(scenario.goal) &&
+                            !(map.passable(scenario.start) && map.passable(scenario.goal));
+    if (swamp_ends) continue;
+    checkScenario(scenario, one.line, map, path);
+    set.tasks.push_back({set.maps.size() - 1, scenario.start, scenario.goal, scenario.optimal_length});
+  }
+  if (set.tasks.empty()) throw std::invalid_argument(noScenarioMessage(files, selection, scenario_files.size()));
+  return set;
+}
+
+}  // namespace lstm_planner

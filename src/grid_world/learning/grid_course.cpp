@@ -1,0 +1,171 @@
+#include "lstm_planner/grid_world/learning/grid_course.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "lstm_planner/base/common/parallel_for.hpp"
+#include "lstm_planner/base/common/parameter_check.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kBucketWidth = 10.0;  ///< cells
+constexpr std::size_t kStartsABucket = 12;
+
+PassableGrid mirrored(const PassableGrid& grid) {
+  PassableGrid result(grid.rows(), grid.columns(), false);
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      if (grid.passable({column, row})) result.set({row, column}, true);
+    }
+  }
+  return result;
+}
+
+double longestOf(const GridCourseParameters& parameters) {
+  return parameters.long_share > 0.0 ? std::max(parameters.longest, parameters.max_length) : parameters.max_length;
+}
+
+std::size_t bucketsUpTo(double length, const GridCourseParameters& parameters) {
+  return static_cast<std::size_t>(std::ceil((length - parameters.min_length) / kBucketWidth));
+}
+
+/// Keeps some of the starts of each length, every one equally likely (reservoir sampling).
+std::vector<std::vector<CellIndex>> drawStarts(const CourseMap& map, const GridDistances& distances,
+                                               const GridCourseParameters& parameters, Random& random) {
+  std::vector<std::vector<CellIndex>> starts(bucketsUpTo(longestOf(parameters), parameters));
+  std::vector<std::size_t> seen(starts.size(), 0);
+  for (int row = 0; row < map.grid.rows(); ++row) {
+    for (int column = 0; column < map.grid.columns(); ++column) {
+      const double length = static_cast<double>(distances.at({column, row}));
+      if (!(length >= parameters.min_length && length <= longestOf(parameters))) continue;
+      const std::size_t bucket =
+          std::min(static_cast<std::size_t>((length - parameters.min_length) / kBucketWidth), starts.size() - 1);
+      ++seen[bucket];
+      if (starts[bucket].size() < kStartsABucket) {
+        starts[bucket].push_back({column, row});
+      } else if (uniform(random) * static_cast<double>(seen[bucket]) < static_cast<double>(kStartsABucket)) {
+        starts[bucket][uniformIndex(random, kStartsABucket)] = {column, row};
+      }
+    }
+  }
+  return starts;
+}
+
+bool hasStart(const CourseGoal& goal) {
+  return std::any_of(goal.starts.begin(), goal.starts.end(), [](const auto& bucket) { return !bucket.empty(); });
+}
+
+}  // namespace
+
+void validate(const GridCourseParameters& parameters) {
+  checkParameter(parameters.min_length >= 2.0, "min_length", parameters.min_length, "at least 2 cells");
+  checkParameter(parameters.max_length > parameters.min_length, "max_length", parameters.max_length,
+                 "more than min_length");
+  checkParameter(parameters.long_share >= 0.0 && parameters.long_share <= 1.0, "long_share", parameters.long_share,
+                 "a number in [0, 1]");
+  checkParameter(parameters.longest <= 1e5, "longest", parameters.longest, "at most 100000 cells");
+  checkParameter(parameters.short_share >= 0.0 && parameters.short_share <= 1.0, "short_share", parameters.short_share,
+                 "a number in [0, 1]");
+  checkParameter(parameters.goals >= 1, "goals", parameters.goals, "at least 1");
+}
+
+GridCourse::GridCourse(const GridCourseParameters& parameters, const std::vector<Set>& sets, std::uint64_t seed,
+                       int threads)
+    : parameters_(parameters), random_(seed) {
+  validate(parameters);
+  double weights = 0.0;
+  for (const Set& set : sets) {
+    checkPositive("weight of a set of maps", set.weight);
+    if (set.maps.empty()) throw std::invalid_argument("a set of training maps is empty, expected at least one map");
+    weights += set.weight;
+  }
+  if (sets.empty()) throw std::invalid_argument("there are no training maps, expected at least one");
+  for (const Set& set : sets) {
+    CourseSet course;
+    course.share = set.weight / weights;
+    const std::size_t copies = parameters.mirrored ? 2 : 1;
+    course.maps.resize(set.maps.size() * copies);
+    parallelFor(static_cast<int>(course.maps.size()), threads, [&](int index, int) {
+      const PassableGrid& grid = set.maps[static_cast<std::size_t>(index) / copies];
+      auto map = std::make_shared<CourseMap>();
+      map->grid = static_cast<std::size_t>(index) % copies == 0 ? grid : mirrored(grid);
+      map->ranges = RangeTable(map->grid);
+      course.maps[static_cast<std::size_t>(index)] = std::move(map);
+    });
+    const int goals = std::max(1, static_cast<int>(course.share * parameters.goals));
+    course.goals.resize(static_cast<std::size_t>(goals));
+    std::vector<std::uint64_t> seeds(course.goals.size());
+    for (std::uint64_t& goal_seed : seeds) goal_seed = random_();
+    parallelFor(goals, threads, [&](int index, int) {
+      Random random(seeds[static_cast<std::size_t>(index)]);
+      course.goals[static_cast<std::size_t>(index)] = makeGoal(course, random);
+    });
+    sets_.push_back(std::move(course));
+  }
+  buckets_ = bucketsUpTo(parameters.max_length, parameters);
+  long_buckets_ = bucketsUpTo(longestOf(parameters), parameters) - buckets_;
+}
+
+std::shared_ptr<const CourseGoal> GridCourse::makeGoal(const CourseSet& set, Random& random) const {
+  // A cell in a tiny enclosed corner has no start: it is drawn again, but not for ever on a map without any way.
+  constexpr int kAttempts = 10000;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const auto& map = set.maps[uniformIndex(random, set.maps.size())];
+    const CellIndex cell{static_cast<int>(uniformIndex(random, static_cast<std::size_t>(map->grid.columns()))),
+                         static_cast<int>(uniformIndex(random, static_cast<std::size_t>(map->grid.rows())))};
+    if (!map->grid.passable(cell)) continue;
+    auto goal = std::make_shared<CourseGoal>();
+    goal->map = map;
+    goal->goal = cell;
+    goal->distances = GridDistances(map->grid, cell, CornerCutting::kForbidden);
+    goal->starts = drawStarts(*map, goal->distances, parameters_, random);
+    if (hasStart(*goal)) return goal;
+  }
+  throw std::invalid_argument("no way of the wanted length was found on the training maps");
+}
+
+std::size_t GridCourse::drawSet(Random& random) const {
+  double share = uniform(random);
+  for (std::size_t set = 0; set < sets_.size(); ++set) {
+    if (share < sets_[set].share) return set;
+    share -= sets_[set].share;
+  }
+  return sets_.size() - 1;
+}
+
+std::size_t GridCourse::drawBucket(Random& random) const {
+  if (long_buckets_ > 0 && uniform(random) < parameters_.long_share)
+    return buckets_ + uniformIndex(random, long_buckets_);
+  if (uniform(random) >= parameters_.short_share) return uniformIndex(random, buckets_);
+  // The logarithm of the length is uniform.
+  const double length =
+      parameters_.min_length * std::pow(parameters_.max_length / parameters_.min_length, uniform(random));
+  return std::min(static_cast<std::size_t>((length - parameters_.min_length) / kBucketWidth), buckets_ - 1);
+}
+
+GridCourse::Episode GridCourse::draw(Random& random) const {
+  const std::size_t drawn = drawSet(random);
+  const CourseSet& set = sets_[drawn];
+  // The length is drawn before the map: small maps, which have no long ways, are not to make short ways more frequent.
+  const std::size_t bucket = drawBucket(random);
+  constexpr int kAttempts = 1000;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const auto& goal = set.goals[uniformIndex(random, set.goals.size())];
+    const auto& starts = goal->starts[bucket];
+    if (!starts.empty()) return {goal, starts[uniformIndex(random, starts.size())], drawn};
+  }
+  return draw(random);
+}
+
+void GridCourse::renew(int count) {
+  for (int i = 0; i < count; ++i) {
+    CourseSet& set = sets_[drawSet(random_)];
+    set.goals[set.oldest] = makeGoal(set, random_);
+    set.oldest = (set.oldest + 1) % set.goals.size();
+  }
+}
+
+}  // namespace lstm_planner

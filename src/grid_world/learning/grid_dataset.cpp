@@ -1,0 +1,201 @@
+#include "lstm_planner/grid_world/learning/grid_dataset.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/base/common/parallel_for.hpp"
+#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+
+namespace lstm_planner {
+namespace {
+
+/// Ways of the same length differ by the rounding of distances that are summed up as float.
+constexpr double kEqualLengths = 1e-3;
+
+/// Walks at a time, of which those that are not needed any more are thrown away.
+constexpr int kBlock = 64;
+
+struct Walk {
+  std::vector<float> inputs;  ///< step after step
+  std::vector<int> labels;
+};
+
+/// How far the two directions point the same way: 1 for the same, -1 for opposite ones.
+double alignment(CellIndex step, CellIndex to_goal) {
+  const double product =
+      static_cast<double>(step.column) * to_goal.column + static_cast<double>(step.row) * to_goal.row;
+  return product / (std::hypot(step.column, step.row) * std::hypot(to_goal.column, to_goal.row));
+}
+
+bool arrived(CellIndex cell, CellIndex goal) {
+  return std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) <= 1;
+}
+
+/// Lets the supervisor take over for a while when the learner gets no nearer.
+class Rescue {
+ public:
+  explicit Rescue(const GridDatasetParameters& parameters) : parameters_(parameters) {}
+
+  /// Whether the supervisor leads the next step, with this distance to go.
+  bool wanted(float distance) {
+    constexpr float kNearer = 0.5f;
+    since_best_ = distance < best_ - kNearer ? 0 : since_best_ + 1;
+    best_ = std::min(best_, distance);
+    if (since_best_ >= parameters_.stuck_steps) {
+      since_best_ = 0;
+      steps_left_ = parameters_.rescue_steps;
+    }
+    return steps_left_-- > 0;
+  }
+
+ private:
+  const GridDatasetParameters& parameters_;
+  float best_ = std::numeric_limits<float>::infinity();
+  int since_best_ = 0;
+  int steps_left_ = 0;
+};
+
+/// One way, led by the supervisor where there is no `agent`.
+Walk walk(const GridCourse::Episode& episode, const GridDatasetParameters& parameters, GridEncoder encoder,
+          GridAgent* agent) {
+  const CourseGoal& goal = *episode.goal;
+  GridMemory memory = makeGridMemory(encoder.parameters());
+  memory.start();
+  if (agent != nullptr) agent->start(episode.start, goal.goal);
+  Rescue rescue(parameters);
+  Walk walk;
+  CellIndex cell = episode.start;
+  const auto inputs = static_cast<std::size_t>(encoder.size());
+  while (!arrived(cell, goal.goal) &&
+         (agent == nullptr || static_cast<int>(walk.labels.size()) < parameters.max_steps)) {
+    const GridObservation observation{cell, goal.goal, goal.map->ranges.at(cell)};
+    memory.observe(observation);
+    encoder.look(memory);
+    walk.inputs.resize(walk.inputs.size() + inputs);
+    encoder.encode(0, &walk.inputs[walk.inputs.size() - inputs], 1);
+    const int label = supervisorMove(goal, cell, memory.previousDirection());
+    walk.labels.push_back(label);
+    int direction = label;
+    if (agent != nullptr) {
+      agent->observe(observation);
+      if (!rescue.wanted(goal.distances.at(cell))) direction = agent->decide();
+      agent->step(direction, true);
+    }
+    memory.step(direction);
+    cell = cellBeside(cell, direction);
+  }
+  return walk;
+}
+
+/// Overlapping pieces: the first steps of all but the first only bring the hidden state up to date.
+void cutIntoSequences(const Walk& walk, const GridDatasetParameters& parameters, int inputs,
+                      std::vector<Sequence>* sequences) {
+  const int steps = static_cast<int>(walk.labels.size());
+  for (int fresh = 0; fresh < steps;) {
+    const int begin = fresh == 0 ? 0 : fresh - parameters.burn_in_steps;
+    const int end = std::min(steps, begin + parameters.sequence_steps);
+    Sequence sequence;
+    sequence.inputs = Eigen::Map<const Eigen::MatrixXf>(
+        &walk.inputs[static_cast<std::size_t>(begin) * static_cast<std::size_t>(inputs)], inputs, end - begin);
+    sequence.labels = Eigen::Map<const Eigen::VectorXi>(&walk.labels[static_cast<std::size_t>(begin)], end - begin);
+    sequence.weights.setOnes(end - begin);
+    sequence.weights.head(fresh - begin).setZero();
+    sequences->push_back(std::move(sequence));
+    fresh = end;
+  }
+}
+
+}  // namespace
+
+int supervisorMove(const CourseGoal& goal, CellIndex cell, int previous_direction) {
+  std::array<double, kGridMoveCount> lengths{};
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int direction = 0; direction < kGridMoveCount; ++direction) {
+    double& length = lengths[static_cast<std::size_t>(direction)];
+    length = std::numeric_limits<double>::infinity();
+    if (!movePossible(goal.map->ranges.at(cell), direction, CornerCutting::kForbidden)) continue;
+    length = moveLength(direction) + static_cast<double>(goal.distances.at(cellBeside(cell, direction)));
+    shortest = std::min(shortest, length);
+  }
+  if (std::isinf(shortest)) return -1;
+  const CellIndex to_goal{goal.goal.column - cell.column, goal.goal.row - cell.row};
+  int best = -1;
+  double best_alignment = 0.0;
+  for (int direction = 0; direction < kGridMoveCount; ++direction) {
+    if (lengths[static_cast<std::size_t>(direction)] > shortest + kEqualLengths) continue;
+    if (direction == previous_direction) return direction;
+    const double aligned = alignment(kGridRaySteps[static_cast<std::size_t>(direction)], to_goal);
+    if (best < 0 || aligned > best_alignment) {
+      best = direction;
+      best_alignment = aligned;
+    }
+  }
+  return best;
+}
+
+void validate(const GridDatasetParameters& parameters) {
+  const auto check_positive = [](const char* name, int value) {
+    checkParameter(value > 0, name, value, "a positive number");
+  };
+  check_positive("steps", parameters.steps);
+  check_positive("max_steps", parameters.max_steps);
+  check_positive("stuck_steps", parameters.stuck_steps);
+  check_positive("rescue_steps", parameters.rescue_steps);
+  checkParameter(parameters.burn_in_steps >= 0, "burn_in_steps", parameters.burn_in_steps, "zero or more");
+  checkParameter(parameters.sequence_steps > parameters.burn_in_steps, "sequence_steps", parameters.sequence_steps,
+                 "more than burn_in_steps");
+}
+
+std::vector<Sequence> collectGridSequences(const GridDatasetParameters& parameters,
+                                           const GridEncoderParameters& encoder_parameters, const GridCourse& course,
+                                           const Model* learner, double learner_share, std::uint64_t seed,
+                                           int threads) {
+  validate(parameters);
+  if (encoder_parameters.views != 1) {
+    throw std::invalid_argument("imitation with " + std::to_string(encoder_parameters.views) +
+                                " views is not possible, expected 1 view: networks of 8 views learn by reinforcement");
+  }
+  const GridEncoder encoder(encoder_parameters);
+  NetworkGridAgent::Options shield_alone;
+  shield_alone.escape = false;
+  Random seeds(seed);
+  std::vector<Sequence> sequences;
+  std::size_t missing = static_cast<std::size_t>(parameters.steps);
+  while (missing > 0) {
+    std::array<std::uint64_t, kBlock> walk_seeds{};
+    for (std::uint64_t& walk_seed : walk_seeds) walk_seed = seeds();
+    std::array<Walk, kBlock> walks;
+    parallelFor(kBlock, threads, [&](int index, int) {
+      Random random(walk_seeds[static_cast<std::size_t>(index)]);
+      const GridCourse::Episode episode = course.draw(random);
+      std::unique_ptr<GridAgent> agent;
+      if (learner != nullptr && uniform(random) < learner_share) {
+        agent = std::make_unique<NetworkGridAgent>(*learner, shield_alone);
+      }
+      walks[static_cast<std::size_t>(index)] = walk(episode, parameters, encoder, agent.get());
+    });
+    for (Walk& walk : walks) {
+      if (walk.labels.size() > missing) walk.labels.resize(missing);
+      missing -= walk.labels.size();
+      cutIntoSequences(walk, parameters, encoder.size(), &sequences);
+    }
+  }
+  return sequences;
+}
+
+std::size_t countLabels(const std::vector<Sequence>& sequences) {
+  std::size_t count = 0;
+  for (const Sequence& sequence : sequences) {
+    count += static_cast<std::size_t>((sequence.weights.array() > 0.0f).count());
+  }
+  return count;
+}
+
+}  // namespace lstm_planner

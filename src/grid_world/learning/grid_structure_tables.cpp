@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <array>
+#include <iomanip>
+#include <set>
+#include <sstream>
+
+#include "lstm_planner/grid_world/learning/grid_structure_search.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr std::array<const char*, 4> kStages = {
+    "First stage: the time sequence (thesis Fig. 3.7, which prints no numbers for 128 and 256 steps)",
+    "Second stage (thesis Table 3.3)", "Third stage (thesis Table 3.4)", "Fourth stage (thesis Table 3.5)"};
+
+std::string percent(double share) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << 100.0 * share << " %";
+  return text.str();
+}
+
+/// Table 3.3 repeats the first stage's structure at its time sequences.
+bool belongsTo(const StructureTrial& trial, int stage) {
+  return trial.stage == stage || (stage == 2 && trial.stage == 1 && trial.sequence_steps >= 512);
+}
+
+void writeTable(const std::vector<StructureOutcome>& outcomes, int stage, std::ostream& out) {
+  std::set<int> times;
+  std::vector<std::string> structures;
+  for (const StructureOutcome& outcome : outcomes) {
+    if (!belongsTo(outcome.trial, stage)) continue;
+    times.insert(outcome.trial.sequence_steps);
+    const std::string structure = outcome.trial.structure();
+    if (std::find(structures.begin(), structures.end(), structure) == structures.end()) structures.push_back(structure);
+  }
+  if (structures.empty()) return;
+  out << "\n" << kStages[static_cast<std::size_t>(stage - 1)] << "\n\n| structure | weights |";
+  for (const int time : times) out << " " << time << " steps, thesis | " << time << " steps, here |";
+  out << "\n|---|---|";
+  for (std::size_t i = 0; i < times.size(); ++i) out << "---|---|";
+  out << "\n";
+  for (const std::string& structure : structures) {
+    const auto find = [&](int time) {
+      return std::find_if(outcomes.begin(), outcomes.end(), [&](const StructureOutcome& outcome) {
+        return outcome.trial.structure() == structure && (time == 0 || outcome.trial.sequence_steps == time);
+      });
+    };
+    out << "| " << structure << " | " << find(0)->weights << " |";
+    for (const int time : times) {
+      const auto found = find(time);
+      const bool printed = found != outcomes.end() && found->trial.thesis_accuracy;
+      out << ' ' << (printed ? percent(*found->trial.thesis_accuracy) : "-") << " | "
+          << (found != outcomes.end() ? percent(found->validation_accuracy) : "-") << " |";
+    }
+    out << "\n";
+  }
+}
+
+}  // namespace
+
+std::string structureTables(const std::vector<StructureOutcome>& outcomes) {
+  std::ostringstream out;
+  out << "Validation accuracy\n";
+  for (int stage = 1; stage <= static_cast<int>(kStages.size()); ++stage) writeTable(outcomes, stage, out);
+  return out.str();
+}
+
+std::string structureCsv(const std::vector<StructureOutcome>& outcomes) {
+  std::ostringstream out;
+  out << "stage,layers,cells,weights,sequence_steps,thesis_accuracy,validation_accuracy,training_accuracy,best_epoch\n";
+  for (const StructureOutcome& outcome : outcomes) {
+    const StructureTrial& trial = outcome.trial;
+    out << trial.stage << ',' << trial.layers << ',' << trial.cells << ',' << outcome.weights << ','
+        << trial.sequence_steps << ',';
+    if (trial.thesis_accuracy) out << *trial.thesis_accuracy;
+    out << ',' << outcome.validation_accuracy << ',' << outcome.training_accuracy << ',' << outcome.best_epoch << '\n';
+  }
+  return out.str();
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "grid_world/learning/grid_actor.hpp"
+#include "lstm_planner/base/learning/lane_network.hpp"
+#include "lstm_planner/base/learning/q_learning_targets.hpp"
+#include "lstm_planner/grid_world/learning/q_learning.hpp"
+
+namespace lstm_planner {
+
+/// What goes into a QLearningReport.
+struct QSums {
+  double steps = 0, reward = 0, arrived = 0, ended = 0, ratio = 0, value = 0, squared_error = 0;
+  void operator+=(const QSums& other);
+};
+
+/// Some agents that go through a window together, with what they carry from window to window.
+struct QTile {
+  std::vector<GridActor> actors;
+  std::vector<float> state;         ///< hidden, of the network that learns
+  std::vector<float> target_state;  ///< and of the target network
+  bool observed = false;            ///< whether the agents have sensed where they are
+  Eigen::VectorXf gradient;         ///< sum over the window's steps
+  QSums sums;
+};
+
+/// Leads tiles of agents through a window, and works out the gradient. One a thread.
+class QTileRunner {
+ public:
+  /// `parameters` must outlive the runner.
+  QTileRunner(const QLearningParameters& parameters, const LayerStack& layers);
+
+  /// Agents of a tile.
+  int actors() const { return actors_; }
+
+  void run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon, QTile& tile);
+
+ private:
+  void look(int step, QTile& tile);
+  void valueState(int step, int actor, const GridActor& walker);
+  void move(int step, int actor, double epsilon, QTile& tile);
+  void judge(int actor, QTile& tile);
+  int outputAt(int actor, int direction) const;
+
+  const QLearningParameters& parameters_;
+  GridEncoder encoder_;
+  int actors_;
+  LaneNetwork network_;
+  LaneNetwork target_network_;                     ///< one step long: nothing goes back through it
+  std::vector<std::vector<QTransition>> windows_;  ///< of each agent; one step more, of which only the value counts
+};
+
+}  // namespace lstm_planner

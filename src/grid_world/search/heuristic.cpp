@@ -1,0 +1,67 @@
+#include "lstm_planner/grid_world/search/heuristic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace lstm_planner {
+namespace {
+
+constexpr std::array<const char*, kHeuristics.size()> kNames = {"manhattan", "chebyshev", "octile", "euclidean",
+                                                                "scaled_euclidean"};
+
+/// Rounded down, so that rounding never makes it too long.
+MoveCost straightLine(MoveCost columns, MoveCost rows, double scale) {
+  const double cells = std::sqrt(static_cast<double>(columns * columns + rows * rows));
+  return static_cast<MoveCost>(scale * static_cast<double>(kStraightCost) * cells);
+}
+
+}  // namespace
+
+void checkHeuristic(const HeuristicParameters& heuristic) {
+  if (heuristic.scale >= 0.0 && heuristic.scale <= kLargestEuclideanScale) return;
+  throw std::invalid_argument("the heuristic's scale is " + std::to_string(heuristic.scale) +
+                              ", expected a number from 0 to " + std::to_string(kLargestEuclideanScale));
+}
+
+bool isAdmissible(const HeuristicParameters& heuristic) {
+  switch (heuristic.kind) {
+    case Heuristic::kManhattan:
+      return false;
+    case Heuristic::kScaledEuclidean:
+      return heuristic.scale <= 1.0;
+    default:
+      return true;
+  }
+}
+
+MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, CellIndex to) {
+  const MoveCost columns = std::abs(from.column - to.column);
+  const MoveCost rows = std::abs(from.row - to.row);
+  switch (heuristic.kind) {
+    case Heuristic::kManhattan:
+      return kStraightCost * (columns + rows);
+    case Heuristic::kChebyshev:
+      return kStraightCost * std::max(columns, rows);
+    case Heuristic::kOctile:
+      return kStraightCost * (columns + rows) + (kDiagonalCost - 2 * kStraightCost) * std::min(columns, rows);
+    case Heuristic::kEuclidean:
+      return straightLine(columns, rows, 1.0);
+    case Heuristic::kScaledEuclidean:
+      return straightLine(columns, rows, heuristic.scale);
+  }
+  return 0;
+}
+
+std::string heuristicName(Heuristic heuristic) { return kNames[static_cast<std::size_t>(heuristic)]; }
+
+Heuristic heuristicNamed(const std::string& name) {
+  const auto known = std::find(kNames.begin(), kNames.end(), name);
+  if (known != kNames.end()) return kHeuristics[static_cast<std::size_t>(known - kNames.begin())];
+  std::string message = "the heuristic is \"" + name + "\", expected one of";
+  for (const char* expected : kNames) message += std::string(" ") + expected;
+  throw std::invalid_argument(message);
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,29 @@
+#include "lstm_planner/grid_world/world/range_table.hpp"
+
+#include <algorithm>
+
+namespace lstm_planner {
+
+RangeTable::RangeTable(const PassableGrid& grid) : columns_(grid.columns()), ranges_(grid.size(), GridRanges{}) {
+  // A cell sees one step further than its neighbour in that direction, so the neighbour comes first: row by row those
+  // in directions 0 to 3 lie behind the cell, the others before it. Blocked cells hold 0.
+  constexpr int kHalf = kGridRayCount / 2;
+  const auto look = [&](CellIndex cell, int first_direction) {
+    if (!grid.passable(cell)) return;
+    GridRanges& ranges = ranges_[grid.offset(cell)];
+    for (int direction = first_direction; direction < first_direction + kHalf; ++direction) {
+      const std::size_t ray = static_cast<std::size_t>(direction);
+      const CellIndex beside = cellBeside(cell, direction);
+      const int seen = grid.contains(beside) ? ranges_[grid.offset(beside)][ray] : 0;
+      ranges[ray] = static_cast<std::uint8_t>(std::min(seen + 1, kGridRayCap));
+    }
+  };
+  for (int row = grid.rows(); row-- > 0;) {
+    for (int column = grid.columns(); column-- > 0;) look({column, row}, 0);
+  }
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) look({column, row}, kHalf);
+  }
+}
+
+}  // namespace lstm_planner

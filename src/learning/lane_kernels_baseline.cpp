@@ -1,1 +1,0 @@
-#include "lane_kernels_source.hpp"

@@ -1,3 +1,0 @@
-#if defined(__AVX2__)
-#include "batch_kernel_source.hpp"
-#endif

@@ -1,1 +1,0 @@
-#include "batch_kernel_source.hpp"

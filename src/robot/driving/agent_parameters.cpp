@@ -1,0 +1,62 @@
+#include "lstm_planner/robot/driving/agent_parameters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/base/common/parameter_check.hpp"
+
+namespace lstm_planner {
+
+namespace {
+constexpr std::array<const char*, 3> kLeaders = {"network", "route", "none"};
+}  // namespace
+
+const char* toString(Leader leader) { return kLeaders.at(static_cast<std::size_t>(leader)); }
+
+Leader leaderNamed(const std::string& name) {
+  const auto found = std::find(kLeaders.begin(), kLeaders.end(), name);
+  if (found == kLeaders.end()) {
+    throw std::invalid_argument("leader is '" + name + "', expected network, route or none");
+  }
+  return static_cast<Leader>(found - kLeaders.begin());
+}
+
+void validate(const AgentParameters& parameters) {
+  if (parameters.leader == Leader::kRoute && !parameters.memory.enabled) {
+    throw std::invalid_argument("leader is route, expected network where memory/enabled is false: no way is remembered");
+  }
+  visitAgentNumbers(parameters, RangeCheck());
+  checkParameter(parameters.step.stall > parameters.step.period, "step/stall", parameters.step.stall,
+                 "more than step/period = " + std::to_string(parameters.step.period));
+  const ShieldParameters& shield = parameters.shield;
+  checkParameter(shield.clearance >= shield.tight_clearance, "shield/clearance", shield.clearance,
+                 "at least shield/tight_clearance = " + std::to_string(shield.tight_clearance));
+  checkParameter(shield.shortest_step <= parameters.step.length, "shield/shortest_step", shield.shortest_step,
+                 "at most step/length = " + std::to_string(parameters.step.length));
+  checkParameter(parameters.step.reached < shield.shortest_step, "step/reached", parameters.step.reached,
+                 "less than shield/shortest_step = " + std::to_string(shield.shortest_step));
+  const double needed_reach = parameters.step.length + shield.footprint_radius + shield.clearance;
+  checkParameter(shield.reach >= needed_reach, "shield/reach", shield.reach,
+                 "at least step, footprint radius and clearance together = " + std::to_string(needed_reach));
+
+  const MemoryParameters& memory = parameters.memory;
+  const double coarsest = 0.29 * shield.footprint_radius;
+  checkParameter(memory.resolution <= coarsest, "memory/resolution", memory.resolution,
+                 "at most 0.29 shield/footprint_radius = " + std::to_string(coarsest));
+  const double widest = kMostSquaresASide * memory.resolution;
+  checkParameter(memory.width <= widest, "memory/width", memory.width,
+                 "at most 2000 memory/resolution = " + std::to_string(widest));
+  const double farthest = kMostNearSquares * memory.resolution;
+  checkParameter(shield.footprint_radius + memory.comfort <= farthest, "memory/comfort", memory.comfort,
+                 "with shield/footprint_radius at most 16 memory/resolution = " + std::to_string(farthest));
+  checkParameter(shield.footprint_radius + shield.clearance <= farthest, "shield/clearance", shield.clearance,
+                 "with shield/footprint_radius at most 16 memory/resolution = " + std::to_string(farthest));
+
+  checkParameter(parameters.step.reached < parameters.goal_tolerance, "step/reached", parameters.step.reached,
+                 "less than goal_tolerance = " + std::to_string(parameters.goal_tolerance));
+}
+
+}  // namespace lstm_planner

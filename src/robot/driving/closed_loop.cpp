@@ -1,0 +1,21 @@
+#include "lstm_planner/robot/driving/closed_loop.hpp"
+
+namespace lstm_planner {
+
+ClosedLoop::End ClosedLoop::run(const Point2& goal, const std::function<bool()>& goes_on,
+                                const std::function<void(const Decision&)>& note) {
+  const double range_cap = agent_.policy().description().encoder.range_cap;
+  agent_.setGoal(goal);
+  agent_.restart();  // what it remembers of another drive is in another odometry frame
+  while (goes_on()) {
+    robot_.sense(range_cap, &situation_);
+    const Decision& decision = agent_.update(situation_);
+    if (decision.source == Decision::Source::kNoWay) return End::kNoWay;
+    if (robot_.hasArrived(situation_, decision)) return End::kArrived;
+    note(decision);
+    robot_.carryOut(situation_, decision, agent_);
+  }
+  return End::kStopped;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,187 @@
+#include "lstm_planner/robot/driving/drive_policy.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr double kSameAngle = 1e-4;  ///< rad
+
+double readNumber(const std::map<std::string, std::string>& metadata, const std::string& key) {
+  const auto entry = metadata.find(key);
+  if (entry == metadata.end()) {
+    throw std::invalid_argument("the metadata has no key " + key);
+  }
+  std::istringstream text(entry->second);
+  text.imbue(std::locale::classic());
+  double number = 0.0;
+  if (!(text >> number) || !(text >> std::ws).eof() || !(number > 0.0) || !std::isfinite(number)) {
+    throw std::invalid_argument("the metadata key " + key + " is '" + entry->second + "', expected a positive number");
+  }
+  return number;
+}
+
+std::string writeNumber(double number) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(17);
+  text << number;
+  return text.str();
+}
+
+ActionSet readActions(const std::map<std::string, std::string>& metadata) {
+  const auto entry = metadata.find("action_angles");
+  if (entry == metadata.end()) {
+    throw std::invalid_argument("the metadata has no key action_angles");
+  }
+  std::istringstream text(entry->second);
+  text.imbue(std::locale::classic());
+  std::vector<double> angles;
+  double angle = 0.0;
+  while (text >> angle) {
+    angles.push_back(angle);
+    if (text >> std::ws; text.peek() == ',') {
+      text.ignore();
+    }
+  }
+  if (!text.eof()) {
+    throw std::invalid_argument("the metadata key action_angles is '" + entry->second +
+                                "', expected numbers separated by commas");
+  }
+  return ActionSet(std::move(angles));
+}
+
+}  // namespace
+
+void writeMetadata(const PolicyDescription& description, std::map<std::string, std::string>* metadata) {
+  writeMetadata(description.encoder, metadata);
+  std::string angles;
+  for (const double angle : description.actions.angles()) {
+    angles += (angles.empty() ? "" : ",") + writeNumber(angle);
+  }
+  (*metadata)["action_angles"] = angles;
+  (*metadata)["step_length"] = writeNumber(description.step_length);
+  (*metadata)["robot_radius"] = writeNumber(description.footprint_radius);
+}
+
+PolicyDescription readPolicyDescription(const std::map<std::string, std::string>& metadata) {
+  PolicyDescription description;
+  description.encoder = readEncoderParameters(metadata);
+  description.actions = readActions(metadata);
+  description.step_length = readNumber(metadata, "step_length");
+  description.footprint_radius = readNumber(metadata, "robot_radius");
+  return description;
+}
+
+int networkOutputs(const PolicyDescription& description) {
+  return description.encoder.views == 1 ? description.actions.size() : 1;
+}
+
+std::vector<int> viewsOf(const ActionSet& actions) {
+  std::vector<int> views;
+  for (const double angle : actions.angles()) {
+    views.push_back(viewNearest(angle));
+    if (std::abs(normalizeAngle(angle - views.back() * kViewAngle)) < kSameAngle) continue;
+    throw std::invalid_argument("eight views need steering angles that are multiples of 45 degrees, one is " +
+                                writeNumber(angle) + " rad");
+  }
+  return views;
+}
+
+DrivePolicy::DrivePolicy(PolicyDescription description, const LayerStack& layers)
+    : description_(std::make_shared<const PolicyDescription>(std::move(description))),
+      encoder_(std::shared_ptr<const EncoderParameters>(description_, &description_->encoder)),
+      input_(encoder_.size()) {
+  validateLayers(layers);
+  if (inputSize(layers) != encoder_.size()) {
+    throw std::invalid_argument("the network takes " + std::to_string(inputSize(layers)) +
+                                " inputs, its input layout has " + std::to_string(encoder_.size()));
+  }
+  const bool has_views = description_->encoder.views != 1;
+  if (outputSize(layers) != networkOutputs(*description_)) {
+    throw std::invalid_argument(
+        "the network has " + std::to_string(outputSize(layers)) + " outputs, " +
+        (has_views ? "eight views have 1" : "its action set has " + std::to_string(description_->actions.size())));
+  }
+  if (!has_views) {
+    network_.emplace(layers);
+    return;
+  }
+  action_views_ = viewsOf(description_->actions);
+  views_.emplace(layers, kDriveViews);
+  view_inputs_.resize(encoder_.size(), kDriveViews);
+  preferences_.resize(description_->actions.size());
+}
+
+DrivePolicy DrivePolicy::fromFile(const std::string& path) {
+  Model model = readModelFile(path);
+  try {
+    return DrivePolicy(readPolicyDescription(model.metadata), model.layers);
+  } catch (const std::invalid_argument& error) {
+    throw ModelFileError(path + ": " + error.what());
+  }
+}
+
+const Eigen::VectorXf& DrivePolicy::advance(const Observation& observation) {
+  encoder_.encode(observation, input_);
+  return views_ ? advanceViews(observation) : network_->forward(input_);
+}
+
+const Eigen::VectorXf& DrivePolicy::advanceViews(const Observation& observation) {
+  const ViewBearings bearings = bearingsOf(observation);
+  for (int view = 0; view < kDriveViews; ++view) {
+    const int direction = (bearings.ahead + view) % kDriveViews;
+    encoder_.turn(input_.data(), bearings, view, view_inputs_.data() + direction, kDriveViews);
+  }
+  const BatchNetwork::Values& outputs = views_->forward(view_inputs_);
+  for (std::size_t action = 0; action < action_views_.size(); ++action) {
+    const int direction = (bearings.ahead + action_views_[action]) % kDriveViews;
+    preferences_[static_cast<Eigen::Index>(action)] = outputs(0, direction);
+  }
+  return preferences_;
+}
+
+void DrivePolicy::reset() {
+  if (network_) network_->reset();
+  if (views_) views_->reset();
+}
+
+Eigen::VectorXf DrivePolicy::hiddenState() const {
+  if (network_) return network_->hiddenState();
+  Eigen::VectorXf all(kDriveViews * views_->hiddenStateSize());
+  for (int view = 0; view < kDriveViews; ++view) {
+    all.segment(view * views_->hiddenStateSize(), views_->hiddenStateSize()) = views_->hiddenState(view);
+  }
+  return all;
+}
+
+DrivePolicy noPolicy() {
+  const PolicyDescription description;
+  DenseLayer layer;
+  layer.weights.setZero(description.actions.size(), Encoder(description.encoder).size());
+  layer.bias.setZero(description.actions.size());
+  return DrivePolicy(description, {layer});
+}
+
+void checkFits(const PolicyDescription& description, double step_length, double footprint_radius, double range_max) {
+  if (std::abs(description.step_length - step_length) > 0.01) {
+    throw std::invalid_argument("the model was trained for steps of " + std::to_string(description.step_length) +
+                                " m, step/length is " + std::to_string(step_length) + " m");
+  }
+  if (footprint_radius > description.footprint_radius + 0.05) {
+    throw std::invalid_argument("the model was trained for a robot of radius " +
+                                std::to_string(description.footprint_radius) + " m, shield/footprint_radius is " +
+                                std::to_string(footprint_radius) + " m, more than 0.05 m larger");
+  }
+  if (range_max > 0.0 && range_max < 0.5 * description.encoder.range_cap) {
+    throw std::invalid_argument("the scanner reaches " + std::to_string(range_max) +
+                                " m, the model was trained with a range cap of " +
+                                std::to_string(description.encoder.range_cap) + " m and needs at least half of it");
+  }
+}
+
+}  // namespace lstm_planner

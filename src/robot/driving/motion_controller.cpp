@@ -1,0 +1,220 @@
+#include "lstm_planner/robot/driving/motion_controller.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lstm_planner/base/common/parameter_check.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr double kBehind = 2.7;  // rad of heading error
+
+/// m/s that the robot may be faster than it measures: encoders count whole ticks.
+constexpr double kSpeedError = 0.02;
+
+double clamp(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
+
+}  // namespace
+
+/// What moves, and what has moved and stands.
+struct MotionController::Persons {
+  Persons(double footprint_radius, double reach, const std::vector<Point2>& moving_points,
+          const std::vector<Point2>& resting_points)
+      : moving(footprint_radius, 0.0, reach), resting(footprint_radius, 0.0, reach) {
+    moving.show(moving_points);
+    resting.show(resting_points);
+  }
+  Shield moving;
+  Shield resting;
+};
+
+void validate(const MotionParameters& parameters) {
+  visitMotionNumbers(parameters, RangeCheck());
+  validate(parameters.moving);
+}
+
+MotionController::MotionController(const MotionParameters& parameters)
+    : parameters_((validate(parameters), parameters)) {}
+
+Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current,
+                                 const Shield& shield, double period, const std::vector<Point2>& moving,
+                                 const std::vector<Point2>& resting) const {
+  if (plan.empty() || !isFinite(pose)) {
+    return {};
+  }
+  const Pose2& goal = plan.back();
+  const double to_goal = distanceBetween(pose, goal);
+  if (to_goal <= parameters_.position_tolerance) {
+    const double error = normalizeAngle(goal.yaw - pose.yaw);
+    const bool aligned = std::abs(error) <= parameters_.heading_tolerance;
+    return {0.0, aligned ? 0.0 : clamp(parameters_.heading_gain * error, parameters_.max_angular)};
+  }
+
+  const Pose2 ahead = target(plan, pose, shield);
+  double error = normalizeAngle(directionTo(pose, ahead) - pose.yaw);
+  if (!std::isfinite(error)) {
+    return {};  // the plan is not finite
+  }
+  // What lies behind may be a little to the left now and a little to the right next time: go on turning the way we
+  // turn. Only when that is fast: where commands take their time, a slow turn may be the answer to the one before last.
+  const bool turns = std::abs(current.angular) > 0.5 * parameters_.max_angular;
+  if (std::abs(error) > kBehind && turns && error * current.angular < 0.0) {
+    error -= std::copysign(2.0 * M_PI, error);
+  }
+  Twist2 twist{0.0, clamp(parameters_.heading_gain * error, parameters_.max_angular)};
+  if (std::abs(error) < parameters_.turn_in_place) {
+    const double brakes = std::sqrt(2.0 * parameters_.linear_acceleration * to_goal);
+    const double reachable = std::max(0.0, current.linear) + parameters_.linear_acceleration * period;
+    twist.linear = std::min({parameters_.max_linear * std::cos(error), brakes, reachable});
+    twist = withinWheelLimits(twist);
+    const Persons persons(shield.footprintRadius(), yieldingReach(shield.footprintRadius()), moving, resting);
+    twist.linear = safeSpeed(twist, current, shield, persons, period);
+  }
+  // Wheels that turn the robot brake it later: before somebody it stands first, then it turns.
+  if (twist.linear == 0.0 && current.linear > kSpeedError && !moving.empty()) {
+    return {};
+  }
+  return withinWheelLimits(twist);
+}
+
+bool MotionController::goalReached(const Pose2& pose, const Pose2& goal) const {
+  return distanceBetween(pose, goal) <= parameters_.position_tolerance &&
+         (parameters_.heading_tolerance >= M_PI ||
+          std::abs(normalizeAngle(goal.yaw - pose.yaw)) <= parameters_.heading_tolerance);
+}
+
+Pose2 MotionController::target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const {
+  std::size_t nearest = 0;
+  double nearest_distance = distanceBetween(plan[0], pose);
+  // Only as long as it comes nearer, or nearly: the plan may come by here again later.
+  double length = 0.0;
+  for (std::size_t i = 1; i < plan.size() && length < 2.0 * parameters_.lookahead; ++i) {
+    length += distanceBetween(plan[i - 1], plan[i]);
+    const double distance = distanceBetween(plan[i], pose);
+    if (distance < nearest_distance) {
+      nearest = i;
+      nearest_distance = distance;
+      length = 0.0;
+    }
+  }
+  // As far ahead as the plan leads away and one can go straight: to cut a corner must not lead into what the plan goes
+  // round, and a plan that turns back is followed to where it turns.
+  std::size_t ahead = nearest;
+  double farthest = 0.0;
+  for (std::size_t i = nearest; i < plan.size(); ++i) {
+    const double distance = distanceBetween(pose, plan[i]);
+    if (distance < farthest) {
+      break;
+    }
+    const double direction = directionTo(pose, plan[i]) - pose.yaw;
+    const bool needed = farthest < parameters_.nearest_target;
+    if (!needed && shield.freeDistance({}, direction, distance, parameters_.safety_margin) < distance) {
+      break;
+    }
+    ahead = i;
+    farthest = distance;
+    if (distance >= parameters_.lookahead) {
+      break;
+    }
+  }
+  return plan[ahead];
+}
+
+Twist2 MotionController::withinWheelLimits(const Twist2& twist) const {
+  const double fastest = std::abs(twist.linear) + 0.5 * parameters_.axle_length * std::abs(twist.angular);
+  const double share = std::min(1.0, parameters_.max_wheel_speed / fastest);
+  return fastest > 0.0 ? Twist2{share * twist.linear, share * twist.angular} : twist;
+}
+
+double MotionController::safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield,
+                                   const Persons& persons, double period) const {
+  constexpr int kTries = 8;
+  constexpr double kCreep = 0.005;  // m/s; slower is standing
+  double speed = std::min(wanted.linear, cautiousSpeed(wanted, shield));
+  for (int i = 0; i < kTries && speed >= kCreep; ++i) {
+    const Twist2 twist{speed, wanted.angular};
+    const double allowed = std::min(allowedSpeed(twist, current, shield, period), yieldingSpeed(twist, persons));
+    if (allowed >= speed) {
+      return speed;
+    }
+    // A slower robot that turns as fast takes a narrower arc, which must be looked at anew.
+    speed = allowed;
+  }
+  return 0.0;
+}
+
+double MotionController::cautiousSpeed(const Twist2& twist, const Shield& shield) const {
+  if (parameters_.slow_speed >= parameters_.max_linear || twist.linear <= 0.0) {
+    return twist.linear;
+  }
+  const double now = shield.gap({});
+  if (now >= parameters_.slow_gap + parameters_.lookahead) {
+    return parameters_.max_linear;
+  }
+  const double way = stoppingWay(parameters_.max_linear);
+  const double then = std::max(0.0, shield.arcGap({}, twist.angular / twist.linear, way));
+  const double nearness = std::max(0.0, 1.0 - then / parameters_.slow_gap);
+  // Beside a wall that it goes along, the robot comes no nearer to it.
+  const double approach = std::min(1.0, 2.0 * std::max(0.0, now - then) / way);
+  return parameters_.max_linear - nearness * approach * (parameters_.max_linear - parameters_.slow_speed);
+}
+
+double MotionController::yieldingReach(double footprint_radius) const {
+  const double time = parameters_.reaction_time + parameters_.max_linear / parameters_.linear_acceleration;
+  return footprint_radius + stoppingWay(parameters_.max_linear) + parameters_.person_margin +
+         parameters_.person_speed * time + footprint_radius;
+}
+
+double MotionController::yieldingSpeed(const Twist2& twist, const Shield& persons) const {
+  const double gap = persons.arcGap({}, twist.angular / twist.linear, stoppingWay(twist.linear));
+  const double time = (gap - parameters_.person_margin) / parameters_.person_speed;
+  return std::max(0.0, (time - parameters_.reaction_time) * parameters_.linear_acceleration);
+}
+
+double MotionController::yieldingSpeed(const Twist2& twist, const Persons& persons) const {
+  const double beside_resting = std::max(parameters_.person_slow_speed, yieldingSpeed(twist, persons.resting));
+  return std::min(beside_resting, yieldingSpeed(twist, persons.moving));
+}
+
+double MotionController::stoppingWay(double speed) const {
+  return speed * parameters_.reaction_time + speed * speed / (2.0 * parameters_.linear_acceleration);
+}
+
+double MotionController::allowedSpeed(const Twist2& twist, const Twist2& current, const Shield& shield,
+                                      double period) const {
+  const double margin = parameters_.safety_margin;
+  const double acceleration = parameters_.linear_acceleration;
+  const double curvature = twist.angular / twist.linear;
+  const double present = std::max(0.0, current.linear) + kSpeedError;
+  const double slack = 1e-9;  // m
+  // The command may act at once: the present speed, if that is higher, is then braked away along the new arc.
+  const double length = std::max(twist.linear, present) * parameters_.reaction_time +
+                        twist.linear * twist.linear / (2.0 * acceleration);
+  double allowed = twist.linear;
+  double free = shield.freeArc({}, curvature, length, margin);
+  if (free < length - slack) {
+    const double reaction = parameters_.reaction_time;
+    allowed = acceleration * (std::sqrt(reaction * reaction + 2.0 * free / acceleration) - reaction);
+    if (allowed < present) {
+      allowed = std::sqrt(2.0 * acceleration * std::max(0.0, free - present * reaction));
+    }
+  }
+  // Or the robot goes on as it does now until the last moment.
+  const double delay = std::max(0.0, parameters_.reaction_time - period);
+  const double present_curvature = current.angular / present;
+  if (shield.freeArc({}, present_curvature, present * delay, margin) < present * delay - slack) {
+    return 0.0;
+  }
+  const Pose2 later = alongArc({}, present_curvature, present * delay);
+  const double hold = parameters_.reaction_time - delay;
+  const double rest = twist.linear * hold + twist.linear * twist.linear / (2.0 * acceleration);
+  free = shield.freeArc(later, curvature, rest, margin);
+  if (free < rest - slack) {
+    allowed = std::min(allowed, acceleration * (std::sqrt(hold * hold + 2.0 * free / acceleration) - hold));
+  }
+  return allowed;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,31 @@
+#include "lstm_planner/robot/driving/observer.hpp"
+
+namespace lstm_planner {
+
+Observation observe(const Situation& situation, const Point2& goal, double previous_action, double position_cell,
+                    DriveTrace* trace) {
+  Observation observation = observe(situation.sectors, situation.pose, goal, previous_action, position_cell);
+  trace->look(situation.pose, &observation);
+  return observation;
+}
+
+void Observer::begin(const Point2& goal) {
+  guide_.begin(goal);
+  trace_.clear();
+}
+
+void Observer::forget() {
+  guide_.forget();
+  trace_.clear();
+}
+
+Observation Observer::look(const Situation& situation, const Point2& goal, double previous_action) {
+  Observation observation = observe(situation, goal, previous_action, 0.0, &trace_);
+  if (parameters_.memory.enabled && guide_.update(situation) == RouteGuide::Status::kRoute) {
+    observation.route_bearing = guide_.bearingAhead(situation.pose, parameters_.step.length);
+    observation.route_length = guide_.route().length;
+  }
+  return observation;
+}
+
+}  // namespace lstm_planner

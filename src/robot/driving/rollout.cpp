@@ -1,0 +1,153 @@
+#include "lstm_planner/robot/driving/rollout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lstm_planner {
+
+namespace {
+
+/// Makes a plan of straight pieces, all poses looking along it.
+class PlanLine {
+ public:
+  /// Goes on from the plan's last pose.
+  PlanLine(double spacing, std::vector<Pose2>* plan) : spacing_(spacing), plan_(*plan) {}
+
+  /// Appends poses from the end of the plan to `end`; as soon as there are too many, keeps it for finish().
+  void lineTo(const Point2& end) {
+    if (!beyond_.empty()) {
+      beyond_.push_back(end);
+      return;
+    }
+    const Pose2 begin = plan_.back();
+    const double length = distanceBetween(begin, end);
+    if (length <= 0.0) {
+      return;
+    }
+    const double direction = directionTo(begin, end);
+    const double poses = std::max(1.0, std::ceil(length / spacing_));
+    const Point2 step{(end.x - begin.x) / poses, (end.y - begin.y) / poses};
+    const std::size_t first = plan_.size();
+    const std::size_t room = kMostDensePlanPoses - std::min(kMostDensePlanPoses, first);
+    const bool fits = poses <= static_cast<double>(room);
+    const std::size_t count = fits ? static_cast<std::size_t>(poses) : room;
+    plan_.resize(first + count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto steps = static_cast<double>(i + 1);
+      plan_[first + i] = {begin.x + steps * step.x, begin.y + steps * step.y, direction};
+    }
+    if (fits) {
+      plan_.back() = {end.x, end.y, direction};
+    } else {
+      beyond_.push_back(end);
+    }
+  }
+
+  /// Appends the rest, which cuts corners where it must be coarse.
+  void finish() {
+    double length = 0.0;
+    Point2 from{plan_.back().x, plan_.back().y};
+    for (const Point2& corner : beyond_) {
+      length += distanceBetween(from, corner);
+      from = corner;
+    }
+    const auto room = static_cast<double>(kMostPlanPoses - plan_.size());
+    const double gap = length / std::min(room, std::ceil(length / spacing_));
+    from = {plan_.back().x, plan_.back().y};
+    double before = 0.0;  // m from `from` back to the last pose
+    for (const Point2& corner : beyond_) {
+      const double piece = distanceBetween(from, corner);
+      double along = gap - before;
+      for (; along < piece && plan_.size() + 1 < kMostPlanPoses; along += gap) {
+        append({from.x + along / piece * (corner.x - from.x), from.y + along / piece * (corner.y - from.y)});
+      }
+      before = piece - (along - gap);
+      from = corner;
+    }
+    if (!beyond_.empty()) append(beyond_.back());
+  }
+
+ private:
+  void append(const Point2& place) { plan_.push_back({place.x, place.y, directionTo(plan_.back(), place)}); }
+
+  double spacing_;
+  std::vector<Pose2>& plan_;
+  std::vector<Point2> beyond_;  ///< where the pieces end for which there were too many poses
+};
+
+/// The free step from `at` (base frame) that leads most towards the goal; false when there is none.
+bool stepTowards(const Point2& goal, const Shield& shield, const AgentParameters& agent, const ActionSet& actions,
+                 double heading, Point2* at, double* direction) {
+  const double distance = std::min(agent.step.length, distanceBetween(*at, goal));
+  const double bearing = directionTo(*at, goal);
+  const auto isFree = [&](double candidate) {
+    return shield.freeDistance(*at, candidate, distance, agent.shield.clearance) >= distance;
+  };
+  std::pair<double, int> tried{0.0, -1};  // how far aside, and which action; of two as far aside the first comes first
+  double next = bearing;
+  // From the bearing on aside: what is measured costs more than what is compared.
+  while (!isFree(next)) {
+    std::pair<double, int> nearest{M_PI, -1};
+    for (int action = 0; action < actions.size(); ++action) {
+      const std::pair<double, int> candidate{std::abs(normalizeAngle(heading + actions.angle(action) - bearing)),
+                                             action};
+      if (candidate > tried && candidate < nearest) nearest = candidate;
+    }
+    if (nearest.second < 0) return false;
+    tried = nearest;
+    next = heading + actions.angle(nearest.second);
+  }
+  *direction = next;
+  *at = pointAlong(*at, *direction, distance);
+  return true;
+}
+
+/// Whether a direction was decided, and nothing is known of what comes behind the waypoint.
+bool isOneStep(const Decision& decision) {
+  return decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy;
+}
+
+}  // namespace
+
+void rollOut(const Situation& situation, const Decision& decision, const Shield& shield, const Pose2& goal,
+             const AgentParameters& agent, const RolloutParameters& parameters, std::vector<Pose2>* plan) {
+  static const ActionSet actions;
+  plan->clear();
+  plan->push_back(situation.pose);
+  PlanLine line(parameters.spacing, plan);
+  if (decision.source != Decision::Source::kArrived) {
+    line.lineTo(decision.waypoint);
+    for (const Point2& corner : decision.way_on) {
+      line.lineTo(corner);
+    }
+    const Point2 local_goal = toLocalFrame(situation.pose, decision.destination);
+    Point2 at = toLocalFrame(situation.pose, decision.waypoint);
+    double direction = decision.direction - situation.pose.yaw;
+    if (isOneStep(decision) && distanceBetween(at, local_goal) > agent.step.length) {
+      // Straight on for another step: a controller that looks ahead of the waypoint must not turn for the goal before
+      // the leader has decided to.
+      at = pointAlong(at, direction, shield.freeDistance(at, direction, agent.step.length, agent.shield.clearance));
+      line.lineTo(toParentFrame(situation.pose, at));
+    }
+    double left = distanceBetween(at, local_goal);
+    const bool moves = decision.way_on.empty() && decision.source != Decision::Source::kLookAround;
+    for (int step = 0; moves && step < parameters.steps && left > agent.goal_tolerance; ++step) {
+      if (!stepTowards(local_goal, shield, agent, actions, direction, &at, &direction) ||
+          distanceBetween(at, local_goal) > left) {
+        break;  // From here the way to the goal would have to be guessed.
+      }
+      left = distanceBetween(at, local_goal);
+      line.lineTo(toParentFrame(situation.pose, at));
+    }
+  }
+  line.lineTo(decision.destination);
+  line.finish();
+  const Pose2 last{decision.destination.x, decision.destination.y, goal.yaw};
+  if (plan->size() == 1) {
+    plan->push_back(last);
+  }
+  plan->back() = last;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,120 @@
+#include "lstm_planner/robot/evaluation/decision_replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "lstm_planner/base/learning/confusion.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+LaserScan scanOf(const DriveStep& step) {
+  const ScanGeometry& geometry = step.geometry;
+  return {step.stamp,         geometry.angle_min, geometry.angle_increment,
+          geometry.range_min, geometry.range_max, step.ranges};
+}
+
+bool isJump(EpisodeEnd end) { return end == EpisodeEnd::kTimeJump || end == EpisodeEnd::kOdometryJump; }
+
+}  // namespace
+
+DecisionReplay::DecisionReplay(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules)
+    : agent_(std::move(policy), parameters, rules) {}
+
+void DecisionReplay::beginEpisode(const Episode& episode) {
+  const bool goes_on = episode_ && isJump(episode_->end) && sameGoal(episode_->goal, episode.goal);
+  is_new_goal_ = is_new_goal_ || !goes_on;
+  episode_ = episode;
+  ++episodes_;
+}
+
+void DecisionReplay::addStep(const DriveStep& step) {
+  if (step.ranges.empty()) {
+    throw std::invalid_argument("the step at " + std::to_string(step.stamp) +
+                                " s has no scan, without which nothing can be decided");
+  }
+  if (!decisions_.empty() && step.stamp < decisions_.back().stamp) {
+    ++jumps_;  // of the clock; OdometryHistory counts them, too
+  }
+  agent_.look(scanOf(step), step.geometry.mount, step.pose, step.stamp);
+  agent_.drive(step.goal, is_new_goal_, jumps_);
+  is_new_goal_ = false;
+
+  ReplayedDecision replayed;
+  replayed.episode = episodes_ - 1;
+  replayed.stamp = step.stamp;
+  replayed.next_stamp = step.next_stamp;
+  replayed.pose = step.pose;
+  replayed.next_pose = step.next_pose;
+  replayed.goal = {step.goal.x, step.goal.y, episode_ ? episode_->goal.pose.yaw : 0.0};
+  replayed.sectors = agent_.situation().sectors;
+  replayed.decision = agent_.decision();
+  replayed.steering_angle = normalizeAngle(replayed.decision.direction - step.pose.yaw);
+  replayed.action = description().actions.nearest(replayed.steering_angle);
+  replayed.driven_angle = step.driven_angle;
+  replayed.driven_action = description().actions.nearest(step.driven_angle);
+  decisions_.push_back(std::move(replayed));
+}
+
+void DecisionReplay::endEpisode(double, EpisodeEnd end) {
+  if (episode_) {
+    episode_->end = end;
+  }
+  if (end == EpisodeEnd::kOdometryJump) {
+    ++jumps_;
+  }
+}
+
+RecorderParameters replayParameters(const PolicyDescription& description, const AgentParameters& agent,
+                                    const ScanRules& rules) {
+  RecorderParameters parameters;
+  parameters.range_cap = description.encoder.range_cap;
+  parameters.keep_scans = true;
+  parameters.action_angles = description.actions.angles();
+  parameters.agent = agent;
+  parameters.scan_rules = rules;
+  return parameters;
+}
+
+Agreement agreementOf(const std::vector<ReplayedDecision>& decisions) {
+  Agreement agreement;
+  int actions = 0;
+  for (const ReplayedDecision& replayed : decisions) {
+    actions = std::max({actions, replayed.action + 1, replayed.driven_action + 1});
+  }
+  ConfusionMatrix taken = ConfusionMatrix::Zero(actions, actions);
+  for (const ReplayedDecision& replayed : decisions) {
+    ++agreement.decisions;
+    ++taken(replayed.driven_action, replayed.action);
+    agreement.same_action += replayed.action == replayed.driven_action;
+    agreement.mean_difference += std::abs(normalizeAngle(replayed.steering_angle - replayed.driven_angle));
+  }
+  if (agreement.decisions > 0) {
+    agreement.mean_difference /= static_cast<double>(agreement.decisions);
+    agreement.balanced = balancedAccuracy(taken);
+    agreement.majority = accuracyOf(constantAnswer(taken));
+    agreement.majority_balanced = balancedAccuracy(constantAnswer(taken));
+  }
+  return agreement;
+}
+
+void writeDecisions(const std::vector<ReplayedDecision>& decisions, std::ostream* out) {
+  *out << "episode,stamp,source,action,steering_angle,driven_action,driven_angle,preferences\n" << std::fixed;
+  for (const ReplayedDecision& replayed : decisions) {
+    *out << replayed.episode << ',' << std::setprecision(6) << replayed.stamp << ','
+         << toString(replayed.decision.source) << ',' << replayed.decision.action << ',' << std::setprecision(4)
+         << replayed.steering_angle << ',' << replayed.driven_action << ',' << replayed.driven_angle << ',';
+    for (std::size_t i = 0; i < replayed.decision.preferences.size(); ++i) {
+      *out << (i == 0 ? "" : " ") << replayed.decision.preferences[i];
+    }
+    *out << '\n';
+  }
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,230 @@
+#include "lstm_planner/robot/evaluation/drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/robot/driving/closed_loop.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// A simulated robot that a controller leads along the agent's plans.
+class ControlledRobot : public LoopRobot {
+ public:
+  ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters)
+      : robot_(*robot), parameters_(parameters), controller_(parameters.motion), moving_(parameters.motion.moving) {
+    const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry begins at the start
+    goal_ = {goal.x, goal.y, 0.0};
+  }
+
+  const Pose2& goal() const { return goal_; }  ///< odometry frame
+
+  void sense(double range_cap, Situation* situation) override { robot_.sense(range_cap, situation); }
+
+  bool hasArrived(const Situation& situation, const Decision& decision) const override {
+    return controller_.goalReached(situation.pose, {decision.destination.x, decision.destination.y, 0.0});
+  }
+
+  void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) override {
+    if (tick_++ % parameters_.plan_every == 0) {
+      rollOut(situation, decision, agent.shield(), goal_, agent.parameters(), parameters_.rollout, &plan_);
+    }
+    moving_.show(situation.profile, situation.pose, situation.time);
+    robot_.command(controller_.compute(plan_, situation.pose, robot_.measuredTwist(), agent.shield(),
+                                       parameters_.control_period, moving_.points(), moving_.resting()));
+    robot_.advance(parameters_.control_period);
+  }
+
+ private:
+  SimulatedRobot& robot_;
+  const DriveParameters& parameters_;
+  MotionController controller_;
+  MovingReturns moving_;
+  Pose2 goal_;
+  std::vector<Pose2> plan_;
+  int tick_ = 0;
+};
+
+/// One drive as it goes on, and what is noted of it.
+class Run {
+ public:
+  Run(SimulatedRobot* robot, const Crowd* crowd, const DriveTask& task, const DriveParameters& parameters,
+      NavigationAgent* agent)
+      : robot_(*robot),
+        controlled_(robot, task, parameters),
+        crowd_(crowd),
+        task_(task),
+        parameters_(parameters),
+        agent_(*agent) {
+    result_.shortest = task.shortest;
+    if (crowd != nullptr) result_.walker_traces.resize(crowd->walkers().size());
+  }
+
+  DriveResult run() {
+    const Pose2& goal = controlled_.goal();
+    ClosedLoop loop(&controlled_, &agent_);
+    const ClosedLoop::End end = loop.run(
+        {goal.x, goal.y}, [this] { return goesOn(); }, [this](const Decision& decision) { note(decision); });
+    result_.end = judge(end);
+    result_.contacts = robot_.contacts();
+    result_.bumped = robot_.bumped();
+    result_.bumped_moving = robot_.bumpedMoving();
+    result_.time = robot_.time();
+    result_.path_length = robot_.pathLength();
+    result_.goal_error = distanceBetween(robot_.truePose(), task_.goal);
+    return std::move(result_);
+  }
+
+ private:
+  bool isAtGoal(double radius) const { return distanceBetween(robot_.truePose(), task_.goal) <= radius; }
+  bool refereeSaysArrived() const {
+    return parameters_.arrival == Arrival::kTruePosition && isAtGoal(parameters_.goal_radius);
+  }
+
+  bool goesOn() {
+    if (robot_.contacts() > contacts_seen_) {
+      contacts_seen_ = robot_.contacts();
+      result_.contact_places.push_back({robot_.truePose().x, robot_.truePose().y});
+    }
+    return robot_.time() < parameters_.time_limit && !refereeSaysArrived();
+  }
+
+  DriveResult::End judge(ClosedLoop::End end) const {
+    switch (end) {
+      case ClosedLoop::End::kNoWay:
+        return DriveResult::End::kNoWay;
+      case ClosedLoop::End::kArrived:
+        return isAtGoal(allowedRadius()) ? DriveResult::End::kReached : DriveResult::End::kElsewhere;
+      case ClosedLoop::End::kStopped:
+        break;
+    }
+    const bool in_time = robot_.time() < parameters_.time_limit;
+    return in_time && refereeSaysArrived() ? DriveResult::End::kReached : DriveResult::End::kTimeout;
+  }
+
+  double allowedRadius() const {
+    if (parameters_.arrival == Arrival::kTruePosition) return parameters_.goal_radius;
+    const double beside = distanceBetween(agent_.decision().destination, controlled_.goal());
+    double error = parameters_.robot.base.odometry_error * robot_.pathLength();
+    if (robot_.contacts() == 0) {
+      const Point2 believed = toParentFrame(task_.start, {robot_.odometry().x, robot_.odometry().y});
+      error = std::max(error, distanceBetween(robot_.truePose(), believed));
+    }
+    return parameters_.goal_radius + error + std::min(beside, error);
+  }
+
+  void note(const Decision& decision) {
+    if (decision.step != result_.steps) {
+      ++result_.steps_by.at(static_cast<std::size_t>(decision.source));
+      result_.overruled_steps += decision.isOverruled() ? 1 : 0;
+    }
+    result_.steps = decision.step;
+    result_.trace.push_back(robot_.truePose());
+    result_.led.push_back(decision.source);
+    for (std::size_t i = 0; i < result_.walker_traces.size(); ++i) {
+      result_.walker_traces[i].push_back(crowd_->walkers()[i].body.center);
+    }
+  }
+
+  SimulatedRobot& robot_;
+  ControlledRobot controlled_;
+  const Crowd* crowd_;
+  const DriveTask& task_;
+  const DriveParameters& parameters_;
+  NavigationAgent& agent_;
+  DriveResult result_;
+  int contacts_seen_ = 0;
+};
+
+/// `count`: the steps of a drive that are meant.
+template <typename Count>
+double shareOfSteps(const std::vector<DriveResult>& results, const Count& count) {
+  long meant = 0;
+  long all = 0;
+  for (const DriveResult& result : results) {
+    meant += count(result);
+    all += result.steps;
+  }
+  return all > 0 ? static_cast<double>(meant) / static_cast<double>(all) : 0.0;
+}
+
+void validate(const DriveParameters& parameters) {
+  checkRange("control_period", parameters.control_period, 0.001, 10.0);
+  checkRange("plan_every", parameters.plan_every, 0.001, 100.0);
+  visitRolloutNumbers(parameters.rollout, RangeCheck());
+  checkRange("goal_radius", parameters.goal_radius, 0.001, 100.0);
+}
+
+}  // namespace
+
+double shareOf(Decision::Source source, const std::vector<DriveResult>& results) {
+  return shareOfSteps(
+      results, [source](const DriveResult& result) { return result.steps_by[static_cast<std::size_t>(source)]; });
+}
+
+double overruledShare(const std::vector<DriveResult>& results) {
+  return shareOfSteps(results, [](const DriveResult& result) { return result.overruled_steps; });
+}
+
+DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
+                  NavigationAgent* agent) {
+  validate(parameters);
+  SimulatedRobot robot(world, parameters.robot, task.start, seed);
+  return Run(&robot, nullptr, task, parameters, agent).run();
+}
+
+DriveResult drive(Crowd* crowd, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
+                  NavigationAgent* agent) {
+  validate(parameters);
+  SimulatedRobot robot(crowd, parameters.robot, task.start, seed);
+  return Run(&robot, crowd, task, parameters, agent).run();
+}
+
+DriveSummary summarize(const std::vector<DriveResult>& results) {
+  DriveSummary summary;
+  std::vector<double> ratios;
+  double time = 0.0;
+  for (const DriveResult& result : results) {
+    ++summary.goals;
+    summary.contacts += result.contacts;
+    summary.bumped += result.bumped;
+    summary.bumped_moving += result.bumped_moving;
+    switch (result.end) {
+      case DriveResult::End::kReached:
+        ++summary.reached;
+        time += result.time;
+        summary.mean_goal_error += result.goal_error;
+        if (result.shortest > 0.0) {
+          ratios.push_back(result.path_length / result.shortest);
+        }
+        break;
+      case DriveResult::End::kTimeout:
+        ++summary.timeouts;
+        break;
+      case DriveResult::End::kNoWay:
+        ++summary.no_way;
+        break;
+      case DriveResult::End::kElsewhere:
+        ++summary.elsewhere;
+        break;
+    }
+  }
+  if (summary.reached > 0) {
+    summary.mean_time = time / summary.reached;
+    summary.mean_goal_error /= summary.reached;
+  }
+  if (!ratios.empty()) {
+    std::sort(ratios.begin(), ratios.end());
+    for (const double ratio : ratios) {
+      summary.mean_ratio += ratio / static_cast<double>(ratios.size());
+    }
+    const auto rank = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(ratios.size())));
+    summary.p95_ratio = ratios[rank - 1];
+  }
+  return summary;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,54 @@
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/robot/evaluation/drive.hpp"
+#include "robot/evaluation/shortest_way.hpp"
+
+namespace lstm_planner {
+
+std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footprint_radius, double clearance,
+                                 double shortest, std::uint64_t seed) {
+  const OccupancyGrid& grid = world.grid();
+  // Distances are between centres of cells, the obstacle begins half a cell before.
+  const double needed = footprint_radius + clearance + 0.5 * grid.resolution();
+  const DistanceField distances(grid, true);
+  std::vector<CellIndex> standing;
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      if (grid.at({column, row}) == Cell::kFree && distances.at({column, row}) >= needed) {
+        standing.push_back({column, row});
+      }
+    }
+  }
+  if (standing.empty()) {
+    throw std::invalid_argument("the map has no place for a disc of radius " + std::to_string(needed) + " m");
+  }
+  Random random(seed);
+  std::vector<DriveTask> tasks;
+  GeodesicField::Options options;
+  options.clearance = needed;
+  // Where only few pairs of places are far enough apart, one takes some hundred draws.
+  const int most_draws = 1000 + 100 * count;
+  for (int draws = 0; static_cast<int>(tasks.size()) < count; ++draws) {
+    if (draws > most_draws) {
+      throw std::invalid_argument("the map has no two places at least " + std::to_string(shortest) +
+                                  " m apart that can be reached from one another");
+    }
+    const CellIndex goal = standing[uniformIndex(random, standing.size())];
+    const CellIndex start = standing[uniformIndex(random, standing.size())];
+    const double yaw = (2.0 * uniform(random) - 1.0) * M_PI;
+    const GeodesicField to_goal(grid, distances, goal, options);
+    if (!std::isfinite(to_goal.at(start)) || to_goal.at(start) < shortest) continue;
+    const double length = shortestWay(distances, to_goal, grid, start, goal, needed);
+    if (length >= shortest) {
+      const Point2 from = grid.centerOf(start);
+      tasks.push_back({{from.x, from.y, yaw}, grid.centerOf(goal), length});
+    }
+  }
+  return tasks;
+}
+
+}  // namespace lstm_planner

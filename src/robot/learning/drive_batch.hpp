@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "robot/learning/drive_tile.hpp"
+
+namespace lstm_planner {
+
+/// Drives side by side in tiles of lanes, gone through window by window: what an update learns from. Where ranks share
+/// it, each has to ask for the same.
+class DriveBatch {
+ public:
+  /// All must outlive the batch.
+  DriveBatch(const DriveActorCriticParameters& parameters, const LayerStack& policy, const LayerStack& critic,
+             const std::vector<PracticeEpisode>& episodes);
+
+  /// Works out advantages and returns, and moves the variances towards the advantages'.
+  void judge(const Eigen::VectorXf& critic_parameters, std::vector<double>* advantage_variances);
+
+  /// To before the first window, with zero hidden state.
+  void rewind();
+  /// To the next window; false when there is none.
+  bool next() { return ++window_ < windows_; }
+
+  /// Gradients of the errors, summed over the window; both return over how many steps. Once a window each.
+  double policyGradient(const Eigen::VectorXf& parameters, const DriveBatchWeights& weights, Eigen::VectorXf* gradient);
+  double criticGradient(const Eigen::VectorXf& parameters, Eigen::VectorXf* gradient);
+
+  double entropy();                                ///< mean so far, nat
+  double explained() const { return explained_; }  ///< share of the returns' variance, by the critic before learning
+
+ private:
+  DriveTiles<DriveTile> tiles_;
+  int windows_ = 0;
+  int window_ = -1;
+  double explained_ = 0.0;
+};
+
+}  // namespace lstm_planner

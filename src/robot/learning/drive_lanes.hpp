@@ -1,0 +1,183 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "lstm_planner/base/common/communicator.hpp"
+#include "lstm_planner/base/common/parallel_for.hpp"
+#include "robot/learning/drive_practice.hpp"
+
+namespace lstm_planner {
+
+/// A step of a drive that lies in a lane. A way of learning adds what it thinks of the step.
+struct DrivePlace {
+  const PracticeEpisode* episode = nullptr;  ///< null where the lane has no more drives
+  std::size_t step = 0;
+};
+
+/// What was recorded there, of an encoder with so many inputs: these, then the privileged ones. Null where there is no
+/// drive.
+inline const float* inputsOf(const DrivePlace& place, int inputs) {
+  const auto all = static_cast<std::size_t>(inputs + kDrivePrivilegedInputs);
+  return place.episode ? place.episode->inputs.data() + place.step * all : nullptr;
+}
+
+/// Lanes of drives, one drive behind the other in each, gone through window by window. `Slot` is a DrivePlace.
+template <typename Slot>
+class DriveLanes {
+ public:
+  /// `lanes`: how many. `window`: steps. `inputs`: of the encoder.
+  DriveLanes(int lanes, int window, int inputs)
+      : window_(window), inputs_(inputs), lanes_(static_cast<std::size_t>(lanes)) {}
+
+  int count() const { return static_cast<int>(lanes_.size()); }
+
+  /// The shortest lane so far, and its length in steps.
+  std::size_t shortestLane() const {
+    const auto shorter = [](const auto& a, const auto& b) { return a.size() < b.size(); };
+    return static_cast<std::size_t>(std::min_element(lanes_.begin(), lanes_.end(), shorter) - lanes_.begin());
+  }
+  std::size_t lengthOf(std::size_t lane) const { return lanes_[lane].size(); }
+  std::size_t longest() const {
+    std::size_t longest = 0;
+    for (const auto& lane : lanes_) longest = std::max(longest, lane.size());
+    return longest;
+  }
+
+  void append(std::size_t lane, const PracticeEpisode& episode) {
+    for (std::size_t step = 0; step < episode.steps.size(); ++step) {
+      Slot slot;
+      slot.episode = &episode;
+      slot.step = step;
+      lanes_[lane].push_back(slot);
+    }
+  }
+
+  /// All drives are there; fills up the lanes to so many windows.
+  void close(int windows) {
+    windows_ = windows;
+    for (auto& lane : lanes_) lane.resize(static_cast<std::size_t>(steps()));
+  }
+
+  int window() const { return window_; }
+  int windows() const { return windows_; }
+  int steps() const { return windows_ * window_; }  ///< of each lane, once closed
+  Slot& at(int time, int lane) { return lanes_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(time)]; }
+
+  /// A slot's inputs into those of a network: the first `count` of what was recorded, `stride` apart.
+  void fillInputs(const Slot& slot, int count, float* input, int stride) const {
+    const float* values = inputsOf(slot, inputs_);
+    for (int row = 0; row < count; ++row) input[row * stride] = values ? values[row] : 0.0f;
+  }
+
+ private:
+  int window_;
+  int inputs_;
+  int windows_ = 0;
+  std::vector<std::vector<Slot>> lanes_;
+};
+
+/// The numbers that a sum consists of: what ranks exchange.
+inline std::vector<double*> numbersOf(double* sum) { return {sum}; }
+
+/// Tiles, each with its lanes(): shared among ranks and threads, and their results added up in order, the same for any
+/// number of them. Every rank packs all drives, and has to call each() and addUp() as the others do.
+template <typename Tile>
+class DriveTiles {
+ public:
+  /// Of drives, in all tiles together.
+  static constexpr int kLanes = 128;
+
+  /// `make` makes a tile; all have the same number of lanes.
+  template <typename Make>
+  DriveTiles(Communicator* ranks, int threads, const Make& make) : ranks_(*ranks), threads_(threads) {
+    do {
+      tiles_.push_back(make());
+    } while (static_cast<int>(tiles_.size()) * tiles_.front()->lanes().count() < kLanes);
+  }
+
+  /// Each drive, which must outlive the tiles, to the lane that is shortest so far. Returns how many windows all have.
+  int pack(const std::vector<PracticeEpisode>& episodes) {
+    for (const PracticeEpisode& episode : episodes) {
+      Tile* shortest = nullptr;
+      std::size_t lane = 0;
+      for (const auto& tile : tiles_) {
+        const std::size_t own = tile->lanes().shortestLane();
+        if (shortest != nullptr && tile->lanes().lengthOf(own) >= shortest->lanes().lengthOf(lane)) continue;
+        shortest = tile.get();
+        lane = own;
+      }
+      shortest->lanes().append(lane, episode);
+    }
+    std::size_t longest = 0;
+    for (const auto& tile : tiles_) longest = std::max(longest, tile->lanes().longest());
+    const int window = tiles_.front()->lanes().window();
+    const int windows = (static_cast<int>(longest) + window - 1) / window;
+    for (const auto& tile : tiles_) tile->lanes().close(windows);
+    return windows;
+  }
+
+  /// What `work` says of each tile, in the order of the tiles. `zero`: of a tile with nothing in it.
+  template <typename Sum, typename Work>
+  std::vector<Sum> each(const Sum& zero, const Work& work) {
+    std::vector<Sum> all(tiles_.size(), zero);
+    const Share own = ownTiles();
+    parallelFor(own.count(), threads_, [&](int tile, int) {
+      const auto i = static_cast<std::size_t>(own.first + tile);
+      all[i] = work(tiles_[i].get());
+    });
+    exchange(&all);
+    return all;
+  }
+
+  /// Adds up the gradients, of `size` numbers, that `work` leaves in the tiles, and the steps that it says they are
+  /// over.
+  template <typename Work>
+  double addUp(Eigen::Index size, const Work& work, Eigen::VectorXf* gradient) {
+    const std::vector<double> counts = each(0.0, work);
+    gradients_.resize(size, static_cast<Eigen::Index>(tiles_.size()));
+    const Share own = ownTiles();
+    for (int tile = own.first; tile < own.last; ++tile) {
+      gradients_.col(tile) = tiles_[static_cast<std::size_t>(tile)]->gradient();
+    }
+    exchangeShares(&ranks_, static_cast<int>(tiles_.size()), static_cast<std::size_t>(size), gradients_.data());
+    double count = 0.0;
+    *gradient = gradients_.col(0);
+    for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
+      count += counts[tile];
+      if (tile > 0) *gradient += gradients_.col(static_cast<Eigen::Index>(tile));
+    }
+    return count;
+  }
+
+  auto begin() const { return tiles_.begin(); }
+  auto end() const { return tiles_.end(); }
+
+ private:
+  Share ownTiles() const { return shareOf(static_cast<int>(tiles_.size()), ranks_.rank(), ranks_.size()); }
+
+  template <typename Sum>
+  void exchange(std::vector<Sum>* all) {
+    if (ranks_.size() == 1) return;
+    const std::size_t width = numbersOf(&all->front()).size();
+    std::vector<double> numbers;
+    for (Sum& sum : *all) {
+      for (const double* number : numbersOf(&sum)) numbers.push_back(*number);
+    }
+    exchangeShares(&ranks_, static_cast<int>(all->size()), width, numbers.data());
+    const double* next = numbers.data();
+    for (Sum& sum : *all) {
+      for (double* number : numbersOf(&sum)) *number = *next++;
+    }
+  }
+
+  Communicator& ranks_;
+  int threads_;
+  std::vector<std::unique_ptr<Tile>> tiles_;
+  Eigen::MatrixXf gradients_;  ///< a column a tile
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,239 @@
+#include "robot/learning/drive_practice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "lstm_planner/base/common/parallel_for.hpp"
+#include "lstm_planner/robot/learning/step_drive.hpp"
+#include "robot/learning/practice_exchange.hpp"
+
+namespace lstm_planner {
+namespace {
+
+/// m of way counted at the most, also where no way is known.
+constexpr double kLongestWay = 100.0;
+
+AgentParameters drawAgent(const PolicyDescription& policy, Random& random) {
+  AgentParameters agent = practiceAgent(policy);
+  agent.step.length = policy.step_length * uniform(random, 0.75, 1.25);
+  return agent;
+}
+
+/// Records a drive and chooses its actions; the agent's step listener.
+class Practice {
+ public:
+  Practice(const PracticeRules& rules, const DriveExercise& exercise, const DriveTask& task, const StepDrive& drive,
+           const NavigationAgent& agent, std::uint64_t seed)
+      : rules_(rules),
+        exercise_(exercise),
+        task_(task),
+        drive_(drive),
+        agent_(agent),
+        encoder_(agent.policy().description().encoder),
+        random_(seed) {
+    episode_.kind = exercise.kind;
+    wayLeft();
+  }
+
+  std::optional<int> step(const Observation& observation) {
+    const double left = wayLeft();
+    finishStep(left);
+    outcome_.before = observation;
+    look(observation, left);
+    episode_.steps.emplace_back();
+    return draw() ? std::optional<int>(episode_.steps.back().action) : std::nullopt;
+  }
+
+  PracticeEpisode finish(bool arrived) {
+    finishStep(arrived ? 0.0 : wayLeft());
+    episode_.arrived = arrived;
+    if (arrived && !episode_.steps.empty()) {
+      episode_.steps.back().reward += static_cast<float>(rules_.arrival_bonus);
+    }
+    return std::move(episode_);
+  }
+
+ private:
+  /// The last that was known where the teacher knows no way, in a corner too narrow for it: to come there and to leave
+  /// again is neither punished nor paid.
+  double wayLeft() {
+    const double left = exercise_.teacher->distanceToGo({drive_.truePose().x, drive_.truePose().y});
+    if (std::isfinite(left)) left_known_ = std::min(kLongestWay, left);
+    return left_known_;
+  }
+
+  /// What became of the step before: its reward, and whether its action was carried out.
+  void finishStep(double left) {
+    if (!episode_.steps.empty()) {
+      PracticeEpisode::Step& last = episode_.steps.back();
+      outcome_.approach = left_before_ - left;
+      outcome_.contacts = drive_.contacts() - contacts_before_;
+      last.reward = static_cast<float>(rules_.reward(outcome_));
+      const Decision& decision = agent_.decision();
+      last.chosen = last.chosen && decision.source == Decision::Source::kNetwork && decision.action == last.action;
+    }
+    left_before_ = left;
+    contacts_before_ = drive_.contacts();
+  }
+
+  void look(const Observation& observation, double left) {
+    const auto own = static_cast<std::size_t>(encoder_.size());
+    const std::size_t first = episode_.inputs.size();
+    episode_.inputs.resize(first + own + kDrivePrivilegedInputs);
+    encoder_.encode(observation, Eigen::Map<Eigen::VectorXf>(episode_.inputs.data() + first, encoder_.size()));
+    if (encoder_.parameters().views != 1) episode_.bearings.push_back(bearingsOf(observation));
+    float* more = episode_.inputs.data() + first + own;
+    const Pose2& pose = drive_.truePose();
+    double direction = pose.yaw;
+    exercise_.teacher->direction({pose.x, pose.y}, &direction);
+    const double straight = std::max(0.1, distanceBetween(pose, task_.goal));
+    more[0] = static_cast<float>(std::log2(left + 1.0) / 4.0);
+    more[1] = static_cast<float>(1.0 - std::pow(rules_.discount, left / 0.15));
+    more[2] = static_cast<float>(std::log2(std::max(1.0, left / straight)) / 3.0);
+    more[3] = static_cast<float>(std::sin(direction - pose.yaw));
+    more[4] = static_cast<float>(std::cos(direction - pose.yaw));
+  }
+
+  /// Draws the action of the step; false when the shield allows none.
+  bool draw() {
+    const std::vector<char> allowed = allowedActions();
+    episode_.allowed.insert(episode_.allowed.end(), allowed.begin(), allowed.end());
+    const std::size_t first = episode_.probabilities.size();
+    episode_.probabilities.resize(first + allowed.size(), 0.0f);
+    float* probabilities = episode_.probabilities.data() + first;
+    rules_.chances(agent_.decision().preferences, allowed, probabilities);
+    const float total = std::accumulate(probabilities, probabilities + allowed.size(), 0.0f);
+    if (!(total > 0.0f)) return false;
+    float number = static_cast<float>(uniform(random_)) * total;
+    PracticeEpisode::Step& step = episode_.steps.back();
+    for (std::size_t i = 0; i < allowed.size(); ++i) {
+      if (probabilities[i] > 0.0f && (number >= 0.0f || !step.chosen)) {
+        step.action = static_cast<int>(i);
+        step.chosen = true;
+      }
+      number -= probabilities[i];
+      probabilities[i] /= total;
+    }
+    return true;
+  }
+
+  /// As the agent will allow them.
+  std::vector<char> allowedActions() const {
+    const ActionSet& actions = agent_.policy().description().actions;
+    const AgentParameters& agent = agent_.parameters();
+    std::vector<char> allowed(static_cast<std::size_t>(actions.size()));
+    for (const double clearance : {agent.shield.clearance, agent.shield.tight_clearance}) {
+      for (int action = 0; action < actions.size(); ++action) {
+        const double free = agent_.shield().freeDistance({}, actions.angle(action), agent.step.length, clearance);
+        if (free >= agent.shield.shortest_step) allowed[static_cast<std::size_t>(action)] = true;
+      }
+      if (std::find(allowed.begin(), allowed.end(), true) != allowed.end()) break;
+    }
+    return allowed;
+  }
+
+  const PracticeRules& rules_;
+  const DriveExercise& exercise_;
+  const DriveTask& task_;
+  const StepDrive& drive_;
+  const NavigationAgent& agent_;
+  Encoder encoder_;
+  Random random_;
+  PracticeEpisode episode_;
+  double left_known_ = kLongestWay;
+  PracticeOutcome outcome_;  ///< of the step that is being made
+  double left_before_ = 0.0;
+  int contacts_before_ = 0;
+};
+
+/// One drive.
+PracticeEpisode practise(const PracticeRules& rules, const LayerStack& layers, const DriveExercise& exercise,
+                         const DriveTask& task, std::uint64_t seed) {
+  Random random(seed);
+  const StepDriveConditions conditions = drawConditions(random);
+  PolicyDescription description = rules.policy;
+  const AgentParameters agent_parameters = drawAgent(description, random);
+  description.step_length = agent_parameters.step.length;
+  NavigationAgent agent(DrivePolicy(description, layers), agent_parameters);
+  StepDrive drive(*exercise.world, task, conditions, description.footprint_radius, random());
+  Practice practice(rules, exercise, task, drive, agent, random());
+  agent.setStepListener(
+      [&practice](const Situation&, const Observation& observation) { return practice.step(observation); });
+  const DriveResult::End end = drive.run(rules.max_steps, &agent);
+  return practice.finish(end == DriveResult::End::kReached);
+}
+
+}  // namespace
+
+void preferredChances(const std::vector<float>& preferences, const std::vector<char>& allowed, float* chances) {
+  float largest = -1e30f;
+  for (std::size_t i = 0; i < allowed.size(); ++i) {
+    if (allowed[i]) largest = std::max(largest, preferences[i]);
+  }
+  for (std::size_t i = 0; i < allowed.size(); ++i) {
+    chances[i] = allowed[i] ? std::exp(preferences[i] - largest) : 0.0f;
+  }
+}
+
+ActionChances epsilonGreedyChances(double epsilon) {
+  return [epsilon](const std::vector<float>& preferences, const std::vector<char>& allowed, float* chances) {
+    std::size_t best = allowed.size();
+    for (std::size_t i = 0; i < allowed.size(); ++i) {
+      if (allowed[i] && (best == allowed.size() || preferences[i] > preferences[best])) best = i;
+    }
+    if (best == allowed.size()) return;
+    const auto count = static_cast<double>(std::count(allowed.begin(), allowed.end(), true));
+    for (std::size_t i = 0; i < allowed.size(); ++i) {
+      const double chance = epsilon / count + (i == best ? 1.0 - epsilon : 0.0);
+      chances[i] = allowed[i] ? static_cast<float>(chance) : 0.0f;
+    }
+  };
+}
+
+PracticeReward progressReward(double step_cost, double contact_cost) {
+  return [step_cost, contact_cost](const PracticeOutcome& outcome) {
+    return outcome.approach - step_cost - contact_cost * outcome.contacts;
+  };
+}
+
+std::vector<PracticeEpisode> practise(const PracticeRules& rules, const LayerStack& layers, int iteration) {
+  const Share own = shareOf(rules.worlds, rules.communicator->rank(), rules.communicator->size());
+  std::vector<std::vector<PracticeEpisode>> by_world(static_cast<std::size_t>(own.count()));
+  parallelFor(own.count(), rules.threads, [&](int world, int) {
+    const int number = iteration * rules.worlds + own.first + world;
+    Random seeds(rules.seed * 1000003ULL + static_cast<std::uint64_t>(number));
+    for (const DriveExercise& exercise :
+         makeDriveExercises(rules.course, WorldUse::kTraining, rules.seed, number, rules.goals, rules.starts)) {
+      for (const DriveTask& task : exercise.tasks) {
+        by_world[static_cast<std::size_t>(world)].push_back(practise(rules, layers, exercise, task, seeds()));
+      }
+    }
+  });
+  std::vector<PracticeEpisode> episodes;
+  for (std::vector<PracticeEpisode>& some : by_world) {
+    for (PracticeEpisode& episode : some) {
+      if (!episode.steps.empty()) episodes.push_back(std::move(episode));
+    }
+  }
+  episodes = exchangeEpisodes(rules.communicator, std::move(episodes));
+  if (episodes.empty()) throw std::runtime_error("no drive of the iteration had a step to learn from");
+  return episodes;
+}
+
+PracticeSums sumUp(const std::vector<PracticeEpisode>& episodes) {
+  PracticeSums sums;
+  for (const PracticeEpisode& episode : episodes) {
+    sums.steps += static_cast<double>(episode.steps.size());
+    for (const PracticeEpisode::Step& step : episode.steps) sums.reward += static_cast<double>(step.reward);
+    sums.arrival += episode.arrived ? 1.0 : 0.0;
+  }
+  sums.reward /= static_cast<double>(episodes.size());
+  sums.arrival /= static_cast<double>(episodes.size());
+  return sums;
+}
+
+}  // namespace lstm_planner

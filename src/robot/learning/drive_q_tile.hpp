@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "lstm_planner/base/learning/lane_network.hpp"
+#include "lstm_planner/base/learning/q_learning_targets.hpp"
+#include "lstm_planner/robot/learning/drive_q_learning.hpp"
+#include "robot/learning/drive_lanes.hpp"
+#include "robot/learning/drive_views.hpp"
+
+namespace lstm_planner {
+
+/// A step of a drive, and what its action should have been worth.
+struct DriveQSlot : DrivePlace {
+  bool learns = false;  ///< the action was chosen, and it is known what came of it
+  double target = 0.0;
+};
+
+/// What is added up over the steps that are learned from.
+struct DriveQSums {
+  double steps = 0.0, value = 0.0, squared_error = 0.0;
+  void operator+=(const DriveQSums& other);
+};
+std::vector<double*> numbersOf(DriveQSums* sums);
+
+/// Some lanes of drives, gone through window by window: what one thread works on.
+class DriveQTile {
+ public:
+  /// All must outlive the tile.
+  DriveQTile(const DriveQLearningParameters& parameters, const LayerStack& layers);
+
+  DriveLanes<DriveQSlot>& lanes() { return lanes_; }
+
+  /// Works out the targets of all steps. The next window is the first, with zero hidden state.
+  DriveQSums judge(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights);
+
+  /// Gradient of the errors, summed over a window; returns over how many steps. The windows in their order.
+  double valueGradient(int window, const Eigen::VectorXf& weights);
+  const Eigen::VectorXf& gradient() const { return gradient_; }
+
+ private:
+  void rewind();
+  void look(int time, int step);
+  int bestAction(const DriveQSlot& slot, int lane, const float* outputs) const;
+  void valueStep(int time, int lane, const float* outputs, const float* target_outputs);
+  void judgeLane(int lane, DriveQSums* sums);
+
+  const DriveQLearningParameters& parameters_;
+  int actions_;
+  DriveViews views_;
+  DriveLanes<DriveQSlot> lanes_;
+  LaneNetwork network_;
+  LaneNetwork target_network_;                   ///< one step long: nothing goes back through it
+  std::vector<std::vector<QTransition>> steps_;  ///< of each lane; one more, of which only the value would count
+  Eigen::VectorXf gradient_;
+};
+
+}  // namespace lstm_planner

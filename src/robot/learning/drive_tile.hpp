@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "lstm_planner/base/learning/lane_network.hpp"
+#include "lstm_planner/robot/learning/drive_actor_critic.hpp"
+#include "robot/learning/drive_lanes.hpp"
+#include "robot/learning/drive_views.hpp"
+
+namespace lstm_planner {
+
+/// How much the parts of the error weigh.
+struct DriveBatchWeights {
+  double entropy = 0.0;
+  double imitation = 0.0;                   ///< of a recorded step of weight 1
+  std::vector<double> advantage_variances;  ///< by kind of world
+};
+
+/// A step of a drive, and what is thought of it.
+struct DriveSlot : DrivePlace {
+  float value = 0.0f;
+  float advantage = 0.0f;
+};
+
+/// What is added up over the steps of a tile.
+struct DriveTileSums {
+  explicit DriveTileSums(std::size_t kinds) : squares(kinds), counts(kinds) {}
+  std::vector<double> squares, counts;  ///< of the advantages, by kind of world
+  double steps = 0.0, returns = 0.0, squared_returns = 0.0, squared_errors = 0.0;
+};
+std::vector<double*> numbersOf(DriveTileSums* sums);
+
+/// How undecided the policy was.
+struct DriveTileEntropy {
+  double sum = 0.0;  ///< nat
+  double steps = 0.0;
+};
+inline std::vector<double*> numbersOf(DriveTileEntropy* entropy) { return {&entropy->sum, &entropy->steps}; }
+
+/// Some lanes of drives, gone through window by window: what one thread works on.
+class DriveTile {
+ public:
+  /// All must outlive the tile.
+  DriveTile(const DriveActorCriticParameters& parameters, const LayerStack& policy, const LayerStack& critic);
+
+  DriveLanes<DriveSlot>& lanes() { return lanes_; }
+
+  /// Works out values, advantages and returns.
+  DriveTileSums judge(const Eigen::VectorXf& critic_parameters);
+
+  /// To before the first window, with zero hidden state.
+  void rewind();
+
+  /// Gradients of the errors, summed over a window; both return over how many steps. The windows in their order.
+  double policyGradient(int window, const Eigen::VectorXf& parameters, const DriveBatchWeights& weights);
+  double criticGradient(int window, const Eigen::VectorXf& parameters);
+  const Eigen::VectorXf& gradient() const { return gradient_; }
+
+  const DriveTileEntropy& entropy() const { return entropy_; }
+
+ private:
+  const float* criticValues(int window, const Eigen::VectorXf& parameters);
+  void judgeLane(int lane, DriveTileSums* sums);
+  std::vector<double> probabilitiesOf(const DriveSlot& slot, int time, int lane) const;
+  void fillImitationGradient(const DriveSlot& slot, int time, int lane, double weight);
+  void fillPolicyGradient(const DriveSlot& slot, int time, int lane, const DriveBatchWeights& weights);
+
+  const DriveActorCriticParameters& parameters_;
+  int actions_;
+  int policy_inputs_;
+  DriveViews views_;
+  DriveLanes<DriveSlot> lanes_;
+  LaneNetwork policy_;
+  LaneNetwork critic_;
+  Eigen::VectorXf gradient_;
+  DriveTileEntropy entropy_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,36 @@
+#include "robot/learning/drive_views.hpp"
+
+namespace lstm_planner {
+
+DriveViews::DriveViews(const PolicyDescription& policy)
+    : views_(policy.encoder.views),
+      encoder_(policy.encoder),
+      action_views_(views_ == 1 ? std::vector<int>() : viewsOf(policy.actions)) {}
+
+void DriveViews::forget(int step, int lane, LaneNetwork* network) const {
+  for (int view = 0; view < views_; ++view) network->forget(step, lane * views_ + view);
+}
+
+void DriveViews::fillInputs(const DrivePlace& place, int lane, float* rows) const {
+  const int stride = networkLanes();
+  float* first = rows + lane * views_;
+  const float* ahead = inputsOf(place, encoder_.size());
+  if (views_ == 1 || !ahead) {
+    for (int row = 0; row < encoder_.size(); ++row) {
+      for (int view = 0; view < views_; ++view) first[row * stride + view] = ahead ? ahead[row] : 0.0f;
+    }
+    return;
+  }
+  const ViewBearings& bearings = place.episode->bearings[place.step];
+  for (int view = 0; view < views_; ++view) {
+    encoder_.turn(ahead, bearings, view, first + (bearings.ahead + view) % views_, stride);
+  }
+}
+
+int DriveViews::outputAt(const DrivePlace& place, int lane, int action) const {
+  if (views_ == 1) return action * networkLanes() + lane;
+  const int ahead = place.episode->bearings[place.step].ahead;
+  return lane * views_ + (ahead + action_views_[static_cast<std::size_t>(action)]) % views_;
+}
+
+}  // namespace lstm_planner

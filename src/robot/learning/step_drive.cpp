@@ -1,0 +1,138 @@
+#include "lstm_planner/robot/learning/step_drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lstm_planner/robot/driving/motion_controller.hpp"
+
+namespace lstm_planner {
+namespace {
+
+/// s; the robot turns while it drives, in pieces of this length.
+constexpr double kPiece = 0.1;
+
+Pose2 moved(const Pose2& pose, double length, double turn) {
+  const Point2 next = pointAlong(pose, pose.yaw + 0.5 * turn, length);
+  return {next.x, next.y, normalizeAngle(pose.yaw + turn)};
+}
+
+}  // namespace
+
+StepDriveConditions usualConditions() {
+  StepDriveConditions conditions;
+  HokuyoParameters& scanner = conditions.scanner;
+  scanner.beams = 136;
+  scanner.angle_increment = -2.0 * scanner.angle_min / (scanner.beams - 1);
+  scanner.sight = 10.0;
+  return conditions;
+}
+
+AgentParameters practiceAgent(const PolicyDescription& policy) {
+  AgentParameters agent;
+  agent.step.length = policy.step_length;
+  agent.shield.footprint_radius = policy.footprint_radius;
+  agent.escape.enabled = false;
+  agent.memory.enabled = false;
+  return agent;
+}
+
+StepDriveConditions drawConditions(Random& random) {
+  StepDriveConditions conditions = usualConditions();
+  conditions.scanner.noise = uniform(random, 0.002, 0.03);
+  conditions.scanner.dropout = uniform(random) < 0.5 ? 0.001 : uniform(random, 0.0, 0.05);
+  SensorMount& mount = conditions.scanner.mount;
+  mount.pose = {uniform(random, -0.1, 0.1), uniform(random, -0.03, 0.03), uniform(random, -0.04, 0.04)};
+  conditions.period = uniform(random, 0.4, 0.7);
+  conditions.speed = uniform(random, 0.2, 0.5);
+  conditions.latency = uniform(random, 0.0, 0.3);
+  conditions.travel_error = uniform(random, -0.03, 0.03);
+  conditions.turn_error = uniform(random, -0.02, 0.02);
+  conditions.slip = uniform(random, 0.0, 0.1);
+  return conditions;
+}
+
+StepDrive::StepDrive(const World& world, const DriveTask& task, const StepDriveConditions& conditions,
+                     double footprint_radius, std::uint64_t seed)
+    : world_(world),
+      task_(task),
+      conditions_(conditions),
+      footprint_radius_(footprint_radius),
+      random_(seed),
+      scanner_(conditions.scanner, ~seed),
+      pose_(task.start) {}
+
+DriveResult::End StepDrive::run(int max_steps, NavigationAgent* agent) {
+  int steps = 0;
+  const auto goes_on = [&steps, max_steps] { return steps++ < max_steps; };
+  const auto note = [](const Decision&) {};
+  switch (ClosedLoop(this, agent).run(toLocalFrame(task_.start, task_.goal), goes_on, note)) {
+    case ClosedLoop::End::kArrived:
+      return DriveResult::End::kReached;
+    case ClosedLoop::End::kNoWay:
+      return DriveResult::End::kNoWay;
+    case ClosedLoop::End::kStopped:
+      break;
+  }
+  return DriveResult::End::kTimeout;
+}
+
+void StepDrive::sense(double range_cap, Situation* situation) {
+  scanner_.scan(world_, pose_, time_, &scan_);
+  perceive(scan_, conditions_.scanner.mount, Hokuyo::rules(), range_cap, situation);
+  situation->time = time_;
+  situation->pose = odometry_;
+}
+
+bool StepDrive::hasArrived(const Situation& situation, const Decision& decision) const {
+  return distanceBetween(situation.pose, decision.destination) <= MotionParameters().position_tolerance;
+}
+
+void StepDrive::carryOut(const Situation&, const Decision& decision, const NavigationAgent& agent) {
+  const StepParameters& step = agent.parameters().step;
+  const Pose2 begin = odometry_;
+  for (double elapsed = 0.0; elapsed < conditions_.period - 1e-9; elapsed += kPiece) {
+    const double period = std::min(kPiece, conditions_.period - elapsed);
+    if (elapsed + 1e-9 >= conditions_.latency) twist_ = steer(decision, agent, period);
+    move(twist_, period);
+    time_ += period;
+    const bool over = distanceBetween(begin, odometry_) >= step.length ||
+                      std::abs(normalizeAngle(odometry_.yaw - begin.yaw)) >= step.turn ||
+                      distanceBetween(odometry_, decision.waypoint) < step.reached;
+    if (over) break;
+  }
+}
+
+/// As MotionController does for the plan of a decision.
+Twist2 StepDrive::steer(const Decision& decision, const NavigationAgent& agent, double period) const {
+  const MotionParameters motion;
+  const double error = normalizeAngle(directionTo(odometry_, decision.waypoint) - odometry_.yaw);
+  Twist2 twist;
+  twist.angular = std::clamp(motion.heading_gain * error, -motion.max_angular, motion.max_angular);
+  if (std::abs(error) < motion.turn_in_place) {
+    const double nearness = std::clamp(agent.shield().gap({}) / motion.slow_gap, 0.0, 1.0);
+    const double cautious = motion.slow_speed + nearness * (conditions_.speed - motion.slow_speed);
+    const double reachable = twist_.linear + motion.linear_acceleration * period;
+    twist.linear = std::min({conditions_.speed * std::cos(error), cautious, reachable});
+  }
+  return twist;
+}
+
+void StepDrive::move(const Twist2& twist, double seconds) {
+  const double turn = twist.angular * seconds;
+  double length = twist.linear * seconds;
+  Pose2 next = moved(pose_, length * (1.0 + conditions_.slip * normal(random_)),
+                     turn * (1.0 + conditions_.slip * normal(random_)));
+  const bool touches = world_.touches({next.x, next.y}, footprint_radius_);
+  if (touches) {
+    contacts_ += touching_ ? 0 : 1;
+    next = {pose_.x, pose_.y, next.yaw};
+    length = 0.0;
+  }
+  touching_ = touches;
+  path_length_ += distanceBetween(pose_, next);
+  pose_ = next;
+  odometry_ = moved(odometry_, length * (1.0 + conditions_.travel_error), turn + conditions_.turn_error * length);
+}
+
+}  // namespace lstm_planner

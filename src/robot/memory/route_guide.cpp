@@ -1,0 +1,299 @@
+#include "lstm_planner/robot/memory/route_guide.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lstm_planner {
+
+namespace {
+
+/// A new way is taken when it is this much better: a share, and m. Else every new wall seen would make the robot turn
+/// back and forth between two ways of the same length.
+constexpr double kWorthTurning = 0.08;
+constexpr double kWorthTurningMetres = 0.3;
+
+/// A scan is remembered, where nobody asks for the way, when the robot has moved so far, m, or turned so far, rad.
+constexpr double kNewPlace = 1.0;
+constexpr double kNewView = 1.0;
+
+/// A route is priced by what is remembered as far as this, m.
+constexpr double kLookedAt = 15.0;
+
+constexpr double kFullTurn = 2.0 * M_PI - 0.5;  ///< rad; the scanner sees more than the rest at once
+constexpr int kClosedLooks = 3;                 ///< looks around that must agree that there is no way
+constexpr int kMostForgotten = 4;               ///< without progress in between
+constexpr double kBlockedAhead = 0.3;           ///< m to the place that is taken as blocked
+
+/// It can be driven, and no other way that costs so much is worth turning for.
+bool isHardlyDearer(double cost, double other_cost) {
+  return std::isfinite(cost) && cost <= other_cost * (1.0 + kWorthTurning) + kWorthTurningMetres;
+}
+
+}  // namespace
+
+RouteGuide::RouteGuide(const AgentParameters& parameters)
+    : parameters_(parameters),
+      memory_(parameters.memory, parameters.shield),
+      finder_(parameters.memory.tightness),
+      route_(parameters),
+      candidate_(parameters) {
+  found_.points.reserve(route().points.capacity());
+}
+
+void RouteGuide::begin(const Point2& goal) {
+  goal_ = goal;
+  route_.clear();
+  has_costs_ = false;
+  driven_ = 0.0;
+  looking_ = false;
+  closed_in_a_row_ = 0;
+  noteProgress();
+}
+
+void RouteGuide::moveGoal(const Point2& goal) {
+  if (!route_.isEmpty() && distanceBetween(end(), goal_) == 0.0) {
+    route_.moveEnd(goal);
+  }
+  goal_ = goal;
+}
+
+void RouteGuide::noteProgress() {
+  forgotten_ = 0;
+  squeezing_ = false;
+  memory_.squeeze(false);
+}
+
+void RouteGuide::forget() {
+  memory_.forget();
+  route_.clear();
+  has_pose_ = false;
+  has_watched_ = false;
+}
+
+void RouteGuide::noteMotion(const Situation& situation) {
+  if (has_pose_) {
+    driven_ += distanceBetween(last_pose_, situation.pose);
+    turned_ += std::abs(normalizeAngle(situation.pose.yaw - last_pose_.yaw));
+  }
+  last_pose_ = situation.pose;
+  has_pose_ = true;
+}
+
+void RouteGuide::watch(const Situation& situation) {
+  noteMotion(situation);
+  const bool is_new_place =
+      !has_watched_ || distanceBetween(watched_pose_, situation.pose) >= kNewPlace ||
+      std::abs(normalizeAngle(situation.pose.yaw - watched_pose_.yaw)) >= kNewView;
+  if (!is_new_place) {
+    return;
+  }
+  watched_pose_ = situation.pose;
+  has_watched_ = true;
+  memory_.look(situation);
+  memory_.clearChanges();
+  route_.clear();
+  has_costs_ = false;
+}
+
+RouteGuide::Status RouteGuide::update(const Situation& situation) {
+  noteMotion(situation);
+  has_watched_ = false;
+  memory_.look(situation);
+  const Point2 here{situation.pose.x, situation.pose.y};
+  bool found = false;
+  if (!looking_ && costsHold(here)) {
+    const double cost = route_.cost(memory_, finder_, kLookedAt);
+    takeInChanges(here, cost);
+    if (isWorthKeeping(here, cost)) {
+      closed_in_a_row_ = 0;
+      return Status::kRoute;
+    }
+    found = findAgain(here);
+  }
+  // While it looks around, what lies behind the robot is not known and seems free.
+  const bool still_looking = looking_ && turned_ < kFullTurn;
+  found = found || (!still_looking && find(here, &found_));
+  memory_.clearChanges();
+  if (!found) {
+    return lookAround(situation);
+  }
+  looking_ = false;
+  closed_in_a_row_ = 0;
+  takeBetter(here);
+  return Status::kRoute;
+}
+
+double RouteGuide::tolerance() const {
+  return parameters_.goal_tolerance + parameters_.goal_drift * driven_;
+}
+
+bool RouteGuide::find(const Point2& start, Route* route) {
+  ++searches_;
+  const bool found = finder_.find(memory_, start, goal_, tolerance(), route);
+  has_costs_ = found && finder_.endsAtGoal();
+  searched_goal_ = goal_;
+  through_freed_ = CostToGo::kNone;
+  freed_from_ = memory_.cellAt(start);
+  return found;
+}
+
+bool RouteGuide::takeBetter(const Point2& here) {
+  candidate_.swap(&found_);
+  const double new_cost = candidate_.cost(memory_, finder_, kLookedAt);
+  const std::uint32_t searched_cost = finder_.costToGo().cost(memory_.cellAt(here));
+  // Where the robot is nearer to something than any way may come, the begin of each way has no price.
+  cost_scale_ = std::isfinite(new_cost) && searched_cost > 0 ? new_cost / searched_cost
+                                                             : memory_.cellSize() / CostToGo::kStraight;
+  const bool same_end =
+      !route_.isEmpty() && distanceBetween(route_.route().points.back(), candidate_.route().points.back()) < 0.1;
+  if (same_end && isHardlyDearer(route_.cost(memory_, finder_, kLookedAt), new_cost)) {
+    return false;
+  }
+  route_.swap(&candidate_);
+  return true;
+}
+
+/// Brings the route up to date; false when the costs of the last search tell nothing any more.
+bool RouteGuide::costsHold(const Point2& here) {
+  if (route_.isEmpty()) {
+    return false;
+  }
+  route_.advance(memory_, here);
+  if (memory_.everythingChanged()) {
+    has_costs_ = false;
+    route_.noteAll();
+  }
+  for (const ObstacleMemory::Change& change : memory_.changes()) {
+    route_.note(memory_, change);
+  }
+  return has_costs_ && goalIsAsBefore() &&
+         !RouteFinder::isDetour(distanceBetween(here, goal_), route_.route().length, tolerance());
+}
+
+bool RouteGuide::isWorthKeeping(const Point2& here, double cost) const {
+  return isHardlyDearer(cost, distanceBetween(here, end())) || isHardlyDearer(cost, metresOf(leastCost(here)));
+}
+
+/// By the last search alone; false when it takes a new one.
+bool RouteGuide::findAgain(const Point2& here) {
+  if (memory_.cellAt(goal_) != memory_.cellAt(searched_goal_) || !finder_.findAgain(memory_, here, &found_)) {
+    return false;
+  }
+  found_.points.back() = end();
+  found_.length = lengthOf(found_.points);
+  return isHardlyDearer(found_.cost, through_freed_ * memory_.cellSize() / CostToGo::kStraight) &&
+         !RouteFinder::isDetour(distanceBetween(here, goal_), found_.length, tolerance());
+}
+
+/// False when a search might end elsewhere.
+bool RouteGuide::goalIsAsBefore() {
+  const bool at_goal = distanceBetween(end(), goal_) == 0.0;
+  const double moved = distanceBetween(goal_, searched_goal_);
+  const double reach = KeptRoute::reachOfChanges(parameters_) + (at_goal ? 0.0 : tolerance() + memory_.cellSize());
+  const bool changed = moved > 0.0 || std::any_of(memory_.changes().begin(), memory_.changes().end(),
+                                                  [&](const ObstacleMemory::Change& change) {
+                                                    const double x = change.place.x - goal_.x;
+                                                    const double y = change.place.y - goal_.y;
+                                                    return x * x + y * y < reach * reach;
+                                                  });
+  if (!changed) {
+    return true;
+  }
+  if (!at_goal || (memory_.cellAt(goal_) < 0) != (memory_.cellAt(searched_goal_) < 0)) {
+    return false;
+  }
+  return memory_.cellAt(goal_) < 0 || memory_.isFree(searched_goal_, goal_, ObstacleMemory::Passage::kTight);
+}
+
+void RouteGuide::takeInChanges(const Point2& here, double cost) {
+  const CostToGo& costs = finder_.costToGo();
+  const int cell = memory_.cellAt(here);
+  if (through_freed_ != CostToGo::kNone) {
+    through_freed_ -= std::min(through_freed_, costs.octileBetween(freed_from_, cell));
+  }
+  freed_from_ = cell;
+  const double enough = std::isfinite(cost) ? (cost - kWorthTurningMetres) / (1.0 + kWorthTurning) / cost_scale_
+                                            : static_cast<double>(leastCost(here));
+  const int reach = static_cast<int>(std::ceil(KeptRoute::reachOfChanges(parameters_) / memory_.cellSize())) + 1;
+  int last = -1;
+  for (const ObstacleMemory::Change& change : memory_.changes()) {
+    const int freed = memory_.cellAt(change.place);
+    if (!change.occupied && freed >= 0 && freed != last) {
+      last = freed;
+      const auto wanted = static_cast<std::uint32_t>(std::clamp(std::ceil(enough), 0.0, 1e9));
+      through_freed_ = std::min(through_freed_, costs.cheapestThrough(memory_, freed, reach, cell, wanted));
+    }
+  }
+  memory_.clearChanges();
+}
+
+/// What any way from here to the goal costs at least.
+std::uint32_t RouteGuide::leastCost(const Point2& here) const {
+  const std::uint32_t least = std::min(through_freed_, finder_.costToGo().cost(memory_.cellAt(here)));
+  const double moved = distanceBetween(goal_, searched_goal_);
+  if (least == CostToGo::kNone || moved == 0.0 || memory_.cellAt(goal_) == memory_.cellAt(searched_goal_)) {
+    return least;
+  }
+  const double dearer = parameters_.memory.tightness * (moved + 2.0 * memory_.cellSize()) / memory_.cellSize();
+  return least - std::min(least, static_cast<std::uint32_t>(CostToGo::kDiagonal * dearer));
+}
+
+RouteGuide::Status RouteGuide::lookAround(const Situation& situation) {
+  route_.clear();
+  if (looking_ && turned_ < kFullTurn) {
+    return Status::kLookAround;
+  }
+  if (looking_ && !squeezing_) {
+    squeezing_ = true;
+    memory_.squeeze(true);
+    return Status::kLookAround;
+  }
+  if (looking_ && ++closed_in_a_row_ >= kClosedLooks) {
+    return Status::kClosed;
+  }
+  if (!looking_ && ++forgotten_ > kMostForgotten) {
+    return Status::kLost;
+  }
+  looking_ = true;
+  turned_ = 0.0;
+  memory_.forget();
+  memory_.look(situation);
+  return Status::kLookAround;
+}
+
+void RouteGuide::blockAhead() {
+  if (!route_.isEmpty()) {
+    memory_.block(pointAhead(kBlockedAhead));
+  }
+}
+
+Point2 RouteGuide::pointAhead(double distance) const {
+  const std::vector<Point2>& points = route().points;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double leg = distanceBetween(points[i - 1], points[i]);
+    if (leg >= distance && leg > 0.0) {
+      return pointAlong(points[i - 1], directionTo(points[i - 1], points[i]), distance);
+    }
+    distance -= leg;
+  }
+  return end();
+}
+
+double RouteGuide::bearingAhead(const Pose2& pose, double distance) const {
+  return normalizeAngle(directionTo(pose, pointAhead(distance)) - pose.yaw);
+}
+
+void RouteGuide::pointsAhead(double distance, std::vector<Point2>* points) const {
+  const std::vector<Point2>& all = route().points;
+  std::size_t i = 1;
+  for (; i < all.size(); ++i) {
+    distance -= distanceBetween(all[i - 1], all[i]);
+    if (distance < 0.0) {
+      break;
+    }
+  }
+  points->clear();
+  points->insert(points->end(), all.begin() + static_cast<std::ptrdiff_t>(std::min(i, all.size())), all.end());
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,305 @@
+#include "lstm_planner/robot/perception/encoder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kSmallestScale = 1e-3;
+constexpr double kLargestScale = 1e6;
+constexpr double kMostLogSteps = 13.0;  ///< log2 of the longest time in steps that is told apart
+constexpr std::array<const char*, kPlaceScales> kPlaceNames = {"step", "room", "hall"};
+
+double freshness(double visits, double age) {
+  if (!(visits > 0.0)) return 0.0;
+  return std::max(0.0, 1.0 - std::log2(std::max(0.0, age) + 1.0) / kMostLogSteps);
+}
+
+/// Grows with a count and stays below 1.
+double frequency(double count) { return std::max(0.0, count) / (std::max(0.0, count) + 2.0); }
+
+// The classic locale: a decimal comma of the user's locale must not change a model file.
+std::string toText(double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(17) << value;
+  return text.str();
+}
+
+const std::string& find(const std::map<std::string, std::string>& metadata, const std::string& key) {
+  const auto entry = metadata.find(key);
+  if (entry == metadata.end()) throw std::invalid_argument("the model's metadata lacks '" + key + "'");
+  return entry->second;
+}
+
+double readNumber(const std::map<std::string, std::string>& metadata, const std::string& key) {
+  const std::string& text = find(metadata, key);
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double value = 0.0;
+  if (!(stream >> value) || !(stream >> std::ws).eof()) {
+    throw std::invalid_argument("the model's metadata has " + key + " '" + text + "', expected a number");
+  }
+  return value;
+}
+
+int readViews(const std::map<std::string, std::string>& metadata) {
+  const double views = readNumber(metadata, "views");
+  if (views != 1 && views != kDriveViews) {
+    throw std::invalid_argument("the model's metadata has views '" + find(metadata, "views") + "', expected 1 or 8");
+  }
+  return static_cast<int>(views);
+}
+
+void checkScale(const std::string& name, double value) {
+  if (!(value >= kSmallestScale && value <= kLargestScale)) {
+    throw std::invalid_argument(name + " is " + toText(value) + ", expected a number in [0.001, 1000000]");
+  }
+}
+
+/// Splits "sector_3" into the name "sector_" and 3; false when `name` does not end in one of the digits 0 .. 7.
+bool splitNumbered(const std::string& name, std::string* stem, std::uint8_t* index) {
+  if (name.size() < 2 || name[name.size() - 2] != '_' || name.back() < '0' || name.back() > '7') return false;
+  *stem = name.substr(0, name.size() - 1);
+  *index = static_cast<std::uint8_t>(name.back() - '0');
+  return true;
+}
+
+/// A view takes over what another one saw there: each direction must be told.
+void checkGroupsAreWhole(const std::vector<std::string>& layout) {
+  std::map<std::string, int> counts;
+  for (const std::string& name : layout) {
+    std::string stem;
+    std::uint8_t index = 0;
+    if (splitNumbered(name, &stem, &index)) ++counts[stem];
+  }
+  for (const auto& [stem, count] : counts) {
+    if (count == kDriveViews) continue;
+    throw std::invalid_argument("input_layout names " + std::to_string(count) + " of " + stem + "0 .. " + stem +
+                                "7, expected all of them or none for eight views");
+  }
+}
+
+bool hasEvents(const std::vector<std::string>& layout) {
+  return std::any_of(layout.begin(), layout.end(),
+                     [](const std::string& name) { return name.rfind("event_", 0) == 0; });
+}
+
+}  // namespace
+
+void validate(const EncoderParameters& parameters) {
+  if (parameters.input_layout.empty()) {
+    throw std::invalid_argument("input_layout is empty, expected at least one input name");
+  }
+  std::set<std::string> seen;
+  for (const std::string& name : parameters.input_layout) {
+    Encoder::inputNamed(name);
+    if (!seen.insert(name).second) {
+      throw std::invalid_argument("input_layout names '" + name + "' twice, expected each input once");
+    }
+  }
+  if (parameters.sector_count != kSectorCount) {
+    throw std::invalid_argument("sector_count is " + std::to_string(parameters.sector_count) + ", expected " +
+                                std::to_string(kSectorCount));
+  }
+  if (!(std::abs(parameters.angle_span - M_PI) < 1e-3)) {
+    throw std::invalid_argument("angle_span is " + toText(parameters.angle_span) + ", expected pi");
+  }
+  checkScale("range_cap", parameters.range_cap);
+  checkScale("distance_scale", parameters.distance_scale);
+  checkScale("angle_scale", parameters.angle_scale);
+  checkScale("action_scale", parameters.action_scale);
+  if (!(parameters.position_cell >= 0.0 && parameters.position_cell <= kLargestScale)) {
+    throw std::invalid_argument("position_cell is " + toText(parameters.position_cell) +
+                                ", expected a number in [0, 1000000]");
+  }
+  checkScale("event_range", parameters.event_range);
+  if (parameters.views != 1 && parameters.views != kDriveViews) {
+    throw std::invalid_argument("views is " + std::to_string(parameters.views) + ", expected 1 or 8");
+  }
+  if (parameters.views != 1) checkGroupsAreWhole(parameters.input_layout);
+}
+
+void writeMetadata(const EncoderParameters& parameters, std::map<std::string, std::string>* metadata) {
+  std::string layout;
+  for (const std::string& name : parameters.input_layout) layout += (layout.empty() ? "" : ",") + name;
+  (*metadata)["input_layout"] = layout;
+  (*metadata)["sector_count"] = std::to_string(parameters.sector_count);
+  (*metadata)["angle_span"] = toText(parameters.angle_span);
+  (*metadata)["range_cap"] = toText(parameters.range_cap);
+  (*metadata)["distance_scale"] = toText(parameters.distance_scale);
+  (*metadata)["angle_scale"] = toText(parameters.angle_scale);
+  (*metadata)["action_scale"] = toText(parameters.action_scale);
+  (*metadata)["position_cell"] = toText(parameters.position_cell);
+  if (hasEvents(parameters.input_layout)) (*metadata)["event_range"] = toText(parameters.event_range);
+  if (parameters.views != 1) (*metadata)["views"] = std::to_string(parameters.views);
+}
+
+EncoderParameters readEncoderParameters(const std::map<std::string, std::string>& metadata) {
+  EncoderParameters parameters;
+  parameters.input_layout.clear();
+  std::istringstream layout(find(metadata, "input_layout"));
+  for (std::string name; std::getline(layout, name, ',');) {
+    name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+    parameters.input_layout.push_back(name);
+  }
+  parameters.input_layout.shrink_to_fit();
+  const double sector_count = readNumber(metadata, "sector_count");
+  if (sector_count != kSectorCount) {
+    throw std::invalid_argument("the model's metadata has sector_count '" + find(metadata, "sector_count") +
+                                "', expected " + std::to_string(kSectorCount));
+  }
+  parameters.sector_count = kSectorCount;
+  parameters.angle_span = readNumber(metadata, "angle_span");
+  parameters.range_cap = readNumber(metadata, "range_cap");
+  parameters.distance_scale = readNumber(metadata, "distance_scale");
+  parameters.angle_scale = readNumber(metadata, "angle_scale");
+  parameters.action_scale = readNumber(metadata, "action_scale");
+  parameters.position_cell = readNumber(metadata, "position_cell");
+  if (hasEvents(parameters.input_layout)) parameters.event_range = readNumber(metadata, "event_range");
+  if (metadata.count("views") > 0) parameters.views = readViews(metadata);
+  validate(parameters);
+  return parameters;
+}
+
+Encoder::Encoder(const EncoderParameters& parameters)
+    : Encoder(std::make_shared<const EncoderParameters>(parameters)) {}
+
+Encoder::Encoder(std::shared_ptr<const EncoderParameters> parameters) : parameters_(std::move(parameters)) {
+  validate(*parameters_);
+  features_.reserve(parameters_->input_layout.size());
+  for (const std::string& name : parameters_->input_layout) features_.push_back(inputNamed(name));
+  if (parameters_->views != 1) findSources();
+}
+
+Encoder::Input Encoder::inputNamed(const std::string& name) {
+  static const std::map<std::string, Feature> kSingle = {{"goal_distance", Feature::kGoalDistance},
+                                                         {"goal_bearing", Feature::kGoalBearing},
+                                                         {"goal_bearing_sin", Feature::kGoalBearingSin},
+                                                         {"goal_bearing_cos", Feature::kGoalBearingCos},
+                                                         {"heading", Feature::kHeading},
+                                                         {"heading_sin", Feature::kHeadingSin},
+                                                         {"heading_cos", Feature::kHeadingCos},
+                                                         {"previous_action", Feature::kPreviousAction},
+                                                         {"room_visits", Feature::kRoomVisits},
+                                                         {"behind_best", Feature::kBehindBest},
+                                                         {"steps_since_best", Feature::kStepsSinceBest},
+                                                         {"motion_forward", Feature::kMotionForward},
+                                                         {"motion_left", Feature::kMotionLeft},
+                                                         {"motion_turn", Feature::kMotionTurn},
+                                                         {"previous_action_sin", Feature::kPreviousActionSin},
+                                                         {"previous_action_cos", Feature::kPreviousActionCos}};
+  static const std::map<std::string, Feature> kNumbered = {{"sector_", Feature::kSector},
+                                                           {"event_", Feature::kEvent},
+                                                           {"visits_", Feature::kVisits},
+                                                           {"seen_", Feature::kSeen}};
+  const auto single = kSingle.find(name);
+  if (single != kSingle.end()) return {single->second, 0, 0};
+  std::string stem;
+  std::uint8_t index = 0;
+  if (splitNumbered(name, &stem, &index)) {
+    const auto numbered = kNumbered.find(stem);
+    if (numbered != kNumbered.end()) return {numbered->second, index, 0};
+    for (std::uint8_t scale = 0; scale < kPlaceNames.size(); ++scale) {
+      if (stem == std::string(kPlaceNames[scale]) + "_visits_") return {Feature::kPlaceVisits, index, scale};
+      if (stem == std::string(kPlaceNames[scale]) + "_freshness_") return {Feature::kPlaceFreshness, index, scale};
+    }
+  }
+  std::string expected = "sector_0 .. sector_7, event_0 .. event_7, visits_0 .. visits_7, seen_0 .. seen_7";
+  for (const char* place : kPlaceNames) {
+    expected += std::string(", ") + place + "_visits_0 .. 7, " + place + "_freshness_0 .. 7";
+  }
+  for (const auto& entry : kSingle) expected += ", " + entry.first;
+  throw std::invalid_argument("input_layout names '" + name + "', expected one of " + expected);
+}
+
+void Encoder::encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf> input) const {
+  if (input.size() != size()) {
+    throw std::invalid_argument("the input has " + std::to_string(input.size()) + " values, expected " +
+                                std::to_string(size()));
+  }
+  const auto fill = [&](const Observation& seen) {
+    for (int i = 0; i < size(); ++i) {
+      input[i] = static_cast<float>(value(features_[static_cast<std::size_t>(i)], seen));
+    }
+  };
+  if (parameters_->views == 1) {
+    fill(observation);
+  } else {
+    Observation ahead = observation;
+    const ViewBearings bearings = bearingsOf(observation);
+    ahead.heading = 0.0;
+    ahead.previous_action = bearings.previous_action;
+    ahead.motion = bearings.motion;
+    fill(ahead);
+  }
+}
+
+double Encoder::value(const Input& input, const Observation& observation) const {
+  switch (input.feature) {
+    case Feature::kSector: {
+      const double range = observation.sector_ranges[input.index];
+      return std::clamp(range / parameters_->range_cap, 0.0, 1.0);
+    }
+    case Feature::kGoalDistance: {
+      const double distance = std::max(0.0, observation.goal_distance);
+      return distance / (distance + parameters_->distance_scale);
+    }
+    case Feature::kGoalBearing:
+      return normalizeAngle(observation.goal_bearing) / parameters_->angle_scale;
+    case Feature::kGoalBearingSin:
+      return std::sin(observation.goal_bearing);
+    case Feature::kGoalBearingCos:
+      return std::cos(observation.goal_bearing);
+    case Feature::kHeading:
+      return normalizeAngle(observation.heading) / parameters_->angle_scale;
+    case Feature::kHeadingSin:
+      return std::sin(observation.heading);
+    case Feature::kHeadingCos:
+      return std::cos(observation.heading);
+    case Feature::kPreviousAction:
+      return normalizeAngle(observation.previous_action) / parameters_->action_scale;
+    case Feature::kEvent:
+      return observation.sector_ranges[input.index] < parameters_->event_range ? 1.0 : 0.0;
+    case Feature::kVisits: {
+      const double visits = std::max(0.0, observation.visits[input.index]);
+      return visits / (visits + 1.0);
+    }
+    case Feature::kPlaceVisits:
+      return frequency(observation.places[input.scale].visits[input.index]);
+    case Feature::kPlaceFreshness:
+      return freshness(observation.places[input.scale].visits[input.index],
+                       observation.places[input.scale].ages[input.index]);
+    case Feature::kRoomVisits:
+      return frequency(observation.room_visits);
+    case Feature::kBehindBest: {
+      const double behind = std::max(0.0, observation.behind_best);
+      return behind / (behind + parameters_->distance_scale);
+    }
+    case Feature::kStepsSinceBest:
+      return std::min(1.0, std::log2(std::max(0.0, observation.steps_since_best) + 1.0) / kMostLogSteps);
+    case Feature::kMotionForward:
+      return std::clamp(observation.motion.x, -1.0, 1.0);
+    case Feature::kMotionLeft:
+      return std::clamp(observation.motion.y, -1.0, 1.0);
+    case Feature::kMotionTurn:
+      return normalizeAngle(observation.turn) / parameters_->action_scale;
+    case Feature::kPreviousActionSin:
+      return std::sin(observation.previous_action);
+    case Feature::kPreviousActionCos:
+      return std::cos(observation.previous_action);
+    case Feature::kSeen:
+      return 1.0;
+  }
+  return 0.0;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,86 @@
+#include "lstm_planner/robot/perception/laser_scan.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "robot/perception/lanes.hpp"
+#include "robot/perception/reading_bounds.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+bool isPositiveAndFinite(float value) {
+  constexpr std::uint32_t kInfinity = 0x7f800000;
+  std::uint32_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits - 1 < kInfinity - 1;
+}
+
+}  // namespace
+
+bool isMeasuredRange(float range, const LaserScan& scan, const ScanRules& rules) {
+  const float meaning = ReadingBounds(scan, rules).meaning(allOf(range))[0];
+  return meaning > 0.0f && std::isfinite(meaning);
+}
+
+long RangeProfile::beamTowards(double towards) const {
+  constexpr double kTurn = 2.0 * M_PI;
+  if (ranges.empty() || increment == 0.0) return -1;
+  const double sense = increment < 0.0 ? -1.0 : 1.0;
+  double turn = std::fmod(sense * (towards - first_direction), kTurn);
+  if (turn < 0.0) turn += kTurn;
+  const double step = std::abs(increment);
+  const long beam = std::lround(turn / step);
+  const long count = static_cast<long>(ranges.size());
+  if (beam < count) return beam;
+  // Just before the first beam is nearly a whole turn after it.
+  return kTurn - turn < step ? 0 : (turn / step < static_cast<double>(count) ? count - 1 : -1);
+}
+
+void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, RangeProfile* profile) {
+  const double mirror = mount.upside_down ? -1.0 : 1.0;
+  profile->origin = {mount.pose.x, mount.pose.y};
+  profile->first_direction = mount.pose.yaw + mirror * scan.angle_min;
+  profile->increment = mirror * scan.angle_increment;
+  profile->nearest_range = scan.range_min;
+  profile->ranges.resize(scan.ranges.size());
+  const ReadingBounds bounds(scan, rules);
+  const std::size_t beams = scan.ranges.size();
+  const float* const readings = scan.ranges.data();
+  float* const ranges = profile->ranges.data();
+  std::size_t i = 0;
+  for (; i + kLanes <= beams; i += kLanes) store(bounds.meaning(loadFloats(readings + i)), ranges + i);
+  for (; i < beams; ++i) ranges[i] = bounds.meaning(allOf(readings[i]))[0];
+}
+
+void toPoints(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, std::vector<Point2>* points) {
+  RangeProfile profile;
+  BeamDirections directions;
+  toProfile(scan, mount, rules, &profile);
+  toPoints(profile, &directions, points);
+}
+
+void toPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points) {
+  constexpr float kTooNear = -std::numeric_limits<float>::infinity();
+  const std::size_t beams = profile.ranges.size();
+  directions->set(profile.first_direction, profile.increment, beams);
+  points->resize(beams);
+  const float* const ranges = profile.ranges.data();
+  const Point2* const units = directions->data();
+  Point2* const out = points->data();
+  const Point2 origin = profile.origin;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < beams; ++i) {
+    // Written in any case, and overwritten by the next: faster than a jump that nobody can foresee.
+    const bool too_near = ranges[i] == kTooNear;
+    const double range = too_near ? profile.nearest_range : ranges[i];
+    out[count] = {origin.x + range * units[i].x, origin.y + range * units[i].y};
+    count += isPositiveAndFinite(ranges[i]) || too_near ? 1 : 0;
+  }
+  points->resize(count);
+}
+
+}  // namespace lstm_planner

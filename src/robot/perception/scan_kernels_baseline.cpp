@@ -1,0 +1,2 @@
+#define SCAN_KERNELS baselineScanKernels
+#include "robot/perception/scan_kernels_source.hpp"

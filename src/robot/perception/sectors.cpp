@@ -1,0 +1,206 @@
+#include "lstm_planner/robot/perception/sectors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "robot/perception/lanes.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kWindow = M_PI;
+constexpr double kSectorWidth = kWindow / kSectorCount;
+constexpr double kTurn = 2.0 * M_PI;
+
+/// Part of an increment by which a beam may lie before a border and still count as on it. Drivers send angles as floats
+/// or with six digits; over a thousand beams this adds up to some thousandths of an increment.
+constexpr double kBorderTolerance = 0.02;
+
+/// The beams in counter-clockwise order in the base frame.
+struct BeamFan {
+  double start = 0.0;  ///< rad from the right edge of the window (-90 degrees) to the first beam, in (-2 pi, increment]
+  double increment = 0.0;  ///< rad, positive
+  long count = 0;          ///< beams of one turn at most
+  bool reversed = false;   ///< the order of the ranges is clockwise
+};
+
+std::string degrees(double radians) { return std::to_string(radians * 180.0 / M_PI) + " degrees"; }
+
+BeamFan fanOf(const RangeProfile& profile) {
+  const long beams = static_cast<long>(profile.ranges.size());
+  BeamFan fan;
+  fan.reversed = profile.increment < 0.0;
+  fan.increment = std::abs(profile.increment);
+  double first = profile.first_direction;
+  if (fan.reversed) first -= static_cast<double>(beams - 1) * fan.increment;
+  // Beams of a second turn look where others have looked already; counting them would weigh these directions twice.
+  const double beams_a_turn = std::ceil(kTurn / fan.increment - kBorderTolerance);
+  fan.count = static_cast<long>(std::min(static_cast<double>(beams), beams_a_turn));
+  const double slack = (0.5 + kBorderTolerance) * fan.increment;
+  const double from_edge = first + kWindow / 2.0;
+  fan.start = from_edge - kTurn * std::ceil((from_edge - slack) / kTurn);
+  return fan;
+}
+
+/// Index of the first beam at or after `angle` (rad from the window's right edge), clipped to the fan.
+long firstBeamFrom(double angle, const BeamFan& fan) {
+  const double index = std::ceil((angle - fan.start) / fan.increment - kBorderTolerance);
+  return static_cast<long>(std::clamp(index, 0.0, static_cast<double>(fan.count)));
+}
+
+bool coversTurn(const BeamFan& fan) {
+  return static_cast<double>(fan.count) * fan.increment >= kTurn - (0.5 + kBorderTolerance) * fan.increment;
+}
+
+/// The window is half-open: its last beam lies one increment before the left edge.
+bool coversWindow(const BeamFan& fan) {
+  const double end = fan.start + static_cast<double>(fan.count) * fan.increment;
+  return end >= kWindow - (0.5 + kBorderTolerance) * fan.increment;
+}
+
+/// What some neighbouring beams see.
+struct BeamSum {
+  double range = 0.0;  ///< m, of those that are known; each at most the cap
+  float nearest = std::numeric_limits<float>::infinity();
+  int measured = 0;  ///< with a range
+  int known = 0;     ///< with a range, or seeing nothing
+};
+
+BeamSum sumOf(const float* ranges, long count, double range_cap) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  auto cap = static_cast<float>(range_cap);
+  if (cap < range_cap) cap = std::nextafter(cap, kInfinity);  // no float lies between the two
+  Doubles sums[2] = {};
+  Floats nearest = allOf(kInfinity);
+  Ints measured = {};
+  Ints known = {};
+  Ints uncapped = {};
+  for (long beam = 0; beam < count; beam += kLanes) {
+    const long left = count - beam;
+    const Floats four = left < kLanes ? loadFloats(ranges + beam, left) : loadFloats(ranges + beam);
+    const Ints sees = four > Floats{};
+    const Ints is_uncapped = sees & (four < allOf(cap));
+    const Floats uncapped_ranges = select(is_uncapped, four, Floats{});
+    sums[0] += firstTwo(uncapped_ranges);
+    sums[1] += lastTwo(uncapped_ranges);
+    nearest = lesser(select(sees, four, allOf(kInfinity)), nearest);
+    measured -= sees & (four < allOf(kInfinity));
+    known -= sees | (four == allOf(RangeProfile::kSilent));
+    uncapped -= is_uncapped;
+  }
+  BeamSum sum;
+  sums[0] += sums[1];
+  sum.known = sumOfLanes(known);
+  sum.range = sums[0][0] + sums[0][1] + static_cast<double>(sum.known - sumOfLanes(uncapped)) * range_cap;
+  sum.measured = sumOfLanes(measured);
+  for (int lane = 0; lane < kLanes; ++lane) sum.nearest = std::min<float>(sum.nearest, nearest[lane]);
+  return sum;
+}
+
+using SectorCounts = std::array<int, kSectorCount>;
+
+void addBeams(const std::vector<float>& ranges, double range_cap, const BeamFan& fan, double window_start,
+              Sectors* sectors, SectorCounts* known) {
+  const long beams = static_cast<long>(ranges.size());
+  long begin = firstBeamFrom(window_start, fan);
+  for (int sector = 0; sector < kSectorCount; ++sector) {
+    const long end = std::max(begin, firstBeamFrom(window_start + (sector + 1) * kSectorWidth, fan));
+    const BeamSum sum = sumOf(ranges.data() + (fan.reversed ? beams - end : begin), end - begin, range_cap);
+    sectors->range[sector] += sum.range;
+    sectors->nearest[sector] = std::min<double>(sectors->nearest[sector], sum.nearest);
+    sectors->measured[sector] += sum.measured;
+    (*known)[sector] += sum.known;
+    sectors->beams[sector] += static_cast<int>(end - begin);
+    begin = end;
+  }
+}
+
+[[noreturn]] void refuse(const std::string& what_it_has, const std::string& expected) {
+  throw UnusableScan("the scan has " + what_it_has + ", expected " + expected);
+}
+
+void checkSector(int sector, int beams, int known, double least_measured, double increment) {
+  if (beams == 0) {
+    refuse("an increment of " + degrees(increment), "at least one beam in each sector of " + degrees(kSectorWidth));
+  }
+  if (known == 0 || known < least_measured * beams) {
+    const double from = sector * kSectorWidth - kWindow / 2.0;
+    refuse(std::to_string(known) + " of " + std::to_string(beams) + " beams measured from " + degrees(from) + " to " +
+               degrees(from + kSectorWidth) + " around the robot's heading",
+           "at least the share least_measured = " + std::to_string(least_measured) +
+               ": the scanner is covered, or its driver sends other readings for no return (no_return)");
+  }
+}
+
+}  // namespace
+
+void checkScan(const LaserScan& scan, const SensorMount& mount) {
+  constexpr std::size_t kMostBeams = 100000;
+  constexpr double kFarthestFirstBeam = 4.0 * M_PI;
+  constexpr double kFinestIncrement = 1e-5;
+  constexpr double kFarthestMount = 100.0;                                                   // m
+  const auto is_within = [](double value, double most) { return std::abs(value) <= most; };  // false for NaN
+  if (scan.ranges.empty()) throw UnusableScan("the scan has no ranges, expected at least one beam a sector");
+  if (scan.ranges.size() > kMostBeams) {
+    refuse(std::to_string(scan.ranges.size()) + " ranges", "at most " + std::to_string(kMostBeams));
+  }
+  if (!is_within(scan.angle_min, kFarthestFirstBeam) || !is_within(scan.angle_increment, kTurn) ||
+      is_within(scan.angle_increment, kFinestIncrement)) {
+    refuse(
+        "angle_min " + std::to_string(scan.angle_min) + " and angle_increment " + std::to_string(scan.angle_increment),
+        "finite angles and an increment other than 0 of at least 1e-5 rad");
+  }
+  if (!(scan.range_min >= 0.0 && scan.range_min < scan.range_max)) {
+    refuse("range_min " + std::to_string(scan.range_min) + " and range_max " + std::to_string(scan.range_max),
+           "0 or more, and range_min below range_max");
+  }
+  if (!isFinite(mount.pose)) throw UnusableScan("the pose of the scanner on the robot is not finite");
+  if (!is_within(mount.pose.yaw, kFarthestFirstBeam)) {
+    throw UnusableScan("the scanner is turned by " + std::to_string(mount.pose.yaw) +
+                       " rad on the robot, expected at most two turns");
+  }
+  if (!is_within(mount.pose.x, kFarthestMount) || !is_within(mount.pose.y, kFarthestMount)) {
+    throw UnusableScan("the scanner is at (" + std::to_string(mount.pose.x) + ", " + std::to_string(mount.pose.y) +
+                       ") m on the robot, expected at most 100 m from its centre");
+  }
+}
+
+Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, double range_cap) {
+  checkScan(scan, mount);
+  RangeProfile profile;
+  toProfile(scan, mount, rules, &profile);
+  return averageSectors(profile, rules.least_measured, range_cap);
+}
+
+Sectors averageSectors(const RangeProfile& profile, double least_measured, double range_cap) {
+  if (!(range_cap > 0.0) || !std::isfinite(range_cap)) {
+    throw std::invalid_argument("the range cap is " + std::to_string(range_cap) +
+                                " m, expected a positive finite distance");
+  }
+  const BeamFan fan = fanOf(profile);
+
+  if (!coversWindow(fan) && !coversTurn(fan)) {
+    const double from = normalizeAngle(fan.start - kWindow / 2.0);
+    const double span = static_cast<double>(fan.count - 1) * fan.increment;
+    throw UnusableScan("the scan covers " + degrees(from) + " to " + degrees(from + span) +
+                       " around the robot's heading, expected all of [-90, +90) degrees");
+  }
+
+  Sectors sectors;
+  SectorCounts known{};
+  addBeams(profile.ranges, range_cap, fan, 0.0, &sectors, &known);
+  // A full turn may begin inside the window: the rest of the window is then at the start of the fan.
+  if (!coversWindow(fan)) addBeams(profile.ranges, range_cap, fan, -kTurn, &sectors, &known);
+
+  for (int sector = 0; sector < kSectorCount; ++sector) {
+    checkSector(sector, sectors.beams[sector], known[sector], least_measured, fan.increment);
+    sectors.range[sector] /= known[sector];
+  }
+  return sectors;
+}
+
+}  // namespace lstm_planner

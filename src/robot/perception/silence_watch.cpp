@@ -1,0 +1,40 @@
+#include "lstm_planner/robot/perception/silence_watch.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "robot/perception/reading_bounds.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr double kMuch = 0.2;          // of the beams; more than a turn of 2 rad/s takes out of sight between two scans
+constexpr double kMostApart = 0.25;    // s
+constexpr double kMostlySilent = 0.5;  // of the beams
+
+}  // namespace
+
+void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double time) {
+  if (scan.ranges.empty()) return;  // nothing can be said of it
+  const ReadingBounds bounds(scan, rules);
+  std::size_t returns = 0;
+  std::size_t silent = 0;
+  for (const float reading : scan.ranges) {
+    const float meaning = bounds.meaning(allOf(reading))[0];
+    returns += meaning > 0.0f && std::isfinite(meaning) ? 1 : 0;
+    silent += meaning == RangeProfile::kSilent ? 1 : 0;
+  }
+  const auto beams = static_cast<double>(scan.ranges.size());
+  if (returns > 0) {
+    share_ = static_cast<double>(returns) / beams;
+    is_covered_ = false;
+  } else if (!is_covered_) {
+    const bool follows = time >= time_ && time - time_ <= kMostApart;
+    is_covered_ = follows && share_ >= kMuch && static_cast<double>(silent) >= kMostlySilent * beams;
+    if (!is_covered_) share_ = 0.0;
+  }
+  time_ = time;
+}
+
+}  // namespace lstm_planner

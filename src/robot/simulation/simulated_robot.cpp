@@ -1,0 +1,98 @@
+#include "lstm_planner/robot/simulation/simulated_robot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lstm_planner/base/common/parameter_check.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kStanding = 0.02;  // m/s; who is slower towards somebody is not driving into him
+
+/// m/s towards `other`.
+double approachSpeed(const Point2& position, const Point2& velocity, const Point2& other) {
+  const double direction = directionTo(position, other);
+  return velocity.x * std::cos(direction) + velocity.y * std::sin(direction);
+}
+
+}  // namespace
+
+SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
+    : world_(world), parameters_(parameters), base_(parameters.base, start, seed), scanner_(parameters.scanner, ~seed) {
+  checkRange("physics_period", parameters.physics_period, 1e-4, 1.0);
+  checkRange("latency", parameters.latency, 0.0, 10.0);
+}
+
+SimulatedRobot::SimulatedRobot(Crowd* crowd, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
+    : SimulatedRobot(*crowd, parameters, start, seed) {
+  crowd_ = crowd;
+}
+
+void SimulatedRobot::obeyCommands() {
+  while (!commands_.empty() && commands_.front().time <= time_ + 1e-9) {
+    base_.command(commands_.front().twist);
+    commands_.pop_front();
+  }
+}
+
+/// Whether the robot at `position` touches nobody but walkers that have run into it (counted then) and lets them pass.
+bool SimulatedRobot::isBrushedBy(const Point2& position, const Point2& velocity) const {
+  const double radius = 0.5 * parameters_.base.base_diameter;
+  if (crowd_ == nullptr || crowd_->surroundings().touches(position, radius)) return false;
+  const std::vector<Crowd::Walker>& walkers = crowd_->walkers();
+  return std::all_of(walkers.begin(), walkers.end(), [&](const Crowd::Walker& walker) {
+    const bool touches = distanceBetween(position, walker.body.center) < radius + walker.body.radius;
+    return !touches || (walker.beside_robot && approachSpeed(position, velocity, walker.body.center) <= kStanding);
+  });
+}
+
+/// Moves unless something is in the way; returns the velocity that the robot had or wanted, m/s in the world.
+Point2 SimulatedRobot::move(double seconds) {
+  const Pose2 before = base_.truePose();
+  base_.step(seconds);
+  const Pose2 after = base_.truePose();
+  const Point2 velocity{(after.x - before.x) / seconds, (after.y - before.y) / seconds};
+  const Point2 position{after.x, after.y};
+  const bool blocked = world_.touches(position, 0.5 * parameters_.base.base_diameter);
+  if (blocked) base_.holdPosition({before.x, before.y, after.yaw});
+  const bool touches = blocked && !isBrushedBy(position, velocity);
+  contacts_ += touches && !touching_ ? 1 : 0;
+  touching_ = touches;
+  path_length_ += distanceBetween(before, base_.truePose());
+  return velocity;
+}
+
+void SimulatedRobot::letWalk(double seconds, const Point2& velocity) {
+  const Point2 here{base_.truePose().x, base_.truePose().y};
+  for (const Circle& walker : crowd_->advance(seconds, {here, 0.5 * parameters_.base.base_diameter})) {
+    if (touching_) continue;  // counted already
+    const double approach = approachSpeed(here, velocity, walker.center);
+    const bool moves = std::hypot(velocity.x, velocity.y) > kStanding;
+    ++(approach > kStanding ? contacts_ : bumped_);
+    bumped_moving_ += moves && approach <= kStanding ? 1 : 0;
+  }
+}
+
+void SimulatedRobot::advance(double seconds) {
+  double left = seconds;
+  while (left > 1e-9) {
+    const double period = std::min(left, parameters_.physics_period);
+    obeyCommands();
+    const Point2 velocity = move(period);
+    if (crowd_ != nullptr) letWalk(period, velocity);
+    time_ += period;
+    left -= period;
+  }
+}
+
+void SimulatedRobot::scan(LaserScan* scan) { scanner_.scan(world_, base_.truePose(), time_, scan); }
+
+void SimulatedRobot::sense(double range_cap, Situation* situation) {
+  scan(&scan_);
+  perceive(scan_, parameters_.scanner.mount, Hokuyo::rules(), range_cap, situation);
+  situation->time = time_;
+  situation->pose = base_.odometry();
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,116 @@
+#include "lstm_planner/ros/common/conversions.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "lstm_planner/robot/perception/observation.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+double yawOf(const geometry_msgs::Quaternion& q) { return yawOfQuaternion(q.x, q.y, q.z, q.w); }
+
+}  // namespace
+
+void fromMessage(const sensor_msgs::LaserScan& message, LaserScan* scan) {
+  scan->stamp = message.header.stamp.toSec();
+  scan->angle_min = message.angle_min;
+  scan->angle_increment = message.angle_increment;
+  scan->range_min = message.range_min;
+  scan->range_max = message.range_max;
+  scan->ranges.assign(message.ranges.begin(), message.ranges.end());
+}
+
+void toMessage(const LaserScan& scan, sensor_msgs::LaserScan* message) {
+  message->angle_min = static_cast<float>(scan.angle_min);
+  message->angle_max =
+      static_cast<float>(scan.angle_min + scan.angle_increment * (static_cast<double>(scan.ranges.size()) - 1.0));
+  message->angle_increment = static_cast<float>(scan.angle_increment);
+  message->range_min = static_cast<float>(scan.range_min);
+  message->range_max = static_cast<float>(scan.range_max);
+  message->ranges = scan.ranges;
+}
+
+Pose2 fromMessage(const geometry_msgs::Pose& message) {
+  return {message.position.x, message.position.y, yawOf(message.orientation)};
+}
+
+Pose2 fromMessage(const geometry_msgs::Transform& message) {
+  return {message.translation.x, message.translation.y, yawOf(message.rotation)};
+}
+
+geometry_msgs::Pose toMessage(const Pose2& pose) {
+  geometry_msgs::Pose message;
+  message.position.x = pose.x;
+  message.position.y = pose.y;
+  message.orientation.z = std::sin(0.5 * pose.yaw);
+  message.orientation.w = std::cos(0.5 * pose.yaw);
+  return message;
+}
+
+SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner) {
+  constexpr double kLargestTilt = 15.0;
+  const geometry_msgs::Quaternion& q = base_from_scanner.rotation;
+  const Eigen::Matrix3d rotation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
+  const double upwards = rotation(2, 2);
+  if (!(std::abs(upwards) >= std::cos(degreesToRadians(kLargestTilt)))) {
+    throw std::invalid_argument("the scanner is tilted by " +
+                                std::to_string(std::acos(std::abs(upwards)) * 180.0 / M_PI) +
+                                " degrees, expected at most 15");
+  }
+  SensorMount mount;
+  mount.upside_down = upwards < 0.0;
+  mount.pose = {base_from_scanner.translation.x, base_from_scanner.translation.y,
+                std::atan2(rotation(1, 0), rotation(0, 0))};
+  return mount;
+}
+
+Pose2 compose(const Pose2& parent, const Pose2& child) {
+  const Point2 position = toParentFrame(parent, {child.x, child.y});
+  return {position.x, position.y, normalizeAngle(parent.yaw + child.yaw)};
+}
+
+void compose(const Pose2& parent, const std::vector<Pose2>& children, std::vector<Pose2>* poses) {
+  const double c = std::cos(parent.yaw);
+  const double s = std::sin(parent.yaw);
+  poses->resize(children.size());
+  double child_yaw = std::numeric_limits<double>::quiet_NaN();
+  double yaw = child_yaw;
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const Pose2& child = children[i];
+    if (child.yaw != child_yaw) {
+      child_yaw = child.yaw;
+      yaw = normalizeAngle(parent.yaw + child_yaw);
+    }
+    (*poses)[i] = {parent.x + c * child.x - s * child.y, parent.y + s * child.x + c * child.y, yaw};
+  }
+}
+
+void compose(const Pose2& parent, const std::vector<Pose2>& children, const std_msgs::Header& header,
+             std::vector<geometry_msgs::PoseStamped>* messages) {
+  const double c = std::cos(parent.yaw);
+  const double s = std::sin(parent.yaw);
+  messages->resize(children.size());
+  double child_yaw = std::numeric_limits<double>::quiet_NaN();
+  geometry_msgs::Pose pose;
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const Pose2& child = children[i];
+    if (child.yaw != child_yaw) {
+      child_yaw = child.yaw;
+      pose = toMessage({0.0, 0.0, normalizeAngle(parent.yaw + child_yaw)});
+    }
+    pose.position.x = parent.x + c * child.x - s * child.y;
+    pose.position.y = parent.y + s * child.x + c * child.y;
+    (*messages)[i].header = header;
+    (*messages)[i].pose = pose;
+  }
+}
+
+std::string frameName(const std::string& frame_id) {
+  return !frame_id.empty() && frame_id.front() == '/' ? frame_id.substr(1) : frame_id;
+}
+
+}  // namespace lstm_planner

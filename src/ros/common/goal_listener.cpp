@@ -1,0 +1,48 @@
+#include "lstm_planner/ros/common/goal_listener.hpp"
+
+#include <ros/console.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "lstm_planner/ros/common/conversions.hpp"
+
+namespace lstm_planner {
+
+GoalListener::GoalListener(ros::NodeHandle private_node_handle)
+    : subscriber_(private_node_handle.subscribe("current_goal", 1, &GoalListener::onGoal, this)) {}
+
+void GoalListener::onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
+  try {
+    const GoalInFrame announced = goalFromMessage(*goal);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    announcement_ = announced;
+  } catch (const std::invalid_argument& error) {
+    ROS_WARN_THROTTLE(2.0, "an announced goal is not used: %s", error.what());
+  }
+}
+
+std::optional<GoalInFrame> GoalListener::takeAnnouncement() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::optional<GoalInFrame> announcement;
+  announcement.swap(announcement_);
+  return announcement;
+}
+
+GoalInFrame goalFromMessage(const geometry_msgs::PoseStamped& message) {
+  GoalInFrame goal{frameName(message.header.frame_id), fromMessage(message.pose)};
+  const geometry_msgs::Quaternion& q = message.pose.orientation;
+  if (q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0) {
+    ROS_WARN_THROTTLE(2.0, "the goal's orientation is a zero quaternion, taken as heading 0");
+    goal.pose.yaw = 0.0;
+  }
+  if (goal.frame.empty()) {
+    throw std::invalid_argument("the goal names no frame");
+  }
+  if (!isFinite(goal.pose)) {
+    throw std::invalid_argument("the goal's pose is not finite");
+  }
+  return goal;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,52 @@
+#include "lstm_planner/ros/common/message_queue.hpp"
+
+#include <ros/console.h>
+
+#include <chrono>
+#include <exception>
+
+namespace lstm_planner {
+namespace {
+
+constexpr std::chrono::milliseconds kLongestWait(100);
+constexpr double kLogPeriod = 2.0;  // s
+
+}  // namespace
+
+MessageQueue::MessageQueue() : thread_(&MessageQueue::handOutNowAndThen, this) {}
+
+MessageQueue::~MessageQueue() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    finished_ = true;
+  }
+  finishes_.notify_all();
+  thread_.join();
+}
+
+ros::NodeHandle MessageQueue::nodeHandle(const std::string& name_space) {
+  ros::NodeHandle node_handle(name_space);
+  node_handle.setCallbackQueue(&queue_);
+  return node_handle;
+}
+
+void MessageQueue::handOut() {
+  const std::lock_guard<std::mutex> lock(handing_out_);
+  try {
+    queue_.callAvailable();
+  } catch (const std::exception& error) {
+    // tf throws for stamps at the end of time; in a thread of its own nobody else would catch that.
+    ROS_ERROR_THROTTLE(kLogPeriod, "a message could not be used: %s", error.what());
+  }
+}
+
+void MessageQueue::handOutNowAndThen() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!finishes_.wait_for(lock, kLongestWait, [this] { return finished_; })) {
+    lock.unlock();
+    handOut();
+    lock.lock();
+  }
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,120 @@
+#include "lstm_planner/ros/common/sensor_listener.hpp"
+
+#include <ros/console.h>
+
+#include <cmath>
+
+#include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/common/message_age.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr int kOdometryQueue = 100;  // a tenth of a second of the fastest
+
+/// When it was received stands in where a driver does not stamp its messages and leaves zero there.
+ros::Time stampOr(const ros::Time& stamp, const ros::Time& received) { return stamp.isZero() ? received : stamp; }
+
+void checkAge(double age, double timeout, const std::string& topic, const std::string& parameter) {
+  const std::string problem = ageProblem(age, timeout, parameter);
+  if (!problem.empty()) throw SensorError("the newest message on " + topic + " is " + problem);
+}
+
+}  // namespace
+
+SensorListener::SensorListener(MessageQueue* messages, const SensorParameters& parameters,
+                               const std::string& base_frame, const tf2_ros::Buffer& tf)
+    : messages_(*messages), parameters_(parameters), tf_(tf), base_frame_(base_frame), history_(parameters.max_speed) {
+  // Without this, TCP holds a scan back until the one before is acknowledged: up to 40 ms.
+  const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
+  ros::NodeHandle node_handle = messages_.nodeHandle();
+  scan_subscriber_ = node_handle.subscribe(parameters.scan_topic, 1, &SensorListener::onScan, this, hints);
+  odometry_subscriber_ =
+      node_handle.subscribe(parameters.odom_topic, kOdometryQueue, &SensorListener::onOdometry, this, hints);
+}
+
+void SensorListener::onScan(const ros::MessageEvent<sensor_msgs::LaserScan const>& event) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  scan_ = event.getConstMessage();
+  scan_stamp_ = stampOr(scan_->header.stamp, event.getReceiptTime());
+  fromMessage(*scan_, &laser_scan_);
+  silence_.show(laser_scan_, parameters_.scan_rules, scan_stamp_.toSec());
+}
+
+void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const nav_msgs::Odometry::ConstPtr odometry = event.getConstMessage();
+  odometry_stamp_ = stampOr(odometry->header.stamp, event.getReceiptTime());
+  const geometry_msgs::Twist& twist = odometry->twist.twist;
+  const OdometryHistory::Entry entry{
+      odometry_stamp_.toSec(), fromMessage(odometry->pose.pose), {twist.linear.x, twist.angular.z}};
+  odometry_is_finite_ = isFinite(entry.pose) && std::isfinite(entry.twist.linear) && std::isfinite(entry.twist.angular);
+  if (frameName(odometry->header.frame_id) != odometry_frame_) {
+    history_.restart();
+    odometry_frame_ = frameName(odometry->header.frame_id);
+  }
+  if (!odometry->child_frame_id.empty() && frameName(odometry->child_frame_id) != base_frame_) {
+    base_frame_ = frameName(odometry->child_frame_id);
+    mounts_.clear();
+  }
+  if (odometry_is_finite_) {
+    history_.add(entry);
+  }
+}
+
+SensorReading SensorListener::read(const ros::Time& now) {
+  messages_.handOut();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!scan_) {
+    throw SensorError("no scan has been received on " + scan_subscriber_.getTopic());
+  }
+  if (odometry_stamp_.isZero()) {
+    throw SensorError("no odometry has been received on " + odometry_subscriber_.getTopic());
+  }
+  checkAge(secondsBetween(scan_stamp_, now), parameters_.scan_timeout, scan_subscriber_.getTopic(), "scan_timeout");
+  checkAge(secondsBetween(odometry_stamp_, now), parameters_.odom_timeout, odometry_subscriber_.getTopic(),
+           "odom_timeout");
+  if (silence_.isCovered()) {
+    throw SensorError("the scanner counts as covered: on " + scan_subscriber_.getTopic() +
+                      " no beam has had a return since a scan in which " +
+                      std::to_string(std::lround(100.0 * silence_.shareBefore())) + " % of them had one");
+  }
+  if (!odometry_is_finite_ || history_.empty()) {
+    throw SensorError("the odometry on " + odometry_subscriber_.getTopic() +
+                      " has a pose or twist that is not finite, or a zero quaternion");
+  }
+  if (odometry_frame_.empty()) {
+    throw SensorError("the odometry on " + odometry_subscriber_.getTopic() + " names no frame");
+  }
+  SensorReading reading;
+  reading.scan = scan_;
+  reading.scan_stamp = scan_stamp_.toSec();
+  reading.mount = mountOf(frameName(scan_->header.frame_id));
+  reading.odometry_frame = odometry_frame_;
+  reading.scan_pose = history_.poseAt(scan_stamp_.toSec());
+  reading.newest_pose = history_.newest().pose;
+  reading.twist = history_.newest().twist;
+  reading.jumps = history_.jumps();
+  return reading;
+}
+
+const SensorMount& SensorListener::mountOf(const std::string& frame) {
+  constexpr std::size_t kMostScanners = 16;
+  if (frame.empty()) throw SensorError("the scan on " + scan_subscriber_.getTopic() + " names no frame");
+  const auto known = mounts_.find(frame);
+  if (known != mounts_.end()) {
+    return known->second;
+  }
+  try {
+    const SensorMount mount = mountFromMessage(tf_.lookupTransform(base_frame_, frame, ros::Time(0)).transform);
+    if (mounts_.size() >= kMostScanners) mounts_.clear();
+    return mounts_.emplace(frame, mount).first->second;
+  } catch (const tf2::TransformException& error) {
+    throw SensorError("where the scanner sits is not known: " + std::string(error.what()));
+  } catch (const std::invalid_argument& error) {
+    throw SensorError(error.what());
+  }
+}
+
+}  // namespace lstm_planner

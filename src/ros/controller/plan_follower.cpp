@@ -1,0 +1,101 @@
+#include "lstm_planner/ros/controller/plan_follower.hpp"
+
+#include <ros/time.h>
+
+#include <stdexcept>
+
+#include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/common/message_age.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// Farther returns do not change a command; not looking at them keeps the controller cheap.
+constexpr double kShieldReach = 2.0;
+
+}  // namespace
+
+PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const std::string& base_frame,
+                           const tf2_ros::Buffer& tf)
+    : parameters_(parameters),
+      frames_(tf, parameters.sensors.tf_timeout),
+      sensors_(&messages_, parameters.sensors, frameName(base_frame), tf),
+      controller_(parameters.motion),
+      shield_(parameters.footprint_radius, parameters.motion.safety_margin, kShieldReach),
+      moving_(parameters.motion.moving) {}
+
+void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
+  plan_.clear();
+  if (plan.empty()) {
+    return;
+  }
+  new_plan_.clear();
+  const std::string& frame = plan.front().header.frame_id;
+  plan_frame_ = frameName(frame);
+  for (const geometry_msgs::PoseStamped& stamped : plan) {
+    const Pose2 pose = fromMessage(stamped.pose);
+    const bool same_frame = stamped.header.frame_id == frame || frameName(stamped.header.frame_id) == plan_frame_;
+    if (plan_frame_.empty() || !same_frame) {
+      throw std::invalid_argument("the plan has a pose in frame '" + stamped.header.frame_id + "', expected '" +
+                                  plan_frame_ + "' as in its first pose, and not empty");
+    }
+    if (!isFinite(pose)) {
+      throw std::invalid_argument("the plan has a pose that is not finite, or a zero quaternion");
+    }
+    new_plan_.push_back(pose);
+  }
+  plan_.swap(new_plan_);
+  plan_time_ = ros::Time::now();
+}
+
+Twist2 PlanFollower::compute() {
+  const ros::Time now = ros::Time::now();
+  const SensorReading reading = sensors_.read(now);
+  checkPlanAge(now);
+  compose(odometryFromPlan(reading.odometry_frame, now), plan_, &odometry_plan_);
+  look(reading);
+  return controller_.compute(odometry_plan_, reading.scan_pose, reading.twist, shield_,
+                             1.0 / parameters_.controller_frequency, moving_.points(), moving_.resting());
+}
+
+bool PlanFollower::goalReached() {
+  if (plan_.empty()) {
+    return false;
+  }
+  const ros::Time now = ros::Time::now();
+  const SensorReading reading = sensors_.read(now);
+  const Pose2 goal = compose(odometryFromPlan(reading.odometry_frame, now), plan_.back());
+  return controller_.goalReached(reading.newest_pose, goal);
+}
+
+void PlanFollower::checkPlanAge(const ros::Time& now) const {
+  // move_base goes on with the last plan when its planner refuses to make another one; this makes it notice.
+  if (parameters_.plan_timeout <= 0.0) return;
+  const double age = secondsBetween(plan_time_, now);
+  if (age < 0.0) {
+    throw OutdatedPlan("the clock was set back by at least " + std::to_string(-age) +
+                       " s since the plan was made: how old it is is not known");
+  }
+  if (age > parameters_.plan_timeout) {
+    throw OutdatedPlan("the plan is " + std::to_string(age) + " s old, allowed are plan_timeout = " +
+                       std::to_string(parameters_.plan_timeout) + " s: the planner does not renew it");
+  }
+}
+
+Pose2 PlanFollower::odometryFromPlan(const std::string& odometry_frame, const ros::Time& now) const {
+  return plan_.empty() ? Pose2() : frames_.transform(odometry_frame, plan_frame_, now);
+}
+
+void PlanFollower::look(const SensorReading& reading) {
+  fromMessage(*reading.scan, &scan_);
+  perceive(scan_, reading.mount, parameters_.sensors.scan_rules, kShieldReach, &seen_);
+  shield_.show(seen_.obstacles);
+  if (reading.jumps != jumps_) {
+    moving_.reset();
+    jumps_ = reading.jumps;
+  }
+  moving_.show(seen_.profile, reading.scan_pose, reading.scan_stamp);
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,85 @@
+#include "lstm_planner/ros/create2_stub/create2_stub_world.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "lstm_planner/base/common/csv_file.hpp"
+#include "lstm_planner/base/grid/map_server_map.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kContactEnds = 0.01;    // m of air after which touching again is a new contact
+constexpr double kBumperTravel = 0.005;  // m
+constexpr double kBumperBearing = 0.7;   // rad, middle of each half of the bumper
+
+}  // namespace
+
+std::vector<Circle> readCircles(const std::string& path, double default_radius, int world) {
+  enum Column { kX, kY, kRadius, kWorld };
+  const CsvFile file(path, {"x", "y"}, {"radius", "world"});
+  std::vector<Circle> circles;
+  for (std::size_t line = 0; line < file.lines(); ++line) {
+    if (file.has(kWorld) && static_cast<int>(file.number(line, kWorld)) != world) continue;
+    const double radius = file.has(kRadius) ? file.number(line, kRadius) : default_radius;
+    circles.push_back({{file.number(line, kX), file.number(line, kY)}, radius});
+  }
+  if (circles.empty()) {
+    throw std::invalid_argument("'" + path + "' holds no circles" +
+                                (file.has(kWorld) ? " of world " + std::to_string(world) : ""));
+  }
+  return circles;
+}
+
+std::unique_ptr<World> makeWorld(const Create2StubParameters& parameters) {
+  if (parameters.map.empty() == parameters.circles.empty()) {
+    throw std::invalid_argument(
+        "exactly one of the parameters map (a map_server yaml) and circles (a csv) is needed, " +
+        std::string(parameters.map.empty() ? "neither" : "both") + " given");
+  }
+  std::unique_ptr<World> world;
+  if (!parameters.map.empty()) {
+    try {
+      world = std::make_unique<GridWorld>(readMapServerMap(parameters.map, parameters.free_threshold));
+    } catch (const MapFileError& error) {
+      throw std::invalid_argument(error.what());
+    }
+  } else {
+    world = std::make_unique<CircleWorld>(
+        readCircles(parameters.circles, parameters.circle_radius, parameters.circle_world));
+  }
+  const Point2 start{parameters.start.x, parameters.start.y};
+  if (world->touches(start, parameters.robot.base_diameter / 2.0)) {
+    std::ostringstream text;
+    text << "the robot cannot start at (" << start.x << ", " << start.y << "): something is nearer than its radius of "
+         << parameters.robot.base_diameter / 2.0 << " m";
+    throw std::invalid_argument(text.str());
+  }
+  return world;
+}
+
+RobotInWorld::RobotInWorld(const World& world, const Create2Parameters& parameters, const Pose2& start,
+                           std::uint64_t seed)
+    : world_(world), robot_(parameters, start, seed), radius_(parameters.base_diameter / 2.0) {}
+
+void RobotInWorld::step(double seconds) {
+  const Pose2 before = robot_.truePose();
+  robot_.step(seconds);
+  const Pose2 after = robot_.truePose();
+  if (world_.touches(Point2{after.x, after.y}, radius_)) {
+    // The footprint is a disc: turning on the spot never makes it touch.
+    robot_.holdPosition({before.x, before.y, after.yaw});
+    if (!in_contact_) ++contacts_;
+    in_contact_ = true;
+  } else if (in_contact_ && !world_.touches(Point2{after.x, after.y}, radius_ + kContactEnds)) {
+    in_contact_ = false;
+  }
+}
+
+bool RobotInWorld::pressed(bool left) const {
+  const Pose2& pose = robot_.truePose();
+  const double bearing = left ? kBumperBearing : -kBumperBearing;
+  return in_contact_ && world_.touches(pointAlong(pose, pose.yaw + bearing, kBumperTravel), radius_);
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,87 @@
+#include <stdexcept>
+
+#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/ros/common/parameter_reader.hpp"
+#include "lstm_planner/ros/common/pose_parameter.hpp"
+#include "lstm_planner/ros/demo/demo_runner.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kLongest = 86400.0;  // s
+
+DemoParameters::Goal readGoal(XmlRpc::XmlRpcValue value, const std::string& name, std::size_t number,
+                              double time_limit) {
+  using XmlRpc::XmlRpcValue;
+  DemoParameters::Goal goal{std::to_string(number), poseFromParameter(value, name), time_limit};
+  if (value.getType() != XmlRpcValue::TypeStruct) return goal;
+  if (value.hasMember("name") && value["name"].getType() == XmlRpcValue::TypeString) {
+    goal.name += " " + static_cast<std::string&>(value["name"]);
+  }
+  if (value.hasMember("time_limit")) {
+    XmlRpcValue& limit = value["time_limit"];
+    const bool whole = limit.getType() == XmlRpcValue::TypeInt;
+    if (!whole && limit.getType() != XmlRpcValue::TypeDouble) {
+      throw std::invalid_argument(name + "/time_limit is not a number");
+    }
+    goal.time_limit = whole ? static_cast<int&>(limit) : static_cast<double&>(limit);
+    checkRange(name + "/time_limit", goal.time_limit, 0.1, kLongest);
+  }
+  return goal;
+}
+
+Pose2 fromOdometryFrame(const Pose2& start, const Pose2& pose) {
+  const Point2 position = toParentFrame(start, Point2{pose.x, pose.y});
+  return {position.x, position.y, normalizeAngle(start.yaw + pose.yaw)};
+}
+
+void readGoals(const ros::NodeHandle& node, const std::string& frame, double time_limit, DemoParameters* parameters) {
+  const std::string name = node.resolveName("scenario/goals");
+  XmlRpc::XmlRpcValue list;
+  if (!node.getParam("scenario/goals", list) || list.getType() != XmlRpc::XmlRpcValue::TypeArray || list.size() == 0) {
+    throw std::invalid_argument("parameter " + name + " is not a list of goals (is the goals file loaded?)");
+  }
+  for (int i = 0; i < list.size(); ++i) {
+    const auto number = static_cast<std::size_t>(i + 1);
+    parameters->goals.push_back(readGoal(list[i], name + "[" + std::to_string(i) + "]", number, time_limit));
+    Pose2& pose = parameters->goals.back().pose;
+    if (frame == "odom") pose = fromOdometryFrame(parameters->start, pose);
+  }
+}
+
+}  // namespace
+
+DemoParameters loadDemoParameters(const ros::NodeHandle& private_node) {
+  DemoParameters parameters;
+  ParameterReader reader(private_node);
+  reader.read("map", &parameters.map);
+  reader.read("free_threshold", &parameters.free_threshold);
+  reader.read("odom_frame", &parameters.odom_frame);
+  reader.read("action", &parameters.action);
+  reader.read("robot_radius", &parameters.robot_radius);
+  reader.read("arrival_radius", &parameters.arrival_radius);
+  reader.read("patience", &parameters.patience);
+  reader.read("picture", &parameters.picture);
+  reader.read("result", &parameters.result);
+  checkRange(private_node.resolveName("free_threshold"), parameters.free_threshold, -1.0, 1.0);
+  checkRange(private_node.resolveName("robot_radius"), parameters.robot_radius, 0.02, 5.0);
+  checkRange(private_node.resolveName("arrival_radius"), parameters.arrival_radius, 0.01, 100.0);
+  checkRange(private_node.resolveName("patience"), parameters.patience, 0.1, kLongest);
+
+  if (!readPose(private_node, "start", &parameters.start)) {
+    readPose(private_node, "scenario/start", &parameters.start);
+  }
+  std::string frame = "map";
+  reader.read("scenario/frame", &frame);
+  if (frame != "map" && frame != "odom") {
+    throw std::invalid_argument("parameter " + private_node.resolveName("scenario/frame") + " is '" + frame +
+                                "', expected map or odom");
+  }
+  double time_limit = 300.0;
+  reader.read("scenario/time_limit", &time_limit);
+  checkRange(private_node.resolveName("scenario/time_limit"), time_limit, 0.1, kLongest);
+  readGoals(private_node, frame, time_limit, &parameters);
+  return parameters;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,175 @@
+#include "ros/move_base/standalone_move_base_goal_server.hpp"
+
+#include <move_base_msgs/MoveBaseActionGoal.h>
+#include <ros/ros.h>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "ros/move_base/standalone_move_base_goal.hpp"
+
+namespace lstm_planner {
+namespace {
+
+std::string withUnit(double value, const char* unit) {
+  std::ostringstream text;
+  text << value << ' ' << unit;
+  return text.str();
+}
+
+double distanceBetweenPoses(const geometry_msgs::PoseStamped& a, const geometry_msgs::PoseStamped& b) {
+  return std::hypot(b.pose.position.x - a.pose.position.x, b.pose.position.y - a.pose.position.y);
+}
+
+}  // namespace
+
+StandaloneMoveBase::GoalServer::GoalServer(tf2_ros::Buffer& tf)
+    : tf_(tf),
+      parameters_(StandaloneMoveBaseParameters::load(private_node_)),
+      plugins_(parameters_.base_global_planner, parameters_.base_local_planner, tf),
+      planner_([this](const geometry_msgs::PoseStamped& goal, Plan& plan) { return planFromRobot(goal, plan); },
+               parameters_.planner_frequency),
+      velocity_publisher_(node_.advertise<geometry_msgs::Twist>("cmd_vel", 1)),
+      current_goal_publisher_(private_node_.advertise<geometry_msgs::PoseStamped>("current_goal", 0)),
+      action_goal_publisher_(node_.advertise<move_base_msgs::MoveBaseActionGoal>("move_base/goal", 1)),
+      server_(
+          node_, "move_base", [this](const move_base_msgs::MoveBaseGoalConstPtr& goal) { pursue(goal); }, false) {
+  simple_goal_subscriber_ = node_.subscribe("move_base_simple/goal", 1, &GoalServer::forwardGoal, this);
+  plan_service_ = private_node_.advertiseService("make_plan", &GoalServer::servePlan, this);
+  server_.start();
+}
+
+StandaloneMoveBase::GoalServer::~GoalServer() {
+  finished_ = true;
+  simple_goal_subscriber_.shutdown();
+  plan_service_.shutdown();
+  server_.shutdown();
+}
+
+void StandaloneMoveBase::GoalServer::pursue(const move_base_msgs::MoveBaseGoalConstPtr& goal) {
+  if (!begin(*goal)) return;
+  ros::Rate rate(parameters_.controller_frequency);
+  while (ros::ok() && !finished_ && server_.isActive()) {
+    if (!handlePreemption() || !step()) return;
+    rate.sleep();
+  }
+  planner_.stop();
+  if (server_.isActive()) server_.setAborted({}, "The node has been shut down.");
+}
+
+bool StandaloneMoveBase::GoalServer::begin(const move_base_msgs::MoveBaseGoal& goal) {
+  geometry_msgs::PoseStamped target;
+  try {
+    target = goalInFrame(goal.target_pose, plugins_.globalFrame(), tf_);
+  } catch (const std::invalid_argument& exception) {
+    abort(std::string("The goal was refused: ") + exception.what() + ".");
+    return false;
+  }
+  state_ = State::kPlanning;
+  last_valid_plan_.restart();
+  last_valid_control_.restart();
+  last_progress_.restart();
+  stopRobot();
+  planner_.start(target);
+  current_goal_publisher_.publish(target);
+  return true;
+}
+
+bool StandaloneMoveBase::GoalServer::handlePreemption() {
+  if (!server_.isPreemptRequested()) return true;
+  if (server_.isNewGoalAvailable()) return begin(*server_.acceptNewGoal());
+  planner_.stop();
+  stopRobot();
+  server_.setPreempted({}, "The goal was cancelled.");
+  return false;
+}
+
+bool StandaloneMoveBase::GoalServer::step() {
+  geometry_msgs::PoseStamped robot;
+  if (plugins_.robotPose(robot)) {
+    move_base_msgs::MoveBaseFeedback feedback;
+    feedback.base_position = robot;
+    server_.publishFeedback(feedback);
+    if (isOscillating(robot)) {
+      abort("The robot has stayed within " + withUnit(parameters_.oscillation_distance, "m") + " for " +
+            withUnit(parameters_.oscillation_timeout, "s") + ".");
+      return false;
+    }
+  }
+  if (!takePlan()) return false;
+  return state_ == State::kPlanning ? waitForPlan() : drive();
+}
+
+bool StandaloneMoveBase::GoalServer::takePlan() {
+  Plan plan;
+  if (!planner_.takePlan(plan)) return true;
+  if (!plugins_.setPlan(plan)) {
+    abort("The controller refused the plan.");
+    return false;
+  }
+  last_valid_plan_.restart();
+  state_ = State::kControlling;
+  return true;
+}
+
+bool StandaloneMoveBase::GoalServer::waitForPlan() {
+  // A planner slower than the patience still gets its one chance.
+  if (planner_.failures() == 0 || !last_valid_plan_.isLongerAgo(parameters_.planner_patience)) return true;
+  const std::string duration = withUnit(parameters_.planner_patience, "s");
+  abort(pose_known_ ? "No plan was found for " + duration +
+                          ": there is no way to the goal, or the planner has no sensor data (its messages say which)."
+                    : "No plan was found for " + duration + ": the robot's pose in frame '" + plugins_.globalFrame() +
+                          "' is unknown.");
+  return false;
+}
+
+bool StandaloneMoveBase::GoalServer::drive() {
+  if (plugins_.isGoalReached()) {
+    succeed();
+    return false;
+  }
+  geometry_msgs::Twist velocity;
+  if (!plugins_.computeVelocity(velocity)) return recoverController();
+  last_valid_control_.restart();
+  velocity_publisher_.publish(velocity);
+  return true;
+}
+
+bool StandaloneMoveBase::GoalServer::recoverController() {
+  if (last_valid_control_.isLongerAgo(parameters_.controller_patience)) {
+    abort("The controller found no safe velocity for " + withUnit(parameters_.controller_patience, "s") + ".");
+    return false;
+  }
+  stopRobot();
+  state_ = State::kPlanning;
+  last_valid_plan_.restart();
+  planner_.request();
+  return true;
+}
+
+bool StandaloneMoveBase::GoalServer::isOscillating(const geometry_msgs::PoseStamped& robot) {
+  if (parameters_.oscillation_timeout <= 0.0) return false;
+  if (distanceBetweenPoses(progress_pose_, robot) >= parameters_.oscillation_distance) {
+    progress_pose_ = robot;
+    last_progress_.restart();
+  }
+  return last_progress_.isLongerAgo(parameters_.oscillation_timeout);
+}
+
+void StandaloneMoveBase::GoalServer::stopRobot() { velocity_publisher_.publish(geometry_msgs::Twist()); }
+
+void StandaloneMoveBase::GoalServer::succeed() {
+  planner_.stop();
+  stopRobot();
+  server_.setSucceeded({}, "Goal reached.");
+}
+
+void StandaloneMoveBase::GoalServer::abort(const std::string& text) {
+  planner_.stop();
+  stopRobot();
+  ROS_ERROR("%s", text.c_str());
+  server_.setAborted({}, text);
+}
+
+}  // namespace lstm_planner

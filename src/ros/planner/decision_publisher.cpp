@@ -1,0 +1,81 @@
+#include "lstm_planner/ros/planner/decision_publisher.hpp"
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+
+#include <sstream>
+
+namespace lstm_planner {
+
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+constexpr int kQueue = 1000;  // a recording that is replayed as fast as possible has many decisions at a time
+
+template <typename T>
+std::string text(const T& value) {
+  std::ostringstream stream;
+  stream << value;
+  return stream.str();
+}
+
+template <typename T>
+std::string listText(const std::vector<T>& values) {
+  std::ostringstream stream;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    stream << (i == 0 ? "" : ", ") << +values[i];
+  }
+  return stream.str();
+}
+
+void add(const std::string& key, const std::string& value, DiagnosticStatus* status) {
+  diagnostic_msgs::KeyValue entry;
+  entry.key = key;
+  entry.value = value;
+  status->values.push_back(entry);
+}
+
+unsigned char levelOf(const Decision& decision) {
+  switch (decision.source) {
+    case Decision::Source::kNoWay:
+      return DiagnosticStatus::ERROR;
+    case Decision::Source::kLookAround:
+    case Decision::Source::kEscape:
+      return DiagnosticStatus::WARN;
+    case Decision::Source::kRoute:
+      return decision.preferred >= 0 ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
+    default:
+      return DiagnosticStatus::OK;
+  }
+}
+
+}  // namespace
+
+DecisionPublisher::DecisionPublisher(ros::NodeHandle node_handle)
+    : publisher_(node_handle.advertise<diagnostic_msgs::DiagnosticArray>("decision", kQueue)) {}
+
+void DecisionPublisher::publish(const std_msgs::Header& header, const Situation& situation, const Decision& decision,
+                                const Pose2& goal) {
+  if (publisher_.getNumSubscribers() == 0) {
+    return;
+  }
+  DiagnosticStatus status;
+  status.level = levelOf(decision);
+  status.name = "lstm_planner: decision";
+  status.message = toString(decision.source);
+  add("step", text(decision.step), &status);
+  add("goal_distance", text(distanceBetween(situation.pose, goal)), &status);
+  add("goal_bearing", text(normalizeAngle(directionTo(situation.pose, goal) - situation.pose.yaw)), &status);
+  add("action", text(decision.action), &status);
+  add("preferred", text(decision.preferred), &status);
+  add("overruled", decision.isOverruled() ? "true" : "false", &status);
+  add("steering_angle", text(normalizeAngle(decision.direction - situation.pose.yaw)), &status);
+  add("preferences", listText(decision.preferences), &status);
+  add("allowed", listText(decision.allowed), &status);
+  diagnostic_msgs::DiagnosticArray message;
+  message.header = header;
+  message.status.push_back(status);
+  publisher_.publish(message);
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,175 @@
+#include "lstm_planner/ros/planner/plan_maker.hpp"
+
+#include <nav_msgs/Path.h>
+#include <ros/console.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lstm_planner/ros/common/conversions.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// How long the driven goal may go without a call before another one can take its place, s.
+double goalPatience() {
+  const double frequency = ros::NodeHandle("~").param("planner_frequency", 0.0);
+  return frequency > 0.0 ? std::max(1.0, 3.0 / frequency) : 5.0;
+}
+
+}  // namespace
+
+PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& parameters,
+                     const std::string& global_frame, const std::string& base_frame)
+    : parameters_(parameters),
+      global_frame_(frameName(global_frame)),
+      agent_(DrivePolicy::fromFile(resolvePackagePath(parameters.model)), parameters.agent,
+             parameters.sensors.scan_rules),
+      tf_listener_(&tf_, messages_.nodeHandle()),
+      frames_(tf_, parameters.sensors.tf_timeout),
+      sensors_(&messages_, parameters.sensors, frameName(base_frame), tf_),
+      goals_(messages_.nodeHandle("~")),
+      tracker_(goalPatience()),
+      markers_(ros::NodeHandle("~/" + name), agent_.description(), parameters.trace_length),
+      decisions_(ros::NodeHandle("~/" + name)),
+      plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)),
+      preview_shield_(agent_.shield()) {}
+
+void PlanMaker::makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
+                         std::vector<geometry_msgs::PoseStamped>* plan) {
+  try {
+    makePlanFromWhatIsHeard(start, goal_message, plan);
+  } catch (const FutureTransform&) {
+    // One that was on its way when the clock was set back. As long as tf holds it, it is the newest.
+    tf_.clear();
+    throw;
+  }
+}
+
+void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
+                                        const geometry_msgs::PoseStamped& goal_message,
+                                        std::vector<geometry_msgs::PoseStamped>* plan) {
+  now_ = ros::Time::now();
+  const GoalInFrame goal = goalFromMessage(goal_message);
+  const SensorReading reading = sensors_.read(now_);
+  global_from_odometry_ = frames_.transform(global_frame_, reading.odometry_frame, now_);
+  checkStart(start, compose(global_from_odometry_, reading.newest_pose));
+  look(reading);
+
+  Pose2 goal_in_global_frame =
+      compose(frames_.transformAt(global_frame_, goal.frame, goal_message.header.stamp, now_), goal.pose);
+  const GoalTracker::Verdict verdict = ask(goal, &goal_in_global_frame);
+  const Point2 position = toLocalFrame(global_from_odometry_, {goal_in_global_frame.x, goal_in_global_frame.y});
+  const Pose2 odometry_goal{position.x, position.y, goal_in_global_frame.yaw - global_from_odometry_.yaw};
+  const bool driven = verdict != GoalTracker::Verdict::kQuestion;
+  const Decision& decision =
+      driven ? drive(odometry_goal, reading, verdict == GoalTracker::Verdict::kNewGoal) : preview(odometry_goal);
+  rollOut(agent_.situation(), decision, driven ? agent_.shield() : preview_shield_, odometry_goal, parameters_.agent,
+          parameters_.rollout, &plan_);
+  toGlobalFrame(decision, goal_in_global_frame, plan);
+  if (driven) {
+    sayWhoLeads(decision);
+    publish(reading, decision, odometry_goal, *plan);
+  }
+  if (decision.source == Decision::Source::kNoWay) {
+    throw PlanRefused("there is no way to the goal: the boundary of what is in the way was followed to its end");
+  }
+}
+
+void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const {
+  constexpr double kFarthestStart = 1.0;
+  if (frameName(start.header.frame_id) != global_frame_) {
+    throw PlanRefused("the start is in frame '" + start.header.frame_id + "', expected " + global_frame_);
+  }
+  const double distance = distanceBetween(start.pose.position, robot);
+  if (!(distance <= kFarthestStart)) {
+    throw PlanRefused("the start is " + std::to_string(distance) +
+                      " m from the robot, plans are made only from where it stands");
+  }
+}
+
+void PlanMaker::look(const SensorReading& reading) {
+  fromMessage(*reading.scan, &scan_);
+  agent_.look(scan_, reading.mount, reading.scan_pose, reading.scan_stamp);
+}
+
+GoalTracker::Verdict PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
+  if (const auto announced = goals_.takeAnnouncement()) {
+    tracker_.announce(*announced);
+  }
+  const GoalTracker::Verdict verdict = tracker_.ask(goal, now_.toSec());
+  if (verdict == GoalTracker::Verdict::kNewGoal) {
+    driven_goal_ = *goal_in_global_frame;
+  } else if (verdict == GoalTracker::Verdict::kDriven) {
+    // A goal given in a frame that moves (the robot's own) stays where it was when it was given.
+    *goal_in_global_frame = driven_goal_;
+  }
+  return verdict;
+}
+
+const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading, bool is_new) {
+  const Point2 last_goal = agent_.goal();
+  switch (agent_.drive({goal.x, goal.y}, is_new, reading.jumps)) {
+    case OnlineAgent::Fresh::kNewGoal:
+      ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
+      markers_.clearTrace();
+      break;
+    case OnlineAgent::Fresh::kJump:
+      ROS_WARN("the odometry jumped, the way so far and what was seen are forgotten; the goal stays");
+      markers_.clearTrace();
+      break;
+    case OnlineAgent::Fresh::kGoalMoved:
+      ROS_WARN("the goal moved by %.2f m in the odometry frame, the way so far is forgotten",
+               distanceBetween(last_goal, goal));
+      break;
+    case OnlineAgent::Fresh::kNo:
+      break;
+  }
+  return agent_.decision();
+}
+
+void PlanMaker::sayWhoLeads(const Decision& decision) {
+  const bool leads = decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kRoute ||
+                     decision.source == Decision::Source::kEscape;
+  if (!leads || decision.source == leader_) return;
+  leader_ = decision.source;
+  ROS_INFO("from step %ld on the %s leads", decision.step, toString(leader_));
+}
+
+const Decision& PlanMaker::preview(const Pose2& goal) {
+  preview_shield_.show(agent_.situation().obstacles);
+  preview_ = agent_.preview({goal.x, goal.y});
+  return preview_;
+}
+
+void PlanMaker::toGlobalFrame(const Decision& decision, const Pose2& goal,
+                              std::vector<geometry_msgs::PoseStamped>* plan) const {
+  std_msgs::Header header;
+  header.frame_id = global_frame_;
+  header.stamp = now_;
+  compose(global_from_odometry_, plan_, header, plan);
+  const Point2 position = toLocalFrame(global_from_odometry_, {goal.x, goal.y});
+  if (distanceBetween(decision.destination, position) < 1e-6) {
+    // Free of the rounding of there and back again.
+    plan->back().pose = toMessage(goal);
+  }
+}
+
+void PlanMaker::publish(const SensorReading& reading, const Decision& decision, const Pose2& goal,
+                        const std::vector<geometry_msgs::PoseStamped>& plan) {
+  std_msgs::Header header;
+  header.frame_id = reading.odometry_frame;
+  header.stamp = now_;
+  markers_.publish(header, agent_.situation(), decision, goal);
+  decisions_.publish(header, agent_.situation(), decision, goal);
+  if (plan_publisher_.getNumSubscribers() > 0) {
+    nav_msgs::Path path;
+    path.header = plan.front().header;
+    path.poses = plan;
+    plan_publisher_.publish(path);
+  }
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,324 @@
+#include "lstm_planner/ros/recorder/bag_drive.hpp"
+
+#include <actionlib_msgs/GoalID.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <move_base_msgs/MoveBaseActionGoal.h>
+#include <move_base_msgs/MoveBaseActionResult.h>
+#include <nav_msgs/Odometry.h>
+#include <rosbag/bag.h>
+#include <rosbag/exceptions.h>
+#include <rosbag/view.h>
+#include <sensor_msgs/LaserScan.h>
+#include <tf2/buffer_core.h>
+#include <tf2/exceptions.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <stdexcept>
+
+#include "lstm_planner/base/common/input_file.hpp"
+#include "lstm_planner/robot/dataset/event_order.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/recorder/drive_messages.hpp"
+#include "ros/common/stamp_check.hpp"
+#include "ros/recorder/bag_message.hpp"
+#include "ros/recorder/bag_odometry.hpp"
+#include "ros/recorder/bag_topics.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// What hears a bag's messages.
+class BagListener {
+ public:
+  virtual ~BagListener() = default;
+  virtual void hear(const sensor_msgs::LaserScan& scan, const ros::Time& received) = 0;
+  virtual void hear(const nav_msgs::Odometry& odometry, const ros::Time& received) = 0;
+  virtual void hearGoal(const rosbag::MessageInstance& message) = 0;
+  virtual void hearEnd(const rosbag::MessageInstance& message) = 0;
+};
+
+/// Plays a bag's messages, as often as is wanted.
+class BagPlayer {
+ public:
+  BagPlayer(const std::string& path, const BagDriveOptions& options) : options_(options) {
+    checkInputFile(path, std::numeric_limits<std::uintmax_t>::max());
+    bag_.open(path, rosbag::bagmode::Read);
+    topics_ = chooseTopics(bag_, options);
+  }
+
+  const BagTopics& topics() const { return topics_; }
+
+  /// `tf` is told the transforms before the messages behind them are heard.
+  void play(tf2::BufferCore* tf, BagListener* listener) {
+    OdometryFromTransforms odometry(options_.odometry_frame, options_.base_frame);
+    stamps_ = StampCheck();
+    skipped_ = 0;
+    rosbag::View view(bag_, rosbag::TopicQuery(topics_.all()));
+    for (const rosbag::MessageInstance& message : view) {
+      try {
+        play(message, tf, &odometry, listener);
+      } catch (const rosbag::BagException&) {
+        throw;  // the file is damaged, not the message
+      } catch (const std::exception& error) {
+        skip(message, error.what());
+      }
+    }
+  }
+
+  /// Messages that the last play() could not use, and why the first.
+  long skipped() const { return skipped_; }
+  const std::string& firstSkipped() const { return first_skipped_; }
+
+ private:
+  static bool isAmong(const std::vector<std::string>& topics, const std::string& topic) {
+    return std::find(topics.begin(), topics.end(), topic) != topics.end();
+  }
+
+  void play(const rosbag::MessageInstance& message, tf2::BufferCore* tf, OdometryFromTransforms* odometry,
+            BagListener* listener) {
+    const std::string topic = message.getTopic();
+    if (topic == topics_.scan) {
+      const auto scan = messageOf<sensor_msgs::LaserScan>(message);
+      if (scan && isPlausible(*scan, message)) listener->hear(*scan, message.getTime());
+    } else if (topic == topics_.odometry) {
+      const auto heard = messageOf<nav_msgs::Odometry>(message);
+      if (heard && isPlausible(*heard, message)) listener->hear(*heard, message.getTime());
+    } else if (isAmong(topics_.transforms, topic)) {
+      playTransforms(message, tf, odometry, listener);
+    } else if (isAmong(topics_.goals, topic)) {
+      listener->hearGoal(message);
+    } else {
+      listener->hearEnd(message);
+    }
+  }
+
+  void playTransforms(const rosbag::MessageInstance& message, tf2::BufferCore* tf, OdometryFromTransforms* odometry,
+                      BagListener* listener) {
+    const auto transforms = messageOf<tf2_msgs::TFMessage>(message);
+    if (!transforms) return;
+    const bool is_static = message.getTopic() == "/tf_static";
+    std::vector<geometry_msgs::TransformStamped> plausible;
+    for (const geometry_msgs::TransformStamped& transform : transforms->transforms) {
+      if (!is_static && !isPlausible(transform, message)) continue;
+      tf->setTransform(transform, "bag", is_static);
+      plausible.push_back(transform);
+    }
+    if (!topics_.odometry.empty()) return;
+    for (const geometry_msgs::TransformStamped& transform : plausible) {
+      const std::optional<nav_msgs::Odometry> heard = odometry->of(transform, *tf);
+      if (heard) listener->hear(*heard, message.getTime());
+    }
+  }
+
+  template <typename Stamped>
+  bool isPlausible(const Stamped& stamped, const rosbag::MessageInstance& message) {
+    const double stamp = stamped.header.stamp.toSec();
+    if (stamps_.isPlausible(stamp, message.getTime().toSec())) return true;
+    skip(message, "it has a stamp of " + std::to_string(stamp) + " s, far ahead of the others");
+    return false;
+  }
+
+  void skip(const rosbag::MessageInstance& message, const std::string& why) {
+    if (++skipped_ > 1) return;
+    first_skipped_ = message.getTopic() + " at " + std::to_string(message.getTime().toSec()) + " s: " + why;
+  }
+
+  const BagDriveOptions& options_;
+  rosbag::Bag bag_;
+  BagTopics topics_;
+  StampCheck stamps_;
+  long skipped_ = 0;
+  std::string first_skipped_;
+};
+
+/// Finds out what a bag holds before anything is recorded.
+class Survey : public BagListener {
+ public:
+  Survey(const BagDriveOptions& options, const RecorderParameters& parameters)
+      : base_frame_(frameName(options.base_frame)),
+        order_(parameters.delay, parameters.max_gap) {}
+
+  void hear(const sensor_msgs::LaserScan& scan, const ros::Time& received) override {
+    note(received);
+    ++result.scans;
+    scan_frame_ = frameName(scan.header.frame_id);
+  }
+
+  void hear(const nav_msgs::Odometry& odometry, const ros::Time& received) override {
+    note(received);
+    ++result.odometry;
+    result.odometry_frame = frameName(odometry.header.frame_id);
+    if (!odometry.child_frame_id.empty()) base_frame_ = frameName(odometry.child_frame_id);
+    const ros::Time stamp = odometry.header.stamp.isZero() ? received : odometry.header.stamp;
+    const OdometryHeard heard{stamp.toSec(), fromMessage(odometry.pose.pose), {}};
+    if (isFinite(heard.pose)) put(heard);
+  }
+
+  void hearGoal(const rosbag::MessageInstance& message) override {
+    note(message.getTime());
+    ++result.goals;
+  }
+
+  void hearEnd(const rosbag::MessageInstance& message) override { note(message.getTime()); }
+
+  /// The odometry as a recorder works on it.
+  std::vector<OdometryHeard> takeWay() {
+    takeFromOrder(true);
+    return std::move(way_);
+  }
+
+  /// Empty when it is not known.
+  std::optional<SensorMount> mount(const tf2::BufferCore& tf) const {
+    if (scan_frame_ == base_frame_) return SensorMount{};
+    try {
+      return mountFromMessage(tf.lookupTransform(base_frame_, scan_frame_, ros::Time(0)).transform);
+    } catch (const tf2::TransformException&) {
+      return std::nullopt;
+    }
+  }
+
+  BagDriveResult result;
+
+ private:
+  void note(const ros::Time& received) {
+    if (result.begun == 0.0) result.begun = received.toSec();
+    result.duration = std::max(result.duration, received.toSec() - result.begun);
+  }
+
+  void put(const OdometryHeard& heard) {
+    if (order_.add(heard) == EventOrder::Verdict::kClockSet) {
+      takeFromOrder(true);
+      order_.clear();
+      order_.add(heard);
+    }
+    takeFromOrder(false);
+  }
+
+  void takeFromOrder(bool all) {
+    while (const std::optional<DriveEvent> event = order_.take(all)) way_.push_back(std::get<OdometryHeard>(*event));
+  }
+
+  std::string base_frame_;
+  std::string scan_frame_;
+  EventOrder order_;
+  std::vector<OdometryHeard> way_;
+};
+
+/// Gives a bag to a recorder.
+class Recorder : public BagListener {
+ public:
+  Recorder(const tf2::BufferCore& tf, const BagDriveOptions& options, const std::optional<SensorMount>& mount,
+           const RecorderParameters& parameters, std::vector<DriveEvent> hindsight_goals, StepSink* sink)
+      : messages_(tf, options.base_frame, mount, parameters, sink),
+        goals_(std::move(hindsight_goals), parameters.max_gap) {}
+
+  void hear(const sensor_msgs::LaserScan& scan, const ros::Time& received) override { messages_.hear(scan, received); }
+
+  void hear(const nav_msgs::Odometry& odometry, const ros::Time& received) override {
+    messages_.hear(odometry, received);
+    const ros::Time stamp = odometry.header.stamp.isZero() ? received : odometry.header.stamp;
+    goals_.tell(stamp.toSec(), &messages_.recorder());
+  }
+
+  void hearGoal(const rosbag::MessageInstance& message) override {
+    const std::string topic = message.getTopic().substr(1);
+    // As the node itself calls the goals that it publishes there.
+    const std::string source = topic == "dataset_recorder/goal" ? "way-points" : topic;
+    if (const auto goal = messageOf<geometry_msgs::PoseStamped>(message)) {
+      messages_.hearGoal(*goal, source, message.getTime());
+    } else if (const auto action = messageOf<move_base_msgs::MoveBaseActionGoal>(message)) {
+      messages_.hear(*action, source, message.getTime());
+    }
+  }
+
+  void hearEnd(const rosbag::MessageInstance& message) override {
+    if (const auto cancel = messageOf<actionlib_msgs::GoalID>(message)) {
+      messages_.hear(*cancel, message.getTime());
+    } else if (const auto result = messageOf<move_base_msgs::MoveBaseActionResult>(message)) {
+      messages_.hear(*result, message.getTime());
+    }
+  }
+
+  void finish() { messages_.recorder().finish(); }
+
+ private:
+  DriveMessages messages_;
+  GoalSchedule goals_;
+};
+
+void checkContent(const BagDriveResult& result, const BagDriveOptions& options) {
+  if (result.scans == 0) throw std::invalid_argument("has no messages on " + result.scan_topic);
+  if (result.odometry == 0) {
+    throw std::invalid_argument("has no odometry: expected " +
+                                (result.odometry_source == "tf"
+                                     ? "a topic of nav_msgs/Odometry, or the transforms from " +
+                                           options.odometry_frame + " to " + options.base_frame
+                                     : "messages on " + result.odometry_source));
+  }
+  if (!options.hindsight && result.goals == 0) {
+    throw std::invalid_argument(
+        "names no goals: expected some on move_base/goal, move_base_simple/goal or another --goal-topic; with "
+        "--hindsight they are the places that were driven to");
+  }
+}
+
+BagDriveResult record(const std::string& path, const BagDriveOptions& options, const RecorderParameters& parameters,
+                      StepSink* sink) {
+  BagPlayer player(path, options);
+  Survey survey(options, parameters);
+  tf2::BufferCore all_transforms;
+  player.play(&all_transforms, &survey);
+  BagDriveResult& result = survey.result;
+  result.scan_topic = player.topics().scan;
+  result.odometry_source = player.topics().odometry.empty() ? "tf" : player.topics().odometry;
+  result.goal_topics = player.topics().goals;
+  checkContent(result, options);
+
+  std::vector<DriveEvent> goals;
+  if (options.hindsight) {
+    goals = hindsightGoals(survey.takeWay(), options.hindsight_parameters, parameters, result.odometry_frame);
+    result.goals = std::count_if(goals.begin(), goals.end(),
+                                 [](const DriveEvent& event) { return std::holds_alternative<GoalHeard>(event); });
+  }
+  std::optional<SensorMount> mount = options.mount;
+  if (!mount && !survey.mount(all_transforms)) {
+    result.mount_known = false;
+    mount.emplace();
+  }
+  tf2::BufferCore tf;
+  Recorder recorder(tf, options, mount, parameters, std::move(goals), sink);
+  player.play(&tf, &recorder);
+  recorder.finish();
+  result.skipped = player.skipped();
+  result.first_skipped = player.firstSkipped();
+  return result;
+}
+
+}  // namespace
+
+BagDriveResult recordBag(const std::string& path, const BagDriveOptions& options, const RecorderParameters& parameters,
+                         StepSink* sink) {
+  validate(parameters);
+  const std::string bag = "the bag " + path + ": ";
+  try {
+    return record(path, options, parameters, sink);
+  } catch (const rosbag::BagUnindexedException&) {
+    throw std::invalid_argument(bag + "has no index, as when recording was cut off: rosbag reindex makes one");
+  } catch (const ros::Exception& error) {
+    throw std::invalid_argument(bag + "cannot be read: " + error.what());
+  } catch (const InputFileError& error) {
+    throw std::invalid_argument(bag + "cannot be read: " + error.what());
+  } catch (const std::bad_alloc&) {
+    throw std::invalid_argument(bag + "cannot be read: it is damaged");
+  } catch (const std::exception& error) {
+    throw std::invalid_argument(bag + error.what());
+  }
+}
+
+}  // namespace lstm_planner

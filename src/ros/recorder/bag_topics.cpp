@@ -1,0 +1,146 @@
+#include "ros/recorder/bag_topics.hpp"
+
+#include <actionlib_msgs/GoalID.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <move_base_msgs/MoveBaseActionGoal.h>
+#include <move_base_msgs/MoveBaseActionResult.h>
+#include <nav_msgs/Odometry.h>
+#include <rosbag/view.h>
+#include <sensor_msgs/LaserScan.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+namespace lstm_planner {
+
+namespace {
+
+using Connections = std::vector<const rosbag::ConnectionInfo*>;
+
+/// Relative names are those of the robot's namespace, which bags write in full.
+std::string absolute(const std::string& topic) { return topic.empty() || topic[0] == '/' ? topic : "/" + topic; }
+
+/// Types are told by their definition: tf/tfMessage has that of tf2_msgs/TFMessage.
+template <typename Message>
+bool isOf(const rosbag::ConnectionInfo& connection) {
+  return connection.md5sum == ros::message_traits::MD5Sum<Message>::value();
+}
+
+template <typename Message>
+std::vector<std::string> topicsOf(const Connections& connections) {
+  std::set<std::string> topics;
+  for (const rosbag::ConnectionInfo* connection : connections) {
+    if (isOf<Message>(*connection)) topics.insert(connection->topic);
+  }
+  return {topics.begin(), topics.end()};
+}
+
+bool contains(const std::vector<std::string>& topics, const std::string& topic) {
+  return std::find(topics.begin(), topics.end(), topic) != topics.end();
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "none" : text;
+}
+
+std::string contentOf(const Connections& connections) {
+  std::set<std::string> topics;
+  for (const rosbag::ConnectionInfo* connection : connections) {
+    topics.insert(connection->topic + " (" + connection->datatype + ")");
+  }
+  return listed({topics.begin(), topics.end()});
+}
+
+/// The topic that was asked for, or the only one of its type; empty when there is none.
+template <typename Message>
+std::string choose(const Connections& connections, const std::string& asked_for, const std::string& option) {
+  const std::string type = ros::message_traits::DataType<Message>::value();
+  const std::vector<std::string> topics = topicsOf<Message>(connections);
+  const std::string topic = absolute(asked_for);
+  if (!topic.empty() && !contains(topics, topic)) {
+    throw std::invalid_argument("has no topic " + topic + " of " + type + ", but " + contentOf(connections));
+  }
+  if (topic.empty() && topics.size() > 1) {
+    throw std::invalid_argument("has several topics of " + type + ", expected one of " + listed(topics) + " for " +
+                                option);
+  }
+  return !topic.empty() || topics.empty() ? topic : topics[0];
+}
+
+std::vector<std::string> chooseGoals(const Connections& connections, const std::vector<std::string>& asked_for) {
+  std::vector<std::string> topics = topicsOf<geometry_msgs::PoseStamped>(connections);
+  const std::vector<std::string> actions = topicsOf<move_base_msgs::MoveBaseActionGoal>(connections);
+  topics.insert(topics.end(), actions.begin(), actions.end());
+  std::vector<std::string> goals;
+  if (asked_for.empty()) {
+    for (const char* topic : {"/move_base/goal", "/move_base_simple/goal", "/dataset_recorder/goal"}) {
+      if (contains(topics, topic)) goals.emplace_back(topic);
+    }
+  }
+  for (const std::string& topic : asked_for) {
+    if (!contains(topics, absolute(topic))) {
+      throw std::invalid_argument("has no topic " + absolute(topic) +
+                                  " of geometry_msgs/PoseStamped or move_base_msgs/MoveBaseActionGoal, but " +
+                                  contentOf(connections));
+    }
+    goals.push_back(absolute(topic));
+  }
+  return goals;
+}
+
+/// move_base's own, and those of the action servers that the goals are for.
+std::vector<std::string> chooseEnds(const Connections& connections, const std::vector<std::string>& goals) {
+  std::set<std::string> servers = {"/move_base"};
+  for (const std::string& goal : goals) {
+    servers.insert(goal.substr(0, goal.rfind('/')));
+  }
+  std::vector<std::string> ends;
+  for (const std::string& server : servers) {
+    for (const rosbag::ConnectionInfo* connection : connections) {
+      const bool is_cancel = connection->topic == server + "/cancel" && isOf<actionlib_msgs::GoalID>(*connection);
+      const bool is_result =
+          connection->topic == server + "/result" && isOf<move_base_msgs::MoveBaseActionResult>(*connection);
+      if ((is_cancel || is_result) && !contains(ends, connection->topic)) ends.push_back(connection->topic);
+    }
+  }
+  return ends;
+}
+
+}  // namespace
+
+std::vector<std::string> BagTopics::all() const {
+  std::vector<std::string> topics = {scan};
+  if (!odometry.empty()) topics.push_back(odometry);
+  for (const auto* more : {&transforms, &goals, &ends}) topics.insert(topics.end(), more->begin(), more->end());
+  return topics;
+}
+
+BagTopics chooseTopics(const rosbag::Bag& bag, const BagDriveOptions& options) {
+  rosbag::View view(bag);
+  const Connections connections = view.getConnections();
+  BagTopics topics;
+  topics.scan = choose<sensor_msgs::LaserScan>(connections, options.scan_topic, "--scan-topic");
+  if (topics.scan.empty()) {
+    throw std::invalid_argument("has no scans: expected a topic of sensor_msgs/LaserScan among " +
+                                contentOf(connections));
+  }
+  topics.odometry = choose<nav_msgs::Odometry>(connections, options.odometry_topic, "--odometry-topic");
+  const std::vector<std::string> transforms = topicsOf<tf2_msgs::TFMessage>(connections);
+  for (const char* topic : {"/tf", "/tf_static"}) {
+    if (contains(transforms, topic)) topics.transforms.emplace_back(topic);
+  }
+  if (topics.odometry.empty() && topics.transforms.empty()) {
+    throw std::invalid_argument("has no odometry: expected a topic of nav_msgs/Odometry, or /tf, among " +
+                                contentOf(connections));
+  }
+  if (options.hindsight) return topics;
+  topics.goals = chooseGoals(connections, options.goal_topics);
+  topics.ends = chooseEnds(connections, topics.goals);
+  return topics;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <rosbag/bag.h>
+
+#include <string>
+#include <vector>
+
+#include "lstm_planner/ros/recorder/bag_drive.hpp"
+
+namespace lstm_planner {
+
+/// Which of a bag's topics are listened to.
+struct BagTopics {
+  std::string scan;
+  std::string odometry;  ///< empty: from tf
+  std::vector<std::string> transforms;
+  std::vector<std::string> goals;
+  std::vector<std::string> ends;  ///< cancels and results
+
+  std::vector<std::string> all() const;
+};
+
+/// Throws std::invalid_argument, without the bag's name, where there is none or several to choose from.
+BagTopics chooseTopics(const rosbag::Bag& bag, const BagDriveOptions& options);
+
+}  // namespace lstm_planner

@@ -1,0 +1,65 @@
+#include "ros/recorder/dataset_recorder_file.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <ctime>
+#include <filesystem>
+
+namespace lstm_planner {
+
+namespace {
+
+std::string utcNow() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
+
+std::filesystem::path folderOf(const std::string& path) { return std::filesystem::absolute(path).parent_path(); }
+
+}  // namespace
+
+RecorderFile::RecorderFile(const RecorderNodeParameters& parameters)
+    : path_(outputPath(parameters.output, std::time(nullptr))), parameters_(parameters.recorder) {
+  const std::filesystem::path folder = folderOf(path_);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw DatasetError("cannot make the folder of " + path_ + ": " + error.message());
+  if (access(folder.c_str(), W_OK) != 0) {
+    throw DatasetError("cannot write " + path_ + ": its folder is not to be written in");
+  }
+}
+
+void RecorderFile::open(const std::string& odometry_frame, RecordingProgress* progress) {
+  RecordingDescription description;
+  description.parameters = parameters_;
+  description.software_version = softwareVersion();
+  description.source = "live";
+  description.odometry_frame = odometry_frame;
+  description.begun = utcNow();
+  writer_.emplace(path_, description);
+  progress->passTo(&*writer_);
+}
+
+void RecorderFile::finish() {
+  if (writer_) writer_->finish();
+}
+
+void RecorderFile::describe(RecordingStatus* status) const {
+  status->file = path_;
+  if (writer_) {
+    status->stored = writer_->stored();
+    status->waiting = writer_->waiting();
+    status->lost = writer_->lost();
+    status->write_problem = writer_->problem();
+  }
+  std::error_code error;
+  const auto space = std::filesystem::space(folderOf(path_), error);
+  if (!error) status->disk_left = static_cast<double>(space.available) * 1e-6;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,84 @@
+#include "ros/recorder/dataset_recorder_markers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lstm_planner/ros/planner/marker_shapes.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+using visualization_msgs::Marker;
+
+/// Blue for the rightmost label, green for the middle one, red for the leftmost.
+std_msgs::ColorRGBA colorOf(int label, std::size_t labels) {
+  const double share = labels > 1 ? static_cast<double>(label) / static_cast<double>(labels - 1) : 0.5;
+  return makeColor(std::max(0.0, 2.0 * share - 1.0), 0.8 - 1.2 * std::abs(share - 0.5),
+                   std::max(0.0, 1.0 - 2.0 * share));
+}
+
+/// In lines, since a marker of its own for each of some hundred arrows is too much for rviz.
+void addArrow(const Pose2& pose, double direction, const std_msgs::ColorRGBA& shade, Marker* lines) {
+  constexpr double kLength = 0.25;  // m
+  constexpr double kHead = 0.08;    // m
+  const Point2 tip = pointAlong(pose, direction, kLength);
+  const auto stroke = [&](const Point2& from) {
+    lines->points.push_back(makePoint(from, kArrowHeight));
+    lines->points.push_back(makePoint(tip, kArrowHeight));
+    lines->colors.insert(lines->colors.end(), 2, shade);
+  };
+  stroke({pose.x, pose.y});
+  for (const double side : {-0.75, 0.75}) stroke(pointAlong(tip, direction + side * M_PI, kHead));
+}
+
+}  // namespace
+
+RecorderMarkers::RecorderMarkers(ros::NodeHandle node_handle, const std::vector<double>& action_angles)
+    : action_angles_(action_angles), publisher_(node_handle.advertise<visualization_msgs::MarkerArray>("markers", 1)) {}
+
+void RecorderMarkers::publish(const std::string& frame, const Situation& situation, const RecordingProgress& progress,
+                              const std::optional<GoalInFrame>& goal) {
+  if (situation.time == last_look_) return;
+  last_look_ = situation.time;
+  if (publisher_.getNumSubscribers() == 0) return;
+
+  std_msgs::Header header;
+  header.frame_id = frame;
+  header.stamp = ros::Time(situation.time);
+  visualization_msgs::MarkerArray markers;
+  markers.markers.push_back(makeMarker(header, "", 0, Marker::CUBE, {}));
+  markers.markers.back().action = Marker::DELETEALL;
+  markers.markers.push_back(makeSectorMarker(header, situation.pose, situation.sectors, M_PI));
+  const auto& episode = progress.newest();
+  if (episode && episode->episode.end == EpisodeEnd::kRunning && !episode->poses.empty()) {
+    std::vector<Point2> way;
+    for (const Pose2& pose : episode->poses) way.push_back({pose.x, pose.y});
+    way.push_back({situation.pose.x, situation.pose.y});
+    markers.markers.push_back(makeTraceMarker(header, "way", way));
+    markers.markers.push_back(labelMarker(header, *episode));
+  }
+  if (goal) {
+    // The newest transform will do: the goal's frame may be one that moves against the odometry's.
+    std_msgs::Header goal_header;
+    goal_header.frame_id = goal->frame;
+    addGoalMarkers(goal_header, goal->pose, &markers);
+  }
+  publisher_.publish(markers);
+}
+
+Marker RecorderMarkers::labelMarker(const std_msgs::Header& header,
+                                    const RecordingProgress::EpisodeProgress& episode) const {
+  constexpr std::size_t kMostArrows = 1000;
+  Marker lines = makeMarker(header, "labels", 0, Marker::LINE_LIST, makeColor(0.0, 0.8, 0.0));
+  lines.scale.x = 0.025;
+  const std::size_t count = episode.poses.size();
+  for (std::size_t i = count > kMostArrows ? count - kMostArrows : 0; i < count; ++i) {
+    const int label = episode.labels[i];
+    const double angle = action_angles_.at(static_cast<std::size_t>(label));
+    addArrow(episode.poses[i], episode.poses[i].yaw + angle, colorOf(label, action_angles_.size()), &lines);
+  }
+  return lines;
+}
+
+}  // namespace lstm_planner

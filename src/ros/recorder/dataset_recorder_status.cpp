@@ -1,0 +1,151 @@
+#include "ros/recorder/dataset_recorder_status.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iterator>
+#include <sstream>
+
+namespace lstm_planner {
+
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+struct Verdict {
+  int level;
+  std::string text;
+};
+
+std::string fixed(double value, int digits) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+std::string degrees(double radians) { return std::to_string(std::lround(radians * 180.0 / M_PI)); }
+
+std::string describe(const GoalInFrame& goal) {
+  return "(" + fixed(goal.pose.x, 2) + ", " + fixed(goal.pose.y, 2) + ") in " + goal.frame;
+}
+
+std::string describeSilence(const std::string& what, const std::string& topic, const std::optional<double>& silence) {
+  return silence ? "no " + what + " on " + topic + " for " + fixed(*silence, 1) + " s"
+                 : "no " + what + " on " + topic + " yet";
+}
+
+bool isSilent(const std::optional<double>& silence, double longest) { return !silence || *silence > longest; }
+
+/// Reasons that say something is wrong, rather than that the driver rests.
+bool isTrouble(Rejection rejection) {
+  return rejection != Rejection::kStanding && rejection != Rejection::kPaused && rejection != Rejection::kNoNextStep;
+}
+
+std::string describeRejection(Rejection rejection, const RecordingStatus& status) {
+  if (rejection == Rejection::kNoGoal) return "no goal is set (rviz: 2D Nav Goal)";
+  const bool has_sentence = rejection == Rejection::kNoTransform || rejection == Rejection::kNotFinite;
+  return has_sentence && !status.message_problem.empty() ? status.message_problem : toString(rejection);
+}
+
+/// When for a while there was nothing but rejections: why.
+std::optional<std::string> uselessness(const RecordingStatus& status) {
+  if (status.recent_steps > 0) return std::nullopt;
+  RejectionCounts troubles = status.recent_rejections;
+  for (int i = 0; i < kRejectionCount; ++i) {
+    const auto rejection = static_cast<Rejection>(i);
+    const bool mended = rejection == Rejection::kNoGoal && status.goal;
+    if (mended || !isTrouble(rejection)) troubles[static_cast<std::size_t>(i)] = 0;
+  }
+  const auto most = std::max_element(troubles.begin(), troubles.end());
+  if (*most == 0) return std::nullopt;
+  return "nothing becomes a step: " +
+         describeRejection(static_cast<Rejection>(std::distance(troubles.begin(), most)), status);
+}
+
+Verdict judge(const RecordingStatus& status) {
+  if (!status.write_problem.empty()) {
+    return {DiagnosticStatus::ERROR, "cannot write (" + std::to_string(status.waiting) +
+                                         " steps are waiting): " + status.write_problem};
+  }
+  if (!status.problem.empty()) return {DiagnosticStatus::ERROR, status.problem};
+  if (status.lost > 0) return {DiagnosticStatus::ERROR, std::to_string(status.lost) + " steps could not be written"};
+  if (isSilent(status.odometry_silence, status.longest_silence)) {
+    return {DiagnosticStatus::WARN, describeSilence("odometry", status.odometry_topic, status.odometry_silence)};
+  }
+  if (isSilent(status.scan_silence, status.longest_silence)) {
+    return {DiagnosticStatus::WARN, describeSilence("scan", status.scan_topic, status.scan_silence)};
+  }
+  if (status.disk_left < status.disk_low) {
+    return {DiagnosticStatus::WARN, "only " + fixed(status.disk_left, 0) + " MB are left on the disk"};
+  }
+  if (status.paused) return {DiagnosticStatus::OK, "paused"};
+  if (const auto reason = uselessness(status)) return {DiagnosticStatus::WARN, *reason};
+  return {DiagnosticStatus::OK, "recording"};
+}
+
+void add(const std::string& key, const std::string& value, DiagnosticStatus* message) {
+  diagnostic_msgs::KeyValue entry;
+  entry.key = key;
+  entry.value = value;
+  message->values.push_back(entry);
+}
+
+void add(const std::string& key, long value, DiagnosticStatus* message) { add(key, std::to_string(value), message); }
+
+}  // namespace
+
+DiagnosticStatus toDiagnostic(const RecordingStatus& status) {
+  const Verdict verdict = judge(status);
+  const RecordingProgress& progress = *status.progress;
+  DiagnosticStatus message;
+  message.level = static_cast<decltype(message.level)>(verdict.level);
+  message.name = status.node + ": recording";
+  message.message = verdict.text;
+  add("file", status.file, &message);
+  add("paused", status.paused ? "yes" : "no", &message);
+  add("goal", status.goal ? describe(*status.goal) : "none", &message);
+  add("steps", progress.steps(), &message);
+  add("steps stored", status.stored, &message);
+  add("steps waiting", status.waiting, &message);
+  add("steps lost", status.lost, &message);
+  add("episodes", progress.episodes(), &message);
+  add("episodes arrived", progress.arrived(), &message);
+  add("episodes discarded", progress.discarded(), &message);
+  for (std::size_t i = 0; i < status.action_angles.size(); ++i) {
+    add("label " + degrees(status.action_angles[i]), progress.labels().at(i), &message);
+  }
+  for (int i = 0; i < kRejectionCount; ++i) {
+    add("rejected: " + std::string(toString(static_cast<Rejection>(i))),
+        progress.rejections()[static_cast<std::size_t>(i)], &message);
+  }
+  add("scans heard", status.scans_heard, &message);
+  add("odometry heard", status.odometry_heard, &message);
+  add("goals heard", status.goals_heard, &message);
+  add("disk left (MB)", fixed(status.disk_left, 0), &message);
+  add("problem", status.write_problem.empty() ? status.problem : status.write_problem, &message);
+  return message;
+}
+
+std::string toLine(const RecordingStatus& status) {
+  const RecordingProgress& progress = *status.progress;
+  std::ostringstream line;
+  line << judge(status).text << ": " << progress.steps() << " steps in " << progress.episodes() << " episodes";
+  const char* separator = " (";
+  for (std::size_t i = 0; i < status.action_angles.size(); ++i) {
+    line << separator << degrees(status.action_angles[i]) << ": " << progress.labels().at(i);
+    separator = ", ";
+  }
+  line << (status.action_angles.empty() ? "" : ")");
+  separator = "; rejected: ";
+  for (int i = 0; i < kRejectionCount; ++i) {
+    const long count = progress.rejections()[static_cast<std::size_t>(i)];
+    if (count == 0) continue;
+    line << separator << count << ' ' << toString(static_cast<Rejection>(i));
+    separator = ", ";
+  }
+  line << "; goal " << (status.goal ? describe(*status.goal) : "none") << "; " << fixed(status.disk_left / 1000.0, 1)
+       << " GB left";
+  return line.str();
+}
+
+}  // namespace lstm_planner

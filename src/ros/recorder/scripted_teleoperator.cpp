@@ -1,0 +1,161 @@
+#include "lstm_planner/ros/recorder/scripted_teleoperator.hpp"
+
+#include <geometry_msgs/Twist.h>
+#include <ros/callback_queue.h>
+
+#include <cmath>
+
+#include "lstm_planner/base/grid/map_server_map.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kFastest = 5.0;     // m/s; a true pose that moves faster was put somewhere else
+constexpr double kGoalMoved = 0.05;  // m; a goal that odometry or localisation moved by this is looked at anew
+constexpr double kWarnPeriod = 5.0;  // s
+// To stand, but with a turn (rad/s) that no robot can make: a driver whose robot stands is still at work, and a
+// simulation whose clock waits for commands (create2_stub's command_period) is to wait for the next one, too.
+constexpr Twist2 kStanding{0.0, 1e-9};
+const ros::WallDuration kPoll(0.05);
+
+Pose2 inverse(const Pose2& pose) {
+  const Point2 origin = toLocalFrame(pose, Point2());
+  return {origin.x, origin.y, -pose.yaw};
+}
+
+}  // namespace
+
+ScriptedTeleoperator::ScriptedTeleoperator(const TeleoperatorParameters& parameters)
+    : parameters_(parameters),
+      world_(readMapServerMap(parameters.map, parameters.free_threshold)),
+      driver_(world_, parameters.driver, static_cast<std::uint64_t>(parameters.seed)),
+      truth_(kFastest) {
+  command_publisher_ = node_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
+  // Small messages would otherwise wait some 40 ms for each other, which is long where the clock runs fast.
+  const auto hints = ros::TransportHints().tcpNoDelay();
+  truth_subscriber_ = node_.subscribe("ground_truth", 100, &ScriptedTeleoperator::onTruth, this, hints);
+  if (parameters_.way_points.empty()) {
+    goal_subscriber_ = node_.subscribe(parameters_.goal_topic, 10, &ScriptedTeleoperator::onGoal, this);
+  } else {
+    goal_publisher_ = private_node_.advertise<geometry_msgs::PoseStamped>("goal", 1, true);
+  }
+  timer_ = node_.createTimer(ros::Duration(1.0 / parameters_.rate), &ScriptedTeleoperator::onTimer, this);
+}
+
+int ScriptedTeleoperator::run(const std::atomic<bool>& stop) {
+  while (ros::ok() && !stop && !isDone()) ros::getGlobalCallbackQueue()->callAvailable(kPoll);
+  timer_.stop();
+  if (ros::ok()) {
+    publish({});
+    kPoll.sleep();  // so that the message still leaves
+  }
+  return no_way_ == 0 ? 0 : 1;
+}
+
+void ScriptedTeleoperator::onGoal(const geometry_msgs::PoseStamped::ConstPtr& message) {
+  if (goal_) endGoal("replaced");
+  goal_ = *message;
+  driven_to_.reset();
+}
+
+void ScriptedTeleoperator::onTruth(const nav_msgs::Odometry::ConstPtr& message) {
+  const Pose2 pose = fromMessage(message->pose.pose);
+  if (!isFinite(pose)) return;
+  truth_.add({message->header.stamp.toSec(), pose, {}});
+}
+
+void ScriptedTeleoperator::chooseWayPoint() {
+  const Point2& point = parameters_.way_points[next_way_point_++ % parameters_.way_points.size()];
+  goal_.emplace();
+  goal_->header.frame_id = parameters_.map_frame;
+  goal_->header.stamp = ros::Time::now();
+  goal_->pose = toMessage({point.x, point.y, 0.0});
+  driven_to_.reset();
+  goal_publisher_.publish(*goal_);
+}
+
+void ScriptedTeleoperator::endGoal(const char* how) {
+  ++ended_;
+  ROS_INFO("goal %d (%.2f, %.2f in %s): %s", ended_, goal_->pose.position.x, goal_->pose.position.y,
+           goal_->header.frame_id.c_str(), how);
+  goal_.reset();
+  driven_to_.reset();
+  driver_.dropGoal();
+}
+
+std::optional<ScriptedTeleoperator::Localised> ScriptedTeleoperator::lookUp(const std::string& target,
+                                                                            const std::string& source) const {
+  try {
+    const geometry_msgs::TransformStamped found = tf_.lookupTransform(target, frameName(source), ros::Time());
+    return Localised{fromMessage(found.transform), found.header.stamp.toSec()};
+  } catch (const tf2::TransformException& error) {
+    ROS_WARN_THROTTLE(kWarnPeriod, "the driver stands still: %s", error.what());
+    return std::nullopt;
+  }
+}
+
+std::optional<ScriptedTeleoperator::Localised> ScriptedTeleoperator::localise() const {
+  if (truth_subscriber_.getNumPublishers() == 0) return lookUp(parameters_.map_frame, parameters_.base_frame);
+  if (truth_.empty()) return std::nullopt;
+  return Localised{truth_.newest().pose, truth_.newest().stamp};
+}
+
+std::optional<Point2> ScriptedTeleoperator::goalInMap() const {
+  const Pose2 goal = fromMessage(goal_->pose);
+  const std::string frame = frameName(goal_->header.frame_id);
+  if (frame == parameters_.map_frame) return Point2{goal.x, goal.y};
+  Pose2 frame_in_map;
+  if (truth_.empty()) {
+    const std::optional<Localised> found = lookUp(parameters_.map_frame, frame);
+    if (!found) return std::nullopt;
+    frame_in_map = found->pose;
+  } else {
+    // Where odometry says that the base is, and where it truly was at that moment, tell where odometry's origin is.
+    const std::optional<Localised> base = lookUp(frame, parameters_.base_frame);
+    if (!base || base->stamp > truth_.newest().stamp) return driven_to_;
+    frame_in_map = compose(truth_.poseAt(base->stamp), inverse(base->pose));
+  }
+  return toParentFrame(frame_in_map, {goal.x, goal.y});
+}
+
+Twist2 ScriptedTeleoperator::steer() {
+  const double now = ros::Time::now().toSec();
+  const std::optional<Localised> base = localise();
+  if (!base || now - base->stamp > parameters_.patience) {
+    ROS_WARN_THROTTLE(kWarnPeriod, "the driver stands still: it does not know where the robot is");
+    return kStanding;
+  }
+  const std::optional<Point2> goal = goalInMap();
+  if (!goal || !std::isfinite(goal->x) || !std::isfinite(goal->y)) return kStanding;
+  if (!driven_to_ || distanceBetween(*driven_to_, *goal) > kGoalMoved) {
+    driver_.setGoal(*goal);
+    driven_to_ = goal;
+  }
+  const Twist2 twist = driver_.command(base->pose, now);
+  if (driver_.state() == ScriptedDriver::State::kArrived) endGoal("reached");
+  if (driver_.state() == ScriptedDriver::State::kNoWay) {
+    ++no_way_;
+    endGoal("there is no way");
+  }
+  return goal_ && twist.linear == 0.0 && twist.angular == 0.0 ? kStanding : twist;
+}
+
+void ScriptedTeleoperator::onTimer(const ros::TimerEvent&) {
+  if (isDone()) return;
+  if (!goal_ && !parameters_.way_points.empty()) chooseWayPoint();
+  if (goal_ && parameters_.way_points.empty() && goal_subscriber_.getNumPublishers() == 0) endGoal("withdrawn");
+  const Twist2 twist = goal_ ? steer() : Twist2();
+  // Who has nothing to do keeps quiet, so that somebody else may drive.
+  if (goal_ || moving_) publish(twist);
+}
+
+void ScriptedTeleoperator::publish(const Twist2& twist) {
+  geometry_msgs::Twist message;
+  message.linear.x = twist.linear;
+  message.angular.z = twist.angular;
+  command_publisher_.publish(message);
+  moving_ = twist.linear != 0.0 || twist.angular != 0.0;
+}
+
+}  // namespace lstm_planner

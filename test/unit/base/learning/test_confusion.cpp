@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/base/learning/confusion.hpp"
+#include "picture_check.hpp"
+
+namespace lstm_planner {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The third label never occurs, the first is always taken for the second.
+ConfusionMatrix confusion() {
+  ConfusionMatrix counts(3, 3);
+  counts << 0, 4, 0, 2, 6, 0, 0, 0, 0;
+  return counts;
+}
+
+TEST(Confusion, RecallIsByLabelAndPrecisionByAnswer) {
+  const std::vector<double> recall = recalls(confusion());
+  EXPECT_EQ(recall[0], 0.0);
+  EXPECT_DOUBLE_EQ(recall[1], 0.75);
+  EXPECT_TRUE(std::isnan(recall[2]));
+  const std::vector<double> precision = precisions(confusion());
+  EXPECT_EQ(precision[0], 0.0);
+  EXPECT_DOUBLE_EQ(precision[1], 0.6);
+  EXPECT_TRUE(std::isnan(precision[2]));
+}
+
+TEST(Confusion, BalancedAccuracyIsTheMeanRecallOfTheLabelsThatOccur) {
+  EXPECT_DOUBLE_EQ(balancedAccuracy(confusion()), 0.375);
+  EXPECT_EQ(balancedAccuracy(ConfusionMatrix::Zero(3, 3)), 0.0);
+  ConfusionMatrix always_straight = ConfusionMatrix::Zero(5, 5);
+  always_straight.col(2) << 1, 2, 900, 3, 4;
+  EXPECT_DOUBLE_EQ(balancedAccuracy(always_straight), 0.2);
+}
+
+TEST(Confusion, TextHasARowALabelWithItsRecallAndARowOfPrecisions) {
+  EXPECT_EQ(confusionText(confusion(), {"-45", "0", "45"}),
+            "label \\ answer     -45       0      45  recall\n"
+            "           -45       0       4       0     0.0\n"
+            "             0       2       6       0    75.0\n"
+            "            45       0       0       0       -\n"
+            "precision          0.0    60.0       -\n");
+  EXPECT_THROW(confusionText(confusion(), {"-45", "0"}), std::invalid_argument);
+}
+
+TEST(Confusion, PictureIsDrawnAndTheCountsAreBesideIt) {
+  if (std::system("command -v gnuplot > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  const fs::path folder = fs::temp_directory_path() / ("confusion " + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  writeConfusion((folder / "it.png").string(), confusion(), {"-45", "0", "45"});
+  const auto content = [&](const char* name) {
+    std::ifstream stream(folder / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  test::expectPicture((folder / "it.png").string(), 720, 640);
+  EXPECT_EQ(content("it.csv"), "label,answer -45,answer 0,answer 45\n-45,0,4,0\n0,2,6,0\n45,0,0,0\n");
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace lstm_planner

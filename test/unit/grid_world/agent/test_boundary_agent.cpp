@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <tuple>
+
+#include "grid_world/agent/boundary_agent.hpp"
+#include "lstm_planner/grid_world/search/grid_distances.hpp"
+#include "unit/grid_world/agent/small_grids.hpp"
+
+namespace lstm_planner {
+namespace {
+
+struct Legs {
+  double first_leg;
+  double leg_growth;
+  double goal_weight;
+};
+
+class BoundaryAgentIn : public testing::TestWithParam<std::tuple<CornerCutting, Legs>> {
+ protected:
+  BoundaryParameters parameters() const {
+    BoundaryParameters parameters;
+    parameters.corner_cutting = std::get<0>(GetParam());
+    parameters.first_leg = std::get<1>(GetParam()).first_leg;
+    parameters.leg_growth = std::get<1>(GetParam()).leg_growth;
+    parameters.goal_weight = std::get<1>(GetParam()).goal_weight;
+    return parameters;
+  }
+};
+
+TEST_P(BoundaryAgentIn, SmallGridsArrivesOrProvesThatThereIsNoWay) {
+  BoundaryAgent agent(parameters());
+  int arrived = 0;
+  int enclosed = 0;
+  for (std::uint32_t seed = 0; seed < 5000; ++seed) {
+    const SmallGrid world = smallGrid(seed);
+    const GridDistances distances(world.grid, world.goal, parameters().corner_cutting);
+    const bool reachable = std::isfinite(distances.at(world.start));
+    // The grids have at most 400 cells, and so at most 1,600 edges.
+    const Walk walked = walk(world, &agent, parameters().corner_cutting, 20 * world.grid.size());
+    ASSERT_EQ(walked.end, reachable ? WalkEnd::kArrived : WalkEnd::kNoWay) << "seed " << seed;
+    ++(reachable ? arrived : enclosed);
+  }
+  EXPECT_GT(arrived, 2500);
+  EXPECT_GT(enclosed, 250);
+}
+
+// Legs of one cell turn back as often as can be; legs without end never do.
+INSTANTIATE_TEST_SUITE_P(Legs, BoundaryAgentIn,
+                         testing::Combine(testing::Values(CornerCutting::kForbidden, CornerCutting::kAllowed),
+                                          testing::Values(Legs{1.0, 0.0, 0.0}, Legs{4.0, 1.0, 3.0},
+                                                          Legs{1e9, 1.0, 0.0})));
+
+TEST(BoundaryAgent, GoesStraightWhereNothingIsInTheWay) {
+  const SmallGrid world = drawnGrid({"S........", ".........", ".........", "........G"});
+  BoundaryAgent agent;
+  const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 100);
+  EXPECT_EQ(walked.end, WalkEnd::kArrived);
+  EXPECT_EQ(walked.steps, 8U);
+}
+
+TEST(BoundaryAgent, LeavesAPocketWithoutComingBack) {
+  const SmallGrid world = drawnGrid({
+      "..........",
+      ".#######..",
+      ".......#..",
+      "S......#.G",
+      ".......#..",
+      ".#######..",
+      "..........",
+  });
+  BoundaryParameters parameters;
+  parameters.first_leg = 64.0;
+  BoundaryAgent agent(parameters);
+  const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 100);
+  EXPECT_EQ(walked.end, WalkEnd::kArrived);
+  // 6 in, 6 back along the wall, 2 up and 9 to the goal's column, 3 down, and the wall's bends.
+  EXPECT_LE(walked.steps, 28U);
+}
+
+TEST(BoundaryAgent, SaysThatAnEnclosedGoalHasNoWay) {
+  const SmallGrid world = drawnGrid({"......", ".###..", ".#G#.S", ".###..", "......"});
+  BoundaryAgent agent;
+  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoWay);
+}
+
+TEST(BoundaryAgent, SaysThatItIsEnclosedItself) {
+  const SmallGrid world = drawnGrid({"S#..", "##..", "...G"});
+  BoundaryAgent agent;
+  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoWay);
+}
+
+TEST(BoundaryAgent, PassesBetweenCornersOnlyWhereThatIsAllowed) {
+  const SmallGrid world = drawnGrid({"S#.", "#..", "..G"});
+  BoundaryAgent agent;
+  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoWay);
+  BoundaryParameters parameters;
+  parameters.corner_cutting = CornerCutting::kAllowed;
+  BoundaryAgent cutting(parameters);
+  const Walk walked = walk(world, &cutting, CornerCutting::kAllowed, 100);
+  EXPECT_EQ(walked.end, WalkEnd::kArrived);
+  EXPECT_EQ(walked.steps, 2U);
+}
+
+TEST(BoundaryAgent, AnswersTheSameWhenAskedTwice) {
+  const SmallGrid world = drawnGrid({"S.#.", "..#G", "...."});
+  BoundaryAgent agent;
+  agent.start(world.start, world.goal);
+  const GridObservation observation = {world.start, world.goal, senseRanges(world.grid, world.start)};
+  agent.observe(observation);
+  const int direction = agent.decide();
+  EXPECT_EQ(agent.decide(), direction);
+  agent.observe(observation);
+  EXPECT_EQ(agent.decide(), direction);
+}
+
+TEST(BoundaryAgent, StaysSmallInALongMaze) {
+  // A comb of 400 dead ends, each of which bends the way back.
+  PassableGrid grid(801, 40, true);
+  for (int column = 1; column < 800; column += 2) {
+    for (int row = 0; row < 38; ++row) grid.set({column, row}, false);
+  }
+  grid.set({799, 38}, false);
+  grid.set({799, 39}, false);
+  const SmallGrid world = {grid, {0, 0}, {800, 0}};
+  BoundaryAgent agent;
+  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 200000).end, WalkEnd::kNoWay);
+  EXPECT_LE(agent.peakBytes(), 6U * 1024U);
+}
+
+TEST(BoundaryAgent, ArrivesWhenTheTrailHasNoRoomForTheWayBack) {
+  // The goal is two cells above the start, at the end of a way that first bends 1,600 times and then leads back.
+  const int columns = 1601;
+  PassableGrid grid(columns, 7, true);
+  for (int column = 0; column < columns; ++column) {
+    if (column + 1 < columns) grid.set({column, 1}, false);
+    if (column % 2 == 0) continue;
+    for (int row = 2; row < 7; ++row) grid.set({column, row}, row == (column % 4 == 1 ? 6 : 2));
+  }
+  const SmallGrid world = {grid, {0, 2}, {0, 0}};
+  BoundaryParameters parameters;
+  parameters.first_leg = 4000.0;  // 1,300 bends
+  parameters.goal_weight = 0.0;
+  BoundaryAgent agent(parameters);
+  const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 1000000);
+  EXPECT_EQ(walked.end, WalkEnd::kArrived);
+  EXPECT_LE(agent.peakBytes(), 6U * 1024U);
+}
+
+}  // namespace
+}  // namespace lstm_planner

@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
+
+namespace lstm_planner {
+namespace {
+
+using Inputs = GridEncoderParameters::Inputs;
+
+std::vector<float> encoded(const GridEncoder& encoder, int view) {
+  std::vector<float> input(static_cast<std::size_t>(encoder.size()));
+  encoder.encode(view, input.data(), 1);
+  return input;
+}
+
+GridEncoder looking(const GridMemory& memory, Inputs inputs, int views) {
+  GridEncoder encoder({inputs, views});
+  encoder.look(memory);
+  return encoder;
+}
+
+TEST(GridEncoder, TheThesissInputIsRangesDistanceAngleAndPreviousAction) {
+  GridMemory memory;
+  memory.start();
+  memory.observe({{10, 10}, {10, 40}, {25, 50, 1, 50, 50, 50, 50, 50}});
+  memory.step(4);
+  memory.observe({{9, 10}, {9, 40}, {25, 50, 1, 50, 50, 50, 50, 50}});
+  const GridEncoder encoder = looking(memory, Inputs::kThesis, 1);
+  const std::vector<float> expected = {0.5f, 1.0f, 0.02f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 30.0f / 130.0f, 0.5f, 0.0f};
+  ASSERT_EQ(encoder.size(), 11);
+  const std::vector<float> input = encoded(encoder, 0);
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_FLOAT_EQ(input[i], expected[i]) << i;
+}
+
+TEST(GridEncoder, AViewSeesWhatLiesAheadOfItFirst) {
+  GridMemory memory;
+  memory.start();
+  memory.observe({{10, 10}, {10, 40}, {1, 2, 4, 8, 16, 32, 50, 50}});
+  const GridEncoder encoder = looking(memory, Inputs::kTrace, 8);
+  const int goal = GridEncoder::kRayFeatures * kGridRayCount;
+  const std::vector<float> ahead = encoded(encoder, 2);
+  EXPECT_FLOAT_EQ(ahead[0], std::log2(4.0f) / std::log2(50.0f));
+  EXPECT_FLOAT_EQ(ahead[7], std::log2(2.0f) / std::log2(50.0f));
+  EXPECT_FLOAT_EQ(ahead[goal], 1.0f);
+  EXPECT_NEAR(ahead[goal + 1], 0.0f, 1e-6f);
+  // Two views to the left the goal lies at the right hand, an angle of -90 degrees.
+  EXPECT_NEAR(encoded(encoder, 4)[goal + 1], -1.0f, 1e-6f);
+}
+
+TEST(GridEncoder, RemembersWhereItCameFrom) {
+  GridMemory memory;
+  memory.start();
+  const GridRanges open = {50, 50, 50, 50, 50, 50, 50, 50};
+  memory.observe({{10, 10}, {90, 10}, open});
+  memory.step(0);
+  memory.observe({{11, 10}, {90, 10}, open});
+  const std::vector<float> input = encoded(looking(memory, Inputs::kTrace, 8), 0);
+  const int freshness = 1 * kGridRayCount;
+  const int frequency = 2 * kGridRayCount;
+  EXPECT_FLOAT_EQ(input[freshness + 4], 1.0f - 1.0f / 16.0f);  // one step ago: log2(2) of 16
+  EXPECT_FLOAT_EQ(input[frequency + 4], 1.0f / 3.0f);
+  EXPECT_FLOAT_EQ(input[freshness + 0], 0.0f);
+}
+
+TEST(GridEncoder, InputsStayInTheirRangeWhateverIsObserved) {
+  Random random(2);
+  GridMemory memory;
+  for (int episode = 0; episode < 20; ++episode) {
+    memory.start();
+    CellIndex cell{static_cast<int>(uniformIndex(random, 8000)), static_cast<int>(uniformIndex(random, 8000))};
+    const CellIndex goal{static_cast<int>(uniformIndex(random, 8000)), static_cast<int>(uniformIndex(random, 8000))};
+    for (int step = 0; step < 500; ++step) {
+      GridRanges ranges{};
+      for (auto& range : ranges) range = static_cast<std::uint8_t>(1 + uniformIndex(random, kGridRayCap));
+      memory.observe({cell, goal, ranges});
+      for (const Inputs inputs : {Inputs::kThesis, Inputs::kTrace}) {
+        for (const float value : encoded(looking(memory, inputs, 8), step % 8)) {
+          ASSERT_TRUE(value >= -1.0f && value <= 1.5f) << value;
+        }
+      }
+      const int direction = static_cast<int>(uniformIndex(random, 8));
+      memory.step(direction);
+      cell = cellBeside(cell, direction);
+    }
+  }
+}
+
+TEST(GridEncoder, TravelsInTheMetadata) {
+  std::map<std::string, std::string> metadata;
+  writeMetadata(GridEncoderParameters{Inputs::kThesis, 1}, &metadata);
+  const GridEncoderParameters parameters = readGridEncoderParameters(metadata);
+  EXPECT_EQ(parameters.inputs, Inputs::kThesis);
+  EXPECT_EQ(parameters.views, 1);
+  metadata["grid_inputs"] = "smells";
+  EXPECT_THROW(readGridEncoderParameters(metadata), std::invalid_argument);
+  EXPECT_THROW(GridEncoder({Inputs::kTrace, 3}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lstm_planner

@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/grid_world/evaluation/grid_tasks.hpp"
+#include "unit/grid_world/evaluation/grid_fixtures.hpp"
+
+namespace lstm_planner {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A set in a folder of its own: maps of one row, and scenarios from its left end to every cell.
+class GridTasks : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_ / "Scenarios"), fs::create_directories(folder_ / "Maps"); }
+  void TearDown() override { fs::remove_all(folder_.parent_path()); }
+
+  void addMap(const std::string& name, int columns = 40) {
+    const PassableGrid grid(columns, 1, true);
+    writeMovingAiMap((folder_ / "Maps" / (name + ".map")).string(), grid);
+    std::vector<Scenario> scenarios;
+    for (int column = 0; column < columns; ++column) {
+      scenarios.push_back({column / 4, name + ".map", columns, 1, {0, 0}, {column, 0}, static_cast<double>(column)});
+    }
+    writeScenarios((folder_ / "Scenarios" / (name + ".map.scen")).string(), scenarios);
+  }
+  void addMaps(int first, int last) {
+    for (int i = first; i <= last; ++i) addMap("row-" + std::to_string(i));
+  }
+  GridSetFiles files() const { return findGridSets(folder_.string()).front(); }
+  std::vector<std::string> mapsOf(MapSelection maps) const {
+    ScenarioSelection selection;
+    selection.maps = maps;
+    return drawGridTasks(files(), selection).map_names;
+  }
+
+  const fs::path folder_ =
+      fs::path(::testing::TempDir()) /
+      (std::string("grid_tasks_") + ::testing::UnitTest::GetInstance()->current_test_info()->name()) / "Rows";
+};
+
+std::vector<int> goals(const GridTaskSet& set) {
+  std::vector<int> columns;
+  for (const GridTask& task : set.tasks) columns.push_back(100 * static_cast<int>(task.map) + task.goal.column);
+  return columns;
+}
+
+TEST_F(GridTasks, NamesASetAfterTheFolderAboveScenarios) {
+  addMap("row-0");
+  for (const fs::path& given : {folder_, folder_ / "Scenarios", folder_ / "", folder_.parent_path()}) {
+    const std::vector<GridSetFiles> sets = findGridSets(given.string());
+    ASSERT_EQ(sets.size(), 1u) << given;
+    EXPECT_EQ(sets[0].name, "Rows") << given;
+    EXPECT_EQ(sets[0].scenario_files.size(), 1u) << given;
+  }
+}
+
+TEST_F(GridTasks, FindsScenariosBesideTheirMaps) {
+  addMap("row-0");
+  const fs::path beside = folder_.parent_path() / "generated";
+  fs::create_directories(beside);
+  fs::copy(folder_ / "Maps" / "row-0.map", beside);
+  fs::copy(folder_ / "Scenarios" / "row-0.map.scen", beside);
+  const GridSetFiles files = findGridSets(beside.string()).front();
+  EXPECT_EQ(files.name, "generated");
+  EXPECT_EQ(drawGridTasks(files, {}).tasks.size(), 40u);
+}
+
+TEST_F(GridTasks, RefusesFoldersWithoutScenarios) {
+  EXPECT_THROW(findGridSets((folder_ / "nothing").string()), std::invalid_argument);
+  EXPECT_THROW(findGridSets((folder_ / "Maps").string()), std::invalid_argument);
+}
+
+TEST_F(GridTasks, KeepsTrainingAndValidationMapsApart) {
+  addMaps(0, 7);
+  EXPECT_EQ(mapsOf(MapSelection::kTrain),
+            (std::vector<std::string>{"row-0", "row-1", "row-2", "row-3", "row-4", "row-5"}));
+  EXPECT_EQ(mapsOf(MapSelection::kValidation), (std::vector<std::string>{"row-6", "row-7"}));
+  EXPECT_EQ(mapsOf(MapSelection::kAll).size(), 8u);
+}
+
+TEST_F(GridTasks, GoesByTheNumberInTheNameNotByThePlace) {
+  addMaps(8, 9);
+  EXPECT_EQ(mapsOf(MapSelection::kValidation).size(), 2u);
+  EXPECT_THROW(mapsOf(MapSelection::kTrain), std::invalid_argument);
+}
+
+TEST_F(GridTasks, TrainsOnTheFirstHalfOfALargeSet) {
+  for (int i = 0; i < 22; ++i) addMap(std::string(1, static_cast<char>('a' + i)), 2);
+  EXPECT_EQ(mapsOf(MapSelection::kTrain).size(), 11u);
+  EXPECT_EQ(mapsOf(MapSelection::kTrain).back(), "k");
+  EXPECT_EQ(mapsOf(MapSelection::kValidation).front(), "l");
+}
+
+TEST_F(GridTasks, TakesLengthsWithinTheLimitsInclusive) {
+  addMap("row-0");
+  ScenarioSelection selection;
+  selection.min_length = 10.0;
+  selection.max_length = 12.0;
+  EXPECT_EQ(goals(drawGridTasks(files(), selection)), (std::vector<int>{10, 11, 12}));
+  selection.min_length = 50.0;
+  selection.max_length = 60.0;
+  EXPECT_THROW(drawGridTasks(files(), selection), std::invalid_argument);
+}
+
+TEST_F(GridTasks, DrawsTheSameForTheSameSeedAndNothingTwice) {
+  addMaps(0, 3);
+  ScenarioSelection selection;
+  selection.count = 30;
+  selection.seed = 7;
+  const std::vector<int> drawn = goals(drawGridTasks(files(), selection));
+  EXPECT_EQ(drawn, goals(drawGridTasks(files(), selection)));
+  EXPECT_EQ(std::set<int>(drawn.begin(), drawn.end()).size(), 30u);
+  EXPECT_TRUE(std::is_sorted(drawn.begin(), drawn.end())) << "map by map";
+  selection.seed = 8;
+  EXPECT_NE(drawn, goals(drawGridTasks(files(), selection)));
+}
+
+TEST_F(GridTasks, DrawsAllWhenThereAreFewerThanAskedFor) {
+  addMap("row-0");
+  ScenarioSelection selection;
+  selection.count = 1000;
+  EXPECT_EQ(drawGridTasks(files(), selection).tasks.size(), 40u);
+}
+
+TEST_F(GridTasks, LeavesOutGoalsThatCannotBeReached) {
+  addMap("row-0", 3);
+  const std::string path = (folder_ / "Scenarios" / "row-0.map.scen").string();
+  std::vector<Scenario> scenarios = readScenarios(path);
+  scenarios[2].optimal_length = 0.0;
+  writeScenarios(path, scenarios);
+  const GridTaskSet set = drawGridTasks(files(), {});
+  EXPECT_EQ(goals(set), (std::vector<int>{0, 1})) << "a way of length 0 to the start itself is none too short";
+  EXPECT_EQ(set.without_way, 1u);
+}
+
+TEST_F(GridTasks, RefusesScenariosOfAnotherMap) {
+  addMap("row-0", 40);
+  writeMovingAiMap((folder_ / "Maps" / "row-0.map").string(), PassableGrid(30, 1, true));
+  EXPECT_THROW(drawGridTasks(files(), {}), MovingAiFileError);
+}
+
+}  // namespace
+}  // namespace lstm_planner

@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/base/grid/map_generators.hpp"
+#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+
+namespace lstm_planner {
+namespace {
+
+std::string shippedModel(const std::string& name) {
+  return std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/" + name + ".onnx";
+}
+
+CellIndex passableCell(const PassableGrid& grid, Random& random) {
+  while (true) {
+    const CellIndex cell{static_cast<int>(uniformIndex(random, static_cast<std::size_t>(grid.columns()))),
+                         static_cast<int>(uniformIndex(random, static_cast<std::size_t>(grid.rows())))};
+    if (grid.passable(cell)) return cell;
+  }
+}
+
+/// A shipped model, and how many of 40 walks it has to end alone, without the escape that ends every walk.
+struct Bound {
+  const char* model;
+  int arrivals;
+};
+
+class ShippedGridModel : public testing::TestWithParam<Bound> {};
+
+/// How many of 40 walks in a random place end without the escape.
+int arrivalsAlone(const Model& model) {
+  constexpr int kMostSteps = 1000;
+  RandomFillParameters parameters;
+  parameters.columns = 100;
+  parameters.rows = 100;
+  const PassableGrid grid = generateRandomFill(parameters, 5);
+  NetworkGridAgent::Options options;
+  options.escape = false;
+  NetworkGridAgent agent(model, options);
+  Random random(9);
+  int arrivals = 0;
+  for (int walk = 0; walk < 40; ++walk) {
+    const CellIndex goal = passableCell(grid, random);
+    CellIndex cell = passableCell(grid, random);
+    agent.start(cell, goal);
+    for (int step = 0; step < kMostSteps; ++step) {
+      if (std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) <= 1) {
+        ++arrivals;
+        break;
+      }
+      agent.observe({cell, goal, senseRanges(grid, cell)});
+      const int direction = agent.decide();
+      if (direction == kNoWay) break;
+      cell = cellBeside(cell, direction);
+      agent.step(direction, true);
+    }
+  }
+  return arrivals;
+}
+
+TEST_P(ShippedGridModel, ArrivesAloneWhereRandomWeightsDoNot) {
+  Model model = readModelFile(shippedModel(GetParam().model));
+  EXPECT_GE(arrivalsAlone(model), GetParam().arrivals);
+  initialise({}, 3, model.layers);
+  EXPECT_LT(arrivalsAlone(model), GetParam().arrivals / 2) << "random weights";
+}
+
+TEST_P(ShippedGridModel, ArrivesEverywhereInAMazeWithoutCollision) {
+  MazeParameters parameters;
+  parameters.columns = 100;
+  parameters.rows = 100;
+  parameters.corridor_width = 8;
+  const PassableGrid maze = generateMaze(parameters, 5);
+  NetworkGridAgent agent(readModelFile(shippedModel(GetParam().model)), {});
+  Random random(9);
+  for (int episode = 0; episode < 10; ++episode) {
+    const CellIndex goal = passableCell(maze, random);
+    CellIndex cell = passableCell(maze, random);
+    agent.start(cell, goal);
+    // Boundary following alone needs at most 1.25 steps a cell in small grids; the patience comes on top of it.
+    int steps_left = 50 * 100 * 100;
+    while (std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) > 1 && --steps_left > 0) {
+      agent.observe({cell, goal, senseRanges(maze, cell)});
+      const int direction = agent.decide();
+      ASSERT_TRUE(direction != kNoWay && movePossible(maze, cell, direction, CornerCutting::kForbidden));
+      cell = cellBeside(cell, direction);
+      agent.step(direction, true);
+    }
+    ASSERT_GT(steps_left, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedGridModel,
+                         testing::Values(Bound{"grid_lstm", 38}, Bound{"grid_lstm_trace", 38},
+                                         Bound{"grid_lstm_2x8", 10}, Bound{"grid_rnn_2x16", 6},
+                                         Bound{"grid_mlp_4x64", 12}, Bound{"grid_qlearning", 34}),
+                         [](const auto& info) { return std::string(info.param.model); });
+
+TEST(ShippedGridModels, TheMainOneNeedsAtMost64KiBInAMazeThatTheTrailHasNoRoomFor) {
+  // A way that bends 1,600 times and then leads back to the goal, two cells above the start.
+  constexpr int kColumns = 1601;
+  PassableGrid maze(kColumns, 7, true);
+  for (int column = 0; column < kColumns; ++column) {
+    if (column + 1 < kColumns) maze.set({column, 1}, false);
+    if (column % 2 == 0) continue;
+    for (int row = 2; row < 7; ++row) maze.set({column, row}, row == (column % 4 == 1 ? 6 : 2));
+  }
+  NetworkGridAgent::Options options;
+  options.escape_parameters.patience = 20;
+  options.escape_parameters.boundary.first_leg = 4000.0;
+  options.escape_parameters.boundary.goal_weight = 0.0;
+  NetworkGridAgent agent(readModelFile(shippedModel("grid_lstm")), options);
+  CellIndex cell{0, 2};
+  const CellIndex goal{0, 0};
+  agent.start(cell, goal);
+  for (int step = 0; step < 5000; ++step) {
+    agent.observe({cell, goal, senseRanges(maze, cell)});
+    const int direction = agent.decide();
+    ASSERT_NE(direction, kNoWay);
+    cell = cellBeside(cell, direction);
+    agent.step(direction, true);
+  }
+  EXPECT_LE(agent.peakBytes(), 64u * 1024u);
+}
+
+TEST(ShippedGridModels, TheTwoMainOnesAreNoLargerThanTheThesissAndNeedAtMost64KiB) {
+  for (const char* name : {"grid_lstm", "grid_lstm_trace"}) {
+    const Model model = readModelFile(shippedModel(name));
+    EXPECT_LE(countWeights(model.layers), 1256u);
+    EXPECT_LE(NetworkGridAgent(model, {}).peakBytes(), 64u * 1024u);
+  }
+}
+
+}  // namespace
+}  // namespace lstm_planner

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/base/learning/parameter_vector.hpp"
+#include "lstm_planner/grid_world/learning/actor_critic.hpp"
+#include "unit/base/learning/thread_ranks.hpp"
+
+namespace lstm_planner {
+namespace {
+
+/// Rooms whose doors lie at opposite ends: the straight way to the goal never works.
+PassableGrid zigzag() {
+  PassableGrid grid(24, 24, true);
+  for (int wall = 4; wall < 24; wall += 5) {
+    for (int row = 0; row < 24; ++row) grid.set({wall, row}, wall % 2 == 0 ? row < 3 : row > 20);
+  }
+  return grid;
+}
+
+ActorCriticParameters smallTraining(int threads) {
+  ActorCriticParameters parameters;
+  parameters.critic_units = {16};
+  parameters.updates = 60;
+  parameters.agents = 16;
+  parameters.window = 32;
+  parameters.threads = threads;
+  return parameters;
+}
+
+LayerStack smallPolicy(const ActorCriticParameters& parameters) {
+  const GridEncoder encoder(parameters.encoder);
+  LayerStack layers = makeLstmStack(encoder.size(), {6}, encoder.outputs());
+  initialise({}, 4, layers);
+  return layers;
+}
+
+GridCourse course(std::uint64_t seed) {
+  GridCourseParameters parameters;
+  parameters.goals = 20;
+  parameters.min_length = 5;
+  parameters.max_length = 100;
+  return GridCourse(parameters, {{{zigzag()}, 1.0}}, seed, 2);
+}
+
+Eigen::VectorXf weightsAfter(ActorCritic& training, int epoch, int updates) {
+  const GridCourse maps = course(static_cast<std::uint64_t>(epoch));
+  training.beginEpoch(epoch, maps);
+  for (int update = 0; update < updates; ++update) training.update();
+  return parameterVector(training.layers());
+}
+
+TEST(ActorCritic, TheSameSeedGivesTheSameWeightsForAnyNumberOfThreads) {
+  ActorCritic one(smallTraining(1), smallPolicy(smallTraining(1)));
+  ActorCritic two(smallTraining(2), smallPolicy(smallTraining(2)));
+  EXPECT_EQ(weightsAfter(one, 0, 5), weightsAfter(two, 0, 5));
+}
+
+TEST(ActorCritic, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
+  const auto outcome = [](Communicator* communicator) {
+    ActorCriticParameters parameters = smallTraining(1);
+    parameters.agents = 40;  // 5 tiles
+    parameters.communicator = communicator;
+    ActorCritic training(parameters, smallPolicy(parameters));
+    const Eigen::VectorXf weights = weightsAfter(training, 0, 5);
+    const ActorCriticReport report = training.report();
+    return std::make_pair(weights, std::vector<double>{report.steps, report.reward, report.arrival, report.ratio,
+                                                       report.entropy, report.explained});
+  };
+  const auto one = outcome(oneProcess());
+  for (const int ranks : {2, 3, 6}) {
+    for (const auto& result : onRanks(ranks, outcome)) {
+      EXPECT_EQ(result.first, one.first) << ranks << " ranks";
+      EXPECT_EQ(result.second, one.second) << ranks << " ranks";
+    }
+  }
+}
+
+TEST(ActorCritic, ResumesFromACheckpointAsIfItHadNotBeenInterrupted) {
+  const ActorCriticParameters parameters = smallTraining(2);
+  ActorCritic uninterrupted(parameters, smallPolicy(parameters));
+  weightsAfter(uninterrupted, 0, 5);
+  const std::vector<std::uint8_t> checkpoint = uninterrupted.checkpoint();
+  const Eigen::VectorXf expected = weightsAfter(uninterrupted, 1, 5);
+
+  ActorCritic resumed(parameters, smallPolicy(parameters));
+  resumed.restore(checkpoint);
+  EXPECT_EQ(weightsAfter(resumed, 1, 5), expected);
+}
+
+TEST(ActorCritic, RefusesWhatIsNotItsCheckpoint) {
+  const ActorCriticParameters parameters = smallTraining(1);
+  ActorCritic training(parameters, smallPolicy(parameters));
+  std::vector<std::uint8_t> checkpoint = training.checkpoint();
+  checkpoint.resize(checkpoint.size() / 2);
+  EXPECT_THROW(training.restore(checkpoint), std::invalid_argument);
+  EXPECT_THROW(training.restore({}), std::invalid_argument);
+
+  ActorCriticParameters other = parameters;
+  other.critic_units = {8};
+  EXPECT_THROW(training.restore(ActorCritic(other, smallPolicy(other)).checkpoint()), std::invalid_argument);
+}
+
+TEST(ActorCritic, RefusesParametersOutOfRange) {
+  ActorCriticParameters parameters = smallTraining(1);
+  parameters.window = 0;
+  EXPECT_THROW(validate(parameters), std::invalid_argument);
+  parameters = smallTraining(1);
+  parameters.discount = 1.5;
+  EXPECT_THROW(validate(parameters), std::invalid_argument);
+}
+
+TEST(ActorCritic, LearnsToGoRoundWalls) {
+  ActorCriticParameters parameters = smallTraining(2);
+  parameters.agents = 64;
+  parameters.updates = 300;
+  parameters.learning_rate = 0.01;
+  ActorCritic training(parameters, smallPolicy(parameters));
+  const GridCourse maps = course(1);
+  training.beginEpoch(0, maps);
+  const auto meanReward = [&] {
+    for (int update = 0; update < 20; ++update) training.update();
+    return training.report().reward;
+  };
+  const double before = meanReward();
+  for (int round = 0; round < 13; ++round) meanReward();
+  // A random walk gains nothing and pays the cost of every step, 0.2. A way twice as long as the shortest gains half a
+  // cell a step.
+  EXPECT_LT(before, 0.0);
+  EXPECT_GT(meanReward(), 0.3);
+}
+
+}  // namespace
+}  // namespace lstm_planner

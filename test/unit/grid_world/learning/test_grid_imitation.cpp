@@ -1,0 +1,173 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/base/learning/parameter_vector.hpp"
+#include "lstm_planner/grid_world/learning/grid_imitation.hpp"
+#include "unit/grid_world/learning/grid_learning_fixtures.hpp"
+
+namespace lstm_planner {
+namespace {
+
+using Sets = std::vector<GridCourse::Set>;
+
+GridImitationParameters tinyImitation() {
+  GridImitationParameters parameters;
+  parameters.encoder.inputs = GridEncoderParameters::Inputs::kThesis;
+  parameters.course = smallCourse();
+  parameters.dataset.steps = 300;
+  parameters.dataset.sequence_steps = 40;
+  parameters.dataset.burn_in_steps = 8;
+  parameters.dataset.max_steps = 60;
+  parameters.validation_steps = 100;
+  parameters.batch_steps = 100;
+  parameters.rounds = 2;
+  parameters.trainer.epochs = 3;
+  parameters.threads = 1;
+  return parameters;
+}
+
+LayerStack smallNetwork(const GridImitationParameters& parameters, std::vector<int> cells) {
+  const GridEncoder encoder(parameters.encoder);
+  LayerStack layers = makeLstmStack(encoder.size(), cells, encoder.outputs());
+  initialise({}, 1, layers);
+  return layers;
+}
+
+GridImitationResult run(const GridImitationParameters& parameters, const GridImitationEpochCallback& callback = {},
+                        const GridImitationState& state = {}) {
+  return imitateOnGrid(parameters, smallNetwork(parameters, {4}), {{{smallCave(1)}, 1.0}}, {{{smallCave(2)}, 1.0}},
+                       callback, {}, state);
+}
+
+/// Accuracy of going on as before, and of a random guess at the first step.
+double accuracyOfGoingOn(const std::vector<Sequence>& sequences) {
+  double right = 0.0;
+  for (const Sequence& sequence : sequences) {
+    right += 1.0 / kGridMoveCount;
+    for (Eigen::Index step = 1; step < sequence.steps(); ++step) {
+      right += sequence.labels[step] == sequence.labels[step - 1] ? 1.0 : 0.0;
+    }
+  }
+  return right / static_cast<double>(countLabels(sequences));
+}
+
+TEST(GridImitation, LearnsWhatTheInputsTell) {
+  // Where nothing is in the way the answer depends on the angle to the goal and the move before, which are inputs. Most
+  // steps go on as the one before: what is learned shows in how many of the others are right.
+  GridImitationParameters parameters = tinyImitation();
+  parameters.course.max_length = 8.0;
+  parameters.dataset.steps = 10000;
+  parameters.validation_steps = 1000;
+  parameters.batch_steps = 200;
+  parameters.rounds = 1;
+  parameters.trainer.epochs = 30;
+  parameters.trainer.optimiser.learning_rate = 0.02;
+  const Sets open = {{{PassableGrid(40, 40, true)}, 1.0}};
+  const GridImitationResult result = imitateOnGrid(parameters, smallNetwork(parameters, {8}), open, open);
+  const TrainingResult& training = result.rounds.at(0).training;
+  const LossSum& validation = training.curve[static_cast<std::size_t>(training.best_epoch - 1)].validation;
+  const double going_on = accuracyOfGoingOn(collectGridSequences(
+      parameters.dataset, parameters.encoder, GridCourse(parameters.course, open, 1, 1), nullptr, 0.0, 1, 1));
+  EXPECT_GT(going_on, 0.6);
+  EXPECT_LT(1.0 - validation.accuracy(), (1.0 - going_on) / 2.0);
+}
+
+TEST(GridImitation, RoundsAddWaysThatTheLearnerLeads) {
+  std::vector<std::size_t> steps;
+  const GridImitationParameters parameters = tinyImitation();
+  imitateOnGrid(parameters, smallNetwork(parameters, {4}), {{{smallCave(1)}, 1.0}}, {{{smallCave(2)}, 1.0}}, {},
+                [&](const GridImitationRound& round) {
+                  EXPECT_EQ(round.round, static_cast<int>(steps.size()) + 1);
+                  steps.push_back(round.steps);
+                });
+  EXPECT_EQ(steps, (std::vector<std::size_t>{300, 600}));
+}
+
+TEST(GridImitation, GivesTheSameWeightsForAnyNumberOfThreads) {
+  GridImitationParameters parameters = tinyImitation();
+  const Eigen::VectorXf one = parameterVector(run(parameters).layers);
+  parameters.threads = 3;
+  EXPECT_EQ(parameterVector(run(parameters).layers), one);
+  parameters.seed = 2;
+  EXPECT_NE(parameterVector(run(parameters).layers), one);
+}
+
+TEST(GridImitation, GoesOnAfterABreakAsIfThereHadBeenNone) {
+  const GridImitationParameters parameters = tinyImitation();
+  const GridImitationResult without_break = run(parameters);
+  const Eigen::VectorXf whole = parameterVector(without_break.layers);
+  ASSERT_EQ(without_break.curve.size(), 6u);
+  for (const int epochs_before : {1, 3, 4, 6}) {  // in a round, after one, in the second, after everything
+    std::vector<std::uint8_t> bytes;
+    int epochs = 0;
+    run(parameters, [&](int, const EpochReport&, const GridImitationState& state) {
+      bytes = toBytes(state);
+      return ++epochs < epochs_before;
+    });
+    const GridImitationResult rest = run(parameters, {}, gridImitationStateFrom(bytes));
+    EXPECT_EQ(parameterVector(rest.layers), whole) << epochs_before << " epochs before the break";
+    ASSERT_EQ(rest.curve.size(), 6u);
+    for (std::size_t epoch = 0; epoch < 6; ++epoch) {
+      EXPECT_EQ(rest.curve[epoch].epoch, static_cast<int>(epoch) + 1);
+      EXPECT_EQ(rest.curve[epoch].training.loss, without_break.curve[epoch].training.loss);
+      EXPECT_EQ(rest.curve[epoch].validation.confusion, without_break.curve[epoch].validation.confusion);
+    }
+  }
+}
+
+TEST(GridImitation, RefusesBytesThatAreNoState) {
+  EXPECT_THROW(gridImitationStateFrom({}), std::invalid_argument);
+  std::vector<std::uint8_t> bytes = toBytes({});
+  EXPECT_TRUE(gridImitationStateFrom(bytes).training.curve.empty());
+  bytes.pop_back();
+  EXPECT_THROW(gridImitationStateFrom(bytes), std::invalid_argument);
+}
+
+TEST(GridImitation, RefusesAStateOfManyLevels) {
+  const std::vector<std::uint8_t> lists_in_lists(1000000, 0x81);
+  try {
+    gridImitationStateFrom(lists_in_lists);
+    FAIL() << "it was taken";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("more than 16 levels"), std::string::npos) << error.what();
+  }
+}
+
+TEST(GridImitation, ThesisTrainsAsInItsTables) {
+  const GridImitationParameters thesis = thesisImitation();
+  EXPECT_NO_THROW(validate(thesis));
+  EXPECT_EQ(thesis.dataset.steps, 102400);
+  EXPECT_EQ(thesis.validation_steps, 10240);
+  EXPECT_EQ(thesis.course.max_length, 300.0);
+  EXPECT_EQ(thesis.trainer.epochs, 500);
+  EXPECT_EQ(thesis.trainer.optimiser.learning_rate, 0.1);
+  EXPECT_EQ(thesis.trainer.optimiser.momentum, 0.95);
+  EXPECT_EQ(thesis.trainer.optimiser.decay, Decay::kL1);
+  EXPECT_EQ(thesis.trainer.optimiser.decay_rate, 1e-5);
+  EXPECT_EQ(GridEncoder(thesis.encoder).size(), 11);
+}
+
+TEST(GridImitation, RefusesParametersWithWhichNothingIsLearned) {
+  const auto refused = [](void (*change)(GridImitationParameters*)) {
+    GridImitationParameters parameters = tinyImitation();
+    change(&parameters);
+    try {
+      validate(parameters);
+    } catch (const std::invalid_argument&) {
+      return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(refused([](GridImitationParameters*) {}));
+  EXPECT_TRUE(refused([](GridImitationParameters* p) { p->encoder.views = 8; }));
+  EXPECT_TRUE(refused([](GridImitationParameters* p) { p->rounds = 0; }));
+  EXPECT_TRUE(refused([](GridImitationParameters* p) { p->learner_share = 1.5; }));
+  EXPECT_TRUE(refused([](GridImitationParameters* p) { p->batch_steps = 0; }));
+  EXPECT_TRUE(refused([](GridImitationParameters* p) { p->validation_steps = 0; }));
+  EXPECT_TRUE(refused([](GridImitationParameters* p) { p->threads = 0; }));
+}
+
+}  // namespace
+}  // namespace lstm_planner

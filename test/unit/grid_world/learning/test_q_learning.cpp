@@ -1,0 +1,267 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "grid_world/learning/q_learning_tile.hpp"
+#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/base/learning/parameter_vector.hpp"
+#include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
+#include "lstm_planner/grid_world/learning/q_learning.hpp"
+#include "unit/base/learning/thread_ranks.hpp"
+
+namespace lstm_planner {
+namespace {
+
+PassableGrid gridFrom(const std::vector<std::string>& lines) {
+  PassableGrid grid(static_cast<int>(lines.front().size()), static_cast<int>(lines.size()), false);
+  for (std::size_t row = 0; row < lines.size(); ++row) {
+    for (std::size_t column = 0; column < lines[row].size(); ++column) {
+      if (lines[row][column] == '.') grid.set({static_cast<int>(column), static_cast<int>(row)}, true);
+    }
+  }
+  return grid;
+}
+
+GridCourse courseOn(const PassableGrid& grid, double max_length) {
+  GridCourseParameters parameters;
+  parameters.min_length = 2.0;
+  parameters.max_length = max_length;
+  parameters.goals = 100;
+  parameters.mirrored = false;
+  return GridCourse(parameters, {{{grid}, 1.0}}, 1, 1);
+}
+
+/// Between many of its cells the way begins by leading away from the goal.
+const std::vector<std::string> kSmallMaze = {
+    ".......",  //
+    "######.",  //
+    ".......",  //
+    ".######",  //
+    ".......",
+};
+constexpr double kLongestWay = 24.0;  ///< rounded up
+
+QLearningParameters smallParameters() {
+  QLearningParameters parameters;
+  parameters.agents = 32;
+  parameters.window = 16;
+  parameters.max_steps = 60;
+  parameters.target_interval = 10;
+  parameters.learning_rate = 0.01;
+  parameters.threads = 1;
+  return parameters;
+}
+
+LayerStack networkFor(const QLearningParameters& parameters) {
+  const GridEncoder encoder(parameters.encoder);
+  LayerStack layers = makeLstmStack(encoder.size(), {6}, encoder.outputs());
+  initialise({}, 5, layers);
+  return layers;
+}
+
+constexpr double kBestMoves = 0.0;
+constexpr double kRandomMoves = 1.0;  ///< which small changes of weights do not change
+
+/// Agents of one tile with networks that do not change.
+class Walk {
+ public:
+  Walk(const QLearningParameters& parameters, const GridCourse& course)
+      : parameters_(parameters), runner_(parameters_, networkFor(parameters)) {
+    for (int actor = 0; actor < runner_.actors(); ++actor) {
+      tile_.actors.emplace_back(course, parameters.encoder, static_cast<std::uint64_t>(actor));
+    }
+  }
+  const QTile& window(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon) {
+    runner_.run(weights, target_weights, epsilon, tile_);
+    return tile_;
+  }
+
+ private:
+  QLearningParameters parameters_;
+  QTileRunner runner_;
+  QTile tile_;
+};
+
+TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
+  const GridCourse course = courseOn(PassableGrid(12, 12, true), 12.0);
+  QLearningParameters parameters = smallParameters();
+  parameters.encoder = {GridEncoderParameters::Inputs::kThesis, 1};
+  parameters.window = 5;
+  parameters.trace_decay = 0.0;  // so that the targets do not depend on the weights that are moved
+  parameters.double_q = false;
+  parameters.huber = 1e6;
+  const Eigen::VectorXf target_weights = parameterVector(networkFor(parameters));
+  const Eigen::VectorXf weights = 1.5f * target_weights;
+  const Eigen::VectorXf gradient = Walk(parameters, course).window(weights, target_weights, kRandomMoves).gradient;
+  const auto errorAt = [&](Eigen::Index index, float change) {
+    Eigen::VectorXf moved = weights;
+    moved[index] += change;
+    return Walk(parameters, course).window(moved, target_weights, kRandomMoves).sums.squared_error;
+  };
+  // An error of half a squared value is the squared error of the output times the scale's square.
+  const double unit = 2.0 * parameters.value_scale * parameters.value_scale;
+  const float change = 1e-3f;
+  for (Eigen::Index index = 0; index < weights.size(); index += 7) {
+    const double numeric = (errorAt(index, change) - errorAt(index, -change)) / (2.0 * static_cast<double>(change));
+    EXPECT_NEAR(static_cast<double>(gradient[index]), numeric / unit, 1e-3 * static_cast<double>(gradient.norm()))
+        << "weight " << index;
+  }
+}
+
+TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
+  QLearningParameters parameters = smallParameters();
+  const Eigen::VectorXf weights = parameterVector(networkFor(parameters));
+  const double in_one = Walk(parameters, course).window(weights, weights, kBestMoves).sums.value;
+  parameters.window = 8;
+  Walk halves(parameters, course);
+  const double first = halves.window(weights, weights, kBestMoves).sums.value;
+  const double second = halves.window(weights, weights, kBestMoves).sums.value;
+  // Only the order of summing differs.
+  EXPECT_NEAR(first + second, in_one, 1e-9 * std::abs(in_one));
+}
+
+Eigen::VectorXf weightsAfterSomeUpdates(int threads, Communicator* communicator = oneProcess()) {
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
+  QLearningParameters parameters = smallParameters();
+  parameters.threads = threads;
+  parameters.communicator = communicator;
+  parameters.target_interval = 2;
+  QLearning learning(parameters, networkFor(parameters));
+  learning.beginEpoch(0, course);
+  for (int update = 0; update < 5; ++update) learning.update();
+  return parameterVector(learning.layers());
+}
+
+TEST(QLearning, LearnsTheSameWithAnyNumberOfThreads) {
+  const Eigen::VectorXf alone = weightsAfterSomeUpdates(1);
+  EXPECT_NE(alone, parameterVector(networkFor(smallParameters())));
+  EXPECT_EQ(alone, weightsAfterSomeUpdates(3));
+}
+
+TEST(QLearning, LearnsTheSameOnAnyNumberOfRanks) {
+  const auto learn = [](Communicator* ranks) { return weightsAfterSomeUpdates(1, ranks); };
+  const Eigen::VectorXf alone = weightsAfterSomeUpdates(1);
+  for (const Eigen::VectorXf& weights : onRanks(3, learn)) EXPECT_EQ(weights, alone);
+}
+
+TEST(QLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
+  QLearningParameters parameters = smallParameters();
+  parameters.target_interval = 3;  // a copy falls into the second epoch, another lies before it
+  QLearning whole(parameters, networkFor(parameters));
+  whole.beginEpoch(0, course);
+  for (int update = 0; update < 5; ++update) whole.update();
+  QLearning resumed(parameters, networkFor(parameters));
+  resumed.restore(whole.checkpoint());
+  for (QLearning* learning : {&whole, &resumed}) {
+    learning->beginEpoch(1, course);
+    for (int update = 0; update < 4; ++update) learning->update();
+  }
+  EXPECT_EQ(parameterVector(whole.layers()), parameterVector(resumed.layers()));
+
+  std::vector<std::uint8_t> truncated = whole.checkpoint();
+  truncated.resize(truncated.size() / 2);
+  EXPECT_THROW(resumed.restore(truncated), std::invalid_argument);
+}
+
+/// Reward of the steps to within one cell of a goal that lies `distance` cells away in a corridor.
+double corridorValue(const QLearningParameters& parameters, int distance) {
+  double value = parameters.arrival_bonus + 1.0 - parameters.step_cost;
+  for (int left = distance - 2; left > 0; --left) value = 1.0 - parameters.step_cost + parameters.discount * value;
+  return value;
+}
+
+TEST(QLearning, FindsTheValuesOfACorridor) {
+  const GridCourse course = courseOn(PassableGrid(12, 1, true), 11.0);
+  QLearningParameters parameters = smallParameters();
+  parameters.encoder = {GridEncoderParameters::Inputs::kTrace, 1};
+  parameters.discount = 0.8;
+  parameters.updates = 1500;
+  GridEncoder encoder(parameters.encoder);
+  LayerStack layers = makeDenseStack(encoder.size(), {16}, kGridMoveCount);
+  initialise({}, 1, layers);
+  QLearning learning(parameters, layers);
+  learning.beginEpoch(0, course);
+  for (int update = 0; update < parameters.updates; ++update) learning.update();
+
+  Network network(learning.layers());
+  Eigen::VectorXf input(encoder.size());
+  for (int cell = 0; cell <= 9; ++cell) {
+    GridMemory memory;
+    memory.start();
+    memory.observe({{cell, 0}, {11, 0}, senseRanges(PassableGrid(12, 1, true), {cell, 0})});
+    encoder.look(memory);
+    encoder.encode(0, input.data(), 1);
+    const double value = parameters.value_scale * static_cast<double>(network.forward(input)[0]);
+    // Nearer than what one step earns.
+    EXPECT_NEAR(value, corridorValue(parameters, 11 - cell), 1.0 - parameters.step_cost) << cell;
+  }
+}
+
+/// Share of all pairs of start and goal in which the network arrives, in time for one wrong turn up to a dead end.
+double arrivalEverywhere(const PassableGrid& grid, const QLearningParameters& parameters, const LayerStack& layers) {
+  Model model;
+  model.layers = layers;
+  writeMetadata(parameters.encoder, &model.metadata);
+  NetworkGridAgent agent(model, {});
+  const RangeTable ranges(grid);
+  int arrived = 0;
+  int pairs = 0;
+  for (std::size_t pair = 0; pair < grid.size() * grid.size(); ++pair) {
+    const auto cell = [&](std::size_t offset) {
+      const auto columns = static_cast<std::size_t>(grid.columns());
+      return CellIndex{static_cast<int>(offset % columns), static_cast<int>(offset / columns)};
+    };
+    const CellIndex start = cell(pair / grid.size());
+    const CellIndex goal = cell(pair % grid.size());
+    if (!grid.passable(start) || !grid.passable(goal)) continue;
+    GridEpisodeRules rules;
+    rules.max_steps = 70;
+    ++pairs;
+    if (runGridEpisode(grid, ranges, start, goal, rules, &agent).end == GridEpisode::End::kArrived) ++arrived;
+  }
+  return static_cast<double>(arrived) / pairs;
+}
+
+double arrivalInMazeAfterLearning(QLearningParameters parameters) {
+  const PassableGrid maze = gridFrom(kSmallMaze);
+  const GridCourse course = courseOn(maze, kLongestWay);
+  parameters.updates = 600;
+  parameters.discount = 0.9;
+  QLearning learning(parameters, networkFor(parameters));
+  EXPECT_LT(arrivalEverywhere(maze, parameters, learning.layers()), 0.7) << "nothing to learn";
+  learning.beginEpoch(0, course);
+  for (int update = 0; update < parameters.updates; ++update) learning.update();
+  return arrivalEverywhere(maze, parameters, learning.layers());
+}
+
+TEST(QLearning, LeadsEverywhereInASmallMaze) { EXPECT_EQ(arrivalInMazeAfterLearning(smallParameters()), 1.0); }
+
+TEST(QLearning, LeadsNearlyEverywhereByTheThesissReward) {
+  QLearningParameters parameters = smallParameters();
+  parameters.reward = QLearningParameters::Reward::kThesis;
+  parameters.value_scale = 4.0;  // of so short ways the costs are small
+  // Its distance is as the crow flies: behind a wall the wrong way seems the better one, so that detours come last.
+  EXPECT_GT(arrivalInMazeAfterLearning(parameters), 0.9);
+}
+
+TEST(QLearning, RefusesWhatDoesNotFit) {
+  QLearningParameters parameters = smallParameters();
+  const LayerStack layers = networkFor(parameters);
+  parameters.discount = 1.0;
+  EXPECT_THROW(QLearning(parameters, layers), std::invalid_argument);
+  parameters = smallParameters();
+  parameters.threads = 0;
+  EXPECT_THROW(QLearning(parameters, layers), std::invalid_argument);
+  parameters = smallParameters();
+  parameters.encoder.views = 1;  // 8 outputs, not one
+  EXPECT_THROW(QLearning(parameters, layers), std::invalid_argument);
+  EXPECT_THROW(QLearning(smallParameters(), layers).update(), std::logic_error);
+}
+
+}  // namespace
+}  // namespace lstm_planner

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "lstm_planner/grid_world/search/heuristic.hpp"
+
+namespace lstm_planner {
+namespace {
+
+double cells(const HeuristicParameters& heuristic, CellIndex from, CellIndex to) {
+  return static_cast<double>(estimateCost(heuristic, from, to)) / static_cast<double>(kStraightCost);
+}
+
+TEST(Heuristic, FollowsTheThesisEquations) {
+  const CellIndex from{10, 3};
+  const CellIndex to{7, 7};                                           // 3 columns, 4 rows: a straight line of 5
+  constexpr double kUnit = 2.0 / static_cast<double>(kStraightCost);  // rounded down to a unit
+  EXPECT_NEAR(cells({Heuristic::kManhattan}, from, to), 7.0, kUnit);
+  EXPECT_NEAR(cells({Heuristic::kChebyshev}, from, to), 4.0, kUnit);
+  EXPECT_NEAR(cells({Heuristic::kOctile}, from, to), 1.0 + 3.0 * std::sqrt(2.0), kUnit);
+  EXPECT_NEAR(cells({Heuristic::kEuclidean}, from, to), 5.0, kUnit);
+  EXPECT_NEAR(cells({Heuristic::kScaledEuclidean}, from, to), 125.0, kUnit);
+  EXPECT_NEAR(cells({Heuristic::kScaledEuclidean, 0.5}, from, to), 2.5, kUnit);
+}
+
+TEST(Heuristic, IsAdmissibleExactlyIfNeverLongerThanTheWay) {
+  for (const Heuristic kind : kHeuristics) {
+    for (const double scale : {0.0, 0.5, 1.0, 1.001, kThesisEuclideanScale}) {
+      const HeuristicParameters heuristic{kind, scale};
+      bool never_longer = true;
+      for (int column = 0; column < 60; ++column) {
+        for (int row = 0; row < 60; ++row) {
+          const MoveCost way = estimateCost({Heuristic::kOctile}, {0, 0}, {column, row});
+          never_longer = never_longer && estimateCost(heuristic, {0, 0}, {column, row}) <= way;
+        }
+      }
+      EXPECT_EQ(isAdmissible(heuristic), never_longer) << heuristicName(kind) << ", scale " << scale;
+    }
+  }
+}
+
+TEST(Heuristic, FitsItsTypeOnTheLongestGridWithTheLargestScale) {
+  const HeuristicParameters heuristic{Heuristic::kScaledEuclidean, kLargestEuclideanScale};
+  constexpr int kLongest = (1 << 26) - 1;
+  const MoveCost longest_way = kDiagonalCost * (kLongest + 1);
+  EXPECT_LT(estimateCost(heuristic, {0, 0}, {kLongest, 0}), std::numeric_limits<MoveCost>::max() - longest_way);
+}
+
+TEST(Heuristic, RefusesAScaleThatIsNoUsableNumber) {
+  for (const double scale : {-1.0, 1001.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(checkHeuristic({Heuristic::kScaledEuclidean, scale}), std::invalid_argument) << scale;
+  }
+}
+
+TEST(Heuristic, IsFoundByItsName) {
+  for (const Heuristic kind : kHeuristics) EXPECT_EQ(heuristicNamed(heuristicName(kind)), kind);
+  try {
+    heuristicNamed("euclid");
+    FAIL() << "expected an exception";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(),
+                 "the heuristic is \"euclid\", expected one of manhattan chebyshev octile euclidean scaled_euclidean");
+  }
+}
+
+}  // namespace
+}  // namespace lstm_planner

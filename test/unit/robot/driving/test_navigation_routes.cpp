@@ -1,0 +1,273 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
+#include "unit/robot/driving/agent_fixtures.hpp"
+#include "unit/robot/memory/memory_fixtures.hpp"
+
+namespace lstm_planner {
+namespace {
+
+using Source = Decision::Source;
+using test::returnsAt;
+using test::situationAt;
+
+constexpr int kStraight = 2;
+
+/// A network that prefers straight on.
+DrivePolicy stubbornPolicy() { return test::policyPreferring({1.0f, 2.0f, 5.0f, 3.0f, 4.0f}); }
+
+class NavigationRoutes : public ::testing::Test {
+ protected:
+  NavigationRoutes() : agent_(stubbornPolicy(), test::routeLed()) { agent_.setGoal({4.0, 0.0}); }
+
+  /// From the waypoint along the way on, m.
+  static double lengthOn(const Decision& decision) {
+    double length = 0.0;
+    Point2 last = decision.waypoint;
+    for (const Point2& point : decision.way_on) {
+      length += distanceBetween(last, point);
+      last = point;
+    }
+    return length;
+  }
+
+  NavigationAgent agent_;
+  const AgentParameters defaults_ = test::routeLed();
+};
+
+/// Across the straight way; its right end is the nearer one.
+const std::vector<Point2> kWall = test::wall({2.0, -1.0}, {2.0, 3.0});
+const double kRoundTheWall = 2.0 * std::hypot(2.0, 1.0);  ///< m, at least, from the origin to (4, 0)
+
+TEST_F(NavigationRoutes, TheWaypointLiesOnTheRouteThatLeads) {
+  for (const double yaw : {0.0, 0.3, 1.0, M_PI}) {
+    agent_.setGoal({4.0, 0.0});
+    const Decision& decision = agent_.update(situationAt({0.0, 0.0, yaw}));
+    EXPECT_EQ(decision.source, Source::kRoute);
+    EXPECT_TRUE(decision.on_route);
+    EXPECT_NEAR(decision.waypoint.x, 0.4, 1e-12);  // not where the heading points to
+    EXPECT_NEAR(decision.waypoint.y, 0.0, 1e-12);
+  }
+}
+
+TEST_F(NavigationRoutes, ARouteThatLeadsAsksNoNetwork) {
+  const Network::HiddenState hidden = agent_.policy().hiddenState();
+  for (int step = 0; step < 5; ++step) {
+    const Decision& decision = agent_.update(situationAt({0.4 * step, 0.0, 0.0}, step));
+    EXPECT_NE(decision.source, Source::kNetwork);
+    EXPECT_EQ(decision.preferred, -1);
+    EXPECT_FALSE(decision.isOverruled());
+  }
+  EXPECT_EQ(agent_.policy().hiddenState(), hidden);
+}
+
+TEST_F(NavigationRoutes, NothingIsSearchedWhileTheNetworkMakesProgress) {
+  NavigationAgent agent(stubbornPolicy(), {});
+  agent.setGoal({40.0, 0.0});
+  for (int step = 0; step < 60; ++step) {
+    const Decision& decision = agent.update(returnsAt(kWall, {0.6 * step, -3.0, 0.0}));
+    EXPECT_EQ(decision.source, Source::kNetwork) << step;
+    EXPECT_TRUE(decision.way_on.empty());
+  }
+  EXPECT_EQ(agent.searches(), 0);
+}
+
+TEST_F(NavigationRoutes, WhatTheNetworkPassedIsRememberedForTheRescue) {
+  AgentParameters parameters;
+  parameters.escape.patience_steps = 3;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  agent.setGoal({4.0, 0.0});
+  agent.update(returnsAt(kWall, {0.0, 0.0, M_PI}));
+  for (int step = 1; step < 3; ++step) {
+    Situation nothing_seen = returnsAt({}, {-0.4 * step, 0.0, M_PI});
+    nothing_seen.time = step;
+    ASSERT_EQ(agent.update(nothing_seen).source, Source::kNetwork);
+  }
+  Situation nothing_seen = returnsAt({}, {-1.2, 0.0, M_PI});
+  nothing_seen.time = 3.0;
+  const Decision& decision = agent.update(nothing_seen);
+  EXPECT_EQ(decision.source, Source::kRoute);
+  EXPECT_GT(0.4 + lengthOn(decision), 2.0 * std::hypot(2.0, 1.0) + 0.6) << "round the wall that it saw at first";
+}
+
+TEST_F(NavigationRoutes, WithoutALeaderTheAllowedAngleNearestToTheGoalIsTaken) {
+  AgentParameters parameters;
+  parameters.leader = Leader::kNone;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  const double bearings[] = {-1.4, -0.7, 0.1, 0.9, 2.9};
+  for (int action = 0; action < 5; ++action) {
+    agent.setGoal(pointAlong(Point2{}, bearings[action], 5.0));
+    const Decision& decision = agent.update(situationAt({}));
+    EXPECT_EQ(decision.source, Source::kGreedy);
+    EXPECT_EQ(decision.action, action);
+    EXPECT_EQ(decision.preferred, -1);
+  }
+}
+
+TEST_F(NavigationRoutes, ItSaysWhenTheShieldOverrulesTheNetwork) {
+  AgentParameters parameters;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  agent.setGoal({4.0, 0.0});
+  const Decision& free = agent.update(situationAt({}));
+  EXPECT_EQ(free.preferred, kStraight);
+  EXPECT_FALSE(free.isOverruled());
+  agent.setGoal({4.0, 0.0});
+  const Decision& blocked = agent.update(situationAt({}, 1.0, test::wall({0.3, -0.4}, {0.3, 0.4})));
+  EXPECT_EQ(blocked.source, Source::kNetwork);
+  EXPECT_EQ(blocked.preferred, kStraight);
+  EXPECT_NE(blocked.action, kStraight);
+  EXPECT_TRUE(blocked.isOverruled());
+}
+
+TEST_F(NavigationRoutes, TheWayOnGoesFromTheWaypointToTheDestination) {
+  for (const double yaw : {0.0, -0.4, 1.0, 2.5}) {
+    agent_.setGoal({4.0, 0.0});
+    const Decision& decision = agent_.update(returnsAt(kWall, {0.0, 0.0, yaw}));
+    ASSERT_FALSE(decision.way_on.empty()) << yaw;
+    EXPECT_EQ(decision.way_on.back().x, 4.0);
+    EXPECT_EQ(decision.way_on.back().y, 0.0);
+    const double whole = distanceBetween(Point2{}, decision.waypoint) + lengthOn(decision);
+    EXPECT_GT(whole, kRoundTheWall) << yaw;
+    // Round the end at the footprint's radius and the comfortable clearance, and a cell more.
+    const double aside = 1.0 + defaults_.shield.footprint_radius + defaults_.memory.comfort + 0.2;
+    EXPECT_LT(whole, 2.0 * std::hypot(2.0, aside)) << yaw;
+  }
+}
+
+TEST_F(NavigationRoutes, TheDestinationIsBesideAGoalThatLiesInSomething) {
+  AgentParameters tolerant = test::routeLed();
+  tolerant.goal_tolerance = 0.6;
+  NavigationAgent agent(stubbornPolicy(), tolerant);
+  const Point2 goal{4.0, 0.1};
+  agent.setGoal(goal);
+  EXPECT_EQ(agent.decision().destination.x, goal.x);
+  std::vector<Point2> pillar;
+  for (const Point2& point : test::ring(0.2)) pillar.push_back({goal.x + point.x, goal.y + point.y});
+  const Decision& decision = agent.update(returnsAt(pillar));
+  const double beside = distanceBetween(decision.destination, goal);
+  EXPECT_GT(beside, 0.2 + 0.75 * tolerant.shield.footprint_radius);  // less what a square's rounding hides
+  EXPECT_LE(beside, 0.6);
+  ASSERT_FALSE(decision.way_on.empty());
+  EXPECT_EQ(decision.way_on.back().x, decision.destination.x);
+  // It stays there when the goal moves, until the way is found anew.
+  const Point2 destination = decision.destination;
+  agent.moveGoal({goal.x + 0.1, goal.y});
+  EXPECT_EQ(agent.decision().destination.x, destination.x);
+  EXPECT_EQ(agent.decision().way_on.back().x, destination.x);
+  EXPECT_LE(distanceBetween(agent.update(returnsAt(pillar, {0.4, 0.0, 0.0})).destination, agent.goal()), 0.6);
+}
+
+TEST_F(NavigationRoutes, AskingTwiceChangesNothing) {
+  const Decision first = agent_.update(returnsAt(kWall));
+  const Network::HiddenState hidden = agent_.policy().hiddenState();
+  const Decision elsewhere = agent_.preview(returnsAt({}), {3.0, 0.0});
+  for (int i = 1; i < 10; ++i) {
+    Situation again = returnsAt(kWall);
+    again.time = 0.1 * i;
+    const Decision& decision = agent_.update(again);
+    EXPECT_EQ(decision.step, first.step);
+    EXPECT_EQ(decision.waypoint.x, first.waypoint.x);
+    EXPECT_EQ(decision.waypoint.y, first.waypoint.y);
+    EXPECT_EQ(lengthOn(decision), lengthOn(first));
+  }
+  EXPECT_EQ(agent_.policy().hiddenState(), hidden);
+  EXPECT_EQ(lengthOn(agent_.preview(returnsAt({}), {3.0, 0.0})), lengthOn(elsewhere));
+}
+
+TEST_F(NavigationRoutes, APreviewKnowsWhatWasSeenAndLeavesNoTrace) {
+  agent_.update(returnsAt({}));
+  EXPECT_GT(lengthOn(agent_.preview(returnsAt(kWall), {4.0, 0.0})), 2.0 * std::sqrt(5.0) - 0.4);
+  // The wall was not there for the agent itself.
+  EXPECT_NEAR(lengthOn(agent_.preview(returnsAt({}), {4.0, 0.0})), 3.6, 1e-9);
+  const Decision& decision = agent_.update(returnsAt({}, {0.4, 0.0, 0.0}));
+  EXPECT_NEAR(lengthOn(decision), 4.0 - 0.8, 1e-9);
+}
+
+TEST_F(NavigationRoutes, ANewGoalKeepsWhatWasSeenAndARestartForgetsIt) {
+  agent_.update(returnsAt(kWall));
+  agent_.setGoal({4.0, 0.0});
+  EXPECT_GT(lengthOn(agent_.update(returnsAt({}))) + 0.4, kRoundTheWall);
+  agent_.restart();
+  EXPECT_NEAR(lengthOn(agent_.update(returnsAt({}))), 3.6, 1e-9);
+}
+
+TEST_F(NavigationRoutes, WithoutMemoryThereIsNoWayOn) {
+  AgentParameters forgetful;
+  forgetful.memory.enabled = false;
+  NavigationAgent agent(stubbornPolicy(), forgetful);
+  agent.setGoal({4.0, 0.0});
+  const Decision& decision = agent.update(returnsAt(kWall, {0.0, 0.0, 0.3}));
+  EXPECT_TRUE(decision.way_on.empty());
+  EXPECT_FALSE(decision.on_route);
+  EXPECT_NEAR(decision.direction, 0.3, 1e-12);
+}
+
+TEST_F(NavigationRoutes, ARobotThatIsHeldUpOnTheRouteIsLedAnotherWay) {
+  ASSERT_NEAR(agent_.update(situationAt({})).direction, 0.0, 1e-9);
+  const Decision& decision = agent_.update(situationAt({}, 2.1));
+  EXPECT_EQ(decision.source, Source::kRoute);
+  ASSERT_TRUE(decision.on_route);
+  // Round a place 0.3 m ahead: at less than the footprint from it there is no way.
+  EXPECT_GT(std::abs(decision.direction), 0.3);
+  EXPECT_GT(distanceBetween(decision.waypoint, Point2{0.3, 0.0}), 0.15);
+}
+
+TEST_F(NavigationRoutes, SaysThatThereIsNoWayAfterThreeTurnsInAClosedRing) {
+  double turned = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    const Decision& decision = agent_.update(situationAt({0.0, 0.0, turned}, 0.5 * i, test::ring(0.8)));
+    if (decision.source == Source::kNoWay) break;
+    ASSERT_EQ(decision.source, Source::kLookAround) << i;
+    turned += 0.5;
+  }
+  EXPECT_EQ(agent_.decision().source, Source::kNoWay);
+  EXPECT_GT(turned, 3.0 * (2.0 * M_PI - 0.5));
+  EXPECT_LT(turned, 3.0 * (2.0 * M_PI + 0.5) + 1.0);
+  // It stays with that until there is a new goal.
+  EXPECT_EQ(agent_.update(situationAt({}, 99.0)).source, Source::kNoWay);
+  agent_.setGoal({0.3, 0.3});
+  EXPECT_NE(agent_.update(situationAt({}, 99.1, test::ring(0.8))).source, Source::kNoWay);
+}
+
+TEST_F(NavigationRoutes, TheNetworkHasItsWayUntilPatienceEnds) {
+  AgentParameters parameters;
+  parameters.escape.patience_steps = 5;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  agent.setGoal({2.0, 0.0});
+  // It drives straight away from the goal: the first step is its best distance, after five more the route leads.
+  for (int step = 0; step < 5; ++step) {
+    const Decision& decision = agent.update(situationAt({-0.4 * step, 0.0, M_PI}, step));
+    EXPECT_EQ(decision.source, Source::kNetwork) << step;
+    EXPECT_FALSE(decision.on_route);
+    EXPECT_NEAR(decision.waypoint.x, -0.4 * (step + 1), 1e-9) << step;
+  }
+  const Decision& decision = agent.update(situationAt({-2.0, 0.0, M_PI}, 5.0));
+  EXPECT_EQ(decision.source, Source::kRoute);
+  EXPECT_TRUE(decision.on_route);
+  EXPECT_NEAR(decision.waypoint.x, -1.6, 1e-9);
+  // Nearer to the goal than ever it has its way again.
+  EXPECT_EQ(agent.update(situationAt({0.3, 0.0, 0.0}, 9.0)).source, Source::kNetwork);
+}
+
+TEST_F(NavigationRoutes, BoundariesAreFollowedAtTheLastResort) {
+  AgentParameters parameters;
+  parameters.escape.patience_steps = 3;
+  parameters.escape.last_resort = 2.0;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  agent.setGoal({4.0, 0.0});
+  // It goes to and fro without coming nearer.
+  Source source = Source::kNetwork;
+  for (int step = 0; step <= 6; ++step) {
+    source = agent.update(situationAt({step % 2 == 0 ? 0.0 : -0.5, 0.0, 0.0}, step)).source;
+    EXPECT_EQ(source == Source::kRoute, step >= 3 && step < 6) << step << " " << toString(source);
+  }
+  EXPECT_EQ(source, Source::kEscape);
+}
+
+}  // namespace
+}  // namespace lstm_planner

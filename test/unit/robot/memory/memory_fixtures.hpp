@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "lstm_planner/robot/memory/obstacle_memory.hpp"
+#include "lstm_planner/robot/perception/situation.hpp"
+#include "lstm_planner/robot/simulation/hokuyo.hpp"
+#include "lstm_planner/robot/simulation/world.hpp"
+
+namespace lstm_planner::test {
+
+/// What a scanner without noise sees from there: 270 degrees, blind behind.
+inline Situation seenFrom(const World& world, const Pose2& pose, double time = 0.0) {
+  HokuyoParameters parameters;
+  parameters.noise = 0.0;
+  parameters.dropout = 0.0;
+  parameters.mount.pose = {};
+  Hokuyo scanner(parameters, 1);
+  LaserScan scan;
+  scanner.scan(world, pose, time, &scan);
+  Situation situation;
+  situation.time = time;
+  situation.pose = pose;
+  perceive(scan, parameters.mount, {}, 6.0, &situation);
+  return situation;
+}
+
+/// Returns at these places of the odometry frame, and nothing known of what is free.
+inline Situation returnsAt(const std::vector<Point2>& places, const Pose2& pose = {}) {
+  Situation situation;
+  situation.pose = pose;
+  situation.sectors.range.fill(6.0);
+  for (const Point2& place : places) {
+    situation.obstacles.push_back(toLocalFrame(pose, place));
+  }
+  return situation;
+}
+
+}  // namespace lstm_planner::test

@@ -1,0 +1,294 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "lstm_planner/robot/memory/route_guide.hpp"
+#include "unit/robot/driving/agent_fixtures.hpp"
+#include "unit/robot/memory/memory_fixtures.hpp"
+
+namespace lstm_planner {
+namespace {
+
+using Status = RouteGuide::Status;
+using test::returnsAt;
+using test::seenFrom;
+
+/// A room of 4 x 4 m around (2, 2) in the middle of a hall of 12 x 4 m.
+OccupancyGrid closedRoom() {
+  OccupancyGrid grid = test::emptyHall(12.0, 4.0);
+  test::fillBox(4.0, 0.0, 4.1, 4.0, &grid);
+  return grid;
+}
+
+class RouteGuideTest : public ::testing::Test {
+ protected:
+  RouteGuideTest() : guide_(AgentParameters{}) {}
+
+  /// Turns the robot on the spot by 40 degrees a time while it is told to look around, at most `turns` times round.
+  Status lookAround(const World& world, Pose2* pose, double turns) {
+    Status status = guide_.update(seenFrom(world, *pose));
+    turned_ = 0.0;
+    while (status == Status::kLookAround && turned_ < 2.0 * M_PI * turns) {
+      pose->yaw += degreesToRadians(40.0);
+      turned_ += degreesToRadians(40.0);
+      status = guide_.update(seenFrom(world, *pose));
+    }
+    return status;
+  }
+
+  /// Whether the way goes round the upper end of a wall that lies across it.
+  bool goesAbove() const {
+    double highest = -1e9;
+    double lowest = 1e9;
+    for (const Point2& point : guide_.route().points) {
+      highest = std::max(highest, point.y);
+      lowest = std::min(lowest, point.y);
+    }
+    return highest > -lowest;
+  }
+
+  /// A turn on the spot where nothing is seen; the answer in the end.
+  Status turn(Pose2 pose = {}) {
+    Status status = Status::kLookAround;
+    for (int i = 0; i < 10; ++i) {
+      pose.yaw += degreesToRadians(40.0);
+      status = guide_.update(returnsAt({}, pose));
+    }
+    return status;
+  }
+
+  /// Beams from one direction to another that see that far; all others know nothing.
+  static RangeProfile seeing(float range, double from, double to) {
+    RangeProfile profile;
+    profile.first_direction = -M_PI;
+    profile.increment = 0.01;
+    profile.ranges.assign(629, 0.0f);
+    for (std::size_t beam = 0; beam < profile.ranges.size(); ++beam) {
+      if (profile.direction(beam) >= from && profile.direction(beam) <= to) profile.ranges[beam] = range;
+    }
+    return profile;
+  }
+
+  RouteGuide guide_;
+  double turned_ = 0.0;  ///< rad
+};
+
+TEST_F(RouteGuideTest, LeadsFromTheRobotToTheGoal) {
+  guide_.begin({5.0, 3.0});
+  ASSERT_EQ(guide_.update(returnsAt({}, {1.0, 0.0, 0.0})), Status::kRoute);
+  EXPECT_EQ(guide_.route().points.front().x, 1.0);
+  EXPECT_EQ(guide_.end().x, 5.0);
+  EXPECT_DOUBLE_EQ(guide_.route().length, 5.0);
+  EXPECT_NEAR(guide_.pointAhead(2.5).x, 3.0, 1e-12);
+  EXPECT_NEAR(guide_.pointAhead(2.5).y, 1.5, 1e-12);
+  EXPECT_EQ(guide_.pointAhead(7.0).x, 5.0);
+}
+
+TEST_F(RouteGuideTest, KnowsTheCornersAhead) {
+  guide_.begin({4.0, 0.0});
+  ASSERT_EQ(guide_.update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0}))), Status::kRoute);
+  const std::vector<Point2>& points = guide_.route().points;
+  ASSERT_GE(points.size(), 3u);
+  std::vector<Point2> ahead;
+  guide_.pointsAhead(0.4, &ahead);
+  ASSERT_EQ(ahead.size(), points.size() - 1);
+  EXPECT_EQ(ahead.front().x, points[1].x);
+  EXPECT_EQ(ahead.back().x, 4.0);
+  guide_.pointsAhead(distanceBetween(points[0], points[1]) + 0.01, &ahead);
+  EXPECT_EQ(ahead.size(), points.size() - 2);
+  guide_.pointsAhead(100.0, &ahead);
+  EXPECT_TRUE(ahead.empty());
+}
+
+TEST_F(RouteGuideTest, BelievesThatARoomIsClosedAfterThreeLooksAroundAndNotEarlier) {
+  const GridWorld world(closedRoom());
+  guide_.begin({8.0, 2.0});
+  Pose2 pose{2.0, 2.0, 0.0};
+  // What lies behind the robot at first is unknown, and a way leads there.
+  for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) guide_.update(seenFrom(world, {2.0, 2.0, yaw}));
+  EXPECT_EQ(lookAround(world, &pose, 8.0), Status::kClosed);
+  // Three full turns, each less what the scanner sees more than its heading, and more by what it turns at once.
+  EXPECT_GT(turned_, 3.0 * (2.0 * M_PI - 0.5) - degreesToRadians(160.0));
+  EXPECT_LT(turned_, 3.0 * 2.0 * M_PI + degreesToRadians(160.0));
+}
+
+TEST_F(RouteGuideTest, FindsTheDoorThatWasOpenedWhileItLookedAround) {
+  const GridWorld closed(closedRoom());
+  OccupancyGrid grid = closedRoom();
+  for (int row = 30; row < 60; ++row) {
+    for (int column = 79; column < 83; ++column) grid.set({column, row}, Cell::kFree);
+  }
+  const GridWorld open(grid);
+  guide_.begin({8.0, 2.0});
+  Pose2 pose{2.0, 2.0, 0.0};
+  for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) guide_.update(seenFrom(closed, {2.0, 2.0, yaw}));
+  ASSERT_EQ(lookAround(closed, &pose, 1.5), Status::kLookAround);
+  EXPECT_EQ(lookAround(open, &pose, 1.5), Status::kRoute);
+}
+
+TEST_F(RouteGuideTest, OneWrongObstacleDoesNotCloseARoom) {
+  OccupancyGrid grid = closedRoom();
+  for (int row = 30; row < 60; ++row) {
+    for (int column = 79; column < 83; ++column) grid.set({column, row}, Cell::kFree);
+  }
+  const GridWorld world(grid);
+  guide_.begin({8.0, 2.0});
+  for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) guide_.update(seenFrom(world, {2.0, 2.0, yaw}));
+  // Somebody stood in the door, and is no longer there when it is looked at anew.
+  Situation person = seenFrom(world, {2.0, 2.0, 0.0});
+  for (const Point2& point : test::wall({2.1, -0.6}, {2.1, 1.1})) person.obstacles.push_back(point);
+  person.profile.ranges.clear();
+  EXPECT_EQ(guide_.update(person), Status::kLookAround);
+  Pose2 pose{2.0, 2.0, 0.0};
+  EXPECT_EQ(lookAround(world, &pose, 8.0), Status::kRoute);
+  EXPECT_LT(turned_, 2.0 * M_PI + 0.1);
+}
+
+TEST_F(RouteGuideTest, IsLostWhenTheMemoryWasWrongAgainAndAgainWithoutProgress) {
+  const std::vector<Point2> around = test::ring(0.8);
+  guide_.begin({8.0, 0.0});
+  // Each time it is enclosed all around, looks around, and sees something else.
+  for (int time = 0; time < 4; ++time) {
+    ASSERT_EQ(guide_.update(returnsAt(around)), Status::kLookAround) << time;
+    guide_.forget();
+    ASSERT_EQ(turn(), Status::kRoute) << time;
+  }
+  EXPECT_EQ(guide_.update(returnsAt(around)), Status::kLost);
+}
+
+TEST_F(RouteGuideTest, ProgressForgivesWhatWentWrong) {
+  const std::vector<Point2> around = test::ring(0.8);
+  guide_.begin({8.0, 0.0});
+  for (int time = 0; time < 20; ++time) {
+    ASSERT_EQ(guide_.update(returnsAt(around)), Status::kLookAround) << time;
+    guide_.forget();
+    ASSERT_EQ(turn(), Status::kRoute) << time;
+    guide_.noteProgress();
+  }
+}
+
+TEST_F(RouteGuideTest, ANewGoalIsFoundThroughWhatWasSeenBefore) {
+  guide_.begin({-4.0, 0.0});
+  guide_.update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})));
+  guide_.begin({4.0, 0.0});
+  ASSERT_EQ(guide_.update(returnsAt({})), Status::kRoute);
+  EXPECT_GT(guide_.route().length, 2.0 * std::sqrt(5.0));
+  guide_.forget();
+  ASSERT_EQ(guide_.update(returnsAt({})), Status::kRoute);
+  EXPECT_DOUBLE_EQ(guide_.route().length, 4.0);
+}
+
+TEST_F(RouteGuideTest, DoesNotTurnBackForAWayThatIsHardlyBetter) {
+  guide_.begin({4.0, 0.0});
+  guide_.update(returnsAt(test::wall({2.0, -2.2}, {2.0, 1.5})));
+  ASSERT_TRUE(goesAbove());
+  // The lower metre of the wall is gone: below it is shorter by 2 * (hypot(2, 1.8) - hypot(2, 1.5)) = 0.38 m.
+  Situation seen_through = returnsAt({});
+  seen_through.profile = seeing(20.0f, std::atan2(-2.4, 2.0), std::atan2(-1.2, 2.0));
+  guide_.update(seen_through);
+  EXPECT_TRUE(goesAbove());
+  // Who had no way yet takes that one.
+  guide_.begin({4.0, 0.0});
+  guide_.update(returnsAt({}));
+  EXPECT_FALSE(goesAbove());
+}
+
+TEST_F(RouteGuideTest, TakesAMuchBetterWayAndLeavesOneThatIsBlocked) {
+  guide_.begin({4.0, 0.0});
+  guide_.update(returnsAt(test::wall({2.0, -3.0}, {2.0, 1.0})));
+  ASSERT_TRUE(goesAbove());
+  // It goes on above: there the wall is 4 m long.
+  guide_.update(returnsAt(test::wall({2.0, 1.0}, {2.0, 4.0})));
+  EXPECT_FALSE(goesAbove());
+  // Seen through from end to end: straight on.
+  Situation nothing = returnsAt({});
+  nothing.profile = seeing(20.0f, -M_PI, M_PI);
+  guide_.update(nothing);
+  EXPECT_DOUBLE_EQ(guide_.route().length, 4.0);
+}
+
+TEST_F(RouteGuideTest, KeepsItsWayToAGoalThatMovesALittle) {
+  const Situation wall = returnsAt(test::wall({2.0, -1.1}, {2.0, 1.0}));
+  const Point2 moved{4.0, -0.2};
+  guide_.begin({4.0, 0.0});
+  ASSERT_EQ(guide_.update(wall), Status::kRoute);
+  ASSERT_TRUE(goesAbove());
+  guide_.moveGoal(moved);
+  EXPECT_EQ(guide_.end().y, moved.y);
+  EXPECT_DOUBLE_EQ(guide_.route().length, lengthOf(guide_.route().points));
+  ASSERT_EQ(guide_.update(wall), Status::kRoute);
+  EXPECT_TRUE(goesAbove());
+  EXPECT_EQ(guide_.end().y, moved.y);
+  // Who sets out for it anew goes below, where it is nearer now.
+  guide_.begin(moved);
+  ASSERT_EQ(guide_.update(wall), Status::kRoute);
+  EXPECT_FALSE(goesAbove());
+}
+
+TEST_F(RouteGuideTest, BlockedAheadItLeadsAnotherWay) {
+  guide_.begin({4.0, 0.0});
+  const Situation here = returnsAt({});
+  ASSERT_EQ(guide_.update(here), Status::kRoute);
+  guide_.blockAhead();
+  ASSERT_EQ(guide_.update(here), Status::kRoute);
+  // Round a place 0.3 m ahead, at the footprint's distance at least.
+  EXPECT_GT(guide_.route().length, 4.05);
+  double nearest = 1.0;
+  for (double ahead = 0.0; ahead < 1.0; ahead += 0.01) {
+    nearest = std::min(nearest, distanceBetween(guide_.pointAhead(ahead), Point2{0.3, 0.0}));
+  }
+  const AgentParameters parameters;
+  EXPECT_GT(nearest, parameters.shield.footprint_radius - parameters.memory.resolution);
+}
+
+TEST_F(RouteGuideTest, KeepsItsRouteWhileTheRobotDrivesAlongIt) {
+  const std::vector<Point2> wall = test::wall({2.0, -1.0}, {2.0, 3.0});
+  guide_.begin({4.0, 0.0});
+  guide_.update(returnsAt(wall));
+  const double whole = guide_.route().length;
+  double driven = 0.0;
+  Pose2 pose;
+  while (distanceBetween(pose, Point2{4.0, 0.0}) > 0.1 && driven < 2.0 * whole) {
+    const Point2 next = guide_.pointAhead(0.1);
+    driven += distanceBetween(pose, next);
+    pose = {next.x, next.y, directionTo(pose, next)};
+    ASSERT_EQ(guide_.update(returnsAt(wall, pose)), Status::kRoute);
+    // What is left and what was driven are together no more than the whole was: corners are only cut.
+    ASSERT_LT(guide_.route().length + driven, whole + 0.1);
+  }
+  EXPECT_LT(driven, whole + 0.1);
+}
+
+TEST_F(RouteGuideTest, ToleratesMoreTheFartherTheRobotHasDriven) {
+  // The goal lies in the middle of a pillar: 0.3 + 0.174 m from where the robot can be. At 3 % that is 11 m of way.
+  const AgentParameters parameters;
+  std::vector<Point2> pillar;
+  for (const Point2& point : test::ring(0.3)) pillar.push_back({8.0 + point.x, point.y});
+  for (const Point2& point : test::ring(0.15)) pillar.push_back({8.0 + point.x, point.y});
+  RouteGuide fresh(parameters);
+  fresh.begin({8.0, 0.0});
+  EXPECT_EQ(fresh.update(returnsAt(pillar, {4.0, 0.0, 0.0})), Status::kLookAround);
+  guide_.begin({8.0, 0.0});
+  const double missing = 0.3 + parameters.shield.footprint_radius + 0.15 - parameters.goal_tolerance;
+  for (double driven = 0.0; driven < missing / parameters.goal_drift; driven += 2.0) {
+    guide_.update(returnsAt({}, {4.0, 0.0, 0.0}));
+    guide_.update(returnsAt({}, {5.0, 0.0, 0.0}));
+  }
+  ASSERT_EQ(guide_.update(returnsAt(pillar, {4.0, 0.0, 0.0})), Status::kRoute);
+  EXPECT_LT(distanceBetween(guide_.end(), Point2{8.0, 0.0}), 0.3 + parameters.shield.footprint_radius + 0.3);
+}
+
+TEST_F(RouteGuideTest, WatchingRemembersWithoutSearching) {
+  guide_.begin({4.0, 0.0});
+  guide_.watch(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})));
+  for (int step = 1; step <= 20; ++step) guide_.watch(returnsAt({}, {-0.1 * step, 0.0, 0.0}));
+  EXPECT_EQ(guide_.searches(), 0);
+  ASSERT_EQ(guide_.update(returnsAt({})), Status::kRoute);
+  EXPECT_EQ(guide_.searches(), 1);
+  EXPECT_GT(guide_.route().length, 2.0 * std::hypot(2.0, 1.0)) << "round the wall that it was only shown";
+}
+
+}  // namespace
+}  // namespace lstm_planner

@@ -1,0 +1,179 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "lstm_planner/robot/perception/encoder.hpp"
+
+namespace lstm_planner {
+namespace {
+
+Eigen::VectorXf encode(const EncoderParameters& parameters, const Observation& observation) {
+  const Encoder encoder(parameters);
+  Eigen::VectorXf input(encoder.size());
+  encoder.encode(observation, input);
+  return input;
+}
+
+TEST(Encoder, FollowsTheLayout) {
+  EncoderParameters parameters;
+  parameters.input_layout = {"previous_action", "sector_7",    "goal_distance",    "goal_bearing",
+                             "heading",         "heading_sin", "goal_bearing_cos", "sector_0"};
+  Observation observation;
+  observation.sector_ranges = {1.5, 6.0, 6.0, 6.0, 6.0, 6.0, 6.0, 3.0};
+  observation.goal_distance = 5.0;
+  observation.goal_bearing = M_PI / 3.0;
+  observation.heading = -M_PI_2;
+  observation.previous_action = M_PI_4;
+  const Eigen::VectorXf input = encode(parameters, observation);
+  const double expected[] = {0.5, 0.5, 0.5, 1.0 / 3.0, -0.5, -1.0, 0.5, 0.25};
+  ASSERT_EQ(input.size(), 8);
+  for (int i = 0; i < 8; ++i) EXPECT_NEAR(input[i], expected[i], 1e-6) << i;
+}
+
+TEST(Encoder, TellsHowOftenTheRobotWasThere) {
+  EncoderParameters parameters;
+  parameters.input_layout = {"visits_0", "visits_7"};
+  Observation observation;
+  observation.visits = {0.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 3.0};
+  const Eigen::VectorXf input = encode(parameters, observation);
+  EXPECT_EQ(input[0], 0.0f);
+  EXPECT_NEAR(input[1], 0.75, 1e-6);
+}
+
+TEST(Encoder, IsToldNothingThatASearchFound) {
+  EncoderParameters parameters;
+  parameters.input_layout.push_back("route_bearing_sin");
+  EXPECT_THROW(Encoder{parameters}, std::invalid_argument);
+}
+
+TEST(Encoder, MakesEventsOfRangesBelowTheirThreshold) {
+  EncoderParameters parameters;
+  parameters.input_layout = {"event_0", "event_3", "event_7"};
+  parameters.event_range = 0.8;
+  Observation observation;
+  observation.sector_ranges = {0.79, 0.0, 0.0, 0.8, 0.0, 0.0, 0.0, 0.1};
+  const Eigen::VectorXf input = encode(parameters, observation);
+  EXPECT_EQ(input[0], 1.0f);
+  EXPECT_EQ(input[1], 0.0f);
+  EXPECT_EQ(input[2], 1.0f);
+}
+
+TEST(Encoder, StaysFiniteForEveryFiniteObservation) {
+  const double largest = std::numeric_limits<double>::max();
+  for (const double value : {largest, -largest, 0.0, 1e-300}) {
+    EncoderParameters parameters;
+    parameters.input_layout.insert(
+        parameters.input_layout.end(),
+        {"goal_bearing", "heading", "event_0", "visits_4",
+         "step_visits_0", "room_freshness_7", "hall_freshness_3", "room_visits", "behind_best", "steps_since_best",
+         "motion_forward", "motion_left", "motion_turn"});
+    Observation observation;
+    observation.sector_ranges.fill(value);
+    observation.goal_distance = value;
+    observation.goal_bearing = value;
+    observation.heading = value;
+    observation.previous_action = value;
+    observation.route_bearing = value;
+    observation.visits.fill(value);
+    for (PlacesAround& places : observation.places) {
+      places.visits.fill(std::abs(value));
+      places.ages.fill(value);
+    }
+    observation.room_visits = value;
+    observation.behind_best = value;
+    observation.steps_since_best = value;
+    observation.motion = {value, value};
+    observation.turn = value;
+    for (const double length : {value, std::numeric_limits<double>::infinity()}) {
+      observation.route_length = length;
+      EXPECT_TRUE(encode(parameters, observation).allFinite()) << value;
+    }
+  }
+}
+
+TEST(Encoder, EncodesTheDriveSoFar) {
+  EncoderParameters parameters;
+  parameters.input_layout = {"room_visits_2",    "room_freshness_2", "room_freshness_3", "hall_visits_2",
+                             "steps_since_best", "behind_best",      "motion_forward",   "motion_turn"};
+  Observation observation;
+  observation.places[1].visits[2] = 2.0;
+  observation.places[1].ages[2] = 0.0;
+  observation.places[1].ages[3] = 5.0;  // of a place where it never was
+  observation.steps_since_best = 8191.0;
+  observation.behind_best = 5.0;
+  observation.motion = {0.4, 0.0};
+  observation.turn = M_PI_2;
+  const Eigen::VectorXf input = encode(parameters, observation);
+  EXPECT_FLOAT_EQ(input[0], 0.5f);
+  EXPECT_FLOAT_EQ(input[1], 1.0f) << "it is there now";
+  EXPECT_FLOAT_EQ(input[2], 0.0f);
+  EXPECT_FLOAT_EQ(input[3], 0.0f);
+  EXPECT_FLOAT_EQ(input[4], 1.0f);
+  EXPECT_FLOAT_EQ(input[5], 0.5f);
+  EXPECT_FLOAT_EQ(input[6], 0.4f);
+  EXPECT_FLOAT_EQ(input[7], 1.0f);
+}
+
+TEST(Encoder, RefusesAnInputOfAnotherSize) {
+  const Encoder encoder{EncoderParameters()};
+  Eigen::VectorXf input(3);
+  EXPECT_THROW(encoder.encode({}, input), std::invalid_argument);
+}
+
+TEST(EncoderParameters, SurviveTheMetadataBitForBit) {
+  EncoderParameters written;
+  written.input_layout = {"sector_3", "goal_distance"};
+  written.range_cap = 0.1 + 0.2;  // has no short decimal form
+  written.position_cell = 0.35;
+  std::map<std::string, std::string> metadata;
+  writeMetadata(written, &metadata);
+  const EncoderParameters read = readEncoderParameters(metadata);
+  EXPECT_EQ(read.input_layout, written.input_layout);
+  EXPECT_EQ(read.range_cap, written.range_cap);
+  EXPECT_EQ(read.angle_span, written.angle_span);
+  EXPECT_EQ(read.position_cell, written.position_cell);
+}
+
+TEST(EncoderParameters, TellTheEventRangeOnlyWhereThereAreEvents) {
+  std::map<std::string, std::string> metadata;
+  writeMetadata({}, &metadata);
+  EXPECT_EQ(metadata.count("event_range"), 0u) << "a model without events is written as ever";
+  EncoderParameters written;
+  written.input_layout.push_back("event_0");
+  written.event_range = 0.6;
+  writeMetadata(written, &metadata);
+  EXPECT_EQ(readEncoderParameters(metadata).event_range, 0.6);
+  metadata.erase("event_range");
+  EXPECT_THROW(readEncoderParameters(metadata), std::invalid_argument);
+}
+
+TEST(EncoderParameters, NameWhatIsWrongInTheMetadata) {
+  std::map<std::string, std::string> good;
+  writeMetadata({}, &good);
+  const auto refusal = [&good](const std::string& key, const std::string& value) -> std::string {
+    std::map<std::string, std::string> metadata = good;
+    metadata[key] = value;
+    try {
+      readEncoderParameters(metadata);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal("range_cap", "6.0 "), "") << "the good metadata with a blank";
+  EXPECT_NE(refusal("range_cap", "six").find("range_cap 'six'"), std::string::npos);
+  EXPECT_NE(refusal("range_cap", "-1").find("range_cap is -1"), std::string::npos);
+  EXPECT_NE(refusal("distance_scale", "nan"), "");
+  EXPECT_NE(refusal("sector_count", "24").find("expected 8"), std::string::npos);
+  EXPECT_NE(refusal("input_layout", "sector_8").find("sector_8"), std::string::npos);
+  EXPECT_NE(refusal("input_layout", "heading,heading").find("twice"), std::string::npos);
+  EXPECT_NE(refusal("input_layout", ""), "");
+  EXPECT_NE(refusal("angle_span", "6.28"), "");
+  good.erase("angle_scale");
+  EXPECT_NE(refusal("range_cap", "6").find("lacks 'angle_scale'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lstm_planner
