@@ -1,21 +1,34 @@
 #include "tools/interruption.hpp"
 
+#include "lstm_planner/base/common/output_file.hpp"
 #include "tools/ranks.hpp"
 
 namespace lstm_planner {
 namespace {
 
-volatile std::sig_atomic_t caught_signal = 0;
+volatile std::sig_atomic_t caught_signal = 0;  // of any rank
+volatile std::sig_atomic_t was_told = 0;       // this process by itself
 
-void remember(int signal) { caught_signal = signal; }
+/// The first is remembered. Whoever sends another has no patience left; nothing stays half written all the same.
+void remember(int signal) {
+  if (was_told != 0) {
+    removeUnfinishedFiles();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+    return;
+  }
+  was_told = 1;
+  caught_signal = signal;
+}
 
 }  // namespace
 
 Interruption::Interruption() {
   caught_signal = 0;
+  was_told = 0;
   struct sigaction action {};
   action.sa_handler = remember;
-  action.sa_flags = SA_RESTART | static_cast<int>(SA_RESETHAND);
+  action.sa_flags = SA_RESTART;
   ::sigemptyset(&action.sa_mask);
   ::sigaction(SIGINT, &action, &interrupt_before_);
   ::sigaction(SIGTERM, &action, &terminate_before_);

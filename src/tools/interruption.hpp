@@ -4,8 +4,8 @@
 
 namespace lstm_planner {
 
-/// Takes Ctrl-C (SIGINT) and SIGTERM as the wish to end soon, while the object lives; a second one ends the program at
-/// once. One object at a time.
+/// Takes Ctrl-C (SIGINT) and SIGTERM as the wish to end soon, while the object lives; the second of them, whichever,
+/// ends the program at once. One object at a time.
 class Interruption {
  public:
   Interruption();
