@@ -1,11 +1,12 @@
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 namespace lstm_planner {
 
-/// A sub-command of the tool: takes the arguments behind its name, returns the exit status. Bad arguments are thrown as
+/// A command of the tool: takes the arguments behind its name, returns the exit status. Bad arguments are thrown as
 /// exceptions whose what() is the sentence for the user.
 struct Command {
   const char* name;
@@ -13,6 +14,14 @@ struct Command {
   int (*run)(const std::vector<std::string>& arguments);
   bool shared = false;  ///< the processes that mpirun starts share the work; else there must be one only
 };
+
+/// "usage: PROGRAM KIND [OPTION]..." and the commands with what they do; `kind` is COMMAND or ACTION.
+void printUsage(const std::string& program, const std::string& kind, const std::vector<Command>& commands,
+                std::ostream& out);
+
+/// Throws std::invalid_argument with the nearest name where there is no such command; `kind` as above, in small
+/// letters.
+const Command& commandNamed(const std::string& name, const std::string& kind, const std::vector<Command>& commands);
 
 int runDrive(const std::vector<std::string>& arguments);
 int runJudge(const std::vector<std::string>& arguments);

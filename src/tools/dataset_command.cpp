@@ -23,12 +23,6 @@ const std::vector<Command>& actions() {
   return all;
 }
 
-void printUsage(std::ostream& out) {
-  out << "usage: lstm_planner dataset ACTION [OPTION]...\n\n";
-  for (const Command& action : actions()) out << "  " << action.name << "\t" << action.summary << "\n";
-  out << "\nlstm_planner dataset ACTION --help explains an action.\n";
-}
-
 std::string namesOfActions() {
   std::string names;
   for (const Command& action : actions()) names += (names.empty() ? "" : ", ") + std::string(action.name);
@@ -38,15 +32,12 @@ std::string namesOfActions() {
 }  // namespace
 
 int runDataset(const std::vector<std::string>& arguments) {
-  if (!arguments.empty() && arguments[0] == "--help") {
-    printUsage(std::cout);
+  if (arguments.empty()) throw std::invalid_argument("an action is missing, expected one of " + namesOfActions());
+  if (arguments[0] == "--help" || arguments[0] == "-h") {
+    printUsage("lstm_planner dataset", "ACTION", actions(), std::cout);
     return 0;
   }
-  if (arguments.empty()) throw std::invalid_argument("an action is missing, expected one of " + namesOfActions());
-  for (const Command& action : actions()) {
-    if (arguments[0] == action.name) return action.run({arguments.begin() + 1, arguments.end()});
-  }
-  throw std::invalid_argument("there is no action '" + arguments[0] + "', expected one of " + namesOfActions());
+  return commandNamed(arguments[0], "action", actions()).run({arguments.begin() + 1, arguments.end()});
 }
 
 }  // namespace lstm_planner

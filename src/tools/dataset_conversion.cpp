@@ -2,9 +2,7 @@
 
 #include <array>
 #include <ctime>
-#include <filesystem>
 #include <iostream>
-#include <stdexcept>
 #include <utility>
 
 #include "lstm_planner/robot/dataset/dataset_summary.hpp"
@@ -45,9 +43,6 @@ void convertIntoDataset(const std::vector<std::string>& files, const RecorderPar
                         const std::string& output,
                         const std::function<void(const std::string& file, RecordingSink* sink)>& convert) {
   validate(parameters);
-  if (std::filesystem::exists(output)) {
-    throw std::invalid_argument("option --output: there is a file " + output + " already");
-  }
   Dataset dataset;
   for (const std::string& file : files) {
     RecordingDescription description;

@@ -10,8 +10,7 @@
 namespace lstm_planner {
 
 /// Makes a new dataset, one recording of each file, and says what became of each. `convert` records a file and prints
-/// what it found; it may complete the description. Throws what it throws, and std::invalid_argument when there is a
-/// file `output` already; nothing is written then.
+/// what it found; it may complete the description. Throws what it throws; nothing is written then.
 void convertIntoDataset(const std::vector<std::string>& files, const RecorderParameters& parameters,
                         const std::string& output,
                         const std::function<void(const std::string& file, RecordingSink* sink)>& convert);

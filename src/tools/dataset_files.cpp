@@ -7,26 +7,21 @@
 #include "lstm_planner/robot/dataset/dataset_edit.hpp"
 #include "lstm_planner/robot/dataset/dataset_export.hpp"
 #include "lstm_planner/robot/dataset/dataset_summary.hpp"
+#include "tools/command_line.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_report.hpp"
-#include "tools/options.hpp"
 #include "tools/output_file.hpp"
+#include "tools/ranges.hpp"
 
 namespace lstm_planner {
-
-namespace po = boost::program_options;
 
 int datasetInfo(const std::vector<std::string>& arguments) {
   std::string file;
   std::string picture;
-  po::options_description options("says what a dataset holds; it may be being recorded");
-  // clang-format off
-  options.add_options()
-      ("file", po::value(&file)->required(), "the dataset")
-      ("picture", po::value(&picture), "draw labels, ranges and driven ways into this PNG file");
-  // clang-format on
-  po::variables_map values;
-  if (!parseOptions("dataset info", options, arguments, &values, "file")) return 0;
+  CommandLine line("dataset info", "says what a dataset holds; it may be being recorded");
+  line.addFile("file", &file, "the dataset").required().standsAlone();
+  line.addOutput("picture", &picture, "draw labels, ranges and driven ways into this PNG file");
+  if (!line.parse(arguments)) return 0;
   const Dataset dataset = readDataset(file, true);
   printDatasetSummary(std::cout, summarise(dataset));
   if (!picture.empty()) drawDataset(picture, dataset);
@@ -36,14 +31,10 @@ int datasetInfo(const std::vector<std::string>& arguments) {
 int datasetCheck(const std::vector<std::string>& arguments) {
   std::string file;
   std::size_t most = 20;
-  po::options_description options("looks for what is wrong with a dataset; the status is 1 where something is");
-  // clang-format off
-  options.add_options()
-      ("file", po::value(&file)->required(), "the dataset")
-      ("most", po::value(&most)->default_value(most), "sentences to print");
-  // clang-format on
-  po::variables_map values;
-  if (!parseOptions("dataset check", options, arguments, &values, "file")) return 0;
+  CommandLine line("dataset check", "looks for what is wrong with a dataset; the status is 1 where something is");
+  line.addFile("file", &file, "the dataset").required().standsAlone();
+  line.add("most", &most, {0, 1e9}, "sentences to print");
+  if (!line.parse(arguments)) return 0;
   const std::vector<std::string> sentences = checkDatasetFile(file);
   for (std::size_t i = 0; i < std::min(most, sentences.size()); ++i) std::cout << sentences[i] << "\n";
   if (sentences.size() > most) std::cout << "... and " << sentences.size() - most << " more\n";
@@ -54,14 +45,10 @@ int datasetCheck(const std::vector<std::string>& arguments) {
 int datasetMerge(const std::vector<std::string>& arguments) {
   std::vector<std::string> files;
   std::string output;
-  po::options_description options("puts the recordings of several datasets into a new one");
-  // clang-format off
-  options.add_options()
-      ("files", po::value(&files)->required(), "the datasets")
-      ("output", po::value(&output)->required(), "the new dataset; there must be no such file");
-  // clang-format on
-  po::variables_map values;
-  if (!parseOptions("dataset merge", options, arguments, &values, "files")) return 0;
+  CommandLine line("dataset merge", "puts the recordings of several datasets into a new one");
+  line.addFiles("files", &files, "the datasets").required().standsAlone();
+  line.addNewFile("output", &output, "the new dataset; there must be no such file").required();
+  if (!line.parse(arguments)) return 0;
   const Dataset merged = mergeDatasets(files);
   writeDataset(output, merged);
   std::cout << files.size() << " datasets, " << merged.recordings.size() << " recordings, " << stepCount(merged)
@@ -85,17 +72,13 @@ int datasetSplit(const std::vector<std::string>& arguments) {
   std::string validation;
   double share = 0.25;
   std::uint64_t seed = 1;
-  po::options_description options("divides a dataset by whole episodes");
-  // clang-format off
-  options.add_options()
-      ("file", po::value(&file)->required(), "the dataset")
-      ("share", po::value(&share)->default_value(share), "of the steps, for the validation set")
-      ("seed", po::value(&seed)->default_value(seed), "of the episodes that are drawn")
-      ("training", po::value(&training)->required(), "new dataset of the other episodes")
-      ("validation", po::value(&validation)->required(), "new dataset of the episodes that are drawn");
-  // clang-format on
-  po::variables_map values;
-  if (!parseOptions("dataset split", options, arguments, &values, "file")) return 0;
+  CommandLine line("dataset split", "divides a dataset by whole episodes");
+  line.addFile("file", &file, "the dataset").required().standsAlone();
+  line.add("share", &share, kAnyShare, "of the steps, for the validation set");
+  line.addSeed(&seed, "of the episodes that are drawn");
+  line.addNewFile("training", &training, "new dataset of the other episodes").required();
+  line.addNewFile("validation", &validation, "new dataset of the episodes that are drawn").required();
+  if (!line.parse(arguments)) return 0;
   const DatasetSplit split = splitDataset(readDataset(file, true), share, seed);
   writeDataset(training, split.training);
   try {
@@ -113,15 +96,11 @@ int datasetExport(const std::vector<std::string>& arguments) {
   std::string file;
   std::string output;
   bool with_scans = false;
-  po::options_description options("writes a dataset for other programs; discarded episodes are left out");
-  // clang-format off
-  options.add_options()
-      ("file", po::value(&file)->required(), "the dataset")
-      ("output", po::value(&output)->required(), "FILE.csv: a row a step; FILE.npz: arrays for NumPy")
-      ("scans", po::bool_switch(&with_scans), "whole scans, too");
-  // clang-format on
-  po::variables_map values;
-  if (!parseOptions("dataset export", options, arguments, &values, "file")) return 0;
+  CommandLine line("dataset export", "writes a dataset for other programs; discarded episodes are left out");
+  line.addFile("file", &file, "the dataset").required().standsAlone();
+  line.addFile("output", &output, "FILE.csv: a row a step; FILE.npz: arrays for NumPy").required();
+  line.addFlag("scans", &with_scans, true, "whole scans, too");
+  if (!line.parse(arguments)) return 0;
   const std::string extension = std::filesystem::path(output).extension().string();
   if (extension != ".csv" && extension != ".npz") {
     throw std::invalid_argument("--output is '" + output + "', expected a name that ends in .csv or .npz");

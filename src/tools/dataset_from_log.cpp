@@ -1,21 +1,20 @@
 #include <iostream>
+#include <optional>
 
 #include "lstm_planner/robot/dataset/carmen_log.hpp"
+#include "tools/command_line.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_conversion.hpp"
-#include "tools/options.hpp"
 #include "tools/recorder_options.hpp"
 
 namespace lstm_planner {
-
-namespace po = boost::program_options;
 
 namespace {
 
 struct FromLogOptions {
   std::vector<std::string> logs;
   std::string output;
-  std::string mount;
+  std::optional<SensorMount> mount;
   HindsightParameters hindsight;
   RecorderParameters recorder;
 };
@@ -24,21 +23,15 @@ bool readOptions(const std::vector<std::string>& arguments, FromLogOptions* opti
   // Published logs are thinned: a scan every metre, or every few seconds.
   options->recorder.max_gap = 10.0;
   options->recorder.scan_rules = carmenLogRules();
-  po::options_description log("makes a dataset of CARMEN logs (FLASER or ROBOTLASER1, plain or .gz)");
-  // clang-format off
-  log.add_options()
-      ("log", po::value(&options->logs)->required()->composing(), "logs; --log may be left out")
-      ("output", po::value(&options->output)->required(), "the new dataset; there must be no such file")
-      ("mount", po::value(&options->mount),
-       "\"x y yaw\" (m, m, rad): where the scanner sits in the robot's frame; default: from the log");
-  // clang-format on
-  po::options_description hindsight("goals: the places that were driven to, for logs name none");
-  addHindsightOptions(&options->hindsight, &hindsight);
-  po::options_description recorder("steps, as the parameters of dataset_recorder");
-  addRecorderOptions(&options->recorder, &recorder);
-  log.add(hindsight).add(recorder);
-  po::variables_map values;
-  return parseOptions("dataset from-log", log, arguments, &values, "log");
+  CommandLine line("dataset from-log", "makes a dataset of CARMEN logs (FLASER or ROBOTLASER1, plain or .gz)");
+  line.addFiles("log", &options->logs, "logs; --log may be left out").required().standsAlone();
+  line.addNewFile("output", &options->output, "the new dataset; there must be no such file").required();
+  addMountOption(&options->mount, "from the log", &line);
+  line.section("goals: the places that were driven to, for logs name none");
+  addHindsightOptions(&options->hindsight, &line);
+  line.section("steps, as the parameters of dataset_recorder");
+  addRecorderOptions(&options->recorder, &line);
+  return line.parse(arguments);
 }
 
 void print(const CarmenLog& log) {
@@ -64,9 +57,8 @@ void print(const CarmenLog& log) {
 int datasetFromLog(const std::vector<std::string>& arguments) {
   FromLogOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  const std::optional<SensorMount> mount = mountOption(options.mount);
   convertIntoDataset(options.logs, options.recorder, options.output, [&](const std::string& path, RecordingSink* sink) {
-    const CarmenLog log = readCarmenLog(path, mount);
+    const CarmenLog log = readCarmenLog(path, options.mount);
     recordCarmenLog(log, options.hindsight, options.recorder, sink);
     sink->recording().description.odometry_frame = "odom";
     print(log);

@@ -1,7 +1,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
@@ -9,15 +8,14 @@
 #include "lstm_planner/robot/dataset/dataset_summary.hpp"
 #include "lstm_planner/robot/dataset/recording_sink.hpp"
 #include "lstm_planner/robot/evaluation/recorded_drives.hpp"
+#include "tools/command_line.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_report.hpp"
 #include "tools/drive_worlds.hpp"
-#include "tools/options.hpp"
+#include "tools/ranges.hpp"
 #include "tools/recorder_options.hpp"
 
 namespace lstm_planner {
-
-namespace po = boost::program_options;
 
 namespace {
 
@@ -33,41 +31,44 @@ struct SimulateOptions {
   RecordedDrivesParameters drives;
 };
 
+void check(const SimulateOptions& options) {
+  const RecordedDrivesParameters& drives = options.drives;
+  if (drives.steps < static_cast<long>(options.maps.size())) {
+    throw std::invalid_argument("--steps is " + std::to_string(drives.steps) + ", expected at least one for each of " +
+                                std::to_string(options.maps.size()) + " maps");
+  }
+  validate(drives);
+  validate(drives.robot.base);
+}
+
 bool readOptions(const std::vector<std::string>& arguments, SimulateOptions* options) {
   RecordedDrivesParameters& drives = options->drives;
   drives.robot.base.odometry_error = 0.02;
   drives.recorder.scan_rules = Hokuyo::rules();
-  po::options_description all("somebody drives a simulated Create 2 between way-points: a dataset without a robot");
-  // clang-format off
-  all.add_options()
-      ("map", po::value(&options->maps)->multitoken()->required(),
-       "map_server yaml files, each gets its share of the steps; FILE=0.19 replaces the free_thresh of one of them")
-      ("free-threshold", numberOption(&options->free_threshold), "replaces the free_thresh of all maps")
-      ("way-points", po::value(&options->way_points)->default_value(options->way_points),
-       "how many are drawn in each map, or a yaml file with a list of [x, y] or {x: , y: } (m, map frame), e.g. the "
-       "demo's goals")
-      ("steps", po::value(&drives.steps)->default_value(drives.steps), "labelled steps to record")
-      ("seed", po::value(&options->seed)->default_value(options->seed), "of way-points, goals, driver and noise")
-      ("drift", numberOption(&drives.robot.base.odometry_error), "of the odometry, as a share of the way: 0.02 = 2 %")
-      ("speed", numberOption(&drives.driver.speed), "m/s while the forward key is held")
-      ("turn-speed", numberOption(&drives.driver.turn_speed), "rad/s while a turn key is held")
-      ("wander", numberOption(&drives.driver.wander), "rad, how badly is aimed")
-      ("arcs", po::bool_switch(&drives.driver.drives_arcs), "turn keys are pressed while driving, too")
-      ("output", po::value(&options->output)->required(), "the new dataset; there must be no such file");
-  // clang-format on
-  addRecorderOptions(&drives.recorder, &all);
-  po::variables_map values;
-  if (!parseOptions("dataset simulate", all, arguments, &values)) return false;
-  if (drives.steps < static_cast<long>(options->maps.size())) {
-    throw std::invalid_argument("--steps is " + std::to_string(drives.steps) + ", expected at least one for each of " +
-                                std::to_string(options->maps.size()) + " maps");
-  }
-  validate(drives);
-  validate(drives.robot.base);
-  if (std::filesystem::exists(options->output)) {
-    throw std::invalid_argument("--output: there is a file " + options->output + " already");
-  }
-  return true;
+  CommandLine line("dataset simulate",
+                   "somebody drives a simulated Create 2 between way-points: a dataset without a robot");
+  line.addFiles("map", &options->maps,
+                "map_server yaml files, each gets its share of the steps; FILE=0.19 replaces the free_thresh of one of "
+                "them")
+      .required();
+  line.add("free-threshold", &options->free_threshold, {-1.0, 1.0},
+           "replaces the free_thresh of all maps; -1: it does not");
+  line.add(
+      "way-points", &options->way_points,
+      "how many are drawn in each map, or a yaml file with a list of [x, y] or {x: , y: } (m, map frame), e.g. the "
+      "demo's goals");
+  line.add("steps", &drives.steps, kAnySteps, "labelled steps to record");
+  line.addSeed(&options->seed, "of way-points, goals, driver and noise");
+  line.add("drift", &drives.robot.base.odometry_error, {0.0, 0.5},
+           "of the odometry, as a share of the way: 0.02 = 2 %");
+  line.add("speed", &drives.driver.speed, {0.01, 10.0}, "m/s while the forward key is held");
+  line.add("turn-speed", &drives.driver.turn_speed, {0.01, 20.0}, "rad/s while a turn key is held");
+  line.add("wander", &drives.driver.wander, {0.0, 0.5}, "rad, how badly is aimed");
+  line.addFlag("arcs", &drives.driver.drives_arcs, true, "turn keys are pressed while driving, too");
+  line.addNewFile("output", &options->output, "the new dataset; there must be no such file").required();
+  addRecorderOptions(&drives.recorder, &line);
+  line.whenParsed([&] { check(*options); });
+  return line.parse(arguments);
 }
 
 Point2 wayPointOf(const YAML::Node& node) {

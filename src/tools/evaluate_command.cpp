@@ -2,14 +2,15 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_gallery.hpp"
 #include "tools/command.hpp"
+#include "tools/command_line.hpp"
 #include "tools/grid_options.hpp"
-#include "tools/options.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranks.hpp"
@@ -33,33 +34,28 @@ std::string agentNames() {
 }
 
 bool readOptions(const std::vector<std::string>& arguments, EvaluateOptions* options) {
-  namespace po = boost::program_options;
   GridAgentOptions& agent = options->grid.agent;
   agent.model = "models/grid_lstm.onnx";
-  po::options_description description("judges an agent in scenarios of grid maps");
-  // clang-format off
-  description.add_options()
-      ("agent", po::value(&agent.agent)->default_value(agent.agent), agentNames().c_str())
-      ("model", po::value(&agent.model)->default_value(agent.model), "ONNX file of an agent that is a network");
-  addGridOptions(&options->grid, &description);
-  description.add_options()
-      ("json", po::value(&options->json), "write the result to this file; success, collisions and timeouts are shares "
-       "of the scenarios, means are over the scenarios with success")
-      ("details", po::value(&options->details), "write a CSV line a scenario to this file")
-      ("pictures", po::value(&options->pictures), "draw some misses and the longest detour of each set into this "
-       "folder");
-  // clang-format on
-  po::variables_map values;
-  if (!parseOptions("evaluate", description, arguments, &values)) return false;
-  finishGridOptions(values, &options->grid);
-  if (isNetworkAgent(agent.agent)) {
-    agent.model = findSharedFile(agent.model);
-  } else if (values["model"].defaulted()) {
-    agent.model.clear();
-  } else {
-    throw std::invalid_argument("agent " + agent.agent + " has no --model");
-  }
-  return true;
+  CommandLine line("evaluate", "judges an agent in scenarios of grid maps");
+  line.addChoice("agent", &agent.agent, gridAgentNames(), agentNames());
+  line.addFile("model", &agent.model, "ONNX file of an agent that is a network");
+  addGridOptions(&options->grid, &line);
+  line.addOutput("json", &options->json,
+                 "write the result to this file; success, collisions and timeouts are shares of the scenarios, means "
+                 "are over the scenarios with success");
+  line.addOutput("details", &options->details, "write a CSV line a scenario to this file");
+  line.addFolder("pictures", &options->pictures,
+                 "draw some misses and the longest detour of each set into this folder");
+  line.whenParsed([&] {
+    if (isNetworkAgent(agent.agent)) {
+      agent.model = findSharedFile(agent.model);
+    } else if (line.given("model")) {
+      throw std::invalid_argument("agent " + agent.agent + " has no --model");
+    } else {
+      agent.model.clear();
+    }
+  });
+  return line.parse(arguments);
 }
 
 /// Progress over all sets as if they were one.
@@ -135,9 +131,6 @@ void drawSome(const EvaluateOptions& options, const GridTaskSet& set, const std:
 int runEvaluate(const std::vector<std::string>& arguments) {
   EvaluateOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  for (const std::string& file : {options.json, options.details}) {
-    if (!file.empty()) checkWritable(file);
-  }
   if (!options.pictures.empty()) makeOutputFolder(options.pictures);
   const GridAgentMaker make_agent = gridAgentMaker(options.grid.agent);
   const std::vector<GridTaskSet> sets = drawGridTaskSets(options.grid);

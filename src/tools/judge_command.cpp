@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/program_options.hpp>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -13,9 +12,11 @@
 #include "lstm_planner/robot/learning/recorded_choices.hpp"
 #include "lstm_planner/robot/learning/step_drive.hpp"
 #include "tools/command.hpp"
-#include "tools/options.hpp"
+#include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
+#include "tools/ranges.hpp"
 #include "tools/recorded_datasets.hpp"
+#include "tools/shared_file.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -33,43 +34,42 @@ struct JudgeOptions {
   std::string json;
 };
 
-bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* options) {
-  namespace po = boost::program_options;
-  JudgeOptions& o = *options;
-  o.course.shortest = 5.0;
-  po::options_description description(
-      "judges who leads the robot, alone: no rescue, four drives a world, random conditions of sensors, wheels and "
-      "speed; the worlds are those of lstm_planner drive, never trained in");
-  // clang-format off
-  description.add_options()
-      ("model", po::value(&o.model), "ONNX file, where the network leads")
-      ("leader", po::value(&o.leader)->default_value(o.leader), "network, route or none")
-      ("kinds", po::value(&o.kinds)->multitoken(), "of generated worlds, in turn (default: all)")
-      ("worlds", po::value(&o.worlds)->default_value(o.worlds), "of all kinds together")
-      ("max-steps", po::value(&o.max_steps)->default_value(o.max_steps), "of a drive")
-      ("shortest", po::value(&o.course.shortest)->default_value(o.course.shortest), "m of way to the goal at the least")
-      ("seed", po::value(&o.seed)->default_value(o.seed), "of worlds, drives and conditions")
-      ("threads", po::value(&o.threads)->default_value(o.threads), "does not change the result")
-      ("recordings", po::value(&o.recordings)->multitoken(),
-       "datasets of somebody's drives: says how often the network prefers what the driver did, in place of driving")
-      ("json", po::value(&o.json), "write the result to this file");
-  // clang-format on
-  po::variables_map values;
-  if (!parseOptions("judge", description, arguments, &values)) return false;
-  if (!o.kinds.empty()) o.course.worlds.clear();
-  for (const std::string& kind : o.kinds) o.course.worlds.push_back(worldKindOf(kind));
-  if (o.worlds < 1 || o.max_steps < 1 || o.threads < 1) {
-    throw std::invalid_argument("--worlds, --max-steps and --threads must be at least 1");
-  }
-  validate(o.course);
-  if (leaderNamed(o.leader) == Leader::kNetwork && o.model.empty()) {
+void check(const JudgeOptions& options) {
+  validate(options.course);
+  const Leader leader = leaderNamed(options.leader);
+  if (leader == Leader::kNetwork && options.model.empty()) {
     throw std::invalid_argument("--model is needed where the network leads");
   }
-  if (!o.recordings.empty() && leaderNamed(o.leader) != Leader::kNetwork) {
-    throw std::invalid_argument("--recordings judges a network, --leader is '" + o.leader + "'");
+  if (!options.recordings.empty() && leader != Leader::kNetwork) {
+    throw std::invalid_argument("--recordings judges a network, --leader is '" + options.leader + "'");
   }
-  if (!o.json.empty()) checkWritable(o.json);
-  return true;
+}
+
+bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* options) {
+  JudgeOptions& o = *options;
+  o.course.shortest = 5.0;
+  CommandLine line("judge",
+                   "judges who leads the robot, alone: no rescue, four drives a world, random conditions of sensors, "
+                   "wheels and speed; the worlds are those of lstm_planner drive, never trained in");
+  line.addFile("model", &o.model, "ONNX file, where the network leads");
+  line.addChoice("leader", &o.leader, {"network", "route", "none"}, "network, route or none");
+  line.add("kinds", &o.kinds, "of generated worlds, in turn (default: all)");
+  line.add("worlds", &o.worlds, kAnyCount, "of all kinds together");
+  line.add("max-steps", &o.max_steps, kAnyCount, "of a drive");
+  line.add("shortest", &o.course.shortest, kAnyLength, "m of way to the goal at the least");
+  line.addSeed(&o.seed, "of worlds, drives and conditions");
+  line.add("threads", &o.threads, kAnyThreads, "does not change the result");
+  line.addFiles("recordings", &o.recordings,
+                "datasets of somebody's drives: says how often the network prefers what the driver did, in place of "
+                "driving");
+  line.addOutput("json", &o.json, "write the result to this file");
+  line.whenParsed([&] {
+    if (!o.kinds.empty()) o.course.worlds.clear();
+    for (const std::string& kind : o.kinds) o.course.worlds.push_back(worldKindOf(kind));
+    if (!o.model.empty()) o.model = findSharedFile(o.model);
+    check(o);
+  });
+  return line.parse(arguments);
 }
 
 /// Of a share that was seen `hits` times in `count`, with 95 % (Wilson, "Probable inference", 1927).

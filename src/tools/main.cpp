@@ -1,33 +1,31 @@
+#include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "lstm_planner/base/common/output_file.hpp"
+#include "lstm_planner/robot/dataset/dataset.hpp"
 #include "tools/command.hpp"
 #include "tools/ranks.hpp"
 
 namespace {
 
-constexpr lstm_planner::Command kCommands[] = {
-    {"drive", "drive a simulated Create 2 to random goals and judge it", lstm_planner::runDrive},
-    {"judge", "judge a network of the robot in many short practice drives", lstm_planner::runJudge},
-    {"train", "train a network for the robot or for the grid world", lstm_planner::runTrain, true},
-    {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate, true},
-    {"report", "compare agents with each other and with the thesis", lstm_planner::runReport, true},
-    {"maps", "generate floor plans, or maps and scenarios of the grid world", lstm_planner::runMaps},
-    {"dataset", "look at, check, merge, split and export recorded drives", lstm_planner::runDataset},
-};
-
-void printUsage(std::ostream& out) {
-  out << "usage: lstm_planner COMMAND [OPTION]...\n\n";
-  for (const auto& command : kCommands) {
-    out << "  " << command.name << "\t" << command.summary << "\n";
-  }
-  out << "\nlstm_planner COMMAND --help explains a command.\n";
+const std::vector<lstm_planner::Command>& commands() {
+  static const std::vector<lstm_planner::Command> all = {
+      {"drive", "drive a simulated Create 2 to random goals and judge it", lstm_planner::runDrive},
+      {"judge", "judge a network of the robot in many short practice drives", lstm_planner::runJudge},
+      {"train", "train a network for the robot or for the grid world", lstm_planner::runTrain, true},
+      {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate, true},
+      {"report", "compare agents with each other and with the thesis", lstm_planner::runReport, true},
+      {"maps", "generate floor plans, or maps and scenarios of the grid world", lstm_planner::runMaps},
+      {"dataset", "look at, check, merge, split and export recorded drives", lstm_planner::runDataset},
+  };
+  return all;
 }
 
 /// What went wrong on one rank has mostly gone wrong on all. The first says so, and ends the others before they do.
@@ -58,22 +56,22 @@ int run(const lstm_planner::Command& command, const std::vector<std::string>& ar
   return command.run(arguments);
 }
 
-int runTool(int argc, char** argv) {
-  if (argc < 2 || std::strcmp(argv[1], "--help") == 0) {
-    printUsage(argc < 2 ? std::cerr : std::cout);
-    return argc < 2 ? 2 : 0;
+int runTool(const std::vector<std::string>& arguments) {
+  const std::string first = arguments.empty() ? "" : arguments.front();
+  if (first.empty() || first == "--help" || first == "-h") {
+    lstm_planner::printUsage("lstm_planner", "COMMAND", commands(), first.empty() ? std::cerr : std::cout);
+    return first.empty() ? 2 : 0;
   }
-  for (const auto& command : kCommands) {
-    if (std::strcmp(argv[1], command.name) != 0) continue;
-    try {
-      return run(command, {argv + 2, argv + argc});
-    } catch (const std::exception& error) {
-      return fail(std::string(" ") + command.name + ": " + error.what());
-    }
+  if (first == "--version") {
+    std::cout << "lstm_planner " << lstm_planner::softwareVersion() << "\n";
+    return 0;
   }
-  std::cerr << "lstm_planner: there is no command '" << argv[1] << "'\n";
-  printUsage(std::cerr);
-  return 2;
+  const lstm_planner::Command& command = lstm_planner::commandNamed(first, "command", commands());
+  try {
+    return run(command, {arguments.begin() + 1, arguments.end()});
+  } catch (const std::exception& error) {
+    return fail(std::string(" ") + command.name + ": " + error.what());
+  }
 }
 
 }  // namespace
@@ -84,7 +82,7 @@ int main(int argc, char** argv) {
   }
   try {
     const lstm_planner::MpiSession session(&argc, &argv);
-    return runTool(argc, argv);
+    return runTool({argv + std::min(argc, 1), argv + argc});
   } catch (const std::exception& error) {
     return fail(std::string(": ") + error.what());
   }

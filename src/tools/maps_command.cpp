@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <sstream>
+#include <optional>
 #include <stdexcept>
 
 #include "lstm_planner/base/grid/map_generators.hpp"
@@ -9,14 +9,15 @@
 #include "lstm_planner/grid_world/world/map_set.hpp"
 #include "lstm_planner/robot/simulation/floor_plan.hpp"
 #include "tools/command.hpp"
-#include "tools/options.hpp"
+#include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
+#include "tools/ranges.hpp"
 
 namespace lstm_planner {
 namespace {
 
-namespace po = boost::program_options;
+constexpr Range kMapSide{1, 8192};  // cells
 
 /// What can be generated, and the options that say how; options that all kinds have are not among them.
 struct Kind {
@@ -55,24 +56,26 @@ std::string kindsWith(const std::string& option) {
   return joined(names);
 }
 
-/// Refuses an unknown kind and given options that it would silently ignore.
-void checkKind(const std::string& name, const po::variables_map& values) {
+std::vector<std::string> kindNames() {
+  std::vector<std::string> names;
+  for (const Kind& kind : kinds()) names.emplace_back(kind.name);
+  return names;
+}
+
+/// Refuses given options that the kind would silently ignore.
+void checkKind(const std::string& name, const CommandLine& line) {
   const auto kind =
       std::find_if(kinds().begin(), kinds().end(), [&](const Kind& candidate) { return candidate.name == name; });
-  if (kind == kinds().end()) {
-    std::vector<std::string> names;
-    for (const Kind& candidate : kinds()) names.emplace_back(candidate.name);
-    throw std::invalid_argument("option --kind is '" + name + "', expected " + joined(names));
-  }
-  for (const auto& [option, value] : values) {
-    const std::string users = kindsWith(option);
-    if (value.defaulted() || users.empty() || hasOption(*kind, option)) continue;
-    throw std::invalid_argument("option --" + option + " does not go with --kind " + name + ", expected --kind " +
-                                users);
+  for (const Kind& other : kinds()) {
+    for (const std::string& option : other.options) {
+      if (!line.given(option) || hasOption(*kind, option)) continue;
+      throw std::invalid_argument("option --" + option + " does not go with --kind " + name + ", expected --kind " +
+                                  kindsWith(option));
+    }
   }
 }
 
-/// All that can be asked for. What several kinds share is written by the user once and copied by finish().
+/// All that can be asked for.
 struct MapsOptions {
   std::string kind = "building";
   std::string output;
@@ -84,71 +87,66 @@ struct MapsOptions {
   MapSet set;
   int columns = 512;
   int rows = 512;
-  bool keep_pockets = false;
+  std::optional<double> extra_doors;
+  std::optional<double> share;
 };
 
-/// A number with a default that --help shows as a person would write it.
-po::typed_value<double>* number(double* value) {
-  std::ostringstream text;
-  text << *value;
-  return po::value(value)->default_value(*value, text.str());
+void addBuildingOptions(FloorPlanParameters* plan, CommandLine* line) {
+  line->section("--kind building");
+  line->add("width", &plan->width, {1.0, 1000.0}, "m");
+  line->add("height", &plan->height, {1.0, 1000.0}, "m");
+  line->add("resolution", &plan->resolution, {0.01, 0.2}, "m a cell");
+  line->add("smallest-room", &plan->smallest_room, {1.2, 50.0}, "m, shortest side");
+  line->add("door-width", &plan->door_width, {0.6, 3.0}, "m");
+  line->add("furniture", &plan->furniture, {0.0, 0.5}, "share of the floor");
 }
 
-po::options_description describe(MapsOptions* options) {
-  FloorPlanParameters& plan = options->plan;
-  po::options_description all;
-  // clang-format off
-  all.add_options()
-      ("kind", po::value(&options->kind)->default_value(options->kind),
-       "building: a floor plan in metres as a map_server map; maze, random, rooms, caves: maps and scenarios in cells in "
-       "the layout of the grid benchmark (movingai.com)")
-      ("output", po::value(&options->output)->required(),
-       "building: path without extension, .yaml and .pgm are written; other kinds: folder, Maps/ and Scenarios/ in it "
-       "are written")
-      ("seed", po::value(&options->set.seed)->default_value(options->set.seed), "of the floor plan or of the first map");
-  po::options_description building("--kind building");
-  building.add_options()
-      ("width", number(&plan.width), "m")
-      ("height", number(&plan.height), "m")
-      ("resolution", number(&plan.resolution), "m a cell")
-      ("smallest-room", number(&plan.smallest_room), "m, shortest side")
-      ("door-width", number(&plan.door_width), "m")
-      ("extra-doors", po::value<double>(),
-       "probability of a second way through a wall (building: 0.3), of a door in a wall that needs none (rooms: 0.5)")
-      ("furniture", number(&plan.furniture), "share of the floor");
-  po::options_description grid("--kind maze, random, rooms or caves");
-  grid.add_options()
-      ("count", po::value(&options->set.count)->default_value(options->set.count), "maps, of seeds that follow each other")
-      ("name", po::value(&options->set.name), "of the maps, number and .map are added; default by kind and size")
-      ("per-bucket", po::value(&options->set.scenarios.per_bucket)->default_value(options->set.scenarios.per_bucket),
-       "scenarios for every 4 cells of length")
-      ("columns", po::value(&options->columns)->default_value(options->columns), "cells")
-      ("rows", po::value(&options->rows)->default_value(options->rows), "cells")
-      ("corridor-width", po::value(&options->maze.corridor_width)->default_value(options->maze.corridor_width),
-       "maze: cells")
-      ("branching", number(&options->maze.branching),
-       "maze: 0 for long winding ways, 1 for short ones with many dead ends")
-      ("share", po::value<double>(), "of blocked cells, random: 0.25, caves: 0.45 (before smoothing)")
-      ("keep-pockets", po::bool_switch(&options->keep_pockets), "random: do not fill what cannot be reached")
-      ("room-size", po::value(&options->rooms.room_size)->default_value(options->rooms.room_size), "rooms: cells")
-      ("door-cells", po::value(&options->rooms.door_cells)->default_value(options->rooms.door_cells),
-       "rooms: width of a door, cells")
-      ("rounds", po::value(&options->caves.rounds)->default_value(options->caves.rounds), "caves: of smoothing");
-  // clang-format on
-  all.add(building).add(grid);
-  return all;
+void addGridMapOptions(MapsOptions* options, CommandLine* line) {
+  line->section("--kind maze, random, rooms or caves");
+  line->add("count", &options->set.count, {1, 1e5}, "maps, of seeds that follow each other");
+  line->add("name", &options->set.name, "of the maps, number and .map are added; default by kind and size");
+  line->add("per-bucket", &options->set.scenarios.per_bucket, {1, 1e4}, "scenarios for every 4 cells of length");
+  line->add("columns", &options->columns, kMapSide, "cells");
+  line->add("rows", &options->rows, kMapSide, "cells");
+  line->add("corridor-width", &options->maze.corridor_width, kMapSide, "maze: cells");
+  line->add("branching", &options->maze.branching, kAnyShare,
+            "maze: 0 for long winding ways, 1 for short ones with many dead ends");
+  line->add("share", &options->share, kAnyShare, "of blocked cells, random: 0.25, caves: 0.45 (before smoothing)");
+  line->addFlag("keep-pockets", &options->random.fill_pockets, false, "random: do not fill what cannot be reached");
+  line->add("room-size", &options->rooms.room_size, kMapSide, "rooms: cells");
+  line->add("door-cells", &options->rooms.door_cells, kMapSide, "rooms: width of a door, cells");
+  line->add("rounds", &options->caves.rounds, {0, 1000}, "caves: of smoothing");
 }
 
-void finish(const po::variables_map& values, MapsOptions* options) {
-  if (values.count("extra-doors") > 0) {
-    options->plan.extra_doors = options->rooms.extra_doors = values["extra-doors"].as<double>();
-  }
-  if (values.count("share") > 0) {
-    options->random.share = options->caves.share = values["share"].as<double>();
-  }
-  options->random.fill_pockets = !options->keep_pockets;
+/// What several kinds share is written by the user once.
+void shareAmongKinds(MapsOptions* options) {
+  if (options->extra_doors) options->plan.extra_doors = options->rooms.extra_doors = *options->extra_doors;
+  if (options->share) options->random.share = options->caves.share = *options->share;
   options->maze.columns = options->random.columns = options->rooms.columns = options->caves.columns = options->columns;
   options->maze.rows = options->random.rows = options->rooms.rows = options->caves.rows = options->rows;
+}
+
+bool readOptions(const std::vector<std::string>& arguments, MapsOptions* options) {
+  CommandLine line("maps", "generates floor plans, or maps and scenarios of the grid world");
+  line.addChoice("kind", &options->kind, kindNames(),
+                 "building: a floor plan in metres as a map_server map; maze, random, rooms, caves: maps and scenarios "
+                 "in cells in the layout of the grid benchmark (movingai.com)");
+  line.addFile(
+          "output", &options->output,
+          "building: path without extension, .yaml and .pgm are written; other kinds: folder, Maps/ and Scenarios/ "
+          "in it are written")
+      .required();
+  line.addSeed(&options->set.seed, "of the floor plan or of the first map");
+  line.add("extra-doors", &options->extra_doors, kAnyShare,
+           "probability of a second way through a wall (building: 0.3), of a door in a wall that needs none (rooms: "
+           "0.5)");
+  addBuildingOptions(&options->plan, &line);
+  addGridMapOptions(options, &line);
+  line.whenParsed([&] {
+    checkKind(options->kind, line);
+    shareAmongKinds(options);
+  });
+  return line.parse(arguments);
 }
 
 /// Validates, so that nothing is made for bad parameters, and leaves the generator and the default name in the set.
@@ -187,15 +185,10 @@ void writeGridMaps(MapsOptions* options) {
 
 int runMaps(const std::vector<std::string>& arguments) {
   MapsOptions options;
-  const po::options_description description = describe(&options);
-  po::variables_map values;
-  if (!parseOptions("maps", description, arguments, &values)) {
-    return 0;
-  }
-  checkKind(options.kind, values);
-  finish(values, &options);
+  if (!readOptions(arguments, &options)) return 0;
   if (options.kind == "building") {
     validate(options.plan);
+    checkWritable(options.output + ".yaml");
     writeMapServerMap(options.output, generateFloorPlan(options.plan, options.set.seed));
   } else {
     writeGridMaps(&options);

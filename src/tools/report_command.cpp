@@ -7,8 +7,8 @@
 #include "lstm_planner/grid_world/evaluation/grid_thesis.hpp"
 #include "tools/agent_list.hpp"
 #include "tools/command.hpp"
+#include "tools/command_line.hpp"
 #include "tools/grid_options.hpp"
-#include "tools/options.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranks.hpp"
@@ -24,20 +24,15 @@ struct ReportOptions {
 };
 
 bool readOptions(const std::vector<std::string>& arguments, ReportOptions* options) {
-  namespace po = boost::program_options;
-  po::options_description description("compares agents in the same scenarios, with the thesis's tables and figures");
-  // clang-format off
-  description.add_options()
-      ("output", po::value(&options->output)->required(), "folder for report.md, CSV files and pictures")
-      ("agents", po::value(&options->agents)->multitoken()->required(),
-       "each NAME or NAME=MODEL, with ,no-shield and ,no-escape behind it where wanted: astar dstar greedy boundary "
-       "lstm=FILE rnn=FILE mlp=FILE qlearning=FILE network=FILE; pictures are about the first that does not search");
-  // clang-format on
-  addGridOptions(&options->grid, &description);
-  po::variables_map values;
-  if (!parseOptions("report", description, arguments, &values)) return false;
-  finishGridOptions(values, &options->grid);
-  return true;
+  CommandLine line("report", "compares agents in the same scenarios, with the thesis's tables and figures");
+  line.addFolder("output", &options->output, "folder for report.md, CSV files and pictures").required();
+  line.add(
+          "agents", &options->agents,
+          "each NAME or NAME=MODEL, with ,no-shield and ,no-escape behind it where wanted: astar dstar greedy boundary "
+          "lstm=FILE rnn=FILE mlp=FILE qlearning=FILE network=FILE; pictures are about the first that does not search")
+      .required();
+  addGridOptions(&options->grid, &line);
+  return line.parse(arguments);
 }
 
 void evaluateAll(const GridOptions& options, GridComparison* comparison) {

@@ -121,7 +121,7 @@ TEST_F(MpiTool, RanksThatShareImitationLearnWhatOneProcessLearns) {
 TEST_F(MpiTool, SaysOnceWhatIsWrong) {
   const Outcome outcome = byRanks(3, "evaluate --agent nobody --scenarios " + folder_);
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(timesIn(outcome.output, "there is no agent 'nobody'"), 1u) << outcome.output;
+  EXPECT_EQ(timesIn(outcome.output, "--agent is 'nobody', expected astar"), 1u) << outcome.output;
 }
 
 TEST_F(MpiTool, RefusesSeveralProcessesForWhatOneDoes) {

@@ -65,9 +65,9 @@ TEST_F(DatasetConversionTool, WhatCannotBeConvertedIsRefusedAndNothingIsWritten)
         {"from-log " + in("none.log"), "cannot be read"},
         {"from-bag " + in("text.txt"), "cannot be read"},
         {"from-bag " + in("none.bag") + " --hindsight", "none.bag"},
-        {"from-bag", "'--bag' is required"},
+        {"from-bag", "--bag is required"},
         {"from-log " + log("a.log") + " --mount 1", "option --mount is '1', expected \"x y yaw\""},
-        {"from-log " + log("a.log") + " --period 0", "parameter period is 0, expected a number in [0.0001, 3600]"},
+        {"from-log " + log("a.log") + " --period 0", "--period is 0, expected a number in [0.0001, 3600]"},
         {"from-log " + log("a.log") + " --shortest 0.2", "more than the goal tolerance"},
         {"from-log " + log("a.log") + " " + in("text.txt"), "holds no scans"}}) {
     const test::Outcome outcome = convert(bad.arguments + " --output " + in("out.sqlite"));

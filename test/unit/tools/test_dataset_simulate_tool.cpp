@@ -68,10 +68,10 @@ TEST_F(DatasetSimulateTool, SaysWhatItCannotUse) {
   EXPECT_NE(saysOf("--way-points " + in("text.yaml")).find("expected [x, y]"), std::string::npos);
   EXPECT_NE(saysOf("--way-points 99999999").find("expected a number below a million"), std::string::npos);
   EXPECT_NE(saysOf("--way-points 1").find("there are 1 way-points, expected at least two"), std::string::npos);
-  EXPECT_NE(saysOf("--speed -1").find("parameter speed is -1, expected a number in [0.01, 10]"), std::string::npos);
+  EXPECT_NE(saysOf("--speed -1").find("--speed is -1, expected a number in [0.01, 10]"), std::string::npos);
   EXPECT_NE(saysOf("--steps 0").find("--steps is 0"), std::string::npos);
   std::ofstream(in("drives.sqlite")) << "mine";
-  EXPECT_NE(saysOf("--steps 5").find("there is a file"), std::string::npos);
+  EXPECT_NE(saysOf("--steps 5").find("there is such a file already"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,339 @@
+#include "tools/command_line.hpp"
+
+#include <CLI/CLI11.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "lstm_planner/base/common/nearest_name.hpp"
+#include "tools/option_number.hpp"
+#include "tools/output_file.hpp"
+#include "tools/wrapped_text.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr std::size_t kWidth = 110;  // letters, of the help
+constexpr std::size_t kMeaningColumn = 28;
+
+class HelpFormatter : public CLI::Formatter {
+ public:
+  explicit HelpFormatter(std::string usage) : usage_(std::move(usage)) {}
+
+  std::string make_usage(const CLI::App*, std::string) const override { return usage_ + "\n"; }
+  std::string make_description(const CLI::App*) const override { return ""; }
+  std::string make_positionals(const CLI::App*) const override { return ""; }
+  std::string make_option(const CLI::Option* option, bool) const override {
+    std::string line = "  " + option->get_name(false, true) + option->get_option_text();
+    line += line.size() < kMeaningColumn ? std::string(kMeaningColumn - line.size(), ' ')
+                                         : "\n" + std::string(kMeaningColumn, ' ');
+    return line + wrapped(option->get_description(), kWidth, kMeaningColumn, kMeaningColumn) + "\n";
+  }
+
+ private:
+  std::string usage_;
+};
+
+bool looksLikeOption(const std::string& text) { return text.size() > 2 && text.compare(0, 2, "--") == 0; }
+
+/// What is left over where an option has no such name.
+void refuseRest(const CLI::App& app) {
+  const std::vector<std::string> rest = app.remaining();
+  if (rest.empty()) return;
+  if (rest.front().empty() || rest.front()[0] != '-') {
+    throw std::invalid_argument("'" + rest.front() + "' stands alone, expected it behind the option it belongs to");
+  }
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) names.push_back(option->get_name(false, false));
+  const std::string name = rest.front().substr(0, rest.front().find('='));
+  throw std::invalid_argument("there is no option " + name + hintAt(name, names));
+}
+
+/// The next option is not a value.
+void refuseMissingValues(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (!looksLikeOption(value)) continue;
+      throw std::invalid_argument(option->get_name(false, false) + " needs a value, got " + value);
+    }
+  }
+}
+
+/// False when the help was asked for.
+bool parseWith(CLI::App* app, const std::vector<std::string>& arguments) {
+  try {
+    app->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::CallForHelp&) {
+    refuseRest(*app);
+    return false;
+  } catch (const CLI::ParseError& error) {
+    refuseRest(*app);
+    const std::string sentence = error.what();  // "--NAME: 1 required ..."
+    throw std::invalid_argument(looksLikeOption(sentence) ? sentence.substr(0, sentence.find(':')) + " needs a value"
+                                                          : sentence);
+  }
+  refuseMissingValues(*app);
+  refuseRest(*app);
+  return true;
+}
+
+CLI::Option* declare(const Option& option, CLI::App* app) {
+  std::string meaning = option.meaning;
+  if (!option.default_text.empty()) meaning += " (default: " + option.default_text + ")";
+  if (option.is_required) meaning += " (required)";
+  CLI::Option* declared = nullptr;
+  if (option.value_name.empty()) {
+    declared = app->add_flag(option.name)->description(meaning);
+  } else {
+    const CLI::callback_t later = [](const CLI::results_t&) { return true; };
+    const std::string alone = option.stands_alone ? option.name.substr(2) + "," : "";
+    declared = app->add_option(alone + option.name, later, meaning);
+    declared->expected(1, -1)->allow_extra_args(option.takes_several)->option_text(" " + option.value_name);
+  }
+  declared->group(option.section);
+  return declared;
+}
+
+void take(const CLI::Option& parsed, Option* option) {
+  option->is_given = parsed.count() > 0;
+  if (option->is_required && !option->is_given) throw std::invalid_argument(option->name + " is required");
+  for (const std::string& value : parsed.results()) {
+    if (option->value_name.empty() && value != "true") throw std::invalid_argument(option->name + " takes no value");
+  }
+  if (option->is_given) option->take(parsed.results());
+}
+
+const std::string& theOnly(const std::string& name, const std::vector<std::string>& values) {
+  if (values.size() == 1) return values.front();
+  throw std::invalid_argument(name + " is given " + std::to_string(values.size()) + " times, expected once");
+}
+
+template <typename Values, typename ToText>
+std::string joined(const Values& values, const char* separator, const ToText& to_text) {
+  std::string text;
+  for (const auto& value : values) text += (text.empty() ? "" : separator) + to_text(value);
+  return text;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+  }
+  return text;
+}
+
+}  // namespace
+
+Option& Option::required() {
+  is_required = true;
+  return *this;
+}
+
+Option& Option::standsAlone() {
+  stands_alone = true;
+  return *this;
+}
+
+Option& Option::oneAtATime() {
+  takes_several = false;
+  return *this;
+}
+
+CommandLine::CommandLine(std::string command, std::string summary)
+    : command_(std::move(command)), summary_(std::move(summary)) {}
+
+void CommandLine::section(const std::string& title) { section_ = title; }
+
+Option& CommandLine::add(const std::string& name, const std::string& value_name, const std::string& meaning,
+                         std::function<void(const std::vector<std::string>&)> take) {
+  Option option;
+  option.name = "--" + name;
+  option.value_name = value_name;
+  option.meaning = meaning;
+  option.section = section_;
+  option.take = std::move(take);
+  options_.push_back(std::move(option));
+  return options_.back();
+}
+
+template <typename Number>
+Option& CommandLine::add(const std::string& name, Number* value, Range range, const std::string& meaning) {
+  const auto take = [=](const std::vector<std::string>& values) {
+    *value = numberOf<Number>("--" + name, theOnly("--" + name, values), range);
+  };
+  Option& option = add(name, "N", meaning + "; in " + toText(range), take);
+  if (range.contains(static_cast<double>(*value))) option.default_text = toText(static_cast<double>(*value));
+  return option;
+}
+
+template <typename Number>
+Option& CommandLine::add(const std::string& name, std::optional<Number>* value, Range range,
+                         const std::string& meaning) {
+  return add(name, "N", meaning + "; in " + toText(range), [=](const std::vector<std::string>& values) {
+    *value = numberOf<Number>("--" + name, theOnly("--" + name, values), range);
+  });
+}
+
+template Option& CommandLine::add(const std::string&, int*, Range, const std::string&);
+template Option& CommandLine::add(const std::string&, long*, Range, const std::string&);
+template Option& CommandLine::add(const std::string&, std::size_t*, Range, const std::string&);
+template Option& CommandLine::add(const std::string&, double*, Range, const std::string&);
+template Option& CommandLine::add(const std::string&, std::optional<int>*, Range, const std::string&);
+template Option& CommandLine::add(const std::string&, std::optional<double>*, Range, const std::string&);
+
+Option& CommandLine::add(const std::string& name, std::vector<int>* values, Range range, const std::string& meaning) {
+  const auto take = [=](const std::vector<std::string>& texts) {
+    values->clear();
+    for (const std::string& text : texts) values->push_back(numberOf<int>("--" + name, text, range));
+  };
+  Option& option = add(name, "N...", meaning + "; in " + toText(range), take);
+  option.takes_several = true;
+  option.default_text = joined(*values, " ", [](int value) { return std::to_string(value); });
+  return option;
+}
+
+Option& CommandLine::add(const std::string& name, std::string* value, const std::string& meaning) {
+  Option& option = add(name, "TEXT", meaning,
+                       [=](const std::vector<std::string>& values) { *value = theOnly("--" + name, values); });
+  option.default_text = *value;
+  return option;
+}
+
+Option& CommandLine::add(const std::string& name, std::vector<std::string>* values, const std::string& meaning) {
+  Option& option = add(name, "TEXT...", meaning, [=](const std::vector<std::string>& texts) { *values = texts; });
+  option.takes_several = true;
+  option.default_text = joined(*values, " ", [](const std::string& value) { return value; });
+  return option;
+}
+
+Option& CommandLine::add(const std::string& name, bool* value, const std::string& meaning) {
+  Option& option = add(name, "N", meaning, [=](const std::vector<std::string>& values) {
+    *value = numberOf<int>("--" + name, theOnly("--" + name, values), {0, 1}) == 1;
+  });
+  option.default_text = *value ? "1" : "0";
+  return option;
+}
+
+Option& CommandLine::addSeed(std::uint64_t* seed, const std::string& meaning) {
+  Option& option = add("seed", "N", meaning, [=](const std::vector<std::string>& values) {
+    *seed = numberOf<std::uint64_t>("--seed", theOnly("--seed", values), {0.0, 18446744073709551615.0});
+  });
+  option.default_text = std::to_string(*seed);
+  return option;
+}
+
+Option& CommandLine::addChoice(const std::string& name, std::string* value, const std::vector<std::string>& names,
+                               const std::string& meaning) {
+  const auto take = [=](const std::vector<std::string>& values) { *value = names[choose(name, values, names)]; };
+  Option& option = add(name, "NAME", meaning, take);
+  option.default_text = *value;
+  return option;
+}
+
+std::size_t CommandLine::choose(const std::string& name, const std::vector<std::string>& values,
+                                const std::vector<std::string>& names) {
+  const std::string& value = theOnly("--" + name, values);
+  const auto found = std::find(names.begin(), names.end(), value);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  throw std::invalid_argument("--" + name + " is '" + value + "', expected " + listed(names));
+}
+
+Option& CommandLine::addText(const std::string& name, const std::string& default_text,
+                             const std::function<void(const std::string&)>& take, const std::string& meaning) {
+  Option& option =
+      add(name, "TEXT", meaning, [=](const std::vector<std::string>& values) { take(theOnly("--" + name, values)); });
+  option.default_text = default_text;
+  return option;
+}
+
+Option& CommandLine::addFile(const std::string& name, std::string* path, const std::string& meaning) {
+  Option& option = add(name, path, meaning);
+  option.value_name = "FILE";
+  return option;
+}
+
+Option& CommandLine::addFolder(const std::string& name, std::string* path, const std::string& meaning) {
+  Option& option = add(name, path, meaning);
+  option.value_name = "FOLDER";
+  return option;
+}
+
+Option& CommandLine::addFiles(const std::string& name, std::vector<std::string>* paths, const std::string& meaning) {
+  Option& option = add(name, paths, meaning);
+  option.value_name = "FILE...";
+  return option;
+}
+
+Option& CommandLine::addOutput(const std::string& name, std::string* path, const std::string& meaning) {
+  outputs_.push_back({name, path, false});
+  return addFile(name, path, meaning);
+}
+
+Option& CommandLine::addNewFile(const std::string& name, std::string* path, const std::string& meaning) {
+  outputs_.push_back({name, path, true});
+  return addFile(name, path, meaning);
+}
+
+Option& CommandLine::addSwitch(const std::string& name, const std::string& meaning, std::function<void()> turn) {
+  return add(name, "", meaning, [turn = std::move(turn)](const std::vector<std::string>&) { turn(); });
+}
+
+void CommandLine::whenParsed(std::function<void()> finish) { finishes_.push_back(std::move(finish)); }
+
+std::string CommandLine::usage() const {
+  std::string text = "usage: lstm_planner " + command_;
+  for (const Option& option : options_) {
+    if (!option.is_required) continue;
+    text += " " + (option.stands_alone ? "" : option.name + " ") + option.value_name;
+  }
+  constexpr std::size_t kIndent = 7;
+  return wrapped(text + " [OPTION]...", kWidth, kIndent, 0) + "\n\n" + wrapped(summary_, kWidth, 0, 0);
+}
+
+bool CommandLine::parse(const std::vector<std::string>& arguments) {
+  CLI::App app;
+  app.formatter(std::make_shared<HelpFormatter>(usage()));
+  app.set_help_flag();
+  app.allow_extras();  // which parseWith() refuses, with the name that was meant
+  std::vector<CLI::Option*> parsed;
+  for (const Option& option : options_) parsed.push_back(declare(option, &app));
+  app.set_help_flag("--help,-h", "show this")->group(section_);
+  if (!parseWith(&app, arguments)) {
+    std::cout << CLI::detail::find_and_replace(app.help(), "\n\n\n", "\n\n");
+    return false;
+  }
+  for (std::size_t i = 0; i < parsed.size(); ++i) take(*parsed[i], &options_[i]);
+  for (const auto& finish : finishes_) finish();
+  checkOutputs();
+  return true;
+}
+
+void CommandLine::checkOutputs() const {
+  for (const Output& output : outputs_) {
+    if (output.path->empty()) continue;
+    if (output.is_new && std::filesystem::exists(*output.path)) {
+      throw std::invalid_argument("--" + output.name + " is '" + *output.path + "': there is such a file already");
+    }
+    checkWritable(*output.path);
+  }
+}
+
+bool CommandLine::given(const std::string& name) const {
+  return std::any_of(options_.begin(), options_.end(),
+                     [&](const Option& option) { return option.name == "--" + name && option.is_given; });
+}
+
+std::string CommandLine::peek(const std::string& name, const std::vector<std::string>& arguments) {
+  const std::string option = "--" + name;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i].compare(0, option.size() + 1, option + "=") == 0) return arguments[i].substr(option.size() + 1);
+    if (arguments[i] == option && i + 1 < arguments.size()) return arguments[i + 1];
+  }
+  return "";
+}
+
+}  // namespace lstm_planner

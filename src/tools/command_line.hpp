@@ -1,0 +1,134 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lstm_planner/base/common/range.hpp"
+
+namespace lstm_planner {
+
+/// An option as a command declares it; made by CommandLine.
+struct Option {
+  Option& required();
+  Option& standsAlone();  ///< its values may stand without its name
+  Option& oneAtATime();   ///< of a list: each time that it is named it takes one value
+
+  std::string name;        ///< with --
+  std::string value_name;  ///< in the help; empty for a flag, which takes no value
+  std::string meaning;
+  std::string default_text;  ///< empty: none
+  std::string section;
+  bool takes_several = false;  ///< all values up to the next option
+  bool is_required = false;
+  bool stands_alone = false;
+  bool is_given = false;
+  /// Checks the values and puts them where they belong.
+  std::function<void(const std::vector<std::string>& values)> take;
+};
+
+/// The options of a command: each is bound to the variable that takes its value. What the variable holds when the
+/// option is added is the default. `name` is without the two dashes; every number has a range, which the help shows.
+class CommandLine {
+ public:
+  /// `command` is what stands behind "lstm_planner", such as "dataset info".
+  CommandLine(std::string command, std::string summary);
+
+  /// The options added next are listed under this title.
+  void section(const std::string& title);
+
+  /// `Number`: int, long, std::size_t or double.
+  template <typename Number>
+  Option& add(const std::string& name, Number* value, Range range, const std::string& meaning);
+  template <typename Number>
+  Option& add(const std::string& name, std::optional<Number>* value, Range range, const std::string& meaning);
+  Option& add(const std::string& name, std::vector<int>* values, Range range, const std::string& meaning);
+  Option& add(const std::string& name, std::string* value, const std::string& meaning);
+  Option& add(const std::string& name, std::vector<std::string>* values, const std::string& meaning);
+  /// 0 or 1.
+  Option& add(const std::string& name, bool* value, const std::string& meaning);
+  /// Any whole number that 64 bits hold.
+  Option& addSeed(std::uint64_t* seed, const std::string& meaning);
+  /// One of the names.
+  Option& addChoice(const std::string& name, std::string* value, const std::vector<std::string>& names,
+                    const std::string& meaning);
+  /// What one of the names stands for.
+  template <typename T>
+  Option& addChoice(const std::string& name, T* value, const std::vector<std::pair<std::string, T>>& choices,
+                    const std::string& meaning);
+  /// Whatever `take` makes of the text; it throws std::invalid_argument with a sentence.
+  Option& addText(const std::string& name, const std::string& default_text,
+                  const std::function<void(const std::string&)>& take, const std::string& meaning);
+  Option& addFile(const std::string& name, std::string* path, const std::string& meaning);
+  Option& addFiles(const std::string& name, std::vector<std::string>* paths, const std::string& meaning);
+  Option& addFolder(const std::string& name, std::string* path, const std::string& meaning);
+  /// A file that will be written: it must be possible, which is checked before anything else is done.
+  Option& addOutput(const std::string& name, std::string* path, const std::string& meaning);
+  /// Likewise, and there must be none of that name.
+  Option& addNewFile(const std::string& name, std::string* path, const std::string& meaning);
+  /// Sets `value` to `meant` when it is given.
+  template <typename T>
+  Option& addFlag(const std::string& name, T* value, T meant, const std::string& meaning) {
+    return addSwitch(name, meaning, [=] { *value = meant; });
+  }
+
+  /// What is left to be done with the values, or to be checked, when all options have theirs; in the order of the
+  /// calls. Whether files can be written is checked last.
+  void whenParsed(std::function<void()> finish);
+
+  /// Puts the arguments into the variables. False when it has printed the help, which was asked for. Throws
+  /// std::invalid_argument with a sentence that names the option, its value and what was expected; an option that there
+  /// is none of, with the nearest one.
+  bool parse(const std::vector<std::string>& arguments);
+
+  /// Whether the user named the option; after parse().
+  bool given(const std::string& name) const;
+
+  /// The value of an option that decides which others there are, or their defaults; empty where it is not given.
+  static std::string peek(const std::string& name, const std::vector<std::string>& arguments);
+
+ private:
+  Option& addSwitch(const std::string& name, const std::string& meaning, std::function<void()> turn);
+  Option& add(const std::string& name, const std::string& value_name, const std::string& meaning,
+              std::function<void(const std::vector<std::string>&)> take);
+  std::string usage() const;
+  void checkOutputs() const;
+
+  std::string command_;
+  std::string summary_;
+  std::string section_ = "options";
+  std::deque<Option> options_;  // which stay where they are
+  std::vector<std::function<void()>> finishes_;
+  /// Throws as parse() where the value is none of the names; the number of the name otherwise.
+  static std::size_t choose(const std::string& name, const std::vector<std::string>& values,
+                            const std::vector<std::string>& names);
+
+  struct Output {
+    std::string name;
+    const std::string* path;
+    bool is_new;
+  };
+  std::vector<Output> outputs_;
+};
+
+template <typename T>
+Option& CommandLine::addChoice(const std::string& name, T* value, const std::vector<std::pair<std::string, T>>& choices,
+                               const std::string& meaning) {
+  std::vector<std::string> names;
+  std::string default_text;
+  for (const auto& choice : choices) {
+    names.push_back(choice.first);
+    if (choice.second == *value) default_text = choice.first;
+  }
+  Option& option = add(name, "NAME", meaning, [=](const std::vector<std::string>& values) {
+    *value = choices[choose(name, values, names)].second;
+  });
+  option.default_text = default_text;
+  return option;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace lstm_planner {
+
+/// The text in lines of at most `width` letters, broken at blanks; all lines but the first begin with `indent` blanks,
+/// of which the first has `used` letters before it already.
+std::string wrapped(const std::string& text, std::size_t width, std::size_t indent, std::size_t used);
+
+}  // namespace lstm_planner

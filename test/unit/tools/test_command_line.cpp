@@ -1,0 +1,131 @@
+// What all commands of the tool have in common: their help, their options, and what ends them.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tool_test.hpp"
+
+namespace lstm_planner {
+namespace {
+
+class CommandLineTool : public test::ToolTest {
+ protected:
+  static std::string success(const std::string& arguments) {
+    const test::Outcome outcome = runTool(arguments);
+    EXPECT_EQ(outcome.status, 0) << arguments << "\n" << outcome.output;
+    return outcome.output;
+  }
+
+  /// The one sentence that a wrong use is refused with.
+  static std::string complaint(const std::string& arguments) {
+    const test::Outcome outcome = runTool(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments << "\n" << outcome.output;
+    EXPECT_EQ(outcome.output.find('\n'), outcome.output.size() - 1) << outcome.output;
+    return outcome.output;
+  }
+};
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// Each with what its usage line asks for.
+struct Usage {
+  const char* command;
+  const char* required;
+};
+const std::vector<Usage> kUsages = {
+    {"drive", ""},
+    {"judge", ""},
+    {"evaluate", " --scenarios FILE..."},
+    {"report", " --output FOLDER --agents TEXT... --scenarios FILE..."},
+    {"maps", " --output FILE"},
+    {"dataset info", " FILE"},
+    {"dataset check", " FILE"},
+    {"dataset merge", " FILE... --output FILE"},
+    {"dataset split", " FILE --training FILE --validation FILE"},
+    {"dataset export", " FILE --output FILE"},
+    {"dataset from-bag", " FILE... --output FILE"},
+    {"dataset from-log", " FILE... --output FILE"},
+    {"dataset simulate", " --map FILE... --output FILE"},
+};
+
+TEST_F(CommandLineTool, EveryCommandHasAUsageLineWithWhatItRequires) {
+  for (const Usage& usage : kUsages) {
+    const std::string command = usage.command;
+    const std::string help = success(command + " --help");
+    const std::string line = "usage: lstm_planner " + command.substr(0, command.find(" --"));
+    EXPECT_EQ(help.rfind(line + usage.required + " [OPTION]...\n", 0), 0u) << help;
+    EXPECT_EQ(success(command + " -h"), help);
+  }
+}
+
+TEST_F(CommandLineTool, TheHelpWritesDefaultsAndRangesAsPeopleDo) {
+  const std::regex many_digits(R"(\d\.\d{7})");
+  for (const Usage& usage : kUsages) {
+    const std::string help = success(std::string(usage.command) + " --help");
+    EXPECT_FALSE(std::regex_search(help, many_digits)) << help;
+  }
+  EXPECT_TRUE(contains(success("drive --help"), "in [0, 10] (default: 0.1)"));
+}
+
+TEST_F(CommandLineTool, SaysItsVersion) {
+  EXPECT_TRUE(std::regex_match(success("--version"), std::regex(R"(lstm_planner \d+\.\d+\.\d+\n)")));
+}
+
+TEST_F(CommandLineTool, NamesTheNearestOfWhatThereIs) {
+  EXPECT_TRUE(contains(complaint("drvie"), "there is no command 'drvie'; the nearest is drive"));
+  EXPECT_TRUE(contains(complaint("paint"), "expected one of drive, judge"));
+  EXPECT_TRUE(contains(complaint("dataset exprot"), "there is no action 'exprot'; the nearest is export"));
+  EXPECT_TRUE(contains(complaint("drive --gaols 3"), "there is no option --gaols; the nearest is --goals"));
+  EXPECT_TRUE(contains(complaint("drive --gaols=3 --walkers 1"), "the nearest is --goals"));
+  EXPECT_TRUE(contains(complaint("evaluate --scenario x --help"), "the nearest is --scenarios"));
+  EXPECT_TRUE(contains(complaint("drive --temperature 3"), "there is no option --temperature\n"));
+}
+
+TEST_F(CommandLineTool, RefusesWhatHasNoMeaning) {
+  EXPECT_TRUE(contains(complaint("drive --walkers 1 2"), "'2' stands alone"));
+  EXPECT_TRUE(contains(complaint("drive --walkers"), "--walkers needs a value"));
+  EXPECT_TRUE(contains(complaint("drive --json --seed 1"), "--json needs a value, got --seed"));
+  EXPECT_TRUE(contains(complaint("drive --no-shield=2"), "--no-shield takes no value"));
+  EXPECT_TRUE(contains(complaint("drive --seed 1 --seed 2"), "--seed is given 2 times, expected once"));
+  EXPECT_TRUE(contains(complaint("dataset export a.db"), "--output is required"));
+}
+
+TEST_F(CommandLineTool, EveryNumberHasARange) {
+  EXPECT_TRUE(contains(complaint("drive --walkers 1001"), "--walkers is 1001, expected a whole number in [0, 1000]"));
+  EXPECT_TRUE(contains(complaint("drive --walkers 1.5"), "--walkers is 1.5, expected a whole number in [0, 1000]"));
+  EXPECT_TRUE(contains(complaint("drive --walkers many"), "--walkers is 'many', expected a whole number"));
+  EXPECT_TRUE(contains(complaint("drive --walkers ''"), "--walkers is '', expected a whole number"));
+  EXPECT_TRUE(contains(complaint("drive --seed -1"), "--seed is -1, expected a whole number"));
+  EXPECT_TRUE(contains(complaint("drive --dropout nan"), "--dropout is 'nan', expected a number in [0, 1]"));
+  EXPECT_TRUE(contains(complaint("drive --threads 99999999999999999999"), "expected a whole number in [1, 1024]"));
+  EXPECT_TRUE(contains(complaint("drive --only 0 -7"), "--only is -7, expected a whole number in [0, "));
+}
+
+TEST_F(CommandLineTool, FindsTheShippedModelsFromAnyFolder) {
+  const test::Outcome outcome = test::runShell("cd '" + folder_ + "' && unset ROS_PACKAGE_PATH && '" + kTool +
+                                               "' drive --leader network --worlds open --goals 1 --time-limit 2");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+}
+
+TEST_F(CommandLineTool, TheSecondSignalEndsATrainingAtOnce) {
+  const std::string training = std::string(kTool) +
+                               " train --method q-learning --views 8 --cells 4 --kinds open --iterations 1000 "
+                               "--worlds 3 --starts 2 --max-steps 40 --validation 2 --threads 1 --output model.onnx "
+                               "--checkpoint model.checkpoint";
+  const test::Outcome outcome =
+      test::runShell("cd '" + folder_ + "'; " + training +
+                     " > out.txt & process=$!; until grep -q validation out.txt; do kill -0 $process || break; done; "
+                     "kill -INT $process; kill -TERM $process; wait $process; status=$?; cat out.txt; exit $status");
+  EXPECT_TRUE(outcome.status == 130 || outcome.status == 143) << outcome.status << "\n" << outcome.output;
+  EXPECT_FALSE(contains(outcome.output, "interrupted")) << outcome.output;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    EXPECT_FALSE(contains(entry.path().filename().string(), ".part-")) << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace lstm_planner
