@@ -33,7 +33,7 @@ find_ros_flavour() {
 
 # Debian packages the build and the tests need, one a line.
 required_packages() {
-  printf '%s\n' cmake g++ make gnuplot-nox libboost-dev libboost-program-options-dev libeigen3-dev libgmock-dev \
+  printf '%s\n' cmake g++ make gnuplot-nox libboost-dev libeigen3-dev libgmock-dev \
     libgtest-dev libopencv-dev libpoco-dev libprotobuf-dev libsqlite3-dev libyaml-cpp-dev nlohmann-json3-dev \
     protobuf-compiler python3 "${more_packages[@]}"
   if [ "$1" = noetic ]; then

@@ -1,7 +1,9 @@
 #pragma once
 
-#include <boost/program_options.hpp>
 #include <nlohmann/json.hpp>
+
+#include "tools/command_line.hpp"
+#include "tools/ranges.hpp"
 
 namespace lstm_planner {
 
@@ -10,22 +12,17 @@ namespace lstm_planner {
 
 /// `parameters` hold the defaults and take the values. `unit`: of costs and bonuses.
 template <typename Parameters>
-void addActorCriticOptions(const char* unit, Parameters* parameters,
-                           boost::program_options::options_description* description) {
-  namespace po = boost::program_options;
+void addActorCriticOptions(const std::string& unit, Parameters* parameters, CommandLine* line) {
   Parameters& p = *parameters;
-  // clang-format off
-  description->add_options()
-      ("critic", po::value(&p.critic_units)->multitoken(), "units of each of the critic's layers (default: 48 32)")
-      ("discount", po::value(&p.discount)->default_value(p.discount), "a step")
-      ("advantage-decay", po::value(&p.advantage_decay)->default_value(p.advantage_decay), "lambda")
-      ("entropy-start", po::value(&p.entropy_start)->default_value(p.entropy_start), "weight of the entropy at first")
-      ("entropy-end", po::value(&p.entropy_end)->default_value(p.entropy_end), "and at last")
-      ("step-cost", po::value(&p.step_cost)->default_value(p.step_cost), unit)
-      ("arrival-bonus", po::value(&p.arrival_bonus)->default_value(p.arrival_bonus), unit)
-      ("rate", po::value(&p.learning_rate)->default_value(p.learning_rate), "learning rate")
-      ("critic-rate", po::value(&p.critic_learning_rate)->default_value(p.critic_learning_rate), "of the critic");
-  // clang-format on
+  line->add("critic", &p.critic_units, kAnyLayer, "units of each of the critic's layers");
+  line->add("discount", &p.discount, kAnyShare, "a step");
+  line->add("advantage-decay", &p.advantage_decay, kAnyShare, "lambda");
+  line->add("entropy-start", &p.entropy_start, kAnyWeight, "weight of the entropy at first");
+  line->add("entropy-end", &p.entropy_end, kAnyWeight, "and at last");
+  line->add("step-cost", &p.step_cost, kAnyReward, unit);
+  line->add("arrival-bonus", &p.arrival_bonus, kAnyReward, unit);
+  line->add("rate", &p.learning_rate, kAnyRate, "learning rate");
+  line->add("critic-rate", &p.critic_learning_rate, kAnyRate, "of the critic");
 }
 
 /// What was given, by the options' names.

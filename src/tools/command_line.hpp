@@ -31,6 +31,19 @@ struct Option {
   std::function<void(const std::vector<std::string>& values)> take;
 };
 
+/// Values by the names that stand for them.
+template <typename T>
+using Choices = std::vector<std::pair<std::string, T>>;
+
+/// Empty where the value has no name.
+template <typename T>
+std::string nameOf(const T& value, const Choices<T>& choices) {
+  for (const auto& [name, choice] : choices) {
+    if (choice == value) return name;
+  }
+  return "";
+}
+
 /// The options of a command: each is bound to the variable that takes its value. What the variable holds when the
 /// option is added is the default. `name` is without the two dashes; every number has a range, which the help shows.
 class CommandLine {
@@ -58,8 +71,7 @@ class CommandLine {
                     const std::string& meaning);
   /// What one of the names stands for.
   template <typename T>
-  Option& addChoice(const std::string& name, T* value, const std::vector<std::pair<std::string, T>>& choices,
-                    const std::string& meaning);
+  Option& addChoice(const std::string& name, T* value, const Choices<T>& choices, const std::string& meaning);
   /// Whatever `take` makes of the text; it throws std::invalid_argument with a sentence.
   Option& addText(const std::string& name, const std::string& default_text,
                   const std::function<void(const std::string&)>& take, const std::string& meaning);
@@ -116,18 +128,14 @@ class CommandLine {
 };
 
 template <typename T>
-Option& CommandLine::addChoice(const std::string& name, T* value, const std::vector<std::pair<std::string, T>>& choices,
+Option& CommandLine::addChoice(const std::string& name, T* value, const Choices<T>& choices,
                                const std::string& meaning) {
   std::vector<std::string> names;
-  std::string default_text;
-  for (const auto& choice : choices) {
-    names.push_back(choice.first);
-    if (choice.second == *value) default_text = choice.first;
-  }
+  for (const auto& choice : choices) names.push_back(choice.first);
   Option& option = add(name, "NAME", meaning, [=](const std::vector<std::string>& values) {
     *value = choices[choose(name, values, names)].second;
   });
-  option.default_text = default_text;
+  option.default_text = nameOf(*value, choices);
   return option;
 }
 

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <boost/program_options.hpp>
 #include <stdexcept>
 
 #include "tools/command.hpp"
+#include "tools/command_line.hpp"
 #include "tools/train_commands.hpp"
 
 namespace lstm_planner {
@@ -26,21 +26,9 @@ bool namesDataset(const std::vector<std::string>& arguments) {
 }
 
 Choice readChoice(const std::vector<std::string>& arguments) {
-  namespace po = boost::program_options;
-  Choice choice;
-  po::options_description description;
-  // clang-format off
-  description.add_options()
-      ("task", po::value(&choice.task)->default_value("robot"))
-      ("method", po::value(&choice.method))
-      ("search", po::bool_switch(&choice.search));
-  // clang-format on
-  // Without guessing: --m of another training is not to be taken for --method.
-  const auto style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-  po::variables_map values;
-  po::store(po::command_line_parser(arguments).options(description).style(style).allow_unregistered().run(), values);
-  po::notify(values);
-  if (values["task"].defaulted() && choice.search) choice.task = "grid";
+  Choice choice{CommandLine::peek("task", arguments), CommandLine::peek("method", arguments),
+                std::find(arguments.begin(), arguments.end(), "--search") != arguments.end()};
+  if (choice.task.empty()) choice.task = choice.search ? "grid" : "robot";
   if (namesDataset(arguments)) choice.method = "dataset";
   if (choice.method.empty()) choice.method = choice.task == "robot" ? kRobotMethod : kGridMethod;
   return choice;

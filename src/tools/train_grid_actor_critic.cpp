@@ -2,7 +2,7 @@
 
 #include "lstm_planner/grid_world/learning/actor_critic.hpp"
 #include "tools/actor_critic_options.hpp"
-#include "tools/options.hpp"
+#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_grid_reinforcement.hpp"
@@ -31,26 +31,20 @@ class ActorCriticLearner : public ReinforcementLearner {
 };
 
 bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* plan, ActorCriticParameters* learner) {
-  namespace po = boost::program_options;
   GridTrainingOptions& options = plan->options;
   ActorCriticParameters& p = *learner;
   options.method = "actor-critic";
   options.epochs = p.epochs;
   plan->updates = p.updates;
   options.encoder = p.encoder;
-  po::options_description description("a network for the grid world, by actor-critic learning");
-  addGridTrainingOptions(&options, &description);
-  addReinforcementOptions(plan, &description);
-  // clang-format off
-  description.add_options()
-      ("agents", po::value(&p.agents)->default_value(p.agents), "at a time")
-      ("window", po::value(&p.window)->default_value(p.window), "steps of each agent an update")
-      ("max-steps", po::value(&p.max_steps)->default_value(p.max_steps), "of a training episode");
-  // clang-format on
-  addActorCriticOptions("cells", &p, &description);
-  po::variables_map values;
-  if (!parseOptions("train", description, arguments, &values)) return false;
-  finishGridTrainingOptions(values, arguments, &options);
+  CommandLine line("train --task grid --method actor-critic", "a network for the grid world, by actor-critic learning");
+  addGridTrainingOptions(arguments, &options, &line);
+  addReinforcementOptions(plan, &line);
+  line.add("agents", &p.agents, kAnyAgents, "at a time");
+  line.add("window", &p.window, kAnyWindow, "steps of each agent an update");
+  line.add("max-steps", &p.max_steps, kAnySteps, "of a training episode");
+  addActorCriticOptions("cells", &p, &line);
+  if (!line.parse(arguments)) return false;
   finishReinforcementOptions(plan);
   p.epochs = options.epochs;
   p.updates = plan->updates;

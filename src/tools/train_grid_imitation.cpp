@@ -9,7 +9,6 @@
 #include "lstm_planner/base/learning/training_checkpoint.hpp"
 #include "lstm_planner/grid_world/learning/grid_imitation.hpp"
 #include "tools/interruption.hpp"
-#include "tools/options.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <boost/program_options.hpp>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,12 +8,14 @@
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
+#include "tools/command_line.hpp"
 
 namespace lstm_planner {
 
 /// Options that all ways of training in the grid world have in common.
 struct GridTrainingOptions {
   std::string command;  ///< the whole command line
+  std::string task = "grid";
   std::string method;
   std::vector<std::string> maps;  ///< folders of benchmark sets, each DIR or DIR=WEIGHT; none: generated maps
   int map_size = 256;             ///< cells, of generated maps
@@ -37,19 +38,14 @@ struct GridTrainingOptions {
   std::string inputs = "trace";
 };
 
-/// Maps, lengths, epochs, seed and threads: what the search has, too. `options` holds the defaults.
-void addGridMapOptions(GridTrainingOptions* options, boost::program_options::options_description* description);
+// `options` hold the defaults and take the values; they must stay where they are until the line is parsed.
 
-/// Those, and the network, the judging and the files.
-void addGridTrainingOptions(GridTrainingOptions* options, boost::program_options::options_description* description);
+/// Maps, lengths, epochs, seed and threads: what the search has, too.
+void addGridMapOptions(GridTrainingOptions* options, CommandLine* line);
 
-/// Throws std::invalid_argument with a sentence for values of the first that make no sense.
-void checkGridMapOptions(const GridTrainingOptions& options);
-
-/// Takes over what was parsed. Throws std::invalid_argument with a sentence for values that make no sense and for files
+/// Those, and the network, the judging and the files. What the line then refuses: networks that cannot be, and files
 /// that cannot be written.
-void finishGridTrainingOptions(const boost::program_options::variables_map& values,
-                               const std::vector<std::string>& arguments, GridTrainingOptions* options);
+void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrainingOptions* options, CommandLine* line);
 
 /// What a result depends on, for the checkpoint; a method adds its own.
 nlohmann::json settingsOf(const GridTrainingOptions& options);

@@ -1,8 +1,8 @@
 #include <utility>
 
 #include "lstm_planner/grid_world/learning/q_learning.hpp"
-#include "tools/options.hpp"
 #include "tools/q_learning_options.hpp"
+#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_grid_reinforcement.hpp"
@@ -29,35 +29,22 @@ class QLearner : public ReinforcementLearner {
   QLearning learner_;
 };
 
-void addWalkOptions(QLearningParameters* parameters, boost::program_options::options_description* description) {
-  namespace po = boost::program_options;
-  QLearningParameters& p = *parameters;
-  // clang-format off
-  description->add_options()
-      ("agents", po::value(&p.agents)->default_value(p.agents), "at a time")
-      ("window", po::value(&p.window)->default_value(p.window), "steps of each agent an update")
-      ("max-steps", po::value(&p.max_steps)->default_value(p.max_steps), "of a training episode");
-  // clang-format on
-}
-
 bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* plan, QLearningParameters* learner) {
-  namespace po = boost::program_options;
   GridTrainingOptions& options = plan->options;
   QLearningParameters& p = *learner;
   options.method = "q-learning";
   options.epochs = 10;
   options.encoder = p.encoder;
   plan->updates = p.updates;
-  po::options_description description("a network for the grid world, by recurrent Q-learning");
-  addGridTrainingOptions(&options, &description);
-  addReinforcementOptions(plan, &description);
-  addWalkOptions(&p, &description);
-  addQLearningOptions("cell", "updates", &p, &description);
-  po::variables_map values;
-  if (!parseOptions("train", description, arguments, &values)) return false;
-  finishGridTrainingOptions(values, arguments, &options);
+  CommandLine line("train --task grid --method q-learning", "a network for the grid world, by recurrent Q-learning");
+  addGridTrainingOptions(arguments, &options, &line);
+  addReinforcementOptions(plan, &line);
+  line.add("agents", &p.agents, kAnyAgents, "at a time");
+  line.add("window", &p.window, kAnyWindow, "steps of each agent an update");
+  line.add("max-steps", &p.max_steps, kAnySteps, "of a training episode");
+  addQLearningOptions("cell", "updates", &p, &line);
+  if (!line.parse(arguments)) return false;
   finishReinforcementOptions(plan);
-  finishQLearningOptions(values, &p);
   p.updates = plan->updates;
   p.seed = options.seed;
   p.threads = options.threads;

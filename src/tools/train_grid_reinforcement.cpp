@@ -9,6 +9,7 @@
 #include "lstm_planner/base/learning/training_checkpoint.hpp"
 #include "tools/interruption.hpp"
 #include "tools/progress.hpp"
+#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_grid_curve.hpp"
 #include "tools/train_grid_judge.hpp"
@@ -146,17 +147,12 @@ class ReinforcementTraining {
 
 }  // namespace
 
-void addReinforcementOptions(ReinforcementPlan* plan, boost::program_options::options_description* description) {
-  namespace po = boost::program_options;
+void addReinforcementOptions(ReinforcementPlan* plan, CommandLine* line) {
   GridCourseParameters& course = plan->course;
-  // clang-format off
-  description->add_options()
-      ("updates", po::value(&plan->updates)->default_value(plan->updates), "of the weights, over all epochs")
-      ("goals", po::value(&course.goals)->default_value(course.goals),
-       "kept at a time; each takes 4 bytes a cell of its map")
-      ("short-share", po::value(&course.short_share)->default_value(course.short_share),
-       "of the training episodes whose length is drawn in proportion to 1 / length, not uniformly");
-  // clang-format on
+  line->add("updates", &plan->updates, kAnySteps, "of the weights, over all epochs");
+  line->add("goals", &course.goals, {1, 1e5}, "kept at a time; each takes 4 bytes a cell of its map");
+  line->add("short-share", &course.short_share, kAnyShare,
+            "of the training episodes whose length is drawn in proportion to 1 / length, not uniformly");
 }
 
 void finishReinforcementOptions(ReinforcementPlan* plan) {

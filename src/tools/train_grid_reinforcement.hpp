@@ -1,6 +1,5 @@
 #pragma once
 
-#include <boost/program_options.hpp>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -42,10 +41,9 @@ struct ReinforcementPlan {
 };
 
 /// --updates and the course's options; `plan` holds the method's defaults.
-void addReinforcementOptions(ReinforcementPlan* plan, boost::program_options::options_description* description);
+void addReinforcementOptions(ReinforcementPlan* plan, CommandLine* line);
 
-/// Takes over what was parsed, after finishGridTrainingOptions(). Throws std::invalid_argument with a sentence for
-/// values that make no sense.
+/// Takes over what was parsed. Throws std::invalid_argument with a sentence for values that make no sense.
 void finishReinforcementOptions(ReinforcementPlan* plan);
 
 /// Learns epoch by epoch: each with a new course, judged after it, the best kept, a line printed and the checkpoint

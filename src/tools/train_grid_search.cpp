@@ -6,9 +6,9 @@
 
 #include "lstm_planner/grid_world/learning/grid_structure_search.hpp"
 #include "tools/interruption.hpp"
-#include "tools/options.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
+#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_grid_maps.hpp"
@@ -27,29 +27,22 @@ struct SearchOptions {
 };
 
 bool readOptions(const std::vector<std::string>& arguments, SearchOptions* options) {
-  namespace po = boost::program_options;
   GridImitationParameters& imitation = options->imitation;
   GridDatasetParameters& dataset = imitation.dataset;
   options->grid.epochs = kEpochs;
   bool search = true;
-  po::options_description description(
-      "the structures of the thesis's Tables 3.3 to 3.5, each trained as in Tables 3.1 and 3.2 but for the epochs");
-  description.add_options()("search", po::bool_switch(&search), "this");
-  addGridMapOptions(&options->grid, &description);
-  // clang-format off
-  description.add_options()
-      ("steps", po::value(&dataset.steps)->default_value(dataset.steps), "to learn from")
-      ("validation-steps", po::value(&imitation.validation_steps)->default_value(imitation.validation_steps),
-       "to judge by, on the validation maps")
-      ("goals", po::value(&imitation.course.goals)->default_value(imitation.course.goals), "of the ways")
-      ("rate", po::value(&imitation.trainer.optimiser.learning_rate)
-                   ->default_value(imitation.trainer.optimiser.learning_rate), "learning rate")
-      ("output", po::value(&options->output)->default_value(options->output),
-       "path without extension; .md and .csv are written");
-  // clang-format on
-  po::variables_map values;
-  if (!parseOptions("train", description, arguments, &values)) return false;
-  checkGridMapOptions(options->grid);
+  CommandLine line(
+      "train --search",
+      "the structures of the thesis's Tables 3.3 to 3.5, each trained as in Tables 3.1 and 3.2 but for the "
+      "epochs");
+  line.addFlag("search", &search, true, "this");
+  addGridMapOptions(&options->grid, &line);
+  line.add("steps", &dataset.steps, kAnySteps, "to learn from");
+  line.add("validation-steps", &imitation.validation_steps, kAnySteps, "to judge by, on the validation maps");
+  line.add("goals", &imitation.course.goals, {1, 1e5}, "of the ways");
+  line.add("rate", &imitation.trainer.optimiser.learning_rate, kAnyRate, "learning rate");
+  line.addFile("output", &options->output, "path without extension; .md and .csv are written");
+  if (!line.parse(arguments)) return false;
   options->grid.command = trainCommandLine(arguments);
   imitation.trainer.epochs = options->grid.epochs;
   imitation.course.min_length = options->grid.min_length;

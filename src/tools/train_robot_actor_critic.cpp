@@ -5,8 +5,7 @@
 #include "lstm_planner/robot/learning/drive_actor_critic.hpp"
 #include "lstm_planner/robot/learning/recorded_choices.hpp"
 #include "tools/actor_critic_options.hpp"
-#include "tools/options.hpp"
-#include "tools/output_file.hpp"
+#include "tools/ranges.hpp"
 #include "tools/recorded_datasets.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_reinforcement.hpp"
@@ -59,26 +58,19 @@ class RobotActorCritic : public RobotLearner {
 
 bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan,
                  DriveActorCriticParameters* parameters, FollowedDrives* followed) {
-  namespace po = boost::program_options;
   DriveActorCriticParameters& p = *parameters;
-  po::options_description description("the robot, by reinforcement: of a network that drives already, or of a new one");
-  addRobotReinforcementOptions(plan, &p, &description);
-  // clang-format off
-  description.add_options()
-      ("sharpness", po::value(&p.sharpness)->default_value(p.sharpness), "times the first network's preferences")
-      ("clip", po::value(&p.clip)->default_value(p.clip), "how far a probability may change at once")
-      ("recordings", po::value(&followed->recordings)->multitoken(),
-       "datasets of somebody's drives: learns to steer as they do, too, without forgetting how to arrive")
-      ("recordings-weight", po::value(&followed->weight)->default_value(followed->weight),
-       "of a mean recorded step beside a mean practised one")
-      ("validation-recordings", po::value(&followed->validation)->multitoken(), "drives of theirs to judge it by");
-  // clang-format on
-  addActorCriticOptions("m", &p, &description);
-  po::variables_map values;
-  if (!parseOptions("train", description, arguments, &values)) return false;
-  finishRobotTrainingOptions(arguments, &plan->options);
-  finishRobotNetwork(values, plan, &p.policy.encoder);
-  if (plan->init.empty() && values["sharpness"].defaulted()) p.sharpness = 1.0;  // there is nothing to sharpen yet
+  CommandLine line("train --method actor-critic",
+                   "the robot, by reinforcement: of a network that drives already, or of a new one");
+  addRobotReinforcementOptions(arguments, plan, &p, &line);
+  line.add("sharpness", &p.sharpness, kAnyScale, "times the first network's preferences");
+  line.add("clip", &p.clip, kAnyScale, "how far a probability may change at once");
+  line.addFiles("recordings", &followed->recordings,
+                "datasets of somebody's drives: learns to steer as they do, too, without forgetting how to arrive");
+  line.add("recordings-weight", &followed->weight, {1e-6, 1e6}, "of a mean recorded step beside a mean practised one");
+  line.addFiles("validation-recordings", &followed->validation, "drives of theirs to judge it by");
+  addActorCriticOptions("m", &p, &line);
+  if (!line.parse(arguments)) return false;
+  if (plan->init.empty() && !line.given("sharpness")) p.sharpness = 1.0;  // there is nothing to sharpen yet
   finishRobotReinforcement("actor-critic", plan, &p);
   plan->settings.update({{"sharpness", p.sharpness}, {"clip", p.clip}});
   if (!followed->recordings.empty()) {
@@ -96,7 +88,6 @@ int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
   FollowedDrives followed;
   if (!readOptions(arguments, &plan, &parameters, &followed)) return 0;
   LayerStack layers = firstLayers(plan, &parameters.policy);
-  checkWritable(plan.options.output);
   RobotActorCritic learner(parameters, std::move(layers), followed);
   return trainByReinforcement(plan, parameters.policy, parameters.iterations, &learner);
 }

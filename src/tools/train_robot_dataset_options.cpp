@@ -1,35 +1,20 @@
 #include "tools/train_robot_dataset_options.hpp"
 
-#include <sstream>
 #include <stdexcept>
 
-#include "tools/options.hpp"
-#include "tools/output_file.hpp"
+#include "tools/command_line.hpp"
+#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 
 namespace lstm_planner {
 
-namespace po = boost::program_options;
-
 namespace {
-
-/// An option whose default is the value that is there.
-template <typename T>
-auto withDefault(T* value) {
-  std::ostringstream text;  // boost's own would be 0.10000000000000001
-  text << *value;
-  return po::value(value)->default_value(*value, text.str());
-}
 
 /// The options on which the defaults of the others depend.
 void readPreset(const std::vector<std::string>& arguments, DatasetTrainingOptions* options) {
-  po::options_description description;
-  description.add_options()("preset", po::value(&options->preset))("init", po::value(&options->init));
-  const auto style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-  po::variables_map values;
-  po::store(po::command_line_parser(arguments).options(description).style(style).allow_unregistered().run(), values);
-  po::notify(values);
+  options->init = CommandLine::peek("init", arguments);
+  if (const std::string preset = CommandLine::peek("preset", arguments); !preset.empty()) options->preset = preset;
   if (options->preset == "thesis") {
     options->training = thesisDatasetTraining();
   } else if (options->preset == "stable") {
@@ -39,83 +24,66 @@ void readPreset(const std::vector<std::string>& arguments, DatasetTrainingOption
   }
 }
 
-void addDataOptions(DatasetTrainingOptions* o, po::options_description* all) {
+void addDataOptions(DatasetTrainingOptions* o, CommandLine* line) {
   DatasetSequenceParameters& sequences = o->training.sequences;
-  po::options_description description("what is learned from");
-  // clang-format off
-  description.add_options()
-      ("dataset", po::value(&o->datasets)->multitoken()->required(), "recorded drives, one file or more")
-      ("validation-dataset", po::value(&o->validation_datasets)->multitoken(), "drives that judge what was learned")
-      ("validation-share", withDefault(&o->validation_share), "of the steps, in whole episodes, without such a file")
-      ("label-distance", withDefault(&sequences.label_distance),
-       "m; a label is the way to where the driver was so far on; 0: to the next step, as recorded")
-      ("sequence", withDefault(&sequences.sequence_steps), "steps learned at once; 0: whole episodes")
-      ("burn-in", withDefault(&sequences.burn_in_steps), "steps before them that only bring the memory up to date")
-      ("balance", po::value<std::string>()->default_value(toString(o->training.balance)),
-       "weight of rare labels: none, sqrt or inverse")
-      ("variants", withDefault(&o->training.variants),
-       "of each drive that are learned from, too: with another first heading, and every other one mirrored");
-  // clang-format on
-  all->add(description);
+  line->section("what is learned from");
+  line->addFiles("dataset", &o->datasets, "recorded drives, one file or more").required();
+  line->addFiles("validation-dataset", &o->validation_datasets, "drives that judge what was learned");
+  line->add("validation-share", &o->validation_share, kAnyShare,
+            "of the steps, in whole episodes, without such a file");
+  line->add("label-distance", &sequences.label_distance, {0.0, 1000.0},
+            "m; a label is the way to where the driver was so far on; 0: to the next step, as recorded");
+  line->add("sequence", &sequences.sequence_steps, {0, kAnyWindow.most}, "steps learned at once; 0: whole episodes");
+  line->add("burn-in", &sequences.burn_in_steps, {0, kAnyWindow.most},
+            "steps before them that only bring the memory up to date");
+  line->addText(
+      "balance", toString(o->training.balance),
+      [=](const std::string& name) { o->training.balance = labelBalanceNamed(name); },
+      "weight of rare labels: none, sqrt or inverse");
+  line->add("variants", &o->training.variants, {0, 1e4},
+            "of each drive that are learned from, too: with another first heading, and every other one mirrored");
 }
 
-void addNetworkOptions(DatasetTrainingOptions* o, po::options_description* all) {
-  po::options_description description("the network");
-  // clang-format off
-  description.add_options()
-      ("init", po::value(&o->init), "model file to begin with; decides inputs and shape")
-      ("output", po::value(&o->output)->required(), "ONNX file to write");
-  // clang-format on
-  addRobotNetworkOptions(&o->network, &o->encoder, &description);
-  all->add(description);
+void addNetworkOptions(DatasetTrainingOptions* o, CommandLine* line) {
+  line->section("the network");
+  line->addFile("init", &o->init, "model file to begin with; decides inputs and shape");
+  line->addOutput("output", &o->output, "ONNX file to write").required();
+  addRobotNetworkOptions(&o->network, &o->encoder, line);
 }
 
-void addTrainingOptions(DatasetTrainingOptions* o, po::options_description* all) {
+void addTrainingOptions(DatasetTrainingOptions* o, CommandLine* line) {
   TrainerParameters& trainer = o->training.trainer;
-  po::options_description description("how");
-  // clang-format off
-  description.add_options()
-      ("task", po::value<std::string>()->default_value("robot"), "robot")
-      ("method", po::value<std::string>(), "dataset; --dataset says it, too")
-      ("preset", withDefault(&o->preset), "stable, or thesis: table 4.2; decides the defaults")
-      ("epochs", withDefault(&trainer.epochs), "passes over the training set")
-      ("rate", withDefault(&trainer.optimiser.learning_rate), "learning rate")
-      ("batch", withDefault(&trainer.batch_size), "sequences an update")
-      ("clip", withDefault(&trainer.optimiser.max_gradient_norm), "longer gradients are shortened; 0: never")
-      ("averaging", withDefault(&trainer.averaging), "share of the averaged weights that an update leaves; 0: none")
-      ("seed", withDefault(&o->seed), "of everything")
-      ("threads", withDefault(&trainer.threads), "does not change the result");
-  // clang-format on
-  all->add(description);
+  line->section("how");
+  line->add("task", &o->task, "robot");
+  line->add("method", &o->method, "dataset; --dataset says it, too");
+  line->add("preset", &o->preset, "stable, or thesis: table 4.2; decides the defaults");
+  line->add("epochs", &trainer.epochs, kAnyCount, "passes over the training set");
+  line->add("rate", &trainer.optimiser.learning_rate, kAnyRate, "learning rate");
+  line->add("batch", &trainer.batch_size, kAnyCount, "sequences an update");
+  line->add("clip", &trainer.optimiser.max_gradient_norm, {0.0, 1e9}, "longer gradients are shortened; 0: never");
+  line->add("averaging", &trainer.averaging, kAnyShare, "share of the averaged weights that an update leaves; 0: none");
+  line->addSeed(&o->seed, "of everything");
+  line->add("threads", &trainer.threads, kAnyThreads, "does not change the result");
 }
 
-void addPictureOptions(DatasetTrainingOptions* o, po::options_description* all) {
-  po::options_description description("pictures (PNG); a CSV file is written beside each");
-  // clang-format off
-  description.add_options()
-      ("curve", po::value(&o->curve), "accuracy and loss by epoch")
-      ("confusion", po::value(&o->confusion), "labels and answers")
-      ("instability", po::value(&o->stability), "thesis figure 4.10: what an epoch's accuracy can mean");
-  // clang-format on
-  all->add(description);
+void addPictureOptions(DatasetTrainingOptions* o, CommandLine* line) {
+  line->section("pictures (PNG); a CSV file is written beside each");
+  line->addOutput("curve", &o->curve, "accuracy and loss by epoch");
+  line->addOutput("confusion", &o->confusion, "labels and answers");
+  line->addOutput("instability", &o->stability, "thesis figure 4.10: what an epoch's accuracy can mean");
 }
 
-void check(const po::variables_map& values, const DatasetTrainingOptions& o) {
-  if (values["task"].as<std::string>() != "robot") {
-    throw std::invalid_argument("--dataset trains the robot, --task is '" + values["task"].as<std::string>() + "'");
+void check(const CommandLine& line, const DatasetTrainingOptions& o) {
+  if (o.task != "robot") throw std::invalid_argument("--dataset trains the robot, --task is '" + o.task + "'");
+  if (!o.method.empty() && o.method != "dataset") {
+    throw std::invalid_argument("--dataset and --method " + o.method + " exclude each other");
   }
-  if (values.count("method") > 0 && values["method"].as<std::string>() != "dataset") {
-    throw std::invalid_argument("--dataset and --method " + values["method"].as<std::string>() + " exclude each other");
-  }
-  if (o.fromModel()) checkModelDecides(values);
-  if (!o.validation_datasets.empty() && !values["validation-share"].defaulted()) {
+  if (o.fromModel()) checkModelDecides(line);
+  if (!o.validation_datasets.empty() && line.given("validation-share")) {
     throw std::invalid_argument("--validation-dataset and --validation-share exclude each other");
   }
   if (!o.stability.empty() && o.training.trainer.averaging <= 0.0) {
     throw std::invalid_argument("--instability compares with averaged weights, --averaging is 0");
-  }
-  for (const std::string& file : {o.output, o.curve, o.confusion, o.stability}) {
-    if (!file.empty()) checkWritable(file);
   }
 }
 
@@ -123,21 +91,20 @@ void check(const po::variables_map& values, const DatasetTrainingOptions& o) {
 
 bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, DatasetTrainingOptions* options) {
   readPreset(arguments, options);
-  po::options_description description("the robot, from recorded drives");
-  addDataOptions(options, &description);
-  addNetworkOptions(options, &description);
-  addTrainingOptions(options, &description);
-  addPictureOptions(options, &description);
-  po::variables_map values;
-  if (!parseOptions("train", description, arguments, &values)) return false;
   options->command = trainCommandLine(arguments);
-  options->training.balance = labelBalanceNamed(values["balance"].as<std::string>());
-  options->training.trainer.seed = options->seed;
-  options->training.trainer.communicator = ranks();
-  validate(options->training);
-  check(values, *options);
-  if (!options->fromModel()) finishRobotNetworkOptions(values, &options->network, &options->encoder);
-  return true;
+  CommandLine line("train", "the robot, from recorded drives");
+  addDataOptions(options, &line);
+  addNetworkOptions(options, &line);
+  addTrainingOptions(options, &line);
+  addPictureOptions(options, &line);
+  line.whenParsed([&] {
+    options->training.trainer.seed = options->seed;
+    options->training.trainer.communicator = ranks();
+    validate(options->training);
+    check(line, *options);
+    if (!options->fromModel()) finishRobotNetworkOptions(line, &options->network, &options->encoder);
+  });
+  return line.parse(arguments);
 }
 
 }  // namespace lstm_planner

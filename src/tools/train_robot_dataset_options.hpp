@@ -1,6 +1,5 @@
 #pragma once
 
-#include <boost/program_options.hpp>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +12,8 @@ namespace lstm_planner {
 /// What `lstm_planner train --dataset` is asked to do.
 struct DatasetTrainingOptions {
   std::string command;  ///< the whole command line
+  std::string task = "robot";
+  std::string method;
   std::vector<std::string> datasets;
   std::vector<std::string> validation_datasets;
   double validation_share = 0.25;  ///< of the steps, where there are no validation_datasets
@@ -21,7 +22,7 @@ struct DatasetTrainingOptions {
   RobotNetworkOptions network;
   EncoderParameters encoder;  ///< of a new network; the range cap is the recordings'
   std::string output;
-  std::string curve;      ///< PNG files; empty: none
+  std::string curve;  ///< PNG files; empty: none
   std::string confusion;
   std::string stability;
   std::uint64_t seed = 1;

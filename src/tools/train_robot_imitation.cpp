@@ -3,8 +3,8 @@
 
 #include "lstm_planner/base/learning/learning_curve.hpp"
 #include "lstm_planner/robot/learning/imitation.hpp"
-#include "tools/options.hpp"
 #include "tools/progress.hpp"
+#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_options.hpp"
@@ -20,31 +20,23 @@ struct ImitationOptions : RobotTrainingOptions {
 };
 
 bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* options) {
-  namespace po = boost::program_options;
   ImitationParameters& imitation = options->imitation;
   imitation.trainer.epochs = 12;
   imitation.trainer.optimiser.learning_rate = 0.01;
-  po::options_description description(
-      "the robot, by imitation in generated worlds; --method actor-critic learns on by reinforcement");
-  addRobotTrainingOptions(options, &description);
-  addRobotNetworkOptions(&options->network, &imitation.policy.encoder, &description);
-  // clang-format off
-  description.add_options()
-      ("curve", po::value(&options->curve), "PNG file for the accuracy curve; a CSV file is written beside it")
-      ("rounds", po::value(&imitation.rounds)->default_value(imitation.rounds), "of collecting and training")
-      ("worlds", po::value(&imitation.worlds)->default_value(imitation.worlds), "a round")
-      ("goals", po::value(&imitation.goals)->default_value(imitation.goals), "a world")
-      ("starts", po::value(&imitation.starts)->default_value(imitation.starts), "drives to a goal")
-      ("epochs", po::value(&imitation.trainer.epochs)->default_value(imitation.trainer.epochs), "a round")
-      ("rate", po::value(&imitation.trainer.optimiser.learning_rate)
-                   ->default_value(imitation.trainer.optimiser.learning_rate), "learning rate")
-      ("learner-share", po::value(&imitation.learner_share)->default_value(imitation.learner_share),
-       "share of drives with the learner at the wheel");
-  // clang-format on
-  po::variables_map values;
-  if (!parseOptions("train", description, arguments, &values)) return false;
-  finishRobotTrainingOptions(arguments, options);
-  finishRobotNetworkOptions(values, &options->network, &imitation.policy.encoder);
+  CommandLine line("train",
+                   "the robot, by imitation in generated worlds; --method actor-critic learns on by reinforcement");
+  addRobotTrainingOptions(arguments, options, &line);
+  addRobotNetworkOptions(&options->network, &imitation.policy.encoder, &line);
+  line.addOutput("curve", &options->curve, "PNG file for the accuracy curve; a CSV file is written beside it");
+  line.add("rounds", &imitation.rounds, kAnyCount, "of collecting and training");
+  line.add("worlds", &imitation.worlds, {1, 1e5}, "a round");
+  line.add("goals", &imitation.goals, {1, 1e4}, "a world");
+  line.add("starts", &imitation.starts, {1, 1e4}, "drives to a goal");
+  line.add("epochs", &imitation.trainer.epochs, kAnyCount, "a round");
+  line.add("rate", &imitation.trainer.optimiser.learning_rate, kAnyRate, "learning rate");
+  line.add("learner-share", &imitation.learner_share, kAnyShare, "share of drives with the learner at the wheel");
+  if (!line.parse(arguments)) return false;
+  finishRobotNetworkOptions(line, &options->network, &imitation.policy.encoder);
   imitation.shape = options->network.shape;
   imitation.course = options->course;
   imitation.validation_worlds = options->validation;

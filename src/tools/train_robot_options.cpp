@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tools/ranges.hpp"
 #include "tools/train_commands.hpp"
 
 namespace lstm_planner {
@@ -25,79 +26,61 @@ void fitInputsToViews(EncoderParameters* encoder) {
 
 }  // namespace
 
-void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder,
-                            boost::program_options::options_description* description) {
-  namespace po = boost::program_options;
-  // clang-format off
-  description->add_options()
-      ("inputs", po::value(&options->inputs)->multitoken(),
-       "beside the thesis's: events (a sector below --event-range), events-alone (in place of the ranges), visits (how often it was at the places a step "
-       "away), trace (the same on three scales, how long ago, and its progress), motion (since the last step)")
-      ("event-range", po::value(&encoder->event_range)->default_value(encoder->event_range), "m; nearer is an event")
-      ("position-cell", po::value(&encoder->position_cell)->default_value(encoder->position_cell),
-       "m, to which the odometry is rounded; 0: not at all")
-      ("views", po::value(&encoder->views)->default_value(encoder->views),
-       "1: an output an angle; 8: the network looks into each of eight directions, with an output and a memory each "
-       "(by reinforcement only)")
-      ("network", po::value(&options->network)->default_value(options->network), "lstm, rnn or mlp")
-      ("cells", po::value(&options->shape.cells)->multitoken(),
-       "of each recurrent layer, or units of each layer of an mlp (default: 8 8; of an mlp 64 64)")
-      ("deep-in", po::value(&options->shape.deep_in)->multitoken(),
-       "units of each dense layer before the recurrent ones")
-      ("deep-out", po::value(&options->shape.deep_out)->multitoken(),
-       "units of each dense layer behind the recurrent ones");
-  // clang-format on
+void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder, CommandLine* line) {
+  line->add("inputs", &options->inputs,
+            "beside the thesis's: events (a sector below --event-range), events-alone (in place of the ranges), visits "
+            "(how often it was at the places a step away), trace (the same on three scales, how long ago, and its "
+            "progress), motion (since the last step)");
+  line->add("event-range", &encoder->event_range, {0.0, 1000.0}, "m; nearer is an event");
+  line->add("position-cell", &encoder->position_cell, {0.0, 1000.0},
+            "m, to which the odometry is rounded; 0: not at all");
+  line->add(
+      "views", &encoder->views, {1, 8},
+      "1: an output an angle; 8: the network looks into each of eight directions, with an output and a memory each "
+      "(by reinforcement only)");
+  line->add("network", &options->network, "lstm, rnn or mlp");
+  line->add("cells", &options->shape.cells, kAnyLayer,
+            "of each recurrent layer, or units of each layer of an mlp (of which there are 64 64 by default)");
+  line->add("deep-in", &options->shape.deep_in, kAnyLayer, "units of each dense layer before the recurrent ones");
+  line->add("deep-out", &options->shape.deep_out, kAnyLayer, "units of each dense layer behind the recurrent ones");
 }
 
-void checkModelDecides(const boost::program_options::variables_map& values) {
-  for (const char* decided : {"inputs", "event-range", "position-cell", "views", "network", "cells", "deep-in",
-                              "deep-out"}) {
-    if (values.count(decided) == 0 || values[decided].defaulted()) continue;
-    throw std::invalid_argument(std::string("--") + decided + " is decided by the model of --init");
+void checkModelDecides(const CommandLine& line) {
+  for (const char* decided :
+       {"inputs", "event-range", "position-cell", "views", "network", "cells", "deep-in", "deep-out"}) {
+    if (line.given(decided))
+      throw std::invalid_argument(std::string("--") + decided + " is decided by the model of --init");
   }
 }
 
-void finishRobotNetworkOptions(const boost::program_options::variables_map& values, RobotNetworkOptions* options,
-                               EncoderParameters* encoder) {
+void finishRobotNetworkOptions(const CommandLine& line, RobotNetworkOptions* options, EncoderParameters* encoder) {
   addInputs(options->inputs, encoder);
   if (encoder->views != 1) fitInputsToViews(encoder);
   options->shape.kind = networkKindNamed(options->network);
-  if (values.count("cells") == 0 && options->shape.kind == NetworkShape::Kind::kMlp) options->shape.cells = {64, 64};
+  if (!line.given("cells") && options->shape.kind == NetworkShape::Kind::kMlp) options->shape.cells = {64, 64};
   makeNetwork(static_cast<int>(encoder->input_layout.size()), options->shape, 1);  // throws
 }
 
-void addRobotTrainingOptions(RobotTrainingOptions* options, boost::program_options::options_description* description) {
-  namespace po = boost::program_options;
+void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTrainingOptions* options,
+                             CommandLine* line) {
   RobotTrainingOptions& o = *options;
-  // clang-format off
-  description->add_options()
-      ("task", po::value<std::string>()->default_value("robot"), "robot (this) or grid")
-      ("method", po::value<std::string>(),
-       "dagger (default), actor-critic, q-learning or dataset; --method NAME --help explains it")
-      ("output", po::value(&o.output)->default_value(o.output), "ONNX file to write")
-      ("kinds", po::value(&o.kinds)->multitoken(),
-       "of generated worlds: mazes offices corridors forest open rooms (default: all)")
-      ("dead-ends", po::value(&o.course.dead_end_share)->default_value(o.course.dead_end_share),
-       "share of the drives that start in a dead end")
-      ("shortest", po::value(&o.course.shortest)->default_value(o.course.shortest),
-       "m of way from start to goal at the least")
-      ("max-steps", po::value(&o.max_steps)->default_value(o.max_steps), "of a drive")
-      ("validation", po::value(&o.validation)->default_value(o.validation), "worlds that are never trained on")
-      ("seed", po::value(&o.seed)->default_value(o.seed), "of everything")
-      ("threads", po::value(&o.threads)->default_value(o.threads), "does not change the result");
-  // clang-format on
-}
-
-void finishRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTrainingOptions* options) {
-  options->command = trainCommandLine(arguments);
-  if (!options->kinds.empty()) {
-    options->course.worlds.clear();
+  o.command = trainCommandLine(arguments);
+  line->addChoice("task", &o.task, {"robot", "grid"}, "robot (this) or grid");
+  line->add("method", &o.method,
+            "dagger (default), actor-critic, q-learning or dataset; --method NAME --help explains it");
+  line->addOutput("output", &o.output, "ONNX file to write");
+  line->add("kinds", &o.kinds, "of generated worlds: mazes offices corridors forest open rooms (default: all)");
+  line->add("dead-ends", &o.course.dead_end_share, kAnyShare, "share of the drives that start in a dead end");
+  line->add("shortest", &o.course.shortest, {0.01, 1e4}, "m of way from start to goal at the least");
+  line->add("max-steps", &o.max_steps, kAnyCount, "of a drive");
+  line->add("validation", &o.validation, kAnyCount, "worlds that are never trained on");
+  line->addSeed(&o.seed, "of everything");
+  line->add("threads", &o.threads, kAnyThreads, "does not change the result");
+  line->whenParsed([options] {
+    if (!options->kinds.empty()) options->course.worlds.clear();
     for (const std::string& kind : options->kinds) options->course.worlds.push_back(worldKindOf(kind));
-  }
-  if (options->validation < 1 || options->max_steps < 1 || options->threads < 1) {
-    throw std::invalid_argument("--validation, --max-steps and --threads must be at least 1");
-  }
-  validate(options->course);
+    validate(options->course);
+  });
 }
 
 nlohmann::json settingsOf(const RobotTrainingOptions& options) {
@@ -124,8 +107,8 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
         if (name.rfind("sector_", 0) == 0) name.replace(0, 7, "event_");
       }
     } else if (group == "trace") {
-      for (const char* name : {"step_visits_", "step_freshness_", "room_visits_", "room_freshness_", "hall_visits_",
-                               "hall_freshness_"}) {
+      for (const char* name :
+           {"step_visits_", "step_freshness_", "room_visits_", "room_freshness_", "hall_visits_", "hall_freshness_"}) {
         for (int i = 0; i < kPlaceDirections; ++i) layout.push_back(name + std::to_string(i));
       }
       layout.insert(layout.end(), {"room_visits", "behind_best", "steps_since_best"});

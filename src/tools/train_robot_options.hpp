@@ -1,6 +1,5 @@
 #pragma once
 
-#include <boost/program_options.hpp>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,13 +10,16 @@
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/learning/drive_course.hpp"
 #include "lstm_planner/robot/learning/drive_judge.hpp"
+#include "tools/command_line.hpp"
 
 namespace lstm_planner {
 
 /// Options that all ways of training the robot have in common.
 struct RobotTrainingOptions {
   std::string command;  ///< the whole command line
-  std::string output = "models/create2_lstm.onnx";
+  std::string task = "robot";
+  std::string method;
+  std::string output = "own.onnx";  ///< never a model that ships with the package
   DriveCourseParameters course;
   int validation = 60;  ///< worlds
   int max_steps = 300;  ///< of a drive
@@ -34,22 +36,19 @@ struct RobotNetworkOptions {
   NetworkShape shape;
 };
 
-/// `options` and `encoder` hold the defaults.
-void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder,
-                            boost::program_options::options_description* description);
+// `options` and the others hold the defaults and take the values; they must stay where they are until the line is
+// parsed.
+
+void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder, CommandLine* line);
 
 /// Throws std::invalid_argument when one of them was given beside --init.
-void checkModelDecides(const boost::program_options::variables_map& values);
+void checkModelDecides(const CommandLine& line);
 
 /// Takes over what was parsed. Throws std::invalid_argument with a sentence for values that make no sense.
-void finishRobotNetworkOptions(const boost::program_options::variables_map& values, RobotNetworkOptions* options,
-                               EncoderParameters* encoder);
+void finishRobotNetworkOptions(const CommandLine& line, RobotNetworkOptions* options, EncoderParameters* encoder);
 
-/// `options` holds the defaults.
-void addRobotTrainingOptions(RobotTrainingOptions* options, boost::program_options::options_description* description);
-
-/// Takes over what was parsed. Throws std::invalid_argument with a sentence for values that make no sense.
-void finishRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTrainingOptions* options);
+void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTrainingOptions* options,
+                             CommandLine* line);
 
 /// What a result depends on, for the checkpoint; a method adds its own.
 nlohmann::json settingsOf(const RobotTrainingOptions& options);

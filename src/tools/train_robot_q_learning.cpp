@@ -3,9 +3,8 @@
 #include <utility>
 
 #include "lstm_planner/robot/learning/drive_q_learning.hpp"
-#include "tools/options.hpp"
-#include "tools/output_file.hpp"
 #include "tools/q_learning_options.hpp"
+#include "tools/ranges.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_reinforcement.hpp"
 
@@ -38,18 +37,12 @@ class RobotQLearner : public RobotLearner {
 
 bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan,
                  DriveQLearningParameters* parameters) {
-  namespace po = boost::program_options;
   DriveQLearningParameters& p = *parameters;
-  po::options_description description("the robot, by recurrent Q-learning in generated worlds");
-  addRobotReinforcementOptions(plan, &p, &description);
-  addQLearningOptions("m", "iterations", &p, &description);
-  description.add_options()("contact-cost", po::value(&p.contact_cost)->default_value(p.contact_cost),
-                            "m; reward progress");
-  po::variables_map values;
-  if (!parseOptions("train", description, arguments, &values)) return false;
-  finishRobotTrainingOptions(arguments, &plan->options);
-  finishRobotNetwork(values, plan, &p.policy.encoder);
-  finishQLearningOptions(values, &p);
+  CommandLine line("train --method q-learning", "the robot, by recurrent Q-learning in generated worlds");
+  addRobotReinforcementOptions(arguments, plan, &p, &line);
+  addQLearningOptions("m", "iterations", &p, &line);
+  line.add("contact-cost", &p.contact_cost, {0.0, 1e6}, "m; reward progress");
+  if (!line.parse(arguments)) return false;
   finishRobotReinforcement("q-learning", plan, &p);
   plan->settings.update(qLearningSettings(p));
   plan->settings["contact-cost"] = p.contact_cost;
@@ -64,7 +57,6 @@ int trainRobotByQLearning(const std::vector<std::string>& arguments) {
   DriveQLearningParameters parameters;
   if (!readOptions(arguments, &plan, &parameters)) return 0;
   LayerStack layers = firstLayers(plan, &parameters.policy);
-  checkWritable(plan.options.output);
   RobotQLearner learner(parameters, std::move(layers));
   return trainByReinforcement(plan, parameters.policy, parameters.iterations, &learner);
 }

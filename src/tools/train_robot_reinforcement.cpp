@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
-#include <stdexcept>
 #include <utility>
 
 #include "lstm_planner/base/learning/training_checkpoint.hpp"
@@ -98,15 +97,11 @@ class RobotReinforcement {
 
 }  // namespace
 
-void finishRobotNetwork(const boost::program_options::variables_map& values, RobotReinforcementPlan* plan,
-                        EncoderParameters* encoder) {
-  if (plan->keep != "best" && plan->keep != "last") {
-    throw std::invalid_argument("--keep is '" + plan->keep + "', expected best or last");
-  }
+void finishRobotNetwork(const CommandLine& line, RobotReinforcementPlan* plan, EncoderParameters* encoder) {
   if (plan->init.empty()) {
-    finishRobotNetworkOptions(values, &plan->network, encoder);
+    finishRobotNetworkOptions(line, &plan->network, encoder);
   } else {
-    checkModelDecides(values);
+    checkModelDecides(line);
   }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <boost/program_options.hpp>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,6 +7,7 @@
 
 #include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_robot_options.hpp"
 
@@ -41,34 +41,30 @@ struct RobotReinforcementPlan {
   bool keepsLast() const { return keep == "last"; }
 };
 
+/// A model to begin with has its own inputs and shape. Throws std::invalid_argument with a sentence for values that
+/// make no sense.
+void finishRobotNetwork(const CommandLine& line, RobotReinforcementPlan* plan, EncoderParameters* encoder);
+
 /// All options that ways of reinforcement have in common. `parameters` are the learner's: they hold the defaults and
 /// take the values.
 template <typename Parameters>
-void addRobotReinforcementOptions(RobotReinforcementPlan* plan, Parameters* parameters,
-                                  boost::program_options::options_description* description) {
-  namespace po = boost::program_options;
+void addRobotReinforcementOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan,
+                                  Parameters* parameters, CommandLine* line) {
   Parameters& p = *parameters;
-  addRobotTrainingOptions(&plan->options, description);
-  // clang-format off
-  description->add_options()
-      ("init", po::value(&plan->init), "model file to begin with; decides inputs and shape")
-      ("checkpoint", po::value(&plan->checkpoint), "file to go on from and to write to")
-      ("keep", po::value(&plan->keep)->default_value(plan->keep),
-       "best: the most efficient of the networks judged on the way; last")
-      ("iterations", po::value(&p.iterations)->default_value(p.iterations), "of collecting and learning")
-      ("worlds", po::value(&p.worlds)->default_value(p.worlds), "an iteration")
-      ("goals", po::value(&p.goals)->default_value(p.goals), "a world")
-      ("starts", po::value(&p.starts)->default_value(p.starts), "drives to a goal")
-      ("window", po::value(&p.window)->default_value(p.window), "steps that errors go back at most")
-      ("passes", po::value(&p.passes)->default_value(p.passes), "over what was collected");
-  // clang-format on
-  addRobotNetworkOptions(&plan->network, &p.policy.encoder, description);
+  addRobotTrainingOptions(arguments, &plan->options, line);
+  line->addFile("init", &plan->init, "model file to begin with; decides inputs and shape");
+  line->addOutput("checkpoint", &plan->checkpoint, "file to go on from and to write to");
+  line->addChoice("keep", &plan->keep, {"best", "last"},
+                  "best: the most efficient of the networks judged on the way; last");
+  line->add("iterations", &p.iterations, kAnyCount, "of collecting and learning");
+  line->add("worlds", &p.worlds, {1, 1e5}, "an iteration");
+  line->add("goals", &p.goals, {1, 1e4}, "a world");
+  line->add("starts", &p.starts, {1, 1e4}, "drives to a goal");
+  line->add("window", &p.window, kAnyWindow, "steps that errors go back at most");
+  line->add("passes", &p.passes, {1, 1e4}, "over what was collected");
+  addRobotNetworkOptions(&plan->network, &p.policy.encoder, line);
+  line->whenParsed([=] { finishRobotNetwork(*line, plan, &parameters->policy.encoder); });
 }
-
-/// A model to begin with has its own inputs and shape. Throws std::invalid_argument with a sentence for values that
-/// make no sense.
-void finishRobotNetwork(const boost::program_options::variables_map& values, RobotReinforcementPlan* plan,
-                        EncoderParameters* encoder);
 
 /// Hands what was parsed to the learner's parameters, and notes it in the plan's settings.
 template <typename Parameters>

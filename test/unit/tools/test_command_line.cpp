@@ -50,16 +50,29 @@ const std::vector<Usage> kUsages = {
     {"dataset from-bag", " FILE... --output FILE"},
     {"dataset from-log", " FILE... --output FILE"},
     {"dataset simulate", " --map FILE... --output FILE"},
+    {"train", ""},
+    {"train --method actor-critic", ""},
+    {"train --method q-learning", ""},
+    {"train --search", ""},
+    {"train --task grid --method imitation", " --output FILE"},
+    {"train --task grid --method dagger", " --output FILE"},
+    {"train --task grid --method actor-critic", " --output FILE"},
+    {"train --task grid --method q-learning", " --output FILE"},
 };
 
 TEST_F(CommandLineTool, EveryCommandHasAUsageLineWithWhatItRequires) {
   for (const Usage& usage : kUsages) {
     const std::string command = usage.command;
     const std::string help = success(command + " --help");
-    const std::string line = "usage: lstm_planner " + command.substr(0, command.find(" --"));
-    EXPECT_EQ(help.rfind(line + usage.required + " [OPTION]...\n", 0), 0u) << help;
+    const std::string line = "usage: lstm_planner " + command + usage.required + " [OPTION]...\n";
+    EXPECT_EQ(help.rfind(line, 0), 0u) << help;
     EXPECT_EQ(success(command + " -h"), help);
   }
+}
+
+TEST_F(CommandLineTool, TheUsageLineOfTrainingOnADatasetNamesIt) {
+  EXPECT_TRUE(contains(success("train --dataset a.db --help"),
+                       "usage: lstm_planner train --dataset FILE... --output FILE [OPTION]...\n"));
 }
 
 TEST_F(CommandLineTool, TheHelpWritesDefaultsAndRangesAsPeopleDo) {

@@ -91,7 +91,7 @@ TEST_F(TrainDatasetTool, ANetworkWithViewsFollowsADriverWhileItPractises) {
   EXPECT_NE(judged.output.find("600 recorded steps: accuracy"), std::string::npos) << judged.output;
   EXPECT_NE(judged.output.find("always the most frequent label: accuracy"), std::string::npos) << judged.output;
   fs::remove(in("model.onnx"));
-  expectRefusal(practice + "--recordings drives.dataset --recordings-weight 0", "recordings_weight is 0");
+  expectRefusal(practice + "--recordings drives.dataset --recordings-weight 0", "--recordings-weight is 0");
   expectRefusal(practice + "--recordings missing.dataset", "missing.dataset");
 }
 

@@ -43,6 +43,32 @@ TEST_F(TrainRobotTool, TheIntervalOfAShareOfNothingStartsAtZero) {
   EXPECT_NE(judged.output.find("0.0 %  [0.0, 32.4]"), std::string::npos) << judged.output;
 }
 
+TEST_F(TrainRobotTool, WhatCannotBeWrittenIsSaidBeforeAnythingIsLearned) {
+  for (const char* method : {"dagger", "actor-critic", "q-learning"}) {
+    for (const std::string& output : {std::string("/no_such_folder/own.onnx"), folder_}) {
+      const test::Outcome outcome = runTool("train --method " + std::string(method) + " --output " + output);
+      EXPECT_EQ(outcome.status, 2) << method;
+      EXPECT_NE(outcome.output.find("cannot write '" + output + "': "), std::string::npos) << outcome.output;
+      EXPECT_EQ(outcome.output.find("accuracy"), std::string::npos) << outcome.output;
+    }
+  }
+}
+
+TEST_F(TrainRobotTool, AShippedModelIsNotWrittenUnlessItIsNamed) {
+  for (const char* method : {"dagger", "actor-critic", "q-learning"}) {
+    const test::Outcome help = success("train --help --method " + std::string(method));
+    EXPECT_NE(help.output.find("ONNX file to write (default: own.onnx)"), std::string::npos) << help.output;
+  }
+}
+
+TEST_F(TrainRobotTool, SizesHaveBounds) {
+  for (const char* bad : {"--worlds 100001", "--cells 8 4097", "--deep-in 0", "--rounds 1000001", "--threads 1025"}) {
+    const test::Outcome outcome = runTool(std::string("train ") + bad);
+    EXPECT_EQ(outcome.status, 2) << bad;
+    EXPECT_NE(outcome.output.find(", expected a whole number in [1, "), std::string::npos) << outcome.output;
+  }
+}
+
 TEST_F(TrainRobotTool, QLearningStartsFromNothing) {
   success(
       "train --method q-learning --views 8 --cells 4 --kinds open --iterations 2 --worlds 3 --starts 2 --max-steps 40 "
