@@ -30,5 +30,6 @@ int runEvaluate(const std::vector<std::string>& arguments);
 int runReport(const std::vector<std::string>& arguments);
 int runMaps(const std::vector<std::string>& arguments);
 int runDataset(const std::vector<std::string>& arguments);
+int runParameters(const std::vector<std::string>& arguments);
 
 }  // namespace lstm_planner

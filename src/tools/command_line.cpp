@@ -16,7 +16,6 @@
 namespace lstm_planner {
 namespace {
 
-constexpr std::size_t kWidth = 110;  // letters, of the help
 constexpr std::size_t kMeaningColumn = 28;
 
 class HelpFormatter : public CLI::Formatter {
@@ -30,7 +29,7 @@ class HelpFormatter : public CLI::Formatter {
     std::string line = "  " + option->get_name(false, true) + option->get_option_text();
     line += line.size() < kMeaningColumn ? std::string(kMeaningColumn - line.size(), ' ')
                                          : "\n" + std::string(kMeaningColumn, ' ');
-    return line + wrapped(option->get_description(), kWidth, kMeaningColumn, kMeaningColumn) + "\n";
+    return line + wrapped(option->get_description(), kTextWidth, kMeaningColumn, kMeaningColumn) + "\n";
   }
 
  private:
@@ -291,7 +290,7 @@ std::string CommandLine::usage() const {
     text += " " + (option.stands_alone ? "" : option.name + " ") + option.value_name;
   }
   constexpr std::size_t kIndent = 7;
-  return wrapped(text + " [OPTION]...", kWidth, kIndent, 0) + "\n\n" + wrapped(summary_, kWidth, 0, 0);
+  return wrapped(text + " [OPTION]...", kTextWidth, kIndent, 0) + "\n\n" + wrapped(summary_, kTextWidth, 0, 0);
 }
 
 bool CommandLine::parse(const std::vector<std::string>& arguments) {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/base/common/range.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 
@@ -60,6 +60,18 @@ class CommandLine {
   template <typename Number>
   Option& add(const std::string& name, std::optional<Number>* value, Range range, const std::string& meaning);
   Option& add(const std::string& name, std::vector<int>* values, Range range, const std::string& meaning);
+  /// Of the parameters that are visited, see parameter_visitors.hpp, those that are named: pairs of the parameter's and
+  /// the option's name.
+  auto parameters(const std::vector<std::pair<std::string, std::string>>& names) {
+    return [this, names](const std::string& name, auto& value, Range range, const char* unit, const char* meaning) {
+      for (const auto& [parameter, option] : names) {
+        if (parameter != name) continue;
+        if constexpr (kIsNumber<std::decay_t<decltype(value)>>) {
+          add(option, &value, range, meaning).meaning += *unit == '\0' ? "" : std::string(" ") + unit;
+        }
+      }
+    };
+  }
   Option& add(const std::string& name, std::string* value, const std::string& meaning);
   Option& add(const std::string& name, std::vector<std::string>* values, const std::string& meaning);
   /// 0 or 1.

@@ -59,11 +59,9 @@ bool readOptions(const std::vector<std::string>& arguments, SimulateOptions* opt
       "demo's goals");
   line.add("steps", &drives.steps, kAnySteps, "labelled steps to record");
   line.addSeed(&options->seed, "of way-points, goals, driver and noise");
-  line.add("drift", &drives.robot.base.odometry_error, {0.0, 0.5},
-           "of the odometry, as a share of the way: 0.02 = 2 %");
-  line.add("speed", &drives.driver.speed, {0.01, 10.0}, "m/s while the forward key is held");
-  line.add("turn-speed", &drives.driver.turn_speed, {0.01, 20.0}, "rad/s while a turn key is held");
-  line.add("wander", &drives.driver.wander, {0.0, 0.5}, "rad, how badly is aimed");
+  visitCreate2Parameters(drives.robot.base, line.parameters({{"odometry_error", "drift"}}));
+  visitDriverParameters(drives.driver,
+                        line.parameters({{"speed", "speed"}, {"turn_speed", "turn-speed"}, {"wander", "wander"}}));
   line.addFlag("arcs", &drives.driver.drives_arcs, true, "turn keys are pressed while driving, too");
   line.addNewFile("output", &options->output, "the new dataset; there must be no such file").required();
   addRecorderOptions(&drives.recorder, &line);

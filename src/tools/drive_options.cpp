@@ -20,7 +20,7 @@ void addWorldOptions(DriveOptions* options, CommandLine* line) {
   line->addFiles("map", &options->maps, "map_server yaml files; FILE=0.19 replaces the free_thresh of one of them");
   line->addFile("barn", &options->barn, "barn_cylinders.csv: the BARN worlds, by BARN's rules");
   line->add("worlds", &options->kind, "generated worlds: mazes, offices, corridors, forest, open or rooms");
-  line->add("walkers", &options->crowd.walkers, {0, 1000}, "people who walk about in each world");
+  visitCrowdParameters(options->crowd, line->parameters({{"walkers", "walkers"}}));
   line->add("free-threshold", &options->free_threshold, {-1.0, 1.0},
             "replaces the free_thresh of all maps; -1: it does not");
   line->addFlag("open-unknown", &options->open_unknown, true,
@@ -35,17 +35,12 @@ void addWorldOptions(DriveOptions* options, CommandLine* line) {
 }
 
 void addRobotOptions(DriveOptions* options, CommandLine* line) {
-  HokuyoParameters& scanner = options->drive.robot.scanner;
-  Create2Parameters& base = options->drive.robot.base;
   AgentParameters& agent = options->agent;
   line->section("the robot");
   line->addFile("model", &options->model, "ONNX file that drives");
-  line->add("noise", &scanner.noise, {0.0, 10.0},
-            "m, standard deviation of a range up to 10 m; three times that beyond");
-  line->add("dropout", &scanner.dropout, kAnyShare, "probability of a lost beam");
-  line->add("drift", &base.odometry_error, {0.0, 0.5}, "of the odometry, as a share of the way: 0.02 = 2 %");
-  line->add("slip", &base.slip, kAnyShare, "standard deviation of a wheel's slip");
-  line->add("wheel-error", &base.drift, {-1.0, 1.0}, "relative error between the wheels");
+  visitHokuyoParameters(options->drive.robot.scanner, line->parameters({{"noise", "noise"}, {"dropout", "dropout"}}));
+  visitCreate2Parameters(options->drive.robot.base,
+                         line->parameters({{"odometry_error", "drift"}, {"slip", "slip"}, {"drift", "wheel-error"}}));
   line->add("latency", &options->drive.robot.latency, {0.0, 10.0}, "s from a command to the wheels");
   line->addText(
       "leader", toString(agent.leader), [&](const std::string& name) { agent.leader = leaderNamed(name); },

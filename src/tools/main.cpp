@@ -24,6 +24,8 @@ const std::vector<lstm_planner::Command>& commands() {
       {"report", "compare agents with each other and with the thesis", lstm_planner::runReport, true},
       {"maps", "generate floor plans, or maps and scenarios of the grid world", lstm_planner::runMaps},
       {"dataset", "look at, check, merge, split and export recorded drives", lstm_planner::runDataset},
+      {"parameters", "print the parameters of plugins and nodes, with ranges and meanings",
+       lstm_planner::runParameters},
   };
   return all;
 }

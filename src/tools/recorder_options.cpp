@@ -23,22 +23,19 @@ SensorMount mountNamed(const std::string& text) {
 
 void addRecorderOptions(RecorderParameters* parameters, CommandLine* line) {
   RecorderParameters& p = *parameters;
-  line->add("period", &p.period, {1e-4, 3600.0}, "s from step to step");
-  line->add("min-step-distance", &p.min_step_distance, {1e-4, 100.0},
-            "m; a step is made only when the robot went this far");
-  line->add("min-step-turn", &p.min_step_turn, {0.0, M_PI},
-            "rad; ... or turned this far in place; 0: that makes no steps");
-  line->add("max-gap", &p.max_gap, {0.001, 86400.0}, "s; longer silence ends an episode");
-  line->add("max-speed", &p.max_speed, {0.01, 1000.0}, "m/s; odometry that moves faster has jumped");
-  line->add("goal-tolerance", &p.goal_tolerance, {0.001, 100.0}, "m; nearer to the goal than this is arrived");
-  line->add("delay", &p.delay, {0.0, 3600.0}, "s; how late messages may come and still count");
-  line->add("range-cap", &p.range_cap, {0.01, 1000.0}, "m; farther ranges count as this when sectors are averaged");
+  visitRecorderParameters(p, line->parameters({{"period", "period"},
+                                               {"min_step_distance", "min-step-distance"},
+                                               {"min_step_turn", "min-step-turn"},
+                                               {"max_gap", "max-gap"},
+                                               {"max_speed", "max-speed"},
+                                               {"goal_tolerance", "goal-tolerance"},
+                                               {"delay", "delay"},
+                                               {"range_cap", "range-cap"},
+                                               {"least_measured", "least-measured"}}));
   line->addText(
       "no-return", noReturnText(p.scan_rules), [&](const std::string& text) { setNoReturn(text, &p.scan_rules); },
       "readings that mean no return besides +inf: \"nan\", \"zero\", \"below\" (range_min), \"beyond\" (range_max), a "
       "number (m); for urg_node: \"nan zero beyond 65.53\"");
-  line->add("least-measured", &p.scan_rules.least_measured, {0.01, 1.0},
-            "share of the beams in each sector that a scan must have measured to be used");
   line->addFlag("no-scans", &p.keep_scans, false, "keep the sectors only");
 }
 

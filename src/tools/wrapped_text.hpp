@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace lstm_planner {
+
+constexpr std::size_t kTextWidth = 110;  ///< letters of a line, of what the tool explains
 
 /// The text in lines of at most `width` letters, broken at blanks; all lines but the first begin with `indent` blanks,
 /// of which the first has `used` letters before it already.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
 #include "ros/fake_robot.hpp"
 
@@ -127,7 +128,7 @@ TEST_F(ScriptedTeleoperator, DrivesToItsOwnWayPointsAndEnds) {
 TEST(ScriptedTeleoperatorYaml, ListsEveryParameterWithItsDefault) {
   ParameterReader reader(ros::NodeHandle("~yaml"));
   TeleoperatorParameters parameters;
-  readParameters(&reader, &parameters);
+  visitTeleoperatorParameters(parameters, reader.visitor());
   EXPECT_EQ(reader.unsetParameters(), std::set<std::string>()) << "missing in the yaml";
   EXPECT_EQ(reader.changedParameters(), std::set<std::string>()) << "not the default in the yaml";
   EXPECT_EQ(reader.unknownParameters(), std::vector<std::string>()) << "in the yaml, but not a parameter";

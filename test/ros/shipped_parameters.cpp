@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
@@ -16,11 +17,11 @@
 namespace lstm_planner {
 namespace {
 
-template <typename Parameters>
-void expectYamlIsTheDefaults(const std::string& name) {
+template <typename Parameters, typename VisitAll>
+void expectYamlIsTheDefaults(const std::string& name, const VisitAll& visit_all) {
   ParameterReader reader(ros::NodeHandle("~/" + name));
   Parameters parameters;
-  readParameters(&reader, &parameters);
+  visit_all(parameters, reader.visitor());
   EXPECT_EQ(reader.unsetParameters(), std::set<std::string>()) << "missing in the yaml";
   EXPECT_EQ(reader.changedParameters(), std::set<std::string>{ros::NodeHandle("~/" + name).resolveName("no_return")})
       << "only the scanner's readings differ from the defaults in the yaml";
@@ -28,15 +29,18 @@ void expectYamlIsTheDefaults(const std::string& name) {
 }
 
 TEST(ShippedParameters, PlannerYamlListsEveryParameterWithItsDefault) {
-  expectYamlIsTheDefaults<GlobalPlannerParameters>("LstmGlobalPlanner");
+  expectYamlIsTheDefaults<GlobalPlannerParameters>(
+      "LstmGlobalPlanner", [](auto& p, const auto& visit) { visitGlobalPlannerParameters(p, visit); });
 }
 
 TEST(ShippedParameters, ControllerYamlListsEveryParameterWithItsDefault) {
-  expectYamlIsTheDefaults<SteeringControllerParameters>("SteeringController");
+  expectYamlIsTheDefaults<SteeringControllerParameters>(
+      "SteeringController", [](auto& p, const auto& visit) { visitSteeringControllerParameters(p, visit); });
 }
 
 TEST(ShippedParameters, RecorderYamlListsEveryParameterWithItsDefault) {
-  expectYamlIsTheDefaults<RecorderNodeParameters>("DatasetRecorder");
+  expectYamlIsTheDefaults<RecorderNodeParameters>(
+      "DatasetRecorder", [](auto& p, const auto& visit) { visitRecorderNodeParameters(p, visit); });
 }
 
 /// Every number that `visit_all` visits is refused by its name when it is none that can be meant.
@@ -45,7 +49,9 @@ void expectRanges(const std::string& name, const VisitAll& visit_all, const Load
   const ros::NodeHandle node("~/" + name);
   std::vector<std::string> names;
   Parameters defaults;
-  visit_all(defaults, [&](const std::string& number, const auto&, double, double) { names.push_back(number); });
+  visit_all(defaults, [&](const std::string& number, const auto&, Range range, const char*, const char*) {
+    if (range.isGiven()) names.push_back(number);
+  });
   EXPECT_GT(names.size(), 5u);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const std::string& number : names) {
@@ -65,25 +71,34 @@ void expectRanges(const std::string& name, const VisitAll& visit_all, const Load
 
 TEST(ShippedParameters, NumbersOutOfTheirRangeAreRefusedByName) {
   expectRanges<GlobalPlannerParameters>(
-      "PlannerRanges", [](auto& p, const auto& visit) { visitPlannerNumbers(p, visit); }, loadGlobalPlannerParameters);
+      "PlannerRanges", [](auto& p, const auto& visit) { visitGlobalPlannerParameters(p, visit); },
+      loadGlobalPlannerParameters);
   expectRanges<SteeringControllerParameters>(
-      "ControllerRanges", [](auto& p, const auto& visit) { visitControllerNumbers(p, visit); },
+      "ControllerRanges", [](auto& p, const auto& visit) { visitSteeringControllerParameters(p, visit); },
       loadSteeringControllerParameters);
   expectRanges<RecorderNodeParameters>(
-      "RecorderRanges", [](auto& p, const auto& visit) { visitRecorderNumbers(p.recorder, visit); },
+      "RecorderRanges", [](auto& p, const auto& visit) { visitRecorderNodeParameters(p, visit); },
       loadRecorderNodeParameters);
+  const auto loadDriver = [](ros::NodeHandle node) {
+    node.setParam("map", "a map");
+    return loadTeleoperatorParameters(node);
+  };
   expectRanges<TeleoperatorParameters>(
-      "DriverRanges",
-      [](auto& p, const auto& visit) {
-        visitDriverNumbers(p.driver, [&](const std::string& number, auto& value, double least, double most) {
-          visit("driver/" + number, value, least, most);
-        });
-      },
-      [](const ros::NodeHandle& node) {
-        ParameterReader reader(node);
-        TeleoperatorParameters parameters;
-        readParameters(&reader, &parameters);
-      });
+      "DriverRanges", [](auto& p, const auto& visit) { visitTeleoperatorParameters(p, visit); }, loadDriver);
+}
+
+TEST(ShippedParameters, AMisspeltOneIsWarnedOfWithTheNearestName) {
+  const ros::NodeHandle node("~/Misspelt");
+  node.setParam("step/lenght", 0.5);
+  node.setParam("colour", "red");
+  ParameterReader reader(node);
+  GlobalPlannerParameters parameters;
+  visitGlobalPlannerParameters(parameters, reader.visitor());
+  const std::string prefix = node.getNamespace() + "/";
+  const std::string sentence = " is set, but there is none of that name";
+  EXPECT_EQ(reader.warningsOfUnknown(), (std::vector<std::string>{"parameter " + prefix + "colour" + sentence,
+                                                                  "parameter " + prefix + "step/lenght" + sentence +
+                                                                      "; the nearest is step/length"}));
 }
 
 }  // namespace

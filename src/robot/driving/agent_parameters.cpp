@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 
@@ -26,9 +26,10 @@ Leader leaderNamed(const std::string& name) {
 
 void validate(const AgentParameters& parameters) {
   if (parameters.leader == Leader::kRoute && !parameters.memory.enabled) {
-    throw std::invalid_argument("leader is route, expected network where memory/enabled is false: no way is remembered");
+    throw std::invalid_argument(
+        "leader is route, expected network where memory/enabled is false: no way is remembered");
   }
-  visitAgentNumbers(parameters, RangeCheck());
+  visitAgentParameters(parameters, RangeCheck());
   checkParameter(parameters.step.stall > parameters.step.period, "step/stall", parameters.step.stall,
                  "more than step/period = " + std::to_string(parameters.step.period));
   const ShieldParameters& shield = parameters.shield;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 
@@ -31,7 +31,7 @@ struct MotionController::Persons {
 };
 
 void validate(const MotionParameters& parameters) {
-  visitMotionNumbers(parameters, RangeCheck());
+  visitMotionParameters(parameters, RangeCheck());
   validate(parameters.moving);
 }
 
@@ -190,8 +190,8 @@ double MotionController::allowedSpeed(const Twist2& twist, const Twist2& current
   const double present = std::max(0.0, current.linear) + kSpeedError;
   const double slack = 1e-9;  // m
   // The command may act at once: the present speed, if that is higher, is then braked away along the new arc.
-  const double length = std::max(twist.linear, present) * parameters_.reaction_time +
-                        twist.linear * twist.linear / (2.0 * acceleration);
+  const double length =
+      std::max(twist.linear, present) * parameters_.reaction_time + twist.linear * twist.linear / (2.0 * acceleration);
   double allowed = twist.linear;
   double free = shield.freeArc({}, curvature, length, margin);
   if (free < length - slack) {

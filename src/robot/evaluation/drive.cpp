@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/robot/driving/closed_loop.hpp"
 
 namespace lstm_planner {
@@ -154,7 +154,7 @@ double shareOfSteps(const std::vector<DriveResult>& results, const Count& count)
 void validate(const DriveParameters& parameters) {
   checkRange("control_period", parameters.control_period, 0.001, 10.0);
   checkRange("plan_every", parameters.plan_every, 0.001, 100.0);
-  visitRolloutNumbers(parameters.rollout, RangeCheck());
+  visitRolloutParameters(parameters.rollout, RangeCheck());
   checkRange("goal_radius", parameters.goal_radius, 0.001, 100.0);
 }
 

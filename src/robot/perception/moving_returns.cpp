@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 
@@ -27,7 +27,7 @@ double squaredDistance(const Point2& a, const Point2& b) {
 }  // namespace
 
 void validate(const MovingReturnsParameters& parameters) {
-  visitMovingNumbers(parameters, RangeCheck());
+  visitMovingParameters(parameters, RangeCheck());
   checkParameter(parameters.oldest > parameters.youngest, "moving/oldest", parameters.oldest, "more than youngest");
 }
 
@@ -113,7 +113,8 @@ MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& vie
     return Sight::kUnknown;
   }
   const double beams_aside = aside / std::abs(profile.increment);
-  if (beams_aside > static_cast<double>(profile.ranges.size())) return Sight::kUnknown;  // nor would a whole number hold it
+  if (beams_aside > static_cast<double>(profile.ranges.size()))
+    return Sight::kUnknown;  // nor would a whole number hold it
   const long half = std::lround(beams_aside);
   const long first = center - half;
   const long last = center + half;

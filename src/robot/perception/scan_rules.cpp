@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -68,8 +68,7 @@ void setNoReturn(const std::string& text, ScanRules* rules) {
 void validate(const ScanRules& rules) {
   checkParameter(rules.no_return_code >= 0.0 && rules.no_return_code <= kGreatestCode, "no_return",
                  rules.no_return_code, "a reading from 0 to 10000 m");
-  checkParameter(rules.least_measured >= 0.01 && rules.least_measured <= 1.0, "least_measured", rules.least_measured,
-                 "a share from 0.01 to 1");
+  visitScanRules(rules, RangeCheck());
 }
 
 }  // namespace lstm_planner

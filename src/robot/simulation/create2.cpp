@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -24,7 +24,7 @@ Pose2 alongArc(const Pose2& pose, double distance, double turn) {
 
 }  // namespace
 
-void validate(const Create2Parameters& parameters) { visitCreate2Numbers(parameters, RangeCheck()); }
+void validate(const Create2Parameters& parameters) { visitCreate2Parameters(parameters, RangeCheck()); }
 
 Create2::Create2(const Create2Parameters& parameters, const Pose2& true_pose, std::uint64_t seed)
     : parameters_(parameters), true_pose_(true_pose), random_(seed) {
@@ -64,8 +64,8 @@ void Create2::moveTruly(double left, double right) {
   double turn = (right - left) / parameters_.axle_length * (1.0 + turn_error_);
   if (parameters_.odometry_error > 0.0 && distance != 0.0) {
     const double share = std::abs(distance) / kHeadingMemory;
-    const double change = kHeadingError * parameters_.odometry_error * std::sqrt(2.0 * share) * normal(random_) -
-                          share * heading_error_;
+    const double change =
+        kHeadingError * parameters_.odometry_error * std::sqrt(2.0 * share) * normal(random_) - share * heading_error_;
     heading_error_ += change;
     turn += change;
   }

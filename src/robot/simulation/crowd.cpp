@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -17,7 +17,7 @@ constexpr int kTries = 2000;
 }  // namespace
 
 void validate(const CrowdParameters& parameters) {
-  visitCrowdNumbers(parameters, RangeCheck());
+  visitCrowdParameters(parameters, RangeCheck());
   const CrowdParameters& p = parameters;
   checkParameter(p.largest_radius >= p.smallest_radius, "largest_radius", p.largest_radius,
                  "at least smallest_radius = " + std::to_string(p.smallest_radius));

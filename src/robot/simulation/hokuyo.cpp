@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kFarNoise = 3.0;  // times the noise nearby
 }  // namespace
 
 void validate(const HokuyoParameters& parameters) {
-  visitHokuyoNumbers(parameters, RangeCheck());
+  visitHokuyoParameters(parameters, RangeCheck());
   checkParameter(parameters.angle_increment != 0.0, "angle_increment", parameters.angle_increment,
                  "an angle other than 0");
   checkParameter(parameters.range_max > parameters.range_min, "range_max", parameters.range_max,

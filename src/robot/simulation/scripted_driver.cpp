@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -30,7 +30,7 @@ Pose2 driveOn(const Pose2& pose, const Twist2& twist, double seconds) {
 }  // namespace
 
 void validate(const ScriptedDriverParameters& parameters) {
-  visitDriverNumbers(parameters, RangeCheck());
+  visitDriverParameters(parameters, RangeCheck());
   checkParameter(parameters.sharp_turn > kSteered, "sharp_turn", parameters.sharp_turn, "more than 0.2 rad");
   checkParameter(parameters.longest_reaction >= parameters.shortest_reaction, "longest_reaction",
                  parameters.longest_reaction, "at least shortest_reaction");

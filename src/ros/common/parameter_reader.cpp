@@ -2,18 +2,27 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "lstm_planner/base/common/nearest_name.hpp"
 
 namespace lstm_planner {
 
-template <typename T>
-void ParameterReader::readAs(const std::string& name, const char* type, T* value) {
+bool ParameterReader::isSet(const std::string& name) {
   const std::string full_name = node_handle_.resolveName(name);
   known_.insert(full_name);
-  if (!node_handle_.hasParam(name)) {
-    unset_.insert(full_name);
-    return;
-  }
+  if (node_handle_.hasParam(name)) return true;
+  unset_.insert(full_name);
+  return false;
+}
+
+void ParameterReader::know(const std::string& name) { known_.insert(node_handle_.resolveName(name)); }
+
+template <typename T>
+void ParameterReader::readAs(const std::string& name, const char* type, T* value) {
+  if (!isSet(name)) return;
+  const std::string full_name = node_handle_.resolveName(name);
   const T default_value = *value;
   if (!node_handle_.getParam(name, *value)) {
     throw std::invalid_argument("parameter " + full_name + " is not " + type);
@@ -35,23 +44,31 @@ void ParameterReader::read(const std::string& name, std::vector<double>* value) 
   readAs(name, "a list of numbers", value);
 }
 
-void ParameterReader::read(const std::string& name, std::vector<XmlRpc::XmlRpcValue>* value) {
-  const std::string full_name = node_handle_.resolveName(name);
-  known_.insert(full_name);
-  XmlRpc::XmlRpcValue list;
-  if (!node_handle_.getParam(name, list)) {
-    unset_.insert(full_name);
-    return;
+void ParameterReader::read(const std::string& name, std::uint64_t* seed) {
+  int number = static_cast<int>(*seed);
+  read(name, &number);
+  *seed = static_cast<std::uint64_t>(number);
+}
+
+void ParameterReader::read(const std::string& name, Pose2* pose) {
+  if (!isSet(name)) return;
+  const Pose2 before = *pose;
+  readPose(node_handle_, name, pose);
+  if (pose->x != before.x || pose->y != before.y || pose->yaw != before.yaw) {
+    changed_.insert(node_handle_.resolveName(name));
   }
-  if (list.getType() != XmlRpc::XmlRpcValue::TypeArray) {
+}
+
+void ParameterReader::read(const std::string& name, std::vector<NamedPose>* poses) {
+  if (!isSet(name)) return;
+  const std::string full_name = node_handle_.resolveName(name);
+  XmlRpc::XmlRpcValue list;
+  if (!node_handle_.getParam(name, list) || list.getType() != XmlRpc::XmlRpcValue::TypeArray) {
     throw std::invalid_argument("parameter " + full_name + " is not a list");
   }
-  std::vector<XmlRpc::XmlRpcValue> elements;
-  for (int i = 0; i < list.size(); ++i) elements.push_back(list[i]);
-  if (elements != *value) {
-    changed_.insert(full_name);
-  }
-  *value = elements;
+  if (list.size() != static_cast<int>(poses->size())) changed_.insert(full_name);
+  poses->clear();
+  for (int i = 0; i < list.size(); ++i) poses->push_back(namedPoseFromParameter(list[i], name, i));
 }
 
 std::vector<std::string> ParameterReader::unknownParameters() const {
@@ -64,13 +81,26 @@ std::vector<std::string> ParameterReader::unknownParameters() const {
       unknown.push_back(name);
     }
   }
+  std::sort(unknown.begin(), unknown.end());
   return unknown;
 }
 
-void ParameterReader::warnOfUnknown() const {
-  for (const std::string& name : unknownParameters()) {
-    ROS_WARN("parameter %s is set, but there is none of that name", name.c_str());
+std::vector<std::string> ParameterReader::warningsOfUnknown() const {
+  const std::size_t prefix = node_handle_.getNamespace().size() + 1;
+  std::vector<std::string> names;
+  for (const std::string& name : known_) {
+    if (name.size() > prefix) names.push_back(name.substr(prefix));  // some may be remapped to another namespace
   }
+  std::vector<std::string> warnings;
+  for (const std::string& name : unknownParameters()) {
+    warnings.push_back("parameter " + name + " is set, but there is none of that name" +
+                       hintAt(name.substr(prefix), names));
+  }
+  return warnings;
+}
+
+void ParameterReader::warnOfUnknown() const {
+  for (const std::string& warning : warningsOfUnknown()) ROS_WARN("%s", warning.c_str());
 }
 
 }  // namespace lstm_planner

@@ -3,72 +3,36 @@
 #include <ros/package.h>
 
 #include <stdexcept>
+#include <utility>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
+#include "lstm_planner/ros/common/parameter_reader.hpp"
 
 namespace lstm_planner {
-
-void readScanRules(ParameterReader* reader, ScanRules* rules) {
-  std::string no_return = noReturnText(*rules);
-  reader->read("no_return", &no_return);
-  setNoReturn(no_return, rules);
-  reader->read("least_measured", &rules->least_measured);
-}
-
-namespace {
-
-void readSensors(ParameterReader* reader, SensorParameters* sensors) {
-  reader->read("scan_topic", &sensors->scan_topic);
-  reader->read("odom_topic", &sensors->odom_topic);
-  readScanRules(reader, &sensors->scan_rules);
-}
-
-void readLeader(ParameterReader* reader, Leader* leader) {
-  std::string name = toString(*leader);
-  reader->read("leader", &name);
-  *leader = leaderNamed(name);
-  if (*leader == Leader::kNone) {
-    throw std::invalid_argument("leader is 'none', expected network or route: none is for comparisons in simulation");
-  }
-}
-
-}  // namespace
-
-void readParameters(ParameterReader* reader, GlobalPlannerParameters* parameters) {
-  readLeader(reader, &parameters->agent.leader);
-  reader->read("model", &parameters->model);
-  readSensors(reader, &parameters->sensors);
-  reader->read("shield/enabled", &parameters->agent.shield_enabled);
-  reader->read("memory/enabled", &parameters->agent.memory.enabled);
-  reader->read("escape/enabled", &parameters->agent.escape.enabled);
-  visitPlannerNumbers(*parameters, reader->numbers());
-}
-
-void readParameters(ParameterReader* reader, SteeringControllerParameters* parameters) {
-  readSensors(reader, &parameters->sensors);
-  visitControllerNumbers(*parameters, reader->numbers());
-}
 
 GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_handle) {
   GlobalPlannerParameters parameters;
   ParameterReader reader(node_handle);
-  readParameters(&reader, &parameters);
+  visitGlobalPlannerParameters(parameters, reader.visitor());
   reader.warnOfUnknown();
 
-  visitPlannerNumbers(parameters, RangeCheck());
+  visitGlobalPlannerParameters(std::as_const(parameters), RangeCheck());
   validate(parameters.sensors.scan_rules);
   validate(parameters.agent);
+  if (parameters.agent.leader == Leader::kNone) {
+    throw std::invalid_argument("leader is 'none', expected network or route: none is for comparisons in simulation");
+  }
   return parameters;
 }
 
 SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHandle& node_handle) {
   SteeringControllerParameters parameters;
   ParameterReader reader(node_handle);
-  readParameters(&reader, &parameters);
+  visitSteeringControllerParameters(parameters, reader.visitor());
   reader.warnOfUnknown();
   ParameterReader(ros::NodeHandle("~")).read("controller_frequency", &parameters.controller_frequency);
 
-  visitControllerNumbers(parameters, RangeCheck());
+  visitSteeringControllerParameters(std::as_const(parameters), RangeCheck());
   validate(parameters.sensors.scan_rules);
   validate(parameters.motion);
   checkRange("controller_frequency", parameters.controller_frequency, 0.1, 1000.0);

@@ -46,6 +46,16 @@ Pose2 poseFromParameter(const XmlRpcValue& value, const std::string& name) {
   throw std::invalid_argument(text.str());
 }
 
+NamedPose namedPoseFromParameter(XmlRpcValue value, const std::string& name, int number) {
+  const std::string place = std::to_string(number);
+  NamedPose named{place, poseFromParameter(value, "parameter " + name + "[" + place + "]")};
+  if (value.getType() == XmlRpcValue::TypeStruct && value.hasMember("name") &&
+      value["name"].getType() == XmlRpcValue::TypeString) {
+    named.name = static_cast<std::string&>(value["name"]);
+  }
+  return named;
+}
+
 bool readPose(const ros::NodeHandle& node, const std::string& name, Pose2* pose) {
   XmlRpcValue value;
   if (!node.getParam(name, value)) return false;

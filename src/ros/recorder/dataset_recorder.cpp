@@ -39,13 +39,12 @@ DatasetRecorder::Implementation::Implementation(const RecorderNodeParameters& pa
 
   // Without this, TCP holds a scan back until the one before is acknowledged: up to 40 ms.
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-  subscribers_ = {
-      node_.subscribe(parameters.scan_topic, kScanQueue, &Implementation::onScan, this, hints),
-      node_.subscribe(parameters.odom_topic, kOdometryQueue, &Implementation::onOdometry, this, hints),
-      node_.subscribe("move_base/goal", kGoalQueue, &Implementation::onActionGoal, this, hints),
-      node_.subscribe("move_base_simple/goal", kGoalQueue, &Implementation::onSimpleGoal, this, hints),
-      node_.subscribe("move_base/cancel", kGoalQueue, &Implementation::onCancel, this, hints),
-      node_.subscribe("move_base/result", kGoalQueue, &Implementation::onResult, this, hints)};
+  subscribers_ = {node_.subscribe(parameters.scan_topic, kScanQueue, &Implementation::onScan, this, hints),
+                  node_.subscribe(parameters.odom_topic, kOdometryQueue, &Implementation::onOdometry, this, hints),
+                  node_.subscribe("move_base/goal", kGoalQueue, &Implementation::onActionGoal, this, hints),
+                  node_.subscribe("move_base_simple/goal", kGoalQueue, &Implementation::onSimpleGoal, this, hints),
+                  node_.subscribe("move_base/cancel", kGoalQueue, &Implementation::onCancel, this, hints),
+                  node_.subscribe("move_base/result", kGoalQueue, &Implementation::onResult, this, hints)};
   services_ = {private_node_.advertiseService("pause", &Implementation::pause, this),
                private_node_.advertiseService("discard_episode", &Implementation::discardEpisode, this),
                private_node_.advertiseService("finish", &Implementation::finishByService, this)};
@@ -151,7 +150,7 @@ void DatasetRecorder::Implementation::pickGoal() {
   const double since_goal = std::abs((odometry_stamp_ - goal_stamp_).toSec());
   if (!goal_stamp_.isZero() && since_goal <= parameters_.recorder.delay + kLongestWay) return;
 
-  const RecorderNodeParameters::WayPoint& way_point = way_points_.next();
+  const NamedPose& way_point = way_points_.next();
   geometry_msgs::PoseStamped goal;
   goal.header.frame_id = parameters_.way_point_frame;
   goal.header.stamp = goalHeardNow();

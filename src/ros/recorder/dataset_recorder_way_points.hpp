@@ -11,13 +11,13 @@ namespace lstm_planner {
 /// Picks way-points at random, never the same twice in a row; the same order for the same seed on every machine.
 class WayPointPicker {
  public:
-  WayPointPicker(const std::vector<RecorderNodeParameters::WayPoint>& way_points, int seed)
+  WayPointPicker(const std::vector<NamedPose>& way_points, int seed)
       : way_points_(way_points), random_(static_cast<Random::result_type>(seed)) {}
 
   bool empty() const { return way_points_.empty(); }
 
   /// Requires !empty().
-  const RecorderNodeParameters::WayPoint& next() {
+  const NamedPose& next() {
     std::size_t i = uniformIndex(random_, way_points_.size() - (last_ ? 1 : 0));
     if (last_ && i >= *last_) ++i;
     last_ = i;
@@ -25,7 +25,7 @@ class WayPointPicker {
   }
 
  private:
-  std::vector<RecorderNodeParameters::WayPoint> way_points_;
+  std::vector<NamedPose> way_points_;
   Random random_;
   std::optional<std::size_t> last_;
 };

@@ -66,11 +66,11 @@ void ScriptedTeleoperator::onTruth(const nav_msgs::Odometry::ConstPtr& message) 
 }
 
 void ScriptedTeleoperator::chooseWayPoint() {
-  const Point2& point = parameters_.way_points[next_way_point_++ % parameters_.way_points.size()];
+  const Pose2& place = parameters_.way_points[next_way_point_++ % parameters_.way_points.size()].pose;
   goal_.emplace();
   goal_->header.frame_id = parameters_.map_frame;
   goal_->header.stamp = ros::Time::now();
-  goal_->pose = toMessage({point.x, point.y, 0.0});
+  goal_->pose = toMessage({place.x, place.y, 0.0});
   driven_to_.reset();
   goal_publisher_.publish(*goal_);
 }

@@ -42,6 +42,7 @@ const std::vector<Usage> kUsages = {
     {"evaluate", " --scenarios FILE..."},
     {"report", " --output FOLDER --agents TEXT... --scenarios FILE..."},
     {"maps", " --output FILE"},
+    {"parameters", ""},
     {"dataset info", " FILE"},
     {"dataset check", " FILE"},
     {"dataset merge", " FILE... --output FILE"},
@@ -82,6 +83,18 @@ TEST_F(CommandLineTool, TheHelpWritesDefaultsAndRangesAsPeopleDo) {
     EXPECT_FALSE(std::regex_search(help, many_digits)) << help;
   }
   EXPECT_TRUE(contains(success("drive --help"), "in [0, 10] (default: 0.1)"));
+}
+
+TEST_F(CommandLineTool, PrintsTheParametersOfPluginsAndNodes) {
+  const std::string all = success("parameters");
+  for (const char* part : {"LstmGlobalPlanner, config/lstm_planner.yaml\n", "SteeringController", "dataset_recorder",
+                           "create2_stub", "scripted_teleoperator", "\n  step/length: 0.4  [0.05, 5] m\n",
+                           "\n  laser/upside_down: false\n", "\n  driver/speed: 0.3  [0.01, 10] m/s\n"}) {
+    EXPECT_TRUE(contains(all, part)) << part;
+  }
+  const std::string stub = success("parameters stub");
+  EXPECT_TRUE(contains(stub, "robot/axle_length"));
+  EXPECT_FALSE(contains(stub, "LstmGlobalPlanner"));
 }
 
 TEST_F(CommandLineTool, SaysItsVersion) {

@@ -24,14 +24,6 @@ inline void checkRange(const std::string& name, double value, double least, doub
   checkParameter(value >= least && value <= most, name, value, expected.str());
 }
 
-/// For the functions that visit every number of some parameters with its name and range.
-struct RangeCheck {
-  void operator()(const std::string& name, double value, double least, double most) const {
-    checkRange(prefix + name, value, least, most);
-  }
-  std::string prefix = {};
-};
-
 inline void checkPositive(const std::string& name, double value) {
   checkParameter(value > 0.0, name, value, "a positive number");
 }

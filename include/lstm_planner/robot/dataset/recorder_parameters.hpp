@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
 #include "lstm_planner/robot/perception/scan_rules.hpp"
 
@@ -11,34 +12,46 @@ namespace lstm_planner {
 
 /// How driving is cut into steps and labelled. They are stored with what was recorded.
 struct RecorderParameters {
-  double period = 0.5;              ///< s between steps (thesis 4.2: 2 Hz)
-  double min_step_distance = 0.05;  ///< m; the robot has moved since the last step when it went this far
-  double min_step_turn = 0.7854;    ///< rad; ... or, unless 0, when it turned this far in place
-  double max_gap = 2.0;             ///< s; silence of scan or odometry longer than this ends an episode
-  double max_label_error = 0.3927;  ///< rad; a step whose driven angle is farther than this from the nearest allowed
-                                    ///< angle is not labelled (half the distance between the thesis's angles)
-  double range_cap = 6.0;           ///< m; farther ranges count as this when sectors are averaged
-  double max_speed = 1.0;           ///< m/s; odometry that moves faster has jumped
-  double goal_tolerance = 0.3;      ///< m; nearer to the goal than this is arrived
-  double delay = 0.3;      ///< s; how long messages are waited for before those with later stamps are worked on
-  bool keep_scans = true;  ///< whether whole scans are stored, too
-  std::vector<double> action_angles = {-1.5707963, -0.7853982, 0.0, 0.7853982, 1.5707963};  ///< rad, the allowed angles
+  double period = 0.5;
+  double min_step_distance = 0.05;
+  double min_step_turn = 0.7854;
+  double max_gap = 2.0;
+  double max_label_error = 0.3927;
+  double range_cap = 6.0;
+  double max_speed = 1.0;
+  double goal_tolerance = 0.3;
+  double delay = 0.3;
+  bool keep_scans = true;
+  std::vector<double> action_angles = {-1.5707963, -0.7853982, 0.0, 0.7853982, 1.5707963};
   ScanRules scan_rules;   ///< what the scanner's readings mean
   AgentParameters agent;  ///< of what is remembered for the network: memory, footprint, step length
 };
 
-/// Calls visit(name, value, least, most) for every number that is the recorder's own.
+/// Visits every parameter; see parameter_visitors.hpp that is the recorder's own.
 template <typename Parameters, typename Visitor>
-void visitRecorderNumbers(Parameters& recorder, const Visitor& visit) {
-  visit("period", recorder.period, 1e-4, 3600.0);
-  visit("min_step_distance", recorder.min_step_distance, 1e-4, 100.0);
-  visit("min_step_turn", recorder.min_step_turn, 0.0, M_PI);
-  visit("max_gap", recorder.max_gap, 0.001, 86400.0);
-  visit("max_label_error", recorder.max_label_error, 1e-4, M_PI);
-  visit("range_cap", recorder.range_cap, 0.01, 1000.0);
-  visit("max_speed", recorder.max_speed, 0.01, 1000.0);
-  visit("goal_tolerance", recorder.goal_tolerance, 0.001, 100.0);
-  visit("delay", recorder.delay, 0.0, 3600.0);
+void visitRecorderParameters(Parameters& recorder, const Visitor& visit) {
+  visit("period", recorder.period, {1e-4, 3600.0}, "s", "from step to step (thesis 4.2: 2 Hz)");
+  visit("min_step_distance", recorder.min_step_distance, {1e-4, 100.0}, "m",
+        "a step is made only when the robot went this far since the last one");
+  visit("min_step_turn", recorder.min_step_turn, {0.0, M_PI}, "rad",
+        "or turned this far in place; 0: turning in place makes no steps");
+  visit("max_gap", recorder.max_gap, {0.001, 86400.0}, "s",
+        "silence of scan or odometry for longer, or a clock that jumps by more, ends an episode");
+  visit("max_label_error", recorder.max_label_error, {1e-4, M_PI}, "rad",
+        "a step whose driven angle is farther than this from the nearest allowed angle is not labelled (half the "
+        "distance between the thesis's angles)");
+  visit("range_cap", recorder.range_cap, {0.01, 1000.0}, "m", "farther ranges count as this when sectors are averaged");
+  visit("max_speed", recorder.max_speed, {0.01, 1000.0}, "m/s", "odometry that moves faster has jumped");
+  visit("goal_tolerance", recorder.goal_tolerance, {0.001, 100.0}, "m", "nearer to the goal than this is arrived");
+  visit("delay", recorder.delay, {0.0, 3600.0}, "s",
+        "how long messages are waited for before those with later stamps are worked on");
+  visit("keep_scans", recorder.keep_scans, {}, "", "whether whole scans are stored, too");
+  visit("action_angles", recorder.action_angles, {}, "rad", "angles that a step can be labelled with");
+  visitScanRules(recorder.scan_rules, visit);
+  visitAgentParameters(recorder.agent,
+                       onlyNamed({"step/length", "shield/footprint_radius", "goal_drift", "memory/enabled",
+                                  "memory/width", "memory/resolution", "memory/reach"},
+                                 visit));
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

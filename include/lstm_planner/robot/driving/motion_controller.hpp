@@ -8,51 +8,58 @@
 
 namespace lstm_planner {
 
-/// Limits and habits of the controller; the defaults suit the Create 2.
+/// Limits and habits of the controller; the defaults suit the Create 2. What each means: visitMotionParameters().
 struct MotionParameters {
-  double max_linear = 0.3;           ///< m/s (a Create 2 really reaches 0.33)
-  double max_angular = 2.0;          ///< rad/s
-  double max_wheel_speed = 0.5;      ///< m/s; the base clips each wheel at it, which would bend the way
-  double axle_length = 0.235;        ///< m between the wheels
-  double linear_acceleration = 0.6;  ///< m/s^2, speeding up and braking
-  double lookahead = 0.35;           ///< m along the plan to the point that is steered for
-  double nearest_target = 0.06;      ///< m; points of the plan nearer than this have no direction to steer for
-  double turn_in_place = 1.2;        ///< rad; a larger heading error is turned away on the spot
-  double heading_gain = 2.5;         ///< rad/s a rad of heading error
-  double reaction_time = 0.25;       ///< s from a measurement to the wheels, latch of the driver included
-  double safety_margin = 0.03;       ///< m between the footprint and any return, at the least
-  double slow_gap = 0.15;            ///< m; the robot slows down where its way leads nearer to something than this
-  double slow_speed = 0.15;          ///< m/s on the way towards an obstacle that it nearly touches
-  MovingReturnsParameters moving;    ///< how people are found
-  double person_speed = 1.0;         ///< m/s at which whatever moves may come towards the robot
-  double person_margin = 0.15;       ///< m between what moves and the footprint, by then the robot stands
-  double person_slow_speed = 0.08;   ///< m/s at most beside what has moved before and stands: it may walk on
-  double position_tolerance = 0.2;   ///< m
-  double heading_tolerance = 3.15;   ///< rad; pi or more = any heading will do
+  double max_linear = 0.3;
+  double max_angular = 2.0;
+  double max_wheel_speed = 0.5;
+  double axle_length = 0.235;
+  double linear_acceleration = 0.6;
+  double lookahead = 0.35;
+  double nearest_target = 0.06;
+  double turn_in_place = 1.2;
+  double heading_gain = 2.5;
+  double reaction_time = 0.25;
+  double safety_margin = 0.03;
+  double slow_gap = 0.15;
+  double slow_speed = 0.15;
+  MovingReturnsParameters moving;  ///< how people are found
+  double person_speed = 1.0;
+  double person_margin = 0.15;
+  double person_slow_speed = 0.08;
+  double position_tolerance = 0.2;
+  double heading_tolerance = 3.15;
 };
 
-/// Calls visit(name, value, least, most) for every number.
+/// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
-void visitMotionNumbers(Parameters& motion, const Visitor& visit) {
-  visit("max_linear", motion.max_linear, 0.01, 10.0);
-  visit("max_angular", motion.max_angular, 0.01, 20.0);
-  visit("max_wheel_speed", motion.max_wheel_speed, 0.01, 20.0);
-  visit("axle_length", motion.axle_length, 0.01, 5.0);
-  visit("linear_acceleration", motion.linear_acceleration, 0.01, 50.0);
-  visit("lookahead", motion.lookahead, 0.01, 20.0);
-  visit("nearest_target", motion.nearest_target, 0.001, 5.0);
-  visit("turn_in_place", motion.turn_in_place, 0.01, 4.0);
-  visit("heading_gain", motion.heading_gain, 0.01, 100.0);
-  visit("reaction_time", motion.reaction_time, 0.001, 10.0);
-  visit("safety_margin", motion.safety_margin, 0.001, 5.0);
-  visit("slow_gap", motion.slow_gap, 0.001, 20.0);
-  visit("slow_speed", motion.slow_speed, 0.001, 10.0);
-  visitMovingNumbers(motion.moving, visit);
-  visit("person_speed", motion.person_speed, 0.01, 20.0);
-  visit("person_margin", motion.person_margin, 0.001, 10.0);
-  visit("person_slow_speed", motion.person_slow_speed, 0.0, 10.0);
-  visit("position_tolerance", motion.position_tolerance, 0.001, 10.0);
-  visit("heading_tolerance", motion.heading_tolerance, 0.001, 10.0);
+void visitMotionParameters(Parameters& motion, const Visitor& visit) {
+  visit("max_linear", motion.max_linear, {0.01, 10.0}, "m/s", "largest forward speed (a Create 2 really reaches 0.33)");
+  visit("max_angular", motion.max_angular, {0.01, 20.0}, "rad/s", "largest turning speed");
+  visit("max_wheel_speed", motion.max_wheel_speed, {0.01, 20.0}, "m/s",
+        "the base clips each wheel at it, which would bend the way");
+  visit("axle_length", motion.axle_length, {0.01, 5.0}, "m", "between the wheels");
+  visit("linear_acceleration", motion.linear_acceleration, {0.01, 50.0}, "m/s^2", "of speeding up and braking");
+  visit("lookahead", motion.lookahead, {0.01, 20.0}, "m", "along the plan to the point that is steered for");
+  visit("nearest_target", motion.nearest_target, {0.001, 5.0}, "m",
+        "points of the plan nearer than this have no direction to steer for");
+  visit("turn_in_place", motion.turn_in_place, {0.01, 4.0}, "rad", "a larger heading error is turned away on the spot");
+  visit("heading_gain", motion.heading_gain, {0.01, 100.0}, "rad/s", "of turning, a rad of heading error");
+  visit("reaction_time", motion.reaction_time, {0.001, 10.0}, "s",
+        "from a measurement to the wheels, latch of the driver included");
+  visit("safety_margin", motion.safety_margin, {0.001, 5.0}, "m", "between the footprint and any return, at the least");
+  visit("slow_gap", motion.slow_gap, {0.001, 20.0}, "m",
+        "the robot slows down where its way leads nearer to something than this");
+  visit("slow_speed", motion.slow_speed, {0.001, 10.0}, "m/s", "on the way towards an obstacle that it nearly touches");
+  visitMovingParameters(motion.moving, visit);
+  visit("person_speed", motion.person_speed, {0.01, 20.0}, "m/s", "at which whatever moves may come towards the robot");
+  visit("person_margin", motion.person_margin, {0.001, 10.0}, "m",
+        "between what moves and the footprint, by then the robot stands");
+  visit("person_slow_speed", motion.person_slow_speed, {0.0, 10.0}, "m/s",
+        "at most beside what has moved before and stands: it may walk on");
+  visit("position_tolerance", motion.position_tolerance, {0.001, 10.0}, "m", "nearer to the goal than this is arrived");
+  visit("heading_tolerance", motion.heading_tolerance, {0.001, 10.0}, "rad",
+        "from the goal's heading; pi or more: any heading will do");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

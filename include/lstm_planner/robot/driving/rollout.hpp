@@ -7,18 +7,20 @@
 
 namespace lstm_planner {
 
-/// How a decision becomes a plan.
+/// How a decision becomes a plan. What each means: visitRolloutParameters().
 struct RolloutParameters {
-  double spacing = 0.05;  ///< m between poses; about the costmap's resolution, or move_base prunes the plan away
-  int steps = 8;          ///< steps beyond the waypoint, through free space that the scan shows
+  double spacing = 0.05;
+  int steps = 8;
 };
 
-/// Calls visit(name, value, least, most) for every number: move_base drops the start of a plan whose poses are a metre
+/// Visits every parameter; see parameter_visitors.hpp: move_base drops the start of a plan whose poses are a metre
 /// apart, and each step costs as much as a decision's.
 template <typename Parameters, typename Visitor>
-void visitRolloutNumbers(Parameters& rollout, const Visitor& visit) {
-  visit("rollout/spacing", rollout.spacing, 0.01, 0.5);
-  visit("rollout/steps", rollout.steps, 0, 100);
+void visitRolloutParameters(Parameters& rollout, const Visitor& visit) {
+  visit("rollout/spacing", rollout.spacing, {0.01, 0.5}, "m",
+        "between poses; about the costmap's resolution, or move_base prunes the plan away");
+  visit("rollout/steps", rollout.steps, {0, 100}, "",
+        "steps beyond the waypoint, through free space that the scan shows");
 }
 
 /// A plan has no more poses than this, however far away the goal is: 1.5 MB as messages.

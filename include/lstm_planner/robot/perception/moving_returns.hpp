@@ -14,29 +14,35 @@ namespace lstm_planner {
 /// When a return counts as moving. The margins cover the noise of a scanner, 2 % of odometry error and 10 ms between
 /// the clocks of scan and odometry.
 struct MovingReturnsParameters {
-  double range = 4.0;            ///< m; farther returns are not looked at
-  double youngest = 0.2;         ///< s; what was seen less long ago than this is not compared with:
-  double oldest = 0.6;           ///< s; or longer ago. The first gives the time to notice, the second the slowest motion
-  double range_margin = 0.1;     ///< m behind a return that must have been seen free before it counts as moving
-  double lateral_margin = 0.05;  ///< m beside it, and
-  double angle_margin = 0.03;    ///< rad beside it, too
-  int fewest_beams = 4;          ///< neighbouring beams that must agree
-  double hold = 1.0;             ///< s; a thing that stands still counts as moving for this long, then as resting
-  double remember = 10.0;        ///< s after its last motion that it counts as resting, then as static
+  double range = 4.0;
+  double youngest = 0.2;
+  double oldest = 0.6;
+  double range_margin = 0.1;
+  double lateral_margin = 0.05;
+  double angle_margin = 0.03;
+  int fewest_beams = 4;
+  double hold = 1.0;
+  double remember = 10.0;
 };
 
-/// Calls visit(name, value, least, most) for every number.
+/// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
-void visitMovingNumbers(Parameters& moving, const Visitor& visit) {
-  visit("moving/range", moving.range, 0.1, 100.0);
-  visit("moving/youngest", moving.youngest, 0.001, 10.0);
-  visit("moving/oldest", moving.oldest, 0.001, 10.0);  // all scans until then are kept
-  visit("moving/range_margin", moving.range_margin, 0.001, 10.0);
-  visit("moving/lateral_margin", moving.lateral_margin, 0.001, 10.0);
-  visit("moving/angle_margin", moving.angle_margin, 1e-4, 1.0);
-  visit("moving/fewest_beams", moving.fewest_beams, 1, 10000);
-  visit("moving/hold", moving.hold, 0.0, 600.0);
-  visit("moving/remember", moving.remember, 0.0, 600.0);
+void visitMovingParameters(Parameters& moving, const Visitor& visit) {
+  visit("moving/range", moving.range, {0.1, 100.0}, "m", "farther returns are not looked at");
+  visit("moving/youngest", moving.youngest, {0.001, 10.0}, "s",
+        "what was seen less long ago than this is not compared with: the time to notice the fastest");
+  visit("moving/oldest", moving.oldest, {0.001, 10.0}, "s",
+        "nor what was seen longer ago: tells the slowest motion that is noticed; all scans until then are kept");
+  visit("moving/range_margin", moving.range_margin, {0.001, 10.0}, "m",
+        "behind a return that must have been seen free before it counts as moving");
+  visit("moving/lateral_margin", moving.lateral_margin, {0.001, 10.0}, "m",
+        "beside a return that must have been seen free, and");
+  visit("moving/angle_margin", moving.angle_margin, {1e-4, 1.0}, "rad", "beside it, too");
+  visit("moving/fewest_beams", moving.fewest_beams, {1, 10000}, "", "neighbouring beams that must agree");
+  visit("moving/hold", moving.hold, {0.0, 600.0}, "s",
+        "a thing that stands still counts as moving for this long, then as resting");
+  visit("moving/remember", moving.remember, {0.0, 600.0}, "s",
+        "after its last motion that it counts as resting, then as static");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

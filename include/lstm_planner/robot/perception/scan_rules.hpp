@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 
 namespace lstm_planner {
 
@@ -17,7 +18,7 @@ struct ScanRules {
   bool beyond_is_no_return = false;  ///< finite readings above range_max
   double no_return_code = 0.0;       ///< m; readings within 0.02 m of it, such as 65.53 m, the end of a 16 bit counter;
                                      ///< 0 = there is no such code
-  double least_measured = 0.5;       ///< share of the beams in each sector that must be measured
+  double least_measured = 0.5;
 };
 
 /// What Hokuyo scanners send behind urg_node, old ones included: NaN, 0, 65.53 m or readings beyond range_max.
@@ -28,6 +29,19 @@ ScanRules urgNodeRules();
 std::string noReturnText(const ScanRules& rules);
 /// Reads that text into `rules`. Throws std::invalid_argument with the word and what was expected.
 void setNoReturn(const std::string& text, ScanRules* rules);
+
+/// Visits every parameter; see parameter_visitors.hpp.
+template <typename Rules, typename Visitor>
+void visitScanRules(Rules& rules, const Visitor& visit) {
+  std::string no_return = noReturnText(rules);
+  visit("no_return", no_return, {}, "",
+        "readings that the driver sends in place of +inf: nan, zero, below (range_min), beyond (range_max) and one "
+        "number "
+        "(m)");
+  if constexpr (!std::is_const_v<Rules>) setNoReturn(no_return, &rules);
+  visit("least_measured", rules.least_measured, {0.01, 1.0}, "",
+        "share of the beams in each sector that must be measured: other scans are not used");
+}
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const ScanRules& rules);

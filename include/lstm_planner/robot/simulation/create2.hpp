@@ -9,14 +9,14 @@ namespace lstm_planner {
 
 /// The iRobot Create 2 (create_robot's CREATE_2 model) and how its wheels cheat.
 struct Create2Parameters {
-  double axle_length = 0.235;     ///< m between the wheels
-  double wheel_diameter = 0.072;  ///< m
+  double axle_length = 0.235;
+  double wheel_diameter = 0.072;
   double ticks_per_revolution = 508.8;
-  double max_wheel_speed = 0.5;         ///< m/s; each wheel is clipped on its own, so the curvature changes
-  double base_diameter = 0.3485;        ///< m
-  double max_wheel_acceleration = 2.0;  ///< m/s^2
-  double slip = 0.0;   ///< standard deviation of each wheel's true travel relative to what its encoder counts, per step
-  double drift = 0.0;  ///< constant relative error of the left wheel's travel, -drift for the right wheel
+  double max_wheel_speed = 0.5;
+  double base_diameter = 0.3485;
+  double max_wheel_acceleration = 2.0;
+  double slip = 0.0;
+  double drift = 0.0;
   /// How far odometry errs, as a share of the way: each robot draws, from its seed, one error of the lengths and one of
   /// the turns that it counts, both uniform in +-odometry_error; and its heading wanders about the true one, as that of
   /// a gyroscope with something to hold on to does: normal, 1.5 odometry_error rad, forgotten within 20 m. A robot that
@@ -25,18 +25,21 @@ struct Create2Parameters {
   double odometry_error = 0.0;
 };
 
-/// Calls visit(name, value, least, most) for every number.
+/// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
-void visitCreate2Numbers(Parameters& robot, const Visitor& visit) {
-  visit("axle_length", robot.axle_length, 0.01, 5.0);
-  visit("wheel_diameter", robot.wheel_diameter, 0.001, 5.0);
-  visit("ticks_per_revolution", robot.ticks_per_revolution, 1.0, 1e6);
-  visit("max_wheel_speed", robot.max_wheel_speed, 0.01, 20.0);
-  visit("base_diameter", robot.base_diameter, 0.01, 10.0);
-  visit("max_wheel_acceleration", robot.max_wheel_acceleration, 0.01, 1e9);
-  visit("slip", robot.slip, 0.0, 1.0);
-  visit("drift", robot.drift, -1.0, 1.0);
-  visit("odometry_error", robot.odometry_error, 0.0, 0.5);
+void visitCreate2Parameters(Parameters& robot, const Visitor& visit) {
+  visit("axle_length", robot.axle_length, {0.01, 5.0}, "m", "between the wheels");
+  visit("wheel_diameter", robot.wheel_diameter, {0.001, 5.0}, "m", "of each wheel");
+  visit("ticks_per_revolution", robot.ticks_per_revolution, {1.0, 1e6}, "", "of a wheel's encoder");
+  visit("max_wheel_speed", robot.max_wheel_speed, {0.01, 20.0}, "m/s",
+        "each wheel is clipped on its own, so the curvature changes");
+  visit("base_diameter", robot.base_diameter, {0.01, 10.0}, "m", "of the footprint that contacts are counted with");
+  visit("max_wheel_acceleration", robot.max_wheel_acceleration, {0.01, 1e9}, "m/s^2", "of each wheel");
+  visit("slip", robot.slip, {0.0, 1.0}, "",
+        "standard deviation of each wheel's true travel relative to what its encoder counts, per step");
+  visit("drift", robot.drift, {-1.0, 1.0}, "",
+        "constant relative error of the left wheel's travel, -drift for the right wheel");
+  visit("odometry_error", robot.odometry_error, {0.0, 0.5}, "", "share of the way by which odometry errs: 0.02 = 2 %");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
@@ -81,8 +84,8 @@ class Create2 {
   Wheel right_;
   Random random_;
   double heading_error_ = 0.0;  ///< rad by which the true heading has wandered from the counted one
-  double length_error_ = 0.0;  ///< relative, of every length that odometry counts
-  double turn_error_ = 0.0;    ///< relative, of every turn that odometry counts
+  double length_error_ = 0.0;   ///< relative, of every length that odometry counts
+  double turn_error_ = 0.0;     ///< relative, of every turn that odometry counts
 };
 
 }  // namespace lstm_planner

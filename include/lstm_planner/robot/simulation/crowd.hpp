@@ -12,26 +12,28 @@ namespace lstm_planner {
 /// How people walk about.
 struct CrowdParameters {
   int walkers = 10;
-  double smallest_radius = 0.2;  ///< m, of the disc that a walker takes up
-  double largest_radius = 0.3;   ///< m
-  double slowest = 0.3;          ///< m/s
-  double fastest = 1.0;          ///< m/s
-  double shortest_stand = 0.5;   ///< s that a walker stands when the robot is in its way
-  double longest_stand = 2.0;    ///< s
-  double first_distance = 1.0;   ///< m between the robot and every walker at the start, at the least
+  double smallest_radius = 0.2;
+  double largest_radius = 0.3;
+  double slowest = 0.3;
+  double fastest = 1.0;
+  double shortest_stand = 0.5;
+  double longest_stand = 2.0;
+  double first_distance = 1.0;
 };
 
-/// Calls visit(name, value, least, most) for every number.
+/// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
-void visitCrowdNumbers(Parameters& crowd, const Visitor& visit) {
-  visit("walkers", crowd.walkers, 0, 1000);
-  visit("smallest_radius", crowd.smallest_radius, 0.01, 5.0);
-  visit("largest_radius", crowd.largest_radius, 0.01, 5.0);
-  visit("slowest", crowd.slowest, 0.01, 20.0);
-  visit("fastest", crowd.fastest, 0.01, 20.0);
-  visit("shortest_stand", crowd.shortest_stand, 0.0, 3600.0);
-  visit("longest_stand", crowd.longest_stand, 0.0, 3600.0);
-  visit("first_distance", crowd.first_distance, 0.0, 1000.0);
+void visitCrowdParameters(Parameters& crowd, const Visitor& visit) {
+  visit("walkers", crowd.walkers, {0, 1000}, "", "people who walk about");
+  visit("smallest_radius", crowd.smallest_radius, {0.01, 5.0}, "m", "of the disc that a walker takes up, at the least");
+  visit("largest_radius", crowd.largest_radius, {0.01, 5.0}, "m", "and at the most");
+  visit("slowest", crowd.slowest, {0.01, 20.0}, "m/s", "speed of a walker, at the least");
+  visit("fastest", crowd.fastest, {0.01, 20.0}, "m/s", "and at the most");
+  visit("shortest_stand", crowd.shortest_stand, {0.0, 3600.0}, "s",
+        "that a walker stands when the robot is in its way, at the least");
+  visit("longest_stand", crowd.longest_stand, {0.0, 3600.0}, "s", "and at the most");
+  visit("first_distance", crowd.first_distance, {0.0, 1000.0}, "m",
+        "between the robot and every walker at the start, at the least");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -14,32 +14,32 @@ namespace lstm_planner {
 /// 10 mm up to 10 m and of 30 mm up to 30 m (standard deviations).
 struct HokuyoParameters {
   int beams = 1081;
-  double angle_min = -2.35619;          ///< rad
-  double angle_increment = 0.00436332;  ///< rad
-  double range_min = 0.023;             ///< m, as the driver reports it
-  double range_max = 60.0;              ///< m, as the driver reports it
-  double sight = 30.0;                  ///< m, farthest obstacle that is really seen
-  double noise = 0.01;                  ///< m, standard deviation of a range up to 10 m; three times that beyond
-  double dropout = 0.001;               ///< probability that a beam returns nothing
-  double rate = 40.0;                   ///< Hz
-  SensorMount mount;                    ///< in the base frame
+  double angle_min = -2.35619;
+  double angle_increment = 0.00436332;
+  double range_min = 0.023;
+  double range_max = 60.0;
+  double sight = 30.0;
+  double noise = 0.01;
+  double dropout = 0.001;
+  double rate = 40.0;
+  SensorMount mount;  ///< in the base frame
 };
 
-/// Calls visit(name, value, least, most) for every number.
+/// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
-void visitHokuyoNumbers(Parameters& laser, const Visitor& visit) {
-  visit("beams", laser.beams, 1, 100000);
-  visit("angle_min", laser.angle_min, -10.0, 10.0);
-  visit("angle_increment", laser.angle_increment, -10.0, 10.0);
-  visit("range_min", laser.range_min, 0.0, 100.0);
-  visit("range_max", laser.range_max, 0.0, 1000.0);
-  visit("sight", laser.sight, 0.01, 1000.0);
-  visit("noise", laser.noise, 0.0, 10.0);
-  visit("dropout", laser.dropout, 0.0, 1.0);
-  visit("rate", laser.rate, 0.01, 1000.0);
-  visit("x", laser.mount.pose.x, -100.0, 100.0);
-  visit("y", laser.mount.pose.y, -100.0, 100.0);
-  visit("yaw", laser.mount.pose.yaw, -10.0, 10.0);
+void visitHokuyoParameters(Parameters& laser, const Visitor& visit) {
+  visit("beams", laser.beams, {1, 100000}, "", "of a scan");
+  visit("angle_min", laser.angle_min, {-10.0, 10.0}, "rad", "of the first beam");
+  visit("angle_increment", laser.angle_increment, {-10.0, 10.0}, "rad", "from beam to beam");
+  visit("range_min", laser.range_min, {0.0, 100.0}, "m", "as the driver reports it");
+  visit("range_max", laser.range_max, {0.0, 1000.0}, "m", "as the driver reports it");
+  visit("sight", laser.sight, {0.01, 1000.0}, "m", "farthest obstacle that is really seen");
+  visit("noise", laser.noise, {0.0, 10.0}, "m", "standard deviation of a range up to 10 m; three times that beyond");
+  visit("dropout", laser.dropout, {0.0, 1.0}, "", "probability that a beam returns nothing");
+  visit("rate", laser.rate, {0.1, 200.0}, "Hz", "of scans");
+  visit("x", laser.mount.pose.x, {-100.0, 100.0}, "m", "where it sits in the base frame");
+  visit("y", laser.mount.pose.y, {-100.0, 100.0}, "m", "where it sits in the base frame");
+  visit("yaw", laser.mount.pose.yaw, {-10.0, 10.0}, "rad", "where it looks in the base frame");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

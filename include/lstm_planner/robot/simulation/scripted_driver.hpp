@@ -12,44 +12,48 @@ namespace lstm_planner {
 
 /// How somebody at the keys drives, and how well.
 struct ScriptedDriverParameters {
-  double speed = 0.3;                 ///< m/s while the forward key is held
-  double turn_speed = 1.5;            ///< rad/s while a turn key is held
-  double footprint_radius = 0.17425;  ///< m
-  double clearance = 0.1;             ///< m that the way keeps between the footprint and walls, at the least
-  double comfort = 0.4;               ///< m between them below which the way counts as longer than it is
-  double reluctance = 1.5;            ///< how much longer: see GeodesicField
-  double lookahead = 0.6;             ///< m along the way to the point that is driven at
-  double sharp_turn = 0.5;            ///< rad; who has to turn farther than this stops to turn
+  double speed = 0.3;
+  double turn_speed = 1.5;
+  double footprint_radius = 0.17425;
+  double clearance = 0.1;
+  double comfort = 0.4;
+  double reluctance = 1.5;
+  double lookahead = 0.6;
+  double sharp_turn = 0.5;
   /// Whether a turn key is pressed while driving, too, so that the robot drives arcs where the way bends less. Labels
   /// of thesis Eq. 4.1 hardly see arcs: half a second of one is half of its turn away from straight on.
   bool drives_arcs = false;
-  double shortest_reaction = 0.2;  ///< s from seeing to pressing or releasing a key, at the least
-  double longest_reaction = 0.3;   ///< s, and at the most
-  double shortest_hold = 0.15;     ///< s that a key is held or released, at the least
-  double wander = 0.06;            ///< rad, standard deviation of where is aimed at
-  double pause_interval = 60.0;    ///< s between pauses on average; 0: none
-  double longest_pause = 2.0;      ///< s
-  double arrival_distance = 0.15;  ///< m; nearer to the goal than this is arrived
+  double shortest_reaction = 0.2;
+  double longest_reaction = 0.3;
+  double shortest_hold = 0.15;
+  double wander = 0.06;
+  double pause_interval = 60.0;
+  double longest_pause = 2.0;
+  double arrival_distance = 0.15;
 };
 
-/// Calls visit(name, value, least, most) for every number.
+/// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
-void visitDriverNumbers(Parameters& driver, const Visitor& visit) {
-  visit("speed", driver.speed, 0.01, 10.0);
-  visit("turn_speed", driver.turn_speed, 0.01, 20.0);
-  visit("footprint_radius", driver.footprint_radius, 0.02, 5.0);
-  visit("clearance", driver.clearance, 0.0, 5.0);
-  visit("comfort", driver.comfort, 0.0, 10.0);
-  visit("reluctance", driver.reluctance, 0.0, 100.0);
-  visit("lookahead", driver.lookahead, 0.01, 20.0);
-  visit("sharp_turn", driver.sharp_turn, 0.2, 3.1416);
-  visit("shortest_reaction", driver.shortest_reaction, 0.0, 0.5);
-  visit("longest_reaction", driver.longest_reaction, 0.0, 0.5);
-  visit("shortest_hold", driver.shortest_hold, 0.0, 0.5);
-  visit("wander", driver.wander, 0.0, 0.5);
-  visit("pause_interval", driver.pause_interval, 0.0, 86400.0);
-  visit("longest_pause", driver.longest_pause, 0.0, 3600.0);
-  visit("arrival_distance", driver.arrival_distance, 0.01, 10.0);
+void visitDriverParameters(Parameters& driver, const Visitor& visit) {
+  visit("speed", driver.speed, {0.01, 10.0}, "m/s", "while the forward key is held");
+  visit("turn_speed", driver.turn_speed, {0.01, 20.0}, "rad/s", "while a turn key is held");
+  visit("footprint_radius", driver.footprint_radius, {0.02, 5.0}, "m", "of the robot");
+  visit("clearance", driver.clearance, {0.0, 5.0}, "m",
+        "that the way keeps between the footprint and walls, at the least");
+  visit("comfort", driver.comfort, {0.0, 10.0}, "m",
+        "between footprint and walls below which the way counts as longer than it is");
+  visit("reluctance", driver.reluctance, {0.0, 100.0}, "", "how much longer: up to 1 + this times");
+  visit("lookahead", driver.lookahead, {0.01, 20.0}, "m", "along the way to the point that is driven at");
+  visit("sharp_turn", driver.sharp_turn, {0.2, 3.1416}, "rad", "who has to turn farther than this stops to turn");
+  visit("drives_arcs", driver.drives_arcs, {}, "", "a turn key is pressed while driving, too; labels hardly see arcs");
+  visit("shortest_reaction", driver.shortest_reaction, {0.0, 0.5}, "s",
+        "from seeing to pressing or releasing a key, at the least");
+  visit("longest_reaction", driver.longest_reaction, {0.0, 0.5}, "s", "and at the most");
+  visit("shortest_hold", driver.shortest_hold, {0.0, 0.5}, "s", "that a key is held or released, at the least");
+  visit("wander", driver.wander, {0.0, 0.5}, "rad", "standard deviation of where is aimed at");
+  visit("pause_interval", driver.pause_interval, {0.0, 86400.0}, "s", "between pauses on average; 0: none");
+  visit("longest_pause", driver.longest_pause, {0.0, 3600.0}, "s", "of a pause");
+  visit("arrival_distance", driver.arrival_distance, {0.01, 10.0}, "m", "nearer to the goal than this is arrived");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -2,27 +2,25 @@
 
 #include <ros/node_handle.h>
 
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "lstm_planner/base/common/range.hpp"
+#include "lstm_planner/ros/common/pose_parameter.hpp"
 
 namespace lstm_planner {
 
 /// Reads the parameters of one namespace into variables that hold their defaults.
 class ParameterReader {
  public:
-  /// Reads what the functions visit that name every number of some parameters: visitAgentNumbers() and the like.
-  struct Numbers {
-    template <typename T>
-    void operator()(const std::string& name, T& value, double, double) const {
-      reader->read(prefix + name, &value);
-    }
-    ParameterReader* reader;
-    std::string prefix;
-  };
-  Numbers numbers(const std::string& prefix = "") { return {this, prefix}; }
-
   explicit ParameterReader(const ros::NodeHandle& node_handle) : node_handle_(node_handle) {}
+
+  /// Reads what it is called with; see parameter_visitors.hpp. Not longer than the reader lives.
+  auto visitor() {
+    return [this](const std::string& name, auto& value, Range, const char*, const char*) { read(name, &value); };
+  }
 
   /// Leaves `value` alone when the parameter is not set. Throws std::invalid_argument naming the parameter and the
   /// expected type when it is set to something else.
@@ -31,17 +29,26 @@ class ParameterReader {
   void read(const std::string& name, bool* value);
   void read(const std::string& name, std::string* value);
   void read(const std::string& name, std::vector<double>* value);
-  void read(const std::string& name, std::vector<XmlRpc::XmlRpcValue>* value);  ///< a list of anything
+  void read(const std::string& name, std::uint64_t* seed);  ///< a whole number
+  void read(const std::string& name, Pose2* pose);          ///< see poseFromParameter()
+  void read(const std::string& name, std::vector<NamedPose>* poses);
+
+  /// A parameter of the namespace that is read elsewhere: nobody is warned of it.
+  void know(const std::string& name);
 
   /// Full names of parameters of the namespace that are set but were never read: misspelt ones.
   std::vector<std::string> unknownParameters() const;
-  void warnOfUnknown() const;  ///< a line in the log for each
+  /// A sentence for each of them, with the nearest name that there is.
+  std::vector<std::string> warningsOfUnknown() const;
+  void warnOfUnknown() const;  ///< those in the log
 
   /// Full names of parameters that were read and are not set, or set to something else than their default.
   const std::set<std::string>& unsetParameters() const { return unset_; }
   const std::set<std::string>& changedParameters() const { return changed_; }
 
  private:
+  /// False, and noted, where the parameter is not set.
+  bool isSet(const std::string& name);
   template <typename T>
   void readAs(const std::string& name, const char* type, T* value);
 

@@ -8,7 +8,6 @@
 #include "lstm_planner/robot/driving/motion_controller.hpp"
 #include "lstm_planner/robot/driving/rollout.hpp"
 #include "lstm_planner/robot/perception/scan_rules.hpp"
-#include "lstm_planner/ros/common/parameter_reader.hpp"
 
 namespace lstm_planner {
 
@@ -16,66 +15,69 @@ namespace lstm_planner {
 struct SensorParameters {
   std::string scan_topic = "scan";
   std::string odom_topic = "odom";
-  double scan_timeout = 0.5;  ///< s; an older scan is not used
-  double odom_timeout = 0.5;  ///< s; an older odometry is not used
-  double tf_timeout = 0.5;    ///< s; an older transform between odometry, goal and costmap frames is not used; 0 = any
-  double max_speed = 1.0;     ///< m/s; odometry that moves faster than this has jumped
-  ScanRules scan_rules;       ///< what the scanner's readings mean
+  double scan_timeout = 0.5;
+  double odom_timeout = 0.5;
+  double tf_timeout = 0.5;
+  double max_speed = 1.0;
+  ScanRules scan_rules;  ///< what the scanner's readings mean
 };
 
 /// Parameters of LstmGlobalPlanner, in "~/LstmGlobalPlanner"; config/lstm_planner.yaml explains each.
 struct GlobalPlannerParameters {
   GlobalPlannerParameters() { agent.leader = kDefaultLeader; }
-  std::string model = "package://lstm_planner/models/create2_lstm.onnx";  ///< path, or package://NAME/PATH
+  std::string model = "package://lstm_planner/models/create2_lstm.onnx";
   SensorParameters sensors;
   AgentParameters agent;
   RolloutParameters rollout;
-  int trace_length = 2000;  ///< poses of the trace that the markers show
+  int trace_length = 2000;
 };
 
 /// Parameters of SteeringController, in "~/SteeringController"; config/steering_controller.yaml explains each.
 struct SteeringControllerParameters {
   SensorParameters sensors = {"scan", "odom", 0.2, 0.3, 0.3, 1.0, {}};
   MotionParameters motion;
-  double plan_timeout = 2.0;           ///< s without a new plan after which the robot stops; 0 = never
-  double footprint_radius = 0.17425;   ///< m
+  double plan_timeout = 2.0;
+  double footprint_radius = 0.17425;
   double controller_frequency = 20.0;  ///< Hz, how often move_base asks for a command
 };
 
-/// Call visit(name, value, least, most) for every number.
+// All visit every parameter; see parameter_visitors.hpp.
+
 template <typename Parameters, typename Visitor>
-void visitSensorNumbers(Parameters& sensors, const Visitor& visit) {
-  visit("scan_timeout", sensors.scan_timeout, 0.01, 60.0);
-  visit("odom_timeout", sensors.odom_timeout, 0.01, 60.0);
-  visit("tf_timeout", sensors.tf_timeout, 0.0, 60.0);
-  visit("max_speed", sensors.max_speed, 0.01, 100.0);
+void visitSensorParameters(Parameters& sensors, const Visitor& visit) {
+  visit("scan_topic", sensors.scan_topic, {}, "", "sensor_msgs/LaserScan");
+  visit("odom_topic", sensors.odom_topic, {}, "", "nav_msgs/Odometry");
+  visit("scan_timeout", sensors.scan_timeout, {0.01, 60.0}, "s", "an older scan is not used");
+  visit("odom_timeout", sensors.odom_timeout, {0.01, 60.0}, "s", "an older odometry is not used");
+  visit("tf_timeout", sensors.tf_timeout, {0.0, 60.0}, "s",
+        "an older transform between odometry, goal and costmap frames is not used; 0: of any age");
+  visit("max_speed", sensors.max_speed, {0.01, 100.0}, "m/s", "odometry that moves faster has jumped");
+  visitScanRules(sensors.scan_rules, visit);
 }
+
 template <typename Parameters, typename Visitor>
-void visitPlannerNumbers(Parameters& planner, const Visitor& visit) {
-  visitSensorNumbers(planner.sensors, visit);
-  visitAgentNumbers(planner.agent, visit);
-  visitRolloutNumbers(planner.rollout, visit);
-  visit("trace_length", planner.trace_length, 0, 100000);
+void visitGlobalPlannerParameters(Parameters& planner, const Visitor& visit) {
+  visit("model", planner.model, {}, "", "of the network: a path, or package://NAME/PATH");
+  visitSensorParameters(planner.sensors, visit);
+  visitAgentParameters(planner.agent, visit);
+  visitRolloutParameters(planner.rollout, visit);
+  visit("trace_length", planner.trace_length, {0, 100000}, "", "poses of the trace that the markers show");
 }
+
 template <typename Parameters, typename Visitor>
-void visitControllerNumbers(Parameters& controller, const Visitor& visit) {
-  visitSensorNumbers(controller.sensors, visit);
-  visitMotionNumbers(controller.motion, visit);
-  visit("plan_timeout", controller.plan_timeout, 0.0, 3600.0);
-  visit("footprint_radius", controller.footprint_radius, 0.02, 5.0);
+void visitSteeringControllerParameters(Parameters& controller, const Visitor& visit) {
+  visitSensorParameters(controller.sensors, visit);
+  visitMotionParameters(controller.motion, visit);
+  visit("plan_timeout", controller.plan_timeout, {0.0, 3600.0}, "s",
+        "without a new plan after which the robot stops; 0: never");
+  visit("footprint_radius", controller.footprint_radius, {0.02, 5.0}, "m",
+        "of the circle around everything that can touch");
 }
 
 /// Both read the namespace of `node_handle`, warn of parameters there that are not known, and throw
 /// std::invalid_argument naming the parameter, its value and what was expected.
 GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_handle);
 SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHandle& node_handle);
-
-/// What the two do before they check: read every parameter into its variable.
-void readParameters(ParameterReader* reader, GlobalPlannerParameters* parameters);
-void readParameters(ParameterReader* reader, SteeringControllerParameters* parameters);
-
-/// Reads no_return and least_measured. Throws std::invalid_argument as setNoReturn().
-void readScanRules(ParameterReader* reader, ScanRules* rules);
 
 /// The file behind package://NAME/PATH; any other path as it is. Throws std::invalid_argument for an unknown package.
 std::string resolvePackagePath(const std::string& path);

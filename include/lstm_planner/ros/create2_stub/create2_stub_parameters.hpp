@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/robot/simulation/create2.hpp"
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 
@@ -17,36 +18,75 @@ struct Create2StubParameters {
   std::string base_frame = "base_footprint";
   std::string odom_frame = "odom";
   std::string robot_model = "CREATE_2";
-  double latch_cmd_duration = 0.2;  ///< s
+  double latch_cmd_duration = 0.2;
   double loop_hz = 10.0;
   bool publish_tf = true;
 
   // The world: a map_server map or circles, exactly one of them.
-  std::string map;               ///< path of the map's yaml
-  double free_threshold = -1.0;  ///< replaces the map's free_thresh when not negative
-  std::string circles;           ///< path of a csv with the columns x, y and optionally radius and world
-  double circle_radius = 0.075;  ///< m, of circles without a column radius
-  int circle_world = 1;          ///< which circles are meant where there is a column world
+  std::string map;
+  double free_threshold = -1.0;
+  std::string circles;
+  double circle_radius = 0.075;
+  int circle_world = 1;
   std::string map_frame = "map";
-  bool publish_map = false;  ///< the map on `map` and the transform map_frame -> odom_frame, for viewing and for tests
-  Pose2 start;               ///< in the map frame
+  bool publish_map = false;
+  Pose2 start;
 
   // The robot and its scanner.
   Create2Parameters robot;
   HokuyoParameters laser;
   std::string laser_frame = "laser";
-  double laser_height = 0.125;      ///< m above base_link
-  double base_link_height = 0.017;  ///< m above base_frame
-  bool publish_static_tf = true;    ///< base_frame -> base_link -> laser_frame
+  double laser_height = 0.125;
+  double base_link_height = 0.017;
+  bool publish_static_tf = true;
   std::uint64_t seed = 1;
-  Pose2 odometry_jump{1.0, 0.0, 0.0};  ///< what ~jump_odometry adds, in the base frame
+  Pose2 odometry_jump{1.0, 0.0, 0.0};
 
   // Time.
-  bool publish_clock = false;     ///< the stub drives /clock
-  double real_time_factor = 1.0;  ///< simulated seconds a second while it does
-  double command_period = 0.0;    ///< s of simulated time after which it waits for a controller at work; 0: it never does
-  double command_patience = 0.5;  ///< s of the computer's time that it waits at most
+  bool publish_clock = false;
+  double real_time_factor = 1.0;
+  double command_period = 0.0;
+  double command_patience = 0.5;
 };
+
+/// Visits every parameter; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitCreate2StubParameters(Parameters& stub, const Visitor& visit) {
+  visit("base_frame", stub.base_frame, {}, "", "of the robot");
+  visit("odom_frame", stub.odom_frame, {}, "", "of the odometry");
+  visit("robot_model", stub.robot_model, {}, "", "CREATE_2, the only one that is simulated");
+  visit("latch_cmd_duration", stub.latch_cmd_duration, {0.0, 60.0}, "s",
+        "without a command after which the robot is stopped");
+  visit("loop_hz", stub.loop_hz, {0.1, 100.0}, "Hz", "of odometry, tf and everything else the driver publishes");
+  visit("publish_tf", stub.publish_tf, {}, "", "odom_frame -> base_frame");
+
+  visit("map", stub.map, {}, "", "path of a map_server yaml; this or circles");
+  visit("free_threshold", stub.free_threshold, {-1.0, 1.0}, "", "replaces the map's free_thresh when not negative");
+  visit("circles", stub.circles, {}, "", "path of a csv with the columns x, y and optionally radius and world");
+  visit("circle_radius", stub.circle_radius, {0.001, 100.0}, "m", "of circles without a column radius");
+  visit("circle_world", stub.circle_world, {}, "", "which circles are meant where there is a column world");
+  visit("map_frame", stub.map_frame, {}, "", "of the map and of ~ground_truth");
+  visit("publish_map", stub.publish_map, {}, "",
+        "the map, and the fixed transform map_frame -> odom_frame; for viewing");
+  visit("start", stub.start, {}, "m, m, rad", "of the robot, in the map frame");
+
+  visitCreate2Parameters(stub.robot, withPrefix("robot/", visit));
+  visit("base_link_height", stub.base_link_height, {-100.0, 100.0}, "m", "above base_frame");
+  visit("odometry_jump", stub.odometry_jump, {}, "m, m, rad", "what ~jump_odometry adds, in the base frame");
+  visitHokuyoParameters(stub.laser, withPrefix("laser/", visit));
+  visit("laser/frame", stub.laser_frame, {}, "", "of the scans");
+  visit("laser/z", stub.laser_height, {-100.0, 100.0}, "m", "above base_link");
+  visit("laser/upside_down", stub.laser.mount.upside_down, {}, "", "mirrors the order of the beams");
+  visit("publish_static_tf", stub.publish_static_tf, {}, "", "base_frame -> base_link -> laser");
+
+  visit("seed", stub.seed, {}, "", "of noise, drop-outs and slip");
+  visit("publish_clock", stub.publish_clock, {}, "", "the stub drives /clock");
+  visit("real_time_factor", stub.real_time_factor, {0.001, 100.0}, "",
+        "simulated seconds a second while it does; the other nodes must keep up");
+  visit("command_period", stub.command_period, {0.0, 60.0}, "s",
+        "of simulated time after which the clock waits for a controller at work; 0: it never does");
+  visit("command_patience", stub.command_patience, {0.0, 60.0}, "s", "of the computer's time that it waits at most");
+}
 
 /// Reads all parameters from the node's private namespace; what is not set keeps its default. Throws
 /// std::invalid_argument naming the parameter, its value and what was expected.

@@ -6,37 +6,42 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/geometry.hpp"
 #include "lstm_planner/robot/dataset/recorder_parameters.hpp"
-#include "lstm_planner/ros/common/parameter_reader.hpp"
+#include "lstm_planner/ros/common/pose_parameter.hpp"
 
 namespace lstm_planner {
 
 /// Parameters of the node dataset_recorder; config/dataset_recorder.yaml explains each.
 struct RecorderNodeParameters {
-  struct WayPoint {
-    std::string name;
-    Pose2 pose;
-  };
-
-  std::string output = "~/lstm_planner_%Y-%m-%dT%H-%M-%SZ.sqlite";  ///< see outputPath()
+  std::string output = "~/lstm_planner_%Y-%m-%dT%H-%M-%SZ.sqlite";
   std::string scan_topic = "scan";
   std::string odom_topic = "odom";
-  std::string base_frame = "base_footprint";  ///< where the odometry does not name it
-  std::vector<WayPoint> way_points;           ///< none: goals come from elsewhere only
+  std::string base_frame = "base_footprint";
+  std::vector<NamedPose> way_points;
   std::string way_point_frame = "odom";
-  int seed = 1;             ///< of the order of the way-points
-  double disk_low = 500.0;  ///< MB; with less than this left on the disk a warning is given
+  int seed = 1;
+  double disk_low = 500.0;
   RecorderParameters recorder;
 };
+
+/// Visits every parameter; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitRecorderNodeParameters(Parameters& node, const Visitor& visit) {
+  visit("output", node.output, {}, "",
+        "the file; ~/ and package://NAME/ may begin it, %Y and the like are replaced by the time");
+  visit("scan_topic", node.scan_topic, {}, "", "sensor_msgs/LaserScan");
+  visit("odom_topic", node.odom_topic, {}, "", "nav_msgs/Odometry");
+  visit("base_frame", node.base_frame, {}, "", "the robot's, where the odometry does not name it");
+  visit("disk_low", node.disk_low, {0.0, 1e9}, "MB", "with less than this left on the disk a warning is given");
+  visit("way_points", node.way_points, {}, "m", "the goals, in random order; none: goals come from elsewhere only");
+  visit("way_point_frame", node.way_point_frame, {}, "", "the frame that they are given in");
+  visit("seed", node.seed, {}, "", "of their order");
+  visitRecorderParameters(node.recorder, visit);
+}
 
 /// Reads the namespace of `node_handle`, warns of parameters there that are not known, and throws std::invalid_argument
 /// naming the parameter, its value and what was expected.
 RecorderNodeParameters loadRecorderNodeParameters(const ros::NodeHandle& node_handle);
-
-/// What it does before it checks: read every parameter into its variable. Throws std::invalid_argument for those of
-/// another type.
-void readParameters(ParameterReader* reader, RecorderNodeParameters* parameters);
 
 /// The file that `output` means at a time: ~/ is the user's home, package://NAME/ a package's folder, and %Y and the
 /// like are replaced as by strftime, in UTC. Throws std::invalid_argument when that is none.

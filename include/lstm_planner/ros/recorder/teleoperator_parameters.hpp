@@ -5,33 +5,47 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/robot/simulation/scripted_driver.hpp"
-#include "lstm_planner/ros/common/parameter_reader.hpp"
+#include "lstm_planner/ros/common/pose_parameter.hpp"
 
 namespace lstm_planner {
 
 /// What `scripted_teleoperator` reads from its private namespace; config/scripted_teleoperator.yaml explains every
 /// parameter.
 struct TeleoperatorParameters {
-  std::string map;               ///< path of the map's yaml; not in the yaml of parameters
-  double free_threshold = -1.0;  ///< replaces the map's free_thresh when not negative
+  std::string map;  ///< path of the map's yaml; not in the yaml of parameters
+  double free_threshold = -1.0;
   std::string map_frame = "map";
   std::string base_frame = "base_footprint";
   std::string goal_topic = "dataset_recorder/goal";
-  std::vector<Point2> way_points;  ///< map frame; the goals when there are any, one after another
-  int goals = 0;                   ///< goals after which the node ends; 0: never
-  double rate = 20.0;              ///< Hz of commands
-  double patience = 0.5;           ///< s; an older pose is not driven by
+  std::vector<NamedPose> way_points;
+  int goals = 0;
+  double rate = 20.0;
+  double patience = 0.5;
   int seed = 1;
   ScriptedDriverParameters driver;
 };
 
-/// Leaves what is not set at its default. Throws std::invalid_argument naming the parameter, its value and what was
-/// expected.
-void readParameters(ParameterReader* reader, TeleoperatorParameters* parameters);
+/// Visits every parameter but `map`; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitTeleoperatorParameters(Parameters& node, const Visitor& visit) {
+  visit("free_threshold", node.free_threshold, {-1.0, 1.0}, "", "replaces the map's free_thresh when not negative");
+  visit("map_frame", node.map_frame, {}, "", "frame of the map");
+  visit("base_frame", node.base_frame, {}, "",
+        "the robot's; where nobody publishes ground_truth, its pose comes from tf");
+  visit("goal_topic", node.goal_topic, {}, "", "geometry_msgs/PoseStamped");
+  visit("way_points", node.way_points, {}, "m",
+        "in the map frame; with any the topic is not listened to, and they are driven to one after another");
+  visit("goals", node.goals, {0, 1000000}, "", "after which the node ends; 0: never");
+  visit("rate", node.rate, {10.0, 100.0}, "Hz", "of commands");
+  visit("patience", node.patience, {0.01, 60.0}, "s", "the robot stands while its pose is older than this");
+  visit("seed", node.seed, {}, "", "of everything below that is random");
+  visitDriverParameters(node.driver, withPrefix("driver/", visit));
+}
 
-/// The same from the node's private namespace, and the map.
+/// Reads the node's private namespace; leaves what is not set at its default. Throws std::invalid_argument naming the
+/// parameter, its value and what was expected.
 TeleoperatorParameters loadTeleoperatorParameters(const ros::NodeHandle& private_node);
 
 }  // namespace lstm_planner

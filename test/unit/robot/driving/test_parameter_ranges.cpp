@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/robot/dataset/recorder_parameters.hpp"
 #include "lstm_planner/robot/driving/motion_controller.hpp"
 #include "lstm_planner/robot/memory/obstacle_memory.hpp"
@@ -47,18 +48,21 @@ void expectRanges(const VisitAll& visit_all) {
   EXPECT_EQ(complaintAbout(Parameters{}), "");
   std::vector<Number> numbers;
   Parameters defaults;
-  visit_all(defaults, [&](const std::string& name, auto& value, double least, double most) {
-    EXPECT_LE(least, value) << name;
-    EXPECT_LE(value, most) << name;
-    numbers.push_back({name, least, most});
+  visit_all(defaults, [&](const std::string& name, auto& value, Range range, const char*, const char*) {
+    if constexpr (kIsNumber<std::decay_t<decltype(value)>>) {
+      EXPECT_TRUE(range.contains(value)) << name;
+      numbers.push_back({name, range.least, range.most});
+    }
   });
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const Number& number : numbers) {
     for (const double wrong : {std::nan(""), kInfinity, -kInfinity, 1e300, -1e300, number.least - 1.0,
                                std::nextafter(number.most, kInfinity)}) {
       Parameters parameters;
-      visit_all(parameters, [&](const std::string& name, auto& value, double, double) {
-        if (name == number.name) set(wrong, &value);
+      visit_all(parameters, [&](const std::string& name, auto& value, Range, const char*, const char*) {
+        if constexpr (kIsNumber<std::decay_t<decltype(value)>>) {
+          if (name == number.name) set(wrong, &value);
+        }
       });
       std::ostringstream range;
       range << ", expected a number in [" << number.least << ", " << number.most << "]";
@@ -70,22 +74,22 @@ void expectRanges(const VisitAll& visit_all) {
 }
 
 TEST(ParameterRanges, HoldForTheAgent) {
-  expectRanges<AgentParameters>([](auto& p, const auto& visit) { visitAgentNumbers(p, visit); });
+  expectRanges<AgentParameters>([](auto& p, const auto& visit) { visitAgentParameters(p, visit); });
 }
 
 TEST(ParameterRanges, HoldForTheController) {
-  expectRanges<MotionParameters>([](auto& p, const auto& visit) { visitMotionNumbers(p, visit); });
+  expectRanges<MotionParameters>([](auto& p, const auto& visit) { visitMotionParameters(p, visit); });
 }
 
 TEST(ParameterRanges, HoldForTheRecorder) {
-  expectRanges<RecorderParameters>([](auto& p, const auto& visit) { visitRecorderNumbers(p, visit); });
+  expectRanges<RecorderParameters>([](auto& p, const auto& visit) { visitRecorderParameters(p, visit); });
 }
 
 TEST(ParameterRanges, HoldForTheSimulatedRobotScannerDriverAndPeople) {
-  expectRanges<Create2Parameters>([](auto& p, const auto& visit) { visitCreate2Numbers(p, visit); });
-  expectRanges<HokuyoParameters>([](auto& p, const auto& visit) { visitHokuyoNumbers(p, visit); });
-  expectRanges<ScriptedDriverParameters>([](auto& p, const auto& visit) { visitDriverNumbers(p, visit); });
-  expectRanges<CrowdParameters>([](auto& p, const auto& visit) { visitCrowdNumbers(p, visit); });
+  expectRanges<Create2Parameters>([](auto& p, const auto& visit) { visitCreate2Parameters(p, visit); });
+  expectRanges<HokuyoParameters>([](auto& p, const auto& visit) { visitHokuyoParameters(p, visit); });
+  expectRanges<ScriptedDriverParameters>([](auto& p, const auto& visit) { visitDriverParameters(p, visit); });
+  expectRanges<CrowdParameters>([](auto& p, const auto& visit) { visitCrowdParameters(p, visit); });
 }
 
 TEST(ParameterRanges, BoundWhatAnUpdateOfTheMemoryCosts) {
