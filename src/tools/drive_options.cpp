@@ -41,7 +41,7 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
   visitHokuyoParameters(options->drive.robot.scanner, line->parameters({{"noise", "noise"}, {"dropout", "dropout"}}));
   visitCreate2Parameters(options->drive.robot.base,
                          line->parameters({{"odometry_error", "drift"}, {"slip", "slip"}, {"drift", "wheel-error"}}));
-  line->add("latency", &options->drive.robot.latency, {0.0, 10.0}, "s from a command to the wheels");
+  visitSimulatedRobotParameters(options->drive.robot, line->parameters({{"latency", "latency"}}));
   line->addText(
       "leader", toString(agent.leader), [&](const std::string& name) { agent.leader = leaderNamed(name); },
       "network; route: the way through what is remembered; none: the allowed angle nearest to the goal's bearing");

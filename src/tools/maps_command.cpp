@@ -93,12 +93,12 @@ struct MapsOptions {
 
 void addBuildingOptions(FloorPlanParameters* plan, CommandLine* line) {
   line->section("--kind building");
-  line->add("width", &plan->width, {1.0, 1000.0}, "m");
-  line->add("height", &plan->height, {1.0, 1000.0}, "m");
-  line->add("resolution", &plan->resolution, {0.01, 0.2}, "m a cell");
-  line->add("smallest-room", &plan->smallest_room, {1.2, 50.0}, "m, shortest side");
-  line->add("door-width", &plan->door_width, {0.6, 3.0}, "m");
-  line->add("furniture", &plan->furniture, {0.0, 0.5}, "share of the floor");
+  visitFloorPlanParameters(*plan, line->parameters({{"width", "width"},
+                                                    {"height", "height"},
+                                                    {"resolution", "resolution"},
+                                                    {"smallest_room", "smallest-room"},
+                                                    {"door_width", "door-width"},
+                                                    {"furniture", "furniture"}}));
 }
 
 void addGridMapOptions(MapsOptions* options, CommandLine* line) {
@@ -115,7 +115,7 @@ void addGridMapOptions(MapsOptions* options, CommandLine* line) {
   line->addFlag("keep-pockets", &options->random.fill_pockets, false, "random: do not fill what cannot be reached");
   line->add("room-size", &options->rooms.room_size, kMapSide, "rooms: cells");
   line->add("door-cells", &options->rooms.door_cells, kMapSide, "rooms: width of a door, cells");
-  line->add("rounds", &options->caves.rounds, {0, 1000}, "caves: of smoothing");
+  line->add("rounds", &options->caves.rounds, {0, 100}, "caves: of smoothing");
 }
 
 /// What several kinds share is written by the user once.

@@ -6,8 +6,10 @@
 
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
+#include "lstm_planner/ros/demo/demo_runner.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
+#include "lstm_planner/ros/replay/bag_replay.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/option_number.hpp"
@@ -58,16 +60,22 @@ std::vector<Node> nodes() {
   const RecorderNodeParameters recorder;
   const Create2StubParameters stub;
   const TeleoperatorParameters driver;
+  const BagReplayParameters replay;
+  const DemoParameters demo;
   std::vector<Node> all = {{"planner", "LstmGlobalPlanner, config/lstm_planner.yaml", {}},
                            {"controller", "SteeringController, config/steering_controller.yaml", {}},
                            {"recorder", "dataset_recorder, config/dataset_recorder.yaml", {}},
                            {"stub", "create2_stub, config/create2_stub.yaml", {}},
-                           {"driver", "scripted_teleoperator, config/scripted_teleoperator.yaml", {}}};
+                           {"driver", "scripted_teleoperator, config/scripted_teleoperator.yaml", {}},
+                           {"replay", "bag_replay, launch/replay.launch", {}},
+                           {"demo", "demo_runner, launch/demo.launch", {}}};
   visitGlobalPlannerParameters(planner, collectIn(&all[0].table));
   visitSteeringControllerParameters(controller, collectIn(&all[1].table));
   visitRecorderNodeParameters(recorder, collectIn(&all[2].table));
   visitCreate2StubParameters(stub, collectIn(&all[3].table));
   visitTeleoperatorParameters(driver, collectIn(&all[4].table));
+  visitBagReplayParameters(replay, collectIn(&all[5].table));
+  visitDemoParameters(demo, collectIn(&all[6].table));
   return all;
 }
 
@@ -89,7 +97,7 @@ int runParameters(const std::vector<std::string>& arguments) {
   std::string wanted;
   CommandLine line("parameters", "prints the parameters of plugins and nodes: default, range, unit and meaning");
   line.addChoice("of", &wanted, names,
-                 "planner, controller, recorder, stub or driver; --of may be left out (default: all)")
+                 "planner, controller, recorder, stub, driver, replay or demo; --of may be left out (default: all)")
       .standsAlone();
   if (!line.parse(arguments)) return 0;
   for (const Node& node : all) {

@@ -40,9 +40,8 @@ void addRecorderOptions(RecorderParameters* parameters, CommandLine* line) {
 }
 
 void addHindsightOptions(HindsightParameters* parameters, CommandLine* line) {
-  line->add("stop", &parameters->stop, {0.01, 86400.0}, "s; where the robot stood this long it had arrived");
-  line->add("longest", &parameters->longest, {0.01, 1e5}, "m of way; at the latest after this much there was a goal");
-  line->add("shortest", &parameters->shortest, {0.01, 1e5}, "m of way; nearer places are not goals");
+  visitHindsightParameters(*parameters,
+                           line->parameters({{"stop", "stop"}, {"longest", "longest"}, {"shortest", "shortest"}}));
 }
 
 void addMountOption(std::optional<SensorMount>* mount, const std::string& otherwise, CommandLine* line) {

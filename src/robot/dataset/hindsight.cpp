@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/robot/perception/odometry_history.hpp"
 
 namespace lstm_planner {
@@ -143,9 +143,7 @@ class GoalFinder {
 }  // namespace
 
 void validate(const HindsightParameters& parameters) {
-  checkRange("stop", parameters.stop, 0.01, 86400.0);
-  checkRange("shortest", parameters.shortest, 0.01, 1e5);
-  checkRange("longest", parameters.longest, 0.01, 1e5);
+  visitHindsightParameters(parameters, RangeCheck());
   checkParameter(parameters.longest >= parameters.shortest, "longest", parameters.longest,
                  "at least shortest = " + std::to_string(parameters.shortest));
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -20,8 +20,7 @@ double approachSpeed(const Point2& position, const Point2& velocity, const Point
 
 SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
     : world_(world), parameters_(parameters), base_(parameters.base, start, seed), scanner_(parameters.scanner, ~seed) {
-  checkRange("physics_period", parameters.physics_period, 1e-4, 1.0);
-  checkRange("latency", parameters.latency, 0.0, 10.0);
+  visitSimulatedRobotParameters(parameters, RangeCheck());
 }
 
 SimulatedRobot::SimulatedRobot(Crowd* crowd, const Parameters& parameters, const Pose2& start, std::uint64_t seed)

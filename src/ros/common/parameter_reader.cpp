@@ -19,6 +19,13 @@ bool ParameterReader::isSet(const std::string& name) {
 
 void ParameterReader::know(const std::string& name) { known_.insert(node_handle_.resolveName(name)); }
 
+void ParameterReader::knowGroup(const std::string& name) {
+  const std::string prefix = node_handle_.resolveName(name) + "/";
+  for (const std::string& unknown : unknownParameters()) {
+    if (unknown.compare(0, prefix.size(), prefix) == 0) known_.insert(unknown);
+  }
+}
+
 template <typename T>
 void ParameterReader::readAs(const std::string& name, const char* type, T* value) {
   if (!isSet(name)) return;

@@ -6,17 +6,6 @@
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 
 namespace lstm_planner {
-namespace {
-
-/// What belongs to the demo runner.
-void knowScenario(ParameterReader* reader) {
-  for (const std::string& name : reader->unknownParameters()) {
-    if (name.find("/scenario/") != std::string::npos) reader->know(name);
-  }
-}
-
-}  // namespace
-
 Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_node) {
   ParameterReader reader(private_node);
   Create2StubParameters parameters;
@@ -29,7 +18,7 @@ Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_n
     throw std::invalid_argument("parameter " + private_node.resolveName("robot_model") + " is '" +
                                 parameters.robot_model + "', expected CREATE_2, the only model that is simulated");
   }
-  knowScenario(&reader);
+  reader.knowGroup("scenario");  // the demo runner's
   reader.warnOfUnknown();
   return parameters;
 }

@@ -1,6 +1,7 @@
 #include <stdexcept>
+#include <utility>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/pose_parameter.hpp"
 #include "lstm_planner/ros/demo/demo_runner.hpp"
@@ -54,19 +55,11 @@ void readGoals(const ros::NodeHandle& node, const std::string& frame, double tim
 DemoParameters loadDemoParameters(const ros::NodeHandle& private_node) {
   DemoParameters parameters;
   ParameterReader reader(private_node);
-  reader.read("map", &parameters.map);
-  reader.read("free_threshold", &parameters.free_threshold);
-  reader.read("odom_frame", &parameters.odom_frame);
-  reader.read("action", &parameters.action);
-  reader.read("robot_radius", &parameters.robot_radius);
-  reader.read("arrival_radius", &parameters.arrival_radius);
-  reader.read("patience", &parameters.patience);
-  reader.read("picture", &parameters.picture);
-  reader.read("result", &parameters.result);
-  checkRange(private_node.resolveName("free_threshold"), parameters.free_threshold, -1.0, 1.0);
-  checkRange(private_node.resolveName("robot_radius"), parameters.robot_radius, 0.02, 5.0);
-  checkRange(private_node.resolveName("arrival_radius"), parameters.arrival_radius, 0.01, 100.0);
-  checkRange(private_node.resolveName("patience"), parameters.patience, 0.1, kLongest);
+  visitDemoParameters(parameters, reader.visitor());
+  visitDemoParameters(std::as_const(parameters), RangeCheck{private_node.getNamespace() + "/"});
+  reader.know("start");
+  reader.knowGroup("scenario");
+  reader.warnOfUnknown();
 
   if (!readPose(private_node, "start", &parameters.start)) {
     readPose(private_node, "scenario/start", &parameters.start);

@@ -82,7 +82,7 @@ TEST_F(CommandLineTool, TheHelpWritesDefaultsAndRangesAsPeopleDo) {
     const std::string help = success(std::string(usage.command) + " --help");
     EXPECT_FALSE(std::regex_search(help, many_digits)) << help;
   }
-  EXPECT_TRUE(contains(success("drive --help"), "in [0, 10] (default: 0.1)"));
+  EXPECT_TRUE(contains(success("drive --help"), "in [0, 1] (default: 0.001)"));
 }
 
 TEST_F(CommandLineTool, PrintsTheParametersOfPluginsAndNodes) {

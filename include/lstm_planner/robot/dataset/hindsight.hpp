@@ -13,10 +13,18 @@ namespace lstm_planner {
 
 /// Which places a driver who named no goals is taken to have driven to.
 struct HindsightParameters {
-  double stop = 2.0;      ///< s; where the robot stood this long it had arrived
-  double longest = 10.0;  ///< m of way; at the latest after this much there was a goal
-  double shortest = 2.0;  ///< m of way; nearer places are not goals
+  double stop = 2.0;
+  double longest = 10.0;
+  double shortest = 2.0;
 };
+
+/// Visits every parameter; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitHindsightParameters(Parameters& hindsight, const Visitor& visit) {
+  visit("stop", hindsight.stop, {0.01, 86400.0}, "s", "where the robot stood this long it had arrived");
+  visit("longest", hindsight.longest, {0.01, 1e5}, "m", "of path, after which there was a goal at the latest");
+  visit("shortest", hindsight.shortest, {0.01, 1e5}, "m", "of path; nearer places are not goals");
+}
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const HindsightParameters& parameters);

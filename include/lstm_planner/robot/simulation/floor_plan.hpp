@@ -10,16 +10,31 @@ namespace lstm_planner {
 /// corridor where it has one beside it and to a neighbour otherwise, boxes along the walls and in the middle, round
 /// pillars.
 struct FloorPlanParameters {
-  double width = 20.0;           ///< m
-  double height = 14.0;          ///< m
-  double resolution = 0.05;      ///< m a cell
-  double wall_thickness = 0.15;  ///< m
-  double smallest_room = 3.0;    ///< m, shortest side
-  double door_width = 0.9;       ///< m
-  double extra_doors = 0.3;      ///< probability of a second way through a wall
-  double furniture = 0.06;       ///< share of the floor that is covered by boxes and round things
-  double smallest_gap = 0.7;     ///< m kept free around furniture, but for the walls that it stands flush against
+  double width = 20.0;
+  double height = 14.0;
+  double resolution = 0.05;
+  double wall_thickness = 0.15;
+  double smallest_room = 3.0;
+  double door_width = 0.9;
+  double extra_doors = 0.3;
+  double furniture = 0.06;
+  double smallest_gap = 0.7;
 };
+
+/// Visits every parameter; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitFloorPlanParameters(Parameters& plan, const Visitor& visit) {
+  visit("resolution", plan.resolution, {0.01, 0.2}, "m", "of a cell");
+  visit("wall_thickness", plan.wall_thickness, {0.01, 1.0}, "m", "of walls");
+  visit("door_width", plan.door_width, {0.6, 3.0}, "m", "of doors");
+  visit("smallest_room", plan.smallest_room, {1.2, 50.0}, "m", "shortest side of a room");
+  visit("width", plan.width, {1.2, 500.0}, "m", "of the building");
+  visit("height", plan.height, {1.2, 500.0}, "m", "of the building");
+  visit("extra_doors", plan.extra_doors, {0.0, 1.0}, "", "probability of a second way through a wall");
+  visit("furniture", plan.furniture, {0.0, 0.5}, "", "share of the floor that is covered by boxes and round things");
+  visit("smallest_gap", plan.smallest_gap, {0.0, 5.0}, "m",
+        "kept free around furniture, but for the walls that it stands flush against");
+}
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const FloorPlanParameters& parameters);

@@ -21,8 +21,8 @@ class SimulatedRobot {
   struct Parameters {
     Create2Parameters base;
     HokuyoParameters scanner;
-    double physics_period = 0.02;  ///< s
-    double latency = 0.0;          ///< s from a command to the wheels, to a whole physics period
+    double physics_period = 0.02;
+    double latency = 0.0;
   };
 
   /// `world` must outlive the robot.
@@ -76,5 +76,12 @@ class SimulatedRobot {
   bool touching_ = false;
   double path_length_ = 0.0;
 };
+
+/// Visits the parameters that are not those of base and scanner; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitSimulatedRobotParameters(Parameters& robot, const Visitor& visit) {
+  visit("physics_period", robot.physics_period, {1e-4, 1.0}, "s", "from one calculated motion to the next");
+  visit("latency", robot.latency, {0.0, 10.0}, "s", "from a command to the wheels, to a whole physics period");
+}
 
 }  // namespace lstm_planner

@@ -35,6 +35,7 @@ class ParameterReader {
 
   /// A parameter of the namespace that is read elsewhere: nobody is warned of it.
   void know(const std::string& name);
+  void knowGroup(const std::string& name);  ///< all that are called NAME/...
 
   /// Full names of parameters of the namespace that are set but were never read: misspelt ones.
   std::vector<std::string> unknownParameters() const;

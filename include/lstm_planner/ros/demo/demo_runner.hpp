@@ -25,18 +25,33 @@ struct DemoParameters {
     Pose2 pose;         ///< in the map frame
     double time_limit;  ///< s
   };
-  std::vector<Goal> goals;
-  Pose2 start;                       ///< ~start, else ~scenario/start: where odometry began, in the map frame
-  std::string map;                   ///< ~map: path of the map_server yaml
-  double free_threshold = -1.0;      ///< ~free_threshold: replaces the map's when not negative
-  std::string odom_frame = "odom";   ///< ~odom_frame: what the goals are sent in
-  std::string action = "move_base";  ///< ~action
-  double robot_radius = 0.17425;     ///< ~robot_radius, m
-  double arrival_radius = 0.4;       ///< ~arrival_radius: m between true position and goal to believe an arrival
-  double patience = 60.0;            ///< ~patience: s (the computer's) without the action server or the ground truth
-  std::string picture;               ///< ~picture: path of the picture, none when empty
-  std::string result;                ///< ~result: path of the result file, none when empty
+  std::vector<Goal> goals;  ///< ~scenario/goals
+  Pose2 start;              ///< ~start, else ~scenario/start: where odometry began, in the map frame
+  std::string map;
+  double free_threshold = -1.0;
+  std::string odom_frame = "odom";
+  std::string action = "move_base";
+  double robot_radius = 0.17425;
+  double arrival_radius = 0.4;
+  double patience = 60.0;
+  std::string picture;
+  std::string result;
 };
+
+/// Visits every parameter but the scenario's; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitDemoParameters(Parameters& demo, const Visitor& visit) {
+  visit("map", demo.map, {}, "", "path of the map_server yaml");
+  visit("free_threshold", demo.free_threshold, {-1.0, 1.0}, "", "replaces the map's free_thresh when not negative");
+  visit("odom_frame", demo.odom_frame, {}, "", "what the goals are sent in");
+  visit("action", demo.action, {}, "", "the server's name");
+  visit("robot_radius", demo.robot_radius, {0.02, 5.0}, "m", "of the footprint, for the shortest paths");
+  visit("arrival_radius", demo.arrival_radius, {0.01, 100.0}, "m",
+        "between true position and goal to believe an arrival");
+  visit("patience", demo.patience, {0.1, 86400.0}, "s", "of the computer's time without action server or ground truth");
+  visit("picture", demo.picture, {}, "", "path of the picture; empty: none");
+  visit("result", demo.result, {}, "", "path of the result file; empty: none");
+}
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 DemoParameters loadDemoParameters(const ros::NodeHandle& private_node);

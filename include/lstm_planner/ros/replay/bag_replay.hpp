@@ -18,15 +18,34 @@ namespace lstm_planner {
 
 /// What `bag_replay` reads from its private namespace; launch/replay.launch has an argument for each.
 struct BagReplayParameters {
-  std::string bag;  ///< ~bag: path of a recording with scan and odometry or tf
-  /// ~scan_topic, ~odometry_topic, ~goal_topic, ~odometry_frame, ~base_frame, ~mount, ~hindsight
+  std::string bag;
   BagDriveOptions drive;
   GlobalPlannerParameters planner;  ///< ~LstmGlobalPlanner/...: as in move_base
-  double rate = 1.0;                ///< ~rate: s of the recording in a second; 0 = as fast as possible
-  double patience = 10.0;           ///< ~patience: s (the computer's) to wait at the start until somebody listens
-  bool stay = false;                ///< ~stay: whether to wait for Ctrl-C at the end, so that the last can be seen
-  std::string decisions;            ///< ~decisions: path of a CSV file for the decisions; none when empty
+  double rate = 1.0;
+  double patience = 10.0;
+  bool stay = false;
+  std::string decisions;
 };
+
+/// Visits every parameter but `mount`, a pose, and those of the planner; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitBagReplayParameters(Parameters& replay, const Visitor& visit) {
+  visit("bag", replay.bag, {}, "", "path of a recording with scan and odometry or tf");
+  visit("scan_topic", replay.drive.scan_topic, {}, "", "sensor_msgs/LaserScan; empty: the bag's only one");
+  visit("odometry_topic", replay.drive.odometry_topic, {}, "", "nav_msgs/Odometry; empty: the bag's only one, or tf");
+  std::string goal_topic = replay.drive.goal_topics.empty() ? "" : replay.drive.goal_topics.front();
+  visit("goal_topic", goal_topic, {}, "", "empty: those that the recorder hears");
+  if constexpr (!std::is_const_v<Parameters>) {
+    if (!goal_topic.empty()) replay.drive.goal_topics = {goal_topic};
+  }
+  visit("odometry_frame", replay.drive.odometry_frame, {}, "", "for odometry from tf");
+  visit("base_frame", replay.drive.base_frame, {}, "", "the robot's, where the odometry does not name it");
+  visit("hindsight", replay.drive.hindsight, {}, "", "goals are the places that were driven to");
+  visit("rate", replay.rate, {0.0, 1000.0}, "", "s of the recording in a second; 0: as fast as possible");
+  visit("patience", replay.patience, {0.0, 3600.0}, "s", "of the computer's time to wait for somebody who listens");
+  visit("stay", replay.stay, {}, "", "waits for Ctrl-C at the end, so that the last can be seen");
+  visit("decisions", replay.decisions, {}, "", "path of a CSV file for the decisions; empty: none");
+}
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node);
