@@ -15,6 +15,7 @@
 #include "lstm_planner/robot/dataset/dataset_check.hpp"
 #include "lstm_planner/robot/dataset/drive_recorder.hpp"
 #include "lstm_planner/robot/dataset/recording_sink.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lstm_planner::fuzz {
 
@@ -34,13 +35,9 @@ inline std::string soundDataset() {
   sink.recording().finished = true;
   require(sink.recording().episodes.size() == 1 && !sink.recording().episodes[0].steps.empty(), "the drive has steps");
 
-  const std::string path = std::filesystem::temp_directory_path() / ("lstm_planner_fuzz_" + std::to_string(::getpid()));
-  std::filesystem::remove(path);
-  writeDataset(path, {{sink.recording()}});
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
-  std::filesystem::remove(path);
-  return bytes;
+  const test::ScratchFolder folder;
+  writeDataset(folder / "dataset", {{sink.recording()}});
+  return folder.read("dataset");
 }
 
 inline void checkRecording(const Recording& recording) {

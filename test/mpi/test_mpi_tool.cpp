@@ -12,7 +12,7 @@
 
 #include "lstm_planner/base/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/world/scenario_generator.hpp"
-#include "tool_test.hpp"
+#include "support/tool_test.hpp"
 
 namespace lstm_planner {
 namespace {

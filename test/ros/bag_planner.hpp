@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "real_data.hpp"
 #include "ros/planner_fixture.hpp"
 #include "ros/plugin_loader.hpp"
 #include "ros/recording.hpp"
+#include "support/real_data.hpp"
 
 namespace lstm_planner {
 

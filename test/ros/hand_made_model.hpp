@@ -13,6 +13,7 @@
 
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lstm_planner {
 
@@ -74,29 +75,19 @@ inline Model straightAheadModel(const PolicyDescription& description = {}) {
 /// A model file that lives as long as the object.
 class TemporaryModelFile {
  public:
-  explicit TemporaryModelFile(const Model& model) {
-    const int file = mkstemp(path_.data());
-    if (file < 0) {
-      throw std::runtime_error("no temporary file can be made in /tmp");
-    }
-    close(file);
-    writeModelFile(path_, model);
-  }
-  ~TemporaryModelFile() { std::remove(path_.c_str()); }
-  TemporaryModelFile(const TemporaryModelFile&) = delete;
-  TemporaryModelFile& operator=(const TemporaryModelFile&) = delete;
+  explicit TemporaryModelFile(const Model& model) { writeModelFile(path_, model); }
 
   const std::string& path() const { return path_; }
 
   /// Only the first half of the file stays.
   void truncate() const {
-    std::ifstream in(path_, std::ios::binary);
-    const std::string content((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    std::ofstream(path_, std::ios::binary) << content.substr(0, content.size() / 2);
+    const std::string content = folder_.read("model.onnx");
+    folder_.write("model.onnx", content.substr(0, content.size() / 2));
   }
 
  private:
-  std::string path_ = "/tmp/lstm_planner_model_XXXXXX";
+  test::ScratchFolder folder_;
+  std::string path_ = folder_ / "model.onnx";
 };
 
 }  // namespace lstm_planner

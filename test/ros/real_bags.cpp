@@ -11,6 +11,7 @@
 
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "ros/bag_planner.hpp"
+#include "support/real_data.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -46,9 +47,7 @@ class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Re
   void SetUp() override {
     const RecordedBag& recording = GetParam();
     const std::string path = recording.is_shipped ? shippedBag(recording.file) : realData("bags/" + recording.file);
-    if (!recording.is_shipped && !std::ifstream(path)) {
-      GTEST_SKIP() << "no recording " << path;
-    }
+    SKIP_WITHOUT_REAL_DATA(path);
     bag_.open(path);
     recorded_ = std::make_unique<RecordedWay>(bag_);
     ros::Time::setNow(recorded_->clockAt(rosbag::View(bag_).getBeginTime()));
@@ -58,7 +57,7 @@ class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Re
     }
     ros::param::set("~/LstmGlobalPlanner/goal_drift", 0.0);
     ros::param::set("~/LstmGlobalPlanner/tf_timeout", 0.0);  // some localisations publish every 15 s
-    no_return_ = "nan zero below beyond 65.53";  // a URG-04LX sends its error codes as millimetres
+    no_return_ = "nan zero below beyond 65.53";              // a URG-04LX sends its error codes as millimetres
     makePlanner(recording.global_frame, recording.max_speed, kCallPeriod);
     knows_global_frame_ = recording.global_frame == "odom";
   }

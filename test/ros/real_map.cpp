@@ -11,34 +11,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "real_data.hpp"
 #include "ros/hand_made_model.hpp"
+#include "support/real_data.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lstm_planner {
 namespace {
-
-/// A folder that lives as long as the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    if (mkdtemp(path_.data()) == nullptr) {
-      throw std::runtime_error("no temporary folder can be made in /tmp");
-    }
-  }
-  ~TemporaryFolder() {
-    for (const char* name : {"/goals.yaml", "/result"}) {
-      std::remove((path_ + name).c_str());
-    }
-    rmdir(path_.c_str());
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::string& path() const { return path_; }
-
- private:
-  std::string path_ = "/tmp/lstm_planner_real_map_XXXXXX";
-};
 
 void writeGoalsFile(const std::string& path, const DriveTask& task) {
   std::ofstream(path) << "frame: map\n"
@@ -52,15 +30,15 @@ std::string moveBase() { return ros::package::getPath("nav_core").empty() ? "sta
 
 /// What the demo says of a drive to the task's goal.
 nlohmann::json drive(const DriveTask& task, const std::string& arguments) {
-  const TemporaryFolder folder;
-  writeGoalsFile(folder.path() + "/goals.yaml", task);
+  const test::ScratchFolder folder;
+  writeGoalsFile(folder / "goals.yaml", task);
   const std::string command =
       "timeout --signal=INT 100 roslaunch lstm_planner demo.launch rviz:=false picture:= "
       "real_time_factor:=4 map:=" +
-      willowMap() + " free_threshold:=" + std::to_string(kWillowFreeThreshold) + " goals:=" + folder.path() +
-      "/goals.yaml result:=" + folder.path() + "/result move_base:=" + moveBase() + arguments;
+      willowMap() + " free_threshold:=" + std::to_string(kWillowFreeThreshold) + " goals:=" + (folder / "goals.yaml") +
+      " result:=" + (folder / "result") + " move_base:=" + moveBase() + arguments;
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
-  std::ifstream file(folder.path() + "/result");
+  std::ifstream file(folder / "result");
   int exit_code = -1;
   file >> exit_code;
   EXPECT_EQ(exit_code, 0) << command;
@@ -74,9 +52,7 @@ double detour(const nlohmann::json& result) {
 }
 
 TEST(RealMap, DemoArrivesInWillowOnAShortPathAndAUselessNetworkOnALongOne) {
-  if (!std::ifstream(willowMap())) {
-    GTEST_SKIP() << "no map " << willowMap();
-  }
+  SKIP_WITHOUT_REAL_DATA(willowMap());
   const GridWorld world(readMapServerMap(willowMap(), kWillowFreeThreshold));
   const std::vector<DriveTask> tasks = drawTasksBetween(world, 1, 6.0, 8.0);
   ASSERT_EQ(tasks.size(), 1u);

@@ -14,6 +14,7 @@
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
 #include "ros/drive_bag.hpp"
 #include "ros/recorder_process.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -75,7 +76,7 @@ class LiveBag {
   std::map<std::string, long> published_;
   ros::ServiceClient pause_;
   RecorderDiagnostics diagnostics_;
-  TemporaryFolder folder_;
+  test::ScratchFolder folder_;
 };
 
 void expectSame(const Pose2& a, const Pose2& b) {
@@ -116,7 +117,8 @@ void expectSame(const DriveStep& a, const DriveStep& b) {
 }
 
 TEST(RecordedBagLiveTest, ABagGivesWhatTheNodeMakesOfTheSameMessages) {
-  const std::string path = testing::TempDir() + "recorded_bag_live.bag";
+  const test::ScratchFolder folder;
+  const std::string path = folder / "drive.bag";
   DriveBagContent content;
   content.clock_ahead = 8.0 * 24.0 * 3600.0;
   DriveBag::write(path, content);

@@ -10,13 +10,17 @@
 
 #include "lstm_planner/robot/dataset/recording_sink.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
-#include "real_data.hpp"
 #include "ros/drive_bag.hpp"
+#include "support/real_data.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lstm_planner {
 namespace {
 
-std::string pathOf(const std::string& name) { return testing::TempDir() + "recorded_bags_" + name; }
+std::string pathOf(const std::string& name) {
+  static const test::ScratchFolder folder;
+  return folder / name;
+}
 
 std::string written(const std::string& name, const DriveBagContent& content = {}) {
   DriveBag::write(pathOf(name), content);
@@ -332,7 +336,7 @@ class RealRecordedBagTest : public testing::TestWithParam<RealBag> {};
 TEST_P(RealRecordedBagTest, ConvertsWithHindsight) {
   const RealBag& bag = GetParam();
   const std::string path = realData(std::string("bags/") + bag.file);
-  if (!std::ifstream(path)) GTEST_SKIP() << "no " << path;
+  SKIP_WITHOUT_REAL_DATA(path);
   EXPECT_EQ(refusalOf(path).find("names no goals"), 0u);
   BagDriveOptions options;
   options.hindsight = true;

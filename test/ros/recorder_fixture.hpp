@@ -22,6 +22,7 @@
 #include "lstm_planner/robot/dataset/dataset.hpp"
 #include "ros/fake_robot.hpp"
 #include "ros/recorder_process.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lstm_planner {
 
@@ -161,7 +162,7 @@ class RecorderTest : public testing::Test {
   }
 
   FakeRobot robot_;
-  TemporaryFolder folder_;
+  test::ScratchFolder folder_;
   std::unique_ptr<RecorderProcess> recorder_;
   RecorderDiagnostics diagnostics_;
 

@@ -22,36 +22,15 @@
 
 namespace lstm_planner {
 
-/// A folder that goes when the test does.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "lstm_planner_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make a folder " + pattern);
-    path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
-
 /// The node dataset_recorder as a process of its own, so that it can be stopped in every way there is.
 class RecorderProcess {
  public:
   /// `name`: the node's. `arguments`: "_period:=0.5". What it prints goes into the file `log`.
   RecorderProcess(const std::string& name, const std::string& log, const std::vector<std::string>& arguments)
       : log_(log) {
-    std::vector<std::string> words = {(std::filesystem::read_symlink("/proc/self/exe").parent_path() /
-                                       "dataset_recorder").string(),
-                                      "__name:=" + name, "/clock:=/fake_clock"};
+    std::vector<std::string> words = {
+        (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "dataset_recorder").string(),
+        "__name:=" + name, "/clock:=/fake_clock"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());

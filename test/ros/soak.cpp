@@ -28,6 +28,7 @@
 #include "ros/plugin_host.hpp"
 #include "ros/process_figures.hpp"
 #include "ros/recorder_process.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -212,7 +213,7 @@ class Soak : public testing::Test {
   Random random_{seed_};
   const RecorderParameters recorder_parameters_ =
       loadRecorderNodeParameters(ros::NodeHandle("~/DatasetRecorder")).recorder;
-  TemporaryFolder folder_;
+  test::ScratchFolder folder_;
   FaultyRobot robot_{seed_ + 1};
   std::unique_ptr<PluginHost> host_;
   std::unique_ptr<RecordedDrive> recording_;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tool_test.hpp"
+#include "support/tool_test.hpp"
 
 namespace lstm_planner {
 namespace {

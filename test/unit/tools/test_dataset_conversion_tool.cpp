@@ -8,8 +8,8 @@
 #include <string>
 
 #include "lstm_planner/robot/dataset/dataset.hpp"
-#include "real_data.hpp"
-#include "tool_test.hpp"
+#include "support/real_data.hpp"
+#include "support/tool_test.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -82,7 +82,7 @@ TEST_F(DatasetConversionTool, WhatCannotBeConvertedIsRefusedAndNothingIsWritten)
 
 TEST_F(DatasetConversionTool, BagsWithoutGoalsNameHindsight) {
   const std::string bag = realData("bags/racecar_ust10lx_loc1.bag");
-  if (!std::ifstream(bag)) GTEST_SKIP() << "no " << bag;
+  SKIP_WITHOUT_REAL_DATA(bag);
   const std::string arguments = "from-bag " + bag + " --max-speed 5 --output " + in("out.sqlite");
   const test::Outcome refused = convert(arguments);
   EXPECT_EQ(refused.status, 2);

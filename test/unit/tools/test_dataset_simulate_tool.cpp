@@ -6,7 +6,7 @@
 #include <string>
 
 #include "lstm_planner/robot/dataset/dataset.hpp"
-#include "tool_test.hpp"
+#include "support/tool_test.hpp"
 
 namespace lstm_planner {
 namespace {

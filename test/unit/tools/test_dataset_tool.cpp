@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "picture_check.hpp"
+#include "support/picture_check.hpp"
 #include "unit/robot/dataset/dataset_fixtures.hpp"
 
 namespace lstm_planner {
@@ -65,7 +65,6 @@ TEST_F(DatasetTool, SaysWhatADatasetHolds) {
 }
 
 TEST_F(DatasetTool, DrawsADataset) {
-  if (std::system("command -v gnuplot > /dev/null") != 0) GTEST_SKIP() << "SKIPPED: gnuplot is not installed";
   success("info a.db --picture a.png");
   test::expectPicture(in("a.png"), 1400, 800);
 }

@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
-#include "real_data.hpp"
-#include "tool_test.hpp"
+#include "support/real_data.hpp"
+#include "support/tool_test.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -124,7 +124,7 @@ class DriveToolSample : public DriveTool, public ::testing::WithParamInterface<S
 
 TEST_P(DriveToolSample, OfBarnWorldsIsAsInTheReadme) {
   const std::string barn = realData("barn/barn_cylinders.csv");
-  if (!std::ifstream(barn)) GTEST_SKIP() << "no " << barn;
+  SKIP_WITHOUT_REAL_DATA(barn);
   const nlohmann::json json = resultOfLeader("--barn " + barn + " --only 1 20 50 80 100 140 160 200 220 250");
   EXPECT_EQ(json["goals"], 10);
   EXPECT_EQ(json["reached"], json["goals"]);
@@ -135,7 +135,7 @@ TEST_P(DriveToolSample, OfBarnWorldsIsAsInTheReadme) {
 
 TEST_P(DriveToolSample, OfRealBuildingsIsAsInTheReadme) {
   const std::string map = realData("maps/building_31.yaml");
-  if (!std::ifstream(map)) GTEST_SKIP() << "no " << map;
+  SKIP_WITHOUT_REAL_DATA(map);
   const nlohmann::json json = resultOfLeader("--goals 6 --map " + map + " " + realData("maps/stata_basement.yaml") +
                                              " " + realData("maps/brsu-c069.yaml") + " " + willowMap() + "=0.19");
   EXPECT_EQ(json["goals"], 24);

@@ -7,8 +7,8 @@
 #include "lstm_planner/base/grid/map_server_map.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
-#include "picture_check.hpp"
-#include "tool_test.hpp"
+#include "support/picture_check.hpp"
+#include "support/tool_test.hpp"
 
 namespace lstm_planner {
 namespace {

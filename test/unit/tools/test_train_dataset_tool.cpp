@@ -8,8 +8,8 @@
 #include <string>
 
 #include "lstm_planner/robot/driving/drive_policy.hpp"
-#include "picture_check.hpp"
-#include "tool_test.hpp"
+#include "support/picture_check.hpp"
+#include "support/tool_test.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
 namespace lstm_planner {
@@ -96,7 +96,6 @@ TEST_F(TrainDatasetTool, ANetworkWithViewsFollowsADriverWhileItPractises) {
 }
 
 TEST_F(TrainDatasetTool, ThesisPresetMeasuresTheInstability) {
-  if (std::system("command -v gnuplot > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
   const test::Outcome outcome = train(
       "--preset thesis --epochs 4 --dataset drives.dataset --output model.onnx "
       "--instability instability.png --curve curve.png --confusion confusion.png --threads 1");

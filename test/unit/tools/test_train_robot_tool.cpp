@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "lstm_planner/robot/driving/drive_policy.hpp"
-#include "tool_test.hpp"
+#include "support/tool_test.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,34 +1,23 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
 #include <string>
 
 #include "lstm_planner/base/common/csv_file.hpp"
+#include "support/folder_test.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
 
-class CsvFileTest : public ::testing::Test {
+class CsvFileTest : public test::FolderTest {
  protected:
-  void TearDown() override { std::filesystem::remove(path_); }
-
   CsvFile read(const std::string& text) const {
-    std::ofstream(path_, std::ios::binary) << text;
-    return {path_, {"x", "y"}, {"radius", "world"}};
+    return {scratch_.write("file.csv", text), {"x", "y"}, {"radius", "world"}};
   }
-  std::string complaintAbout(const std::string& text) const {
-    try {
-      read(text);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+  std::string refusal(const std::string& text) const {
+    return test::refusalOf([&] { read(text); });
   }
-
-  const std::string path_ = ::testing::TempDir() + "csv_file_test.csv";
 };
 
 TEST_F(CsvFileTest, TellsWhichOptionalColumnsAreThere) {
@@ -44,17 +33,17 @@ TEST_F(CsvFileTest, TellsWhichOptionalColumnsAreThere) {
 }
 
 TEST_F(CsvFileTest, LinesHaveABoundedLength) {
-  EXPECT_NE(complaintAbout("x,y\n1,2\n" + std::string(70000, ',')).find("line 3: it is longer than 65536 letters"),
+  EXPECT_NE(refusal("x,y\n1,2\n" + std::string(70000, ',')).find("line 3: it is longer than 65536 letters"),
             std::string::npos);
 }
 
 TEST_F(CsvFileTest, AnOptionalColumnThatIsThereMustHoldNumbers) {
-  EXPECT_NE(complaintAbout("x,y,radius\n1,2,wide\n").find("line 2: column radius is 'wide'"), std::string::npos);
-  EXPECT_NE(complaintAbout("x,y,radius\n1,2\n").find("line 2: column radius is ''"), std::string::npos);
+  EXPECT_NE(refusal("x,y,radius\n1,2,wide\n").find("line 2: column radius is 'wide'"), std::string::npos);
+  EXPECT_NE(refusal("x,y,radius\n1,2\n").find("line 2: column radius is ''"), std::string::npos);
 }
 
 TEST_F(CsvFileTest, RefusesAFileWithoutAColumnThatIsNeeded) {
-  EXPECT_NE(complaintAbout("x,radius\n1,2\n").find("names no column 'y'"), std::string::npos);
+  EXPECT_NE(refusal("x,radius\n1,2\n").find("names no column 'y'"), std::string::npos);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <functional>
 #include <vector>
 
-#include "folder_test.hpp"
 #include "lstm_planner/base/common/csv_file.hpp"
 #include "lstm_planner/base/common/input_file.hpp"
 #include "lstm_planner/base/grid/map_server_map.hpp"
@@ -13,6 +12,8 @@
 #include "lstm_planner/grid_world/world/movingai.hpp"
 #include "lstm_planner/robot/dataset/carmen_log.hpp"
 #include "lstm_planner/robot/dataset/dataset.hpp"
+#include "support/folder_test.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -20,17 +21,7 @@ namespace {
 class InputFile : public test::FolderTest {
  protected:
   std::string written(const std::string& name, const std::string& content) const {
-    std::ofstream(in(name), std::ios::binary) << content;
-    return in(name);
-  }
-
-  static std::string refusalOf(const std::function<void()>& work) {
-    try {
-      work();
-    } catch (const std::exception& error) {
-      return error.what();
-    }
-    return "";
+    return scratch_.write(name, content);
   }
 };
 
@@ -42,8 +33,8 @@ TEST_F(InputFile, GivesTheWholeContent) {
 
 TEST_F(InputFile, SaysWhyThereIsNone) {
   const auto both = [&](const std::string& path) {
-    const std::string reason = refusalOf([&] { readInputFile(path, 3); });
-    EXPECT_EQ(refusalOf([&] { checkInputFile(path, 3); }), reason);
+    const std::string reason = test::refusalOf([&] { readInputFile(path, 3); });
+    EXPECT_EQ(test::refusalOf([&] { checkInputFile(path, 3); }), reason);
     return reason;
   };
   EXPECT_EQ(both(in("none")), "there is no such file");
@@ -73,7 +64,7 @@ TEST_F(InputFile, NoReaderWaitsForAPipeOrReadsADevice) {
   };
   for (std::size_t i = 0; i < readers.size(); ++i) {
     for (const std::string& path : {pipe, std::string("/dev/zero")}) {
-      const std::string sentence = refusalOf([&] { readers[i](path); });
+      const std::string sentence = test::refusalOf([&] { readers[i](path); });
       EXPECT_NE(sentence.find(path), std::string::npos) << "reader " << i << ": " << sentence;
       EXPECT_NE(sentence.find("it is a pipe or a device"), std::string::npos) << "reader " << i << ": " << sentence;
     }

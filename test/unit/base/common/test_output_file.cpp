@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <iterator>
 
-#include "folder_test.hpp"
 #include "lstm_planner/base/common/input_file.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
+#include "support/folder_test.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lstm_planner/base/grid/bit_rows.hpp"
+#include "support/case_name.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -78,7 +79,7 @@ TEST(BitRows, SetsAndResetsOneBit) {
   EXPECT_EQ(rows.from(60, 1), 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, BitRowsOfWidth, ::testing::Values(63, 64, 65, 100, 128, 130));
+INSTANTIATE_TEST_SUITE_P(Widths, BitRowsOfWidth, ::testing::Values(63, 64, 65, 100, 128, 130), test::caseName("Bits"));
 
 }  // namespace
 }  // namespace lstm_planner

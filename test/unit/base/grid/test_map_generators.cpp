@@ -8,6 +8,8 @@
 
 #include "lstm_planner/base/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
+#include "support/case_name.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -42,15 +44,6 @@ std::size_t reachedCount(const PassableGrid& grid) {
   return count;
 }
 
-std::string refusal(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
-
 /// Open cells of a wall between two corridors, which is `width` cells long and begins at `first`.
 int openCells(const PassableGrid& grid, CellIndex first, CellIndex step, int width) {
   int open = 0;
@@ -61,7 +54,7 @@ int openCells(const PassableGrid& grid, CellIndex first, CellIndex step, int wid
 }
 
 class Mazes : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(OfCorridorWidth, Mazes, ::testing::Values(1, 2, 3, 8));
+INSTANTIATE_TEST_SUITE_P(OfCorridorWidth, Mazes, ::testing::Values(1, 2, 3, 8), test::caseName("Cells"));
 
 TEST_P(Mazes, AreTreesOfCorridorsOfTheWidth) {
   const int width = GetParam();
@@ -229,33 +222,36 @@ TEST(MapGenerators, WorkOnTheSmallestMaps) {
 }
 
 TEST(MapGenerators, RefuseBadParametersByName) {
-  EXPECT_EQ(refusal([] { generateMaze({512, 1, 1, 0.1}, 1); }), "parameter rows is 1, expected at least 2");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(test::refusalOf([] { generateMaze({512, 1, 1, 0.1}, 1); }), "parameter rows is 1, expected at least 2");
+  EXPECT_EQ(test::refusalOf([] {
               generateMaze({9, 20, 9, 0.1}, 1);
             }),
             "parameter corridor_width is 9, expected less than the map's columns and rows");
-  EXPECT_EQ(refusal([] { generateMaze({512, 512, 0, 0.1}, 1); }), "parameter corridor_width is 0, expected at least 1");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(test::refusalOf([] {
+              generateMaze({512, 512, 0, 0.1}, 1);
+            }),
+            "parameter corridor_width is 0, expected at least 1");
+  EXPECT_EQ(test::refusalOf([] {
               generateMaze({512, 512, 8, 1.1}, 1);
             }),
             "parameter branching is 1.1, expected a probability in [0, 1]");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(test::refusalOf([] {
               generateRandomFill({8192, 8193, 0.1, true}, 1);
             }),
             "parameter rows is 8193, expected at most 2^26 cells with 8192 columns");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(test::refusalOf([] {
               generateRandomFill({8, 8, std::nan(""), true}, 1);
             }),
             "parameter share is nan, expected a share of at least 0 and below 1");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(test::refusalOf([] {
               generateRooms({64, 64, 8, 9, 0.5}, 1);
             }),
             "parameter door_cells is 9, expected at least 1 and at most room_size");
-  EXPECT_EQ(refusal([] {
+  EXPECT_EQ(test::refusalOf([] {
               generateCaves({64, 64, 0.4, -1}, 1);
             }),
             "parameter rounds is -1, expected a number from 0 to 100");
-  EXPECT_EQ(refusal([] { generateCaves({7, 64, 0.4, 4}, 1); }), "parameter columns is 7, expected at least 8");
+  EXPECT_EQ(test::refusalOf([] { generateCaves({7, 64, 0.4, 4}, 1); }), "parameter columns is 7, expected at least 8");
 }
 
 }  // namespace

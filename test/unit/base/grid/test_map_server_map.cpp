@@ -11,34 +11,20 @@
 
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/base/grid/map_server_map.hpp"
-#include "real_data.hpp"
+#include "support/folder_test.hpp"
+#include "support/real_data.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
 
-class MapServerMap : public ::testing::Test {
+class MapServerMap : public test::FolderTest {
  protected:
-  void SetUp() override {
-    std::string pattern = ::testing::TempDir() + "map_server_map_XXXXXX";
-    ASSERT_NE(mkdtemp(&pattern[0]), nullptr);
-    folder_ = pattern + "/";
-  }
-
-  void TearDown() override {
-    for (const std::string& name : written_) std::remove((folder_ + name).c_str());
-    rmdir(folder_.c_str());
-  }
-
-  std::string write(const std::string& name, const std::string& content) {
-    written_.push_back(name);
-    std::ofstream(folder_ + name, std::ios::binary) << content;
-    return folder_ + name;
-  }
+  std::string write(const std::string& name, const std::string& content) { return scratch_.write(name, content); }
 
   std::string writeImage(const std::string& name, const cv::Mat& image) {
-    written_.push_back(name);
-    cv::imwrite(folder_ + name, image);
-    return folder_ + name;
+    cv::imwrite(in(name), image);
+    return in(name);
   }
 
   std::string writeYaml(const std::string& image, const std::string& more = "negate: 0\n") {
@@ -48,16 +34,8 @@ class MapServerMap : public ::testing::Test {
 
   /// What reading says about a file that it refuses; empty when it does not.
   static std::string refusal(const std::string& yaml_path) {
-    try {
-      readMapServerMap(yaml_path);
-    } catch (const MapFileError& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusalOf<MapFileError>([&] { readMapServerMap(yaml_path); });
   }
-
-  std::string folder_;
-  std::vector<std::string> written_;
 };
 
 const std::string kImage("P5\n# a comment\n3 2\n255\n\xFE\xCD\x00\x00\xCE\xFF", 29);
@@ -101,7 +79,7 @@ TEST_F(MapServerMap, AveragesTheChannelsOfAColourImage) {
 
 TEST_F(MapServerMap, NamesWhatIsWrongInTheYaml) {
   write("map.pgm", kImage);
-  EXPECT_NE(refusal(folder_ + "absent.yaml").find("absent.yaml"), std::string::npos);
+  EXPECT_NE(refusal(in("absent.yaml")).find("absent.yaml"), std::string::npos);
   EXPECT_NE(refusal(write("map.yaml", "image: [unclosed")).find("cannot be read as yaml"), std::string::npos);
   EXPECT_NE(refusal(write("map.yaml", "just text")).find("no yaml mapping"), std::string::npos);
   EXPECT_NE(refusal(write("map.yaml", "image: map.pgm")).find("lacks the field resolution"), std::string::npos);
@@ -154,9 +132,8 @@ TEST_F(MapServerMap, ReadsBackWhatItWrote) {
       grid.set({column, row}, static_cast<Cell>(uniformIndex(random, 3)));
     }
   }
-  written_ = {"written.yaml", "written.pgm"};
-  writeMapServerMap(folder_ + "written", grid);
-  const OccupancyGrid read = readMapServerMap(folder_ + "written.yaml");
+  writeMapServerMap(in("written"), grid);
+  const OccupancyGrid read = readMapServerMap(in("written.yaml"));
   ASSERT_EQ(read.columns(), 17);
   ASSERT_EQ(read.rows(), 9);
   EXPECT_EQ(read.resolution(), grid.resolution());
@@ -165,12 +142,12 @@ TEST_F(MapServerMap, ReadsBackWhatItWrote) {
   for (int row = 0; row < 9; ++row) {
     for (int column = 0; column < 17; ++column) EXPECT_EQ(read.at({column, row}), grid.at({column, row}));
   }
-  EXPECT_THROW(writeMapServerMap(folder_ + "absent/written", grid), MapFileError);
+  EXPECT_THROW(writeMapServerMap(in("absent/written"), grid), MapFileError);
 }
 
 TEST(RealMaps, CanAllBeRead) {
   const std::string folder = realData("maps/");
-  if (!std::ifstream(folder + "stage_ros_willow-full.yaml")) GTEST_SKIP() << "no maps of real buildings in " << folder;
+  SKIP_WITHOUT_REAL_DATA(folder);
 
   for (const std::string name : {"brsu-c069", "building_31", "dis-B1-2011-09-27", "etsidi_slam_real1", "home_small",
                                  "stata_basement", "zaki_2018may9_before"}) {

@@ -9,7 +9,8 @@
 #include <string>
 
 #include "lstm_planner/base/learning/confusion.hpp"
-#include "picture_check.hpp"
+#include "support/picture_check.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -53,17 +54,10 @@ TEST(Confusion, TextHasARowALabelWithItsRecallAndARowOfPrecisions) {
 }
 
 TEST(Confusion, PictureIsDrawnAndTheCountsAreBesideIt) {
-  if (std::system("command -v gnuplot > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
-  const fs::path folder = fs::temp_directory_path() / ("confusion " + std::to_string(::getpid()));
-  fs::create_directories(folder);
-  writeConfusion((folder / "it.png").string(), confusion(), {"-45", "0", "45"});
-  const auto content = [&](const char* name) {
-    std::ifstream stream(folder / name, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(stream), {});
-  };
-  test::expectPicture((folder / "it.png").string(), 720, 640);
-  EXPECT_EQ(content("it.csv"), "label,answer -45,answer 0,answer 45\n-45,0,4,0\n0,2,6,0\n45,0,0,0\n");
-  fs::remove_all(folder);
+  const test::ScratchFolder folder("a folder");
+  writeConfusion(folder / "it.png", confusion(), {"-45", "0", "45"});
+  test::expectPicture(folder / "it.png", 720, 640);
+  EXPECT_EQ(folder.read("it.csv"), "label,answer -45,answer 0,answer 45\n-45,0,4,0\n0,2,6,0\n45,0,0,0\n");
 }
 
 }  // namespace

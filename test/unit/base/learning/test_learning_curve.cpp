@@ -9,7 +9,8 @@
 #include <string>
 
 #include "lstm_planner/base/learning/learning_curve.hpp"
-#include "picture_check.hpp"
+#include "support/picture_check.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -33,22 +34,13 @@ std::vector<EpochReport> curve() {
 
 class LearningCurve : public ::testing::Test {
  protected:
-  void SetUp() override {
-    // A quote and a space: both shells on the way must leave them alone.
-    folder_ = fs::temp_directory_path() / ("learning curve's " + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-    path_ = std::getenv("PATH");
-  }
-  void TearDown() override {
-    ::setenv("PATH", path_.c_str(), 1);
-    fs::remove_all(folder_);
-  }
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  std::string content(const std::string& name) const {
-    std::ifstream stream(file(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-  fs::path folder_;
+  void SetUp() override { path_ = std::getenv("PATH"); }
+  void TearDown() override { ::setenv("PATH", path_.c_str(), 1); }
+  std::string file(const std::string& name) const { return folder_ / name; }
+  std::string content(const std::string& name) const { return folder_.read(name); }
+
+  // A quote and a space: both shells on the way must leave them alone.
+  const test::ScratchFolder folder_{"learning curve's"};
   std::string path_;
 };
 
@@ -76,7 +68,6 @@ TEST_F(LearningCurve, AveragedWeightsHaveColumnsOfTheirOwn) {
 }
 
 TEST_F(LearningCurve, PictureShowsTheCurves) {
-  if (std::system("command -v gnuplot > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
   writeLearningCurve(file("curve.csv"), file("curve.png"), curve());
   test::expectPicture(file("curve.png"), 900, 800);
   auto without = curve();
@@ -90,7 +81,7 @@ TEST_F(LearningCurve, PictureShowsTheCurves) {
 }
 
 TEST_F(LearningCurve, MissingGnuplotIsSaidAndTheCsvIsThere) {
-  ::setenv("PATH", folder_.c_str(), 1);
+  ::setenv("PATH", folder_.path().c_str(), 1);
   try {
     writeLearningCurve(file("curve.csv"), file("curve.png"), curve());
     FAIL() << "drew without gnuplot";

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lstm_planner/base/learning/sequence.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -13,12 +14,9 @@ Sequence goodSequence() { return {Eigen::MatrixXf::Zero(3, 4), Eigen::VectorXi::
 
 /// What is said about a second sequence after a good one; empty when nothing.
 std::string complaint(const Sequence& sequence) {
-  try {
+  return test::refusalOf<std::invalid_argument>([&] {
     validateSequences({goodSequence(), sequence}, 3, 2, "training");
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return {};
+  });
 }
 
 TEST(Sequence, GoodOnesPass) { EXPECT_EQ(complaint(goodSequence()), ""); }

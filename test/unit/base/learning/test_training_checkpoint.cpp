@@ -9,29 +9,23 @@
 #include <string>
 
 #include "lstm_planner/base/learning/training_checkpoint.hpp"
+#include "support/folder_test.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
 
-class TrainingCheckpointFile : public ::testing::Test {
+class TrainingCheckpointFile : public test::FolderTest {
  protected:
   void SetUp() override {
-    path_ =
-        (std::filesystem::temp_directory_path() / ("lstm_planner_checkpoint_" + std::to_string(::getpid()))).string();
     writeTrainingCheckpoint(path_, {{{"seed", 1}, {"cells", {8, 8}}}, {{"best", 0.1}}, {0, 10, 255, 13}});
   }
-  void TearDown() override { std::remove(path_.c_str()); }
 
   std::string refusal(const nlohmann::json& settings) {
-    try {
-      readTrainingCheckpoint(path_, settings);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusalOf<std::invalid_argument>([&] { readTrainingCheckpoint(path_, settings); });
   }
 
-  std::string path_;
+  const std::string path_ = in("checkpoint");
 };
 
 TEST_F(TrainingCheckpointFile, GivesBackWhatWasWritten) {

@@ -13,7 +13,8 @@
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/learning/training_stability.hpp"
-#include "picture_check.hpp"
+#include "support/picture_check.hpp"
+#include "support/scratch_folder.hpp"
 #include "unit/base/learning/toy_tasks.hpp"
 
 namespace lstm_planner {
@@ -107,20 +108,13 @@ TEST(TrainingStability, TextNamesFluctuationsAndTheCollapse) {
 }
 
 TEST(TrainingStability, PictureShowsTheCurvesAndTheCsvHasALineAnEpoch) {
-  if (std::system("command -v gnuplot > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
-  const fs::path folder = fs::temp_directory_path() / ("stability " + std::to_string(::getpid()));
-  fs::create_directories(folder);
-  writeStability((folder / "it.png").string(), collapse());
-  const auto content = [&](const char* name) {
-    std::ifstream stream(folder / name, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(stream), {});
-  };
-  test::expectPicture((folder / "it.png").string(), 1000, 900);
-  const std::string csv = content("it.csv");
+  const test::ScratchFolder folder("a folder");
+  writeStability(folder / "it.png", collapse());
+  test::expectPicture(folder / "it.png", 1000, 900);
+  const std::string csv = folder.read("it.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 251);
   EXPECT_EQ(csv.substr(0, csv.find('\n')), "epoch,moving,snapshot,averaged,validation_snapshot,validation_averaged");
-  fs::remove_all(folder);
-  EXPECT_THROW(writeStability((folder / "it.png").string(), {}), std::runtime_error);
+  EXPECT_THROW(writeStability(folder / "missing/it.png", {}), std::runtime_error);
 }
 
 }  // namespace

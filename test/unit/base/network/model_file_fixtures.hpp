@@ -1,40 +1,21 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 
 #include "lstm_planner/base/network/model_file.hpp"
 #include "onnx_subset.pb.h"
+#include "support/folder_test.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner::test {
 
-/// An empty folder for each test, removed after it.
-class ModelFileTest : public testing::Test {
+/// A model file in a folder of its own for each test.
+class ModelFileTest : public FolderTest {
  protected:
-  void SetUp() override {
-    std::string pattern = (std::filesystem::temp_directory_path() / "lstm_planner_model_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    path_ = (folder_ / "model.onnx").string();
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void writeBytes(const std::string& bytes) const { scratch_.write("model.onnx", bytes); }
 
-  void writeBytes(const std::string& bytes) const {
-    // A new file stays in the cache; some file systems write one that is truncated to the disk at once.
-    std::filesystem::remove(path_);
-    std::ofstream(path_, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  }
-
-  std::string readBytes() const {
-    std::ifstream file(path_, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  }
+  std::string readBytes() const { return scratch_.read("model.onnx"); }
 
   /// The file as ONNX, to be changed into what other exporters write and what is not allowed.
   onnx_subset::ModelProto written(const Model& model) const {
@@ -51,20 +32,14 @@ class ModelFileTest : public testing::Test {
 
   /// Why a file is refused; empty when it is not.
   std::string refusal() const {
-    try {
-      readModelFile(path_);
-    } catch (const ModelFileError& error) {
-      return error.what();
-    }
-    return "";
+    return refusalOf<ModelFileError>([&] { readModelFile(path_); });
   }
   std::string refusal(const onnx_subset::ModelProto& file) const {
     writeBytes(file.SerializeAsString());
     return refusal();
   }
 
-  std::filesystem::path folder_;
-  std::string path_;
+  const std::string path_ = in("model.onnx");
 };
 
 inline onnx_subset::TensorProto& tensorNamed(onnx_subset::ModelProto& file, const std::string& name) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lstm_planner/base/network/layers.hpp"
+#include "support/refusal.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
 namespace lstm_planner {
@@ -13,12 +14,7 @@ namespace {
 using test::LayerMaker;
 
 std::string refusal(const LayerStack& layers) {
-  try {
-    validateLayers(layers);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusalOf<std::invalid_argument>([&] { validateLayers(layers); });
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -90,8 +90,7 @@ TEST_F(ModelFile, FailedWritesLeaveNothingBehind) {
   fs::create_directories(fs::path(path_) / "in the way");
   EXPECT_THROW(writeModelFile(path_, {LayerMaker(1).thesisNet(), {}}), ModelFileError);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
-  EXPECT_THROW(writeModelFile((folder_ / "missing" / "model.onnx").string(), {LayerMaker(1).thesisNet(), {}}),
-               ModelFileError);
+  EXPECT_THROW(writeModelFile(in("missing/model.onnx"), {LayerMaker(1).thesisNet(), {}}), ModelFileError);
 }
 
 TEST_F(ModelFile, MissingFilesAndFoldersAreRefused) {

@@ -25,7 +25,7 @@ class IndependentReader : public test::ModelFileTest {
       steps["inputs"].push_back(std::vector<float>(input.data(), input.data() + input.size()));
       steps["outputs"].push_back(std::vector<float>(output.data(), output.data() + output.size()));
     }
-    const std::string steps_path = (folder_ / "steps.json").string();
+    const std::string steps_path = in("steps.json");
     std::ofstream(steps_path) << steps;
 
     const std::string script = std::string(LSTM_PLANNER_SOURCE_DIR) + "/test/unit/base/network/check_onnx.py";

@@ -2,8 +2,8 @@
 
 #include "lstm_planner/base/network/batch_network.hpp"
 #include "lstm_planner/base/network/network.hpp"
+#include "support/heap_count.hpp"
 #include "unit/base/network/network_fixtures.hpp"
-#include "unit/heap_count.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lstm_planner/base/network/network.hpp"
-#include "real_data.hpp"
+#include "support/real_data.hpp"
 
 // The networks of the thesis's author: each of the 11 features runs through its own copy of one stacked LSTM on a
 // scalar, all copies sharing their weights, and one dense layer mixes the 11 outputs.
@@ -71,7 +71,7 @@ struct Steps {
 class GoldenNetwork : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    if (!fs::exists(goldenFolder())) GTEST_SKIP() << "no golden vectors at " << goldenFolder();
+    SKIP_WITHOUT_REAL_DATA(goldenFolder());
     std::ifstream file(goldenFolder() / (GetParam() + "_weights.json"));
     const nlohmann::json weights = nlohmann::json::parse(file);
     const auto lstm = [&](const std::string& name) {

@@ -45,11 +45,18 @@ TEST_P(BoundaryAgentIn, SmallGridsArrivesOrProvesThatThereIsNoWay) {
   EXPECT_GT(enclosed, 250);
 }
 
+std::string nameOfCase(const testing::TestParamInfo<BoundaryAgentIn::ParamType>& info) {
+  const char* const legs[] = {"OneCell", "Growing", "Endless"};
+  const bool cuts = std::get<0>(info.param) == CornerCutting::kAllowed;
+  return std::string(legs[info.index % 3]) + (cuts ? "CuttingCorners" : "KeepingCorners");
+}
+
 // Legs of one cell turn back as often as can be; legs without end never do.
 INSTANTIATE_TEST_SUITE_P(Legs, BoundaryAgentIn,
                          testing::Combine(testing::Values(CornerCutting::kForbidden, CornerCutting::kAllowed),
                                           testing::Values(Legs{1.0, 0.0, 0.0}, Legs{4.0, 1.0, 3.0},
-                                                          Legs{1e9, 1.0, 0.0})));
+                                                          Legs{1e9, 1.0, 0.0})),
+                         nameOfCase);
 
 TEST(BoundaryAgent, GoesStraightWhereNothingIsInTheWay) {
   const SmallGrid world = drawnGrid({"S........", ".........", ".........", "........G"});

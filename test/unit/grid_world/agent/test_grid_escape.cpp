@@ -105,7 +105,13 @@ TEST_P(GridEscapeWith, APolicyThatFleesTheGoalArrivesOrProvesThatThereIsNoWay) {
 
 INSTANTIATE_TEST_SUITE_P(Patience, GridEscapeWith,
                          testing::Combine(testing::Values(CornerCutting::kForbidden, CornerCutting::kAllowed),
-                                          testing::Values(1, 30), testing::Values(0.0, 3.0)));
+                                          testing::Values(1, 30), testing::Values(0.0, 3.0)),
+                         [](const auto& info) {
+                           return std::string(std::get<0>(info.param) == CornerCutting::kAllowed ? "Cutting"
+                                                                                                 : "Keeping") +
+                                  "CornersPatience" + std::to_string(std::get<1>(info.param)) +
+                                  (std::get<2>(info.param) > 0.0 ? "GoalWeighted" : "");
+                         });
 
 TEST(GridEscape, LetsAnAgentGoThatKeepsGettingNearer) {
   GridEscapeParameters parameters;

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <string>
 
 #include "lstm_planner/grid_world/evaluation/grid_picture.hpp"
+#include "support/scratch_folder.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
 
 namespace lstm_planner {
@@ -14,11 +14,9 @@ namespace {
 constexpr int kTitle = 26;  // pixels above the map
 
 cv::Mat draw(const PassableGrid& grid, const GridPicture& picture) {
-  const std::string path = ::testing::TempDir() + "grid_picture_test.png";
-  writeGridPicture(path, grid, picture);
-  const cv::Mat image = cv::imread(path);
-  std::remove(path.c_str());
-  return image;
+  const test::ScratchFolder folder;
+  writeGridPicture(folder / "picture.png", grid, picture);
+  return cv::imread(folder / "picture.png");
 }
 
 bool isOrange(const cv::Vec3b& color) { return color[2] > 180 && color[1] < 150 && color[0] < 60; }
@@ -67,7 +65,7 @@ TEST(GridPicture, ShrinksWaysAcrossAMapOfManyCells) {
 TEST(GridPicture, RefusesWhatCannotBeDrawnOrWritten) {
   EXPECT_THROW(writeGridPicture("/tmp/picture.png", PassableGrid(), {}), std::invalid_argument);
   EXPECT_THROW(writeGridPicture("/no/such/folder/picture.png", hall(), {}), std::runtime_error);
-  EXPECT_THROW(writeGridPicture(::testing::TempDir() + "picture.unknown", hall(), {}), std::runtime_error);
+  EXPECT_THROW(writeGridPicture(test::ScratchFolder() / "picture.unknown", hall(), {}), std::runtime_error);
 }
 
 }  // namespace

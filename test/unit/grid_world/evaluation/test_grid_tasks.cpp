@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lstm_planner/grid_world/evaluation/grid_tasks.hpp"
+#include "support/folder_test.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
 
 namespace lstm_planner {
@@ -15,33 +16,30 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A set in a folder of its own: maps of one row, and scenarios from its left end to every cell.
-class GridTasks : public ::testing::Test {
+class GridTasks : public test::FolderTest {
  protected:
-  void SetUp() override { fs::create_directories(folder_ / "Scenarios"), fs::create_directories(folder_ / "Maps"); }
-  void TearDown() override { fs::remove_all(folder_.parent_path()); }
+  void SetUp() override { fs::create_directories(rows_ / "Scenarios"), fs::create_directories(rows_ / "Maps"); }
 
   void addMap(const std::string& name, int columns = 40) {
     const PassableGrid grid(columns, 1, true);
-    writeMovingAiMap((folder_ / "Maps" / (name + ".map")).string(), grid);
+    writeMovingAiMap((rows_ / "Maps" / (name + ".map")).string(), grid);
     std::vector<Scenario> scenarios;
     for (int column = 0; column < columns; ++column) {
       scenarios.push_back({column / 4, name + ".map", columns, 1, {0, 0}, {column, 0}, static_cast<double>(column)});
     }
-    writeScenarios((folder_ / "Scenarios" / (name + ".map.scen")).string(), scenarios);
+    writeScenarios((rows_ / "Scenarios" / (name + ".map.scen")).string(), scenarios);
   }
   void addMaps(int first, int last) {
     for (int i = first; i <= last; ++i) addMap("row-" + std::to_string(i));
   }
-  GridSetFiles files() const { return findGridSets(folder_.string()).front(); }
+  GridSetFiles files() const { return findGridSets(rows_.string()).front(); }
   std::vector<std::string> mapsOf(MapSelection maps) const {
     ScenarioSelection selection;
     selection.maps = maps;
     return drawGridTasks(files(), selection).map_names;
   }
 
-  const fs::path folder_ =
-      fs::path(::testing::TempDir()) /
-      (std::string("grid_tasks_") + ::testing::UnitTest::GetInstance()->current_test_info()->name()) / "Rows";
+  const fs::path rows_ = scratch_.path() / "Rows";
 };
 
 std::vector<int> goals(const GridTaskSet& set) {
@@ -52,7 +50,7 @@ std::vector<int> goals(const GridTaskSet& set) {
 
 TEST_F(GridTasks, NamesASetAfterTheFolderAboveScenarios) {
   addMap("row-0");
-  for (const fs::path& given : {folder_, folder_ / "Scenarios", folder_ / "", folder_.parent_path()}) {
+  for (const fs::path& given : {rows_, rows_ / "Scenarios", rows_ / "", rows_.parent_path()}) {
     const std::vector<GridSetFiles> sets = findGridSets(given.string());
     ASSERT_EQ(sets.size(), 1u) << given;
     EXPECT_EQ(sets[0].name, "Rows") << given;
@@ -62,18 +60,18 @@ TEST_F(GridTasks, NamesASetAfterTheFolderAboveScenarios) {
 
 TEST_F(GridTasks, FindsScenariosBesideTheirMaps) {
   addMap("row-0");
-  const fs::path beside = folder_.parent_path() / "generated";
+  const fs::path beside = rows_.parent_path() / "generated";
   fs::create_directories(beside);
-  fs::copy(folder_ / "Maps" / "row-0.map", beside);
-  fs::copy(folder_ / "Scenarios" / "row-0.map.scen", beside);
+  fs::copy(rows_ / "Maps" / "row-0.map", beside);
+  fs::copy(rows_ / "Scenarios" / "row-0.map.scen", beside);
   const GridSetFiles files = findGridSets(beside.string()).front();
   EXPECT_EQ(files.name, "generated");
   EXPECT_EQ(drawGridTasks(files, {}).tasks.size(), 40u);
 }
 
 TEST_F(GridTasks, RefusesFoldersWithoutScenarios) {
-  EXPECT_THROW(findGridSets((folder_ / "nothing").string()), std::invalid_argument);
-  EXPECT_THROW(findGridSets((folder_ / "Maps").string()), std::invalid_argument);
+  EXPECT_THROW(findGridSets((rows_ / "nothing").string()), std::invalid_argument);
+  EXPECT_THROW(findGridSets((rows_ / "Maps").string()), std::invalid_argument);
 }
 
 TEST_F(GridTasks, KeepsTrainingAndValidationMapsApart) {
@@ -130,7 +128,7 @@ TEST_F(GridTasks, DrawsAllWhenThereAreFewerThanAskedFor) {
 
 TEST_F(GridTasks, LeavesOutGoalsThatCannotBeReached) {
   addMap("row-0", 3);
-  const std::string path = (folder_ / "Scenarios" / "row-0.map.scen").string();
+  const std::string path = (rows_ / "Scenarios" / "row-0.map.scen").string();
   std::vector<Scenario> scenarios = readScenarios(path);
   scenarios[2].optimal_length = 0.0;
   writeScenarios(path, scenarios);
@@ -141,7 +139,7 @@ TEST_F(GridTasks, LeavesOutGoalsThatCannotBeReached) {
 
 TEST_F(GridTasks, RefusesScenariosOfAnotherMap) {
   addMap("row-0", 40);
-  writeMovingAiMap((folder_ / "Maps" / "row-0.map").string(), PassableGrid(30, 1, true));
+  writeMovingAiMap((rows_ / "Maps" / "row-0.map").string(), PassableGrid(30, 1, true));
   EXPECT_THROW(drawGridTasks(files(), {}), MovingAiFileError);
 }
 

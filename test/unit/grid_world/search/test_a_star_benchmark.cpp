@@ -9,7 +9,7 @@
 
 #include "grid_world/search/a_star.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
-#include "real_data.hpp"
+#include "support/real_data.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -46,8 +46,8 @@ void compareWithOptimum(const std::string& file, std::mt19937& random) {
 class AStarOnBenchmark : public testing::TestWithParam<const char*> {};
 
 TEST_P(AStarOnBenchmark, FindsTheOptimalLength) {
+  SKIP_WITHOUT_REAL_DATA(realData(std::string("movingai/") + GetParam() + "/Scenarios"));
   const std::vector<std::string> files = scenarioFiles(GetParam());
-  if (files.empty()) GTEST_SKIP() << "no " << realData(std::string("movingai/") + GetParam() + "/Scenarios");
   std::mt19937 random(4);
   for (int i = 0; i < kMapsPerSet; ++i) compareWithOptimum(files[random() % files.size()], random);
 }

@@ -13,8 +13,8 @@ class MapSets : public MovingAiFiles {
  protected:
   void SetUp() override {
     MovingAiFiles::SetUp();
-    std::filesystem::create_directories(folder_ + "Maps");
-    std::filesystem::create_directories(folder_ + "Scenarios");
+    std::filesystem::create_directories(in("Maps"));
+    std::filesystem::create_directories(in("Scenarios"));
   }
 
   static MapSet mazes() {
@@ -31,7 +31,7 @@ TEST_F(MapSets, AreReadLikeThoseOfTheBenchmark) {
   const std::size_t written = writeMapSet(folder_, mazes());
   std::size_t read = 0;
   for (const std::string name : {"maze40-3-0.map", "maze40-3-1.map"}) {
-    const std::string path = folder_ + "Scenarios/" + name + ".scen";
+    const std::string path = in("Scenarios/" + name + ".scen");
     const std::string map_path = mapOfScenarioFile(path);
     EXPECT_EQ(std::filesystem::path(map_path).filename(), name);
     const PassableGrid grid = readMovingAiMap(map_path);
@@ -43,19 +43,19 @@ TEST_F(MapSets, AreReadLikeThoseOfTheBenchmark) {
     read += scenarios.size();
   }
   EXPECT_EQ(read, written);
-  EXPECT_NE(contentOf(folder_ + "Maps/maze40-3-0.map"), contentOf(folder_ + "Maps/maze40-3-1.map"));
+  EXPECT_NE(contentOf(in("Maps/maze40-3-0.map")), contentOf(in("Maps/maze40-3-1.map")));
 }
 
 TEST_F(MapSets, AreTheSameForTheSameSeed) {
   writeMapSet(folder_, mazes());
-  const std::string map = contentOf(folder_ + "Maps/maze40-3-1.map");
-  const std::string scenarios = contentOf(folder_ + "Scenarios/maze40-3-1.map.scen");
+  const std::string map = contentOf(in("Maps/maze40-3-1.map"));
+  const std::string scenarios = contentOf(in("Scenarios/maze40-3-1.map.scen"));
   MapSet second = mazes();
   second.count = 1;
   second.seed = mazes().seed + 1;
   writeMapSet(folder_, second);
-  EXPECT_EQ(contentOf(folder_ + "Maps/maze40-3-0.map"), map) << "map k of seed s is map 0 of seed s + k";
-  EXPECT_NE(contentOf(folder_ + "Scenarios/maze40-3-0.map.scen"), scenarios) << "but it names itself otherwise";
+  EXPECT_EQ(contentOf(in("Maps/maze40-3-0.map")), map) << "map k of seed s is map 0 of seed s + k";
+  EXPECT_NE(contentOf(in("Scenarios/maze40-3-0.map.scen")), scenarios) << "but it names itself otherwise";
 }
 
 TEST_F(MapSets, AreRefusedWithoutANameACountOrAWay) {
@@ -70,7 +70,7 @@ TEST_F(MapSets, AreRefusedWithoutANameACountOrAWay) {
   bad = mazes();
   bad.generate = [](std::uint64_t) { return PassableGrid(3, 3, false); };
   EXPECT_THROW(writeMapSet(folder_, bad), std::runtime_error);
-  EXPECT_THROW(writeMapSet(folder_ + "missing", mazes()), MovingAiFileError);
+  EXPECT_THROW(writeMapSet(in("missing"), mazes()), MovingAiFileError);
 }
 
 }  // namespace

@@ -120,7 +120,8 @@ TEST_F(MovingAiMap, RefusesOtherHeaders) {
 }
 
 TEST_F(MovingAiMap, RefusesWhatIsNoFile) {
-  EXPECT_EQ(refusal([&] { readMovingAiMap(folder_ + "missing.map"); }), "the map missing.map cannot be read: there is no such file");
+  EXPECT_EQ(refusal([&] { readMovingAiMap(in("missing.map")); }),
+            "the map missing.map cannot be read: there is no such file");
   EXPECT_EQ(refusal([&] { readMovingAiMap(folder_); }), "the map  cannot be read: it is a folder, expected a file");
   EXPECT_THROW(readMovingAiMap("/dev/zero"), MovingAiFileError);
 }
@@ -131,7 +132,7 @@ TEST_F(MovingAiMap, IsWrittenAsItIsRead) {
   for (CellIndex cell; cell.row < grid.rows(); ++cell.row) {
     for (cell.column = 0; cell.column < grid.columns(); ++cell.column) grid.set(cell, uniform(random) < 0.5);
   }
-  const std::string path = folder_ + "b.map";
+  const std::string path = in("b.map");
   writeMovingAiMap(path, grid);
   const PassableGrid again = readMovingAiMap(path);
   EXPECT_EQ(again.columns(), 31);
@@ -140,8 +141,8 @@ TEST_F(MovingAiMap, IsWrittenAsItIsRead) {
 }
 
 TEST_F(MovingAiMap, IsNotWrittenWithoutCellsOrWhereItCannotBe) {
-  EXPECT_THROW(writeMovingAiMap(folder_ + "b.map", PassableGrid()), MovingAiFileError);
-  EXPECT_EQ(refusal([&] { writeMovingAiMap(folder_ + "missing/b.map", PassableGrid(1, 1, true)); }),
+  EXPECT_THROW(writeMovingAiMap(in("b.map"), PassableGrid()), MovingAiFileError);
+  EXPECT_EQ(refusal([&] { writeMovingAiMap(in("missing/b.map"), PassableGrid(1, 1, true)); }),
             "the map missing/b.map cannot be written: No such file or directory");
 }
 

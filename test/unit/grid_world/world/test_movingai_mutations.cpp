@@ -67,8 +67,8 @@ TEST_F(MovingAiMutations, OfScenariosAreReadAsSaidOrRefused) {
   const std::string valid = "version 1\n0\ta.map\t4\t3\t0\t1\t3\t2\t3.41421\n1\ta.map\t4\t3\t0\t0\t3\t2\t4\n";
   const int refused = refusedOf(valid, 2, [&](const std::string& content) {
     const std::vector<Scenario> scenarios = readScenarios(write("a.scen", content));
-    std::filesystem::remove(folder_ + "again.scen");
-    EXPECT_NO_THROW(writeScenarios(folder_ + "again.scen", scenarios)) << "read, but not to be written: " << content;
+    std::filesystem::remove(in("again.scen"));
+    EXPECT_NO_THROW(writeScenarios(in("again.scen"), scenarios)) << "read, but not to be written: " << content;
   });
   EXPECT_GT(refused, kMutations / 3);
   EXPECT_LT(refused, kMutations);

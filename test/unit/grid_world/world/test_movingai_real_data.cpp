@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "real_data.hpp"
+#include "support/real_data.hpp"
 #include "unit/grid_world/world/movingai_fixtures.hpp"
 
 namespace lstm_planner {
@@ -9,7 +9,7 @@ namespace {
 
 TEST(MovingAiRealData, EveryScenarioFitsItsMap) {
   const std::string folder = realData("movingai");
-  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << folder << " is not there";
+  SKIP_WITHOUT_REAL_DATA(folder);
   std::size_t scenario_count = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     if (entry.path().extension() != ".scen") continue;

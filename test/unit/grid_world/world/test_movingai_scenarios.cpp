@@ -76,10 +76,10 @@ TEST_F(MovingAiScenarios, KeepTheirLineNumberBecauseNoneBetweenThemMayBeEmpty) {
 TEST_F(MovingAiScenarios, AreWrittenWithSixSignificantDigits) {
   Scenario long_one = kScenario;
   long_one.optimal_length = 1091.99876;
-  writeScenarios(folder_ + "b.scen", {kScenario, long_one});
-  EXPECT_EQ(contentOf(folder_ + "b.scen"),
+  writeScenarios(in("b.scen"), {kScenario, long_one});
+  EXPECT_EQ(contentOf(in("b.scen")),
             "version 1\n1\tmaps/a.map\t4\t3\t0\t1\t3\t2\t3.41421\n1\tmaps/a.map\t4\t3\t0\t1\t3\t2\t1092\n");
-  EXPECT_EQ(readScenarios(folder_ + "b.scen").size(), 2u);
+  EXPECT_EQ(readScenarios(in("b.scen")).size(), 2u);
 }
 
 TEST_F(MovingAiScenarios, AreNotWrittenWhenTheyCouldNotBeReadAgain) {
@@ -92,18 +92,18 @@ TEST_F(MovingAiScenarios, AreNotWrittenWhenTheyCouldNotBeReadAgain) {
   for (const Scenario& scenario : bad) {
     EXPECT_EQ(
         refusal([&] {
-          writeScenarios(folder_ + "b.scen", {kScenario, scenario});
+          writeScenarios(in("b.scen"), {kScenario, scenario});
         }),
         "the scenario file b.scen, line 3: not written, expected a map with a name, start and goal inside it, and "
         "a finite length");
   }
-  EXPECT_THROW(writeScenarios(folder_ + "missing/b.scen", {kScenario}), MovingAiFileError);
+  EXPECT_THROW(writeScenarios(in("missing/b.scen"), {kScenario}), MovingAiFileError);
 }
 
 TEST_F(MovingAiScenarios, AreCheckedAgainstTheirMap) {
   PassableGrid grid(4, 3, true);
   const auto saidOf = [&](const Scenario& scenario) {
-    return refusal([&] { checkScenario(scenario, 7, grid, folder_ + "a.scen"); });
+    return refusal([&] { checkScenario(scenario, 7, grid, in("a.scen")); });
   };
   EXPECT_EQ(saidOf(kScenario), "");
   grid.set(kScenario.goal, false);

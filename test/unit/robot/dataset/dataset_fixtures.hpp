@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "folder_test.hpp"
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/robot/dataset/dataset.hpp"
 #include "lstm_planner/robot/driving/action_set.hpp"
+#include "support/folder_test.hpp"
 
 namespace lstm_planner {
 

@@ -8,18 +8,21 @@
 #include <sstream>
 
 #include "lstm_planner/robot/dataset/carmen_log.hpp"
-#include "real_data.hpp"
+#include "support/real_data.hpp"
+#include "support/refusal.hpp"
+#include "support/scratch_folder.hpp"
 #include "unit/robot/dataset/step_list.hpp"
 
 namespace lstm_planner {
 namespace {
 
-std::string pathOf(const std::string& name) { return testing::TempDir() + "/lstm_planner_carmen_" + name; }
-
-std::string written(const std::string& name, const std::string& text) {
-  std::ofstream(pathOf(name), std::ios::binary) << text;
-  return pathOf(name);
+/// What all tests of this file write, each under the name that it gives.
+const test::ScratchFolder& folder() {
+  static const test::ScratchFolder folder;
+  return folder;
 }
+
+std::string written(const std::string& name, const std::string& text) { return folder().write(name, text); }
 
 std::string compressed(const std::string& text) {
   std::ostringstream bytes;
@@ -32,12 +35,7 @@ std::string compressed(const std::string& text) {
 CarmenLog parsed(const std::string& text) { return readCarmenLog(written("log", text)); }
 
 std::string refusalOf(const std::string& path) {
-  try {
-    readCarmenLog(path);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusalOf<std::invalid_argument>([&] { readCarmenLog(path); });
 }
 
 std::string readings(int count, double range) {
@@ -234,7 +232,8 @@ TEST(CarmenLogTest, CompressedLogsAreTheSame) {
 }
 
 TEST(CarmenLogTest, WhatIsNoLogIsRefusedInASentence) {
-  EXPECT_EQ(refusalOf(pathOf("none")), "the log " + pathOf("none") + " cannot be read: there is no such file");
+  EXPECT_EQ(refusalOf(folder() / ("none")),
+            "the log " + folder() / ("none") + " cannot be read: there is no such file");
   const std::string none = written("without_scans.log", odometry(1.0, 0.0) + "NEFF 3\n");
   EXPECT_EQ(refusalOf(none), "the log " + none + " holds no scans: expected lines FLASER or ROBOTLASER1 among its 2");
   const std::string malformed = written("malformed.log", "FLASER x\n");
@@ -246,7 +245,7 @@ TEST(CarmenLogTest, WhatIsNoLogIsRefusedInASentence) {
   EXPECT_EQ(refusalOf(long_line),
             "the log " + long_line + " cannot be read on behind line 0: it is damaged, or no log");
   EXPECT_NE(refusalOf(written("empty.log", "")), "");
-  EXPECT_NE(refusalOf(testing::TempDir()), "");
+  EXPECT_NE(refusalOf(folder().path()), "");
 }
 
 TEST(CarmenLogTest, ShortLogsThatBecomeLongAreRefused) {
@@ -324,7 +323,7 @@ class RealCarmenLogTest : public testing::TestWithParam<RealLog> {};
 
 TEST_P(RealCarmenLogTest, EveryScanIsAccountedForAndStepsBeginAtTheirPoses) {
   const std::string path = realData(std::string("logs/") + GetParam().file);
-  if (!std::ifstream(path)) GTEST_SKIP() << "no " << path;
+  SKIP_WITHOUT_REAL_DATA(path);
   const CarmenLog log = readCarmenLog(path);
   EXPECT_EQ(log.scans, GetParam().scans);
   EXPECT_EQ(log.odometry, GetParam().odometry);

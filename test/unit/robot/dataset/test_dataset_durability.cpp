@@ -251,7 +251,7 @@ TEST_F(DatasetDurability, KeepsStepsInMemoryWhileTheFileCannotGrow) {
 TEST_F(DatasetDurability, KeepsStepsInMemoryWhileTheDiskIsFull) {
   int status = -1;
   const std::string words = Recorder("full", in("a.db")).words(&status);
-  if (status == kNotPossible) GTEST_SKIP() << "SKIPPED: a small disk needs the right to mount one";
+  if (status == kNotPossible) GTEST_SKIP() << "a small disk needs the right to mount one";
   EXPECT_EQ(status, 0) << words;
 }
 

@@ -93,7 +93,7 @@ TEST_F(DatasetExport, WritesArraysThatNumpyLoads) {
   const DriveStep& step = dataset.recordings[1].episodes[0].steps[2];
   int status = -1;
   const std::string shapes = python("for k in sorted(d.files): print(k, d[k].shape, d[k].dtype)", &status);
-  if (status == 77) GTEST_SKIP() << "SKIPPED: no python3 with NumPy";
+  if (status == 77) GTEST_SKIP() << "python3-numpy is not installed";
   EXPECT_EQ(shapes,
             "action_angles (5,) float64\nbeams (8, 8) int64\ndriven_angle (8,) float64\nepisode (8,) int64\n"
             "goal (8, 2) float64\ngoal_bearing (8,) float64\ngoal_distance (8,) float64\nheading (8,) float64\n"

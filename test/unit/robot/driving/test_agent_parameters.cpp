@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -14,12 +15,7 @@ namespace {
 std::string complaintAbout(const std::function<void(AgentParameters*)>& change) {
   AgentParameters parameters;
   change(&parameters);
-  try {
-    validate(parameters);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusalOf<std::invalid_argument>([&] { validate(parameters); });
 }
 
 TEST(AgentParameters, DefaultsAreValid) { EXPECT_NO_THROW(validate(AgentParameters{})); }

@@ -8,7 +8,7 @@
 #include "bench/recorded_steps.hpp"
 #include "lstm_planner/robot/driving/online_agent.hpp"
 #include "lstm_planner/robot/driving/rollout.hpp"
-#include "unit/heap_count.hpp"
+#include "support/heap_count.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -5,6 +5,8 @@
 #include <string>
 
 #include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "support/refusal.hpp"
+#include "support/scratch_folder.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
 namespace lstm_planner {
@@ -15,12 +17,7 @@ using Metadata = std::map<std::string, std::string>;
 /// What is said when `action` throws a T; empty when it does not.
 template <typename T, typename Action>
 std::string complaintOf(Action action) {
-  try {
-    action();
-  } catch (const T& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusalOf<T>([&] { action(); });
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -101,7 +98,8 @@ TEST(DrivePolicy, SaysWhatDoesNotFit) {
 }
 
 TEST(DrivePolicy, ComesBackFromItsFile) {
-  const std::string path = ::testing::TempDir() + "drive_policy_" + std::to_string(getpid()) + "_comes_back.onnx";
+  const test::ScratchFolder folder;
+  const std::string path = folder / "model.onnx";
   Model model{test::layersPreferring({0.1f, 0.2f, 0.3f, 0.4f, 0.5f}), {}};
   writeMetadata(PolicyDescription(), &model.metadata);
   writeModelFile(path, model);
@@ -111,7 +109,8 @@ TEST(DrivePolicy, ComesBackFromItsFile) {
 }
 
 TEST(DrivePolicy, RefusesAFileWhoseMetadataDoNotFitByItsName) {
-  const std::string path = ::testing::TempDir() + "drive_policy_" + std::to_string(getpid()) + "_mismatch.onnx";
+  const test::ScratchFolder folder;
+  const std::string path = folder / "model.onnx";
   const LayerStack layers = test::layersPreferring({0.0f, 0.0f, 0.0f, 0.0f, 0.0f});
   PolicyDescription description;
   description.actions = ActionSet({-1.0, 0.0, 1.0});

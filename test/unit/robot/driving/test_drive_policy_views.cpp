@@ -8,7 +8,8 @@
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
-#include "unit/heap_count.hpp"
+#include "support/heap_count.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -75,7 +76,8 @@ TEST(DrivePolicyViews, AWorldTurnedByAnEighthIsTheSameWorld) {
 }
 
 TEST(DrivePolicyViews, ComeBackFromTheirFile) {
-  const std::string path = ::testing::TempDir() + "drive_policy_views_" + std::to_string(getpid()) + ".onnx";
+  const test::ScratchFolder folder;
+  const std::string path = folder / "model.onnx";
   DrivePolicy policy = randomPolicy();
   Model model{randomLayers(), {}};
   writeMetadata(policy.description(), &model.metadata);

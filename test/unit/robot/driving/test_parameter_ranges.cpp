@@ -16,6 +16,7 @@
 #include "lstm_planner/robot/simulation/crowd.hpp"
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "lstm_planner/robot/simulation/scripted_driver.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -28,12 +29,7 @@ struct Number {
 
 template <typename Parameters>
 std::string complaintAbout(const Parameters& parameters) {
-  try {
-    validate(parameters);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusalOf<std::invalid_argument>([&] { validate(parameters); });
 }
 
 /// No value beyond a double's ends for whole numbers.

@@ -7,6 +7,7 @@
 
 #include "lstm_planner/robot/driving/rollout.hpp"
 #include "lstm_planner/robot/simulation/world_generators.hpp"
+#include "support/case_name.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/memory/memory_fixtures.hpp"
 
@@ -79,7 +80,8 @@ TEST_P(RolloutInForests, IsDenseEndsAtTheGoalAndGoesThroughNothingThatIsKnown) {
       ASSERT_LE(distanceBetween(plan[pose_index - 1], at), parameters.spacing + 1e-9);
       // No hairpin on a route: once it has left the robot it does not come by again.
       left = left || distanceBetween(pose, at) > 2.0 * parameters.spacing;
-      ASSERT_TRUE(!left || !decision.on_route || distanceBetween(pose, at) > parameters.spacing) << "pose " << pose_index;
+      ASSERT_TRUE(!left || !decision.on_route || distanceBetween(pose, at) > parameters.spacing)
+          << "pose " << pose_index;
       for (const Point2& obstacle : situation.obstacles) {
         if (distanceBetween(pose, at) > known) break;
         ASSERT_GT(distanceBetween(toParentFrame(pose, obstacle), at), kRadius - kBlur) << "pose " << pose_index;
@@ -89,7 +91,7 @@ TEST_P(RolloutInForests, IsDenseEndsAtTheGoalAndGoesThroughNothingThatIsKnown) {
   EXPECT_GT(checked, 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RolloutInForests, ::testing::Values(1u, 2u, 3u, 4u));
+INSTANTIATE_TEST_SUITE_P(Seeds, RolloutInForests, ::testing::Values(1u, 2u, 3u, 4u), test::caseName("Seed"));
 
 TEST(RolloutOnRoutes, GoesRoundAWallThatIsNoLongerInSight) {
   OccupancyGrid grid = test::emptyHall(10.0, 8.0);

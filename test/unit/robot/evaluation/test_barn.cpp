@@ -2,35 +2,25 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 
 #include "lstm_planner/robot/evaluation/barn.hpp"
-#include "real_data.hpp"
+#include "support/folder_test.hpp"
+#include "support/real_data.hpp"
+#include "support/refusal.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
 namespace lstm_planner {
 namespace {
 
-class BarnFile : public ::testing::Test {
+class BarnFile : public test::FolderTest {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder); }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder + "/" + name, std::ios::binary) << text;
-    return folder + "/" + name;
-  }
+  std::string write(const std::string& name, const std::string& text) const { return scratch_.write(name, text); }
   /// What readBarnWorlds() says about a file of cylinders.
-  std::string complaintAbout(const std::string& text) const {
-    try {
-      readBarnWorlds(write("cylinders.csv", text));
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+  std::string refusal(const std::string& text) const {
+    return test::refusalOf([&] { readBarnWorlds(write("cylinders.csv", text)); });
   }
-  const std::string folder = ::testing::TempDir() + "barn_test";
 };
 
 TEST_F(BarnFile, IsReadInAnyOrderOfLinesAndColumns) {
@@ -50,12 +40,12 @@ TEST_F(BarnFile, IsReadInAnyOrderOfLinesAndColumns) {
 }
 
 TEST_F(BarnFile, IsRefusedWithTheLineAtFault) {
-  EXPECT_NE(complaintAbout("world,x\n1,2\n").find("names no column 'y'"), std::string::npos);
-  EXPECT_NE(complaintAbout("world,x,y\n1,2,3\n1,2,three\n").find("line 3: column y is 'three'"), std::string::npos);
-  EXPECT_NE(complaintAbout("world,x,y\n1,2\n").find("line 2: column y is ''"), std::string::npos);
-  EXPECT_NE(complaintAbout("world,x,y\n1.5,2,3\n").find("whole number"), std::string::npos);
-  EXPECT_NE(complaintAbout("world,x,y\n").find("holds no cylinder"), std::string::npos);
-  EXPECT_THROW(readBarnWorlds(folder + "/none.csv"), std::invalid_argument);
+  EXPECT_NE(refusal("world,x\n1,2\n").find("names no column 'y'"), std::string::npos);
+  EXPECT_NE(refusal("world,x,y\n1,2,3\n1,2,three\n").find("line 3: column y is 'three'"), std::string::npos);
+  EXPECT_NE(refusal("world,x,y\n1,2\n").find("line 2: column y is ''"), std::string::npos);
+  EXPECT_NE(refusal("world,x,y\n1.5,2,3\n").find("whole number"), std::string::npos);
+  EXPECT_NE(refusal("world,x,y\n").find("holds no cylinder"), std::string::npos);
+  EXPECT_THROW(readBarnWorlds(in("none.csv")), std::invalid_argument);
 }
 
 TEST(BarnScore, RewardsFastArrivalsWithoutContacts) {
@@ -91,7 +81,7 @@ TEST(BarnDrive, IsEndedByTheRefereeAMetreBeforeTheGoal) {
 
 TEST(RealBarn, HoldsWorldsWithAFreeStartAndReferencePathsOfTenMetresAtLeast) {
   const std::string path = realData("barn/barn_cylinders.csv");
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
+  SKIP_WITHOUT_REAL_DATA(path);
   const std::vector<BarnWorld> worlds = readBarnWorlds(path);
   EXPECT_EQ(worlds.size(), 250u);
   for (const BarnWorld& world : worlds) {

@@ -6,6 +6,7 @@
 
 #include "lstm_planner/robot/evaluation/drive.hpp"
 #include "lstm_planner/robot/simulation/floor_plan.hpp"
+#include "support/case_name.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
 namespace lstm_planner {
@@ -178,7 +179,7 @@ TEST_P(UselessPolicyDrives, ReachEveryGoalOfAFloorPlan) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(FloorPlans, UselessPolicyDrives, ::testing::Values(1, 2));
+INSTANTIATE_TEST_SUITE_P(FloorPlans, UselessPolicyDrives, ::testing::Values(1, 2), test::caseName("Seed"));
 
 }  // namespace
 }  // namespace lstm_planner

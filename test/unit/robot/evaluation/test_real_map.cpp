@@ -6,7 +6,7 @@
 
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/evaluation/drive.hpp"
-#include "real_data.hpp"
+#include "support/real_data.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
 namespace lstm_planner {
@@ -40,14 +40,14 @@ int countContacts(const std::vector<DriveResult>& results) {
 }
 
 TEST(RealMapDrive, ShippedPlannerArrivesInWillowWithoutContact) {
-  if (!std::ifstream(willowMap())) GTEST_SKIP() << "no map " << willowMap();
+  SKIP_WITHOUT_REAL_DATA(willowMap());
   const std::vector<DriveResult> results = driveInWillow(DrivePolicy::fromFile(shippedModel()), AgentParameters{});
   EXPECT_EQ(countGood(results), 3);
   EXPECT_EQ(countContacts(results), 0);
 }
 
 TEST(RealMapDrive, ShippedNetworkArrivesInWillowAloneAndAUselessOneNotEvenWithTheEscape) {
-  if (!std::ifstream(willowMap())) GTEST_SKIP() << "no map " << willowMap();
+  SKIP_WITHOUT_REAL_DATA(willowMap());
   AgentParameters parameters;
   parameters.leader = Leader::kNetwork;
   const std::vector<DriveResult> useless = driveInWillow(test::straightAheadPolicy(), parameters);

@@ -6,7 +6,7 @@
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/robot/learning/drive_judge.hpp"
 #include "lstm_planner/robot/learning/step_drive.hpp"
-#include "real_data.hpp"
+#include "support/real_data.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
 namespace lstm_planner {
@@ -66,14 +66,12 @@ TEST_P(ShippedRobotModel, LeadsAloneWhereUselessPoliciesDoNot) {
   EXPECT_LT(scoreOf(randomPolicy(), bound.kind).arrival, bound.arrival) << "random weights";
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, ShippedRobotModel,
-                         ::testing::Values(Bound{WorldKind::kMaze, 0.7, 0.5, true},
-                                           Bound{WorldKind::kOffice, 0.7, 0.5, true},
-                                           Bound{WorldKind::kCorridors, 0.7, 0.6, true},
-                                           Bound{WorldKind::kRooms, 0.8, 0.65, true},
-                                           Bound{WorldKind::kForest, 0.9, 0.85, false},
-                                           Bound{WorldKind::kOpen, 0.99, 0.9, false}),
-                         [](const auto& info) { return std::string(toString(info.param.kind)); });
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, ShippedRobotModel,
+    ::testing::Values(Bound{WorldKind::kMaze, 0.7, 0.5, true}, Bound{WorldKind::kOffice, 0.7, 0.5, true},
+                      Bound{WorldKind::kCorridors, 0.7, 0.6, true}, Bound{WorldKind::kRooms, 0.8, 0.65, true},
+                      Bound{WorldKind::kForest, 0.9, 0.85, false}, Bound{WorldKind::kOpen, 0.99, 0.9, false}),
+    [](const auto& info) { return std::string(toString(info.param.kind)); });
 
 }  // namespace
 }  // namespace lstm_planner

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 
 #include "lstm_planner/robot/evaluation/trace_picture.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -18,11 +18,9 @@ OccupancyGrid room() {
 }
 
 cv::Mat draw(const OccupancyGrid& grid, const TracePicture& picture, int longest_side) {
-  const std::string path = ::testing::TempDir() + "trace_picture_test.png";
-  writeTracePicture(path, grid, picture, longest_side);
-  const cv::Mat image = cv::imread(path);
-  std::remove(path.c_str());
-  return image;
+  const test::ScratchFolder folder;
+  writeTracePicture(folder / "picture.png", grid, picture, longest_side);
+  return cv::imread(folder / "picture.png");
 }
 
 cv::Vec3b pixel(const cv::Mat& image, int column, int row) { return image.at<cv::Vec3b>(row, column); }
@@ -107,7 +105,7 @@ TEST(TracePicture, DrawsThingsFarOutsideTheMapWithoutHarm) {
 TEST(TracePicture, RefusesWhatCannotBeDrawnOrWritten) {
   EXPECT_THROW(writeTracePicture("/tmp/picture.png", OccupancyGrid(), {}), std::invalid_argument);
   EXPECT_THROW(writeTracePicture("/no/such/folder/picture.png", room(), {}), std::runtime_error);
-  EXPECT_THROW(writeTracePicture(::testing::TempDir() + "picture.unknown", room(), {}), std::runtime_error);
+  EXPECT_THROW(writeTracePicture(test::ScratchFolder() / "picture.unknown", room(), {}), std::runtime_error);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "lstm_planner/robot/driving/drive_trace.hpp"
 #include "lstm_planner/robot/learning/dataset_sequences.hpp"
+#include "support/refusal.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
 namespace lstm_planner {
@@ -23,16 +24,6 @@ Dataset oneEpisode(int steps) {
   dataset.recordings[0].description.source = "one.bag";
   dataset.recordings[0].episodes.push_back(driveTowards({3.0, 4.0}, steps));
   return dataset;
-}
-
-template <typename Function>
-std::string refusal(const Function& function) {
-  try {
-    function();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(DatasetSequences, InputsAreThoseOfTheEncoderAndLabelsThoseOfTheRecording) {
@@ -202,7 +193,7 @@ TEST(DatasetSequences, AnotherRangeCapIsRefusedWithoutScansAndAveragedAnewWithTh
   EXPECT_FALSE(needsScans(dataset, parameters.policy));
   parameters.policy.encoder.range_cap = 4.0;
   EXPECT_TRUE(needsScans(dataset, parameters.policy));
-  EXPECT_EQ(refusal([&] { datasetSequences(dataset, parameters); }),
+  EXPECT_EQ(test::refusalOf([&] { datasetSequences(dataset, parameters); }),
             "the recording from 'one.bag' has a range cap of 6.000000 m, the network one of 4.000000 m, and without "
             "kept scans the ranges cannot be averaged anew");
   for (DriveStep& step : dataset.recordings[0].episodes[0].steps) {
@@ -227,8 +218,8 @@ TEST(DatasetSequences, PolicyIsThatOfTheRecordingsAndTheyMayNotDiffer) {
   EXPECT_EQ(policy.step_length, 0.3);
   EXPECT_EQ(policy.actions, ActionSet());  // not the rounded angles of the recording
   dataset.recordings[1].description.parameters.action_angles = {-0.5, 0.0, 0.5};
-  EXPECT_NE(refusal([&] { policyOf(dataset); }).find("differ in action_angles"), std::string::npos);
-  EXPECT_NE(refusal([] { policyOf({}); }).find("no recording"), std::string::npos);
+  EXPECT_NE(test::refusalOf([&] { policyOf(dataset); }).find("differ in action_angles"), std::string::npos);
+  EXPECT_NE(test::refusalOf([] { policyOf({}); }).find("no recording"), std::string::npos);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/robot/learning/drive_actor_critic.hpp"
 #include "lstm_planner/robot/learning/recorded_choices.hpp"
+#include "support/case_name.hpp"
 #include "unit/robot/evaluation/drive_learning_fixtures.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
@@ -25,7 +26,7 @@ DriveActorCriticParameters tiny(int views = 1) {
 
 /// By the number of views.
 class DriveActorCriticWithViews : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveActorCriticWithViews, ::testing::Values(1, 8));
+INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveActorCriticWithViews, ::testing::Values(1, 8), test::caseName("Views"));
 
 TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
   DriveActorCriticParameters parameters = tiny(GetParam());

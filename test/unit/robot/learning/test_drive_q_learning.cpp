@@ -11,6 +11,8 @@
 #include "lstm_planner/robot/learning/drive_q_learning.hpp"
 #include "robot/learning/drive_practice.hpp"
 #include "robot/learning/drive_q_tile.hpp"
+#include "support/case_name.hpp"
+#include "support/refusal.hpp"
 #include "unit/robot/evaluation/drive_learning_fixtures.hpp"
 
 namespace lstm_planner {
@@ -52,7 +54,7 @@ TEST(DriveQLearning, LearnsToGoToTheGoalInTheOpenByProgress) {
 
 /// By the number of views.
 class DriveQLearningWithViews : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveQLearningWithViews, ::testing::Values(1, 8));
+INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveQLearningWithViews, ::testing::Values(1, 8), test::caseName("Views"));
 
 TEST_P(DriveQLearningWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
   expectTheSameOnAnyNumberOfRanks<DriveQLearning>(
@@ -92,12 +94,7 @@ TEST_P(DriveQLearningWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
 std::string refusalOf(void (*change)(DriveQLearningParameters*)) {
   DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>();
   change(&parameters);
-  try {
-    validate(parameters);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusalOf<std::invalid_argument>([&] { validate(parameters); });
 }
 
 TEST(DriveQLearning, RefusesBadParametersWithTheReason) {
@@ -203,7 +200,7 @@ class DriveQTileWithViews : public DriveQTileTest, public ::testing::WithParamIn
  protected:
   DriveQTileWithViews() : DriveQTileTest(GetParam()) {}
 };
-INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveQTileWithViews, ::testing::Values(1, 8));
+INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveQTileWithViews, ::testing::Values(1, 8), test::caseName("Views"));
 
 TEST_F(DriveQTileTest, LearnsFromChosenStepsOfWhichItIsKnownWhatCame) {
   // Of each drive one step was not chosen, and one drive was cut off.

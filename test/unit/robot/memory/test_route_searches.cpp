@@ -8,6 +8,7 @@
 
 #include "lstm_planner/base/grid/cell_queue.hpp"
 #include "lstm_planner/robot/memory/route_guide.hpp"
+#include "support/case_name.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/memory/memory_fixtures.hpp"
 
@@ -194,7 +195,7 @@ TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
   EXPECT_LT(keeping.searches(), searching.searches());
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RouteSearchesAmongWalls, ::testing::Range(1u, 9u));
+INSTANTIATE_TEST_SUITE_P(Seeds, RouteSearchesAmongWalls, ::testing::Range(1u, 9u), test::caseName("Seed"));
 
 TEST(CellQueue, GivesEstimatesInOrder) {
   std::mt19937 random(3);

@@ -55,7 +55,11 @@ TEST_P(BeamFinderFan, FindsTheBeamThatTheProfileNames) {
 INSTANTIATE_TEST_SUITE_P(Fans, BeamFinderFan,
                          ::testing::Values(Fan{-2.35619, 0.00436332, 1081}, Fan{2.35619, -0.00436332, 1081},
                                            Fan{-M_PI, 2.0 * M_PI / 720.0, 720}, Fan{0.3, 2.0 * M_PI / 360.0, 361},
-                                           Fan{-1.6, 0.01, 320}));
+                                           Fan{-1.6, 0.01, 320}),
+                         [](const auto& info) {
+                           return std::to_string(info.param.beams) +
+                                  (info.param.increment < 0.0 ? "Clockwise" : "Beams");
+                         });
 
 TEST(BeamFinder, AnswersForThePlaceOfTheScannerItself) {
   RangeProfile profile;

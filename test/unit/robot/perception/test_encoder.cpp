@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/robot/perception/encoder.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -66,9 +67,8 @@ TEST(Encoder, StaysFiniteForEveryFiniteObservation) {
     EncoderParameters parameters;
     parameters.input_layout.insert(
         parameters.input_layout.end(),
-        {"goal_bearing", "heading", "event_0", "visits_4",
-         "step_visits_0", "room_freshness_7", "hall_freshness_3", "room_visits", "behind_best", "steps_since_best",
-         "motion_forward", "motion_left", "motion_turn"});
+        {"goal_bearing", "heading", "event_0", "visits_4", "step_visits_0", "room_freshness_7", "hall_freshness_3",
+         "room_visits", "behind_best", "steps_since_best", "motion_forward", "motion_left", "motion_turn"});
     Observation observation;
     observation.sector_ranges.fill(value);
     observation.goal_distance = value;
@@ -155,12 +155,7 @@ TEST(EncoderParameters, NameWhatIsWrongInTheMetadata) {
   const auto refusal = [&good](const std::string& key, const std::string& value) -> std::string {
     std::map<std::string, std::string> metadata = good;
     metadata[key] = value;
-    try {
-      readEncoderParameters(metadata);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusalOf<std::invalid_argument>([&] { readEncoderParameters(metadata); });
   };
   EXPECT_EQ(refusal("range_cap", "6.0 "), "") << "the good metadata with a blank";
   EXPECT_NE(refusal("range_cap", "six").find("range_cap 'six'"), std::string::npos);

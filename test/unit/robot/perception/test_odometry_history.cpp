@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
 #include "lstm_planner/robot/perception/odometry_history.hpp"
-#include "unit/heap_count.hpp"
+#include "support/heap_count.hpp"
 
 namespace lstm_planner {
 namespace {
 
 TEST(OdometryHistory, KeepsABoundedNumberOfEntriesWhereStampsHardlyGoOn) {
-  if (!heapIsCounted()) GTEST_SKIP() << "SKIPPED: " << kHeapIsNotCounted;
+  if (!heapIsCounted()) GTEST_SKIP() << kHeapIsNotCounted;
   OdometryHistory history(1.0);
   const long before = heapCount().live_bytes;
   for (int i = 0; i < 100000; ++i) history.add({5.0 + 1e-9 * i, {}, {}});

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lstm_planner/robot/perception/scan_rules.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -12,13 +13,10 @@ namespace {
 using testing::HasSubstr;
 
 std::string refusal(const std::string& text) {
-  try {
+  return test::refusalOf<std::invalid_argument>([&] {
     ScanRules rules;
     setNoReturn(text, &rules);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(ScanRules, AreReadFromTheTextThatTheyAreWrittenAs) {

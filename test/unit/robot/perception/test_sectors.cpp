@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lstm_planner/robot/perception/sectors.hpp"
+#include "support/refusal.hpp"
 #include "unit/robot/perception/scan_builder.hpp"
 
 namespace lstm_planner {
@@ -135,12 +136,7 @@ TEST(AverageSectors, SaysWhenASectorSawNothing) {
 }
 
 std::string refusal(const LaserScan& scan, const SensorMount& mount = {}, const ScanRules& rules = {}) {
-  try {
-    averageSectors(scan, mount, rules, kCap);
-  } catch (const UnusableScan& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusalOf<UnusableScan>([&] { averageSectors(scan, mount, rules, kCap); });
 }
 
 TEST(AverageSectors, RefusesSpansThatLeaveAGap) {

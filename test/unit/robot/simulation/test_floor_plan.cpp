@@ -10,6 +10,7 @@
 
 #include "lstm_planner/base/grid/distance_field.hpp"
 #include "lstm_planner/robot/simulation/floor_plan.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -138,12 +139,7 @@ TEST(FloorPlan, NamesImpossibleParameters) {
   const auto refusal = [](double FloorPlanParameters::*field, double value) -> std::string {
     FloorPlanParameters parameters;
     parameters.*field = value;
-    try {
-      generateFloorPlan(parameters, 1);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusalOf<std::invalid_argument>([&] { generateFloorPlan(parameters, 1); });
   };
   EXPECT_NE(refusal(&FloorPlanParameters::width, 2.0).find("width is 2, expected"), std::string::npos);
   EXPECT_NE(refusal(&FloorPlanParameters::height, HUGE_VAL).find("height is inf"), std::string::npos);

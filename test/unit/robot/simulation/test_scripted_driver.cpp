@@ -8,6 +8,7 @@
 
 #include "lstm_planner/robot/simulation/create2.hpp"
 #include "lstm_planner/robot/simulation/scripted_driver.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -208,12 +209,7 @@ TEST(ScriptedDriver, RefusesParametersThatMakeNoSenseByName) {
   const auto messageOf = [](double ScriptedDriverParameters::*member, double value) -> std::string {
     ScriptedDriverParameters parameters;
     parameters.*member = value;
-    try {
-      validate(parameters);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusalOf<std::invalid_argument>([&] { validate(parameters); });
   };
   EXPECT_EQ(messageOf(&ScriptedDriverParameters::speed, -0.3),
             "parameter speed is -0.3, expected a number in [0.01, 10]");

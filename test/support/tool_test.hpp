@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "folder_test.hpp"
+#include "support/folder_test.hpp"
 
 namespace lstm_planner::test {
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,6 +18,12 @@ inline std::string realData(const std::string& file) {
   return (shared != nullptr ? std::string(shared) : std::string(LSTM_PLANNER_SOURCE_DIR) + "/../shared") + "/data/" +
          file;
 }
+
+/// Ends a test as skipped where such a file or folder is missing.
+#define SKIP_WITHOUT_REAL_DATA(path)   \
+  if (std::filesystem::exists(path)) { \
+  } else                               \
+    GTEST_SKIP() << "needs data of real places: " << (path)
 
 /// Willow Garage. Its surroundings and what was never seen are of the grey 206, which its own threshold takes for free.
 inline std::string willowMap() { return realData("maps/stage_ros_willow-full.yaml"); }
