@@ -93,7 +93,7 @@ for argument in "$@"; do
   esac
 done
 
-set_up all
+set_up lstm_planner_demo
 if [ "$build_only" = true ]; then exit 0; fi
 choose_master
 drive "${arguments[@]}"

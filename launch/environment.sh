@@ -194,7 +194,7 @@ prepare_workspace() {
       "set LSTM_PLANNER_WS." ;;
   esac
   mkdir -p "$workspace/src" "$workspace/ros_home" 2>/dev/null || fail "cannot create the workspace $workspace."
-  [ -w "$workspace" ] && [ -w "$workspace/src" ] || fail "cannot write to the workspace $workspace."
+  if [ ! -w "$workspace" ] || [ ! -w "$workspace/src" ]; then fail "cannot write to the workspace $workspace."; fi
 }
 
 # Objects of another checkout may be newer than this one's sources, so make alone would not notice the change.
@@ -224,7 +224,7 @@ build_targets() {
   local log="$workspace/build.log" status
   say "building in $workspace (log: $log)"
   catkin_make -C "$workspace" -j"$(parallel_jobs)" -DCMAKE_BUILD_TYPE=Release \
-    -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "$@" </dev/null 2>&1 | tee "$log" |
+    -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}" -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "$@" </dev/null 2>&1 | tee "$log" |
     grep --line-buffered -E '^\[ *[0-9]+%\] (Building|Linking)|warning:|error:|undefined reference|\*\*\*|^CMake Error'
   status="${PIPESTATUS[0]}"
   [ "$status" -eq 0 ] || fail "the build failed; its errors are above, everything is in $log."

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Sums up the result files of gtest, rosunit and rostest in a folder.
 
-Prints a line for every case that failed or was skipped, and at the end, alone on its line, `N passed, N failed,
-N skipped`. Exit status 1 when a case failed, 2 when there are no results.
+count_results.py FOLDER SKIPS: prints a line for every case that failed or was skipped, and at the end, alone on its
+line, `N passed, N failed, N skipped`. A case that is skipped for a reason that no line of the file SKIPS allows has
+failed. Exit status 1 when a case failed, 2 when there are no results.
 """
 import pathlib
+import re
 import sys
 import xml.etree.ElementTree
 
@@ -71,9 +73,20 @@ def add_folder(results, folder):
         results.add_file(path)
 
 
-def main(folder):
+def read_allowed_skips(path):
+    """Regular expressions, one a line; lines that begin with # are comments."""
+    lines = [line.strip() for line in pathlib.Path(path).read_text(encoding="utf-8").splitlines()]
+    return [re.compile(line) for line in lines if line and not line.startswith("#")]
+
+
+def main(folder, skips):
     results = Results()
     add_folder(results, pathlib.Path(folder))
+    allowed = read_allowed_skips(skips)
+    for name, text in list(results.skipped):
+        if not any(reason.search(text) for reason in allowed):
+            results.skipped.remove((name, text))
+            results.failed.append((name, f"skipped, and test/skips.txt does not allow it: {text}"))
     for name, text in results.skipped:
         print(f"SKIPPED {name}: {text}")
     for name, text in results.failed:
@@ -85,4 +98,4 @@ def main(folder):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]))
+    sys.exit(main(*sys.argv[1:]))

@@ -9,7 +9,9 @@ usage() {
 Usage: bash test/run.sh [--build-only] [FILTER]
 
 Installs what is missing, builds the package and its tests in a workspace outside the source tree, and runs them: the
-unit tests and the rostests, each rostest under a ROS master of its own. The last line counts the test cases.
+unit tests in as many processes as there are processors, and beside each other the rostests, each under a ROS master of
+its own; without FILTER also the linters (test/lint.sh). The last line counts the test cases. A test that is skipped
+counts as a failure, unless test/skips.txt allows it.
 
 Arguments:
   FILTER         an extended regular expression on names: unit tests are Suite.Case, rostests are files in test/ros
@@ -19,9 +21,29 @@ Arguments:
 Environment:
   LSTM_PLANNER_WS       the workspace; default ~/.cache/lstm_planner
   LSTM_PLANNER_SHARED   data for tests on real maps and recordings; default: shared/ beside the checkout
+  CXXFLAGS              more options for the compiler, e.g. -Werror
 
 Exit status: 0 when no test failed.
 USAGE
+}
+
+# Runs the unit tests that gtest's filter ($1) selects, in one process a processor; shows what the failing ones printed.
+run_unit_tests() {
+  local shards shard processes=() status=0
+  shards="$(parallel_jobs)"
+  for ((shard = 0; shard < shards; ++shard)); do
+    GTEST_FILTER="$1" GTEST_TOTAL_SHARDS="$shards" GTEST_SHARD_INDEX="$shard" \
+      GTEST_OUTPUT="xml:$results/gtest-unit_tests_$shard.xml" \
+      "$workspace/devel/lib/lstm_planner/lstm_planner_unit_tests" </dev/null >"$results/unit_tests_$shard.log" 2>&1 &
+    processes+=($!)
+  done
+  for ((shard = 0; shard < shards; ++shard)); do
+    if ! wait "${processes[shard]}"; then
+      status=1
+      cat "$results/unit_tests_$shard.log"
+    fi
+  done
+  return "$status"
 }
 
 # Names of the unit tests, Suite.Case, one a line.
@@ -38,13 +60,15 @@ run_tests() {
     grep -E -- "$filter" | sed 's/\.test$//' | sort | paste -sd'|')"
   [ -n "$unit_tests$ros_tests" ] || fail "no test matches '$filter'."
 
-  cd "$workspace/build" || exit 1
+  mkdir -p "$results"
   if [ -n "$unit_tests" ]; then
     if [ -z "$filter" ]; then unit_tests='*'; fi
-    GTEST_FILTER="$unit_tests" ctest --output-on-failure -R '_gtest_lstm_planner_unit_tests$' </dev/null || status=1
+    run_unit_tests "$unit_tests" || status=1
   fi
   if [ -n "$ros_tests" ]; then
-    ctest --output-on-failure -R "_rostest_test_ros_($ros_tests)\\.test\$" </dev/null || status=1
+    cd "$workspace/build" || exit 1
+    ctest --output-on-failure --parallel "$(parallel_jobs)" -R "_rostest_test_ros_($ros_tests)\.test\$" </dev/null ||
+      status=1
   fi
   return "$status"
 }
@@ -69,8 +93,8 @@ if [ "$build_only" = true ]; then exit 0; fi
 export LSTM_PLANNER_SHARED="${LSTM_PLANNER_SHARED:-$source_dir/../shared}"
 results="$workspace/build/test_results/lstm_planner"
 rm -rf "$results"
-run_tests "$filter"
-tests_status=$?
-/usr/bin/python3 "$source_dir/test/count_results.py" "$results"
-count_status=$?
-[ "$tests_status" -eq 0 ] && [ "$count_status" -eq 0 ]
+status=0
+if [ -z "$filter" ]; then bash "$source_dir/test/lint.sh" || status=1; fi
+run_tests "$filter" || status=1
+/usr/bin/python3 "$source_dir/test/count_results.py" "$results" "$source_dir/test/skips.txt" || status=1
+exit "$status"

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Checks the format of sources, shell scripts and the catkin package; see --help.
+set -uo pipefail
+
+usage() {
+  cat <<'USAGE'
+Usage: bash test/lint.sh
+
+clang-format on C++, shellcheck on shell scripts, catkin_lint on the package: says what each of them finds. What is not
+installed is left out with a line; so is a clang-format that is not of version 14, as others format otherwise.
+
+Exit status: 0 when nothing was found.
+USAGE
+}
+
+case "${1:-}" in
+  '') ;;
+  --help | -h) usage; exit 0 ;;
+  *) echo "lint: unknown argument '$1'; expected --help or nothing." >&2; exit 2 ;;
+esac
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
+status=0
+
+left_out() { echo "lint: $1 is left out: $2"; }
+
+# Files of the package with one of the endings ($@), one a line; works without git, too.
+files_ending_with() {
+  local ending
+  for ending in "$@"; do
+    find .ci include launch models src test -path src/tools/external -prune -o -name "*$ending" -type f -print
+  done | sort
+}
+
+if ! command -v clang-format >/dev/null; then
+  left_out clang-format 'it is not installed'
+elif ! clang-format --version | grep -q 'version 14\.'; then
+  left_out clang-format "version 14 is needed, this is $(clang-format --version)"
+else
+  files_ending_with .cpp .hpp | xargs clang-format --dry-run -Werror || status=1
+fi
+
+if command -v shellcheck >/dev/null; then
+  { files_ending_with .sh; echo .ci/run; } | xargs shellcheck -x || status=1
+else
+  left_out shellcheck 'it is not installed'
+fi
+
+# It does not bear variables of a newer ROS. The package's dependencies are those of Noetic.
+if command -v catkin_lint >/dev/null; then
+  ROS_DISTRO=noetic catkin_lint -W1 --strict --offline . 2>&1 | grep -v -e "rosdep database" -e "unknown dependencies" \
+    -e "additional notices" -e "have been ignored" -e "^catkin_lint: checked" && status=1
+else
+  left_out catkin_lint 'it is not installed'
+fi
+exit "$status"
