@@ -84,9 +84,9 @@ BENCHMARK(batchNetwork)
 BENCHMARK(singleNetworks)
     ->Name("batch/Networks")
     ->ArgNames({"cells", "agents"})
-    ->Apply([](auto* family) { addArgumentPairs({8, 16, 32, 64}, {8, 256}, family); })
-    ->UseManualTime()
-    ->Iterations(kRepetitions);
+    ->Apply([](auto* family) {
+      addArgumentPairs({8, 16, 32, 64}, {8, 256}, family);
+    }) -> UseManualTime() -> Iterations(kRepetitions);
 
 }  // namespace
 }  // namespace lstm_planner

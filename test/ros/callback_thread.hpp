@@ -8,8 +8,8 @@
 
 namespace lstm_planner {
 
-/// Serves subscriptions in a thread of its own, so that they go on while the host's spin thread is busy (move_base answers
-/// make_plan there). Must outlive the subscriptions made with its node handles.
+/// Serves subscriptions in a thread of its own, so that they go on while the host's spin thread is busy (move_base
+/// answers make_plan there). Must outlive the subscriptions made with its node handles.
 class CallbackThread {
  public:
   CallbackThread() : spinner_(1, &queue_) { spinner_.start(); }

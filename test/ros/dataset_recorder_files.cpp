@@ -192,7 +192,8 @@ TEST_F(RecorderTest, ATransformAtTheEndOfTimeIsSaidAndRecordingGoesOn) {
 TEST_F(RecorderTest, BadParametersEndTheNodeWithASentence) {
   const auto period = launch("dataset_recorder", {"_period:=-1.0"});
   EXPECT_EQ(period->wait(), 1);
-  EXPECT_TRUE(contains(period->printed(), "parameter period is -1, expected a number in [0.0001, 3600]")) << period->printed();
+  EXPECT_TRUE(contains(period->printed(), "parameter period is -1, expected a number in [0.0001, 3600]"))
+      << period->printed();
   ros::param::del("/dataset_recorder");
 
   RecorderProcess folder("dataset_recorder", folder_ / "log", {"_output:=/proc/nowhere/drive.sqlite"});

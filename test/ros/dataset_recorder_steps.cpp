@@ -10,10 +10,10 @@ using actionlib_msgs::GoalStatus;
 TEST_F(RecorderTest, StepsAreLabelledWithTheWayThatWasTaken) {
   start();
   giveGoal(goalAt(5.0, 0.0));
-  drive({0.4, 0.0, 0.0}, 2.0);   // ahead
-  drive({0.8, 0.4, 0.0}, 2.0);   // half left
-  drive({0.8, 0.0, 0.0}, 2.0);   // right
-  drive({0.8, 0.0, 2.0}, 1.0);   // turning left in place
+  drive({0.4, 0.0, 0.0}, 2.0);                                         // ahead
+  drive({0.8, 0.4, 0.0}, 2.0);                                         // half left
+  drive({0.8, 0.0, 0.0}, 2.0);                                         // right
+  drive({0.8, 0.0, 2.0}, 1.0);                                         // turning left in place
   drive({0.8 - 0.2 * std::cos(2.0), -0.2 * std::sin(2.0), 2.0}, 1.0);  // backwards
   const Dataset dataset = finish();
 

@@ -53,8 +53,7 @@ void weigh(const std::vector<double>& label_weights, std::vector<Sequence>* sequ
   for (Sequence& sequence : *sequences) {
     for (Eigen::Index step = 0; step < sequence.steps(); ++step) {
       if (sequence.weights[step] <= 0.0f) continue;
-      sequence.weights[step] *=
-          static_cast<float>(label_weights.at(static_cast<std::size_t>(sequence.labels[step])));
+      sequence.weights[step] *= static_cast<float>(label_weights.at(static_cast<std::size_t>(sequence.labels[step])));
     }
   }
 }

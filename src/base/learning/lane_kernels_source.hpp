@@ -199,10 +199,10 @@ void lstmBackwardOfLanes(float* gates, const float* previous_cell, const float* 
   }
 }
 
-constexpr LaneKernels kTable = {accumulateProductOfLanes,      accumulateWeightGradientOfLanes,
-                                accumulateBiasGradientOfLanes, applyTanhToLanes,
-                                multiplyByTanhDerivativeOfLanes, lstmForwardOfLanes,
-                                lstmBackwardOfLanes};
+constexpr LaneKernels kTable = {
+    accumulateProductOfLanes, accumulateWeightGradientOfLanes, accumulateBiasGradientOfLanes,
+    applyTanhToLanes,         multiplyByTanhDerivativeOfLanes, lstmForwardOfLanes,
+    lstmBackwardOfLanes};
 
 }  // namespace
 

@@ -51,21 +51,21 @@ LSTM_PLANNER_INLINE void store(const V& vectors, float* values) {
   for (int i = 0; i < kCountOf<V>; ++i) __builtin_memcpy(values + i * kWidth, &vectors.of[i], sizeof(Vector));
 }
 
-#define LSTM_PLANNER_OPERATOR(sign)                                                                      \
-  template <int kCount>                                                                                  \
-  LSTM_PLANNER_INLINE Vectors<kCount> operator sign(Vectors<kCount> a, const Vectors<kCount>& b) {       \
-    LSTM_PLANNER_EACH a.of[i] = a.of[i] sign b.of[i];                                                    \
-    return a;                                                                                            \
-  }                                                                                                      \
-  template <int kCount>                                                                                  \
-  LSTM_PLANNER_INLINE Vectors<kCount> operator sign(Vectors<kCount> a, float b) {                        \
-    LSTM_PLANNER_EACH a.of[i] = a.of[i] sign b;                                                          \
-    return a;                                                                                            \
-  }                                                                                                      \
-  template <int kCount>                                                                                  \
-  LSTM_PLANNER_INLINE Vectors<kCount> operator sign(float a, Vectors<kCount> b) {                        \
-    LSTM_PLANNER_EACH b.of[i] = a sign b.of[i];                                                          \
-    return b;                                                                                            \
+#define LSTM_PLANNER_OPERATOR(sign)                                                                \
+  template <int kCount>                                                                            \
+  LSTM_PLANNER_INLINE Vectors<kCount> operator sign(Vectors<kCount> a, const Vectors<kCount>& b) { \
+    LSTM_PLANNER_EACH a.of[i] = a.of[i] sign b.of[i];                                              \
+    return a;                                                                                      \
+  }                                                                                                \
+  template <int kCount>                                                                            \
+  LSTM_PLANNER_INLINE Vectors<kCount> operator sign(Vectors<kCount> a, float b) {                  \
+    LSTM_PLANNER_EACH a.of[i] = a.of[i] sign b;                                                    \
+    return a;                                                                                      \
+  }                                                                                                \
+  template <int kCount>                                                                            \
+  LSTM_PLANNER_INLINE Vectors<kCount> operator sign(float a, Vectors<kCount> b) {                  \
+    LSTM_PLANNER_EACH b.of[i] = a sign b.of[i];                                                    \
+    return b;                                                                                      \
   }
 LSTM_PLANNER_OPERATOR(+)
 LSTM_PLANNER_OPERATOR(-)

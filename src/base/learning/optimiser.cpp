@@ -95,7 +95,8 @@ void Optimiser::setState(const State& state) {
 }
 
 void Optimiser::updateByMomentum(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters) {
-  state_.velocity = static_cast<float>(parameters_.momentum) * state_.velocity - static_cast<float>(learning_rate) * gradient;
+  state_.velocity =
+      static_cast<float>(parameters_.momentum) * state_.velocity - static_cast<float>(learning_rate) * gradient;
   parameters += state_.velocity;
 }
 

@@ -11,8 +11,8 @@ enum class BatchFunction { kLstm, kLstmWithSigmoidCandidate, kIdentity, kTanh, k
 /// A layer as the kernels read it. Rows count from the beginning of a tile's memory, weights from that of all weights.
 struct BatchLayer {
   BatchFunction function;
-  int inputs;         ///< how many rows come from the layer below
-  int recurrent;      ///< how many of the layer's own last output; 0 for a layer that remembers nothing
+  int inputs;     ///< how many rows come from the layer below
+  int recurrent;  ///< how many of the layer's own last output; 0 for a layer that remembers nothing
   int outputs;
   int input_row[2];   ///< in steps of even and of odd number
   int output_row[2];  ///< the other one holds the last output

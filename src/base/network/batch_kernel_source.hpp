@@ -7,8 +7,8 @@
 namespace lstm_planner {
 namespace {
 
-using simd::Fraction;
 using simd::broadcast;
+using simd::Fraction;
 using simd::load;
 using simd::multiplyAdd;
 using simd::store;
@@ -209,10 +209,10 @@ const BatchKernels kBatchKernelsAvx512 = {
     {Tile<simd::Floats<8>, 1, 4, 1>::kernel(), Tile<simd::Floats<16>, 1, 4, 4>::kernel(),
      Tile<simd::Floats<16>, 2, 2, 4>::kernel(), Tile<simd::Floats<16>, 4, 1, 4>::kernel()}};
 #elif defined(__AVX2__)
-const BatchKernels kBatchKernelsAvx2 = {3,
-                                        {Tile<simd::Floats<8>, 1, 2, 1>::kernel(),
-                                         Tile<simd::Floats<8>, 2, 1, 1>::kernel(),
-                                         Tile<simd::Floats<8>, 3, 1, 1>::kernel()}};
+const BatchKernels kBatchKernelsAvx2 = {
+    3,
+    {Tile<simd::Floats<8>, 1, 2, 1>::kernel(), Tile<simd::Floats<8>, 2, 1, 1>::kernel(),
+     Tile<simd::Floats<8>, 3, 1, 1>::kernel()}};
 #else
 const BatchKernels kBatchKernelsBaseline = {
     2, {Tile<simd::Floats<4>, 1, 2, 1>::kernel(), Tile<simd::Floats<4>, 2, 1, 2>::kernel()}};

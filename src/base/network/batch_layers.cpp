@@ -153,9 +153,9 @@ class Packer {
   }
 
   BatchLayers packed_;
-  int width_;                ///< of what the next layer gets
+  int width_;                  ///< of what the next layer gets
   int input_row_[2] = {0, 0};  ///< where it is
-  double slope_ = 1.0;       ///< how large it is at most
+  double slope_ = 1.0;         ///< how large it is at most
   double offset_ = 0.0;
   double input_limit_ = kLargestSum;
 };

@@ -87,9 +87,7 @@ struct Item {
     const auto lanes = static_cast<std::size_t>(kernel->lanes);
     return roundedUp(static_cast<std::size_t>(layer->shape.units), lanes) / lanes;
   }
-  std::size_t columnSize() const {
-    return layer->gates.size() * blocks() * static_cast<std::size_t>(kernel->lanes);
-  }
+  std::size_t columnSize() const { return layer->gates.size() * blocks() * static_cast<std::size_t>(kernel->lanes); }
   std::size_t size() const { return columnSize() * static_cast<std::size_t>(matrix.cols()); }
 };
 

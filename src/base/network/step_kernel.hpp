@@ -22,8 +22,8 @@ struct LayerShape {
 /// A matrix in the order in which it is read.
 ///
 /// Units are taken together in blocks of as many as a vector has lanes, and blocks in tiles of as many as the registers
-/// hold sums for. A tile's column is, for each gate (one, or an LSTM's four: input, forget, candidate, output), for each
-/// block of the tile, one vector. Units beyond the last are zeros. The gates with a sigmoid come halved, as
+/// hold sums for. A tile's column is, for each gate (one, or an LSTM's four: input, forget, candidate, output), for
+/// each block of the tile, one vector. Units beyond the last are zeros. The gates with a sigmoid come halved, as
 /// sigmoid(x) = (1 + tanh(x / 2)) / 2.
 struct PackedMatrix {
   const float* weights = nullptr;

@@ -20,8 +20,7 @@ double turnToGoal(const GridMemory& memory) {
 double thesisReward(const GridMemory& memory, const ThesisRewardWeights& weights) {
   double proximity = 0.0;
   for (const auto range : memory.observation().ranges) proximity += 1.0 / range;
-  return -(weights.range * proximity + weights.distance * memory.goalDistance() +
-           weights.angle * turnToGoal(memory));
+  return -(weights.range * proximity + weights.distance * memory.goalDistance() + weights.angle * turnToGoal(memory));
 }
 
 }  // namespace lstm_planner

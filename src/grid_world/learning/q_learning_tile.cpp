@@ -120,8 +120,8 @@ void QTileRunner::move(int step, int actor, double epsilon, QTile& tile) {
   const int best = transition.direction;
   if (uniform(walker.random()) < epsilon) transition.direction = randomMove(walker);
   transition.greedy = transition.direction == best;
-  transition.estimate = parameters_.value_scale *
-                        static_cast<double>(network_.outputs(step)[outputAt(actor, transition.direction)]);
+  transition.estimate =
+      parameters_.value_scale * static_cast<double>(network_.outputs(step)[outputAt(actor, transition.direction)]);
   const double thesis_reward = thesisReward(walker.memory(), parameters_.thesis_reward);
   const GridActor::Outcome outcome =
       walker.step(transition.direction, {parameters_.step_cost, parameters_.arrival_bonus}, parameters_.max_steps);

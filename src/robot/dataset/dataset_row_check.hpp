@@ -4,8 +4,8 @@
 
 namespace lstm_planner {
 
-// What holds for each row that is written to a dataset file or read from it, whoever made the file: readers index arrays
-// and reserve memory by these values. Each throws std::invalid_argument saying what is wrong.
+// What holds for each row that is written to a dataset file or read from it, whoever made the file: readers index
+// arrays and reserve memory by these values. Each throws std::invalid_argument saying what is wrong.
 
 void checkRow(const RecordingDescription& description);
 void checkRow(const ScanGeometry& geometry);

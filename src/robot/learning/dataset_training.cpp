@@ -15,7 +15,8 @@ namespace {
 
 void requireSteps(const std::vector<Sequence>& sequences, const char* name) {
   if (!sequences.empty()) return;
-  throw std::invalid_argument(std::string("the ") + name + " set has no steps, expected at least one episode with some");
+  throw std::invalid_argument(std::string("the ") + name +
+                              " set has no steps, expected at least one episode with some");
 }
 
 /// What tells a drive from all others.

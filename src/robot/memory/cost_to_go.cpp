@@ -190,8 +190,8 @@ std::uint8_t CostToGo::entries(ObstacleMemory& memory, int cell) const {
   std::uint8_t entries = 0;
   for (int direction = 0; direction < kGridRayCount; ++direction) {
     const CellIndex& step = kGridRaySteps[static_cast<std::size_t>(direction)];
-    const bool inside = column + step.column >= 0 && column + step.column < side_ && row + step.row >= 0 &&
-                        row + step.row < side_;
+    const bool inside =
+        column + step.column >= 0 && column + step.column < side_ && row + step.row >= 0 && row + step.row < side_;
     if (inside && (memory.exits(neighbourOf(cell, direction)) >> opposite(direction) & 1) != 0) {
       entries = static_cast<std::uint8_t>(entries | 1 << direction);
     }

@@ -54,10 +54,9 @@ void ObstacleMemory::collectReturns(const Situation& situation) {
     returns_.resize(most);
     places_.resize(most);
   }
-  returns_count_ =
-      obstacles.empty() ? 0
-                        : scanKernels().squaresOf(frame, &obstacles.front().x, obstacles.size(), places_.data(),
-                                                  returns_.data());
+  returns_count_ = obstacles.empty() ? 0
+                                     : scanKernels().squaresOf(frame, &obstacles.front().x, obstacles.size(),
+                                                               places_.data(), returns_.data());
   returned_is_known_ = false;
 }
 

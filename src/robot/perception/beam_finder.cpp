@@ -16,8 +16,7 @@ constexpr double kMostBeams = 1e6;
 
 }  // namespace
 
-BeamFinder::BeamFinder(const RangeProfile& profile, double yaw)
-    : beams_(static_cast<long>(profile.ranges.size())) {
+BeamFinder::BeamFinder(const RangeProfile& profile, double yaw) : beams_(static_cast<long>(profile.ranges.size())) {
   const double first = profile.first_direction + yaw;
   const double beams_a_turn = std::min(kMostBeams, kTurn / std::abs(profile.increment));
   beams_a_turn_ = static_cast<float>(beams_a_turn);

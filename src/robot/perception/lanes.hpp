@@ -83,7 +83,6 @@ inline Doubles firstTwo(Floats values) {
 }
 inline Doubles lastTwo(Floats values) { return firstTwo(Floats{values[2], values[3], values[2], values[3]}); }
 
-
 /// Four pairs that follow one another, in single precision: the first numbers and the second ones.
 inline void splitPairs(const double* pairs, Floats* first, Floats* second) {
   using Two = float __attribute__((vector_size(8)));

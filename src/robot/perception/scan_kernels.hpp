@@ -39,7 +39,7 @@ struct SquareFrame {
   float y;
   int first_column;  ///< of that frame's square (0, 0)
   int first_row;
-  int sides;      ///< columns and rows that there are
+  int sides;       ///< columns and rows that there are
   float farthest;  ///< m^2; what is farther has no key
 };
 

@@ -143,10 +143,11 @@ LSTM_PLANNER_INLINE V positionOf(const FirstBeam& first, V x, V y) {
 }
 
 void find(const FirstBeam& first, const float* x, const float* y, std::size_t count, float* positions) {
-  inVectors(count, [&](std::size_t i, auto v) __attribute__((always_inline)) {
-    using V = decltype(v);
-    store(positions + i, positionOf(first, load<V>(x + i), load<V>(y + i)));
-  });
+  inVectors(
+      count, [&](std::size_t i, auto v) __attribute__((always_inline)) {
+        using V = decltype(v);
+        store(positions + i, positionOf(first, load<V>(x + i), load<V>(y + i)));
+      });
 }
 
 // ---------------------------------------------------------------- returns
@@ -296,9 +297,22 @@ LSTM_PLANNER_INLINE unsigned nearerSquares(const SquareGrid& grid, std::uint32_t
 LSTM_PLANNER_INLINE std::size_t storeSquares(std::uint32_t cell, unsigned bits, std::uint32_t* keys) {
 #if defined(__AVX512F__)
   constexpr int kRow = 1 << 16;
-  const IntegersOf<Wide> squares = {0,        1,            2,            3,            kRow,     kRow + 1,
-                                    kRow + 2, kRow + 3,     2 * kRow,     2 * kRow + 1, 2 * kRow + 2,
-                                    2 * kRow + 3, 3 * kRow, 3 * kRow + 1, 3 * kRow + 2, 3 * kRow + 3};
+  const IntegersOf<Wide> squares = {0,
+                                    1,
+                                    2,
+                                    3,
+                                    kRow,
+                                    kRow + 1,
+                                    kRow + 2,
+                                    kRow + 3,
+                                    2 * kRow,
+                                    2 * kRow + 1,
+                                    2 * kRow + 2,
+                                    2 * kRow + 3,
+                                    3 * kRow,
+                                    3 * kRow + 1,
+                                    3 * kRow + 2,
+                                    3 * kRow + 3};
   return storeSome(squares + static_cast<int>(cell), bits, keys);
 #else
   std::size_t count = 0;

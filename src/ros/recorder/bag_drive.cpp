@@ -141,8 +141,7 @@ class BagPlayer {
 class Survey : public BagListener {
  public:
   Survey(const BagDriveOptions& options, const RecorderParameters& parameters)
-      : base_frame_(frameName(options.base_frame)),
-        order_(parameters.delay, parameters.max_gap) {}
+      : base_frame_(frameName(options.base_frame)), order_(parameters.delay, parameters.max_gap) {}
 
   void hear(const sensor_msgs::LaserScan& scan, const ros::Time& received) override {
     note(received);

@@ -70,11 +70,11 @@ class DatasetRecorder::Implementation {
 
   long scans_heard_ = 0;
   long odometry_heard_ = 0;
-  long goals_heard_ = 0;         ///< and their ends
-  ros::WallTime last_scan_;      ///< zero before the first
-  ros::WallTime last_odometry_;  ///< zero before the first
-  ros::Time odometry_stamp_;     ///< of the newest
-  ros::Time goal_stamp_;         ///< of the newest odometry when the newest goal was heard
+  long goals_heard_ = 0;            ///< and their ends
+  ros::WallTime last_scan_;         ///< zero before the first
+  ros::WallTime last_odometry_;     ///< zero before the first
+  ros::Time odometry_stamp_;        ///< of the newest
+  ros::Time goal_stamp_;            ///< of the newest odometry when the newest goal was heard
   std::deque<Snapshot> snapshots_;  ///< of the last ten seconds, one a second
   long timer_calls_ = 0;
 

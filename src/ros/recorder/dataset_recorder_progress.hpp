@@ -30,7 +30,7 @@ class RecordingProgress : public StepSink {
   /// The newest episode was discarded: its steps do not count.
   void discardEpisode();
 
-  long steps() const;                                         ///< without those of discarded episodes
+  long steps() const;                                          ///< without those of discarded episodes
   const std::vector<long>& labels() const { return labels_; }  ///< of these steps, by label
   const RejectionCounts& rejections() const { return rejections_; }
   long episodes() const { return episodes_; }

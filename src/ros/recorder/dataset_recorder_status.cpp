@@ -64,8 +64,8 @@ std::optional<std::string> uselessness(const RecordingStatus& status) {
 
 Verdict judge(const RecordingStatus& status) {
   if (!status.write_problem.empty()) {
-    return {DiagnosticStatus::ERROR, "cannot write (" + std::to_string(status.waiting) +
-                                         " steps are waiting): " + status.write_problem};
+    return {DiagnosticStatus::ERROR,
+            "cannot write (" + std::to_string(status.waiting) + " steps are waiting): " + status.write_problem};
   }
   if (!status.problem.empty()) return {DiagnosticStatus::ERROR, status.problem};
   if (status.lost > 0) return {DiagnosticStatus::ERROR, std::to_string(status.lost) + " steps could not be written"};

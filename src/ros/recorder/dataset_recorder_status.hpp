@@ -16,30 +16,30 @@ namespace lstm_planner {
 struct RecordingStatus {
   std::string node;  ///< its name
   std::string file;
-  long stored = 0;    ///< steps that are on the disk, also those of discarded episodes
-  long waiting = 0;   ///< steps that could not be written yet
-  long lost = 0;      ///< steps that were given up
-  double disk_left = 0.0;           ///< MB
-  double disk_low = 0.0;            ///< MB, less than this is low
-  std::string write_problem;        ///< why steps are waiting
-  std::string problem;              ///< what nobody expected to go wrong
-  std::string message_problem;      ///< why the last message that was rejected could not be used
+  long stored = 0;              ///< steps that are on the disk, also those of discarded episodes
+  long waiting = 0;             ///< steps that could not be written yet
+  long lost = 0;                ///< steps that were given up
+  double disk_left = 0.0;       ///< MB
+  double disk_low = 0.0;        ///< MB, less than this is low
+  std::string write_problem;    ///< why steps are waiting
+  std::string problem;          ///< what nobody expected to go wrong
+  std::string message_problem;  ///< why the last message that was rejected could not be used
 
   std::string scan_topic;
   std::string odometry_topic;
   long scans_heard = 0;
   long odometry_heard = 0;
-  long goals_heard = 0;  ///< and their ends
+  long goals_heard = 0;                    ///< and their ends
   std::optional<double> scan_silence;      ///< s of the computer's clock since the last; empty: there was none
   std::optional<double> odometry_silence;  ///< the same
   double longest_silence = 0.0;            ///< s that are nothing to worry about
 
   bool paused = false;
   std::optional<GoalInFrame> goal;
-  std::vector<double> action_angles;      ///< rad
+  std::vector<double> action_angles;  ///< rad
   const RecordingProgress* progress = nullptr;
-  long recent_steps = 0;                  ///< in the last ten seconds
-  RejectionCounts recent_rejections{};    ///< the same
+  long recent_steps = 0;                ///< in the last ten seconds
+  RejectionCounts recent_rejections{};  ///< the same
 };
 
 /// Level, a sentence, and every number by its name.

@@ -53,7 +53,7 @@ class CellQueue {
   std::vector<Chunk> chunks_;
   std::uint16_t unused_ = kNoChunk;  ///< first of the chunks that are free
   std::uint32_t lowest_ = 0;
-  std::uint32_t near_ = 0;  ///< cells in buckets
+  std::uint32_t near_ = 0;    ///< cells in buckets
   std::vector<Later> later_;  ///< with estimates beyond the buckets
   std::uint32_t lowest_later_ = 0;
 };

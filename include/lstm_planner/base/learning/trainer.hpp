@@ -69,11 +69,12 @@ using EpochCallback = std::function<bool(const EpochReport&)>;
 /// Supervised learning by mini-batches, starting from the weights of `layers`.
 ///
 /// The epoch with the highest accuracy on the validation set is kept, of equals the one with the lower loss; without a
-/// validation set the last. With averaging that means the averaged weights: theirs is the accuracy that is compared. The same input gives the same weights, bit for bit, for any number of threads and ranks; of
-/// several ranks each has to call it, and their callbacks have to answer alike. A `state` that has begun is gone on
-/// with as if there had been no break; it is kept up to date, before each callback. Throws std::invalid_argument for
-/// parameters, layers or sequences that are not valid or when no training step has a weight; std::runtime_error when
-/// the loss stops being finite.
+/// validation set the last. With averaging that means the averaged weights: theirs is the accuracy that is compared.
+/// The same input gives the same weights, bit for bit, for any number of threads and ranks; of several ranks each has
+/// to call it, and their callbacks have to answer alike. A `state` that has begun is gone on with as if there had been
+/// no break; it is kept up to date, before each callback. Throws std::invalid_argument for parameters, layers or
+/// sequences that are not valid or when no training step has a weight; std::runtime_error when the loss stops being
+/// finite.
 TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& training,
                      const std::vector<Sequence>& validation, const TrainerParameters& parameters,
                      const EpochCallback& callback = {}, TrainingState* state = nullptr);

@@ -26,9 +26,9 @@ EpochAccuracies measureEpoch(const LayerStack& layers, const TrainingState& stat
 
 /// How much a curve fluctuates.
 struct Fluctuation {
-  double deviation = 0.0;      ///< standard deviation around the mean
-  double usual_change = 0.0;   ///< root of the mean squared change from one epoch to the next
-  double largest_change = 0.0; ///< from one epoch to the next
+  double deviation = 0.0;       ///< standard deviation around the mean
+  double usual_change = 0.0;    ///< root of the mean squared change from one epoch to the next
+  double largest_change = 0.0;  ///< from one epoch to the next
   double lowest = 0.0;
   int lowest_epoch = 0;  ///< from 1
 };

@@ -138,11 +138,9 @@ struct Group {
   V of[n];
 };
 
-#define LSTM_PLANNER_FOR_GROUP(expression)             \
-  Group<V, n> result;                                  \
-  _Pragma("GCC unroll 16") for (int i = 0; i < n; ++i) { \
-    result.of[i] = expression;                         \
-  }                                                    \
+#define LSTM_PLANNER_FOR_GROUP(expression)                                            \
+  Group<V, n> result;                                                                 \
+  _Pragma("GCC unroll 16") for (int i = 0; i < n; ++i) { result.of[i] = expression; } \
   return result
 
 template <class V, int n>

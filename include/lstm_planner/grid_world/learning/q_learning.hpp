@@ -62,7 +62,7 @@ struct QLearningParameters {
   double learning_rate = 0.003;
   double max_gradient_norm = 0.5;
   std::uint64_t seed = 1;
-  int threads = 2;  ///< does not change the result
+  int threads = 2;                            ///< does not change the result
   Communicator* communicator = oneProcess();  ///< ranks that share the agents; does not change the result
 };
 

@@ -42,8 +42,8 @@ inline double stampOf(const DriveEvent& event) {
   return std::visit([](const auto& heard) { return heard.stamp; }, event);
 }
 
-/// Why nobody can work on an event, whoever heard it: a number that is not finite or larger than any measurement, a scan
-/// of too many beams, a frame with too long a name. Empty when nothing is wrong.
+/// Why nobody can work on an event, whoever heard it: a number that is not finite or larger than any measurement, a
+/// scan of too many beams, a frame with too long a name. Empty when nothing is wrong.
 std::string flawOf(const DriveEvent& event);
 
 }  // namespace lstm_planner

@@ -61,10 +61,10 @@ struct DriveResult {
   double shortest = 0.0;     ///< m, of the task
   double goal_error = 0.0;   ///< m from the true position to the goal in the end
   long steps = 0;
-  std::array<long, kDecisionSources> steps_by{};  ///< of these, by Decision::Source
-  long overruled_steps = 0;                       ///< in which another action than the network's favourite was taken
-  std::vector<Pose2> trace;                       ///< true poses, one a command
-  std::vector<Decision::Source> led;              ///< who decided, one a pose of the trace
+  std::array<long, kDecisionSources> steps_by{};   ///< of these, by Decision::Source
+  long overruled_steps = 0;                        ///< in which another action than the network's favourite was taken
+  std::vector<Pose2> trace;                        ///< true poses, one a command
+  std::vector<Decision::Source> led;               ///< who decided, one a pose of the trace
   std::vector<Point2> contact_places;              ///< where the robot was
   std::vector<std::vector<Point2>> walker_traces;  ///< by walker, one place a pose of the trace
 };

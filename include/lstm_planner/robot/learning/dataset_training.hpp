@@ -22,8 +22,8 @@ struct DatasetTrainingParameters {
 void validate(const DatasetTrainingParameters& parameters);
 
 /// The training of the thesis: table 4.2, sequences of 30 steps, an update after each. The thesis names no limit of the
-/// gradient's length; 1 is taken here. What is kept are averaged weights, over some ten epochs of 3,000 steps; they take
-/// no part in the training itself.
+/// gradient's length; 1 is taken here. What is kept are averaged weights, over some ten epochs of 3,000 steps; they
+/// take no part in the training itself.
 DatasetTrainingParameters thesisDatasetTraining();
 
 /// The same in a way that does not jump: many sequences an update, a learning rate that sinks to 0, hidden states that
@@ -38,8 +38,8 @@ DatasetTrainingParameters fineTuning();
 
 /// What is learned from and what it is judged by.
 struct DatasetTrainingSets {
-  std::vector<Sequence> training;    ///< cut into pieces and weighed as the parameters say
-  std::vector<Sequence> validation;  ///< whole episodes, as the planner drives them, each step with weight 1
+  std::vector<Sequence> training;     ///< cut into pieces and weighed as the parameters say
+  std::vector<Sequence> validation;   ///< whole episodes, as the planner drives them, each step with weight 1
   std::vector<long> training_labels;  ///< as recorded, without variants
   std::vector<long> validation_labels;
   std::vector<double> label_weights;  ///< of the training set

@@ -21,7 +21,7 @@ struct DriveScore {
 
 /// One drive of a judgement.
 struct JudgedDrive {
-  std::size_t kind = 0;     ///< of world: index in DriveCourseParameters::worlds
+  std::size_t kind = 0;  ///< of world: index in DriveCourseParameters::worlds
   bool arrived = false;
   double efficiency = 0.0;  ///< shortest / driven way, at most 1; 0 when it did not arrive
 };

@@ -32,8 +32,8 @@ StepDriveConditions drawConditions(Random& random);
 /// The agent that practises: network and shield, without rescue or memory of obstacles.
 AgentParameters practiceAgent(const PolicyDescription& policy);
 
-/// A drive for practice, in the ClosedLoop in which drive() judges what was learned: a scan and a decision a step, and in
-/// between the robot turns and drives as the controller would, but without controller, plan and wheels.
+/// A drive for practice, in the ClosedLoop in which drive() judges what was learned: a scan and a decision a step, and
+/// in between the robot turns and drives as the controller would, but without controller, plan and wheels.
 class StepDrive : private LoopRobot {
  public:
   /// `world` must outlive it. Deterministic for a seed.

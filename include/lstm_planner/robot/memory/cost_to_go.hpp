@@ -32,8 +32,8 @@ class CostToGo {
   /// `tightness`: see RouteFinder.
   explicit CostToGo(double tightness);
 
-  /// Finds the cheapest way from `start` to any of the ends; false when there is none. Of ways that are as good it takes
-  /// the one that keeps nearest to that column and row, which may lie outside the window.
+  /// Finds the cheapest way from `start` to any of the ends; false when there is none. Of ways that are as good it
+  /// takes the one that keeps nearest to that column and row, which may lie outside the window.
   bool search(ObstacleMemory& memory, int start, const std::vector<End>& ends, int column, int row);
 
   /// Finds the cheapest way from elsewhere by the last search alone; false when that does not tell, because it did not
@@ -97,8 +97,8 @@ class CostToGo {
   int start_ = 0;
   int start_column_ = 0;
   int start_row_ = 0;
-  std::uint32_t base_ = 0;         ///< of all costs_
-  std::uint32_t searched_to_ = 0;  ///< the search has looked at all cells up to this estimate, less base_
+  std::uint32_t base_ = 0;                 ///< of all costs_
+  std::uint32_t searched_to_ = 0;          ///< the search has looked at all cells up to this estimate, less base_
   std::vector<std::uint16_t> costs_;       ///< of cells; kFar where not known
   std::vector<std::uint32_t> wide_costs_;  ///< instead, where is_wide_
   bool is_wide_ = false;

@@ -22,20 +22,20 @@ struct EncoderParameters {
   /// visits_0 .. visits_7, step_visits_0 .. 7, step_freshness_0 .. 7, and the same for room_ and hall_
   /// (Observation::places on three scales; a place is the fresher the less long ago the robot was there, 0 where it
   /// never was), room_visits, behind_best, steps_since_best; motion_forward, motion_left, motion_turn since the step
-  /// before; previous_action_sin, previous_action_cos; seen_0 .. seen_7 (1 where the scanner looks into a sector: all of
-  /// them of the view ahead).
-  std::vector<std::string> input_layout = {"sector_0", "sector_1", "sector_2", "sector_3", "sector_4",
-                                           "sector_5", "sector_6", "sector_7", "goal_distance",
-                                           "goal_bearing_sin", "goal_bearing_cos", "heading_sin", "heading_cos",
-                                           "previous_action"};
+  /// before; previous_action_sin, previous_action_cos; seen_0 .. seen_7 (1 where the scanner looks into a sector: all
+  /// of them of the view ahead).
+  std::vector<std::string> input_layout = {"sector_0",      "sector_1",         "sector_2",         "sector_3",
+                                           "sector_4",      "sector_5",         "sector_6",         "sector_7",
+                                           "goal_distance", "goal_bearing_sin", "goal_bearing_cos", "heading_sin",
+                                           "heading_cos",   "previous_action"};
   int sector_count = kSectorCount;
-  double angle_span = M_PI;       ///< rad, centred on the heading
-  double range_cap = 6.0;         ///< m; sectors are encoded as range / range_cap
-  double distance_scale = 5.0;    ///< m; the goal distance d is encoded as d / (d + distance_scale), in [0, 1)
-  double angle_scale = M_PI;      ///< rad; bearing and heading are encoded as angle / angle_scale
-  double action_scale = M_PI_2;   ///< rad; the previous action is encoded as angle / action_scale
-  double position_cell = 0.0;     ///< m; see observe(); 0 = odometry as it is
-  double event_range = 1.0;       ///< m; a sector with less is an event
+  double angle_span = M_PI;      ///< rad, centred on the heading
+  double range_cap = 6.0;        ///< m; sectors are encoded as range / range_cap
+  double distance_scale = 5.0;   ///< m; the goal distance d is encoded as d / (d + distance_scale), in [0, 1)
+  double angle_scale = M_PI;     ///< rad; bearing and heading are encoded as angle / angle_scale
+  double action_scale = M_PI_2;  ///< rad; the previous action is encoded as angle / action_scale
+  double position_cell = 0.0;    ///< m; see observe(); 0 = odometry as it is
+  double event_range = 1.0;      ///< m; a sector with less is an event
 
   /// 1: one network with an output an action, and everything relative to the heading. 8: the same network, with one
   /// output, looks into each of eight directions in turn, everything turned such that it lies ahead; see
@@ -62,12 +62,12 @@ int viewNearest(double angle);
 
 /// What an encoding does not tell of an observation, and the other views need.
 struct ViewBearings {
-  int ahead = 0;                ///< the direction in the odometry frame, in eighths of a turn, nearest to the heading
+  int ahead = 0;                 ///< the direction in the odometry frame, in eighths of a turn, nearest to the heading
   double goal = 0.0;             ///< rad, relative to the heading
   double previous_action = 0.0;  ///< rad, relative to the heading as it is now
   Point2 goal_direction;         ///< of length 1, the same way
   Point2 previous_direction;     ///< of length 1, the same way
-  Point2 motion;                ///< m, since the step before, in the robot's frame as it is now
+  Point2 motion;                 ///< m, since the step before, in the robot's frame as it is now
 };
 
 ViewBearings bearingsOf(const Observation& observation);
@@ -92,10 +92,28 @@ class Encoder {
 
  private:
   enum class Feature : std::uint8_t {
-    kSector, kGoalDistance, kGoalBearing, kGoalBearingSin, kGoalBearingCos, kHeading, kHeadingSin, kHeadingCos,
-    kPreviousAction, kEvent, kVisits,
-    kPlaceVisits, kPlaceFreshness, kRoomVisits, kBehindBest, kStepsSinceBest, kMotionForward, kMotionLeft, kMotionTurn,
-    kPreviousActionSin, kPreviousActionCos, kSeen
+    kSector,
+    kGoalDistance,
+    kGoalBearing,
+    kGoalBearingSin,
+    kGoalBearingCos,
+    kHeading,
+    kHeadingSin,
+    kHeadingCos,
+    kPreviousAction,
+    kEvent,
+    kVisits,
+    kPlaceVisits,
+    kPlaceFreshness,
+    kRoomVisits,
+    kBehindBest,
+    kStepsSinceBest,
+    kMotionForward,
+    kMotionLeft,
+    kMotionTurn,
+    kPreviousActionSin,
+    kPreviousActionCos,
+    kSeen
   };
   struct Input {
     Feature feature;

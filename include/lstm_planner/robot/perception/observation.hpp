@@ -19,10 +19,10 @@ struct PlacesAround {
 /// What the network is told at one step, in physical units. The planner, the recorder and the trainer share it.
 struct Observation {
   std::array<double, kSectorCount> sector_ranges{};  ///< m, right to left, at most the range cap
-  double goal_distance = 0.0;    ///< m
-  double goal_bearing = 0.0;     ///< rad in (-pi, pi], positive to the left of the robot's heading
-  double heading = 0.0;          ///< rad in (-pi, pi], absolute, in the odometry frame
-  double previous_action = 0.0;  ///< rad, the steering angle of the last step; 0 at the first step
+  double goal_distance = 0.0;                        ///< m
+  double goal_bearing = 0.0;                         ///< rad in (-pi, pi], positive to the left of the robot's heading
+  double heading = 0.0;                              ///< rad in (-pi, pi], absolute, in the odometry frame
+  double previous_action = 0.0;                      ///< rad, the steering angle of the last step; 0 at the first step
 
   // What the agent remembers; a network need not look at it.
   double route_bearing = 0.0;  ///< rad in (-pi, pi], relative to the heading: where the way through what is remembered
@@ -40,7 +40,8 @@ struct Observation {
 };
 
 /// Composes an observation from the averages, the pose and the goal, both in the odometry frame, as of an agent that
-/// remembers nothing. With a `position_cell` > 0 (m) the robot's position is first rounded to the centre of a cell of that size (thesis 4.3.2).
+/// remembers nothing. With a `position_cell` > 0 (m) the robot's position is first rounded to the centre of a cell of
+/// that size (thesis 4.3.2).
 Observation observe(const Sectors& sectors, const Pose2& pose, const Point2& goal, double previous_action,
                     double position_cell = 0.0);
 

@@ -36,8 +36,8 @@ void validate(const RoomsWorldParameters& parameters);
 OccupancyGrid generateRoomsWorld(const RoomsWorldParameters& parameters, std::uint64_t seed);
 
 /// Corridors of different widths dug through solid ground, each starting in an earlier one and at right angles to it:
-/// with bends, crossings, loops and many dead ends. Fewer than asked for where there is no room for more, but they reach
-/// 5.5 m along one side unless the parameters leave no room for that.
+/// with bends, crossings, loops and many dead ends. Fewer than asked for where there is no room for more, but they
+/// reach 5.5 m along one side unless the parameters leave no room for that.
 struct CorridorWorldParameters {
   double width = 18.0;   ///< m
   double height = 14.0;  ///< m

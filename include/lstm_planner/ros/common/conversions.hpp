@@ -29,8 +29,8 @@ Pose2 fromMessage(const geometry_msgs::Transform& message);
 /// With a unit quaternion.
 geometry_msgs::Pose toMessage(const Pose2& pose);
 
-/// How a scanner sits, from the transform of its frame to the base frame. Throws std::invalid_argument when it is tilted
-/// by more than 15 degrees: such a scan does not show the floor plan.
+/// How a scanner sits, from the transform of its frame to the base frame. Throws std::invalid_argument when it is
+/// tilted by more than 15 degrees: such a scan does not show the floor plan.
 SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner);
 
 /// A pose given in the frame of `parent`, in the frame that `parent` is given in.

@@ -28,8 +28,8 @@ class GoalListener {
   ros::Subscriber subscriber_;
 };
 
-/// Checks a goal and reads it. A zero quaternion is taken as heading 0, with a warning. Throws std::invalid_argument when
-/// the goal names no frame or is not finite.
+/// Checks a goal and reads it. A zero quaternion is taken as heading 0, with a warning. Throws std::invalid_argument
+/// when the goal names no frame or is not finite.
 GoalInFrame goalFromMessage(const geometry_msgs::PoseStamped& message);
 
 }  // namespace lstm_planner

@@ -46,8 +46,8 @@ class SensorListener {
   SensorListener(MessageQueue* messages, const SensorParameters& parameters, const std::string& base_frame,
                  const tf2_ros::Buffer& tf);
 
-  /// Of what has come until now. Throws SensorError when scan or odometry is missing, too old, not finite, the scanner is
-  /// covered (SilenceWatch) or its place is not known.
+  /// Of what has come until now. Throws SensorError when scan or odometry is missing, too old, not finite, the scanner
+  /// is covered (SilenceWatch) or its place is not known.
   SensorReading read(const ros::Time& now);
 
  private:

@@ -78,7 +78,7 @@ TEST(MotionAmongPeople, StandsBeforeAPersonWhoComesStraightTowardsItReachesIt) {
       drive.step();
       world.person.center.x -= speed * kPeriod;
     }
-    EXPECT_NEAR(drive.speed(), 0.0, 0.025) << speed;  // an encoder tick
+    EXPECT_NEAR(drive.speed(), 0.0, 0.025) << speed;      // an encoder tick
     EXPECT_GT(drive.robot().pathLength(), 0.5) << speed;  // it did drive before
   }
 }

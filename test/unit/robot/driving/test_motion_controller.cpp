@@ -222,8 +222,8 @@ TEST_F(MotionControllerTest, IsNeverFasterThanLetsItStandBeforeAPersonComes) {
     before = speed;
   }
   EXPECT_EQ(before, 0.0);
-  EXPECT_DOUBLE_EQ(
-      controller_.compute(plan, {}, {0.3, 0.0}, shield_, kPeriod, {{kRadius + 1.1, 0.0}}).linear, limits.max_linear);
+  EXPECT_DOUBLE_EQ(controller_.compute(plan, {}, {0.3, 0.0}, shield_, kPeriod, {{kRadius + 1.1, 0.0}}).linear,
+                   limits.max_linear);
 }
 
 TEST_F(MotionControllerTest, IsSlowBesideAPersonWhoStands) {

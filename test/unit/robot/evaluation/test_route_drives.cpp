@@ -26,7 +26,8 @@ DriveResult driveGuided(const World& world, const DriveTask& task, const DrivePa
 
 void expectReached(const DriveResult& result, double longest) {
   EXPECT_EQ(static_cast<int>(result.end), static_cast<int>(End::kReached))
-      << "after " << result.path_length << " m and " << result.time << " s, " << result.goal_error << " m from the goal";
+      << "after " << result.path_length << " m and " << result.time << " s, " << result.goal_error
+      << " m from the goal";
   EXPECT_EQ(result.contacts, 0);
   EXPECT_LT(result.path_length, longest);
 }
@@ -34,8 +35,7 @@ void expectReached(const DriveResult& result, double longest) {
 TEST(RouteDrives, ARoomWithoutDoorIsKnownToBeClosedAfterAFewMetres) {
   OccupancyGrid grid = test::emptyHall(9.0, 4.0);
   test::fillBox(3.0, 0.0, 3.1, 4.0, &grid);
-  const DriveResult result =
-      driveGuided(GridWorld(grid), {{1.5, 2.0, 1.0}, {7.0, 2.0}, 0.0}, test::quickDrive(300.0));
+  const DriveResult result = driveGuided(GridWorld(grid), {{1.5, 2.0, 1.0}, {7.0, 2.0}, 0.0}, test::quickDrive(300.0));
   EXPECT_EQ(static_cast<int>(result.end), static_cast<int>(End::kNoWay));
   EXPECT_EQ(result.contacts, 0);
   // Across the room to the wall that hides the goal, and to what it had not seen behind it: no perimeter (13.4 m).
@@ -69,8 +69,7 @@ TEST(RouteDrives, LeavesADeadEndByTheShortestWay) {
   test::fillBox(7.0, 2.0, 7.1, 6.0, &grid);
   test::fillBox(4.0, 2.0, 7.1, 2.1, &grid);
   test::fillBox(4.0, 5.9, 7.1, 6.0, &grid);
-  const DriveResult result =
-      driveGuided(GridWorld(grid), {{1.5, 4.0, 0.0}, {10.0, 4.0}, 0.0}, test::quickDrive(200.0));
+  const DriveResult result = driveGuided(GridWorld(grid), {{1.5, 4.0, 0.0}, {10.0, 4.0}, 0.0}, test::quickDrive(200.0));
   // In to its end and out again on the way round its mouth: 5.3 m and 3 m, and 4.3 + 2.2 + 3 + 3.6 m outside.
   expectReached(result, 1.25 * (5.3 + 3.0 + 4.3 + 2.2 + 3.0 + 3.6));
 }
@@ -90,8 +89,7 @@ TEST(RouteDrives, ComesAsNearToAGoalBesideAWallAsTheFootprintFits) {
   for (const double gap : {0.12, 0.19, 0.25}) {
     for (const double shift : {0.03, 0.13}) {
       SCOPED_TRACE(gap);
-      const DriveResult result =
-          driveGuided(world, {{1.5 + shift, 2.0, 2.0}, {5.9 - gap, 3.03}, 0.0}, lenient);
+      const DriveResult result = driveGuided(world, {{1.5 + shift, 2.0, 2.0}, {5.9 - gap, 3.03}, 0.0}, lenient);
       expectReached(result, 1.25 * std::hypot(4.4, 1.03) + 1.0);
       // Where it fits with the tight clearance, to a square of the memory, and the tolerance with which it stops.
       const double needed = kRadius + kDefaults.shield.tight_clearance + kDefaults.memory.resolution;
@@ -123,16 +121,14 @@ TEST_P(GeneratedWorldDrives, ReachEveryGoalWithoutContact) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Courses, GeneratedWorldDrives,
-                         ::testing::Values(Course{WorldKind::kMaze, 1, 0.0, 0.0},
-                                           Course{WorldKind::kMaze, 2, 0.02, 0.0},
-                                           Course{WorldKind::kOffice, 3, 0.02, 0.0},
-                                           Course{WorldKind::kOffice, 4, 0.0, 0.1},
-                                           Course{WorldKind::kForest, 5, 0.02, 0.1},
-                                           Course{WorldKind::kCorridors, 6, 0.02, 0.0}),
-                         [](const ::testing::TestParamInfo<Course>& info) {
-                           return std::string(toString(info.param.kind)) + std::to_string(info.param.seed);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Courses, GeneratedWorldDrives,
+    ::testing::Values(Course{WorldKind::kMaze, 1, 0.0, 0.0}, Course{WorldKind::kMaze, 2, 0.02, 0.0},
+                      Course{WorldKind::kOffice, 3, 0.02, 0.0}, Course{WorldKind::kOffice, 4, 0.0, 0.1},
+                      Course{WorldKind::kForest, 5, 0.02, 0.1}, Course{WorldKind::kCorridors, 6, 0.02, 0.0}),
+    [](const ::testing::TestParamInfo<Course>& info) {
+      return std::string(toString(info.param.kind)) + std::to_string(info.param.seed);
+    });
 
 TEST(RouteDrives, CrossesAnOpenFieldStraight) {
   const GridWorld world(generateWorld(WorldKind::kOpen, 1));

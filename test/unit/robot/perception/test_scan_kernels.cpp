@@ -57,8 +57,8 @@ TEST_P(ScanKernelsOf, NameTheSquaresOfPlacesOnceWhereTheyFollowOneAnother) {
         const double in_row = row + 50 - (key >> 16);
         return in_column > -kRounding && in_column < 1 + kRounding && in_row > -kRounding && in_row < 1 + kRounding;
       };
-      const bool outside = x * x + y * y > 100.0 || keyed_column < 0 || keyed_row < 0 || keyed_column >= 600 ||
-                           keyed_row >= 600;
+      const bool outside =
+          x * x + y * y > 100.0 || keyed_column < 0 || keyed_row < 0 || keyed_column >= 600 || keyed_row >= 600;
       if (outside) {
         have = false;
       } else if (!have || !matches(keys[next - 1])) {
