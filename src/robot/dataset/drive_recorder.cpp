@@ -47,6 +47,7 @@ void DriveRecorder::add(DriveEvent event) {
     endEpisode(EpisodeEnd::kTimeJump);
     waiting_.clear();
     last_look_.reset();
+    last_unusable_.reset();
     order_.clear();
     newest_ = stamp;
     verdict = order_.add(std::move(event));
@@ -130,7 +131,12 @@ void DriveRecorder::look(const ScanHeard& scan) {
   // Counted from the clock's zero rather than from the first scan, so that a bag that begins earlier gives the same.
   const double look = std::floor(scan.stamp / parameters_.period);
   if (last_look_ && look <= *last_look_) return;
-  if (!see(scan)) return;
+  if (!see(scan)) {
+    // The next scan may do; how many did not, within one look, depends on the scanner's rate alone.
+    if (last_unusable_ != look) sink_->reject(Rejection::kUnusableScan);
+    last_unusable_ = look;
+    return;
+  }
   last_look_ = look;
 
   if (paused_) {
@@ -166,14 +172,10 @@ void DriveRecorder::look(const ScanHeard& scan) {
 
 bool DriveRecorder::see(const ScanHeard& scan) {
   if (!situation_) situation_.emplace();
-  if (silence_.isCovered()) {
-    sink_->reject(Rejection::kUnusableScan);
-    return false;
-  }
+  if (silence_.isCovered()) return false;
   try {
     perceive(scan.scan, scan.mount, parameters_.scan_rules, parameters_.range_cap, &*situation_);
   } catch (const UnusableScan&) {
-    sink_->reject(Rejection::kUnusableScan);
     return false;
   }
   situation_->time = scan.stamp;

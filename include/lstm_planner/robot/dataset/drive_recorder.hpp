@@ -76,9 +76,10 @@ class DriveRecorder {
   double now_ = 0.0;     ///< s, of what is being worked on
 
   OdometryHistory history_;
-  std::vector<ScanHeard> waiting_;      ///< scans that are newer than the odometry
-  std::optional<double> last_look_;     ///< number of its period
-  std::optional<Situation> situation_;  ///< at the last look
+  std::vector<ScanHeard> waiting_;       ///< scans that are newer than the odometry
+  std::optional<double> last_look_;      ///< number of its period
+  std::optional<double> last_unusable_;  ///< likewise, of the last one without a usable scan
+  std::optional<Situation> situation_;   ///< at the last look
   SilenceWatch silence_;
   Observer observer_;
 

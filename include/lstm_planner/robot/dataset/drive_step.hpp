@@ -92,7 +92,7 @@ enum class Rejection {
   kPaused,          ///< recording was paused
   kNoOdometry,      ///< no odometry around the scan
   kNoTransform,     ///< where the scanner sits, or where the goal's frame is, was not known
-  kUnusableScan,    ///< perceive() refused it, or the scanner is covered (SilenceWatch)
+  kUnusableScan,    ///< perceive() refused it, or the scanner is covered (SilenceWatch); once a look
   kNotFinite,       ///< a message with a number that is not finite, or larger than any measurement: flawOf()
   kLate,            ///< the message came after later ones had been worked on
   kNoAllowedAngle,  ///< the robot went where no allowed angle leads, e.g. backwards

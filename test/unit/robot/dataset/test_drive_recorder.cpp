@@ -312,7 +312,7 @@ TEST_F(DriveRecorderTest, NothingIsRecordedWhileTheScannerIsCovered) {
   }
   parameters_.scan_rules = urgNodeRules();
   record(robot.events);
-  EXPECT_GT(steps_.rejected(Rejection::kUnusableScan), 0);
+  EXPECT_EQ(steps_.rejected(Rejection::kUnusableScan), 2) << "once a look, at 101.5 and 102.0, however many scans";
   for (const DriveStep& step : steps_.episodes().at(0).steps) {
     EXPECT_TRUE(step.stamp < 101.2 || step.stamp > 102.2 - 1e-6) << step.stamp;
   }
