@@ -46,6 +46,7 @@ drive() {
   # roslaunch's last words are of processes that died, also when all went well.
   [ "$status" -eq 0 ] || fail "the demo did not succeed; the lines 'demo:' and errors above say why."
   say "every goal was reached and nothing was touched"
+  say "to use the package in this shell: source $workspace/devel/setup.bash"
 }
 
 # A master of another robot on the usual port must not be joined.
