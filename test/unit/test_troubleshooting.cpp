@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace lstm_planner {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contentOf(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+fs::path inSource(const std::string& path) { return fs::path(LSTM_PLANNER_SOURCE_DIR) / path; }
+
+/// The sources whose messages tell a user why the robot does not move, with literals over several lines made one.
+std::string messageSources() {
+  std::string text;
+  for (const char* folder : {"src/ros/planner", "src/ros/controller", "src/ros/common", "src/robot/perception"}) {
+    for (const auto& entry : fs::directory_iterator(inSource(folder))) text += contentOf(entry.path());
+  }
+  return std::regex_replace(text, std::regex("\"\\s*\\n\\s*\""), "");
+}
+
+/// What matches the first group.
+std::vector<std::string> found(const std::string& text, const std::string& pattern) {
+  const std::regex expression(pattern);
+  std::vector<std::string> all;
+  for (std::sregex_iterator match(text.begin(), text.end(), expression), end; match != end; ++match) {
+    all.push_back((*match)[1]);
+  }
+  return all;
+}
+
+/// The messages in the first columns of the page's tables.
+std::vector<std::string> messagesOfThePage() {
+  std::vector<std::string> messages;
+  for (const std::string& column : found(contentOf(inSource("launch/troubleshooting.md")), "\n\\| ([^|]*`[^|]*) \\|")) {
+    for (const std::string& message : found(column, "`([^`]*)`")) messages.push_back(message);
+  }
+  return messages;
+}
+
+TEST(Troubleshooting, TellsOfMessagesThatThereAre) {
+  const std::string sources = messageSources();
+  const std::vector<std::string> messages = messagesOfThePage();
+  EXPECT_GT(messages.size(), 25u);
+  for (const std::string& message : messages) {
+    for (const std::string& fixed : found(message + "...", "(.*?)\\.\\.\\.")) {
+      if (fixed.find_first_not_of(" ,:") == std::string::npos) continue;
+      EXPECT_NE(sources.find(fixed), std::string::npos) << "'" << fixed << "' of '" << message << "'";
+    }
+  }
+}
+
+TEST(Troubleshooting, TellsOfEveryReasonToStand) {
+  const std::string page = contentOf(inSource("launch/troubleshooting.md"));
+  const std::vector<std::string> reasons =
+      found(messageSources(), "throw (?:SensorError|FrameError|PlanRefused|OutdatedPlan|UnusableScan)\\(\"([^\"(]*)");
+  EXPECT_GT(reasons.size(), 15u);
+  for (std::string reason : reasons) {
+    reason.erase(reason.find_last_not_of(" '") + 1);
+    EXPECT_NE(page.find(reason), std::string::npos) << "'" << reason << "' is not in launch/troubleshooting.md";
+  }
+}
+
+}  // namespace
+}  // namespace lstm_planner
