@@ -28,7 +28,7 @@ DriveResult driveOnce(const DriveOptions& options, const DriveWorld& world, cons
 
 /// Only a network that leads is read: the others need no file.
 DrivePolicy policyOf(const DriveOptions& options) {
-  if (options.agent.leader == Leader::kNetwork) return DrivePolicy::fromFile(options.model);
+  if (options.agent.leader == Decision::Source::kNetwork) return DrivePolicy::fromFile(options.model);
   return noPolicy();
 }
 

@@ -43,7 +43,7 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
                          line->parameters({{"odometry_error", "drift"}, {"slip", "slip"}, {"drift", "wheel-error"}}));
   visitSimulatedRobotParameters(options->drive.robot, line->parameters({{"latency", "latency"}}));
   line->addText(
-      "leader", toString(agent.leader), [&](const std::string& name) { agent.leader = leaderNamed(name); },
+      "leader", nameOfLeader(agent.leader), [&](const std::string& name) { agent.leader = leaderNamed(name); },
       "network; route: the way through what is remembered; none: the allowed angle nearest to the goal's bearing");
   line->add("patience", &agent.escape.patience_steps, kAnyCount,
             "steps without progress after which the rescue leads; likewise so many times 0.2 m");
@@ -74,7 +74,7 @@ void check(const DriveOptions& options) {
   validate(options.drive.robot.base);
   validate(options.drive.robot.scanner);
   validate(options.agent);
-  if (!options.states.empty() && (options.only.size() != 1 || options.agent.leader != Leader::kNetwork)) {
+  if (!options.states.empty() && (options.only.size() != 1 || options.agent.leader != Decision::Source::kNetwork)) {
     throw std::invalid_argument("--states draws one drive: it needs --only with one number, and a network that leads");
   }
   if (!options.pictures.empty()) makeOutputFolder(options.pictures);

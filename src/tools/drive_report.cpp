@@ -123,11 +123,11 @@ std::string driveJson(const DriveOptions& options, const DriveCourse& course, co
   nlohmann::json json = toJson(together(results), course.is_barn);
   const SimulatedRobot::Parameters& robot = course.rules.robot;
   json["map"] = course.source;
-  json["leader"] = toString(options.agent.leader);
+  json["leader"] = nameOfLeader(options.agent.leader);
   json["memory"] = options.agent.memory.enabled;
   json["escape"] = options.agent.escape.enabled;
   json["patience_steps"] = options.agent.escape.patience_steps;
-  if (options.agent.leader == Leader::kNetwork) json["model"] = options.model;
+  if (options.agent.leader == Decision::Source::kNetwork) json["model"] = options.model;
   json["seed"] = options.seed;
   json["walkers"] = options.crowd.walkers;
   json["noise_m"] = robot.scanner.noise;

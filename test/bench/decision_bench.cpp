@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "call_times.hpp"
-#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/driving/rollout.hpp"
 #include "recorded_steps.hpp"
 
@@ -70,7 +70,7 @@ class Replay {
   }
 
   /// `pass`: the how manieth replay by this agent.
-  void run(long pass, OnlineAgent* agent) {
+  void run(long pass, NavigationAgent* agent) {
     for (std::size_t i = 0; i < drive_.steps.size(); ++i) {
       forgetCaches();
       call(drive_.steps[i], i == 0, pass, agent, &calls_[i]);
@@ -85,11 +85,11 @@ class Replay {
     benchmark::ClobberMemory();
   }
 
-  void call(const RecordedStep& step, bool is_new, long pass, OnlineAgent* agent, CallTime* time) {
+  void call(const RecordedStep& step, bool is_new, long pass, NavigationAgent* agent, CallTime* time) {
     const long last_step = is_new ? 0 : agent->decision().step;
     const Point2 last_waypoint = agent->decision().waypoint;
     time->whole.measure([&] {
-      time->look.measure([&] { agent->look(step.scan, drive_.mount, step.pose, step.time); });
+      time->look.measure([&] { agent->perceive(step.scan, drive_.mount, step.pose, step.time); });
       time->drive.measure([&] { agent->drive({drive_.goal.x, drive_.goal.y}, is_new, pass); });
       time->roll_out.measure([&] {
         rollOut(agent->situation(), agent->decision(), agent->shield(), drive_.goal, parameters_, rollout_, &plan_);
@@ -151,14 +151,14 @@ double heapInUse() {
 /// call of a drive forgets all that was seen in the one before; it is left out. Cold: with caches that other programs
 /// have used since the last call. agent_bytes: what the agent holds of the heap after the drives.
 void plan(benchmark::State& state, int rollout_steps, bool cold, const std::string& world,
-          Leader leader = kDefaultLeader) {
+          Decision::Source leader = kDefaultLeader) {
   std::vector<Replay> replays;
   for (const RecordedDrive& drive : recordedDrives()) {
     if (world.empty() || drive.world == world) replays.emplace_back(drive, rollout_steps, cold);
   }
   AgentParameters parameters;
   parameters.leader = leader;
-  auto agent = std::make_unique<OnlineAgent>(shippedPolicy(), parameters, Hokuyo::rules());
+  auto agent = std::make_unique<NavigationAgent>(shippedPolicy(), parameters, Hokuyo::rules());
   long pass = 0;
   for (auto _ : state) {
     for (Replay& replay : replays) replay.run(++pass, agent.get());
@@ -176,13 +176,13 @@ BENCHMARK_CAPTURE(plan, makePlan_cold, kMakePlan, true, "")->Iterations(kPasses)
 BENCHMARK_CAPTURE(plan, makePlan_office, kMakePlan, false, "office")
     ->Iterations(kPasses)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(plan, network, kMakePlan, false, "", Leader::kNetwork)
+BENCHMARK_CAPTURE(plan, network, kMakePlan, false, "", Decision::Source::kNetwork)
     ->Iterations(kPasses)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(plan, network_office, kMakePlan, false, "office", Leader::kNetwork)
+BENCHMARK_CAPTURE(plan, network_office, kMakePlan, false, "office", Decision::Source::kNetwork)
     ->Iterations(kPasses)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(plan, network_building, kMakePlan, false, "building", Leader::kNetwork)
+BENCHMARK_CAPTURE(plan, network_building, kMakePlan, false, "building", Decision::Source::kNetwork)
     ->Iterations(kPasses)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan, makePlan_maze, kMakePlan, false, "maze")->Iterations(kPasses)->Unit(benchmark::kMillisecond);

@@ -5,8 +5,8 @@
 
 #include "call_times.hpp"
 #include "lstm_planner/robot/driving/drive_trace.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/driving/observer.hpp"
-#include "lstm_planner/robot/driving/online_agent.hpp"
 #include "lstm_planner/robot/memory/obstacle_memory.hpp"
 #include "lstm_planner/robot/perception/moving_returns.hpp"
 #include "recorded_steps.hpp"
@@ -34,7 +34,7 @@ class Parts {
     goal_ = {drive.goal.x, drive.goal.y};
     memory_.forget();
     guide_.forget();
-    guide_.begin(goal_);
+    guide_.begin();
     trace_.clear();
     policy_.reset();
     moving_.reset();
@@ -49,7 +49,7 @@ class Parts {
     times->moving_returns.measure([&] { moving_.show(situation_.profile, situation_.pose, situation_.time); });
     times->memory.measure([&] { memory_.look(situation_); });
     memory_.clearChanges();
-    times->memory_and_route.measure([&] { guide_.update(situation_); });
+    times->memory_and_route.measure([&] { guide_.update(situation_, goal_); });
     times->observe_and_network.measure([&] {
       const Observation observation =
           observe(situation_, goal_, 0.0, policy_.description().encoder.position_cell, &trace_);

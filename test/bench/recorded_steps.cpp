@@ -5,7 +5,7 @@
 
 #include "lstm_planner/base/grid/map_server_map.hpp"
 #include "lstm_planner/robot/driving/motion_controller.hpp"
-#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/driving/rollout.hpp"
 #include "lstm_planner/robot/simulation/generated_world.hpp"
 
@@ -36,7 +36,7 @@ RecordedDrive recordDrive(const std::string& name, const World& world, const Dri
   SimulatedRobot::Parameters robot_parameters;
   robot_parameters.latency = kPeriod;
   SimulatedRobot robot(world, robot_parameters, task.start, seed);
-  OnlineAgent agent(shippedPolicy(), agent_parameters, Hokuyo::rules());
+  NavigationAgent agent(shippedPolicy(), agent_parameters, Hokuyo::rules());
   const MotionController controller{MotionParameters()};
   const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry begins at the start
 
@@ -50,7 +50,7 @@ RecordedDrive recordDrive(const std::string& name, const World& world, const Dri
     robot.scan(&step.scan);
     step.pose = robot.odometry();
     step.time = robot.time();
-    agent.look(step.scan, drive.mount, step.pose, step.time);
+    agent.perceive(step.scan, drive.mount, step.pose, step.time);
     agent.drive(goal, drive.steps.empty(), 0);
     rollOut(agent.situation(), agent.decision(), agent.shield(), drive.goal, agent_parameters, {}, &plan);
     robot.command(controller.compute(plan, step.pose, robot.measuredTwist(), agent.shield(), kPeriod));

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/driving/rollout.hpp"
 #include "recorded_steps.hpp"
 
@@ -37,12 +37,12 @@ ObstacleMemory memoryOf(const RecordedDrive& drive) {
 /// A plan of so many steps through what one scan shows.
 void rollOutPlan(benchmark::State& state) {
   const RecordedDrive& drive = driveIn("office");
-  OnlineAgent agent(shippedPolicy(), kAgent, Hokuyo::rules());
+  NavigationAgent agent(shippedPolicy(), kAgent, Hokuyo::rules());
   const RecordedStep& step = drive.steps.front();
-  agent.look(step.scan, drive.mount, step.pose, step.time);
+  agent.perceive(step.scan, drive.mount, step.pose, step.time);
   agent.drive({drive.goal.x, drive.goal.y}, true, 0);
   Decision decision = agent.decision();
-  decision.way_on.clear();  // as if nothing were remembered
+  decision.path_on.clear();  // as if nothing were remembered
   RolloutParameters parameters;
   parameters.steps = static_cast<int>(state.range(0));
   std::vector<Pose2> plan;
@@ -75,8 +75,8 @@ void keepRoute(benchmark::State& state, const std::string& world) {
   const RecordedDrive& drive = driveIn(world);
   const Situation situation = situationOf(drive, drive.steps.front());
   RouteGuide guide(kAgent);
-  guide.begin({drive.goal.x, drive.goal.y});
-  for (auto _ : state) benchmark::DoNotOptimize(guide.update(situation));
+  guide.begin();
+  for (auto _ : state) benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}));
   state.counters["searches"] = static_cast<double>(guide.searches());
 }
 BENCHMARK_CAPTURE(keepRoute, office, "office");
@@ -92,9 +92,10 @@ void updateRoute(benchmark::State& state, const std::string& world) {
   RouteGuide guide(kAgent);
   for (auto _ : state) {
     guide.forget();
-    guide.begin({drive.goal.x, drive.goal.y});
+    guide.begin();
     const long before = guide.searches();
-    for (const Situation& situation : situations) benchmark::DoNotOptimize(guide.update(situation));
+    for (const Situation& situation : situations)
+      benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}));
     updates += static_cast<long>(situations.size());
     searches += guide.searches() - before;
   }

@@ -1,7 +1,5 @@
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -11,21 +9,25 @@
 namespace lstm_planner {
 
 namespace {
-constexpr std::array<const char*, 3> kLeaders = {"network", "route", "none"};
+
+using Source = Decision::Source;
+
+const char* const kNoLeader = "none";
+
 }  // namespace
 
-const char* toString(Leader leader) { return kLeaders.at(static_cast<std::size_t>(leader)); }
+std::string nameOfLeader(Source leader) { return leader == Source::kGreedy ? kNoLeader : toString(leader); }
 
-Leader leaderNamed(const std::string& name) {
-  const auto found = std::find(kLeaders.begin(), kLeaders.end(), name);
-  if (found == kLeaders.end()) {
-    throw std::invalid_argument("leader is '" + name + "', expected network, route or none");
+Source leaderNamed(const std::string& name) {
+  for (const Source leader : {Source::kNetwork, Source::kRoute, Source::kGreedy}) {
+    if (name == nameOfLeader(leader)) return leader;
   }
-  return static_cast<Leader>(found - kLeaders.begin());
+  throw std::invalid_argument("leader is '" + name + "', expected network, route or none");
 }
 
 void validate(const AgentParameters& parameters) {
-  if (parameters.leader == Leader::kRoute && !parameters.memory.enabled) {
+  leaderNamed(nameOfLeader(parameters.leader));
+  if (parameters.leader == Source::kRoute && !parameters.memory.enabled) {
     throw std::invalid_argument(
         "leader is route, expected network where memory/enabled is false: no way is remembered");
   }

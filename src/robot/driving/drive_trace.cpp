@@ -9,7 +9,7 @@ namespace {
 constexpr double kVisitRadius = 0.8;  ///< m to the places whose visits are told whatever lies in between
 /// m to the places of each scale, where nothing is seen to be in between.
 constexpr std::array<double, kPlaceScales> kProbes = {0.8, 2.0, 5.0};
-constexpr double kWallMargin = 0.3;  ///< m; places are probed on this side of a wall
+constexpr double kWallMargin = 0.3;    ///< m; places are probed on this side of a wall
 constexpr double kNearestProbe = 0.4;  ///< m
 
 /// m that seem to be free in direction heading + i * 45 degrees; a lot where the scanner does not look.
@@ -36,8 +36,7 @@ double freeRange(const Observation& observation, int direction) {
 void DriveTrace::clear() {
   places_.clear();
   has_pose_ = false;
-  best_distance_ = 0.0;
-  steps_since_best_ = 0;
+  progress_.clear();
 }
 
 void DriveTrace::look(const Pose2& pose, Observation* observation) {
@@ -52,8 +51,7 @@ void DriveTrace::lookAround(const Pose2& pose, Observation* observation) const {
   for (int i = 0; i < kPlaceDirections; ++i) {
     const auto index = static_cast<std::size_t>(i);
     const double direction = pose.yaw + i * M_PI_4;
-    observation->visits[index] =
-        places_.at(PlaceTrace::kStep, pointAlong(pose, direction, kVisitRadius)).count;
+    observation->visits[index] = places_.at(PlaceTrace::kStep, pointAlong(pose, direction, kVisitRadius)).count;
     const double free = std::max(kNearestProbe, freeRange(*observation, i) - kWallMargin);
     for (std::size_t scale = 0; scale < kPlaceScales; ++scale) {
       const Point2 place = pointAlong(pose, direction, std::min(free, kProbes[scale]));
@@ -67,11 +65,9 @@ void DriveTrace::lookAround(const Pose2& pose, Observation* observation) const {
 
 void DriveTrace::noteProgress(Observation* observation) {
   const double distance = observation->goal_distance;
-  const bool is_best = !has_pose_ || distance < best_distance_ - kProgress;
-  steps_since_best_ = is_best ? 0 : steps_since_best_ + 1;
-  if (is_best) best_distance_ = distance;
-  observation->behind_best = std::max(0.0, distance - best_distance_);
-  observation->steps_since_best = steps_since_best_;
+  progress_.note(distance);
+  observation->behind_best = std::max(0.0, distance - progress_.best());
+  observation->steps_since_best = progress_.steps();
 }
 
 void DriveTrace::noteMotion(const Pose2& pose, Observation* observation) {

@@ -14,19 +14,18 @@ constexpr int kMostRounds = 5;
 Escape::Escape(const EscapeParameters& parameters, const ShieldParameters& shield)
     : parameters_(parameters), shield_parameters_(shield) {}
 
-void Escape::begin(double target_distance) {
-  target_distance_ = target_distance;
+void Escape::begin() {
   leave_below_ = std::numeric_limits<double>::infinity();
   following_ = false;
   rounds_ = 0;
 }
 
-void Escape::moveGoal(const Point2& from, const Point2& to, double target_distance) {
-  target_distance_ = target_distance;
+void Escape::moveGoal(const Point2& from, const Point2& to) {
   leave_below_ += distanceBetween(hit_position_, to) - distanceBetween(hit_position_, from);
 }
 
-Escape::Outcome Escape::decide(const Situation& situation, const Shield& shield, const Point2& goal, Heading* move) {
+std::optional<Decision::Source> Escape::decide(const Situation& situation, const Shield& shield, const Point2& goal,
+                                               double target_distance, Heading* move) {
   const double distance = distanceBetween(situation.pose, goal);
   const double open = openTowardsGoal(situation, shield, goal, distance);
   const bool can_go = open >= std::min(distance, parameters_.follow_step);
@@ -42,23 +41,23 @@ Escape::Outcome Escape::decide(const Situation& situation, const Shield& shield,
       leave_below_ = nearest;  // What turns out not to be open must not be believed again.
     } else if (loopClosed(situation.pose)) {
       if (tight_ || rounds_ == kMostRounds) {
-        return Outcome::kNoWay;
+        return Decision::Source::kNoWay;
       }
       followTight(situation.pose, goal);
     }
   }
   if (!following_) {
-    if (distance < target_distance_) {
-      return Outcome::kDone;
+    if (distance < target_distance) {
+      return std::nullopt;
     }
     if (can_go) {
       *move = {directionTo(situation.pose, goal), std::min(distance, parameters_.follow_step)};
-      return Outcome::kMove;
+      return Decision::Source::kEscape;
     }
     meetBoundary(situation, shield, goal);
   }
   *move = follow(situation, shield);
-  return Outcome::kMove;
+  return move->distance > 0.0 ? Decision::Source::kEscape : Decision::Source::kLookAround;
 }
 
 double Escape::openTowardsGoal(const Situation& situation, const Shield& shield, const Point2& goal,
@@ -119,7 +118,8 @@ void Escape::measureBoundary(const Pose2& pose) {
     return;
   }
   const double direction = directionTo(last_position_, pose);
-  // How the boundary runs where it was met: the turn away from the goal, which may be driven as an arc, is no part of it.
+  // How the boundary runs where it was met: the turn away from the goal, which may be driven as an arc, is no part of
+  // it.
   const bool departing = turned_ == 0.0 && std::abs(along_) < 2.0 * parameters_.follow_step;
   if (departing) {
     departure_direction_ = direction;

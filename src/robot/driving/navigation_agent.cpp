@@ -2,85 +2,120 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "lstm_planner/robot/driving/observer.hpp"
+#include "robot/perception/reach.hpp"
 
 namespace lstm_planner {
 
-const char* toString(Decision::Source source) {
-  switch (source) {
-    case Decision::Source::kNetwork:
-      return "network";
-    case Decision::Source::kGreedy:
-      return "greedy";
-    case Decision::Source::kGoalInSight:
-      return "goal in sight";
-    case Decision::Source::kRoute:
-      return "route";
-    case Decision::Source::kEscape:
-      return "escape";
-    case Decision::Source::kLookAround:
-      return "look around";
-    case Decision::Source::kArrived:
-      return "arrived";
-    case Decision::Source::kNoWay:
-      return "no way";
-  }
-  return "unknown";
-}
+namespace {
 
-NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& parameters)
+/// Directions beside the route that are tried when its first metres are not free: steps and farthest, rad.
+constexpr double kAsideStep = 0.0873;
+constexpr double kFarthestAside = 1.05;
+
+/// Places ahead that are taken as blocked, one after the other, before the robot looks around.
+constexpr int kBlocks = 3;
+
+/// m; a goal that moves farther between two calls is another goal.
+constexpr double kGoalShift = 0.25;
+
+/// Why a leader leads.
+const char* const kNewGoal = "new goal";
+const char* const kNearerThanEver = "nearer to the goal than ever";
+const char* const kNoProgress = "no progress";
+const char* const kNoProgressForLong = "no progress for very long";
+const char* const kMemoryWrong = "what is remembered was wrong too often";
+
+}  // namespace
+
+NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules)
     : policy_(std::move(policy)),
       parameters_((validate(parameters), parameters)),
+      rules_((validate(rules), rules)),
       shield_(parameters.shield.footprint_radius, parameters.shield.tight_clearance, parameters.shield.reach),
+      actions_(parameters),
       escape_(parameters.escape, parameters.shield),
-      guide_(parameters.memory.enabled ? std::optional<RouteGuide>(parameters) : std::nullopt) {
+      guide_(parameters.memory.enabled ? std::optional<RouteGuide>(parameters) : std::nullopt),
+      clock_(parameters.step),
+      progress_(parameters.escape.progress) {
   checkFits(policy_.description(), parameters.step.length, parameters.shield.footprint_radius);
   const auto actions = static_cast<std::size_t>(policy_.description().actions.size());
   decision_.preferences.resize(actions);
   decision_.allowed.resize(actions);
-  if (guide_) decision_.way_on.reserve(guide_->route().points.capacity());
+  if (guide_) decision_.path_on.reserve(guide_->route().points.capacity());
+}
+
+void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time) {
+  checkPose(pose);
+  checkFits(policy_.description(), parameters_.step.length, parameters_.shield.footprint_radius, scan.range_max);
+  lstm_planner::perceive(scan, mount, rules_, policy_.description().encoder.range_cap, &situation_);
+  situation_.pose = pose;
+  situation_.time = time;
+}
+
+NavigationAgent::Fresh NavigationAgent::drive(const Point2& goal, bool is_new, long jumps) {
+  is_new_goal_ = is_new_goal_ || is_new;
+  checkGoal(situation_.pose, goal);
+  const double shift = distanceBetween(goal_, goal);
+  const bool jumped = jumps != jumps_;
+  Fresh fresh = Fresh::kNo;
+  if (is_new_goal_) {
+    fresh = Fresh::kNewGoal;
+  } else if (jumped) {
+    fresh = Fresh::kJump;
+  } else if (shift > kGoalShift) {
+    fresh = Fresh::kGoalMoved;
+  }
+  if (fresh != Fresh::kNo) {
+    setGoal(goal);
+  } else if (shift > 0.0) {
+    moveGoal(goal);
+  }
+  if (jumped) {
+    restart();
+    jumps_ = jumps;
+  }
+  is_new_goal_ = false;
+  update(situation_);
+  return fresh;
+}
+
+Decision NavigationAgent::preview(const Point2& goal) const {
+  checkGoal(situation_.pose, goal);
+  return preview(situation_, goal);
 }
 
 void NavigationAgent::setGoal(const Point2& goal) {
   goal_ = goal;
-  decision_.destination = goal;
   policy_.reset();
-  if (guide_) guide_->begin(goal);
-  guide_status_ = RouteGuide::Status::kRoute;
+  if (guide_) guide_->begin();
   trace_.clear();
-  decision_.way_on.clear();
-  has_step_ = false;
-  lead(Phase::kLeader);
-  best_distance_ = 0.0;
-  steps_since_best_ = 0;
-  driven_since_best_ = 0.0;
+  clock_.clear();
+  progress_.clear();
   look_around_turn_ = 0.0;
-  decision_.source = Decision::Source::kLookAround;
+  lead(parameters_.leader, kNewGoal);
+  decision_.source = Source::kLookAround;
   decision_.action = -1;
   decision_.preferred = -1;
+  decision_.destination = goal;
+  decision_.path_on.clear();
   decision_.step = 0;
 }
 
 void NavigationAgent::moveGoal(const Point2& goal) {
-  const auto isGoal = [this](const Point2& place) { return distanceBetween(place, goal_) < 1e-6; };
-  if (isGoal(decision_.waypoint)) {
-    decision_.waypoint = goal;
-    decision_.direction = directionTo(step_pose_, goal);
-  }
-  if (isGoal(decision_.destination)) {
-    decision_.destination = goal;
-  }
-  if (!decision_.way_on.empty() && isGoal(decision_.way_on.back())) {
-    decision_.way_on.back() = goal;
-  }
-  if (has_step_) {
-    best_distance_ = distanceBetween(best_position_, goal);
-  }
-  if (guide_) guide_->moveGoal(goal);
-  escape_.moveGoal(goal_, goal, targetDistance());
+  const auto follow = [&](Point2* place) {
+    if (distanceBetween(*place, goal_) >= 1e-6) return false;
+    *place = goal;
+    return true;
+  };
+  if (follow(&decision_.waypoint)) decision_.direction = directionTo(clock_.pose(), goal);
+  follow(&decision_.destination);
+  if (!decision_.path_on.empty()) follow(&decision_.path_on.back());
+  if (progress_.hasBest()) progress_.moveBest(distanceBetween(best_position_, goal));
+  if (guide_) guide_->moveGoal(goal_, goal);
+  escape_.moveGoal(goal_, goal);
   goal_ = goal;
 }
 
@@ -91,33 +126,29 @@ void NavigationAgent::restart() {
 
 const Decision& NavigationAgent::update(const Situation& situation) {
   shield_.show(situation.obstacles);
-  if (decision_.source == Decision::Source::kNoWay) {
+  if (decision_.source == Source::kNoWay) {
     return decision_;
   }
   if (distanceBetween(situation.pose, decision_.destination) <= parameters_.goal_tolerance) {
-    goTo(situation, Decision::Source::kArrived, directionTo(situation.pose, decision_.destination),
+    goTo(situation, Source::kArrived, directionTo(situation.pose, decision_.destination),
          distanceBetween(situation.pose, decision_.destination));
-    decision_.way_on.clear();
+    decision_.path_on.clear();
     return decision_;
   }
-  if (!has_step_ || stepIsOver(situation)) {
+  if (!clock_.hasStep() || stepIsOver(situation)) {
     noteProgress(situation);
     losePatience();
-    guide(situation);
     beginStep(situation);
-    choose(situation);
-  } else if (isStalled(situation)) {
-    stall_time_ = situation.time;
+    decide(situation);
+  } else if (clock_.isStalled(situation)) {
     if (decision_.on_route) {
       guide_->blockAhead();
-      guide(situation);
-      choose(situation);
+      decide(situation);
     } else {
       lookAround(situation);
     }
-  } else if (!wayIsFree(situation)) {
-    guide(situation);
-    choose(situation);
+  } else if (!pathIsFree(situation)) {
+    decide(situation);
   }
   return decision_;
 }
@@ -130,40 +161,16 @@ Decision NavigationAgent::preview(const Situation& situation, const Point2& goal
 }
 
 bool NavigationAgent::stepIsOver(const Situation& situation) const {
-  const StepParameters& step = parameters_.step;
-  const double moved = distanceBetween(step_pose_, situation.pose);
-  if (distanceBetween(situation.pose, decision_.waypoint) < step.reached) {
-    return true;
-  }
-  if (decision_.source == Decision::Source::kEscape) {
+  if (decision_.source == Source::kEscape) {
     // Half way already, so that the robot need not slow down for the next bend.
-    return moved >= 0.5 * parameters_.escape.follow_step;
+    return distanceBetween(situation.pose, decision_.waypoint) < parameters_.step.reached ||
+           clock_.moved(situation) >= 0.5 * parameters_.escape.follow_step;
   }
-  const double turned = std::abs(normalizeAngle(situation.pose.yaw - step_pose_.yaw));
-  return moved >= step.length || turned >= step.turn ||
-         (elapsed(situation) >= step.period && hasStirred(situation, step_pose_));
+  return clock_.isOver(situation, decision_.waypoint);
 }
 
-bool NavigationAgent::hasStirred(const Situation& situation, const Pose2& since) const {
-  return distanceBetween(since, situation.pose) >= parameters_.step.still_distance ||
-         std::abs(normalizeAngle(situation.pose.yaw - since.yaw)) >= parameters_.step.still_turn;
-}
-
-double NavigationAgent::elapsed(const Situation& situation) const {
-  // A clock that jumped back (a simulation started anew) must not stop the steps for ever.
-  return std::abs(situation.time - step_time_);
-}
-
-bool NavigationAgent::isStalled(const Situation& situation) {
-  if (hasStirred(situation, stall_pose_)) {
-    stall_pose_ = situation.pose;
-    stall_time_ = situation.time;
-  }
-  return std::abs(situation.time - stall_time_) >= parameters_.step.stall;
-}
-
-bool NavigationAgent::wayIsFree(const Situation& situation) const {
-  if (decision_.source == Decision::Source::kLookAround) {
+bool NavigationAgent::pathIsFree(const Situation& situation) const {
+  if (decision_.source == Source::kLookAround) {
     return true;
   }
   const double distance = std::min(distanceBetween(situation.pose, decision_.waypoint), parameters_.step.length);
@@ -172,91 +179,71 @@ bool NavigationAgent::wayIsFree(const Situation& situation) const {
 }
 
 void NavigationAgent::noteProgress(const Situation& situation) {
-  const double distance = distanceBetween(situation.pose, goal_);
-  if (!has_step_ || distance < targetDistance()) {
-    beginFrom(situation);
-  } else {
-    ++steps_since_best_;
-    driven_since_best_ += distanceBetween(step_pose_, situation.pose);
+  const bool is_first = !progress_.hasBest();
+  const double driven = is_first ? 0.0 : clock_.moved(situation);
+  if (progress_.note(distanceBetween(situation.pose, goal_), driven)) {
+    startFrom(situation, is_first ? kNewGoal : kNearerThanEver);
   }
 }
 
-void NavigationAgent::beginFrom(const Situation& situation) {
+/// The robot has never been nearer to the goal: the leader of the parameters leads from here.
+void NavigationAgent::startFrom(const Situation& situation, const char* why) {
   best_position_ = {situation.pose.x, situation.pose.y};
-  best_distance_ = distanceBetween(best_position_, goal_);
-  steps_since_best_ = 0;
-  driven_since_best_ = 0.0;
+  progress_.restart(distanceBetween(best_position_, goal_));
   if (guide_) guide_->noteProgress();
-  lead(Phase::kLeader);
+  lead(parameters_.leader, why);
 }
 
-void NavigationAgent::lead(Phase phase) {
-  if (phase == Phase::kLeader && parameters_.leader == Leader::kRoute) phase = Phase::kRoute;
-  if (phase == Phase::kBoundary && phase_ != phase) {
-    escape_.begin(targetDistance());
+void NavigationAgent::lead(Source leader, const char* why) {
+  if (leader == Source::kEscape) {
+    if (decision_.leader == leader) return;
+    escape_.begin();
   }
-  phase_ = phase;
+  decision_.leader = leader;
+  decision_.why = why;
 }
 
 bool NavigationAgent::isOutOfPatience(double times) const {
   const EscapeParameters& escape = parameters_.escape;
-  return steps_since_best_ >= times * escape.patience_steps || driven_since_best_ >= times * escape.patience_distance;
+  return progress_.steps() >= times * escape.patience_steps || progress_.driven() >= times * escape.patience_distance;
 }
 
 void NavigationAgent::losePatience() {
-  const EscapeParameters& escape = parameters_.escape;
-  if (!escape.enabled) {
+  if (!parameters_.escape.enabled) {
     return;
   }
-  if (phase_ == Phase::kLeader && isOutOfPatience(1.0)) {
-    lead(guide_ ? Phase::kRoute : Phase::kBoundary);
+  const bool is_rescued = decision_.leader == Source::kRoute || decision_.leader == Source::kEscape;
+  if (!is_rescued && isOutOfPatience(1.0)) {
+    lead(guide_ ? Source::kRoute : Source::kEscape, kNoProgress);
   }
-  if (phase_ != Phase::kBoundary && isOutOfPatience(escape.last_resort)) {
-    lead(Phase::kBoundary);
+  if (decision_.leader != Source::kEscape && isOutOfPatience(parameters_.escape.last_resort)) {
+    lead(Source::kEscape, kNoProgressForLong);
   }
-}
-
-void NavigationAgent::guide(const Situation& situation) {
-  if (!guide_) {
-    return;
-  }
-  if (phase_ == Phase::kLeader) {
-    guide_->watch(situation);
-    guide_status_ = RouteGuide::Status::kRoute;
-    decision_.destination = goal_;
-    return;
-  }
-  guide_status_ = guide_->update(situation);
-  decision_.destination = guide_status_ == RouteGuide::Status::kRoute ? guide_->end() : goal_;
 }
 
 void NavigationAgent::beginStep(const Situation& situation) {
   const double cell = policy_.description().encoder.position_cell;
   const Observation observation = observe(situation, goal_, previousAction(), cell, &trace_);
   advanceNetwork(observation);
-  step_pose_ = situation.pose;
-  step_time_ = situation.time;
-  stall_pose_ = situation.pose;
-  stall_time_ = situation.time;
-  has_step_ = true;
+  clock_.begin(situation);
   ++decision_.step;
   imposed_action_ = step_listener_ ? step_listener_(situation, observation) : std::nullopt;
 }
 
 double NavigationAgent::previousAction() const {
   const ActionSet& actions = policy_.description().actions;
-  if (!has_step_) {
+  if (!clock_.hasStep()) {
     return 0.0;
   }
-  // The rescue's ways lie between the steering angles: tell the network the nearest one, as the recorder would.
+  // The rescue's paths lie between the steering angles: tell the network the nearest one, as the recorder would.
   return actions.angle(decision_.action >= 0
                            ? decision_.action
-                           : actions.nearest(normalizeAngle(decision_.direction - step_pose_.yaw)));
+                           : actions.nearest(normalizeAngle(decision_.direction - clock_.pose().yaw)));
 }
 
 void NavigationAgent::advanceNetwork(const Observation& observation) {
-  if (parameters_.leader != Leader::kNetwork) {
-    preferGoal(observation);
+  if (parameters_.leader != Source::kNetwork) {
+    preferBearing(policy_.description().actions, observation.goal_bearing, &decision_.preferences);
     return;
   }
   const Eigen::VectorXf& preferences = policy_.advance(observation);
@@ -266,12 +253,149 @@ void NavigationAgent::advanceNetwork(const Observation& observation) {
   decision_.preferred = static_cast<int>(preferred);
 }
 
-void NavigationAgent::preferGoal(const Observation& observation) {
-  const ActionSet& actions = policy_.description().actions;
-  for (int action = 0; action < actions.size(); ++action) {
-    const double off = std::abs(normalizeAngle(actions.angle(action) - observation.goal_bearing));
-    decision_.preferences[static_cast<std::size_t>(action)] = static_cast<float>(-off);
+void NavigationAgent::decide(const Situation& situation) {
+  const Source guidance = guide(situation);
+  if (parameters_.escape.enabled && guidance == Source::kEscape) {
+    lead(Source::kEscape, kMemoryWrong);
   }
+  decision_.on_route = false;
+  if (!chooseGoalInSight(situation)) {
+    chooseAsLed(situation, guidance);
+  }
+  decision_.path_on.clear();
+  if (decision_.on_route) {
+    guide_->pointsAhead(distanceBetween(clock_.pose(), decision_.waypoint), &decision_.path_on);
+  }
+}
+
+/// Remembers what is seen; where the route leads, or would, what it says: kRoute, kLookAround, kNoWay, or kEscape.
+NavigationAgent::Source NavigationAgent::guide(const Situation& situation) {
+  if (!guide_) {
+    return Source::kRoute;
+  }
+  decision_.destination = goal_;
+  if (decision_.leader != Source::kRoute && decision_.leader != Source::kEscape) {
+    guide_->watch(situation);
+    return Source::kRoute;
+  }
+  const Source guidance = guide_->update(situation, goal_);
+  if (guidance == Source::kRoute) decision_.destination = guide_->end();
+  return guidance;
+}
+
+bool NavigationAgent::chooseGoalInSight(const Situation& situation) {
+  const double distance = distanceBetween(situation.pose, decision_.destination);
+  if (!parameters_.shield_enabled || distance > parameters_.goal_in_sight) {
+    return false;
+  }
+  const double direction = directionTo(situation.pose, decision_.destination);
+  const bool seen = std::abs(normalizeAngle(direction - situation.pose.yaw)) <= M_PI_2;
+  if (!seen || freeDistance(situation, direction, distance, parameters_.shield.tight_clearance) <
+                   distance - 0.5 * parameters_.goal_tolerance) {
+    return false;
+  }
+  goTo(situation, Source::kGoalInSight, direction, distance);
+  return true;
+}
+
+void NavigationAgent::chooseAsLed(const Situation& situation, Source guidance) {
+  if (decision_.leader == Source::kRoute) {
+    chooseRoute(situation, guidance);
+  } else if (decision_.leader == Source::kEscape) {
+    chooseEscape(situation);
+  } else {
+    chooseAction(situation);
+  }
+}
+
+void NavigationAgent::chooseAction(const Situation& situation) {
+  const ActionSet& actions = policy_.description().actions;
+  const std::optional<ActionChoice::Action> chosen =
+      actions_.choose(actions, clock_.pose().yaw, situation.pose.yaw, shield_, decision_.preferences, imposed_action_,
+                      &decision_.allowed);
+  if (!chosen) {
+    lookAround(situation);
+    return;
+  }
+  goTo(situation, decision_.leader, clock_.pose().yaw + actions.angle(chosen->index), chosen->free);
+  decision_.action = chosen->index;
+  look_around_turn_ = 0.0;
+}
+
+void NavigationAgent::chooseRoute(const Situation& situation, Source guidance) {
+  for (int blocks = 0; blocks <= kBlocks; ++blocks) {
+    if (guidance == Source::kNoWay) {
+      goTo(situation, Source::kNoWay, situation.pose.yaw, 0.0);
+      return;
+    }
+    if (guidance != Source::kRoute) {
+      break;
+    }
+    if (followRoute(situation)) {
+      return;
+    }
+    guide_->blockAhead();
+    guidance = guide(situation);
+  }
+  lookAround(situation);
+}
+
+bool NavigationAgent::followRoute(const Situation& situation) {
+  const ShieldParameters& shield = parameters_.shield;
+  for (const double ahead : {1.0, 0.5}) {
+    const Point2 target = guide_->pointAhead(ahead * parameters_.step.length);
+    const double distance = distanceBetween(situation.pose, target);
+    const double wanted = std::min(distance, shield.shortest_step);
+    const double direction = directionTo(situation.pose, target);
+    for (double aside = 0.0; aside < (ahead < 1.0 ? kFarthestAside : 0.5 * kAsideStep); aside += kAsideStep) {
+      for (const double side : {1.0, -1.0}) {
+        const double free =
+            freeDistance(situation, direction + side * aside, std::max(distance, wanted), shield.tight_clearance);
+        if (free >= wanted && (free >= 0.9 * distance || ahead < 1.0)) {
+          goTo(situation, Source::kRoute, direction + side * aside, free);
+          decision_.on_route = true;
+          look_around_turn_ = 0.0;
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+void NavigationAgent::chooseEscape(const Situation& situation) {
+  Heading move;
+  const std::optional<Source> source = escape_.decide(situation, shield_, goal_, progress_.target(), &move);
+  if (!source) {
+    startFrom(situation, kNearerThanEver);
+    chooseAsLed(situation, guide(situation));
+  } else if (*source == Source::kNoWay) {
+    goTo(situation, Source::kNoWay, situation.pose.yaw, 0.0);
+  } else {
+    goTo(situation, *source, move.direction, std::max(move.distance, parameters_.shield.shortest_step));
+  }
+}
+
+void NavigationAgent::lookAround(const Situation& situation) {
+  if (look_around_turn_ == 0.0) {
+    const double bearing = normalizeAngle(directionTo(situation.pose, goal_) - situation.pose.yaw);
+    look_around_turn_ = bearing < 0.0 ? -1.0 : 1.0;
+  }
+  goTo(situation, Source::kLookAround, situation.pose.yaw + look_around_turn_ * 2.0, parameters_.shield.shortest_step);
+  decision_.path_on.clear();
+}
+
+void NavigationAgent::goTo(const Situation& situation, Source source, double direction, double distance) {
+  decision_.source = source;
+  decision_.action = -1;
+  decision_.on_route = false;
+  decision_.direction = normalizeAngle(direction);
+  decision_.waypoint = pointAlong(situation.pose, direction, distance);
+}
+
+double NavigationAgent::freeDistance(const Situation& situation, double direction, double limit,
+                                     double clearance) const {
+  return shield_.freeDistance({}, direction - situation.pose.yaw, limit, clearance);
 }
 
 }  // namespace lstm_planner

@@ -10,7 +10,8 @@ Observation observe(const Situation& situation, const Point2& goal, double previ
 }
 
 void Observer::begin(const Point2& goal) {
-  guide_.begin(goal);
+  goal_ = goal;
+  guide_.begin();
   trace_.clear();
 }
 
@@ -21,7 +22,9 @@ void Observer::forget() {
 
 Observation Observer::look(const Situation& situation, const Point2& goal, double previous_action) {
   Observation observation = observe(situation, goal, previous_action, 0.0, &trace_);
-  if (parameters_.memory.enabled && guide_.update(situation) == RouteGuide::Status::kRoute) {
+  guide_.moveGoal(goal_, goal);
+  goal_ = goal;
+  if (parameters_.memory.enabled && guide_.update(situation, goal) == Decision::Source::kRoute) {
     observation.route_bearing = guide_.bearingAhead(situation.pose, parameters_.step.length);
     observation.route_length = guide_.route().length;
   }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lstm_planner/robot/driving/action_set.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -118,7 +120,7 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
   PlanLine line(parameters.spacing, plan);
   if (decision.source != Decision::Source::kArrived) {
     line.lineTo(decision.waypoint);
-    for (const Point2& corner : decision.way_on) {
+    for (const Point2& corner : decision.path_on) {
       line.lineTo(corner);
     }
     const Point2 local_goal = toLocalFrame(situation.pose, decision.destination);
@@ -131,7 +133,7 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
       line.lineTo(toParentFrame(situation.pose, at));
     }
     double left = distanceBetween(at, local_goal);
-    const bool moves = decision.way_on.empty() && decision.source != Decision::Source::kLookAround;
+    const bool moves = decision.path_on.empty() && decision.source != Decision::Source::kLookAround;
     for (int step = 0; moves && step < parameters.steps && left > agent.goal_tolerance; ++step) {
       if (!stepTowards(local_goal, shield, agent, actions, direction, &at, &direction) ||
           distanceBetween(at, local_goal) > left) {

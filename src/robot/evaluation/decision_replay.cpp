@@ -42,7 +42,7 @@ void DecisionReplay::addStep(const DriveStep& step) {
   if (!decisions_.empty() && step.stamp < decisions_.back().stamp) {
     ++jumps_;  // of the clock; OdometryHistory counts them, too
   }
-  agent_.look(scanOf(step), step.geometry.mount, step.pose, step.stamp);
+  agent_.perceive(scanOf(step), step.geometry.mount, step.pose, step.stamp);
   agent_.drive(step.goal, is_new_goal_, jumps_);
   is_new_goal_ = false;
 

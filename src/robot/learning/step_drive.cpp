@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "lstm_planner/robot/driving/step_clock.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -96,10 +97,7 @@ void StepDrive::carryOut(const Situation&, const Decision& decision, const Navig
     if (elapsed + 1e-9 >= conditions_.latency) twist_ = steer(decision, agent, period);
     move(twist_, period);
     time_ += period;
-    const bool over = distanceBetween(begin, odometry_) >= step.length ||
-                      std::abs(normalizeAngle(odometry_.yaw - begin.yaw)) >= step.turn ||
-                      distanceBetween(odometry_, decision.waypoint) < step.reached;
-    if (over) break;
+    if (isStepDriven(step, begin, odometry_, decision.waypoint)) break;
   }
 }
 

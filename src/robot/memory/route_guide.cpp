@@ -7,6 +7,8 @@ namespace lstm_planner {
 
 namespace {
 
+using Source = Decision::Source;
+
 /// A new way is taken when it is this much better: a share, and m. Else every new wall seen would make the robot turn
 /// back and forth between two ways of the same length.
 constexpr double kWorthTurning = 0.08;
@@ -40,8 +42,7 @@ RouteGuide::RouteGuide(const AgentParameters& parameters)
   found_.points.reserve(route().points.capacity());
 }
 
-void RouteGuide::begin(const Point2& goal) {
-  goal_ = goal;
+void RouteGuide::begin() {
   route_.clear();
   has_costs_ = false;
   driven_ = 0.0;
@@ -50,11 +51,10 @@ void RouteGuide::begin(const Point2& goal) {
   noteProgress();
 }
 
-void RouteGuide::moveGoal(const Point2& goal) {
-  if (!route_.isEmpty() && distanceBetween(end(), goal_) == 0.0) {
-    route_.moveEnd(goal);
+void RouteGuide::moveGoal(const Point2& from, const Point2& to) {
+  if (!route_.isEmpty() && distanceBetween(end(), from) == 0.0) {
+    route_.moveEnd(to);
   }
-  goal_ = goal;
 }
 
 void RouteGuide::noteProgress() {
@@ -81,9 +81,8 @@ void RouteGuide::noteMotion(const Situation& situation) {
 
 void RouteGuide::watch(const Situation& situation) {
   noteMotion(situation);
-  const bool is_new_place =
-      !has_watched_ || distanceBetween(watched_pose_, situation.pose) >= kNewPlace ||
-      std::abs(normalizeAngle(situation.pose.yaw - watched_pose_.yaw)) >= kNewView;
+  const bool is_new_place = !has_watched_ || distanceBetween(watched_pose_, situation.pose) >= kNewPlace ||
+                            std::abs(normalizeAngle(situation.pose.yaw - watched_pose_.yaw)) >= kNewView;
   if (!is_new_place) {
     return;
   }
@@ -95,24 +94,24 @@ void RouteGuide::watch(const Situation& situation) {
   has_costs_ = false;
 }
 
-RouteGuide::Status RouteGuide::update(const Situation& situation) {
+Decision::Source RouteGuide::update(const Situation& situation, const Point2& goal) {
   noteMotion(situation);
   has_watched_ = false;
   memory_.look(situation);
   const Point2 here{situation.pose.x, situation.pose.y};
   bool found = false;
-  if (!looking_ && costsHold(here)) {
+  if (!looking_ && costsHold(here, goal)) {
     const double cost = route_.cost(memory_, finder_, kLookedAt);
-    takeInChanges(here, cost);
-    if (isWorthKeeping(here, cost)) {
+    takeInChanges(here, goal, cost);
+    if (isWorthKeeping(here, goal, cost)) {
       closed_in_a_row_ = 0;
-      return Status::kRoute;
+      return Source::kRoute;
     }
-    found = findAgain(here);
+    found = findAgain(here, goal);
   }
   // While it looks around, what lies behind the robot is not known and seems free.
   const bool still_looking = looking_ && turned_ < kFullTurn;
-  found = found || (!still_looking && find(here, &found_));
+  found = found || (!still_looking && find(here, goal, &found_));
   memory_.clearChanges();
   if (!found) {
     return lookAround(situation);
@@ -120,18 +119,16 @@ RouteGuide::Status RouteGuide::update(const Situation& situation) {
   looking_ = false;
   closed_in_a_row_ = 0;
   takeBetter(here);
-  return Status::kRoute;
+  return Source::kRoute;
 }
 
-double RouteGuide::tolerance() const {
-  return parameters_.goal_tolerance + parameters_.goal_drift * driven_;
-}
+double RouteGuide::tolerance() const { return parameters_.goal_tolerance + parameters_.goal_drift * driven_; }
 
-bool RouteGuide::find(const Point2& start, Route* route) {
+bool RouteGuide::find(const Point2& start, const Point2& goal, Route* route) {
   ++searches_;
-  const bool found = finder_.find(memory_, start, goal_, tolerance(), route);
+  const bool found = finder_.find(memory_, start, goal, tolerance(), route);
   has_costs_ = found && finder_.endsAtGoal();
-  searched_goal_ = goal_;
+  searched_goal_ = goal;
   through_freed_ = CostToGo::kNone;
   freed_from_ = memory_.cellAt(start);
   return found;
@@ -154,7 +151,7 @@ bool RouteGuide::takeBetter(const Point2& here) {
 }
 
 /// Brings the route up to date; false when the costs of the last search tell nothing any more.
-bool RouteGuide::costsHold(const Point2& here) {
+bool RouteGuide::costsHold(const Point2& here, const Point2& goal) {
   if (route_.isEmpty()) {
     return false;
   }
@@ -166,46 +163,46 @@ bool RouteGuide::costsHold(const Point2& here) {
   for (const ObstacleMemory::Change& change : memory_.changes()) {
     route_.note(memory_, change);
   }
-  return has_costs_ && goalIsAsBefore() &&
-         !RouteFinder::isDetour(distanceBetween(here, goal_), route_.route().length, tolerance());
+  return has_costs_ && goalIsAsBefore(goal) &&
+         !RouteFinder::isDetour(distanceBetween(here, goal), route_.route().length, tolerance());
 }
 
-bool RouteGuide::isWorthKeeping(const Point2& here, double cost) const {
-  return isHardlyDearer(cost, distanceBetween(here, end())) || isHardlyDearer(cost, metresOf(leastCost(here)));
+bool RouteGuide::isWorthKeeping(const Point2& here, const Point2& goal, double cost) const {
+  return isHardlyDearer(cost, distanceBetween(here, end())) || isHardlyDearer(cost, metresOf(leastCost(here, goal)));
 }
 
 /// By the last search alone; false when it takes a new one.
-bool RouteGuide::findAgain(const Point2& here) {
-  if (memory_.cellAt(goal_) != memory_.cellAt(searched_goal_) || !finder_.findAgain(memory_, here, &found_)) {
+bool RouteGuide::findAgain(const Point2& here, const Point2& goal) {
+  if (memory_.cellAt(goal) != memory_.cellAt(searched_goal_) || !finder_.findAgain(memory_, here, &found_)) {
     return false;
   }
   found_.points.back() = end();
   found_.length = lengthOf(found_.points);
   return isHardlyDearer(found_.cost, through_freed_ * memory_.cellSize() / CostToGo::kStraight) &&
-         !RouteFinder::isDetour(distanceBetween(here, goal_), found_.length, tolerance());
+         !RouteFinder::isDetour(distanceBetween(here, goal), found_.length, tolerance());
 }
 
 /// False when a search might end elsewhere.
-bool RouteGuide::goalIsAsBefore() {
-  const bool at_goal = distanceBetween(end(), goal_) == 0.0;
-  const double moved = distanceBetween(goal_, searched_goal_);
+bool RouteGuide::goalIsAsBefore(const Point2& goal) {
+  const bool at_goal = distanceBetween(end(), goal) == 0.0;
+  const double moved = distanceBetween(goal, searched_goal_);
   const double reach = KeptRoute::reachOfChanges(parameters_) + (at_goal ? 0.0 : tolerance() + memory_.cellSize());
   const bool changed = moved > 0.0 || std::any_of(memory_.changes().begin(), memory_.changes().end(),
                                                   [&](const ObstacleMemory::Change& change) {
-                                                    const double x = change.place.x - goal_.x;
-                                                    const double y = change.place.y - goal_.y;
+                                                    const double x = change.place.x - goal.x;
+                                                    const double y = change.place.y - goal.y;
                                                     return x * x + y * y < reach * reach;
                                                   });
   if (!changed) {
     return true;
   }
-  if (!at_goal || (memory_.cellAt(goal_) < 0) != (memory_.cellAt(searched_goal_) < 0)) {
+  if (!at_goal || (memory_.cellAt(goal) < 0) != (memory_.cellAt(searched_goal_) < 0)) {
     return false;
   }
-  return memory_.cellAt(goal_) < 0 || memory_.isFree(searched_goal_, goal_, ObstacleMemory::Passage::kTight);
+  return memory_.cellAt(goal) < 0 || memory_.isFree(searched_goal_, goal, ObstacleMemory::Passage::kTight);
 }
 
-void RouteGuide::takeInChanges(const Point2& here, double cost) {
+void RouteGuide::takeInChanges(const Point2& here, const Point2& goal, double cost) {
   const CostToGo& costs = finder_.costToGo();
   const int cell = memory_.cellAt(here);
   if (through_freed_ != CostToGo::kNone) {
@@ -213,7 +210,7 @@ void RouteGuide::takeInChanges(const Point2& here, double cost) {
   }
   freed_from_ = cell;
   const double enough = std::isfinite(cost) ? (cost - kWorthTurningMetres) / (1.0 + kWorthTurning) / cost_scale_
-                                            : static_cast<double>(leastCost(here));
+                                            : static_cast<double>(leastCost(here, goal));
   const int reach = static_cast<int>(std::ceil(KeptRoute::reachOfChanges(parameters_) / memory_.cellSize())) + 1;
   int last = -1;
   for (const ObstacleMemory::Change& change : memory_.changes()) {
@@ -228,37 +225,37 @@ void RouteGuide::takeInChanges(const Point2& here, double cost) {
 }
 
 /// What any way from here to the goal costs at least.
-std::uint32_t RouteGuide::leastCost(const Point2& here) const {
+std::uint32_t RouteGuide::leastCost(const Point2& here, const Point2& goal) const {
   const std::uint32_t least = std::min(through_freed_, finder_.costToGo().cost(memory_.cellAt(here)));
-  const double moved = distanceBetween(goal_, searched_goal_);
-  if (least == CostToGo::kNone || moved == 0.0 || memory_.cellAt(goal_) == memory_.cellAt(searched_goal_)) {
+  const double moved = distanceBetween(goal, searched_goal_);
+  if (least == CostToGo::kNone || moved == 0.0 || memory_.cellAt(goal) == memory_.cellAt(searched_goal_)) {
     return least;
   }
   const double dearer = parameters_.memory.tightness * (moved + 2.0 * memory_.cellSize()) / memory_.cellSize();
   return least - std::min(least, static_cast<std::uint32_t>(CostToGo::kDiagonal * dearer));
 }
 
-RouteGuide::Status RouteGuide::lookAround(const Situation& situation) {
+Decision::Source RouteGuide::lookAround(const Situation& situation) {
   route_.clear();
   if (looking_ && turned_ < kFullTurn) {
-    return Status::kLookAround;
+    return Source::kLookAround;
   }
   if (looking_ && !squeezing_) {
     squeezing_ = true;
     memory_.squeeze(true);
-    return Status::kLookAround;
+    return Source::kLookAround;
   }
   if (looking_ && ++closed_in_a_row_ >= kClosedLooks) {
-    return Status::kClosed;
+    return Source::kNoWay;
   }
   if (!looking_ && ++forgotten_ > kMostForgotten) {
-    return Status::kLost;
+    return Source::kEscape;
   }
   looking_ = true;
   turned_ = 0.0;
   memory_.forget();
   memory_.look(situation);
-  return Status::kLookAround;
+  return Source::kLookAround;
 }
 
 void RouteGuide::blockAhead() {

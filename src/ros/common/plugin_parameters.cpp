@@ -19,7 +19,7 @@ GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_
   visitGlobalPlannerParameters(std::as_const(parameters), RangeCheck());
   validate(parameters.sensors.scan_rules);
   validate(parameters.agent);
-  if (parameters.agent.leader == Leader::kNone) {
+  if (parameters.agent.leader == Decision::Source::kGreedy) {
     throw std::invalid_argument("leader is 'none', expected network or route: none is for comparisons in simulation");
   }
   return parameters;

@@ -63,6 +63,8 @@ void DecisionPublisher::publish(const std_msgs::Header& header, const Situation&
   status.level = levelOf(decision);
   status.name = "lstm_planner: decision";
   status.message = toString(decision.source);
+  add("leader", toString(decision.leader), &status);
+  add("why", decision.why, &status);
   add("step", text(decision.step), &status);
   add("goal_distance", text(distanceBetween(situation.pose, goal)), &status);
   add("goal_bearing", text(normalizeAngle(directionTo(situation.pose, goal) - situation.pose.yaw)), &status);
@@ -70,6 +72,8 @@ void DecisionPublisher::publish(const std_msgs::Header& header, const Situation&
   add("preferred", text(decision.preferred), &status);
   add("overruled", decision.isOverruled() ? "true" : "false", &status);
   add("steering_angle", text(normalizeAngle(decision.direction - situation.pose.yaw)), &status);
+  add("route_points", text(decision.path_on.size()), &status);
+  add("destination", text(decision.destination.x) + ", " + text(decision.destination.y), &status);
   add("preferences", listText(decision.preferences), &status);
   add("allowed", listText(decision.allowed), &status);
   diagnostic_msgs::DiagnosticArray message;

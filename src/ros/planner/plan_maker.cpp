@@ -32,7 +32,7 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf_),
       goals_(messages_.nodeHandle("~")),
       tracker_(goalPatience()),
-      markers_(ros::NodeHandle("~/" + name), agent_.description(), parameters.trace_length),
+      markers_(ros::NodeHandle("~/" + name), agent_.policy().description(), parameters.trace_length),
       decisions_(ros::NodeHandle("~/" + name)),
       plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)),
       preview_shield_(agent_.shield()) {}
@@ -92,7 +92,7 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
 
 void PlanMaker::look(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
-  agent_.look(scan_, reading.mount, reading.scan_pose, reading.scan_stamp);
+  agent_.perceive(scan_, reading.mount, reading.scan_pose, reading.scan_stamp);
 }
 
 GoalTracker::Verdict PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
@@ -112,30 +112,28 @@ GoalTracker::Verdict PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_glob
 const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading, bool is_new) {
   const Point2 last_goal = agent_.goal();
   switch (agent_.drive({goal.x, goal.y}, is_new, reading.jumps)) {
-    case OnlineAgent::Fresh::kNewGoal:
+    case NavigationAgent::Fresh::kNewGoal:
       ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
       markers_.clearTrace();
       break;
-    case OnlineAgent::Fresh::kJump:
+    case NavigationAgent::Fresh::kJump:
       ROS_WARN("the odometry jumped, the way so far and what was seen are forgotten; the goal stays");
       markers_.clearTrace();
       break;
-    case OnlineAgent::Fresh::kGoalMoved:
+    case NavigationAgent::Fresh::kGoalMoved:
       ROS_WARN("the goal moved by %.2f m in the odometry frame, the way so far is forgotten",
                distanceBetween(last_goal, goal));
       break;
-    case OnlineAgent::Fresh::kNo:
+    case NavigationAgent::Fresh::kNo:
       break;
   }
   return agent_.decision();
 }
 
 void PlanMaker::sayWhoLeads(const Decision& decision) {
-  const bool leads = decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kRoute ||
-                     decision.source == Decision::Source::kEscape;
-  if (!leads || decision.source == leader_) return;
-  leader_ = decision.source;
-  ROS_INFO("from step %ld on the %s leads", decision.step, toString(leader_));
+  if (decision.leader == leader_) return;
+  leader_ = decision.leader;
+  ROS_INFO("from step %ld on the %s leads: %s", decision.step, toString(leader_), decision.why);
 }
 
 const Decision& PlanMaker::preview(const Pose2& goal) {

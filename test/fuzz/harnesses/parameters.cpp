@@ -1,3 +1,4 @@
+#include <array>
 #include <stdexcept>
 #include <vector>
 
@@ -7,11 +8,13 @@
 #include "lstm_planner/robot/dataset/drive_recorder.hpp"
 #include "lstm_planner/robot/dataset/recording_sink.hpp"
 #include "lstm_planner/robot/driving/motion_controller.hpp"
-#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/driving/rollout.hpp"
 
 namespace lstm_planner::fuzz {
 namespace {
+
+constexpr std::array kLeaders{Decision::Source::kNetwork, Decision::Source::kRoute, Decision::Source::kGreedy};
 
 /// Any value for some of the parameters, the default for the others.
 class ParameterChanger {
@@ -39,7 +42,7 @@ class ParameterChanger {
                 &escape.loop_length,   &agent->goal_tolerance,
                 &agent->goal_in_sight, &agent->goal_drift});
     const std::uint8_t flags = input_.byte();
-    agent->leader = static_cast<Leader>(flags % 3);
+    agent->leader = kLeaders.at(flags % 3);
     memory.enabled = flags < 224;
     escape.enabled = flags % 16 != 15;
     if (flags % 8 == 7) escape.patience_steps = static_cast<int>(input_.raw<std::int32_t>());
@@ -102,11 +105,11 @@ LaserScan roomScan(int blocked) {
 constexpr int kSteps = 4;
 
 void drive(const AgentParameters& parameters) {
-  OnlineAgent agent(noPolicy(), parameters, {});
+  NavigationAgent agent(noPolicy(), parameters, {});
   std::vector<Pose2> plan;
   for (int step = 0; step < kSteps; ++step) {
     const Pose2 pose{0.3 * step, 0.0, 0.5 * step};
-    agent.look(roomScan(16 * step), {}, pose, 1000.0 + step);
+    agent.perceive(roomScan(16 * step), {}, pose, 1000.0 + step);
     agent.drive({5.0, 2.0}, step == 0, 0);
     rollOut(agent.situation(), agent.decision(), agent.shield(), {5.0, 2.0, 0.0}, parameters, {}, &plan);
   }

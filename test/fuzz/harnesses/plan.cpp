@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -6,15 +7,16 @@
 #include "fuzz/harness.hpp"
 #include "fuzz/small_memory.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
-#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/driving/rollout.hpp"
 
 namespace lstm_planner::fuzz {
 namespace {
 
 constexpr int kMostCalls = 8;
+constexpr std::array kLeaders{Decision::Source::kNetwork, Decision::Source::kRoute, Decision::Source::kGreedy};
 
-AgentParameters smallWorld(Leader leader) {
+AgentParameters smallWorld(Decision::Source leader) {
   AgentParameters parameters;
   parameters.leader = leader;
   parameters.memory = smallMemory();
@@ -31,8 +33,8 @@ void checkPlan(const std::vector<Pose2>& plan) {
 /// finite, as the plugin lets through.
 void plan(const std::uint8_t* data, std::size_t size) {
   FuzzInput input(data, size);
-  const auto leader = static_cast<Leader>(input.integer(0, 2));
-  OnlineAgent agent(noPolicy(), smallWorld(leader), {});
+  const auto leader = kLeaders.at(static_cast<std::size_t>(input.integer(0, 2)));
+  NavigationAgent agent(noPolicy(), smallWorld(leader), {});
   Pose2 pose;
   Pose2 goal{3.0, 0.0, 0.0};
   double time = 1000.0;
@@ -48,7 +50,7 @@ void plan(const std::uint8_t* data, std::size_t size) {
     if (!isFinite(pose) || !isFinite(goal)) return;
     const LaserScan scan = anyScan(&input);
     expectRefusal<std::invalid_argument>([&] {
-      agent.look(scan, anyMount(&input), pose, time);
+      agent.perceive(scan, anyMount(&input), pose, time);
       const bool asks = (kind & 64) != 0;
       if (!asks) agent.drive({goal.x, goal.y}, (kind & 128) != 0, jumps);
       const Decision decision = asks ? agent.preview({goal.x, goal.y}) : agent.decision();

@@ -4,6 +4,8 @@
 #include <string>
 #include <type_traits>
 
+#include "lstm_planner/robot/driving/decision.hpp"
+
 namespace lstm_planner {
 
 // What each parameter means, its unit and its range: visitAgentParameters().
@@ -54,23 +56,20 @@ struct EscapeParameters {
   double loop_length = 3.0;
 };
 
-/// Who chooses the steps as long as there is progress.
-enum class Leader {
-  kNetwork,  ///< the network; without progress the way through what is remembered
-  kRoute,    ///< always the way through what is remembered; no network is asked
-  kNone      ///< the allowed steering angle nearest to the goal's bearing: what a network has to be better than
-};
+/// Who may lead as long as there is progress: kNetwork, without progress the path through what is remembered; kRoute,
+/// always that path, and no network is asked; kGreedy, what a network has to be better than.
+///
 /// The planner's, where nobody says otherwise: as measured, paths are shorter behind the remembered path than behind
 /// the network (models/README.md).
-constexpr Leader kDefaultLeader = Leader::kRoute;
-/// "network", "route", "none".
-const char* toString(Leader leader);
+constexpr Decision::Source kDefaultLeader = Decision::Source::kRoute;
+/// Their names among the parameters: "network", "route", and "none" for kGreedy.
+std::string nameOfLeader(Decision::Source leader);
 /// Throws std::invalid_argument with the names there are.
-Leader leaderNamed(const std::string& name);
+Decision::Source leaderNamed(const std::string& name);
 
 /// All parameters of NavigationAgent.
 struct AgentParameters {
-  Leader leader = Leader::kNetwork;
+  Decision::Source leader = Decision::Source::kNetwork;  ///< see kDefaultLeader
   StepParameters step;
   ShieldParameters shield;
   MemoryParameters memory;
@@ -90,7 +89,7 @@ constexpr double kMostSquaresASide = 2000.0;  ///< of the memory
 /// floors and yards; what drives the cost of an update is bounded such that it stays in milliseconds.
 template <typename Parameters, typename Visitor>
 void visitAgentParameters(Parameters& agent, const Visitor& visit) {
-  std::string leader = toString(agent.leader);
+  std::string leader = nameOfLeader(agent.leader);
   visit(
       "leader", leader, {}, "",
       "who chooses the steps: network, as long as there is progress; route, the path through what is remembered; none, "

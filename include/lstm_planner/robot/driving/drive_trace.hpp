@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/base/common/progress_watch.hpp"
 #include "lstm_planner/robot/driving/place_trace.hpp"
 #include "lstm_planner/robot/perception/observation.hpp"
 
@@ -28,8 +29,7 @@ class DriveTrace {
   PlaceTrace places_;
   bool has_pose_ = false;
   Pose2 last_pose_;
-  double best_distance_ = 0.0;  ///< m
-  int steps_since_best_ = 0;
+  ProgressWatch progress_{kProgress};
 };
 
 }  // namespace lstm_planner

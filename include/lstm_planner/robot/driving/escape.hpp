@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
+#include "lstm_planner/robot/driving/decision.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 
@@ -22,23 +25,20 @@ struct Heading {
 /// "Sensory-based motion planning with global proofs", 1997; Baeza-Yates et al., "Searching in the plane", 1993).
 class Escape {
  public:
-  enum class Outcome {
-    kMove,  ///< go as `move` says
-    kDone,  ///< nearer to the goal than the best distance given to begin(): the network may go on
-    kNoWay  ///< went all around: the goal cannot be reached from here
-  };
+  Escape(const EscapeParameters& parameters, const ShieldParameters& shield);
 
-  explicit Escape(const EscapeParameters& parameters, const ShieldParameters& shield);
+  /// Starts from here.
+  void begin();
 
-  /// Starts from here; done when the distance to the goal is below `target_distance` (m).
-  void begin(double target_distance);
+  /// The same goal lies a little elsewhere: the distances to it that are remembered change as the one from where the
+  /// boundary was met.
+  void moveGoal(const Point2& from, const Point2& to);
 
-  /// The same goal lies a little elsewhere. `target_distance` as in begin(); the other distances that are remembered
-  /// change as the one from where the boundary was met.
-  void moveGoal(const Point2& from, const Point2& to, double target_distance);
-
-  /// The next step from the current situation. `shield` has been shown the situation's obstacles.
-  Outcome decide(const Situation& situation, const Shield& shield, const Point2& goal, Heading* move);
+  /// The next step from the current situation, whose obstacles `shield` shows: kEscape or kLookAround, and `move` says
+  /// where to; kNoWay: went all around, the goal cannot be reached from here. Nothing: no boundary is followed and the
+  /// goal is nearer than `target_distance` (m), the escape is over.
+  std::optional<Decision::Source> decide(const Situation& situation, const Shield& shield, const Point2& goal,
+                                         double target_distance, Heading* move);
 
  private:
   double openTowardsGoal(const Situation& situation, const Shield& shield, const Point2& goal, double distance) const;
@@ -53,7 +53,6 @@ class Escape {
 
   EscapeParameters parameters_;
   ShieldParameters shield_parameters_;
-  double target_distance_ = 0.0;
   bool following_ = false;
   int side_ = -1;                  ///< side of the wall: -1 right, +1 left
   double travel_direction_ = 0.0;  ///< rad, odometry frame: how the boundary was followed last

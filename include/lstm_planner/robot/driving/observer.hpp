@@ -7,8 +7,8 @@
 
 namespace lstm_planner {
 
-/// Composes what the network is told from what is seen and what is remembered: the one place where this is done, for the
-/// agent that drives and for the recorder that watches somebody drive.
+/// Composes what the network is told from what is seen and what is remembered: the one place where this is done, for
+/// the agent that drives and for the recorder that watches somebody drive.
 ///
 /// `trace`: of the drive so far; the robot is noted to be at the situation's pose. `position_cell`: m, see observe().
 Observation observe(const Situation& situation, const Point2& goal, double previous_action, double position_cell,
@@ -30,6 +30,7 @@ class Observer {
  private:
   AgentParameters parameters_;
   RouteGuide guide_;
+  Point2 goal_;  ///< where it lay at the last look
   DriveTrace trace_;
 };
 

@@ -3,7 +3,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "lstm_planner/robot/driving/navigation_agent.hpp"
+#include "lstm_planner/robot/driving/agent_parameters.hpp"
+#include "lstm_planner/robot/driving/decision.hpp"
+#include "lstm_planner/robot/driving/shield.hpp"
+#include "lstm_planner/robot/perception/situation.hpp"
 
 namespace lstm_planner {
 

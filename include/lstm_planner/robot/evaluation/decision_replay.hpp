@@ -6,7 +6,7 @@
 
 #include "lstm_planner/robot/dataset/drive_step.hpp"
 #include "lstm_planner/robot/dataset/recorder_parameters.hpp"
-#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
 
 namespace lstm_planner {
 
@@ -45,10 +45,10 @@ class DecisionReplay : public StepSink {
 
   const std::vector<ReplayedDecision>& decisions() const { return decisions_; }
   const RejectionCounts& rejections() const { return rejections_; }
-  const PolicyDescription& description() const { return agent_.description(); }
+  const PolicyDescription& description() const { return agent_.policy().description(); }
 
  private:
-  OnlineAgent agent_;
+  NavigationAgent agent_;
   std::vector<ReplayedDecision> decisions_;
   RejectionCounts rejections_{};
   long episodes_ = 0;

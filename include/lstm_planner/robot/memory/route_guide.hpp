@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
+#include "lstm_planner/robot/driving/decision.hpp"
 #include "lstm_planner/robot/memory/kept_route.hpp"
 #include "lstm_planner/robot/memory/obstacle_memory.hpp"
 #include "lstm_planner/robot/memory/route_finder.hpp"
@@ -20,20 +21,13 @@ namespace lstm_planner {
 /// gone, a way that gained by it leads through there. The way itself is priced anew where something changed beside it.
 class RouteGuide {
  public:
-  enum class Status {
-    kRoute,       ///< follow route()
-    kLookAround,  ///< turn on the spot, so that everything around is seen
-    kClosed,      ///< no way to the goal from here
-    kLost         ///< the memory was wrong too often: find the goal by other means
-  };
-
   explicit RouteGuide(const AgentParameters& parameters);
 
   /// A new goal; what is remembered of the obstacles stays.
-  void begin(const Point2& goal);
+  void begin();
 
   /// The same goal lies a little elsewhere: a route that ended at it ends at it still.
-  void moveGoal(const Point2& goal);
+  void moveGoal(const Point2& from, const Point2& to);
 
   /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
   void noteProgress();
@@ -41,17 +35,20 @@ class RouteGuide {
   /// Only remembers: what is seen from a new place, and how far the robot has driven. Searches nothing.
   void watch(const Situation& situation);
 
-  /// Takes in the situation and finds the way anew where that may change it; one that is hardly better than the last one
-  /// is not taken.
-  Status update(const Situation& situation);
+  /// Takes in the situation and searches a new path where that may change it; one that is hardly better than the last
+  /// one is not taken. kRoute: follow route(); kLookAround: turn on the spot, so that everything around is seen;
+  /// kNoWay: no path leads to the goal from here; kEscape: the memory was wrong too often, the goal must be found by
+  /// other means.
+  Decision::Source update(const Situation& situation, const Point2& goal);
 
   /// The start of the route turned out to be blocked although the memory does not know why.
   void blockAhead();
 
-  /// From the robot to the goal, or to where the footprint still fits when the goal lies in something.
+  /// As update() found it, until it finds none: from the robot to the goal, or to where the footprint still fits when
+  /// the goal lies in something.
   const Route& route() const { return route_.route(); }
 
-  /// The point that lies that far (m) along the route.
+  /// The point that lies that far (m) along the route, of which there must be one.
   Point2 pointAhead(double distance) const;
 
   /// Where it lies as seen from `pose`, rad, counter-clockwise from straight ahead.
@@ -60,8 +57,8 @@ class RouteGuide {
   /// The corners of the route farther along than `distance` (m).
   void pointsAhead(double distance, std::vector<Point2>* points) const;
 
-  /// Where the route ends.
-  Point2 end() const { return route().points.empty() ? goal_ : route().points.back(); }
+  /// Where the route ends, of which there must be one.
+  const Point2& end() const { return route().points.back(); }
 
   /// Whether the footprint fits through on the straight way from one place to the other, as far as is remembered.
   bool isPassable(const Point2& from, const Point2& to) {
@@ -77,21 +74,20 @@ class RouteGuide {
  private:
   double tolerance() const;
   void noteMotion(const Situation& situation);
-  bool find(const Point2& start, Route* route);
-  bool costsHold(const Point2& here);
-  bool goalIsAsBefore();
-  bool isWorthKeeping(const Point2& here, double cost) const;
-  bool findAgain(const Point2& here);
-  void takeInChanges(const Point2& here, double cost);
-  std::uint32_t leastCost(const Point2& here) const;
+  bool find(const Point2& start, const Point2& goal, Route* route);
+  bool costsHold(const Point2& here, const Point2& goal);
+  bool goalIsAsBefore(const Point2& goal);
+  bool isWorthKeeping(const Point2& here, const Point2& goal, double cost) const;
+  bool findAgain(const Point2& here, const Point2& goal);
+  void takeInChanges(const Point2& here, const Point2& goal, double cost);
+  std::uint32_t leastCost(const Point2& here, const Point2& goal) const;
   double metresOf(std::uint32_t cost) const { return cost * cost_scale_; }
   bool takeBetter(const Point2& here);
-  Status lookAround(const Situation& situation);
+  Decision::Source lookAround(const Situation& situation);
 
   AgentParameters parameters_;
   ObstacleMemory memory_;
   RouteFinder finder_;
-  Point2 goal_;
   KeptRoute route_;
   KeptRoute candidate_;
   Route found_;
@@ -100,17 +96,17 @@ class RouteGuide {
   double cost_scale_ = 0.0;          ///< m of a route's cost in one of costToGo()
   std::uint32_t through_freed_ = 0;  ///< least cost from freed_from_ through a place where an obstacle has gone since
   int freed_from_ = -1;              ///< cell
-  Point2 searched_goal_;             ///< where the goal was then
-  Pose2 watched_pose_;  ///< where the last scan was taken in
+  Point2 searched_goal_;             ///< of that search
+  Pose2 watched_pose_;               ///< where the last scan was taken in
   bool has_watched_ = false;
   Pose2 last_pose_;
   bool has_pose_ = false;
-  double driven_ = 0.0;        ///< m since the goal was set
-  bool looking_ = false;       ///< turning, after everything was forgotten
-  double turned_ = 0.0;        ///< rad, while looking
-  bool squeezing_ = false;     ///< no way was found otherwise
+  double driven_ = 0.0;     ///< m since the goal was set
+  bool looking_ = false;    ///< turning, after everything was forgotten
+  double turned_ = 0.0;     ///< rad, while looking
+  bool squeezing_ = false;  ///< no way was found otherwise
   int closed_in_a_row_ = 0;
-  int forgotten_ = 0;          ///< times since the last progress
+  int forgotten_ = 0;  ///< times since the last progress
 };
 
 }  // namespace lstm_planner

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lstm_planner/robot/driving/goal_tracker.hpp"
-#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/ros/common/frame_transformer.hpp"
 #include "lstm_planner/ros/common/goal_listener.hpp"
 #include "lstm_planner/ros/common/message_queue.hpp"
@@ -55,7 +55,7 @@ class PlanMaker {
 
   GlobalPlannerParameters parameters_;
   std::string global_frame_;
-  OnlineAgent agent_;
+  NavigationAgent agent_;
 
   MessageQueue messages_;
   tf2_ros::Buffer tf_;
@@ -68,14 +68,14 @@ class PlanMaker {
   DecisionPublisher decisions_;
   ros::Publisher plan_publisher_;
 
-  ros::Time now_;                ///< of the current call
-  Pose2 global_from_odometry_;   ///< of the current call
-  LaserScan scan_;               ///< of the current call
-  Decision preview_;             ///< of the last question
-  Shield preview_shield_;        ///< shows the last question's scan
-  std::vector<Pose2> plan_;      ///< of the current call, odometry frame
-  Pose2 driven_goal_;            ///< global frame
-  Decision::Source leader_ = Decision::Source::kArrived;  ///< that was said last
+  ros::Time now_;                                         ///< of the current call
+  Pose2 global_from_odometry_;                            ///< of the current call
+  LaserScan scan_;                                        ///< of the current call
+  Decision preview_;                                      ///< of the last question
+  Shield preview_shield_;                                 ///< shows the last question's scan
+  std::vector<Pose2> plan_;                               ///< of the current call, odometry frame
+  Pose2 driven_goal_;                                     ///< global frame
+  Decision::Source leader_ = Decision::Source::kArrived;  ///< that was said last; none of the leaders at first
 };
 
 }  // namespace lstm_planner

@@ -25,7 +25,7 @@ DrivePolicy policyPreferring(const std::vector<float>& preferences) {
 
 AgentParameters routeLed() {
   AgentParameters parameters;
-  parameters.leader = Leader::kRoute;
+  parameters.leader = Decision::Source::kRoute;
   return parameters;
 }
 

@@ -57,8 +57,9 @@ TEST(AgentParameters, NamesTheParameterThatIsWrong) {
 }
 
 TEST(AgentParameters, NameTheirLeaders) {
-  for (const Leader leader : {Leader::kNetwork, Leader::kRoute, Leader::kNone}) {
-    EXPECT_EQ(leaderNamed(toString(leader)), leader);
+  for (const Decision::Source leader :
+       {Decision::Source::kNetwork, Decision::Source::kRoute, Decision::Source::kGreedy}) {
+    EXPECT_EQ(leaderNamed(nameOfLeader(leader)), leader);
   }
   try {
     leaderNamed("lstm");
@@ -70,7 +71,7 @@ TEST(AgentParameters, NameTheirLeaders) {
 
 TEST(AgentParameters, ARouteCannotLeadWhereNothingIsRemembered) {
   EXPECT_NE(complaintAbout([](AgentParameters* p) {
-              p->leader = Leader::kRoute;
+              p->leader = Decision::Source::kRoute;
               p->memory.enabled = false;
             }).find("leader is route"),
             std::string::npos);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/recorded_steps.hpp"
-#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/driving/rollout.hpp"
 #include "support/heap_count.hpp"
 
@@ -24,7 +24,7 @@ class Driver {
     ++jumps_;
     bool is_new = true;
     for (const RecordedStep& step : drive.steps) {
-      agent_.look(step.scan, drive.mount, step.pose, step.time);
+      agent_.perceive(step.scan, drive.mount, step.pose, step.time);
       agent_.drive({drive.goal.x, drive.goal.y}, is_new, jumps_);
       rollOut(agent_.situation(), agent_.decision(), agent_.shield(), drive.goal, parameters_, {}, &plan_);
       is_new = false;
@@ -35,7 +35,7 @@ class Driver {
 
  private:
   AgentParameters parameters_;
-  OnlineAgent agent_;
+  NavigationAgent agent_;
   std::vector<Pose2> plan_;
   long jumps_ = 0;
 };

@@ -127,9 +127,9 @@ TEST_F(NavigationAgentTest, ARouteEndsAtAGoalThatMovesALittle) {
   const Point2 goal{10.1, 0.2};
   agent.moveGoal(goal);
   const Decision& decision = agent.update(situationAt({}, 0.1));
-  ASSERT_FALSE(decision.way_on.empty());
-  EXPECT_EQ(decision.way_on.back().x, goal.x);
-  EXPECT_EQ(decision.way_on.back().y, goal.y);
+  ASSERT_FALSE(decision.path_on.empty());
+  EXPECT_EQ(decision.path_on.back().x, goal.x);
+  EXPECT_EQ(decision.path_on.back().y, goal.y);
 }
 
 TEST_F(NavigationAgentTest, AGoalThatMovesTowardsTheRobotIsNoProgress) {

@@ -29,7 +29,7 @@ class NavigationRoutes : public ::testing::Test {
   static double lengthOn(const Decision& decision) {
     double length = 0.0;
     Point2 last = decision.waypoint;
-    for (const Point2& point : decision.way_on) {
+    for (const Point2& point : decision.path_on) {
       length += distanceBetween(last, point);
       last = point;
     }
@@ -72,7 +72,7 @@ TEST_F(NavigationRoutes, NothingIsSearchedWhileTheNetworkMakesProgress) {
   for (int step = 0; step < 60; ++step) {
     const Decision& decision = agent.update(returnsAt(kWall, {0.6 * step, -3.0, 0.0}));
     EXPECT_EQ(decision.source, Source::kNetwork) << step;
-    EXPECT_TRUE(decision.way_on.empty());
+    EXPECT_TRUE(decision.path_on.empty());
   }
   EXPECT_EQ(agent.searches(), 0);
 }
@@ -97,7 +97,7 @@ TEST_F(NavigationRoutes, WhatTheNetworkPassedIsRememberedForTheRescue) {
 
 TEST_F(NavigationRoutes, WithoutALeaderTheAllowedAngleNearestToTheGoalIsTaken) {
   AgentParameters parameters;
-  parameters.leader = Leader::kNone;
+  parameters.leader = Decision::Source::kGreedy;
   NavigationAgent agent(stubbornPolicy(), parameters);
   const double bearings[] = {-1.4, -0.7, 0.1, 0.9, 2.9};
   for (int action = 0; action < 5; ++action) {
@@ -128,9 +128,9 @@ TEST_F(NavigationRoutes, TheWayOnGoesFromTheWaypointToTheDestination) {
   for (const double yaw : {0.0, -0.4, 1.0, 2.5}) {
     agent_.setGoal({4.0, 0.0});
     const Decision& decision = agent_.update(returnsAt(kWall, {0.0, 0.0, yaw}));
-    ASSERT_FALSE(decision.way_on.empty()) << yaw;
-    EXPECT_EQ(decision.way_on.back().x, 4.0);
-    EXPECT_EQ(decision.way_on.back().y, 0.0);
+    ASSERT_FALSE(decision.path_on.empty()) << yaw;
+    EXPECT_EQ(decision.path_on.back().x, 4.0);
+    EXPECT_EQ(decision.path_on.back().y, 0.0);
     const double whole = distanceBetween(Point2{}, decision.waypoint) + lengthOn(decision);
     EXPECT_GT(whole, kRoundTheWall) << yaw;
     // Round the end at the footprint's radius and the comfortable clearance, and a cell more.
@@ -152,13 +152,13 @@ TEST_F(NavigationRoutes, TheDestinationIsBesideAGoalThatLiesInSomething) {
   const double beside = distanceBetween(decision.destination, goal);
   EXPECT_GT(beside, 0.2 + 0.75 * tolerant.shield.footprint_radius);  // less what a square's rounding hides
   EXPECT_LE(beside, 0.6);
-  ASSERT_FALSE(decision.way_on.empty());
-  EXPECT_EQ(decision.way_on.back().x, decision.destination.x);
+  ASSERT_FALSE(decision.path_on.empty());
+  EXPECT_EQ(decision.path_on.back().x, decision.destination.x);
   // It stays there when the goal moves, until the way is found anew.
   const Point2 destination = decision.destination;
   agent.moveGoal({goal.x + 0.1, goal.y});
   EXPECT_EQ(agent.decision().destination.x, destination.x);
-  EXPECT_EQ(agent.decision().way_on.back().x, destination.x);
+  EXPECT_EQ(agent.decision().path_on.back().x, destination.x);
   EXPECT_LE(distanceBetween(agent.update(returnsAt(pillar, {0.4, 0.0, 0.0})).destination, agent.goal()), 0.6);
 }
 
@@ -202,7 +202,7 @@ TEST_F(NavigationRoutes, WithoutMemoryThereIsNoWayOn) {
   NavigationAgent agent(stubbornPolicy(), forgetful);
   agent.setGoal({4.0, 0.0});
   const Decision& decision = agent.update(returnsAt(kWall, {0.0, 0.0, 0.3}));
-  EXPECT_TRUE(decision.way_on.empty());
+  EXPECT_TRUE(decision.path_on.empty());
   EXPECT_FALSE(decision.on_route);
   EXPECT_NEAR(decision.direction, 0.3, 1e-12);
 }

@@ -132,10 +132,10 @@ TEST_F(Rollout, FollowsALongRouteMoreCoarselyFarFromTheRobot) {
   decision.source = Decision::Source::kRoute;
   decision.waypoint = {0.4, 0.0};
   for (int lane = 0; lane < 50; ++lane) {
-    decision.way_on.push_back({lane % 2 == 0 ? 50.0 : 0.0, static_cast<double>(lane)});
-    decision.way_on.push_back({lane % 2 == 0 ? 50.0 : 0.0, lane + 1.0});
+    decision.path_on.push_back({lane % 2 == 0 ? 50.0 : 0.0, static_cast<double>(lane)});
+    decision.path_on.push_back({lane % 2 == 0 ? 50.0 : 0.0, lane + 1.0});
   }
-  decision.destination = decision.way_on.back();
+  decision.destination = decision.path_on.back();
   rollOut(situationAt({}), decision, agent_.shield(), {0.0, 50.0, 1.0}, agent_.parameters(), parameters_, &plan_);
   EXPECT_LE(plan_.size(), kMostPlanPoses);
   EXPECT_EQ(plan_.back().y, 50.0);

@@ -49,7 +49,7 @@ TEST(RealMapDrive, ShippedPlannerArrivesInWillowWithoutContact) {
 TEST(RealMapDrive, ShippedNetworkArrivesInWillowAloneAndAUselessOneNotEvenWithTheEscape) {
   SKIP_WITHOUT_REAL_DATA(willowMap());
   AgentParameters parameters;
-  parameters.leader = Leader::kNetwork;
+  parameters.leader = Decision::Source::kNetwork;
   const std::vector<DriveResult> useless = driveInWillow(test::straightAheadPolicy(), parameters);
   EXPECT_EQ(countGood(useless), 0) << "the bound on the path tells the network from the escape";
   EXPECT_EQ(countContacts(useless), 0);

@@ -18,7 +18,7 @@ struct Score {
 };
 
 /// Alone: no rescue, no memory of obstacles. 40 drives in worlds of a kind that no training saw.
-Score scoreOf(const DrivePolicy& policy, WorldKind kind, Leader leader = Leader::kNetwork) {
+Score scoreOf(const DrivePolicy& policy, WorldKind kind, Decision::Source leader = Decision::Source::kNetwork) {
   constexpr int kWorlds = 10;
   constexpr int kMostSteps = 600;
   constexpr std::uint64_t kSeed = 4;
@@ -60,7 +60,7 @@ TEST_P(ShippedRobotModel, LeadsAloneWhereUselessPoliciesDoNot) {
   EXPECT_GE(shipped.arrival, bound.arrival);
   EXPECT_GE(shipped.efficiency, bound.efficiency);
   if (bound.greedy_fails) {
-    EXPECT_LT(scoreOf(noPolicy(), bound.kind, Leader::kNone).arrival, bound.arrival) << "greedy";
+    EXPECT_LT(scoreOf(noPolicy(), bound.kind, Decision::Source::kGreedy).arrival, bound.arrival) << "greedy";
   }
   EXPECT_LT(scoreOf(test::straightAheadPolicy(), bound.kind).arrival, bound.arrival) << "straight on";
   EXPECT_LT(scoreOf(randomPolicy(), bound.kind).arrival, bound.arrival) << "random weights";

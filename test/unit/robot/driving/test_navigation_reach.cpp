@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/robot/driving/online_agent.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "robot/perception/reach.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/perception/scan_builder.hpp"
@@ -22,17 +22,17 @@ std::string complaintOf(const std::function<void()>& action) {
   return {};
 }
 
-class OnlineAgentReach : public ::testing::Test {
+class NavigationReach : public ::testing::Test {
  protected:
-  OnlineAgentReach() : agent_(test::straightAheadPolicy(), test::routeLed(), ScanRules()) {}
+  NavigationReach() : agent_(test::straightAheadPolicy(), test::routeLed(), ScanRules()) {}
 
-  void standAt(const Pose2& pose) { agent_.look(makeHokuyoScan(5.0f), {}, pose, time_ += 1.0); }
+  void standAt(const Pose2& pose) { agent_.perceive(makeHokuyoScan(5.0f), {}, pose, time_ += 1.0); }
 
-  OnlineAgent agent_;
+  NavigationAgent agent_;
   double time_ = 0.0;
 };
 
-TEST_F(OnlineAgentReach, RefusesAGoalThatIsTooFarAway) {
+TEST_F(NavigationReach, RefusesAGoalThatIsTooFarAway) {
   standAt({});
   const Point2 goal{4.5e6, 0.0};
   const std::string sentence =
@@ -42,15 +42,15 @@ TEST_F(OnlineAgentReach, RefusesAGoalThatIsTooFarAway) {
   EXPECT_NE(complaintOf([&] { agent_.drive({std::numeric_limits<double>::quiet_NaN(), 0.0}, true, 0); }), "");
 }
 
-TEST_F(OnlineAgentReach, TakesAGoalThatWasTooFarAwayForNewWhenItCanBeDrivenTo) {
+TEST_F(NavigationReach, TakesAGoalThatWasTooFarAwayForNewWhenItCanBeDrivenTo) {
   standAt({});
   EXPECT_NE(complaintOf([&] { agent_.drive({kFarthestGoal + 1.0, 0.0}, true, 0); }), "");
   standAt({2.0, 0.0, 0.0});
-  EXPECT_EQ(agent_.drive({kFarthestGoal + 1.0, 0.0}, false, 0), OnlineAgent::Fresh::kNewGoal);
-  EXPECT_EQ(agent_.drive({kFarthestGoal + 1.0, 0.0}, false, 0), OnlineAgent::Fresh::kNo);
+  EXPECT_EQ(agent_.drive({kFarthestGoal + 1.0, 0.0}, false, 0), NavigationAgent::Fresh::kNewGoal);
+  EXPECT_EQ(agent_.drive({kFarthestGoal + 1.0, 0.0}, false, 0), NavigationAgent::Fresh::kNo);
 }
 
-TEST_F(OnlineAgentReach, RefusesAPoseThatIsTooFarAway) {
+TEST_F(NavigationReach, RefusesAPoseThatIsTooFarAway) {
   EXPECT_EQ(complaintOf([&] {
               standAt({0.0, -2e7, 0.5});
             }),
@@ -58,14 +58,14 @@ TEST_F(OnlineAgentReach, RefusesAPoseThatIsTooFarAway) {
             "origin along each axis");
 }
 
-TEST_F(OnlineAgentReach, DecidesAmongUtmCoordinatesAsAtTheOrigin) {
+TEST_F(NavigationReach, DecidesAmongUtmCoordinatesAsAtTheOrigin) {
   const Point2 shift{691608.0, 5334762.0};
-  OnlineAgent at_origin(test::straightAheadPolicy(), test::routeLed(), ScanRules());
+  NavigationAgent at_origin(test::straightAheadPolicy(), test::routeLed(), ScanRules());
   for (int step = 0; step < 20; ++step) {
     const Pose2 pose{0.2 * step, 0.1, 0.3};
-    at_origin.look(makeHokuyoScan(3.0f), {}, pose, step);
+    at_origin.perceive(makeHokuyoScan(3.0f), {}, pose, step);
     at_origin.drive({8.0, 5.0}, step == 0, 0);
-    agent_.look(makeHokuyoScan(3.0f), {}, {shift.x + pose.x, shift.y + pose.y, pose.yaw}, step);
+    agent_.perceive(makeHokuyoScan(3.0f), {}, {shift.x + pose.x, shift.y + pose.y, pose.yaw}, step);
     agent_.drive({shift.x + 8.0, shift.y + 5.0}, step == 0, 0);
     ASSERT_EQ(agent_.decision().source, at_origin.decision().source) << step;
     ASSERT_NEAR(agent_.decision().direction, at_origin.decision().direction, 1e-6) << step;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lstm_planner/robot/driving/action_set.hpp"
+#include "lstm_planner/robot/driving/agent_parameters.hpp"
+#include "lstm_planner/robot/driving/shield.hpp"
+
+namespace lstm_planner {
+
+/// Takes one of the steering angles: of those that the shield allows the one that is preferred. With the clearance that
+/// is wanted, or where that allows none with the tight one.
+class ActionChoice {
+ public:
+  struct Action {
+    int index = 0;
+    double free = 0.0;  ///< m that the shield sees free that way, no more than a step
+  };
+
+  explicit ActionChoice(const AgentParameters& parameters)
+      : shield_parameters_(parameters.shield),
+        shield_enabled_(parameters.shield_enabled),
+        step_length_(parameters.step.length) {}
+
+  /// Chooses among `actions`, which are relative to the heading `step_yaw` (rad), for a robot whose heading is `yaw`
+  /// now and whose surroundings `shield` shows. `imposed` is taken in place of the preferred one if it is allowed.
+  /// Writes to `allowed`, one an action, what the shield says. Nothing where it allows none.
+  std::optional<Action> choose(const ActionSet& actions, double step_yaw, double yaw, const Shield& shield,
+                               const std::vector<float>& preferences, std::optional<int> imposed,
+                               std::vector<char>* allowed) const;
+
+ private:
+  ShieldParameters shield_parameters_;
+  bool shield_enabled_;
+  double step_length_;  ///< m
+};
+
+/// Prefers the actions as they lead to `bearing` (rad, relative to the heading), one preference an action.
+void preferBearing(const ActionSet& actions, double bearing, std::vector<float>* preferences);
+
+}  // namespace lstm_planner

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lstm_planner/base/common/geometry.hpp"
+
+namespace lstm_planner {
+
+/// One decision: who leads and why, what the robot does, and what the plan is made of. This record is all that is known
+/// of the state of a drive to a goal; it is published as it is.
+struct Decision {
+  /// Who decides. Some can lead for many steps (isLeader()); the others stand in for the leader.
+  enum class Source {
+    kNetwork,      ///< leads: the allowed action that the network prefers
+    kGreedy,       ///< leads: the allowed action nearest to the goal's bearing
+    kGoalInSight,  ///< the goal is near and the straight path free
+    kRoute,        ///< leads: the path through what is remembered
+    kEscape,       ///< leads: boundary following
+    kLookAround,   ///< nothing is free in sight, or all around must be seen: turn
+    kArrived,      ///< within the goal tolerance
+    kNoWay         ///< the goal cannot be reached: no path through what was seen leads there
+  };
+  static bool isLeader(Source source) {
+    return source == Source::kNetwork || source == Source::kGreedy || source == Source::kRoute ||
+           source == Source::kEscape;
+  }
+
+  Source leader = Source::kNetwork;     ///< who leads; another source decides in its place for the moment
+  const char* why = "";                 ///< it leads: a few words
+  Source source = Source::kLookAround;  ///< who decided this
+  Point2 waypoint;                      ///< odometry frame
+  double direction = 0.0;               ///< rad, odometry frame, from where the decision was made to the waypoint
+  int action = -1;                      ///< index of the steering angle; -1 when the waypoint is not one of them
+  int preferred = -1;                   ///< the action that the network prefers of all; -1 when none is asked
+  std::vector<float> preferences;       ///< the network's, one an action
+  std::vector<char> allowed;            ///< the shield's word, one an action
+  bool on_route = false;                ///< the waypoint lies on, or beside, the path through what is remembered
+  Point2 destination;           ///< where the plan ends: the goal, or where the footprint still fits when the goal
+                                ///< lies in something (AgentParameters::goal_drift)
+  std::vector<Point2> path_on;  ///< from the waypoint to the destination through what is remembered; empty unless the
+                                ///< waypoint is on it
+  long step = 0;                ///< counts the steps since the goal was set
+
+  /// The network's favourite was not taken: the shield forbids it, or the network does not lead.
+  bool isOverruled() const { return preferred >= 0 && action != preferred; }
+};
+
+constexpr std::size_t kDecisionSources = 8;
+/// "network", "greedy", "goal in sight", "route", "escape", "look around", "arrived", "no way".
+const char* toString(Decision::Source source);
+
+}  // namespace lstm_planner

@@ -1,0 +1,27 @@
+#include "lstm_planner/robot/driving/decision.hpp"
+
+namespace lstm_planner {
+
+const char* toString(Decision::Source source) {
+  switch (source) {
+    case Decision::Source::kNetwork:
+      return "network";
+    case Decision::Source::kGreedy:
+      return "greedy";
+    case Decision::Source::kGoalInSight:
+      return "goal in sight";
+    case Decision::Source::kRoute:
+      return "route";
+    case Decision::Source::kEscape:
+      return "escape";
+    case Decision::Source::kLookAround:
+      return "look around";
+    case Decision::Source::kArrived:
+      return "arrived";
+    case Decision::Source::kNoWay:
+      return "no way";
+  }
+  return "unknown";
+}
+
+}  // namespace lstm_planner
