@@ -47,7 +47,7 @@ class Parts {
     situation_.pose = step.pose;
     situation_.time = step.time;
     times->moving_returns.measure([&] { moving_.show(situation_.profile, situation_.pose, situation_.time); });
-    times->memory.measure([&] { memory_.look(situation_); });
+    times->memory.measure([&] { memory_.add(situation_); });
     memory_.clearChanges();
     times->memory_and_route.measure([&] { guide_.update(situation_, goal_); });
     times->observe_and_network.measure([&] {

@@ -144,7 +144,7 @@ void remember(const std::vector<Situation>& seen, benchmark::State* state) {
       if (situation.time < last) memory.forget();  // the next drive begins
       last = situation.time;
       memory.clearChanges();
-      times.time(call++, [&] { memory.look(situation); });
+      times.time(call++, [&] { memory.add(situation); });
     }
   }
   times.report(state);
@@ -161,7 +161,7 @@ BENCHMARK(lookStanding)->Iterations(kPasses)->Unit(benchmark::kMillisecond);
 void judging(benchmark::State& state) {
   const AgentParameters agent;
   ObstacleMemory memory(agent.memory, agent.shield);
-  for (const Situation& situation : situations()) memory.look(situation);
+  for (const Situation& situation : situations()) memory.add(situation);
   const int cells = memory.side() * memory.side();
   long exits = 0;
   for (auto _ : state) {

@@ -30,7 +30,7 @@ Situation situationOf(const RecordedDrive& drive, const RecordedStep& step) {
 /// All that was seen on a drive.
 ObstacleMemory memoryOf(const RecordedDrive& drive) {
   ObstacleMemory memory(kAgent.memory, kAgent.shield);
-  for (const RecordedStep& step : drive.steps) memory.look(situationOf(drive, step));
+  for (const RecordedStep& step : drive.steps) memory.add(situationOf(drive, step));
   return memory;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lstm_planner/base/common/segment.hpp"
 #include "lstm_planner/base/grid/bit_rows.hpp"
 
 namespace lstm_planner {
@@ -117,7 +118,7 @@ void KeptRoute::note(const ObstacleMemory& memory, const ObstacleMemory::Change&
   }
   for (std::size_t i = 2; i < pieces_.size(); ++i) {
     if (!std::isnan(pieces_[i].cost) &&
-        squaredDistanceToPiece(change.place, route_.points[i - 1], route_.points[i]) < reach_ * reach_) {
+        squaredDistanceToSegment(change.place, route_.points[i - 1], route_.points[i]) < reach_ * reach_) {
       pieces_[i].cost = kUnknown;
     }
   }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "robot/memory/whole_numbers.hpp"
+#include "robot/memory/bounded_rounding.hpp"
 
 namespace lstm_planner {
 
@@ -63,16 +63,6 @@ double lengthOf(const std::vector<Point2>& points) {
     length += distanceBetween(points[i - 1], points[i]);
   }
   return length;
-}
-
-double squaredDistanceToPiece(const Point2& point, const Point2& from, const Point2& to) {
-  const Point2 line{to.x - from.x, to.y - from.y};
-  const Point2 off{point.x - from.x, point.y - from.y};
-  const double length = line.x * line.x + line.y * line.y;
-  const double share = length > 0.0 ? std::clamp((off.x * line.x + off.y * line.y) / length, 0.0, 1.0) : 0.0;
-  const double dx = off.x - share * line.x;
-  const double dy = off.y - share * line.y;
-  return dx * dx + dy * dy;
 }
 
 RouteFinder::RouteFinder(double tightness) : tightness_(tightness), cost_to_go_(tightness) {}
@@ -188,8 +178,7 @@ void RouteFinder::follow(ObstacleMemory& memory, const Point2& start, Route* rou
     }
   }
   const int last = way[cells - 1];
-  route->cost =
-      (cost_to_go_.cost(way.front()) - cost_to_go_.cost(last)) * memory.cellSize() / CostToGo::kStraight;
+  route->cost = (cost_to_go_.cost(way.front()) - cost_to_go_.cost(last)) * memory.cellSize() / CostToGo::kStraight;
   if (goal_cell < 0) {
     route->cost += distanceBetween(points.back(), end_);
   }

@@ -88,7 +88,7 @@ void RouteGuide::watch(const Situation& situation) {
   }
   watched_pose_ = situation.pose;
   has_watched_ = true;
-  memory_.look(situation);
+  memory_.add(situation);
   memory_.clearChanges();
   route_.clear();
   has_costs_ = false;
@@ -97,7 +97,7 @@ void RouteGuide::watch(const Situation& situation) {
 Decision::Source RouteGuide::update(const Situation& situation, const Point2& goal) {
   noteMotion(situation);
   has_watched_ = false;
-  memory_.look(situation);
+  memory_.add(situation);
   const Point2 here{situation.pose.x, situation.pose.y};
   bool found = false;
   if (!looking_ && costsHold(here, goal)) {
@@ -254,7 +254,7 @@ Decision::Source RouteGuide::lookAround(const Situation& situation) {
   looking_ = true;
   turned_ = 0.0;
   memory_.forget();
-  memory_.look(situation);
+  memory_.add(situation);
   return Source::kLookAround;
 }
 

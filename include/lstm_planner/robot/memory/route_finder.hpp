@@ -18,9 +18,6 @@ struct Route {
 /// Length of a way that is straight between its points, m.
 double lengthOf(const std::vector<Point2>& points);
 
-/// Square of the distance of a point from a straight piece of a way, m^2.
-double squaredDistanceToPiece(const Point2& point, const Point2& from, const Point2& to);
-
 /// Finds the shortest way through an ObstacleMemory: A* on its cells, tight ones costing more, corners pulled straight
 /// near the start. Beyond the window the way is taken as straight. The memory needed is allocated once.
 class RouteFinder {
@@ -29,9 +26,10 @@ class RouteFinder {
   /// quarter of what is above 1.
   explicit RouteFinder(double tightness);
 
-  /// False when there is no way: obstacles that were seen enclose the start, or the goal, all around. A goal that lies in
-  /// something is replaced by the nearest place that the footprint fits on, and one that cannot be reached, or only by a
-  /// long detour from a start that is near it, by the first place on the way: at most `tolerance` (m) from the goal.
+  /// False when there is no way: obstacles that were seen enclose the start, or the goal, all around. A goal that lies
+  /// in something is replaced by the nearest place that the footprint fits on, and one that cannot be reached, or only
+  /// by a long detour from a start that is near it, by the first place on the way: at most `tolerance` (m) from the
+  /// goal.
   bool find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance, Route* route);
 
   /// A route from elsewhere to the end of the last one that was found at the goal, without a new search; false when

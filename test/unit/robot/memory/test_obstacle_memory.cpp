@@ -39,7 +39,7 @@ bool isBlocked(ObstacleMemory* memory, const Point2& place) { return !memory->is
 
 TEST(ObstacleMemory, TakesAllThatWasNeverSeenForFree) {
   ObstacleMemory memory = emptyMemory();
-  memory.look(test::situationAt({}));
+  memory.add(test::situationAt({}));
   EXPECT_EQ(memory.passage(memory.cellAt({3.0, -4.0})), Passage::kRoomy);
   EXPECT_EQ(memory.exits(memory.cellAt({3.0, -4.0})), 0xff);
 }
@@ -49,9 +49,9 @@ TEST(ObstacleMemory, RemembersAWallAfterTurningAwayFromIt) {
   test::fillBox(5.0, 3.0, 5.1, 5.0, &grid);
   const GridWorld world(grid);
   ObstacleMemory memory = emptyMemory();
-  memory.look(seenFrom(world, {4.0, 4.0, 0.0}));
+  memory.add(seenFrom(world, {4.0, 4.0, 0.0}));
   EXPECT_TRUE(isBlocked(&memory, {5.05, 4.0}));
-  memory.look(seenFrom(world, {4.0, 4.0, M_PI}));
+  memory.add(seenFrom(world, {4.0, 4.0, M_PI}));
   EXPECT_TRUE(isBlocked(&memory, {5.05, 4.0}));
 }
 
@@ -59,9 +59,9 @@ TEST(ObstacleMemory, ForgetsWhatTheScanLooksThrough) {
   OccupancyGrid with_box = test::emptyHall(8.0, 8.0);
   test::fillBox(5.0, 3.7, 5.3, 4.3, &with_box);
   ObstacleMemory memory = emptyMemory();
-  memory.look(seenFrom(GridWorld(with_box), {4.0, 4.0, 0.0}));
+  memory.add(seenFrom(GridWorld(with_box), {4.0, 4.0, 0.0}));
   ASSERT_TRUE(isBlocked(&memory, {5.05, 4.0}));
-  memory.look(seenFrom(GridWorld(test::emptyHall(8.0, 8.0)), {4.0, 4.0, 0.0}));
+  memory.add(seenFrom(GridWorld(test::emptyHall(8.0, 8.0)), {4.0, 4.0, 0.0}));
   EXPECT_EQ(memory.passage(memory.cellAt({5.05, 4.0})), Passage::kRoomy);
 }
 
@@ -69,10 +69,10 @@ TEST(ObstacleMemory, KeepsWhatIsHiddenWhenTheScanEndsBeforeIt) {
   OccupancyGrid grid = test::emptyHall(8.0, 8.0);
   test::fillBox(6.0, 3.7, 6.1, 4.3, &grid);
   ObstacleMemory memory = emptyMemory();
-  memory.look(seenFrom(GridWorld(grid), {4.0, 4.0, 0.0}));
+  memory.add(seenFrom(GridWorld(grid), {4.0, 4.0, 0.0}));
   OccupancyGrid hidden = test::emptyHall(8.0, 8.0);
   test::fillBox(5.0, 3.0, 5.1, 5.0, &hidden);  // somebody stands in between
-  memory.look(seenFrom(GridWorld(hidden), {4.0, 4.0, 0.0}));
+  memory.add(seenFrom(GridWorld(hidden), {4.0, 4.0, 0.0}));
   EXPECT_TRUE(isBlocked(&memory, {6.05, 4.0}));
 }
 
@@ -82,7 +82,7 @@ TEST(ObstacleMemory, KeepsAWallThatBeamsGraze) {
   const GridWorld world(grid);
   ObstacleMemory memory = emptyMemory(30.0);
   for (double x = 1.0; x < 8.0; x += 0.07) {
-    memory.look(seenFrom(world, {x, 0.35, 0.02 * std::sin(20.0 * x)}));
+    memory.add(seenFrom(world, {x, 0.35, 0.02 * std::sin(20.0 * x)}));
   }
   for (double x = 1.2; x < 10.0; x += 0.1) {
     EXPECT_FALSE(memory.isFree({x, 0.35}, {x, -0.3}, Passage::kTight)) << "at " << x;
@@ -92,21 +92,21 @@ TEST(ObstacleMemory, KeepsAWallThatBeamsGraze) {
 TEST(ObstacleMemory, DoesNotForgetWhereTheScanKnowsNothing) {
   const GridWorld world(test::emptyHall(8.0, 8.0));
   ObstacleMemory memory = emptyMemory();
-  memory.look(seenFrom(world, {4.0, 4.0, 0.0}));
+  memory.add(seenFrom(world, {4.0, 4.0, 0.0}));
   Situation lost = seenFrom(GridWorld(test::emptyHall(40.0, 40.0)), {4.0, 4.0, 0.0});
   lost.obstacles.clear();
   std::fill(lost.profile.ranges.begin(), lost.profile.ranges.end(), 0.0f);
-  memory.look(lost);
+  memory.add(lost);
   EXPECT_TRUE(isBlocked(&memory, {7.95, 4.0}));
 }
 
 TEST(ObstacleMemory, CarriesWhatIsNearAlongWithTheRobot) {
   ObstacleMemory memory = emptyMemory(10.0);
   const Point2 post{1.0, 0.6};
-  memory.look(returnsAt({post}));
+  memory.add(returnsAt({post}));
   const int cells = memory.side() * memory.side();
   for (double x = 0.0; x < 5.0; x += 0.3) {
-    memory.look(returnsAt({}, {x, 0.0, 0.0}));
+    memory.add(returnsAt({}, {x, 0.0, 0.0}));
     // Half the window less the eighth that the robot may be off its middle, less a cell: 3.5 m all around are inside.
     ASSERT_GE(memory.cellAt({x - 3.5, 0.0}), 0);
     ASSERT_GE(memory.cellAt({x + 3.5, 0.0}), 0);
@@ -115,22 +115,23 @@ TEST(ObstacleMemory, CarriesWhatIsNearAlongWithTheRobot) {
       EXPECT_FALSE(isBlocked(&memory, {post.x, post.y + 0.6})) << "robot at " << x;
     }
   }
-  for (double x = 5.0; x < 30.0; x += 0.5) memory.look(returnsAt({}, {x, 0.0, 0.0}));
+  for (double x = 5.0; x < 30.0; x += 0.5) memory.add(returnsAt({}, {x, 0.0, 0.0}));
   EXPECT_LT(memory.cellAt(post), 0);
-  for (double x = 30.0; x > 0.0; x -= 0.5) memory.look(returnsAt({}, {x, 0.0, 0.0}));
+  for (double x = 30.0; x > 0.0; x -= 0.5) memory.add(returnsAt({}, {x, 0.0, 0.0}));
   EXPECT_FALSE(isBlocked(&memory, post));  // what left the window is forgotten
   EXPECT_EQ(memory.side() * memory.side(), cells);
 }
 
 TEST(ObstacleMemory, StartsAnewWhereTheRobotJumpsTo) {
   ObstacleMemory memory = emptyMemory(10.0);
-  memory.look(returnsAt({{1.0, 0.0}}));
-  memory.look(returnsAt({{-998.0, 500.0}}, {-1000.0, 500.0, 1.0}));
+  memory.add(returnsAt({{1.0, 0.0}}));
+  memory.add(returnsAt({{-998.0, 500.0}}, {-1000.0, 500.0, 1.0}));
   EXPECT_TRUE(isBlocked(&memory, {-998.0, 500.0}));
   EXPECT_LT(memory.cellAt({1.0, 0.0}), 0);
 }
 
-/// The best passage across a corridor along y between two walls, `free` squares apart, at all alignments with the cells.
+/// The best passage across a corridor along y between two walls, `free` squares apart, at all alignments with the
+/// cells.
 TEST(ObstacleMemory, TellsPassagesApartByTheirWidth) {
   MemoryParameters parameters = kDefaults.memory;
   parameters.width = 10.0;
@@ -153,7 +154,7 @@ TEST(ObstacleMemory, TellsPassagesApartByTheirWidth) {
       const double right = left + (free + 1) * kResolution;
       std::vector<Point2> walls = test::wall({left, -2.0}, {left, 2.0});
       for (const Point2& point : test::wall({right, -2.0}, {right, 2.0})) walls.push_back(point);
-      memory.look(returnsAt(walls));
+      memory.add(returnsAt(walls));
       // The cells of the walls themselves reach to their other side.
       Passage inside = Passage::kBlocked;
       for (int cell = memory.cellAt({left, 0.5}); cell <= memory.cellAt({right, 0.5}); ++cell) {
@@ -168,8 +169,8 @@ TEST(ObstacleMemory, TellsPassagesApartByTheirWidth) {
 
 TEST(ObstacleMemory, LetsNoRobotThroughAGapThatItDoesNotFitInto) {
   // Two walls d squares apart are more than d - 1 and less than d + 1 squares of free space apart. A robot of 0.3485 m
-  // asks for a square 3.8 squares from both: 8 squares. So what is below 7 squares = 0.35 m is never a passage, and what
-  // is above 8 squares plus one = 0.45 m always is, however the walls lie on the squares.
+  // asks for a square 3.8 squares from both: 8 squares. So what is below 7 squares = 0.35 m is never a passage, and
+  // what is above 8 squares plus one = 0.45 m always is, however the walls lie on the squares.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> anywhere(0.0, 0.2);
   for (int i = 0; i < 200; ++i) {
@@ -178,7 +179,7 @@ TEST(ObstacleMemory, LetsNoRobotThroughAGapThatItDoesNotFitInto) {
       ObstacleMemory memory = emptyMemory(10.0);
       std::vector<Point2> walls = test::wall({left, -1.0}, {left, 1.0});
       for (const Point2& point : test::wall({left + width, -1.0}, {left + width, 1.0})) walls.push_back(point);
-      memory.look(returnsAt(walls));
+      memory.add(returnsAt(walls));
       bool passable = true;
       for (double y = -0.9; y <= 0.9 && passable; y += memory.cellSize()) {
         bool row = false;
@@ -235,7 +236,7 @@ TEST(ObstacleMemory, JudgesPlacesAndExitsAsBruteForceOnTheSquaresDoes) {
   for (int round = 0; round < 20; ++round) {
     ObstacleMemory memory = emptyMemory(10.0);
     const std::vector<Point2> places = randomObstacles(&random);
-    memory.look(returnsAt(places, {2.9, 2.9, 1.0}));
+    memory.add(returnsAt(places, {2.9, 2.9, 1.0}));
     std::vector<Point2> squares;
     for (const Point2& place : places) {
       const Point2 square = squareOf(place);
@@ -285,7 +286,7 @@ TEST(ObstacleMemory, LeadsThroughNoWallHoweverThinAndAtWhateverAngle) {
     // A return every 7 cm: what 1/4 degree is wide at 12 m, seen at an angle of 48 degrees.
     std::vector<Point2> wall;
     for (double along = -4.0; along <= 4.0; along += 0.07) wall.push_back(pointAlong(middle, angle, along));
-    memory.look(returnsAt(wall, robot));
+    memory.add(returnsAt(wall, robot));
     std::vector<char> reached(static_cast<std::size_t>(memory.side() * memory.side()));
     std::vector<int> open = {memory.cellAt({robot.x, robot.y})};
     reached[static_cast<std::size_t>(open.front())] = 1;
@@ -313,7 +314,7 @@ TEST(ObstacleMemory, SqueezesThroughWhatIsNarrowByTheBlurOfTheSquaresOnly) {
   // Seven squares from wall to wall: the middle ones are 3 and 4 squares off, 0.15 m from the nearer wall.
   std::vector<Point2> walls = test::wall({1.025, -2.0}, {1.025, 2.0});
   for (const Point2& point : test::wall({1.375, -2.0}, {1.375, 2.0})) walls.push_back(point);
-  memory.look(returnsAt(walls));
+  memory.add(returnsAt(walls));
   const Point2 from{1.175, -1.0};
   const Point2 to{1.175, 1.0};
   EXPECT_FALSE(memory.isFree(from, to, Passage::kTight));
@@ -327,21 +328,21 @@ TEST(ObstacleMemory, SqueezesThroughWhatIsNarrowByTheBlurOfTheSquaresOnly) {
 TEST(ObstacleMemory, ABlockedPlaceStaysBlockedThoughTheScanLooksThroughIt) {
   const GridWorld world(test::emptyHall(8.0, 8.0));
   ObstacleMemory memory = emptyMemory();
-  memory.look(seenFrom(world, {4.0, 4.0, 0.0}));
+  memory.add(seenFrom(world, {4.0, 4.0, 0.0}));
   const Point2 place{5.0, 4.0};
   ASSERT_FALSE(isBlocked(&memory, place));
   memory.block(place);
-  memory.look(seenFrom(world, {4.1, 4.0, 0.0}));
+  memory.add(seenFrom(world, {4.1, 4.0, 0.0}));
   EXPECT_FALSE(memory.isFree({4.5, 4.0}, {5.5, 4.0}, Passage::kTight));
   EXPECT_TRUE(memory.isFree({4.5, 4.4}, {5.5, 4.4}, Passage::kRoomy));
   memory.forget();
-  memory.look(seenFrom(world, {4.1, 4.0, 0.0}));
+  memory.add(seenFrom(world, {4.1, 4.0, 0.0}));
   EXPECT_TRUE(memory.isFree({4.5, 4.0}, {5.5, 4.0}, Passage::kRoomy));
 }
 
 TEST(ObstacleMemory, ThirtyTwoBlockedPlacesAreKeptTheOldestGivesWay) {
   ObstacleMemory memory = emptyMemory(40.0);
-  memory.look(test::situationAt({}));
+  memory.add(test::situationAt({}));
   for (int i = 0; i <= 32; ++i) memory.block({-15.0 + 0.9 * i, 2.05});
   EXPECT_TRUE(memory.isFree({-15.0, 1.5}, {-15.0, 2.5}, Passage::kRoomy));
   for (int i = 1; i <= 32; ++i) {
@@ -351,9 +352,9 @@ TEST(ObstacleMemory, ThirtyTwoBlockedPlacesAreKeptTheOldestGivesWay) {
 
 TEST(ObstacleMemory, TakesThePlaceWhereTheRobotStandsForFree) {
   ObstacleMemory memory = emptyMemory();
-  memory.look(returnsAt({{2.0, 0.0}}));
+  memory.add(returnsAt({{2.0, 0.0}}));
   ASSERT_TRUE(isBlocked(&memory, {2.0, 0.0}));
-  memory.look(returnsAt({{2.02, 0.03}}, {2.0, 0.05, 0.0}));  // odometry drifted, or the scanner sees the robot itself
+  memory.add(returnsAt({{2.02, 0.03}}, {2.0, 0.05, 0.0}));  // odometry drifted, or the scanner sees the robot itself
   EXPECT_EQ(memory.passage(memory.cellAt({2.0, 0.05})), Passage::kRoomy);
 }
 
@@ -361,10 +362,10 @@ TEST(ObstacleMemory, IgnoresAPoseThatIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   ObstacleMemory memory = emptyMemory();
-  memory.look(returnsAt({{1.0, 0.0}}));
+  memory.add(returnsAt({{1.0, 0.0}}));
   for (const Pose2& pose : {Pose2{nan, 0.0, 0.0}, Pose2{0.0, infinity, 0.0}, Pose2{0.0, 0.0, nan}}) {
     Situation situation = test::situationAt(pose, 0.0, {{0.5, 0.0}});
-    memory.look(situation);
+    memory.add(situation);
   }
   EXPECT_TRUE(isBlocked(&memory, {1.0, 0.0}));
   EXPECT_FALSE(isBlocked(&memory, {0.45, 0.0}));
@@ -373,9 +374,9 @@ TEST(ObstacleMemory, IgnoresAPoseThatIsNotFinite) {
 
 TEST(ObstacleMemory, StaysWhereItIsWhenThePoseIsOutOfReach) {
   ObstacleMemory memory = emptyMemory();
-  memory.look(returnsAt({{1.0, 0.0}}));
+  memory.add(returnsAt({{1.0, 0.0}}));
   for (const Pose2& pose : {Pose2{1.2e8, 0.0, 0.0}, Pose2{0.0, -1e12, 0.0}, Pose2{1e300, 1e300, 0.0}}) {
-    memory.look(test::situationAt(pose, 0.0, {{0.5, 0.0}}));
+    memory.add(test::situationAt(pose, 0.0, {{0.5, 0.0}}));
     EXPECT_EQ(memory.cellAt({pose.x, pose.y}), -1);
     EXPECT_FALSE(memory.isFree({pose.x, pose.y}, {pose.x, pose.y}, Passage::kTight));
   }
@@ -386,7 +387,7 @@ TEST(ObstacleMemory, StaysWhereItIsWhenThePoseIsOutOfReach) {
 TEST(ObstacleMemory, RemembersAmongTheFarthestPosesAsAtTheOrigin) {
   for (const Point2& corner : {Point2{kFarthestPose, kFarthestPose}, Point2{-kFarthestPose, kFarthestPose}}) {
     ObstacleMemory memory = emptyMemory();
-    memory.look(test::situationAt({corner.x, corner.y, M_PI_2}, 0.0, {{1.0, 0.0}}));
+    memory.add(test::situationAt({corner.x, corner.y, M_PI_2}, 0.0, {{1.0, 0.0}}));
     EXPECT_TRUE(isBlocked(&memory, {corner.x, corner.y + 1.0}));
     EXPECT_FALSE(isBlocked(&memory, {corner.x + 1.0, corner.y}));
   }
@@ -394,7 +395,7 @@ TEST(ObstacleMemory, RemembersAmongTheFarthestPosesAsAtTheOrigin) {
 
 TEST(ObstacleMemory, TakesNoNoticeOfReturnsThatAreTooFarForWholeNumbers) {
   ObstacleMemory memory = emptyMemory();
-  memory.look(test::situationAt({}, 0.0, {{1e9, 0.0}, {1.0, 0.0}, {-1e30, 1e30}, {0.0, -1e38}}));
+  memory.add(test::situationAt({}, 0.0, {{1e9, 0.0}, {1.0, 0.0}, {-1e30, 1e30}, {0.0, -1e38}}));
   EXPECT_TRUE(isBlocked(&memory, {1.0, 0.0}));
   for (int cell = 0; cell < memory.side() * memory.side(); ++cell) {
     const Point2 center = memory.centerOf(cell);
@@ -406,7 +407,7 @@ TEST(ObstacleMemory, TakesNoNoticeOfReturnsThatAreTooFarForWholeNumbers) {
 
 TEST(ObstacleMemory, DoesNotRememberWhatIsFartherThanItsReach) {
   ObstacleMemory memory = emptyMemory(40.0);
-  memory.look(returnsAt({{11.9, 0.0}, {0.0, 12.1}}));
+  memory.add(returnsAt({{11.9, 0.0}, {0.0, 12.1}}));
   EXPECT_TRUE(isBlocked(&memory, {11.9, 0.0}));
   EXPECT_FALSE(isBlocked(&memory, {0.0, 12.1}));
 }

@@ -34,11 +34,11 @@ Point2 centerOf(const Square& square) {
   return {(square.first + 0.5) * kResolution, (square.second + 0.5) * kResolution};
 }
 
-/// What ObstacleMemory::look() is meant to do, square by square. Where the last digits of single precision decide, it
+/// What ObstacleMemory::add() is meant to do, square by square. Where the last digits of single precision decide, it
 /// says that it does not know.
 class PlainMemory {
  public:
-  void look(const Situation& situation) {
+  void add(const Situation& situation) {
     doubtful_.clear();
     std::set<Square> returned;
     for (const Point2& obstacle : situation.obstacles) {
@@ -54,7 +54,7 @@ class PlainMemory {
     }
     for (auto square = squares_.begin(); square != squares_.end();) {
       square = returned.count(*square) == 0 && isSeenThrough(*square, situation) ? squares_.erase(square)
-                                                                                : std::next(square);
+                                                                                 : std::next(square);
     }
     squares_.insert(returned.begin(), returned.end());
     const double radius = 0.9 * kDefaults.shield.footprint_radius;
@@ -140,7 +140,7 @@ TEST(ObstacleMemoryChanges, AreWhatAPlainMemoryForgetsAndMarks) {
     for (int i = 0; i < 40; ++i) {
       const Situation situation = world.next({4.0 + 0.04 * i, 4.5 + 0.5 * std::sin(0.1 * i), 0.1 * i - 1.0});
       memory.clearChanges();
-      memory.look(situation);
+      memory.add(situation);
       if (i > 0) {
         ASSERT_FALSE(memory.everythingChanged());
       }
@@ -151,7 +151,7 @@ TEST(ObstacleMemoryChanges, AreWhatAPlainMemoryForgetsAndMarks) {
         change.occupied ? void(occupied.insert(square)) : void(occupied.erase(square));
         forgotten += change.occupied ? 0 : 1;
       }
-      plain.look(situation);
+      plain.add(situation);
       plain.settleDoubts(occupied);
       ASSERT_EQ(occupied, plain.squares()) << "seed " << seed << ", look " << i;
     }
@@ -165,7 +165,7 @@ TEST(ObstacleMemoryChanges, LeaveNoJudgementBehindThatIsOutOfDate) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(2.0, 7.0);
   for (int i = 0; i < 12; ++i) {
-    memory.look(world.next({4.0 + 0.1 * i, 4.5, 0.3 * i}));
+    memory.add(world.next({4.0 + 0.1 * i, 4.5, 0.3 * i}));
     if (i % 3 == 2) memory.block({place(random), place(random)});
     ObstacleMemory anew = memory;
     anew.squeeze(true);
@@ -182,16 +182,16 @@ TEST(ObstacleMemoryChanges, AreNoneWhereAStandingRobotSeesTheSame) {
   const GridWorld world(test::emptyHall(8.0, 8.0));
   const Situation situation = test::seenFrom(world, {4.0, 4.0, 0.3});
   ObstacleMemory memory = smallMemory();
-  memory.look(situation);
+  memory.add(situation);
   memory.clearChanges();
-  memory.look(situation);
+  memory.add(situation);
   EXPECT_TRUE(memory.changes().empty());
   EXPECT_FALSE(memory.everythingChanged());
 }
 
 TEST(ObstacleMemoryChanges, ListBlockedPlacesAndThoseThatGiveWay) {
   ObstacleMemory memory = smallMemory();
-  memory.look(test::situationAt({}));
+  memory.add(test::situationAt({}));
   for (int i = 0; i < 32; ++i) memory.block({0.1 * i, 3.0});
   memory.clearChanges();
   memory.block({0.0, -3.0});
@@ -206,11 +206,11 @@ TEST(ObstacleMemoryChanges, ListBlockedPlacesAndThoseThatGiveWay) {
 TEST(ObstacleMemoryChanges, AreEverythingWhenTheWindowMovesOrAllIsForgottenOrJudgedOtherwise) {
   ObstacleMemory memory = smallMemory();
   EXPECT_TRUE(memory.everythingChanged()) << "at first";
-  memory.look(returnsAt({{1.0, 0.0}}));
+  memory.add(returnsAt({{1.0, 0.0}}));
   memory.clearChanges();
-  memory.look(returnsAt({{1.0, 0.0}}, {2.0, 0.0, 0.0}));
+  memory.add(returnsAt({{1.0, 0.0}}, {2.0, 0.0, 0.0}));
   EXPECT_FALSE(memory.everythingChanged()) << "less than an eighth of the window";
-  memory.look(returnsAt({{1.0, 0.0}}, {3.0, 0.0, 0.0}));
+  memory.add(returnsAt({{1.0, 0.0}}, {3.0, 0.0, 0.0}));
   EXPECT_TRUE(memory.everythingChanged()) << "the window moved";
   memory.clearChanges();
   memory.squeeze(false);
@@ -224,12 +224,12 @@ TEST(ObstacleMemoryChanges, AreEverythingWhenTheWindowMovesOrAllIsForgottenOrJud
 
 TEST(ObstacleMemoryChanges, AreEverythingWhenTheyAreTooManyToBeListed) {
   ObstacleMemory memory = smallMemory();
-  memory.look(test::situationAt({}));
+  memory.add(test::situationAt({}));
   memory.clearChanges();
   for (int row = 0; row < 30; ++row) {
     std::vector<Point2> places;
     for (int column = 0; column < 80; ++column) places.push_back({2.0 + kResolution * column, kResolution * row});
-    memory.look(returnsAt(places));
+    memory.add(returnsAt(places));
   }
   EXPECT_TRUE(memory.everythingChanged());  // 2,400 squares
   EXPECT_LE(memory.changes().size(), 2048u);

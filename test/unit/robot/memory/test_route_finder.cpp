@@ -49,7 +49,7 @@ class RouteFinderTest : public ::testing::Test {
   /// Puts the robot somewhere, where it sees these places of the odometry frame.
   void remember(const std::vector<Point2>& places, const Pose2& robot = {}) {
     places_ = places;
-    memory_.look(returnsAt(places, robot));
+    memory_.add(returnsAt(places, robot));
   }
 
   bool find(const Point2& start, const Point2& goal, double tolerance = kTolerance) {
@@ -130,7 +130,7 @@ TEST(RouteFinder, FindsAWayOfThreeKilometresInsideItsWindow) {
   }
   for (double y = -kHalf; y <= kHalf; y += 0.04) append({{-kHalf, y}, {kHalf, y}}, &places);
   ObstacleMemory memory(parameters, kDefaults.shield);
-  memory.look(returnsAt(places));
+  memory.add(returnsAt(places));
 
   RouteFinder finder(kTightness);
   Route route;
@@ -151,7 +151,7 @@ TEST(RouteFinder, FindsAWayOfThreeKilometresInsideItsWindow) {
   EXPECT_NEAR(route.length, distanceBetween(start, farther), 0.1);
   // What is walled off is told as ever.
   append(test::wall({0.0, -kHalf}, {0.0, kHalf}), &places);
-  memory.look(returnsAt(places));
+  memory.add(returnsAt(places));
   EXPECT_FALSE(finder.find(memory, start, goal, kTolerance, &route));
 }
 
@@ -236,7 +236,8 @@ TEST_F(RouteFinderTest, EndsWhereTheFootprintFitsHoweverNearToAWallTheGoalIs) {
     const Point2 goal{wall - 1.5 * shift(random), shift(random)};
     ASSERT_TRUE(find({0.0, 0.0}, goal, 0.35));
     // So near to the wall the nearest place may be behind it.
-    ASSERT_GT(std::abs(wall - route_.points.back().x), kRadius - kBlur) << "goal " << wall - goal.x << " m from the wall";
+    ASSERT_GT(std::abs(wall - route_.points.back().x), kRadius - kBlur)
+        << "goal " << wall - goal.x << " m from the wall";
     ASSERT_LE(distanceBetween(route_.points.back(), goal), 0.35);
     moved += distanceBetween(route_.points.back(), goal) > 0.0;
   }
@@ -309,7 +310,7 @@ TEST_F(RouteFinderTest, CostsARouteUnderWhatIsRememberedNow) {
   remember({});
   ASSERT_TRUE(find({0.0, 0.0}, {4.0, 0.0}));
   EXPECT_DOUBLE_EQ(finder_.costOf(memory_, route_, 15.0), 4.0);
-  memory_.look(returnsAt(test::wall({2.0, -1.0}, {2.0, 1.0})));
+  memory_.add(returnsAt(test::wall({2.0, -1.0}, {2.0, 1.0})));
   EXPECT_EQ(finder_.costOf(memory_, route_, 15.0), std::numeric_limits<double>::infinity());
   memory_.forget();
   // Walls on both sides, 0.25 m from the way: tight, and it is one piece.

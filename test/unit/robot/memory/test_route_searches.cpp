@@ -189,7 +189,7 @@ TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
         }
       }
     }
-    memory.look(situation);
+    memory.add(situation);
     searching.begin();  // knows no route: searches
     const Source kept = keeping.update(situation, goal);
     if (searching.update(situation, goal) != Source::kRoute) break;

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/base/grid/bit_rows.hpp"
+
+namespace lstm_planner {
+
+/// A square by its place in the window; or in the odometry frame, where that is said.
+struct Square {
+  int column;
+  int row;
+};
+
+/// A square of the window in one number, as ScanKernels write them.
+inline std::uint32_t keyOf(const Square& square) {
+  return static_cast<std::uint32_t>(square.row) << 16 | static_cast<std::uint32_t>(square.column);
+}
+inline Square squareOf(std::uint32_t key) { return {static_cast<int>(key & 0xffff), static_cast<int>(key >> 16)}; }
+
+/// Where something stands, in a window that moves along with the robot: one bit a square. Four by four squares are a
+/// cell. Positions are in the odometry frame, m.
+class ObstacleWindow {
+ public:
+  static constexpr int kSide = 4;                     ///< squares a side of a cell
+  static constexpr int kCellSquares = kSide * kSide;  ///< squares of a cell
+
+  /// `width` of the window and `resolution`, a square's side, in m.
+  ObstacleWindow(double width, double resolution);
+
+  /// Nothing stands anywhere, and the window is nowhere.
+  void clear();
+  /// Moves along when the robot at `pose` has come far from the middle; whether it did.
+  bool moveTo(const Pose2& pose);
+
+  int side() const { return side_; }  ///< cells a side
+  double cellSize() const { return cell_size_; }
+  double resolution() const { return resolution_; }
+  int originColumn() const { return origin_column_; }  ///< of the window, in cells of the odometry frame
+  int originRow() const { return origin_row_; }
+
+  /// Index of the cell at a position, row by row; -1 outside the window.
+  int cellAt(const Point2& position) const;
+  Point2 centerOf(int cell) const;
+  /// The square at a position, in the odometry frame.
+  Square squareAt(const Point2& position) const;
+  Square squareOf(int cell, int square) const {
+    return {cell % side_ * kSide + square % kSide, cell / side_ * kSide + square / kSide};
+  }
+  Point2 centerOf(const Square& square) const {
+    return {(origin_column_ * kSide + square.column + 0.5) * resolution_,
+            (origin_row_ * kSide + square.row + 0.5) * resolution_};
+  }
+
+  bool isOccupied(const Square& square) const { return squares_.test(square.column, square.row); }
+  /// Whether something stands there from now on; the square's cell.
+  int set(const Square& square, bool occupied);
+  const BitRows& squares() const { return squares_; }  ///< that are occupied
+  const BitRows& cells() const { return cells_; }      ///< with an occupied square
+
+ private:
+  double resolution_;
+  int side_;
+  double cell_size_;
+  int origin_column_ = 0;
+  int origin_row_ = 0;
+  bool placed_ = false;
+  BitRows squares_;
+  BitRows cells_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/robot/memory/obstacle_window.hpp"
+#include "lstm_planner/robot/memory/sight.hpp"
+#include "lstm_planner/robot/perception/situation.hpp"
+
+namespace lstm_planner {
+
+/// What a scan adds to a window of obstacles, and what it takes away: the squares of its returns, and the occupied ones
+/// through which it sees. Changes nothing itself.
+class ScanChanges {
+ public:
+  /// `reach`: m; returns farther away count for nothing. `resolution`: the window's, m.
+  ScanChanges(double reach, double resolution);
+
+  /// Compares what is seen with what stands in the window; the answers hold until the next call.
+  void find(const Situation& situation, const ObstacleWindow& window);
+
+  /// keyOf() the occupied squares that the scan sees through and that it has no return from.
+  const std::vector<std::uint32_t>& seenThrough() const { return seen_through_; }
+  /// keyOf() the squares of the returns, in the order of the scan, and how many they are.
+  const std::uint32_t* returns() const { return returns_.data(); }
+  std::size_t returnsCount() const { return returns_count_; }
+
+ private:
+  void findReturns(const Situation& situation, const ObstacleWindow& window);
+  void findSeenThrough(const Situation& situation, const ObstacleWindow& window);
+  /// `cells`: keyOf() their first squares; overwritten.
+  void findInCells(const BitRows& squares, const SquareGrid& grid, std::uint32_t* cells, std::size_t count);
+  bool isReturned(std::uint32_t key);
+
+  double reach_;
+  Sight sight_;
+  std::vector<std::uint32_t> returns_;  ///< and room for more
+  std::size_t returns_count_ = 0;
+  std::vector<std::uint32_t> places_;       ///< what returns_ are made from
+  std::array<std::uint64_t, 64> returned_;  ///< row and column, modulo 64, of the returns
+  bool returned_is_known_ = false;
+  std::vector<std::uint32_t> seen_through_;
+};
+
+}  // namespace lstm_planner
