@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "lstm_planner/base/common/parallel_for.hpp"
+#include "lstm_planner/base/common/quantile.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -74,15 +75,6 @@ double mean(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;
   return sum / static_cast<double>(values.size());
-}
-
-/// By nearest rank; not a number for no values.
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return std::nan("");
-  const double rank = std::ceil(share * static_cast<double>(values.size()));
-  const auto place = static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
 }
 
 template <typename Value>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {

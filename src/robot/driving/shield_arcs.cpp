@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
 #include "robot/driving/shield_groups.hpp"
 
@@ -36,13 +37,6 @@ struct Arc {
 };
 
 }  // namespace
-
-Pose2 alongArc(const Pose2& from, double curvature, double length) {
-  const double half_turn = 0.5 * curvature * length;
-  const double chord = std::abs(half_turn) > 1e-9 ? length * std::sin(half_turn) / half_turn : length;
-  const Point2 end = pointAlong(from, from.yaw + half_turn, chord);
-  return {end.x, end.y, from.yaw + 2.0 * half_turn};
-}
 
 double Shield::freeArc(const Pose2& from, double curvature, double limit, double clearance) const {
   if (std::abs(curvature) < kStraight) {

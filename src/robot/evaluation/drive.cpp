@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lstm_planner/base/common/parameter_visitors.hpp"
+#include "lstm_planner/base/common/quantile.hpp"
 #include "lstm_planner/robot/driving/closed_loop.hpp"
 
 namespace lstm_planner {
@@ -221,8 +222,7 @@ DriveSummary summarize(const std::vector<DriveResult>& results) {
     for (const double ratio : ratios) {
       summary.mean_ratio += ratio / static_cast<double>(ratios.size());
     }
-    const auto rank = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(ratios.size())));
-    summary.p95_ratio = ratios[rank - 1];
+    summary.p95_ratio = quantile(ratios, 0.95);
   }
   return summary;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/robot/driving/motion_controller.hpp"
 #include "lstm_planner/robot/driving/step_clock.hpp"
 
@@ -12,11 +13,6 @@ namespace {
 
 /// s; the robot turns while it drives, in pieces of this length.
 constexpr double kPiece = 0.1;
-
-Pose2 moved(const Pose2& pose, double length, double turn) {
-  const Point2 next = pointAlong(pose, pose.yaw + 0.5 * turn, length);
-  return {next.x, next.y, normalizeAngle(pose.yaw + turn)};
-}
 
 }  // namespace
 
@@ -119,8 +115,8 @@ Twist2 StepDrive::steer(const Decision& decision, const NavigationAgent& agent, 
 void StepDrive::move(const Twist2& twist, double seconds) {
   const double turn = twist.angular * seconds;
   double length = twist.linear * seconds;
-  Pose2 next = moved(pose_, length * (1.0 + conditions_.slip * normal(random_)),
-                     turn * (1.0 + conditions_.slip * normal(random_)));
+  Pose2 next = alongMeanHeading(pose_, length * (1.0 + conditions_.slip * normal(random_)),
+                                turn * (1.0 + conditions_.slip * normal(random_)));
   const bool touches = world_.touches({next.x, next.y}, footprint_radius_);
   if (touches) {
     contacts_ += touching_ ? 0 : 1;
@@ -130,7 +126,8 @@ void StepDrive::move(const Twist2& twist, double seconds) {
   touching_ = touches;
   path_length_ += distanceBetween(pose_, next);
   pose_ = next;
-  odometry_ = moved(odometry_, length * (1.0 + conditions_.travel_error), turn + conditions_.turn_error * length);
+  odometry_ =
+      alongMeanHeading(odometry_, length * (1.0 + conditions_.travel_error), turn + conditions_.turn_error * length);
 }
 
 }  // namespace lstm_planner

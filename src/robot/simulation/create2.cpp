@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/base/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
@@ -12,15 +13,6 @@ namespace {
 /// How the heading wanders (an Ornstein-Uhlenbeck process): rad per share of odometry_error, and over how many m.
 constexpr double kHeadingError = 1.5;
 constexpr double kHeadingMemory = 20.0;
-
-/// Moves along an arc of that length (m) which turns by `turn` (rad).
-Pose2 alongArc(const Pose2& pose, double distance, double turn) {
-  // The chord of the arc; its direction is the mean of the two headings.
-  const double half_turn = 0.5 * turn;
-  const double chord = std::abs(half_turn) > 1e-9 ? distance * std::sin(half_turn) / half_turn : distance;
-  return {pose.x + chord * std::cos(pose.yaw + half_turn), pose.y + chord * std::sin(pose.yaw + half_turn),
-          normalizeAngle(pose.yaw + turn)};
-}
 
 }  // namespace
 
@@ -69,7 +61,8 @@ void Create2::moveTruly(double left, double right) {
     heading_error_ += change;
     turn += change;
   }
-  true_pose_ = alongArc(true_pose_, distance, turn);
+  true_pose_ = alongTurn(true_pose_, distance, turn);
+  true_pose_.yaw = normalizeAngle(true_pose_.yaw);
 }
 
 void Create2::step(double seconds) {
@@ -92,8 +85,7 @@ void Create2::step(double seconds) {
   const double right_counted = countTicks(&right_);
   const double distance = 0.5 * (left_counted + right_counted);
   const double turn = (right_counted - left_counted) / parameters_.axle_length;
-  odometry_ = {odometry_.x + distance * std::cos(odometry_.yaw + 0.5 * turn),
-               odometry_.y + distance * std::sin(odometry_.yaw + 0.5 * turn), normalizeAngle(odometry_.yaw + turn)};
+  odometry_ = alongMeanHeading(odometry_, distance, turn);
   measured_twist_ = {distance / seconds, turn / seconds};
 }
 

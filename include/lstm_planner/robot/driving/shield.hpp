@@ -8,9 +8,6 @@
 
 namespace lstm_planner {
 
-/// Where a pose comes to that moves `length` metres forward along an arc of that curvature (1/m, positive to the left).
-Pose2 alongArc(const Pose2& from, double curvature, double length);
-
 /// Tells how far a disc can be moved along a straight line or an arc before it comes too near to something that the
 /// scanner measured. Exact for the returns taken as points.
 ///

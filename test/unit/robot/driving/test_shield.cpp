@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
 
@@ -211,8 +212,8 @@ TEST(ShieldArc, AgreesWithSteppingAlongTheArc) {
     const Pose2 middle = alongArc({}, curvature, 0.5 * (free + stepped));
     const double overlap = kRadius + kClearance - distanceBetween(middle, obstacle);
     ASSERT_TRUE(std::abs(free - stepped) < 2.1e-4 || std::abs(overlap) < 1e-6)
-        << "obstacle " << obstacle.x << ", " << obstacle.y << ", curvature " << curvature << ", limit " << limit
-        << ": " << free << " and " << stepped;
+        << "obstacle " << obstacle.x << ", " << obstacle.y << ", curvature " << curvature << ", limit " << limit << ": "
+        << free << " and " << stepped;
     blocked += stepped < limit;
   }
   EXPECT_GT(blocked, 300);  // both outcomes are tried
@@ -223,8 +224,8 @@ TEST(ShieldArc, TellsTheSmallestGapOfAnArc) {
   Shield shield(kRadius, kHardMargin, kReach);
   EXPECT_DOUBLE_EQ(shield.arcGap({}, 1.0, 1.0), kReach);
   shield.show({{0.0, 2.4}});
-  EXPECT_NEAR(shield.arcGap({}, 1.0, 0.0), 2.4 - kRadius, 1e-12);   // at its begin
-  EXPECT_NEAR(shield.arcGap({}, 1.0, 3.2), 0.4 - kRadius, 1e-12);   // passed on half a circle
+  EXPECT_NEAR(shield.arcGap({}, 1.0, 0.0), 2.4 - kRadius, 1e-12);                      // at its begin
+  EXPECT_NEAR(shield.arcGap({}, 1.0, 3.2), 0.4 - kRadius, 1e-12);                      // passed on half a circle
   EXPECT_NEAR(shield.arcGap({}, 1.0, M_PI_2), std::hypot(1.0, 1.4) - kRadius, 1e-12);  // at its end
   shield.show({{1.0, 0.5}});
   EXPECT_NEAR(shield.arcGap({}, 0.0, 2.0), 0.5 - kRadius, 1e-12);

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
 
 namespace lstm_planner {
