@@ -53,6 +53,7 @@ void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, 
   lstm_planner::perceive(scan, mount, rules_, policy_.description().encoder.range_cap, &situation_);
   situation_.pose = pose;
   situation_.time = time;
+  shield_.show(situation_.obstacles);
 }
 
 NavigationAgent::Fresh NavigationAgent::drive(const Point2& goal, bool is_new, long jumps) {
@@ -78,7 +79,7 @@ NavigationAgent::Fresh NavigationAgent::drive(const Point2& goal, bool is_new, l
     jumps_ = jumps;
   }
   is_new_goal_ = false;
-  update(situation_);
+  decideAbout(situation_);
   return fresh;
 }
 
@@ -126,6 +127,10 @@ void NavigationAgent::restart() {
 
 const Decision& NavigationAgent::update(const Situation& situation) {
   shield_.show(situation.obstacles);
+  return decideAbout(situation);
+}
+
+const Decision& NavigationAgent::decideAbout(const Situation& situation) {
   if (decision_.source == Source::kNoWay) {
     return decision_;
   }

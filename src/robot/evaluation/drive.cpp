@@ -7,6 +7,7 @@
 #include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/common/quantile.hpp"
 #include "lstm_planner/robot/driving/closed_loop.hpp"
+#include "lstm_planner/robot/driving/path_tracker.hpp"
 
 namespace lstm_planner {
 
@@ -16,7 +17,7 @@ namespace {
 class ControlledRobot : public LoopRobot {
  public:
   ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters)
-      : robot_(*robot), parameters_(parameters), controller_(parameters.motion), moving_(parameters.motion.moving) {
+      : robot_(*robot), parameters_(parameters), tracker_(parameters.motion) {
     const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry begins at the start
     goal_ = {goal.x, goal.y, 0.0};
   }
@@ -26,24 +27,22 @@ class ControlledRobot : public LoopRobot {
   void sense(double range_cap, Situation* situation) override { robot_.sense(range_cap, situation); }
 
   bool hasArrived(const Situation& situation, const Decision& decision) const override {
-    return controller_.goalReached(situation.pose, {decision.destination.x, decision.destination.y, 0.0});
+    return tracker_.goalReached(situation.pose, {decision.destination.x, decision.destination.y, 0.0});
   }
 
   void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) override {
     if (tick_++ % parameters_.plan_every == 0) {
       rollOut(situation, decision, agent.shield(), goal_, agent.parameters(), parameters_.rollout, &plan_);
     }
-    moving_.show(situation.profile, situation.pose, situation.time);
-    robot_.command(controller_.compute(plan_, situation.pose, robot_.measuredTwist(), agent.shield(),
-                                       parameters_.control_period, moving_.points(), moving_.resting()));
+    robot_.command(
+        tracker_.compute(plan_, situation, robot_.measuredTwist(), agent.shield(), parameters_.control_period));
     robot_.advance(parameters_.control_period);
   }
 
  private:
   SimulatedRobot& robot_;
   const DriveParameters& parameters_;
-  MotionController controller_;
-  MovingReturns moving_;
+  PathTracker tracker_;
   Pose2 goal_;
   std::vector<Pose2> plan_;
   int tick_ = 0;

@@ -21,9 +21,8 @@ PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const
     : parameters_(parameters),
       frames_(tf, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf),
-      controller_(parameters.motion),
-      shield_(parameters.footprint_radius, parameters.motion.safety_margin, kShieldReach),
-      moving_(parameters.motion.moving) {}
+      tracker_(parameters.motion),
+      shield_(parameters.footprint_radius, parameters.motion.safety_margin, kShieldReach) {}
 
 void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   plan_.clear();
@@ -54,9 +53,8 @@ Twist2 PlanFollower::compute() {
   const SensorReading reading = sensors_.read(now);
   checkPlanAge(now);
   compose(odometryFromPlan(reading.odometry_frame, now), plan_, &odometry_plan_);
-  look(reading);
-  return controller_.compute(odometry_plan_, reading.scan_pose, reading.twist, shield_,
-                             1.0 / parameters_.controller_frequency, moving_.points(), moving_.resting());
+  perceive(reading);
+  return tracker_.compute(odometry_plan_, seen_, reading.twist, shield_, 1.0 / parameters_.controller_frequency);
 }
 
 bool PlanFollower::goalReached() {
@@ -66,7 +64,7 @@ bool PlanFollower::goalReached() {
   const ros::Time now = ros::Time::now();
   const SensorReading reading = sensors_.read(now);
   const Pose2 goal = compose(odometryFromPlan(reading.odometry_frame, now), plan_.back());
-  return controller_.goalReached(reading.newest_pose, goal);
+  return tracker_.goalReached(reading.newest_pose, goal);
 }
 
 void PlanFollower::checkPlanAge(const ros::Time& now) const {
@@ -87,15 +85,16 @@ Pose2 PlanFollower::odometryFromPlan(const std::string& odometry_frame, const ro
   return plan_.empty() ? Pose2() : frames_.transform(odometry_frame, plan_frame_, now);
 }
 
-void PlanFollower::look(const SensorReading& reading) {
+void PlanFollower::perceive(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
-  perceive(scan_, reading.mount, parameters_.sensors.scan_rules, kShieldReach, &seen_);
+  lstm_planner::perceive(scan_, reading.mount, parameters_.sensors.scan_rules, kShieldReach, &seen_);
+  seen_.pose = reading.scan_pose;
+  seen_.time = reading.scan_stamp;
   shield_.show(seen_.obstacles);
   if (reading.jumps != jumps_) {
-    moving_.reset();
+    tracker_.forget();
     jumps_ = reading.jumps;
   }
-  moving_.show(seen_.profile, reading.scan_pose, reading.scan_stamp);
 }
 
 }  // namespace lstm_planner

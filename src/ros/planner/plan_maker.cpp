@@ -34,8 +34,7 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       tracker_(goalPatience()),
       markers_(ros::NodeHandle("~/" + name), agent_.policy().description(), parameters.trace_length),
       decisions_(ros::NodeHandle("~/" + name)),
-      plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)),
-      preview_shield_(agent_.shield()) {}
+      plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)) {}
 
 void PlanMaker::makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
                          std::vector<geometry_msgs::PoseStamped>* plan) {
@@ -56,7 +55,7 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   const SensorReading reading = sensors_.read(now_);
   global_from_odometry_ = frames_.transform(global_frame_, reading.odometry_frame, now_);
   checkStart(start, compose(global_from_odometry_, reading.newest_pose));
-  look(reading);
+  perceive(reading);
 
   Pose2 goal_in_global_frame =
       compose(frames_.transformAt(global_frame_, goal.frame, goal_message.header.stamp, now_), goal.pose);
@@ -66,8 +65,7 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   const bool driven = verdict != GoalTracker::Verdict::kQuestion;
   const Decision& decision =
       driven ? drive(odometry_goal, reading, verdict == GoalTracker::Verdict::kNewGoal) : preview(odometry_goal);
-  rollOut(agent_.situation(), decision, driven ? agent_.shield() : preview_shield_, odometry_goal, parameters_.agent,
-          parameters_.rollout, &plan_);
+  rollOut(agent_.situation(), decision, agent_.shield(), odometry_goal, parameters_.agent, parameters_.rollout, &plan_);
   toGlobalFrame(decision, goal_in_global_frame, plan);
   if (driven) {
     sayWhoLeads(decision);
@@ -90,7 +88,7 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
   }
 }
 
-void PlanMaker::look(const SensorReading& reading) {
+void PlanMaker::perceive(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
   agent_.perceive(scan_, reading.mount, reading.scan_pose, reading.scan_stamp);
 }
@@ -137,7 +135,6 @@ void PlanMaker::sayWhoLeads(const Decision& decision) {
 }
 
 const Decision& PlanMaker::preview(const Pose2& goal) {
-  preview_shield_.show(agent_.situation().obstacles);
   preview_ = agent_.preview({goal.x, goal.y});
   return preview_;
 }

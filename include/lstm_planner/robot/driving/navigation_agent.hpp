@@ -81,7 +81,7 @@ class NavigationAgent {
   const Decision& decision() const { return decision_; }
   const Situation& situation() const { return situation_; }  ///< that was perceived last
   const Point2& goal() const { return goal_; }
-  const Shield& shield() const { return shield_; }
+  const Shield& shield() const { return shield_; }  ///< shows what was perceived, or decided about, last
   /// Searches for paths through what is remembered, so far.
   long searches() const { return guide_ ? guide_->searches() : 0; }
   const AgentParameters& parameters() const { return parameters_; }
@@ -90,6 +90,8 @@ class NavigationAgent {
 
  private:
   using Source = Decision::Source;
+
+  const Decision& decideAbout(const Situation& situation);
 
   // A step.
   bool stepIsOver(const Situation& situation) const;

@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "lstm_planner/robot/driving/path_tracker.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
-#include "lstm_planner/robot/perception/moving_returns.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 #include "lstm_planner/ros/common/frame_transformer.hpp"
 #include "lstm_planner/ros/common/message_queue.hpp"
@@ -47,15 +46,14 @@ class PlanFollower {
  private:
   void checkPlanAge(const ros::Time& now) const;
   Pose2 odometryFromPlan(const std::string& odometry_frame, const ros::Time& now) const;
-  void look(const SensorReading& reading);
+  void perceive(const SensorReading& reading);
 
   SteeringControllerParameters parameters_;
   FrameTransformer frames_;
   MessageQueue messages_;
   SensorListener sensors_;
-  MotionController controller_;
+  PathTracker tracker_;
   Shield shield_;
-  MovingReturns moving_;
 
   ros::Time plan_time_;  ///< when the plan was set
   std::string plan_frame_;

@@ -44,7 +44,7 @@ class PlanMaker {
   void makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
                                std::vector<geometry_msgs::PoseStamped>* plan);
   void checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const;
-  void look(const SensorReading& reading);
+  void perceive(const SensorReading& reading);
   GoalTracker::Verdict ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
   const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
   const Decision& preview(const Pose2& goal);
@@ -72,7 +72,6 @@ class PlanMaker {
   Pose2 global_from_odometry_;                            ///< of the current call
   LaserScan scan_;                                        ///< of the current call
   Decision preview_;                                      ///< of the last question
-  Shield preview_shield_;                                 ///< shows the last question's scan
   std::vector<Pose2> plan_;                               ///< of the current call, odometry frame
   Pose2 driven_goal_;                                     ///< global frame
   Decision::Source leader_ = Decision::Source::kArrived;  ///< that was said last; none of the leaders at first

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "lstm_planner/robot/perception/moving_returns.hpp"
+#include "lstm_planner/robot/perception/situation.hpp"
+
+namespace lstm_planner {
+
+/// What follows a plan among people, in the robot and in simulation: sees by scan after scan what moves, and asks the
+/// controller for a command.
+class PathTracker {
+ public:
+  /// Throws as MotionController.
+  explicit PathTracker(const MotionParameters& parameters) : controller_(parameters), moving_(parameters.moving) {}
+
+  /// The next command along a plan in the odometry frame, `period` s before the one after it. `shield` shows the
+  /// situation's obstacles, `twist` is the measured one. Zero for an empty plan.
+  Twist2 compute(const std::vector<Pose2>& plan, const Situation& situation, const Twist2& twist, const Shield& shield,
+                 double period) {
+    moving_.show(situation.profile, situation.pose, situation.time);
+    return controller_.compute(plan, situation.pose, twist, shield, period, moving_.points(), moving_.resting());
+  }
+
+  /// The odometry jumped: what was seen is somewhere else now.
+  void forget() { moving_.reset(); }
+
+  /// At the plan's last pose within the tolerances.
+  bool goalReached(const Pose2& pose, const Pose2& goal) const { return controller_.goalReached(pose, goal); }
+
+ private:
+  MotionController controller_;
+  MovingReturns moving_;
+};
+
+}  // namespace lstm_planner
