@@ -213,7 +213,7 @@ void DriveRecorder::beginStep(const ScanHeard& scan) {
   step.pose = situation_->pose;
   step.twist = history_.newest().twist;
   step.goal = goal_position_;
-  step.observation = observer_.look(*situation_, goal_position_, previous_action_);
+  step.observation = observer_.observe(*situation_, goal_position_, previous_action_);
   step.minimum_ranges = situation_->sectors.nearest;
   step.beams = situation_->sectors.beams;
   step.measured = situation_->sectors.measured;

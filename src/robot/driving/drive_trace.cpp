@@ -39,7 +39,7 @@ void DriveTrace::clear() {
   progress_.clear();
 }
 
-void DriveTrace::look(const Pose2& pose, Observation* observation) {
+void DriveTrace::update(const Pose2& pose, Observation* observation) {
   places_.visit({pose.x, pose.y});
   lookAround(pose, observation);
   noteProgress(observation);

@@ -5,7 +5,7 @@ namespace lstm_planner {
 Observation observe(const Situation& situation, const Point2& goal, double previous_action, double position_cell,
                     DriveTrace* trace) {
   Observation observation = observe(situation.sectors, situation.pose, goal, previous_action, position_cell);
-  trace->look(situation.pose, &observation);
+  trace->update(situation.pose, &observation);
   return observation;
 }
 
@@ -20,8 +20,8 @@ void Observer::forget() {
   trace_.clear();
 }
 
-Observation Observer::look(const Situation& situation, const Point2& goal, double previous_action) {
-  Observation observation = observe(situation, goal, previous_action, 0.0, &trace_);
+Observation Observer::observe(const Situation& situation, const Point2& goal, double previous_action) {
+  Observation observation = lstm_planner::observe(situation, goal, previous_action, 0.0, &trace_);
   guide_.moveGoal(goal_, goal);
   goal_ = goal;
   if (parameters_.memory.enabled && guide_.update(situation, goal) == Decision::Source::kRoute) {

@@ -5,7 +5,7 @@
 
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/robot/evaluation/drive.hpp"
-#include "robot/evaluation/shortest_way.hpp"
+#include "robot/evaluation/shortest_path.hpp"
 
 namespace lstm_planner {
 
@@ -42,7 +42,7 @@ std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footp
     const double yaw = (2.0 * uniform(random) - 1.0) * M_PI;
     const GeodesicField to_goal(grid, distances, goal, options);
     if (!std::isfinite(to_goal.at(start)) || to_goal.at(start) < shortest) continue;
-    const double length = shortestWay(distances, to_goal, grid, start, goal, needed);
+    const double length = shortestPath(distances, to_goal, grid, start, goal, needed);
     if (length >= shortest) {
       const Point2 from = grid.centerOf(start);
       tasks.push_back({{from.x, from.y, yaw}, grid.centerOf(goal), length});

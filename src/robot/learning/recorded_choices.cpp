@@ -31,7 +31,7 @@ class RecordingReader {
       const double previous_action = i == 0 ? 0.0 : actions().angle(choices.back().label);
       RecordedChoice choice;
       choice.observation = observe(sectors(step), step.pose, step.goal, previous_action, policy_.encoder.position_cell);
-      trace.look(step.pose, &choice.observation);
+      trace.update(step.pose, &choice.observation);
       choice.observation.visits = step.observation.visits;
       choice.label = label(episode.steps, i);
       choices.push_back(choice);

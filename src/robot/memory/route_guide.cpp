@@ -107,11 +107,11 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
       closed_in_a_row_ = 0;
       return Source::kRoute;
     }
-    found = findAgain(here, goal);
+    found = takeFromLastSearch(here, goal);
   }
   // While it looks around, what lies behind the robot is not known and seems free.
   const bool still_looking = looking_ && turned_ < kFullTurn;
-  found = found || (!still_looking && find(here, goal, &found_));
+  found = found || (!still_looking && search(here, goal, &found_));
   memory_.clearChanges();
   if (!found) {
     return lookAround(situation);
@@ -124,7 +124,7 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
 
 double RouteGuide::tolerance() const { return parameters_.goal_tolerance + parameters_.goal_drift * driven_; }
 
-bool RouteGuide::find(const Point2& start, const Point2& goal, Route* route) {
+bool RouteGuide::search(const Point2& start, const Point2& goal, Route* route) {
   ++searches_;
   const bool found = finder_.find(memory_, start, goal, tolerance(), route);
   has_costs_ = found && finder_.endsAtGoal();
@@ -172,8 +172,8 @@ bool RouteGuide::isWorthKeeping(const Point2& here, const Point2& goal, double c
 }
 
 /// By the last search alone; false when it takes a new one.
-bool RouteGuide::findAgain(const Point2& here, const Point2& goal) {
-  if (memory_.cellAt(goal) != memory_.cellAt(searched_goal_) || !finder_.findAgain(memory_, here, &found_)) {
+bool RouteGuide::takeFromLastSearch(const Point2& here, const Point2& goal) {
+  if (memory_.cellAt(goal) != memory_.cellAt(searched_goal_) || !finder_.fromLastSearch(memory_, here, &found_)) {
     return false;
   }
   found_.points.back() = end();

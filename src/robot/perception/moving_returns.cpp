@@ -52,7 +52,7 @@ void MovingReturns::show(const RangeProfile& profile, const Pose2& pose, double 
       reset();
     }
   }
-  look(profile, pose, time);
+  takeView(profile, pose, time);
   dropOldViews();
   collectReturns();
   std::size_t references = 0;
@@ -68,7 +68,7 @@ void MovingReturns::show(const RangeProfile& profile, const Pose2& pose, double 
   }
 }
 
-void MovingReturns::look(const RangeProfile& profile, const Pose2& pose, double time) {
+void MovingReturns::takeView(const RangeProfile& profile, const Pose2& pose, double time) {
   view_.profile = profile;
   view_.pose = pose;
   view_.cosine = std::cos(pose.yaw);

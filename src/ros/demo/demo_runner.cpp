@@ -106,7 +106,7 @@ DemoLeg DemoRunner::drive(const DemoParameters::Goal& goal) {
   DemoLeg leg;
   leg.name = goal.name;
   leg.goal = {goal.pose.x, goal.pose.y};
-  leg.shortest = shortestWay(leg.goal);
+  leg.shortest = shortestPath(leg.goal);
   const ros::Time begin = stamp_;
   const double driven_before = driven_;
   const unsigned contacts_before = contacts_;
@@ -145,7 +145,7 @@ move_base_msgs::MoveBaseGoal DemoRunner::message(const Pose2& goal) const {
   return message;
 }
 
-double DemoRunner::shortestWay(const Point2& goal) const {
+double DemoRunner::shortestPath(const Point2& goal) const {
   GeodesicField::Options options;
   options.clearance = parameters_.robot_radius - kGridError;
   const GeodesicField field(map_, distances_, map_.cellAt(goal), options);

@@ -19,7 +19,7 @@ class DriveTrace {
 
   /// Once a step: notes that the robot is at `pose`, and fills what an observation says of the drive so far (visits,
   /// places, progress, motion) from that and from the observation's own sectors and goal distance.
-  void look(const Pose2& pose, Observation* observation);
+  void update(const Pose2& pose, Observation* observation);
 
  private:
   void lookAround(const Pose2& pose, Observation* observation) const;

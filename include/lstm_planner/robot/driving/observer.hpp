@@ -25,12 +25,12 @@ class Observer {
   void forget();
   /// What the network would be told at this step; the position is not rounded. In addition, for whoever learns from it
   /// later: where the way through the obstacles seen so far begins, and how long it is.
-  Observation look(const Situation& situation, const Point2& goal, double previous_action);
+  Observation observe(const Situation& situation, const Point2& goal, double previous_action);
 
  private:
   AgentParameters parameters_;
   RouteGuide guide_;
-  Point2 goal_;  ///< where it lay at the last look
+  Point2 goal_;  ///< where it lay when it was observed last
   DriveTrace trace_;
 };
 

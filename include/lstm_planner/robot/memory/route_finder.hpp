@@ -34,7 +34,7 @@ class RouteFinder {
 
   /// A route from elsewhere to the end of the last one that was found at the goal, without a new search; false when
   /// that search does not tell. Where obstacles have gone since there may be a better one.
-  bool findAgain(ObstacleMemory& memory, const Point2& start, Route* route);
+  bool fromLastSearch(ObstacleMemory& memory, const Point2& start, Route* route);
 
   /// Whether the last route found ends at the goal, or at the place nearest to it: costToGo() is then what is left of
   /// the way there.

@@ -74,11 +74,11 @@ class RouteGuide {
  private:
   double tolerance() const;
   void noteMotion(const Situation& situation);
-  bool find(const Point2& start, const Point2& goal, Route* route);
+  bool search(const Point2& start, const Point2& goal, Route* route);
   bool costsHold(const Point2& here, const Point2& goal);
   bool goalIsAsBefore(const Point2& goal);
   bool isWorthKeeping(const Point2& here, const Point2& goal, double cost) const;
-  bool findAgain(const Point2& here, const Point2& goal);
+  bool takeFromLastSearch(const Point2& here, const Point2& goal);
   void takeInChanges(const Point2& here, const Point2& goal, double cost);
   std::uint32_t leastCost(const Point2& here, const Point2& goal) const;
   double metresOf(std::uint32_t cost) const { return cost * cost_scale_; }

@@ -93,7 +93,7 @@ class MovingReturns {
   };
   enum class Sight { kFree, kTaken, kUnknown };
 
-  void look(const RangeProfile& profile, const Pose2& pose, double time);
+  void takeView(const RangeProfile& profile, const Pose2& pose, double time);
   void dropOldViews();
   void keepView();
   Sight sightOf(const Point2& point, const View& view) const;

@@ -105,7 +105,7 @@ class DemoRunner {
   bool spinUntil(double seconds, const std::function<bool()>& condition);
   void checkAlive() const;
   move_base_msgs::MoveBaseGoal message(const Pose2& goal) const;
-  double shortestWay(const Point2& goal) const;
+  double shortestPath(const Point2& goal) const;
   void drawPicture() const;
 
   DemoParameters parameters_;

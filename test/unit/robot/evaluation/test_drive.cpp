@@ -51,7 +51,7 @@ TEST(Summarize, TakesThePercentileByRank) {
   EXPECT_DOUBLE_EQ(summarize({results[0]}).p95_ratio, 20.0);
 }
 
-TEST(Summarize, LeavesOutUnknownShortestWaysAndSurvivesNothing) {
+TEST(Summarize, LeavesOutUnknownShortestPathsAndSurvivesNothing) {
   EXPECT_EQ(summarize({}).goals, 0);
   EXPECT_EQ(summarize({}).p95_ratio, 0.0);
   const DriveSummary summary = summarize({resultOf(DriveResult::End::kReached, 7.0, 0.0, 3.0)});

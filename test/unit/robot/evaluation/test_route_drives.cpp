@@ -64,7 +64,7 @@ TEST(RouteDrives, AnEnclosedGoalIsKnownToBeEnclosed) {
   EXPECT_LT(result.path_length, 4.0 + 5.0 * 1.25 * round + 2.0 * kDefaults.escape.first_leg + 1.25 * round);
 }
 
-TEST(RouteDrives, LeavesADeadEndByTheShortestWay) {
+TEST(RouteDrives, LeavesADeadEndByTheShortestPath) {
   OccupancyGrid grid = test::emptyHall(12.0, 8.0);
   test::fillBox(7.0, 2.0, 7.1, 6.0, &grid);
   test::fillBox(4.0, 2.0, 7.1, 2.1, &grid);

@@ -81,7 +81,7 @@ TEST(DatasetSequences, TheDriveSoFarIsToldAsItWouldBeToTheDriver) {
     Observation observation;
     observation.sector_ranges = driven.observation.sector_ranges;
     observation.goal_distance = driven.observation.goal_distance;
-    trace.look(driven.pose, &observation);
+    trace.update(driven.pose, &observation);
     Eigen::VectorXf expected(encoder.size());
     encoder.encode(observation, expected);
     EXPECT_TRUE(sequence.inputs.col(step).isApprox(expected, 1e-6f)) << step;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <vector>
 
 #include "lstm_planner/robot/memory/obstacle_memory.hpp"
+#include "lstm_planner/robot/memory/route_guide.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "lstm_planner/robot/simulation/world.hpp"
@@ -36,5 +39,24 @@ inline Situation returnsAt(const std::vector<Point2>& places, const Pose2& pose 
   }
   return situation;
 }
+
+/// A route guide and the goal that it leads to.
+class GuideFixture : public ::testing::Test {
+ protected:
+  void begin(const Point2& goal) {
+    goal_ = goal;
+    guide_.begin();
+  }
+  void moveGoal(const Point2& goal) {
+    guide_.moveGoal(goal_, goal);
+    goal_ = goal;
+  }
+  Decision::Source update(const Situation& situation) { return guide_.update(situation, goal_); }
+
+  RouteGuide guide_{AgentParameters()};
+
+ private:
+  Point2 goal_;
+};
 
 }  // namespace lstm_planner::test

@@ -144,7 +144,7 @@ TEST(RouteFinder, FindsAWayOfThreeKilometresInsideItsWindow) {
   // The rest of it without a new search, and a short way after it with one.
   const double length = route.length;
   const Point2 farther{0.0, -kHalf + 0.8};
-  ASSERT_TRUE(finder.findAgain(memory, farther, &route));
+  ASSERT_TRUE(finder.fromLastSearch(memory, farther, &route));
   EXPECT_NEAR(route.length, length - distanceBetween(start, farther), 1.0);
   EXPECT_EQ(finder.costToGo().cost(memory.cellAt(farther)) + CostToGo::octile(168, 0), whole);
   ASSERT_TRUE(finder.find(memory, start, farther, kTolerance, &route));

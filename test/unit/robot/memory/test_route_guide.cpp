@@ -22,20 +22,8 @@ OccupancyGrid closedRoom() {
   return grid;
 }
 
-class RouteGuideTest : public ::testing::Test {
+class RouteGuideTest : public test::GuideFixture {
  protected:
-  RouteGuideTest() : guide_(AgentParameters{}) {}
-
-  void begin(const Point2& goal) {
-    goal_ = goal;
-    guide_.begin();
-  }
-  void moveGoal(const Point2& goal) {
-    guide_.moveGoal(goal_, goal);
-    goal_ = goal;
-  }
-  Source update(const Situation& situation) { return guide_.update(situation, goal_); }
-
   /// Turns the robot on the spot by 40 degrees a time while it is told to look around, at most `turns` times round.
   Source lookAround(const World& world, Pose2* pose, double turns) {
     Source status = update(seenFrom(world, *pose));
@@ -81,8 +69,6 @@ class RouteGuideTest : public ::testing::Test {
     return profile;
   }
 
-  RouteGuide guide_;
-  Point2 goal_;
   double turned_ = 0.0;  ///< rad
 };
 

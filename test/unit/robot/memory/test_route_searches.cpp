@@ -33,23 +33,13 @@ Situation seeingThrough(double from, double to, const Pose2& pose) {
   return situation;
 }
 
-class RouteSearches : public ::testing::Test {
+class RouteSearches : public test::GuideFixture {
  protected:
-  RouteSearches() : guide_(kDefaults) {
+  RouteSearches() {
     begin({6.0, 0.0});
     EXPECT_EQ(update(returnsAt(wall_)), Source::kRoute);
     EXPECT_EQ(guide_.searches(), 1);
   }
-
-  void begin(const Point2& goal) {
-    goal_ = goal;
-    guide_.begin();
-  }
-  void moveGoal(const Point2& goal) {
-    guide_.moveGoal(goal_, goal);
-    goal_ = goal;
-  }
-  Source update(const Situation& situation) { return guide_.update(situation, goal_); }
 
   double highest() const {
     double highest = -1e9;
@@ -59,8 +49,6 @@ class RouteSearches : public ::testing::Test {
 
   /// Below it the way is shorter.
   const std::vector<Point2> wall_ = test::wall({3.0, -2.0}, {3.0, 4.0});
-  RouteGuide guide_;
-  Point2 goal_;
 };
 
 TEST_F(RouteSearches, NoneIsMadeWhileTheRobotDrivesAlongAndNothingChanges) {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "robot/evaluation/shortest_way.hpp"
+#include "robot/evaluation/shortest_path.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
 namespace lstm_planner {
@@ -20,10 +20,10 @@ Ways between(const OccupancyGrid& grid, const Point2& start, const Point2& goal)
   const CellIndex from = grid.cellAt(start);
   const CellIndex to = grid.cellAt(goal);
   const GeodesicField field(grid, distances, to, {kClearance, 0.0, 0.0});
-  return {shortestWay(distances, field, grid, from, to, kClearance), field.at(from)};
+  return {shortestPath(distances, field, grid, from, to, kClearance), field.at(from)};
 }
 
-TEST(ShortestWay, IsStraightInTheOpen) {
+TEST(ShortestPath, IsStraightInTheOpen) {
   const OccupancyGrid hall = test::emptyHall(8.0, 6.0);
   for (const Point2& goal : {Point2{7.0, 3.0}, Point2{5.0, 5.0}, Point2{1.5, 5.2}}) {
     const Point2 from = hall.centerOf(hall.cellAt({1.0, 1.0}));
@@ -32,7 +32,7 @@ TEST(ShortestWay, IsStraightInTheOpen) {
   }
 }
 
-TEST(ShortestWay, BendsAtTheCornersOfWhatIsInBetween) {
+TEST(ShortestPath, BendsAtTheCornersOfWhatIsInBetween) {
   OccupancyGrid grid = test::emptyHall(8.0, 6.0);
   test::fillBox(3.9, 0.0, 4.1, 4.0, &grid);
   const Ways ways = between(grid, {1.025, 1.025}, {7.025, 1.025});
@@ -44,7 +44,7 @@ TEST(ShortestWay, BendsAtTheCornersOfWhatIsInBetween) {
   EXPECT_LT(ways.any_angle, ways.along_the_grid);
 }
 
-TEST(ShortestWay, IsNeverLongerThanAlongTheGridNorShorterThanStraight) {
+TEST(ShortestPath, IsNeverLongerThanAlongTheGridNorShorterThanStraight) {
   OccupancyGrid grid = test::emptyHall(10.0, 8.0);
   for (int i = 0; i < 12; ++i) {
     const double x = 1.5 + 2.2 * (i % 4);
@@ -61,7 +61,7 @@ TEST(ShortestWay, IsNeverLongerThanAlongTheGridNorShorterThanStraight) {
   }
 }
 
-TEST(ShortestWay, IsInfiniteWhereThereIsNone) {
+TEST(ShortestPath, IsInfiniteWhereThereIsNone) {
   OccupancyGrid grid = test::emptyHall(8.0, 6.0);
   test::fillBox(3.9, 0.0, 4.1, 6.0, &grid);
   EXPECT_TRUE(std::isinf(between(grid, {1.0, 1.0}, {7.0, 1.0}).any_angle));

@@ -1,4 +1,4 @@
-#include "robot/evaluation/shortest_way.hpp"
+#include "robot/evaluation/shortest_path.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -12,7 +12,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kUnreachable = std::numeric_limits<double>::infinity();
-/// No way along the eight directions of a grid is longer than the straight one by more than this: 1 / cos(22.5 deg).
+/// No path along the eight directions of a grid is longer than the straight one by more than this: 1 / cos(22.5 deg).
 constexpr double kDetour = 1.0823922;
 
 class LazyThetaStar {
@@ -75,7 +75,7 @@ class LazyThetaStar {
     }
   }
 
-  /// Its way came straight from the parent of the cell before, on trust.
+  /// Its path came straight from the parent of the cell before, on trust.
   void makeSure(CellIndex cell) {
     if (isVisible(parents_[offset(cell)], cell)) return;
     double best = kUnreachable;
@@ -143,8 +143,8 @@ class LazyThetaStar {
 
 }  // namespace
 
-double shortestWay(const DistanceField& distances, const GeodesicField& to_goal, const OccupancyGrid& grid,
-                   CellIndex start, CellIndex goal, double clearance) {
+double shortestPath(const DistanceField& distances, const GeodesicField& to_goal, const OccupancyGrid& grid,
+                    CellIndex start, CellIndex goal, double clearance) {
   if (!std::isfinite(to_goal.at(start))) return kUnreachable;
   return LazyThetaStar(distances, to_goal, grid, clearance).search(start, goal) * grid.resolution();
 }
