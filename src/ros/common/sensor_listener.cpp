@@ -25,7 +25,7 @@ void checkAge(double age, double timeout, const std::string& topic, const std::s
 
 SensorListener::SensorListener(MessageQueue* messages, const SensorParameters& parameters,
                                const std::string& base_frame, const tf2_ros::Buffer& tf)
-    : messages_(*messages), parameters_(parameters), tf_(tf), base_frame_(base_frame), history_(parameters.max_speed) {
+    : messages_(*messages), parameters_(parameters), mounts_(tf, base_frame), history_(parameters.max_speed) {
   // Without this, TCP holds a scan back until the one before is acknowledged: up to 40 ms.
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   ros::NodeHandle node_handle = messages_.nodeHandle();
@@ -54,10 +54,7 @@ void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const
     history_.restart();
     odometry_frame_ = frameName(odometry->header.frame_id);
   }
-  if (!odometry->child_frame_id.empty() && frameName(odometry->child_frame_id) != base_frame_) {
-    base_frame_ = frameName(odometry->child_frame_id);
-    mounts_.clear();
-  }
+  mounts_.setBaseFrame(frameName(odometry->child_frame_id));
   if (odometry_is_finite_) {
     history_.add(entry);
   }
@@ -100,19 +97,10 @@ SensorReading SensorListener::read(const ros::Time& now) {
 }
 
 const SensorMount& SensorListener::mountOf(const std::string& frame) {
-  constexpr std::size_t kMostScanners = 16;
   if (frame.empty()) throw SensorError("the scan on " + scan_subscriber_.getTopic() + " names no frame");
-  const auto known = mounts_.find(frame);
-  if (known != mounts_.end()) {
-    return known->second;
-  }
   try {
-    const SensorMount mount = mountFromMessage(tf_.lookupTransform(base_frame_, frame, ros::Time(0)).transform);
-    if (mounts_.size() >= kMostScanners) mounts_.clear();
-    return mounts_.emplace(frame, mount).first->second;
-  } catch (const tf2::TransformException& error) {
-    throw SensorError("where the scanner sits is not known: " + std::string(error.what()));
-  } catch (const std::invalid_argument& error) {
+    return mounts_.at(frame);
+  } catch (const MountUnknown& error) {
     throw SensorError(error.what());
   }
 }

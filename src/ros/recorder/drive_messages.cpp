@@ -36,7 +36,7 @@ DriveMessages::DriveMessages(const tf2::BufferCore& tf, const std::string& base_
                              const std::optional<SensorMount>& mount, const RecorderParameters& parameters,
                              StepSink* sink)
     : tf_(tf),
-      base_frame_(frameName(base_frame)),
+      mounts_(tf, frameName(base_frame)),
       given_mount_(mount),
       recorder_(parameters, sink, [this](const std::string& frame, double stamp) { return locate(frame, stamp); }) {}
 
@@ -61,11 +61,7 @@ void DriveMessages::hear(const nav_msgs::Odometry& odometry, const ros::Time& re
   if (!isUsable(heard)) return;
   odometry_heard_ = true;
   odometry_frame_ = frameName(odometry.header.frame_id);
-  const std::string base_frame = frameName(odometry.child_frame_id);
-  if (!base_frame.empty() && base_frame != base_frame_) {
-    base_frame_ = base_frame;
-    mounts_.clear();
-  }
+  mounts_.setBaseFrame(frameName(odometry.child_frame_id));
   add(heard);
 }
 
@@ -136,20 +132,12 @@ std::optional<Pose2> DriveMessages::locate(const std::string& frame, double stam
 
 const SensorMount* DriveMessages::mountOf(const std::string& frame) {
   if (given_mount_) return &*given_mount_;
-  const auto known = mounts_.find(frame);
-  if (known != mounts_.end()) return &known->second;
-  std::string problem;
   try {
-    const SensorMount mount = mountFromMessage(tf_.lookupTransform(base_frame_, frame, ros::Time(0)).transform);
-    if (lstm_planner::isFinite(mount.pose)) return &mounts_.emplace(frame, mount).first->second;
-    problem = "the transform from " + frame + " to " + base_frame_ + " is not finite";
-  } catch (const tf2::TransformException& error) {
-    problem = "where the scanner sits is not known: " + std::string(error.what());
-  } catch (const std::invalid_argument& error) {
-    problem = error.what();
+    return &mounts_.at(frame);
+  } catch (const MountUnknown& error) {
+    reject(Rejection::kNoTransform, error.what());
+    return nullptr;
   }
-  reject(Rejection::kNoTransform, problem);
-  return nullptr;
 }
 
 bool DriveMessages::isUsable(const DriveEvent& event) {

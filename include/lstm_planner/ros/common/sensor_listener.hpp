@@ -7,7 +7,6 @@
 #include <sensor_msgs/LaserScan.h>
 #include <tf2_ros/buffer.h>
 
-#include <map>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -17,6 +16,7 @@
 #include "lstm_planner/robot/perception/silence_watch.hpp"
 #include "lstm_planner/ros/common/message_queue.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
+#include "lstm_planner/ros/common/scanner_mounts.hpp"
 
 namespace lstm_planner {
 
@@ -57,10 +57,9 @@ class SensorListener {
 
   MessageQueue& messages_;
   SensorParameters parameters_;
-  const tf2_ros::Buffer& tf_;
 
   std::mutex mutex_;  ///< guards all below
-  std::string base_frame_;
+  ScannerMounts mounts_;
   std::string odometry_frame_;
   sensor_msgs::LaserScan::ConstPtr scan_;
   ros::Time scan_stamp_;
@@ -69,7 +68,6 @@ class SensorListener {
   ros::Time odometry_stamp_;
   bool odometry_is_finite_ = true;
   OdometryHistory history_;
-  std::map<std::string, SensorMount> mounts_;  ///< by the scanner's frame
 
   ros::Subscriber scan_subscriber_;
   ros::Subscriber odometry_subscriber_;

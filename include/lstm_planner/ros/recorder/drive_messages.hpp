@@ -9,11 +9,11 @@
 #include <sensor_msgs/LaserScan.h>
 #include <tf2/buffer_core.h>
 
-#include <map>
 #include <optional>
 #include <string>
 
 #include "lstm_planner/robot/dataset/drive_recorder.hpp"
+#include "lstm_planner/ros/common/scanner_mounts.hpp"
 
 namespace lstm_planner {
 
@@ -62,11 +62,10 @@ class DriveMessages {
   void reject(Rejection rejection, const std::string& problem);
 
   const tf2::BufferCore& tf_;
-  std::string base_frame_;
+  ScannerMounts mounts_;
   std::string odometry_frame_;
   bool odometry_heard_ = false;
   std::optional<SensorMount> given_mount_;
-  std::map<std::string, SensorMount> mounts_;  ///< by the scanner's frame
   std::optional<LastGoal> last_goal_;
   actionlib_msgs::GoalID action_goal_;  ///< move_base's newest; empty id: the newest goal is not move_base's
   std::string problem_;
