@@ -8,14 +8,6 @@
 namespace lstm_planner {
 namespace {
 
-int directionBetween(CellIndex from, CellIndex to) {
-  const CellIndex step = {to.column - from.column, to.row - from.row};
-  for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    if (kGridRaySteps[static_cast<std::size_t>(direction)] == step) return direction;
-  }
-  return kNoWay;
-}
-
 void checkNotNegative(const char* name, double value) {
   checkParameter(value >= 0.0, name, value, "a number that is not negative");
 }
@@ -44,7 +36,7 @@ void BoundaryFollower::observe(const GridObservation& observation) {
     state_ = State::kGoing;
     best_ = octileDistance(observation.cell, observation.goal);
   } else if (state_ == State::kFollowing || state_ == State::kReturning) {
-    leg_ += moveLength(directionBetween(before.cell, now_.cell));
+    leg_ += moveLength(rayBetween(before.cell, now_.cell));
     trail_.moved(before.cell, now_, state_ == State::kFollowing ? end_ : -1);
   }
   decision_ = nextDirection();
@@ -176,7 +168,7 @@ int BoundaryFollower::directionAlong(End* end) const {
   std::size_t skipped = cells.size();
   int direction = kNoWay;
   while (direction == kNoWay && skipped-- > 0) {
-    const int towards = directionBetween(now_.cell, cells[skipped]);
+    const int towards = rayBetween(now_.cell, cells[skipped]);
     if (towards != kNoWay && movePossible(now_.ranges, towards, parameters_.corner_cutting)) direction = towards;
   }
   cells.resize(known);

@@ -14,12 +14,7 @@ int stepCount(CellIndex from, CellIndex to) {
   return std::max(std::abs(to.column - from.column), std::abs(to.row - from.row));
 }
 
-int directionOf(CellIndex step) {
-  for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    if (kGridRaySteps[static_cast<std::size_t>(direction)] == step) return direction;
-  }
-  return 0;
-}
+int directionOf(CellIndex step) { return std::max(0, rayBetween({0, 0}, step)); }
 
 int cross(CellIndex a, CellIndex b) { return a.column * b.row - a.row * b.column; }
 

@@ -7,9 +7,8 @@
 namespace lstm_planner {
 
 int directionBetween(CellIndex from, CellIndex to) {
-  for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    if (cellBeside(from, direction) == to) return direction;
-  }
+  const int direction = rayBetween(from, to);
+  if (direction >= 0) return direction;
   throw std::invalid_argument("a move by " + std::to_string(to.column - from.column) + " columns and " +
                               std::to_string(to.row - from.row) + " rows, expected one of the eight cells around");
 }

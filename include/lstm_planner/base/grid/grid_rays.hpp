@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "lstm_planner/base/grid/occupancy_grid.hpp"
@@ -15,6 +16,14 @@ constexpr int kGridRayCap = 50;
 /// north-west, west, south-west, south, south-east. Rows grow to the north.
 constexpr std::array<CellIndex, kGridRayCount> kGridRaySteps = {
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+
+/// Which of kGridRaySteps leads from one cell to the other; -1 when none does.
+inline int rayBetween(CellIndex from, CellIndex to) {
+  const auto found = std::find_if(kGridRaySteps.begin(), kGridRaySteps.end(), [&](CellIndex step) {
+    return from.column + step.column == to.column && from.row + step.row == to.row;
+  });
+  return found == kGridRaySteps.end() ? -1 : static_cast<int>(found - kGridRaySteps.begin());
+}
 
 /// The proximity ranges of thesis Eq. 3.1 around a cell, in cells, in the order of kGridRaySteps: the number of steps
 /// to the first cell that is not free (1 when the neighbour is blocked, at most kGridRayCap), times sqrt(2) on
