@@ -118,12 +118,11 @@ void StepDrive::move(const Twist2& twist, double seconds) {
   Pose2 next = alongMeanHeading(pose_, length * (1.0 + conditions_.slip * normal(random_)),
                                 turn * (1.0 + conditions_.slip * normal(random_)));
   const bool touches = world_.touches({next.x, next.y}, footprint_radius_);
+  contacts_.note(touches);
   if (touches) {
-    contacts_ += touching_ ? 0 : 1;
     next = {pose_.x, pose_.y, next.yaw};
     length = 0.0;
   }
-  touching_ = touches;
   path_length_ += distanceBetween(pose_, next);
   pose_ = next;
   odometry_ =

@@ -55,9 +55,7 @@ Point2 SimulatedRobot::move(double seconds) {
   const Point2 position{after.x, after.y};
   const bool blocked = world_.touches(position, 0.5 * parameters_.base.base_diameter);
   if (blocked) base_.holdPosition({before.x, before.y, after.yaw});
-  const bool touches = blocked && !isBrushedBy(position, velocity);
-  contacts_ += touches && !touching_ ? 1 : 0;
-  touching_ = touches;
+  contacts_.note(blocked && !isBrushedBy(position, velocity));
   path_length_ += distanceBetween(before, base_.truePose());
   return velocity;
 }
@@ -65,11 +63,15 @@ Point2 SimulatedRobot::move(double seconds) {
 void SimulatedRobot::letWalk(double seconds, const Point2& velocity) {
   const Point2 here{base_.truePose().x, base_.truePose().y};
   for (const Circle& walker : crowd_->advance(seconds, {here, 0.5 * parameters_.base.base_diameter})) {
-    if (touching_) continue;  // counted already
+    if (contacts_.isTouching()) continue;  // counted already
     const double approach = approachSpeed(here, velocity, walker.center);
     const bool moves = std::hypot(velocity.x, velocity.y) > kStanding;
-    ++(approach > kStanding ? contacts_ : bumped_);
-    bumped_moving_ += moves && approach <= kStanding ? 1 : 0;
+    if (approach > kStanding) {
+      contacts_.add();
+    } else {
+      ++bumped_;
+      bumped_moving_ += moves ? 1 : 0;
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include "lstm_planner/robot/driving/closed_loop.hpp"
 #include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/robot/simulation/contact_count.hpp"
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "lstm_planner/robot/simulation/world.hpp"
 
@@ -44,7 +45,7 @@ class StepDrive : private LoopRobot {
   DriveResult::End run(int max_steps, NavigationAgent* agent);
 
   const Pose2& truePose() const { return pose_; }  ///< world frame; known to teachers only
-  int contacts() const { return contacts_; }
+  int contacts() const { return contacts_.contacts(); }
   double pathLength() const { return path_length_; }  ///< m
 
  private:
@@ -65,8 +66,7 @@ class StepDrive : private LoopRobot {
   Pose2 odometry_;
   Twist2 twist_;
   double time_ = 0.0;  ///< s
-  int contacts_ = 0;
-  bool touching_ = false;
+  ContactCount contacts_;
   double path_length_ = 0.0;
 };
 

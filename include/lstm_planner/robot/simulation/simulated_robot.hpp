@@ -4,6 +4,7 @@
 #include <deque>
 
 #include "lstm_planner/robot/perception/situation.hpp"
+#include "lstm_planner/robot/simulation/contact_count.hpp"
 #include "lstm_planner/robot/simulation/create2.hpp"
 #include "lstm_planner/robot/simulation/crowd.hpp"
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
@@ -47,7 +48,7 @@ class SimulatedRobot {
   const Pose2& odometry() const { return base_.odometry(); }
   const Twist2& measuredTwist() const { return base_.measuredTwist(); }
   /// How often the footprint began to touch something; not a walker that runs into it, unless it drives towards him.
-  int contacts() const { return contacts_; }
+  int contacts() const { return contacts_.contacts(); }
   int bumped() const { return bumped_; }               ///< how often a walker ran into the robot
   int bumpedMoving() const { return bumped_moving_; }  ///< of those, while it moved aside or away from him
   double pathLength() const { return path_length_; }   ///< m truly driven
@@ -70,10 +71,9 @@ class SimulatedRobot {
   std::deque<Command> commands_;
   double time_ = 0.0;
   Crowd* crowd_ = nullptr;
-  int contacts_ = 0;
+  ContactCount contacts_;
   int bumped_ = 0;
   int bumped_moving_ = 0;
-  bool touching_ = false;
   double path_length_ = 0.0;
 };
 

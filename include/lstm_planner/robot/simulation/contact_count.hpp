@@ -1,0 +1,24 @@
+#pragma once
+
+namespace lstm_planner {
+
+/// Counts how often a robot begins to touch something: as long as it goes on touching, that is one contact.
+class ContactCount {
+ public:
+  /// Whether it touches something now.
+  void note(bool touches) {
+    contacts_ += touches && !touching_ ? 1 : 0;
+    touching_ = touches;
+  }
+  /// It has touched something that it does not touch any more.
+  void add() { ++contacts_; }
+
+  bool isTouching() const { return touching_; }
+  int contacts() const { return contacts_; }
+
+ private:
+  bool touching_ = false;
+  int contacts_ = 0;
+};
+
+}  // namespace lstm_planner
