@@ -1,0 +1,18 @@
+#include "lstm_planner/robot/simulation/contact_count.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lstm_planner {
+namespace {
+
+TEST(ContactCount, TouchingForAWhileIsOneContact) {
+  ContactCount count;
+  for (const bool touches : {false, true, true, true, false, false, true}) count.note(touches);
+  EXPECT_EQ(count.contacts(), 2);
+  EXPECT_TRUE(count.isTouching());
+  count.add();
+  EXPECT_EQ(count.contacts(), 3);
+}
+
+}  // namespace
+}  // namespace lstm_planner
