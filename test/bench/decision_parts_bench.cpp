@@ -34,7 +34,7 @@ class Parts {
     goal_ = {drive.goal.x, drive.goal.y};
     memory_.forget();
     guide_.forget();
-    guide_.begin();
+    guide_.start();
     trace_.clear();
     policy_.reset();
     moving_.reset();

@@ -75,7 +75,7 @@ void keepRoute(benchmark::State& state, const std::string& world) {
   const RecordedDrive& drive = driveIn(world);
   const Situation situation = situationOf(drive, drive.steps.front());
   RouteGuide guide(kAgent);
-  guide.begin();
+  guide.start();
   for (auto _ : state) benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}));
   state.counters["searches"] = static_cast<double>(guide.searches());
 }
@@ -92,7 +92,7 @@ void updateRoute(benchmark::State& state, const std::string& world) {
   RouteGuide guide(kAgent);
   for (auto _ : state) {
     guide.forget();
-    guide.begin();
+    guide.start();
     const long before = guide.searches();
     for (const Situation& situation : situations)
       benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}));

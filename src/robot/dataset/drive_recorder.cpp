@@ -198,7 +198,7 @@ void DriveRecorder::beginEpisode() {
   in_episode_ = true;
   number_ = 0;
   previous_action_ = 0.0;
-  observer_.begin(goal_position_);
+  observer_.start(goal_position_);
   Episode episode;
   episode.goal = *goal_;
   episode.goal_source = goal_source_;

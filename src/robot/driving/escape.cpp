@@ -14,7 +14,7 @@ constexpr int kMostRounds = 5;
 Escape::Escape(const EscapeParameters& parameters, const ShieldParameters& shield)
     : parameters_(parameters), shield_parameters_(shield) {}
 
-void Escape::begin() {
+void Escape::start() {
   leave_below_ = std::numeric_limits<double>::infinity();
   following_ = false;
   rounds_ = 0;

@@ -91,7 +91,7 @@ Decision NavigationAgent::preview(const Point2& goal) const {
 void NavigationAgent::setGoal(const Point2& goal) {
   goal_ = goal;
   policy_.reset();
-  if (guide_) guide_->begin();
+  if (guide_) guide_->start();
   trace_.clear();
   clock_.clear();
   progress_.clear();
@@ -143,7 +143,7 @@ const Decision& NavigationAgent::decideAbout(const Situation& situation) {
   if (!clock_.hasStep() || stepIsOver(situation)) {
     noteProgress(situation);
     losePatience();
-    beginStep(situation);
+    startStep(situation);
     decide(situation);
   } else if (clock_.isStalled(situation)) {
     if (decision_.on_route) {
@@ -202,7 +202,7 @@ void NavigationAgent::startFrom(const Situation& situation, const char* why) {
 void NavigationAgent::lead(Source leader, const char* why) {
   if (leader == Source::kEscape) {
     if (decision_.leader == leader) return;
-    escape_.begin();
+    escape_.start();
   }
   decision_.leader = leader;
   decision_.why = why;
@@ -226,11 +226,11 @@ void NavigationAgent::losePatience() {
   }
 }
 
-void NavigationAgent::beginStep(const Situation& situation) {
+void NavigationAgent::startStep(const Situation& situation) {
   const double cell = policy_.description().encoder.position_cell;
   const Observation observation = observe(situation, goal_, previousAction(), cell, &trace_);
   advanceNetwork(observation);
-  clock_.begin(situation);
+  clock_.start(situation);
   ++decision_.step;
   imposed_action_ = step_listener_ ? step_listener_(situation, observation) : std::nullopt;
 }

@@ -9,9 +9,9 @@ Observation observe(const Situation& situation, const Point2& goal, double previ
   return observation;
 }
 
-void Observer::begin(const Point2& goal) {
+void Observer::start(const Point2& goal) {
   goal_ = goal;
-  guide_.begin();
+  guide_.start();
   trace_.clear();
 }
 

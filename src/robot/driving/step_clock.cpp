@@ -4,12 +4,12 @@
 
 namespace lstm_planner {
 
-bool isStepDriven(const StepParameters& step, const Pose2& begin, const Pose2& pose, const Point2& waypoint) {
-  return distanceBetween(begin, pose) >= step.length || std::abs(normalizeAngle(pose.yaw - begin.yaw)) >= step.turn ||
+bool isStepDriven(const StepParameters& step, const Pose2& start, const Pose2& pose, const Point2& waypoint) {
+  return distanceBetween(start, pose) >= step.length || std::abs(normalizeAngle(pose.yaw - start.yaw)) >= step.turn ||
          distanceBetween(pose, waypoint) < step.reached;
 }
 
-void StepClock::begin(const Situation& situation) {
+void StepClock::start(const Situation& situation) {
   has_step_ = true;
   pose_ = situation.pose;
   time_ = situation.time;

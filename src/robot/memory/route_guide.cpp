@@ -42,7 +42,7 @@ RouteGuide::RouteGuide(const AgentParameters& parameters)
   found_.points.reserve(route().points.capacity());
 }
 
-void RouteGuide::begin() {
+void RouteGuide::start() {
   route_.clear();
   has_costs_ = false;
   driven_ = 0.0;

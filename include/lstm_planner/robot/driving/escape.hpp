@@ -28,7 +28,7 @@ class Escape {
   Escape(const EscapeParameters& parameters, const ShieldParameters& shield);
 
   /// Starts from here.
-  void begin();
+  void start();
 
   /// The same goal lies a little elsewhere: the distances to it that are remembered change as the one from where the
   /// boundary was met.

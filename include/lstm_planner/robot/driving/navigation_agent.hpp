@@ -101,7 +101,7 @@ class NavigationAgent {
   void losePatience();
   bool isOutOfPatience(double times) const;
   void lead(Source leader, const char* why);
-  void beginStep(const Situation& situation);
+  void startStep(const Situation& situation);
   void advanceNetwork(const Observation& observation);
   double previousAction() const;
 

@@ -20,7 +20,7 @@ class Observer {
   explicit Observer(const AgentParameters& parameters) : parameters_(parameters), guide_(parameters) {}
 
   /// A new goal (odometry frame): the drive so far is forgotten, the obstacles not.
-  void begin(const Point2& goal);
+  void start(const Point2& goal);
   /// The odometry jumped: everything is forgotten.
   void forget();
   /// What the network would be told at this step; the position is not rounded. In addition, for whoever learns from it

@@ -6,7 +6,7 @@
 namespace lstm_planner {
 
 /// Whether a robot has driven a step: a step's length or turn, or it is at the waypoint. Poses in the odometry frame.
-bool isStepDriven(const StepParameters& step, const Pose2& begin, const Pose2& pose, const Point2& waypoint);
+bool isStepDriven(const StepParameters& step, const Pose2& start, const Pose2& pose, const Point2& waypoint);
 
 /// Tells when a step is over, and when the robot stands still under it. A clock that jumps back (a simulation started
 /// anew) stops neither.
@@ -14,13 +14,13 @@ class StepClock {
  public:
   explicit StepClock(const StepParameters& parameters) : parameters_(parameters) {}
 
-  /// No step has begun.
+  /// No step has started.
   void clear() { has_step_ = false; }
   bool hasStep() const { return has_step_; }
 
-  /// A step begins.
-  void begin(const Situation& situation);
-  /// Where it began.
+  /// A step starts.
+  void start(const Situation& situation);
+  /// Where it started.
   const Pose2& pose() const { return pose_; }
   /// m from there.
   double moved(const Situation& situation) const { return distanceBetween(pose_, situation.pose); }
@@ -28,7 +28,7 @@ class StepClock {
   /// Driven, or it has taken its time and the robot has moved at all.
   bool isOver(const Situation& situation, const Point2& waypoint) const;
 
-  /// The robot has stood still for too long, since the step began or since it was last said so.
+  /// The robot has stood still for too long, since the step started or since it was last said so.
   bool isStalled(const Situation& situation);
 
  private:

@@ -24,7 +24,7 @@ class RouteGuide {
   explicit RouteGuide(const AgentParameters& parameters);
 
   /// A new goal; what is remembered of the obstacles stays.
-  void begin();
+  void start();
 
   /// The same goal lies a little elsewhere: a route that ended at it ends at it still.
   void moveGoal(const Point2& from, const Point2& to);

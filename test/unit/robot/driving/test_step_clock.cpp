@@ -21,7 +21,7 @@ TEST(StepClock, AStepIsDrivenAfterItsLengthOrTurnOrAtTheWaypoint) {
 TEST(StepClock, AStepIsOverAfterItsPeriodIfTheRobotHasMoved) {
   StepClock clock{StepParameters()};
   EXPECT_FALSE(clock.hasStep());
-  clock.begin(situationAt({}, 10.0));
+  clock.start(situationAt({}, 10.0));
   EXPECT_TRUE(clock.hasStep());
   EXPECT_FALSE(clock.isOver(situationAt({}, 10.6), kWaypoint));
   EXPECT_FALSE(clock.isOver(situationAt({0.1, 0.0, 0.0}, 10.4), kWaypoint));
@@ -33,7 +33,7 @@ TEST(StepClock, AStepIsOverAfterItsPeriodIfTheRobotHasMoved) {
 
 TEST(StepClock, SaysOnceInAWhileThatTheRobotStandsStill) {
   StepClock clock{StepParameters()};
-  clock.begin(situationAt({}, 0.0));
+  clock.start(situationAt({}, 0.0));
   EXPECT_FALSE(clock.isStalled(situationAt({}, 1.9)));
   EXPECT_TRUE(clock.isStalled(situationAt({0.005, 0.0, 0.0}, 2.1)));
   EXPECT_FALSE(clock.isStalled(situationAt({}, 4.0)));

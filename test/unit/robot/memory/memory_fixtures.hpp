@@ -43,9 +43,9 @@ inline Situation returnsAt(const std::vector<Point2>& places, const Pose2& pose 
 /// A route guide and the goal that it leads to.
 class GuideFixture : public ::testing::Test {
  protected:
-  void begin(const Point2& goal) {
+  void start(const Point2& goal) {
     goal_ = goal;
-    guide_.begin();
+    guide_.start();
   }
   void moveGoal(const Point2& goal) {
     guide_.moveGoal(goal_, goal);

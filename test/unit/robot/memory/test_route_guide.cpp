@@ -73,7 +73,7 @@ class RouteGuideTest : public test::GuideFixture {
 };
 
 TEST_F(RouteGuideTest, LeadsFromTheRobotToTheGoal) {
-  begin({5.0, 3.0});
+  start({5.0, 3.0});
   ASSERT_EQ(update(returnsAt({}, {1.0, 0.0, 0.0})), Source::kRoute);
   EXPECT_EQ(guide_.route().points.front().x, 1.0);
   EXPECT_EQ(guide_.end().x, 5.0);
@@ -84,7 +84,7 @@ TEST_F(RouteGuideTest, LeadsFromTheRobotToTheGoal) {
 }
 
 TEST_F(RouteGuideTest, KnowsTheCornersAhead) {
-  begin({4.0, 0.0});
+  start({4.0, 0.0});
   ASSERT_EQ(update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0}))), Source::kRoute);
   const std::vector<Point2>& points = guide_.route().points;
   ASSERT_GE(points.size(), 3u);
@@ -101,7 +101,7 @@ TEST_F(RouteGuideTest, KnowsTheCornersAhead) {
 
 TEST_F(RouteGuideTest, BelievesThatARoomIsClosedAfterThreeLooksAroundAndNotEarlier) {
   const GridWorld world(closedRoom());
-  begin({8.0, 2.0});
+  start({8.0, 2.0});
   Pose2 pose{2.0, 2.0, 0.0};
   // What lies behind the robot at first is unknown, and a way leads there.
   for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) update(seenFrom(world, {2.0, 2.0, yaw}));
@@ -118,7 +118,7 @@ TEST_F(RouteGuideTest, FindsTheDoorThatWasOpenedWhileItLookedAround) {
     for (int column = 79; column < 83; ++column) grid.set({column, row}, Cell::kFree);
   }
   const GridWorld open(grid);
-  begin({8.0, 2.0});
+  start({8.0, 2.0});
   Pose2 pose{2.0, 2.0, 0.0};
   for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) update(seenFrom(closed, {2.0, 2.0, yaw}));
   ASSERT_EQ(lookAround(closed, &pose, 1.5), Source::kLookAround);
@@ -131,7 +131,7 @@ TEST_F(RouteGuideTest, OneWrongObstacleDoesNotCloseARoom) {
     for (int column = 79; column < 83; ++column) grid.set({column, row}, Cell::kFree);
   }
   const GridWorld world(grid);
-  begin({8.0, 2.0});
+  start({8.0, 2.0});
   for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) update(seenFrom(world, {2.0, 2.0, yaw}));
   // Somebody stood in the door, and is no longer there when it is looked at anew.
   Situation person = seenFrom(world, {2.0, 2.0, 0.0});
@@ -145,7 +145,7 @@ TEST_F(RouteGuideTest, OneWrongObstacleDoesNotCloseARoom) {
 
 TEST_F(RouteGuideTest, IsLostWhenTheMemoryWasWrongAgainAndAgainWithoutProgress) {
   const std::vector<Point2> around = test::ring(0.8);
-  begin({8.0, 0.0});
+  start({8.0, 0.0});
   // Each time it is enclosed all around, looks around, and sees something else.
   for (int time = 0; time < 4; ++time) {
     ASSERT_EQ(update(returnsAt(around)), Source::kLookAround) << time;
@@ -157,7 +157,7 @@ TEST_F(RouteGuideTest, IsLostWhenTheMemoryWasWrongAgainAndAgainWithoutProgress) 
 
 TEST_F(RouteGuideTest, ProgressForgivesWhatWentWrong) {
   const std::vector<Point2> around = test::ring(0.8);
-  begin({8.0, 0.0});
+  start({8.0, 0.0});
   for (int time = 0; time < 20; ++time) {
     ASSERT_EQ(update(returnsAt(around)), Source::kLookAround) << time;
     guide_.forget();
@@ -167,9 +167,9 @@ TEST_F(RouteGuideTest, ProgressForgivesWhatWentWrong) {
 }
 
 TEST_F(RouteGuideTest, ANewGoalIsFoundThroughWhatWasSeenBefore) {
-  begin({-4.0, 0.0});
+  start({-4.0, 0.0});
   update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})));
-  begin({4.0, 0.0});
+  start({4.0, 0.0});
   ASSERT_EQ(update(returnsAt({})), Source::kRoute);
   EXPECT_GT(guide_.route().length, 2.0 * std::sqrt(5.0));
   guide_.forget();
@@ -178,7 +178,7 @@ TEST_F(RouteGuideTest, ANewGoalIsFoundThroughWhatWasSeenBefore) {
 }
 
 TEST_F(RouteGuideTest, DoesNotTurnBackForAWayThatIsHardlyBetter) {
-  begin({4.0, 0.0});
+  start({4.0, 0.0});
   update(returnsAt(test::wall({2.0, -2.2}, {2.0, 1.5})));
   ASSERT_TRUE(goesAbove());
   // The lower metre of the wall is gone: below it is shorter by 2 * (hypot(2, 1.8) - hypot(2, 1.5)) = 0.38 m.
@@ -187,13 +187,13 @@ TEST_F(RouteGuideTest, DoesNotTurnBackForAWayThatIsHardlyBetter) {
   update(seen_through);
   EXPECT_TRUE(goesAbove());
   // Who had no way yet takes that one.
-  begin({4.0, 0.0});
+  start({4.0, 0.0});
   update(returnsAt({}));
   EXPECT_FALSE(goesAbove());
 }
 
 TEST_F(RouteGuideTest, TakesAMuchBetterWayAndLeavesOneThatIsBlocked) {
-  begin({4.0, 0.0});
+  start({4.0, 0.0});
   update(returnsAt(test::wall({2.0, -3.0}, {2.0, 1.0})));
   ASSERT_TRUE(goesAbove());
   // It goes on above: there the wall is 4 m long.
@@ -209,7 +209,7 @@ TEST_F(RouteGuideTest, TakesAMuchBetterWayAndLeavesOneThatIsBlocked) {
 TEST_F(RouteGuideTest, KeepsItsWayToAGoalThatMovesALittle) {
   const Situation wall = returnsAt(test::wall({2.0, -1.1}, {2.0, 1.0}));
   const Point2 moved{4.0, -0.2};
-  begin({4.0, 0.0});
+  start({4.0, 0.0});
   ASSERT_EQ(update(wall), Source::kRoute);
   ASSERT_TRUE(goesAbove());
   moveGoal(moved);
@@ -219,13 +219,13 @@ TEST_F(RouteGuideTest, KeepsItsWayToAGoalThatMovesALittle) {
   EXPECT_TRUE(goesAbove());
   EXPECT_EQ(guide_.end().y, moved.y);
   // Who sets out for it anew goes below, where it is nearer now.
-  begin(moved);
+  start(moved);
   ASSERT_EQ(update(wall), Source::kRoute);
   EXPECT_FALSE(goesAbove());
 }
 
 TEST_F(RouteGuideTest, BlockedAheadItLeadsAnotherWay) {
-  begin({4.0, 0.0});
+  start({4.0, 0.0});
   const Situation here = returnsAt({});
   ASSERT_EQ(update(here), Source::kRoute);
   guide_.blockAhead();
@@ -242,7 +242,7 @@ TEST_F(RouteGuideTest, BlockedAheadItLeadsAnotherWay) {
 
 TEST_F(RouteGuideTest, KeepsItsRouteWhileTheRobotDrivesAlongIt) {
   const std::vector<Point2> wall = test::wall({2.0, -1.0}, {2.0, 3.0});
-  begin({4.0, 0.0});
+  start({4.0, 0.0});
   update(returnsAt(wall));
   const double whole = guide_.route().length;
   double driven = 0.0;
@@ -265,9 +265,9 @@ TEST_F(RouteGuideTest, ToleratesMoreTheFartherTheRobotHasDriven) {
   for (const Point2& point : test::ring(0.3)) pillar.push_back({8.0 + point.x, point.y});
   for (const Point2& point : test::ring(0.15)) pillar.push_back({8.0 + point.x, point.y});
   RouteGuide fresh(parameters);
-  fresh.begin();
+  fresh.start();
   EXPECT_EQ(fresh.update(returnsAt(pillar, {4.0, 0.0, 0.0}), {8.0, 0.0}), Source::kLookAround);
-  begin({8.0, 0.0});
+  start({8.0, 0.0});
   const double missing = 0.3 + parameters.shield.footprint_radius + 0.15 - parameters.goal_tolerance;
   for (double driven = 0.0; driven < missing / parameters.goal_drift; driven += 2.0) {
     update(returnsAt({}, {4.0, 0.0, 0.0}));
@@ -278,7 +278,7 @@ TEST_F(RouteGuideTest, ToleratesMoreTheFartherTheRobotHasDriven) {
 }
 
 TEST_F(RouteGuideTest, WatchingRemembersWithoutSearching) {
-  begin({4.0, 0.0});
+  start({4.0, 0.0});
   guide_.watch(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})));
   for (int step = 1; step <= 20; ++step) guide_.watch(returnsAt({}, {-0.1 * step, 0.0, 0.0}));
   EXPECT_EQ(guide_.searches(), 0);

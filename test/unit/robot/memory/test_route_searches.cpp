@@ -36,7 +36,7 @@ Situation seeingThrough(double from, double to, const Pose2& pose) {
 class RouteSearches : public test::GuideFixture {
  protected:
   RouteSearches() {
-    begin({6.0, 0.0});
+    start({6.0, 0.0});
     EXPECT_EQ(update(returnsAt(wall_)), Source::kRoute);
     EXPECT_EQ(guide_.searches(), 1);
   }
@@ -65,7 +65,7 @@ TEST_F(RouteSearches, NoneIsMadeWhileTheRobotDrivesAlongAndNothingChanges) {
 
 TEST_F(RouteSearches, CornersThatTheFirstHadAreCutOnTheWay) {
   const Point2 goal{-25.0, 5.0};
-  begin(goal);
+  start(goal);
   Pose2 pose;
   double driven = 0.0;
   while (distanceBetween(pose, goal) > 0.3) {
@@ -128,7 +128,7 @@ TEST_F(RouteSearches, OneIsMadeForABlockedWayFromBesideADoorPost) {
     for (const Point2& point : test::wall({0.42, side * 0.22}, {0.42, side * 3.0})) places.push_back(point);
   }
   RouteGuide guide(kDefaults);
-  guide.begin();
+  guide.start();
   ASSERT_EQ(guide.update(returnsAt(places, pose), goal), Source::kRoute);
   for (const Point2& point : test::wall({3.0, -1.0}, {3.0, 1.0})) places.push_back(point);
   ASSERT_EQ(guide.update(returnsAt(places, pose), goal), Source::kRoute);
@@ -143,7 +143,7 @@ TEST_F(RouteSearches, OneIsMadeForANewGoalAndNoneForOneThatMovesALittle) {
   ASSERT_EQ(update(returnsAt(wall_)), Source::kRoute);
   EXPECT_EQ(guide_.searches(), 1);
   EXPECT_EQ(guide_.end().x, 6.01);
-  begin({5.0, 2.0});
+  start({5.0, 2.0});
   ASSERT_EQ(update(returnsAt(wall_)), Source::kRoute);
   EXPECT_EQ(guide_.searches(), 2);
 }
@@ -163,7 +163,7 @@ TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
   const RouteFinder finder(kDefaults.memory.tightness);
   const Point2 goal{8.0, 0.0};
   Pose2 pose{-8.0, 0.0, 0.0};
-  keeping.begin();
+  keeping.start();
   int compared = 0;
   for (int step = 0; step < 80 && distanceBetween(pose, goal) > 0.5; ++step) {
     const double from = direction(random);
@@ -178,7 +178,7 @@ TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
       }
     }
     memory.add(situation);
-    searching.begin();  // knows no route: searches
+    searching.start();  // knows no route: searches
     const Source kept = keeping.update(situation, goal);
     if (searching.update(situation, goal) != Source::kRoute) break;
     ASSERT_EQ(kept, Source::kRoute) << "step " << step;
