@@ -20,7 +20,7 @@ int datasetInfo(const std::vector<std::string>& arguments) {
   std::string picture;
   CommandLine line("dataset info", "says what a dataset holds; it may be being recorded");
   line.addFile("file", &file, "the dataset").required().standsAlone();
-  line.addOutput("picture", &picture, "draw labels, ranges and driven ways into this PNG file");
+  line.addOutput("picture", &picture, "draw labels, ranges and driven paths into this PNG file");
   if (!line.parse(arguments)) return 0;
   const Dataset dataset = readDataset(file, true);
   printDatasetSummary(std::cout, summarise(dataset));

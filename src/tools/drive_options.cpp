@@ -28,7 +28,7 @@ void addWorldOptions(DriveOptions* options, CommandLine* line) {
   line->add("goals", &options->goals, kAnyCount,
             "starts and goals in each map or in the room (100), or number of worlds with one each (100; all of BARN)");
   line->add("only", &options->only, {0, 1e6}, "drive only the goals, or worlds, of these numbers");
-  line->add("shortest", &options->shortest, kAnyLength, "m, shortest way from start to goal (maps: 2, others: 5)");
+  line->add("shortest", &options->shortest, kAnyLength, "m, shortest path from start to goal (maps: 2, others: 5)");
   line->add("time-limit", &options->time_limit, kAnyTime,
             "s of simulated time a goal (BARN: 100, room: 120, others: 1800)");
   line->addSeed(&options->seed, "of worlds, goals, walkers and noise");
@@ -44,7 +44,7 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
   visitSimulatedRobotParameters(options->drive.robot, line->parameters({{"latency", "latency"}}));
   line->addText(
       "leader", nameOfLeader(agent.leader), [&](const std::string& name) { agent.leader = leaderNamed(name); },
-      "network; route: the way through what is remembered; none: the allowed angle nearest to the goal's bearing");
+      "network; route: the path through what is remembered; none: the allowed angle nearest to the goal's bearing");
   line->add("patience", &agent.escape.patience_steps, kAnyCount,
             "steps without progress after which the rescue leads; likewise so many times 0.2 m");
   line->addFlag("no-escape", &agent.escape.enabled, false, "switch the rescue off: whoever leads has no help");

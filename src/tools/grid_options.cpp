@@ -41,8 +41,8 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
       .required();
   line->addChoice("maps", &options->maps, {"train", "validation", "all"},
                   "train (maps 0-5 of a set, or the first half of more than 20 maps), validation (the others) or all");
-  line->add("min-length", &selection.min_length, kAnyLength, "cells, of the shortest way");
-  line->add("max-length", &selection.max_length, kAnyLength, "cells, of the shortest way (default: no limit)");
+  line->add("min-length", &selection.min_length, kAnyLength, "cells, of the shortest path");
+  line->add("max-length", &selection.max_length, kAnyLength, "cells, of the shortest path (default: no limit)");
   line->add("count", &selection.count, {0, 1e9}, "scenarios of each set; 0 = all");
   line->addSeed(&selection.seed, "of the choice of scenarios");
   line->add("max-steps", &rules.max_steps, {0, 1e12},

@@ -56,7 +56,7 @@ bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* option
   line.add("kinds", &o.kinds, "of generated worlds, in turn (default: all)");
   line.add("worlds", &o.worlds, kAnyCount, "of all kinds together");
   line.add("max-steps", &o.max_steps, kAnyCount, "of a drive");
-  line.add("shortest", &o.course.shortest, kAnyLength, "m of way to the goal at the least");
+  line.add("shortest", &o.course.shortest, kAnyLength, "m of path to the goal at the least");
   line.addSeed(&o.seed, "of worlds, drives and conditions");
   line.add("threads", &o.threads, kAnyThreads, "does not change the result");
   line.addFiles("recordings", &o.recordings,

@@ -110,7 +110,7 @@ void addGridMapOptions(MapsOptions* options, CommandLine* line) {
   line->add("rows", &options->rows, kMapSide, "cells");
   line->add("corridor-width", &options->maze.corridor_width, kMapSide, "maze: cells");
   line->add("branching", &options->maze.branching, kAnyShare,
-            "maze: 0 for long winding ways, 1 for short ones with many dead ends");
+            "maze: 0 for long winding paths, 1 for short ones with many dead ends");
   line->add("share", &options->share, kAnyShare, "of blocked cells, random: 0.25, caves: 0.45 (before smoothing)");
   line->addFlag("keep-pockets", &options->random.fill_pockets, false, "random: do not fill what cannot be reached");
   line->add("room-size", &options->rooms.room_size, kMapSide, "rooms: cells");
@@ -137,9 +137,10 @@ bool readOptions(const std::vector<std::string>& arguments, MapsOptions* options
           "in it are written")
       .required();
   line.addSeed(&options->set.seed, "of the floor plan or of the first map");
-  line.add("extra-doors", &options->extra_doors, kAnyShare,
-           "probability of a second way through a wall (building: 0.3), of a door in a wall that needs none (rooms: "
-           "0.5)");
+  line.add(
+      "extra-doors", &options->extra_doors, kAnyShare,
+      "probability of a second passage through a wall (building: 0.3), of a door in a wall that needs none (rooms: "
+      "0.5)");
   addBuildingOptions(&options->plan, &line);
   addGridMapOptions(options, &line);
   line.whenParsed([&] {

@@ -30,7 +30,7 @@ void addQLearningOptions(const std::string& unit, const std::string& update, Par
   line->add("exploration-share", &p.exploration_share, kAnyShare,
             "of the " + update + ", after which it has sunk that far");
   line->addChoice("reward", &p.reward, {{"progress", Reward::kProgress}, {"thesis", Reward::kThesis}},
-                  "progress (nearer to the goal by the true shortest way, less a cost) or thesis (Eq. 2.36)");
+                  "progress (nearer to the goal by the true shortest path, less a cost) or thesis (Eq. 2.36)");
   line->add("step-cost", &p.step_cost, kAnyReward, unit + "; reward progress");
   line->add("arrival-bonus", &p.arrival_bonus, kAnyReward, unit + "; reward progress");
   line->add("tau-range", &p.thesis_reward.range, kAnyReward,

@@ -50,7 +50,7 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   setDefaults(dagger, thesis, options, parameters);
   bool known = false;
   CommandLine line("train --task grid --method " + method,
-                   "a network for the grid world, by imitation of the shortest way");
+                   "a network for the grid world, by imitation of the shortest path");
   addGridTrainingOptions(arguments, options, &line);
   line.addFlag("thesis", &known, true,
                "defaults of the thesis's training, Tables 3.1 and 3.2: its inputs, momentum, L1 decay, 500 epochs");
@@ -59,13 +59,13 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   line.add("sequence", &dataset.sequence_steps, kAnyWindow,
            "steps that errors go back at most: the thesis's time sequence");
   line.add("burn-in", &dataset.burn_in_steps, {0, kAnyWindow.most},
-           "steps that begin a sequence in the middle of a way and only bring the hidden state up to date");
+           "steps that begin a sequence in the middle of a path and only bring the hidden state up to date");
   line.add("batch-steps", &p.batch_steps, kAnySteps, "steps an update");
-  line.add("goals", &p.course.goals, {1, 1e5}, "of the ways of a round");
+  line.add("goals", &p.course.goals, {1, 1e5}, "of the paths of a round");
   addOptimiserOptions(&optimiser, &line);
   if (dagger) {
     line.add("rounds", &p.rounds, kAnyCount, "of collecting and training for --epochs");
-    line.add("learner-share", &p.learner_share, kAnyShare, "of the ways, led by the network");
+    line.add("learner-share", &p.learner_share, kAnyShare, "of the paths, led by the network");
   }
   if (!line.parse(arguments)) return false;
   if (thesis && !line.given("batch-steps")) p.batch_steps = dataset.sequence_steps;

@@ -28,8 +28,8 @@ void addGridMapOptions(GridTrainingOptions* options, CommandLine* line) {
                  "their maps 0-5 (of more than 20 maps the first half) train, the others validate (default: generated "
                  "caves, mazes and random fill)");
   line->add("map-size", &o.map_size, {16, 4096}, "cells, of generated maps");
-  line->add("min-length", &o.min_length, kAnyLength, "cells, of the shortest way");
-  line->add("max-length", &o.max_length, kAnyLength, "cells, of the shortest way");
+  line->add("min-length", &o.min_length, kAnyLength, "cells, of the shortest path");
+  line->add("max-length", &o.max_length, kAnyLength, "cells, of the shortest path");
   line->add("epochs", &o.epochs, kAnyCount, "of the training; of each round of dagger");
   line->addSeed(&o.seed, "of everything");
   line->add("threads", &o.threads, kAnyThreads, "does not change the result");
@@ -48,12 +48,12 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
   line->add("deep-out", &o.shape.deep_out, kAnyLayer, "units of each dense layer behind the recurrent ones");
   line->add("inputs", &o.inputs,
             "thesis (ranges, distance, angle, previous action), trace (and where the agent has been) or map (and where "
-            "the walls it remembers leave a way)");
+            "the walls it remembers leave a path)");
   line->add("views", &o.encoder.views, {1, 8}, "1, or 8: the same network looks into each direction in turn");
-  line->addFile("from", &o.from, "ONNX file to begin with, instead of random weights; has its own shape and inputs");
+  line->addFile("from", &o.from, "ONNX file to start from, instead of random weights; has its own shape and inputs");
   line->addOutput("output", &o.output, "ONNX file to write: the best so far on the validation maps").required();
   line->addOutput("curve", &o.curve, "PNG file for the learning curve; a CSV file is written beside it");
-  line->addOutput("checkpoint", &o.checkpoint, "file to go on from where it exists, and to write for that");
+  line->addOutput("checkpoint", &o.checkpoint, "file to resume from where it exists, and to write for that");
   line->add("validation", &o.validation, {1, 1e6}, "scenarios of each set");
   line->whenParsed([options, line] { finish(*line, options); });
 }

@@ -39,7 +39,7 @@ bool readOptions(const std::vector<std::string>& arguments, SearchOptions* optio
   addGridMapOptions(&options->grid, &line);
   line.add("steps", &dataset.steps, kAnySteps, "to learn from");
   line.add("validation-steps", &imitation.validation_steps, kAnySteps, "to judge by, on the validation maps");
-  line.add("goals", &imitation.course.goals, {1, 1e5}, "of the ways");
+  line.add("goals", &imitation.course.goals, {1, 1e5}, "of the paths");
   line.add("rate", &imitation.trainer.optimiser.learning_rate, kAnyRate, "learning rate");
   line.addFile("output", &options->output, "path without extension; .md and .csv are written");
   if (!line.parse(arguments)) return false;

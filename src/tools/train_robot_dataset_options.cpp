@@ -32,7 +32,7 @@ void addDataOptions(DatasetTrainingOptions* o, CommandLine* line) {
   line->add("validation-share", &o->validation_share, kAnyShare,
             "of the steps, in whole episodes, without such a file");
   line->add("label-distance", &sequences.label_distance, {0.0, 1000.0},
-            "m; a label is the way to where the driver was so far on; 0: to the next step, as recorded");
+            "m; a label is the direction to where the driver was so far on; 0: to the next step, as recorded");
   line->add("sequence", &sequences.sequence_steps, {0, kAnyWindow.most}, "steps learned at once; 0: whole episodes");
   line->add("burn-in", &sequences.burn_in_steps, {0, kAnyWindow.most},
             "steps before them that only bring the memory up to date");
@@ -46,7 +46,7 @@ void addDataOptions(DatasetTrainingOptions* o, CommandLine* line) {
 
 void addNetworkOptions(DatasetTrainingOptions* o, CommandLine* line) {
   line->section("the network");
-  line->addFile("init", &o->init, "model file to begin with; decides inputs and shape");
+  line->addFile("init", &o->init, "model file to start from; decides inputs and shape");
   line->addOutput("output", &o->output, "ONNX file to write").required();
   addRobotNetworkOptions(&o->network, &o->encoder, line);
 }

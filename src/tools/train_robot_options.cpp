@@ -71,7 +71,7 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   line->addOutput("output", &o.output, "ONNX file to write");
   line->add("kinds", &o.kinds, "of generated worlds: mazes offices corridors forest open rooms (default: all)");
   line->add("dead-ends", &o.course.dead_end_share, kAnyShare, "share of the drives that start in a dead end");
-  line->add("shortest", &o.course.shortest, {0.01, 1e4}, "m of way from start to goal at the least");
+  line->add("shortest", &o.course.shortest, {0.01, 1e4}, "m of path from start to goal at the least");
   line->add("max-steps", &o.max_steps, kAnyCount, "of a drive");
   line->add("validation", &o.validation, kAnyCount, "worlds that are never trained on");
   line->addSeed(&o.seed, "of everything");

@@ -52,10 +52,10 @@ void addRobotReinforcementOptions(const std::vector<std::string>& arguments, Rob
                                   Parameters* parameters, CommandLine* line) {
   Parameters& p = *parameters;
   addRobotTrainingOptions(arguments, &plan->options, line);
-  line->addFile("init", &plan->init, "model file to begin with; decides inputs and shape");
-  line->addOutput("checkpoint", &plan->checkpoint, "file to go on from and to write to");
+  line->addFile("init", &plan->init, "model file to start from; decides inputs and shape");
+  line->addOutput("checkpoint", &plan->checkpoint, "file to resume from and to write to");
   line->addChoice("keep", &plan->keep, {"best", "last"},
-                  "best: the most efficient of the networks judged on the way; last");
+                  "best: the most efficient of the networks judged so far; last: the last one");
   line->add("iterations", &p.iterations, kAnyCount, "of collecting and learning");
   line->add("worlds", &p.worlds, {1, 1e5}, "an iteration");
   line->add("goals", &p.goals, {1, 1e4}, "a world");
