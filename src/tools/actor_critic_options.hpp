@@ -7,7 +7,7 @@
 
 namespace lstm_planner {
 
-// What the actor-critic trainings of the grid world (ActorCriticParameters) and of the robot
+// What the actor-critic trainings of the grid world (GridActorCriticParameters) and of the robot
 // (DriveActorCriticParameters) have in common on the command line.
 
 /// `parameters` hold the defaults and take the values. `unit`: of costs and bonuses.

@@ -8,7 +8,7 @@
 
 namespace lstm_planner {
 
-// What the Q-learning trainings of the grid world (QLearningParameters) and of the robot (DriveQLearningParameters)
+// What the Q-learning trainings of the grid world (GridQLearningParameters) and of the robot (DriveQLearningParameters)
 // have in common on the command line.
 
 /// `parameters` hold the defaults and take the values. `unit`: of lengths; `update`: what the learner counts.

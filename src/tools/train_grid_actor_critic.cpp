@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "lstm_planner/grid_world/learning/actor_critic.hpp"
+#include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 #include "tools/actor_critic_options.hpp"
 #include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
@@ -13,13 +13,13 @@ namespace {
 
 class ActorCriticLearner : public ReinforcementLearner {
  public:
-  ActorCriticLearner(const ActorCriticParameters& parameters, LayerStack layers)
+  ActorCriticLearner(const GridActorCriticParameters& parameters, LayerStack layers)
       : learner_(parameters, std::move(layers)) {}
 
   void beginEpoch(int epoch, const GridCourse& course) override { learner_.beginEpoch(epoch, course); }
   void update() override { learner_.update(); }
   ReinforcementReport report() override {
-    const ActorCriticReport report = learner_.report();
+    const GridActorCriticReport report = learner_.report();
     return {report.steps, report.reward, report.arrival, report.ratio};
   }
   const LayerStack& layers() const override { return learner_.layers(); }
@@ -27,12 +27,13 @@ class ActorCriticLearner : public ReinforcementLearner {
   void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
 
  private:
-  ActorCritic learner_;
+  GridActorCritic learner_;
 };
 
-bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* plan, ActorCriticParameters* learner) {
+bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* plan,
+                 GridActorCriticParameters* learner) {
   GridTrainingOptions& options = plan->options;
-  ActorCriticParameters& p = *learner;
+  GridActorCriticParameters& p = *learner;
   options.method = "actor-critic";
   options.epochs = p.epochs;
   plan->updates = p.updates;
@@ -61,7 +62,7 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* p
 
 int trainGridByActorCritic(const std::vector<std::string>& arguments) {
   ReinforcementPlan plan;
-  ActorCriticParameters parameters;
+  GridActorCriticParameters parameters;
   if (!readOptions(arguments, &plan, &parameters)) return 0;
   LayerStack layers = firstLayers(&plan.options);
   parameters.encoder = plan.options.encoder;

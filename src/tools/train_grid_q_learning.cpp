@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "lstm_planner/grid_world/learning/q_learning.hpp"
+#include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 #include "tools/q_learning_options.hpp"
 #include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
@@ -13,12 +13,12 @@ namespace {
 
 class QLearner : public ReinforcementLearner {
  public:
-  QLearner(const QLearningParameters& parameters, LayerStack layers) : learner_(parameters, std::move(layers)) {}
+  QLearner(const GridQLearningParameters& parameters, LayerStack layers) : learner_(parameters, std::move(layers)) {}
 
   void beginEpoch(int epoch, const GridCourse& course) override { learner_.beginEpoch(epoch, course); }
   void update() override { learner_.update(); }
   ReinforcementReport report() override {
-    const QLearningReport report = learner_.report();
+    const GridQLearningReport report = learner_.report();
     return {report.steps, report.reward, report.arrival, report.ratio};
   }
   const LayerStack& layers() const override { return learner_.layers(); }
@@ -26,12 +26,12 @@ class QLearner : public ReinforcementLearner {
   void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
 
  private:
-  QLearning learner_;
+  GridQLearning learner_;
 };
 
-bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* plan, QLearningParameters* learner) {
+bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* plan, GridQLearningParameters* learner) {
   GridTrainingOptions& options = plan->options;
-  QLearningParameters& p = *learner;
+  GridQLearningParameters& p = *learner;
   options.method = "q-learning";
   options.epochs = 10;
   options.encoder = p.encoder;
@@ -59,7 +59,7 @@ bool readOptions(const std::vector<std::string>& arguments, ReinforcementPlan* p
 
 int trainGridByQLearning(const std::vector<std::string>& arguments) {
   ReinforcementPlan plan;
-  QLearningParameters parameters;
+  GridQLearningParameters parameters;
   if (!readOptions(arguments, &plan, &parameters)) return 0;
   LayerStack layers = firstLayers(&plan.options);
   parameters.encoder = plan.options.encoder;

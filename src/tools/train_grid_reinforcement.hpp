@@ -20,7 +20,7 @@ struct ReinforcementReport {
   double ratio = 0.0;
 };
 
-/// A learner as the loop of epochs sees it: ActorCritic, QLearning.
+/// A learner as the loop of epochs sees it: GridActorCritic, GridQLearning.
 class ReinforcementLearner {
  public:
   virtual ~ReinforcementLearner() = default;

@@ -1,5 +1,5 @@
 #include "bench_support.hpp"
-#include "lstm_planner/grid_world/learning/actor_critic.hpp"
+#include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -7,11 +7,11 @@ namespace {
 /// One update: 256 agents walk for 64 steps, and errors go back.
 void actorCriticUpdate(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  ActorCriticParameters parameters;
+  GridActorCriticParameters parameters;
   parameters.encoder.views = static_cast<int>(state.range(1));
   parameters.threads = 1;
   const GridEncoder encoder(parameters.encoder);
-  ActorCritic learner(parameters, benchLstm(encoder.size(), {cells}, encoder.outputs()));
+  GridActorCritic learner(parameters, benchLstm(encoder.size(), {cells}, encoder.outputs()));
   GridCourseParameters course_parameters;
   course_parameters.goals = 30;
   const GridCourse course(course_parameters, {{benchMaps(), 1.0}}, 1, 1);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
-#include "lstm_planner/grid_world/learning/q_learning.hpp"
+#include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 
 namespace lstm_planner {
 

@@ -1,17 +1,13 @@
 #include "lstm_planner/robot/learning/drive_q_learning.hpp"
 
 #include <algorithm>
-#include <climits>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "lstm_planner/base/common/parameter_check.hpp"
-#include "lstm_planner/base/learning/optimiser.hpp"
-#include "lstm_planner/base/learning/optimiser_json.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
+#include "lstm_planner/base/learning/q_learner.hpp"
 #include "lstm_planner/base/learning/q_learning_targets.hpp"
 #include "robot/learning/drive_lanes.hpp"
 #include "robot/learning/drive_practice.hpp"
@@ -20,17 +16,10 @@
 namespace lstm_planner {
 namespace {
 
-constexpr const char* kCheckpointFormat = "lstm_planner drive q-learning 1";
+const QLearner::CheckpointNames kCheckpointNames{"lstm_planner drive q-learning 1", "iterations"};
 
 /// m; a sector that sees less counts as this.
 constexpr double kNearest = 0.1;
-
-OptimiserParameters optimiserParameters(const DriveQLearningParameters& parameters) {
-  OptimiserParameters optimiser;
-  optimiser.learning_rate = parameters.learning_rate;
-  optimiser.max_gradient_norm = parameters.max_gradient_norm;
-  return optimiser;
-}
 
 }  // namespace
 
@@ -53,7 +42,7 @@ void validate(const DriveQLearningParameters& parameters) {
   atLeastOne("threads", parameters.threads);
   checkParameter(parameters.contact_cost >= 0.0, "contact_cost", parameters.contact_cost, "at least 0");
   validateQ(parameters);
-  validate(optimiserParameters(parameters));
+  validate(optimiserParameters(qLearningSchedule(parameters, parameters.iterations)));
   validate(parameters.policy.encoder);
   validate(parameters.course);
 }
@@ -63,61 +52,34 @@ class DriveQLearning::Implementation {
   Implementation(const DriveQLearningParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         layers_(std::move(layers)),
-        weights_(parameterVector(layers_)),
-        target_weights_(weights_),
-        optimiser_(optimiserParameters(parameters), weightMask(layers_)) {
+        learner_(kCheckpointNames, qLearningSchedule(parameters, parameters.iterations), layers_) {
     DrivePolicy(parameters.policy, layers_);  // throws when they do not fit together
   }
 
   DriveQLearningReport iterate() {
-    if (iterations_ % parameters_.target_interval == 0) target_weights_ = weights_;
-    const double progress = std::min(1.0, static_cast<double>(iterations_) / parameters_.iterations);
+    learner_.startUpdate();
     DriveQLearningReport report;
-    report.epsilon = explorationAt(progress, parameters_.exploration_start, parameters_.exploration_end,
+    report.epsilon = explorationAt(learner_.progress(), parameters_.exploration_start, parameters_.exploration_end,
                                    parameters_.exploration_share);
-    const std::vector<PracticeEpisode> episodes = practise(rulesWith(report.epsilon), layers_, iterations_);
-    learnFrom(episodes, parameters_.learning_rate * 0.5 * (1.0 + std::cos(M_PI * progress)), &report);
-    setParameterVector(weights_, layers_);
+    const std::vector<PracticeEpisode> episodes = practise(rulesWith(report.epsilon), layers_, learner_.updates());
+    learnFrom(episodes, &report);
+    setParameterVector(learner_.weights(), layers_);
     const PracticeSums sums = sumUp(episodes);
-    all_steps_ += sums.steps;
-    report.iteration = ++iterations_;
-    report.steps = all_steps_;
+    learner_.finishUpdate(sums.steps);
+    report.iteration = learner_.updates();
+    report.steps = learner_.steps();
     report.reward = sums.reward;
     report.arrival = sums.arrival;
     return report;
   }
 
-  int iterations() const { return iterations_; }
+  int iterations() const { return learner_.updates(); }
   const LayerStack& layers() const { return layers_; }
 
-  std::vector<std::uint8_t> checkpoint() const {
-    const nlohmann::json content = {{"format", kCheckpointFormat},
-                                    {"weights", vectorToJson(weights_)},
-                                    {"target_weights", vectorToJson(target_weights_)},
-                                    {"optimiser", optimiserToJson(optimiser_.state())},
-                                    {"steps", all_steps_},
-                                    {"iterations", iterations_}};
-    return nlohmann::json::to_cbor(content);
-  }
-
-  void restore(const std::vector<std::uint8_t>& checkpoint) try {
-    const nlohmann::json content = checkpointJson(checkpoint);
-    if (content.at("format") != kCheckpointFormat) throw std::invalid_argument("another format");
-    const Eigen::VectorXf weights = vectorFromJson(content.at("weights"));
-    const Eigen::VectorXf target_weights = vectorFromJson(content.at("target_weights"));
-    if (weights.size() != weights_.size() || target_weights.size() != weights_.size()) {
-      throw std::invalid_argument("a network of another size");
-    }
-    const auto steps = content.at("steps").get<double>();
-    const auto iterations = static_cast<int>(wholeNumber(content.at("iterations"), 0, INT_MAX));
-    optimiser_.setState(optimiserFromJson(content.at("optimiser")));
-    weights_ = weights;
-    target_weights_ = target_weights;
-    all_steps_ = steps;
-    iterations_ = iterations;
-    setParameterVector(weights_, layers_);
-  } catch (const std::exception& error) {
-    throw std::invalid_argument(std::string("this is not a checkpoint of this training: ") + error.what());
+  std::vector<std::uint8_t> checkpoint() const { return learner_.checkpoint(); }
+  void restore(const std::vector<std::uint8_t>& checkpoint) {
+    learner_.restore(checkpoint);
+    setParameterVector(learner_.weights(), layers_);
   }
 
  private:
@@ -134,13 +96,13 @@ class DriveQLearning::Implementation {
   }
 
   /// Fills in what `report` says of the values.
-  void learnFrom(const std::vector<PracticeEpisode>& episodes, double rate, DriveQLearningReport* report) {
+  void learnFrom(const std::vector<PracticeEpisode>& episodes, DriveQLearningReport* report) {
     DriveTiles<DriveQTile> tiles(parameters_.communicator, parameters_.threads,
                                  [this] { return std::make_unique<DriveQTile>(parameters_, layers_); });
     const int windows = tiles.pack(episodes);
     for (int pass = 0; pass < parameters_.passes; ++pass) {
       DriveQSums sums;
-      const auto judge = [this](DriveQTile* tile) { return tile->judge(weights_, target_weights_); };
+      const auto judge = [this](DriveQTile* tile) { return tile->judge(learner_.weights(), learner_.targetWeights()); };
       for (const DriveQSums& some : tiles.each(DriveQSums(), judge)) sums += some;
       if (pass == 0 && sums.steps > 0.0) {
         report->value = sums.value / sums.steps;
@@ -149,19 +111,16 @@ class DriveQLearning::Implementation {
       for (int window = 0; window < windows; ++window) {
         Eigen::VectorXf gradient;
         const double steps = tiles.addUp(
-            weights_.size(), [&](DriveQTile* tile) { return tile->valueGradient(window, weights_); }, &gradient);
-        if (steps > 0.0) optimiser_.update(gradient * static_cast<float>(1.0 / steps), rate, weights_);
+            learner_.weights().size(),
+            [&](DriveQTile* tile) { return tile->valueGradient(window, learner_.weights()); }, &gradient);
+        if (steps > 0.0) learner_.update(gradient * static_cast<float>(1.0 / steps));
       }
     }
   }
 
   DriveQLearningParameters parameters_;
   LayerStack layers_;
-  Eigen::VectorXf weights_;
-  Eigen::VectorXf target_weights_;
-  Optimiser optimiser_;
-  double all_steps_ = 0.0;
-  int iterations_ = 0;
+  QLearner learner_;
 };
 
 DriveQLearning::DriveQLearning(const DriveQLearningParameters& parameters, LayerStack layers)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lstm_planner/base/learning/actor_critic.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -57,20 +59,16 @@ DriveTileSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
 
 /// Advantages from the last step back.
 void DriveTile::judgeLane(int lane, DriveTileSums* sums) {
-  double next_value = 0.0;
-  double advantage = 0.0;
+  Advantages advantages(parameters_.discount, parameters_.advantage_decay, 0.0);
   for (int time = lanes_.steps(); time-- > 0;) {
     DriveSlot& slot = lanes_.at(time, lane);
     if (!slot.episode || slot.episode->recorded) continue;
     const PracticeEpisode& episode = *slot.episode;
     const double value = static_cast<double>(slot.value);
     const bool last = slot.step + 1 == episode.steps.size();
-    // A drive that is cut off would have gone on from much the same place.
-    const double following = !last ? next_value : (episode.arrived ? 0.0 : value);
-    const double error =
-        static_cast<double>(episode.steps[slot.step].reward) + parameters_.discount * following - value;
-    advantage = error + (last ? 0.0 : parameters_.discount * parameters_.advantage_decay * advantage);
-    next_value = value;
+    const Advantages::End end =
+        !last ? Advantages::End::kNone : (episode.arrived ? Advantages::End::kArrived : Advantages::End::kCutOff);
+    const double advantage = advantages.before(static_cast<double>(episode.steps[slot.step].reward), value, end);
     slot.advantage = static_cast<float>(advantage);
     sums->squares[episode.kind] += advantage * advantage;
     sums->counts[episode.kind] += 1.0;

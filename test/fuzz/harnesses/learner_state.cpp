@@ -5,9 +5,9 @@
 
 #include "fuzz/harness.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/grid_world/learning/actor_critic.hpp"
+#include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 #include "lstm_planner/grid_world/learning/grid_imitation.hpp"
-#include "lstm_planner/grid_world/learning/q_learning.hpp"
+#include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 
 namespace lstm_planner::fuzz {
 namespace {
@@ -22,8 +22,8 @@ Learner smallLearner() {
 }
 
 void restore(int learner, const std::vector<std::uint8_t>& state) {
-  static ActorCritic actor_critic = smallLearner<ActorCritic, ActorCriticParameters>();
-  static QLearning q_learning = smallLearner<QLearning, QLearningParameters>();
+  static GridActorCritic actor_critic = smallLearner<GridActorCritic, GridActorCriticParameters>();
+  static GridQLearning q_learning = smallLearner<GridQLearning, GridQLearningParameters>();
   switch (learner % 3) {
     case 0:
       gridImitationStateFrom(state);

@@ -1,8 +1,9 @@
-#include "grid_world/learning/actor_critic_tile.hpp"
+#include "grid_world/learning/grid_actor_critic_tile.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "lstm_planner/base/learning/actor_critic.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/lane_kernels.hpp"
 
@@ -36,14 +37,14 @@ void encodePrivileged(const GridActor& actor, double discount, float* input, int
 
 }  // namespace
 
-ActorCriticSums ActorCriticSums::ofSets(std::size_t sets) {
-  ActorCriticSums sums;
+GridActorCriticSums GridActorCriticSums::ofSets(std::size_t sets) {
+  GridActorCriticSums sums;
   sums.set_steps.assign(sets, 0.0);
   sums.set_squared_advantages.assign(sets, 0.0);
   return sums;
 }
 
-void ActorCriticSums::operator+=(const ActorCriticSums& other) {
+void GridActorCriticSums::operator+=(const GridActorCriticSums& other) {
   steps += other.steps;
   reward += other.reward;
   entropy += other.entropy;
@@ -59,7 +60,7 @@ void ActorCriticSums::operator+=(const ActorCriticSums& other) {
   }
 }
 
-std::vector<double*> ActorCriticSums::numbers() {
+std::vector<double*> GridActorCriticSums::numbers() {
   std::vector<double*> all = {&steps, &reward,  &entropy,         &arrived,       &ended,
                               &ratio, &returns, &squared_returns, &squared_errors};
   for (double& number : set_steps) all.push_back(&number);
@@ -73,8 +74,8 @@ LayerStack makeCritic(int policy_inputs, const std::vector<int>& units, std::uin
   return layers;
 }
 
-ActorCriticTileRunner::ActorCriticTileRunner(const ActorCriticParameters& parameters, const LayerStack& policy,
-                                             const LayerStack& critic)
+GridActorCriticTileRunner::GridActorCriticTileRunner(const GridActorCriticParameters& parameters,
+                                                     const LayerStack& policy, const LayerStack& critic)
     : parameters_(parameters),
       encoder_(parameters.encoder),
       actors_(kTileLanes / parameters.encoder.views),
@@ -82,10 +83,10 @@ ActorCriticTileRunner::ActorCriticTileRunner(const ActorCriticParameters& parame
       critic_(critic, roundedUp(actors_ * (parameters.window + 1), kLaneGroup), 1),
       steps_(static_cast<std::size_t>(actors_ * parameters.window)) {}
 
-void ActorCriticTileRunner::run(const Eigen::VectorXf& policy_parameters, const Eigen::VectorXf& critic_parameters,
-                                double entropy_weight, const std::vector<double>& advantage_variances,
-                                ActorCriticTile& tile) {
-  tile.sums = ActorCriticSums::ofSets(advantage_variances.size());
+void GridActorCriticTileRunner::run(const Eigen::VectorXf& policy_parameters, const Eigen::VectorXf& critic_parameters,
+                                    double entropy_weight, const std::vector<double>& advantage_variances,
+                                    GridActorCriticTile& tile) {
+  tile.sums = GridActorCriticSums::ofSets(advantage_variances.size());
   tile.policy_gradient.setZero(policy_parameters.size());
   tile.critic_gradient.setZero(critic_parameters.size());
   if (tile.state.empty()) tile.state.assign(policy_.state().size(), 0.0f);
@@ -102,12 +103,12 @@ void ActorCriticTileRunner::run(const Eigen::VectorXf& policy_parameters, const 
   tile.state = policy_.state();
 }
 
-int ActorCriticTileRunner::preferenceAt(int actor, int direction) const {
+int GridActorCriticTileRunner::preferenceAt(int actor, int direction) const {
   return parameters_.encoder.views == 1 ? direction * kTileLanes + actor : actor * kGridMoveCount + direction;
 }
 
 /// Senses and fills the critic's input of that step.
-void ActorCriticTileRunner::look(int step, int actor, ActorCriticTile& tile) {
+void GridActorCriticTileRunner::look(int step, int actor, GridActorCriticTile& tile) {
   GridActor& walker = tile.actors[static_cast<std::size_t>(actor)];
   walker.observe();
   encoder_.look(walker.memory());
@@ -116,7 +117,7 @@ void ActorCriticTileRunner::look(int step, int actor, ActorCriticTile& tile) {
   encodePrivileged(walker, parameters_.discount, input + encoder_.size() * critic_.lanes(), critic_.lanes());
 }
 
-void ActorCriticTileRunner::walk(const Eigen::VectorXf& policy_parameters, int step, ActorCriticTile& tile) {
+void GridActorCriticTileRunner::walk(const Eigen::VectorXf& policy_parameters, int step, GridActorCriticTile& tile) {
   const int views = parameters_.encoder.views;
   for (int actor = 0; actor < actors_; ++actor) {
     if (tile.actors[static_cast<std::size_t>(actor)].atStart()) {
@@ -131,7 +132,7 @@ void ActorCriticTileRunner::walk(const Eigen::VectorXf& policy_parameters, int s
   for (int actor = 0; actor < actors_; ++actor) act(preferences, step, actor, tile);
 }
 
-void ActorCriticTileRunner::choose(const float* preferences, int actor, GridActor& walker, Step& done) const {
+void GridActorCriticTileRunner::choose(const float* preferences, int actor, GridActor& walker, Step& done) const {
   float largest = -1e30f;
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     if (!movePossible(walker.ranges(), direction, CornerCutting::kForbidden)) continue;
@@ -154,7 +155,7 @@ void ActorCriticTileRunner::choose(const float* preferences, int actor, GridActo
   }
 }
 
-void ActorCriticTileRunner::act(const float* preferences, int step, int actor, ActorCriticTile& tile) {
+void GridActorCriticTileRunner::act(const float* preferences, int step, int actor, GridActorCriticTile& tile) {
   GridActor& walker = tile.actors[static_cast<std::size_t>(actor)];
   Step& done = stepOf(step, actor);
   choose(preferences, actor, walker, done);
@@ -174,23 +175,20 @@ void ActorCriticTileRunner::act(const float* preferences, int step, int actor, A
 }
 
 /// Advantages from the last step back, and from them the derivatives by the outputs of both networks.
-void ActorCriticTileRunner::judge(const float* values, int actor, double entropy_weight,
-                                  const std::vector<double>& advantage_variances, ActorCriticTile& tile) {
-  double next_value = kValueScale * static_cast<double>(values[parameters_.window * actors_ + actor]);
-  double advantage = 0.0;
+void GridActorCriticTileRunner::judge(const float* values, int actor, double entropy_weight,
+                                      const std::vector<double>& advantage_variances, GridActorCriticTile& tile) {
+  Advantages advantages(parameters_.discount, parameters_.advantage_decay,
+                        kValueScale * static_cast<double>(values[parameters_.window * actors_ + actor]));
   for (int step = parameters_.window; step-- > 0;) {
     const Step& done = stepOf(step, actor);
     const double value = kValueScale * static_cast<double>(values[step * actors_ + actor]);
-    // An episode that is cut off would have gone on from much the same place.
-    const double following = done.arrived ? 0.0 : (done.timed_out ? value : next_value);
-    const double error = done.reward + parameters_.discount * following - value;
-    const bool ended = done.arrived || done.timed_out;
-    advantage = error + (ended ? 0.0 : parameters_.discount * parameters_.advantage_decay * advantage);
-    next_value = value;
+    const Advantages::End end =
+        done.arrived ? Advantages::End::kArrived : (done.timed_out ? Advantages::End::kCutOff : Advantages::End::kNone);
+    const double advantage = advantages.before(done.reward, value, end);
     critic_.outputGradient(0)[step * actors_ + actor] = static_cast<float>(-advantage / kValueScale);
     const double entropy =
         fillPolicyGradient(done, step, actor, advantage / std::sqrt(advantage_variances[done.set]), entropy_weight);
-    ActorCriticSums& sums = tile.sums;
+    GridActorCriticSums& sums = tile.sums;
     sums.steps += 1.0;
     sums.reward += done.reward;
     sums.entropy += entropy;
@@ -202,8 +200,8 @@ void ActorCriticTileRunner::judge(const float* values, int actor, double entropy
   }
 }
 
-double ActorCriticTileRunner::fillPolicyGradient(const Step& done, int step, int actor, double advantage,
-                                                 double entropy_weight) {
+double GridActorCriticTileRunner::fillPolicyGradient(const Step& done, int step, int actor, double advantage,
+                                                     double entropy_weight) {
   double entropy = 0.0;
   for (const float probability : done.probabilities) {
     if (probability > 0.0f) entropy -= static_cast<double>(probability) * std::log(static_cast<double>(probability));

@@ -18,7 +18,7 @@ namespace lstm_planner {
 /// synchronous form) with generalised advantages (Schulman et al., ICLR 2016). Actions are always those that the shield
 /// allows. The reward is what a step brings the agent nearer to the goal by the true shortest way, less a cost a step;
 /// neither that distance nor the critic, which sees it, is known to the agent that is shipped.
-struct ActorCriticParameters {
+struct GridActorCriticParameters {
   GridEncoderParameters encoder;
   std::vector<int> critic_units = {48, 32};
   int updates = 20000;      ///< of the weights, over all epochs
@@ -41,10 +41,10 @@ struct ActorCriticParameters {
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
-void validate(const ActorCriticParameters& parameters);
+void validate(const GridActorCriticParameters& parameters);
 
 /// What the agents did since the last report.
-struct ActorCriticReport {
+struct GridActorCriticReport {
   int update = 0;
   double steps = 0.0;      ///< of all agents since the beginning
   double reward = 0.0;     ///< mean a step
@@ -55,12 +55,12 @@ struct ActorCriticReport {
 };
 
 /// Learns in place, update by update.
-class ActorCritic {
+class GridActorCritic {
  public:
   /// `layers` are the policy's, with weights to begin from; GridEncoder says how many inputs and outputs it has. Throws
   /// std::invalid_argument for what does not fit.
-  ActorCritic(const ActorCriticParameters& parameters, LayerStack layers);
-  ~ActorCritic();
+  GridActorCritic(const GridActorCriticParameters& parameters, LayerStack layers);
+  ~GridActorCritic();
 
   /// Begins epoch `epoch` (from 0) with new episodes; what happens in it depends only on the weights and the seed.
   void beginEpoch(int epoch, const GridCourse& course);
@@ -69,7 +69,7 @@ class ActorCritic {
   void update();
 
   /// Since the last call.
-  ActorCriticReport report();
+  GridActorCriticReport report();
 
   const LayerStack& layers() const;
 

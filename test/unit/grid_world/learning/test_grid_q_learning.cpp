@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "grid_world/learning/q_learning_tile.hpp"
+#include "grid_world/learning/grid_q_learning_tile.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
-#include "lstm_planner/grid_world/learning/q_learning.hpp"
+#include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 #include "unit/base/learning/thread_ranks.hpp"
 
 namespace lstm_planner {
@@ -44,8 +44,8 @@ const std::vector<std::string> kSmallMaze = {
 };
 constexpr double kLongestWay = 24.0;  ///< rounded up
 
-QLearningParameters smallParameters() {
-  QLearningParameters parameters;
+GridQLearningParameters smallParameters() {
+  GridQLearningParameters parameters;
   parameters.agents = 32;
   parameters.window = 16;
   parameters.max_steps = 60;
@@ -55,7 +55,7 @@ QLearningParameters smallParameters() {
   return parameters;
 }
 
-LayerStack networkFor(const QLearningParameters& parameters) {
+LayerStack networkFor(const GridQLearningParameters& parameters) {
   const GridEncoder encoder(parameters.encoder);
   LayerStack layers = makeLstmStack(encoder.size(), {6}, encoder.outputs());
   initialise({}, 5, layers);
@@ -68,7 +68,7 @@ constexpr double kRandomMoves = 1.0;  ///< which small changes of weights do not
 /// Agents of one tile with networks that do not change.
 class Walk {
  public:
-  Walk(const QLearningParameters& parameters, const GridCourse& course)
+  Walk(const GridQLearningParameters& parameters, const GridCourse& course)
       : parameters_(parameters), runner_(parameters_, networkFor(parameters)) {
     for (int actor = 0; actor < runner_.actors(); ++actor) {
       tile_.actors.emplace_back(course, parameters.encoder, static_cast<std::uint64_t>(actor));
@@ -80,14 +80,14 @@ class Walk {
   }
 
  private:
-  QLearningParameters parameters_;
+  GridQLearningParameters parameters_;
   QTileRunner runner_;
   QTile tile_;
 };
 
 TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
   const GridCourse course = courseOn(PassableGrid(12, 12, true), 12.0);
-  QLearningParameters parameters = smallParameters();
+  GridQLearningParameters parameters = smallParameters();
   parameters.encoder = {GridEncoderParameters::Inputs::kThesis, 1};
   parameters.window = 5;
   parameters.trace_decay = 0.0;  // so that the targets do not depend on the weights that are moved
@@ -113,7 +113,7 @@ TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
 
 TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
   const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
-  QLearningParameters parameters = smallParameters();
+  GridQLearningParameters parameters = smallParameters();
   const Eigen::VectorXf weights = parameterVector(networkFor(parameters));
   const double in_one = Walk(parameters, course).window(weights, weights, kBestMoves).sums.value;
   parameters.window = 8;
@@ -126,38 +126,38 @@ TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
 
 Eigen::VectorXf weightsAfterSomeUpdates(int threads, Communicator* communicator = oneProcess()) {
   const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
-  QLearningParameters parameters = smallParameters();
+  GridQLearningParameters parameters = smallParameters();
   parameters.threads = threads;
   parameters.communicator = communicator;
   parameters.target_interval = 2;
-  QLearning learning(parameters, networkFor(parameters));
+  GridQLearning learning(parameters, networkFor(parameters));
   learning.beginEpoch(0, course);
   for (int update = 0; update < 5; ++update) learning.update();
   return parameterVector(learning.layers());
 }
 
-TEST(QLearning, LearnsTheSameWithAnyNumberOfThreads) {
+TEST(GridQLearning, LearnsTheSameWithAnyNumberOfThreads) {
   const Eigen::VectorXf alone = weightsAfterSomeUpdates(1);
   EXPECT_NE(alone, parameterVector(networkFor(smallParameters())));
   EXPECT_EQ(alone, weightsAfterSomeUpdates(3));
 }
 
-TEST(QLearning, LearnsTheSameOnAnyNumberOfRanks) {
+TEST(GridQLearning, LearnsTheSameOnAnyNumberOfRanks) {
   const auto learn = [](Communicator* ranks) { return weightsAfterSomeUpdates(1, ranks); };
   const Eigen::VectorXf alone = weightsAfterSomeUpdates(1);
   for (const Eigen::VectorXf& weights : onRanks(3, learn)) EXPECT_EQ(weights, alone);
 }
 
-TEST(QLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
+TEST(GridQLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
   const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
-  QLearningParameters parameters = smallParameters();
+  GridQLearningParameters parameters = smallParameters();
   parameters.target_interval = 3;  // a copy falls into the second epoch, another lies before it
-  QLearning whole(parameters, networkFor(parameters));
+  GridQLearning whole(parameters, networkFor(parameters));
   whole.beginEpoch(0, course);
   for (int update = 0; update < 5; ++update) whole.update();
-  QLearning resumed(parameters, networkFor(parameters));
+  GridQLearning resumed(parameters, networkFor(parameters));
   resumed.restore(whole.checkpoint());
-  for (QLearning* learning : {&whole, &resumed}) {
+  for (GridQLearning* learning : {&whole, &resumed}) {
     learning->beginEpoch(1, course);
     for (int update = 0; update < 4; ++update) learning->update();
   }
@@ -169,22 +169,22 @@ TEST(QLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
 }
 
 /// Reward of the steps to within one cell of a goal that lies `distance` cells away in a corridor.
-double corridorValue(const QLearningParameters& parameters, int distance) {
+double corridorValue(const GridQLearningParameters& parameters, int distance) {
   double value = parameters.arrival_bonus + 1.0 - parameters.step_cost;
   for (int left = distance - 2; left > 0; --left) value = 1.0 - parameters.step_cost + parameters.discount * value;
   return value;
 }
 
-TEST(QLearning, FindsTheValuesOfACorridor) {
+TEST(GridQLearning, FindsTheValuesOfACorridor) {
   const GridCourse course = courseOn(PassableGrid(12, 1, true), 11.0);
-  QLearningParameters parameters = smallParameters();
+  GridQLearningParameters parameters = smallParameters();
   parameters.encoder = {GridEncoderParameters::Inputs::kTrace, 1};
   parameters.discount = 0.8;
   parameters.updates = 1500;
   GridEncoder encoder(parameters.encoder);
   LayerStack layers = makeDenseStack(encoder.size(), {16}, kGridMoveCount);
   initialise({}, 1, layers);
-  QLearning learning(parameters, layers);
+  GridQLearning learning(parameters, layers);
   learning.beginEpoch(0, course);
   for (int update = 0; update < parameters.updates; ++update) learning.update();
 
@@ -203,7 +203,8 @@ TEST(QLearning, FindsTheValuesOfACorridor) {
 }
 
 /// Share of all pairs of start and goal in which the network arrives, in time for one wrong turn up to a dead end.
-double arrivalEverywhere(const PassableGrid& grid, const QLearningParameters& parameters, const LayerStack& layers) {
+double arrivalEverywhere(const PassableGrid& grid, const GridQLearningParameters& parameters,
+                         const LayerStack& layers) {
   Model model;
   model.layers = layers;
   writeMetadata(parameters.encoder, &model.metadata);
@@ -227,40 +228,40 @@ double arrivalEverywhere(const PassableGrid& grid, const QLearningParameters& pa
   return static_cast<double>(arrived) / pairs;
 }
 
-double arrivalInMazeAfterLearning(QLearningParameters parameters) {
+double arrivalInMazeAfterLearning(GridQLearningParameters parameters) {
   const PassableGrid maze = gridFrom(kSmallMaze);
   const GridCourse course = courseOn(maze, kLongestWay);
   parameters.updates = 600;
   parameters.discount = 0.9;
-  QLearning learning(parameters, networkFor(parameters));
+  GridQLearning learning(parameters, networkFor(parameters));
   EXPECT_LT(arrivalEverywhere(maze, parameters, learning.layers()), 0.7) << "nothing to learn";
   learning.beginEpoch(0, course);
   for (int update = 0; update < parameters.updates; ++update) learning.update();
   return arrivalEverywhere(maze, parameters, learning.layers());
 }
 
-TEST(QLearning, LeadsEverywhereInASmallMaze) { EXPECT_EQ(arrivalInMazeAfterLearning(smallParameters()), 1.0); }
+TEST(GridQLearning, LeadsEverywhereInASmallMaze) { EXPECT_EQ(arrivalInMazeAfterLearning(smallParameters()), 1.0); }
 
-TEST(QLearning, LeadsNearlyEverywhereByTheThesissReward) {
-  QLearningParameters parameters = smallParameters();
-  parameters.reward = QLearningParameters::Reward::kThesis;
+TEST(GridQLearning, LeadsNearlyEverywhereByTheThesissReward) {
+  GridQLearningParameters parameters = smallParameters();
+  parameters.reward = GridQLearningParameters::Reward::kThesis;
   parameters.value_scale = 4.0;  // of so short ways the costs are small
   // Its distance is as the crow flies: behind a wall the wrong way seems the better one, so that detours come last.
   EXPECT_GT(arrivalInMazeAfterLearning(parameters), 0.9);
 }
 
-TEST(QLearning, RefusesWhatDoesNotFit) {
-  QLearningParameters parameters = smallParameters();
+TEST(GridQLearning, RefusesWhatDoesNotFit) {
+  GridQLearningParameters parameters = smallParameters();
   const LayerStack layers = networkFor(parameters);
   parameters.discount = 1.0;
-  EXPECT_THROW(QLearning(parameters, layers), std::invalid_argument);
+  EXPECT_THROW(GridQLearning(parameters, layers), std::invalid_argument);
   parameters = smallParameters();
   parameters.threads = 0;
-  EXPECT_THROW(QLearning(parameters, layers), std::invalid_argument);
+  EXPECT_THROW(GridQLearning(parameters, layers), std::invalid_argument);
   parameters = smallParameters();
   parameters.encoder.views = 1;  // 8 outputs, not one
-  EXPECT_THROW(QLearning(parameters, layers), std::invalid_argument);
-  EXPECT_THROW(QLearning(smallParameters(), layers).update(), std::logic_error);
+  EXPECT_THROW(GridQLearning(parameters, layers), std::invalid_argument);
+  EXPECT_THROW(GridQLearning(smallParameters(), layers).update(), std::logic_error);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "grid_world/learning/q_learning_tile.hpp"
+#include "grid_world/learning/grid_q_learning_tile.hpp"
 
 #include <algorithm>
 #include <array>
@@ -37,7 +37,7 @@ void QSums::operator+=(const QSums& other) {
   squared_error += other.squared_error;
 }
 
-QTileRunner::QTileRunner(const QLearningParameters& parameters, const LayerStack& layers)
+QTileRunner::QTileRunner(const GridQLearningParameters& parameters, const LayerStack& layers)
     : parameters_(parameters),
       encoder_(parameters.encoder),
       actors_(kTileLanes / parameters.encoder.views),
@@ -125,7 +125,7 @@ void QTileRunner::move(int step, int actor, double epsilon, QTile& tile) {
   const double thesis_reward = thesisReward(walker.memory(), parameters_.thesis_reward);
   const GridActor::Outcome outcome =
       walker.step(transition.direction, {parameters_.step_cost, parameters_.arrival_bonus}, parameters_.max_steps);
-  const bool by_progress = parameters_.reward == QLearningParameters::Reward::kProgress;
+  const bool by_progress = parameters_.reward == GridQLearningParameters::Reward::kProgress;
   transition.reward = by_progress ? outcome.reward : thesis_reward;
   transition.arrived = outcome.arrived;
   transition.timed_out = outcome.timed_out;

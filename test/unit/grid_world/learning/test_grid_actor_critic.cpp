@@ -5,7 +5,7 @@
 
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
-#include "lstm_planner/grid_world/learning/actor_critic.hpp"
+#include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 #include "unit/base/learning/thread_ranks.hpp"
 
 namespace lstm_planner {
@@ -20,8 +20,8 @@ PassableGrid zigzag() {
   return grid;
 }
 
-ActorCriticParameters smallTraining(int threads) {
-  ActorCriticParameters parameters;
+GridActorCriticParameters smallTraining(int threads) {
+  GridActorCriticParameters parameters;
   parameters.critic_units = {16};
   parameters.updates = 60;
   parameters.agents = 16;
@@ -30,7 +30,7 @@ ActorCriticParameters smallTraining(int threads) {
   return parameters;
 }
 
-LayerStack smallPolicy(const ActorCriticParameters& parameters) {
+LayerStack smallPolicy(const GridActorCriticParameters& parameters) {
   const GridEncoder encoder(parameters.encoder);
   LayerStack layers = makeLstmStack(encoder.size(), {6}, encoder.outputs());
   initialise({}, 4, layers);
@@ -45,27 +45,27 @@ GridCourse course(std::uint64_t seed) {
   return GridCourse(parameters, {{{zigzag()}, 1.0}}, seed, 2);
 }
 
-Eigen::VectorXf weightsAfter(ActorCritic& training, int epoch, int updates) {
+Eigen::VectorXf weightsAfter(GridActorCritic& training, int epoch, int updates) {
   const GridCourse maps = course(static_cast<std::uint64_t>(epoch));
   training.beginEpoch(epoch, maps);
   for (int update = 0; update < updates; ++update) training.update();
   return parameterVector(training.layers());
 }
 
-TEST(ActorCritic, TheSameSeedGivesTheSameWeightsForAnyNumberOfThreads) {
-  ActorCritic one(smallTraining(1), smallPolicy(smallTraining(1)));
-  ActorCritic two(smallTraining(2), smallPolicy(smallTraining(2)));
+TEST(GridActorCritic, TheSameSeedGivesTheSameWeightsForAnyNumberOfThreads) {
+  GridActorCritic one(smallTraining(1), smallPolicy(smallTraining(1)));
+  GridActorCritic two(smallTraining(2), smallPolicy(smallTraining(2)));
   EXPECT_EQ(weightsAfter(one, 0, 5), weightsAfter(two, 0, 5));
 }
 
-TEST(ActorCritic, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
+TEST(GridActorCritic, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
   const auto outcome = [](Communicator* communicator) {
-    ActorCriticParameters parameters = smallTraining(1);
+    GridActorCriticParameters parameters = smallTraining(1);
     parameters.agents = 40;  // 5 tiles
     parameters.communicator = communicator;
-    ActorCritic training(parameters, smallPolicy(parameters));
+    GridActorCritic training(parameters, smallPolicy(parameters));
     const Eigen::VectorXf weights = weightsAfter(training, 0, 5);
-    const ActorCriticReport report = training.report();
+    const GridActorCriticReport report = training.report();
     return std::make_pair(weights, std::vector<double>{report.steps, report.reward, report.arrival, report.ratio,
                                                        report.entropy, report.explained});
   };
@@ -78,33 +78,33 @@ TEST(ActorCritic, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
   }
 }
 
-TEST(ActorCritic, ResumesFromACheckpointAsIfItHadNotBeenInterrupted) {
-  const ActorCriticParameters parameters = smallTraining(2);
-  ActorCritic uninterrupted(parameters, smallPolicy(parameters));
+TEST(GridActorCritic, ResumesFromACheckpointAsIfItHadNotBeenInterrupted) {
+  const GridActorCriticParameters parameters = smallTraining(2);
+  GridActorCritic uninterrupted(parameters, smallPolicy(parameters));
   weightsAfter(uninterrupted, 0, 5);
   const std::vector<std::uint8_t> checkpoint = uninterrupted.checkpoint();
   const Eigen::VectorXf expected = weightsAfter(uninterrupted, 1, 5);
 
-  ActorCritic resumed(parameters, smallPolicy(parameters));
+  GridActorCritic resumed(parameters, smallPolicy(parameters));
   resumed.restore(checkpoint);
   EXPECT_EQ(weightsAfter(resumed, 1, 5), expected);
 }
 
-TEST(ActorCritic, RefusesWhatIsNotItsCheckpoint) {
-  const ActorCriticParameters parameters = smallTraining(1);
-  ActorCritic training(parameters, smallPolicy(parameters));
+TEST(GridActorCritic, RefusesWhatIsNotItsCheckpoint) {
+  const GridActorCriticParameters parameters = smallTraining(1);
+  GridActorCritic training(parameters, smallPolicy(parameters));
   std::vector<std::uint8_t> checkpoint = training.checkpoint();
   checkpoint.resize(checkpoint.size() / 2);
   EXPECT_THROW(training.restore(checkpoint), std::invalid_argument);
   EXPECT_THROW(training.restore({}), std::invalid_argument);
 
-  ActorCriticParameters other = parameters;
+  GridActorCriticParameters other = parameters;
   other.critic_units = {8};
-  EXPECT_THROW(training.restore(ActorCritic(other, smallPolicy(other)).checkpoint()), std::invalid_argument);
+  EXPECT_THROW(training.restore(GridActorCritic(other, smallPolicy(other)).checkpoint()), std::invalid_argument);
 }
 
-TEST(ActorCritic, RefusesParametersOutOfRange) {
-  ActorCriticParameters parameters = smallTraining(1);
+TEST(GridActorCritic, RefusesParametersOutOfRange) {
+  GridActorCriticParameters parameters = smallTraining(1);
   parameters.window = 0;
   EXPECT_THROW(validate(parameters), std::invalid_argument);
   parameters = smallTraining(1);
@@ -112,12 +112,12 @@ TEST(ActorCritic, RefusesParametersOutOfRange) {
   EXPECT_THROW(validate(parameters), std::invalid_argument);
 }
 
-TEST(ActorCritic, LearnsToGoRoundWalls) {
-  ActorCriticParameters parameters = smallTraining(2);
+TEST(GridActorCritic, LearnsToGoRoundWalls) {
+  GridActorCriticParameters parameters = smallTraining(2);
   parameters.agents = 64;
   parameters.updates = 300;
   parameters.learning_rate = 0.01;
-  ActorCritic training(parameters, smallPolicy(parameters));
+  GridActorCritic training(parameters, smallPolicy(parameters));
   const GridCourse maps = course(1);
   training.beginEpoch(0, maps);
   const auto meanReward = [&] {

@@ -6,11 +6,11 @@
 #include "grid_world/learning/grid_actor.hpp"
 #include "lstm_planner/base/learning/lane_network.hpp"
 #include "lstm_planner/base/learning/q_learning_targets.hpp"
-#include "lstm_planner/grid_world/learning/q_learning.hpp"
+#include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 
 namespace lstm_planner {
 
-/// What goes into a QLearningReport.
+/// What goes into a GridQLearningReport.
 struct QSums {
   double steps = 0, reward = 0, arrived = 0, ended = 0, ratio = 0, value = 0, squared_error = 0;
   void operator+=(const QSums& other);
@@ -30,7 +30,7 @@ struct QTile {
 class QTileRunner {
  public:
   /// `parameters` must outlive the runner.
-  QTileRunner(const QLearningParameters& parameters, const LayerStack& layers);
+  QTileRunner(const GridQLearningParameters& parameters, const LayerStack& layers);
 
   /// Agents of a tile.
   int actors() const { return actors_; }
@@ -44,7 +44,7 @@ class QTileRunner {
   void judge(int actor, QTile& tile);
   int outputAt(int actor, int direction) const;
 
-  const QLearningParameters& parameters_;
+  const GridQLearningParameters& parameters_;
   GridEncoder encoder_;
   int actors_;
   LaneNetwork network_;

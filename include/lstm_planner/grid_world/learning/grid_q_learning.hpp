@@ -30,9 +30,9 @@ struct ThesisRewardWeights {
 /// a replay memory: such steps are as little correlated as replayed ones (Mnih et al., "Asynchronous methods for deep
 /// reinforcement learning", ICML 2016), and the hidden state in which a window begins is the one that today's network
 /// has there, where a replayed window would need one that an older network left.
-struct QLearningParameters {
+struct GridQLearningParameters {
   enum class Reward {
-    kProgress,  ///< cells nearer to the goal by the true shortest way, less a cost a step, as ActorCritic
+    kProgress,  ///< cells nearer to the goal by the true shortest way, less a cost a step, as GridActorCritic
     kThesis,    ///< Eq. 2.36, of the state in which the step begins
   };
   GridEncoderParameters encoder;
@@ -67,10 +67,10 @@ struct QLearningParameters {
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
-void validate(const QLearningParameters& parameters);
+void validate(const GridQLearningParameters& parameters);
 
 /// What the agents did since the last report. Means over nothing are 0.
-struct QLearningReport {
+struct GridQLearningReport {
   int update = 0;
   double steps = 0.0;    ///< of all agents since the beginning
   double reward = 0.0;   ///< mean a step
@@ -82,12 +82,12 @@ struct QLearningReport {
 };
 
 /// Learns in place, update by update.
-class QLearning {
+class GridQLearning {
  public:
   /// `layers` with weights to begin from; GridEncoder says how many inputs and outputs they have. Throws
   /// std::invalid_argument for what does not fit.
-  QLearning(const QLearningParameters& parameters, LayerStack layers);
-  ~QLearning();
+  GridQLearning(const GridQLearningParameters& parameters, LayerStack layers);
+  ~GridQLearning();
 
   /// Begins epoch `epoch` (from 0) with new episodes; `course` must outlive it.
   void beginEpoch(int epoch, const GridCourse& course);
@@ -97,7 +97,7 @@ class QLearning {
   void update();
 
   /// Since the last call.
-  QLearningReport report();
+  GridQLearningReport report();
 
   const LayerStack& layers() const;
 

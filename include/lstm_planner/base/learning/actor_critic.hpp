@@ -1,0 +1,113 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/base/learning/optimiser.hpp"
+#include "lstm_planner/base/network/layers.hpp"
+
+namespace lstm_planner {
+
+/// How an actor-critic training goes on over its updates. Both rates sink to 0 by half a cosine.
+struct ActorCriticSchedule {
+  int updates = 1;             ///< of the whole training
+  double entropy_start = 0.0;  ///< weight of the entropy, sinking linearly
+  double entropy_end = 0.0;
+  double learning_rate = 0.0;
+  double critic_learning_rate = 0.0;
+  double max_gradient_norm = 0.0;
+};
+
+/// Of the parameters of a course, which name these alike.
+template <typename Parameters>
+ActorCriticSchedule actorCriticSchedule(const Parameters& parameters, int updates) {
+  return {updates,
+          parameters.entropy_start,
+          parameters.entropy_end,
+          parameters.learning_rate,
+          parameters.critic_learning_rate,
+          parameters.max_gradient_norm};
+}
+
+/// The weights of a policy and its critic while they learn, whatever the course is: optimisers, schedule, the variance
+/// of the advantages, and the checkpoint of it all.
+class ActorCritic {
+ public:
+  /// What a checkpoint says it is, and what the course calls an update.
+  struct CheckpointNames {
+    std::string format;
+    std::string updates;
+  };
+
+  /// The layers with the weights to start from. `sets`: parts of the course that have a variance each.
+  ActorCritic(const CheckpointNames& names, const ActorCriticSchedule& schedule, const LayerStack& policy,
+              const LayerStack& critic, std::size_t sets);
+
+  const Eigen::VectorXf& policy() const { return policy_; }
+  const Eigen::VectorXf& critic() const { return critic_; }
+
+  double entropyWeight() const;  ///< of the next update
+
+  /// One step of an optimiser. `gradient` is a sum over so many steps of the agents.
+  void updatePolicy(const Eigen::VectorXf& gradient, double steps);
+  void updateCritic(const Eigen::VectorXf& gradient, double steps);
+
+  /// By set: what is a large gain in the open is a small one in a maze, and each is to count alike. Starts with 1.
+  std::vector<double>& advantageVariances() { return advantage_variances_; }
+  const std::vector<double>& advantageVariances() const { return advantage_variances_; }
+
+  /// An update is done, with so many steps of the agents.
+  void finishUpdate(double steps);
+  int updates() const { return updates_; }
+  double steps() const { return steps_; }  ///< of all updates
+
+  /// Everything that the next update depends on.
+  std::vector<std::uint8_t> checkpoint() const;
+  /// Throws std::invalid_argument when it is not a checkpoint of the same course and networks.
+  void restore(const std::vector<std::uint8_t>& checkpoint);
+
+ private:
+  double progress() const;
+  double rate() const;
+
+  CheckpointNames names_;
+  ActorCriticSchedule schedule_;
+  Eigen::VectorXf policy_;
+  Eigen::VectorXf critic_;
+  Optimiser policy_optimiser_;
+  Optimiser critic_optimiser_;
+  std::vector<double> advantage_variances_;
+  double steps_ = 0.0;
+  int updates_ = 0;
+};
+
+/// Generalised advantages (Schulman et al., "High-dimensional continuous control using generalized advantage
+/// estimation", ICLR 2016), from the last step back.
+class Advantages {
+ public:
+  /// `value_behind`: the critic's, of the state after the last step.
+  Advantages(double discount, double decay, double value_behind)
+      : discount_(discount), decay_(decay), next_value_(value_behind) {}
+
+  /// How a step ended: an episode that is cut off would have gone on from much the same place.
+  enum class End { kNone, kArrived, kCutOff };
+
+  /// Of the step before the last one asked for. `value`: the critic's, of the state in which it starts.
+  double before(double reward, double value, End end) {
+    const double following = end == End::kArrived ? 0.0 : (end == End::kCutOff ? value : next_value_);
+    const double error = reward + discount_ * following - value;
+    advantage_ = error + (end == End::kNone ? discount_ * decay_ * advantage_ : 0.0);
+    next_value_ = value;
+    return advantage_;
+  }
+
+ private:
+  double discount_;
+  double decay_;
+  double next_value_;
+  double advantage_ = 0.0;
+};
+
+}  // namespace lstm_planner
