@@ -1,6 +1,6 @@
-#include "lstm_planner/robot/simulation/contact_count.hpp"
-
 #include <gtest/gtest.h>
+
+#include "lstm_planner/robot/simulation/contact_count.hpp"
 
 namespace lstm_planner {
 namespace {
