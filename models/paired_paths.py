@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How much longer the network's ways are than those of the remembered path: the same drives with both leaders, in pairs.
+"""How much longer the network's paths are than those of the remembered path: the same drives with both leaders, in pairs.
 
   models/paired_paths.py                                600 generated worlds
   models/paired_paths.py --maps a.yaml b.yaml=0.19      and 50 goals in each of these maps (FILE or FILE=SCALE)

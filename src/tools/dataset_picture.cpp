@@ -66,7 +66,7 @@ void writeRanges(const std::string& path, const Dataset& dataset) {
 
 /// A block of lines for each drive, with the number of its recording, and the first and last line of each for the
 /// marks.
-void writeWays(const std::string& path, const std::string& ends_path, const Dataset& dataset) {
+void writePaths(const std::string& path, const std::string& ends_path, const Dataset& dataset) {
   std::ofstream file(path);
   std::ofstream ends(ends_path);
   forEachDrive(dataset, [&](std::size_t recording, const RecordedEpisode& episode) {
@@ -92,11 +92,11 @@ std::string scriptOf(const std::string& path, const ScratchFolder& scratch) {
          << "set origin 0,0; set size 0.4,0.5; set title 'mean ranges of the sectors'; set xlabel 'range [m]'; "
          << "set ylabel 'sectors'; set offsets 0, 0, graph 0.05, 0; set boxwidth 0.25 absolute; set xrange [0:*]; "
          << "plot " << data("ranges") << " using 1:2 with boxes lc rgb '#6aa84f'; "
-         << "set origin 0.4,0; set size 0.6,1; set title 'driven ways, by recording'; set xlabel 'x [m]'; "
+         << "set origin 0.4,0; set size 0.6,1; set title 'driven paths, by recording'; set xlabel 'x [m]'; "
          << "set ylabel 'y [m]'; set autoscale; set size ratio -1; set offsets graph 0.05, graph 0.05, graph 0.05, "
             "graph 0.05; "
          << "set key below; "
-         << "plot " << data("ways") << " using 1:2:3 with lines lc variable lw 1.5 title 'way', " << data("ends")
+         << "plot " << data("paths") << " using 1:2:3 with lines lc variable lw 1.5 title 'path', " << data("ends")
          << " using 1:2 with points pt 6 ps 1 lc rgb '#404040' title 'start', " << data("ends")
          << " using 3:4 with points pt 2 ps 1.5 lw 2 lc rgb '#d02020' title 'goal'; unset multiplot";
   return script.str();
@@ -109,8 +109,8 @@ void drawDataset(const std::string& path, const Dataset& dataset) {
   const ScratchFolder scratch;
   writeLabels(scratch.file("labels"), summarise(dataset));
   writeRanges(scratch.file("ranges"), dataset);
-  writeWays(scratch.file("ways"), scratch.file("ends"), dataset);
-  runGnuplot("picture", path, scratch.file("ways"),
+  writePaths(scratch.file("paths"), scratch.file("ends"), dataset);
+  runGnuplot("picture", path, scratch.file("paths"),
              [&](const std::string& part_path) { return scriptOf(part_path, scratch); });
 }
 

@@ -12,7 +12,7 @@ void printDatasetSummary(std::ostream& out, const DatasetSummary& summary);
 /// One line for each set of allowed angles: how often each label was driven.
 void printLabels(std::ostream& out, const DatasetSummary& summary);
 
-/// Draws the labels, the mean ranges of the sectors, and the driven ways with their goals. Throws std::runtime_error
+/// Draws the labels, the mean ranges of the sectors, and the driven paths with their goals. Throws std::runtime_error
 /// when it cannot be written.
 void drawDataset(const std::string& path, const Dataset& dataset);
 

@@ -19,13 +19,13 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kWayPointClearance = 0.18;  // m between the footprint and walls
-constexpr double kWayPointSpacing = 1.5;     // m
+constexpr double kWaypointClearance = 0.18;  // m between the footprint and walls
+constexpr double kWaypointSpacing = 1.5;     // m
 
 struct SimulateOptions {
   std::vector<std::string> maps;
   double free_threshold = -1.0;
-  std::string way_points = "20";
+  std::string waypoints = "20";
   std::uint64_t seed = 1;
   std::string output;
   RecordedDrivesParameters drives;
@@ -46,7 +46,7 @@ bool readOptions(const std::vector<std::string>& arguments, SimulateOptions* opt
   drives.robot.base.odometry_error = 0.02;
   drives.recorder.scan_rules = Hokuyo::rules();
   CommandLine line("dataset simulate",
-                   "somebody drives a simulated Create 2 between way-points: a dataset without a robot");
+                   "somebody drives a simulated Create 2 between waypoints: a dataset without a robot");
   line.addFiles("map", &options->maps,
                 "map_server yaml files, each gets its share of the steps; FILE=0.19 replaces the free_thresh of one of "
                 "them")
@@ -54,11 +54,11 @@ bool readOptions(const std::vector<std::string>& arguments, SimulateOptions* opt
   line.add("free-threshold", &options->free_threshold, {-1.0, 1.0},
            "replaces the free_thresh of all maps; -1: it does not");
   line.add(
-      "way-points", &options->way_points,
+      "waypoints", &options->waypoints,
       "how many are drawn in each map, or a yaml file with a list of [x, y] or {x: , y: } (m, map frame), e.g. the "
       "demo's goals");
   line.add("steps", &drives.steps, kAnySteps, "labelled steps to record");
-  line.addSeed(&options->seed, "of way-points, goals, driver and noise");
+  line.addSeed(&options->seed, "of waypoints, goals, driver and noise");
   visitCreate2Parameters(drives.robot.base, line.parameters({{"odometry_error", "drift"}}));
   visitDriverParameters(drives.driver,
                         line.parameters({{"speed", "speed"}, {"turn_speed", "turn-speed"}, {"wander", "wander"}}));
@@ -69,40 +69,40 @@ bool readOptions(const std::vector<std::string>& arguments, SimulateOptions* opt
   return line.parse(arguments);
 }
 
-Point2 wayPointOf(const YAML::Node& node) {
+Point2 waypointOf(const YAML::Node& node) {
   if (node.IsSequence() && node.size() >= 2) return {node[0].as<double>(), node[1].as<double>()};
   if (node.IsMap() && node["x"] && node["y"]) return {node["x"].as<double>(), node["y"].as<double>()};
   throw std::invalid_argument("expected [x, y] or {x: , y: }");
 }
 
-std::vector<Point2> readWayPoints(const std::string& path) {
+std::vector<Point2> readWaypoints(const std::string& path) {
   constexpr std::uintmax_t kLargestFile = 1 << 16;
   std::vector<Point2> points;
   try {
     const YAML::Node file = YAML::Load(readInputFile(path, kLargestFile));
-    const YAML::Node list = file.IsSequence() ? file : file["goals"] ? file["goals"] : file["way_points"];
-    if (!list || !list.IsSequence()) throw std::invalid_argument("expected a list, or one called goals or way_points");
-    for (const char* frame : {"frame", "way_point_frame"}) {
+    const YAML::Node list = file.IsSequence() ? file : file["goals"] ? file["goals"] : file["waypoints"];
+    if (!list || !list.IsSequence()) throw std::invalid_argument("expected a list, or one called goals or waypoints");
+    for (const char* frame : {"frame", "waypoint_frame"}) {
       if (file.IsMap() && file[frame] && file[frame].as<std::string>() != "map") {
         throw std::invalid_argument(std::string(frame) + " is " + file[frame].as<std::string>() + ", expected map");
       }
     }
-    for (const YAML::Node& node : list) points.push_back(wayPointOf(node));
+    for (const YAML::Node& node : list) points.push_back(waypointOf(node));
   } catch (const std::exception& error) {
-    throw std::invalid_argument("way-points of " + path + ": " + error.what());
+    throw std::invalid_argument("waypoints of " + path + ": " + error.what());
   }
   return points;
 }
 
-std::vector<Point2> wayPointsFor(const GridWorld& world, const SimulateOptions& options) {
-  const bool is_number = options.way_points.find_first_not_of("0123456789") == std::string::npos;
-  if (!is_number) return readWayPoints(options.way_points);
-  const double radius = options.drives.driver.footprint_radius + kWayPointClearance;
+std::vector<Point2> waypointsFor(const GridWorld& world, const SimulateOptions& options) {
+  const bool is_number = options.waypoints.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_number) return readWaypoints(options.waypoints);
+  const double radius = options.drives.driver.footprint_radius + kWaypointClearance;
   constexpr std::size_t kMostDigits = 6;
-  if (options.way_points.empty() || options.way_points.size() > kMostDigits) {
-    throw std::invalid_argument("--way-points is '" + options.way_points + "', expected a number below a million");
+  if (options.waypoints.empty() || options.waypoints.size() > kMostDigits) {
+    throw std::invalid_argument("--waypoints is '" + options.waypoints + "', expected a number below a million");
   }
-  return drawWayPoints(world, std::stoi(options.way_points), radius, kWayPointSpacing, options.seed);
+  return drawWaypoints(world, std::stoi(options.waypoints), radius, kWaypointSpacing, options.seed);
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ int datasetSimulate(const std::vector<std::string>& arguments) {
     description.odometry_frame = "odom";
     RecordingSink sink(description);
     const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(i);
-    const RecordedDrives result = recordDrives(world, wayPointsFor(world, options), drives, seed, &sink);
+    const RecordedDrives result = recordDrives(world, waypointsFor(world, options), drives, seed, &sink);
     sink.recording().finished = true;
     dataset.recordings.push_back(std::move(sink.recording()));
     std::cout << options.maps[static_cast<std::size_t>(i)] << ": " << result.steps << " steps, " << result.reached

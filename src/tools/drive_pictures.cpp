@@ -24,7 +24,7 @@ bool wentWell(const Drive& drive) {
   return drive.result.end == DriveResult::End::kReached && drive.result.contacts == 0;
 }
 
-/// The ratio to the shortest way; of what is not known, the length.
+/// The ratio to the shortest path; of what is not known, the length.
 double detour(const Drive& drive) {
   return drive.result.shortest > 0.0 ? drive.result.path_length / drive.result.shortest : drive.result.path_length;
 }
@@ -52,7 +52,7 @@ OccupancyGrid knownPart(const OccupancyGrid& map) {
   return part;
 }
 
-/// An empty floor under circles and the way between them.
+/// An empty floor under circles and the path between them.
 OccupancyGrid floorUnder(const Drive& drive) {
   Point2 low = drive.exercise.task.goal;
   Point2 high = low;
@@ -84,13 +84,13 @@ TracePicture::Part::Leader leaderOf(Decision::Source source) {
   }
 }
 
-/// The way in parts, each from where somebody took over to where he handed on.
+/// The path in parts, each from where somebody took over to where he handed on.
 std::vector<TracePicture::Part> partsOf(const DriveResult& result) {
   std::vector<TracePicture::Part> parts;
   for (std::size_t i = 0; i < result.trace.size(); ++i) {
     const Point2 here{result.trace[i].x, result.trace[i].y};
     const auto leader = leaderOf(result.led[i]);
-    if (!parts.empty()) parts.back().way.push_back(here);
+    if (!parts.empty()) parts.back().path.push_back(here);
     if (parts.empty() || parts.back().leader != leader) parts.push_back({leader, {here}});
   }
   return parts;

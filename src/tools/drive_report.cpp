@@ -27,13 +27,13 @@ double meanBarnScore(const std::vector<DriveResult>& results, double k) {
 
 void printHead(std::ostream& out, int width) {
   out << std::left << std::setw(width) << "world" << std::right
-      << "  goals  reached  contacts  bumped  no way  timeouts  elsewhere  path / shortest: mean    p95  mean time\n";
+      << "  goals  reached  contacts  bumped  no path  timeouts  elsewhere  path / shortest: mean    p95  mean time\n";
 }
 
 void printLine(std::ostream& out, int width, const std::string& name, const DriveSummary& summary) {
   out << std::left << std::setw(width) << name << std::right << std::setw(7) << summary.goals << std::setw(9)
       << summary.reached << std::setw(10) << summary.contacts << std::setw(8) << summary.bumped << std::setw(8)
-      << summary.no_way << std::setw(10) << summary.timeouts << std::setw(11) << summary.elsewhere << std::fixed
+      << summary.no_path << std::setw(10) << summary.timeouts << std::setw(11) << summary.elsewhere << std::fixed
       << std::setprecision(2) << std::setw(23) << summary.mean_ratio << std::setw(7) << summary.p95_ratio
       << std::setprecision(1) << std::setw(9) << summary.mean_time << " s\n";
 }
@@ -66,7 +66,7 @@ nlohmann::json toJson(const std::vector<DriveResult>& results, bool is_barn) {
                          {"bumped", summary.bumped},
                          {"bumped_moving", summary.bumped_moving},
                          {"timeouts", summary.timeouts},
-                         {"no_way", summary.no_way},
+                         {"no_path", summary.no_path},
                          {"elsewhere", summary.elsewhere},
                          {"mean_ratio", summary.mean_ratio},
                          {"p95_ratio", summary.p95_ratio},
@@ -92,8 +92,8 @@ const char* toString(DriveResult::End end) {
       return "reached";
     case DriveResult::End::kTimeout:
       return "timeout";
-    case DriveResult::End::kNoWay:
-      return "no way";
+    case DriveResult::End::kNoPath:
+      return "no path";
     case DriveResult::End::kElsewhere:
       return "elsewhere";
   }

@@ -13,7 +13,7 @@ namespace lstm_planner {
 /// By world, by exercise.
 using DriveResults = std::vector<std::vector<DriveResult>>;
 
-/// "reached", "timeout", "no way", "elsewhere".
+/// "reached", "timeout", "no path", "elsewhere".
 const char* toString(DriveResult::End end);
 
 /// For people: a line a world where there are not too many, and one for all.

@@ -54,7 +54,7 @@ void addGoals(double shortest, const DriveOptions& options, DriveWorld* world) {
   }
 }
 
-/// What was never mapped becomes solid: the shortest way does not lead through it either, and a robot that could would
+/// What was never mapped becomes solid: the shortest path does not lead through it either, and a robot that could would
 /// leave the building through the gaps of its map.
 void closeUnknown(OccupancyGrid* grid) {
   for (int row = 0; row < grid->rows(); ++row) {

@@ -116,10 +116,10 @@ void drawSome(const EvaluateOptions& options, const GridTaskSet& set, const std:
   };
   using End = GridEpisode::End;
   constexpr std::size_t kMisses = 3;
-  for (const End end : {End::kCollision, End::kTimeout, End::kNoWay}) {
+  for (const End end : {End::kCollision, End::kTimeout, End::kNoPath}) {
     const std::vector<std::size_t> missed = tasksThatEnded(episodes, end);
     for (std::size_t i = 0; i < std::min(kMisses, missed.size()); ++i) {
-      drawTask(end == End::kNoWay ? "no_way" : toString(end), missed[i]);
+      drawTask(end == End::kNoPath ? "no_path" : toString(end), missed[i]);
     }
   }
   if (const auto task = typicalArrival(episodes)) drawTask("typical", *task);
@@ -153,8 +153,8 @@ int runEvaluate(const std::vector<std::string>& arguments) {
   if (!isFirstRank()) return 0;
   printGridSummaries(std::cout, summaries);
   for (const GridTaskSet& set : sets) {
-    if (set.without_way == 0) continue;
-    std::cout << "left out: " << set.without_way << " scenarios of " << set.name << " without a way (length 0)\n";
+    if (set.without_path == 0) continue;
+    std::cout << "left out: " << set.without_path << " scenarios of " << set.name << " without a path (length 0)\n";
   }
   if (!options.json.empty()) writeJson(options, summaries);
   if (!options.details.empty()) writeTextFile(options.details, details.str());

@@ -54,7 +54,7 @@ void evaluateAll(const GridOptions& options, GridComparison* comparison) {
 std::string rulesText(const GridOptions& options) {
   const GridEpisodeRules& rules = options.evaluation.rules;
   std::ostringstream text;
-  text << "Scenarios of " << options.maps << " maps with ways of " << options.selection.min_length << " to "
+  text << "Scenarios of " << options.maps << " maps with paths of " << options.selection.min_length << " to "
        << options.selection.max_length << " cells, drawn with seed " << options.selection.seed << "; "
        << (rules.max_steps > 0 ? std::to_string(rules.max_steps) : "unlimited") << " steps, corner cutting "
        << (rules.corner_cutting == CornerCutting::kAllowed ? "allowed" : "forbidden")
@@ -84,7 +84,7 @@ void writeTrends(const GridComparison& comparison, const std::string& folder, st
     drawSuccessTrend(comparison, i, csv, folder + "/" + name + ".png");
     const ThesisTable* thesis = thesisTableOf(set.name);
     appendPicture((thesis == nullptr ? "" : "Figure " + thesis->trend_figure + ": ") + "success in " + set.name +
-                      " over the longest way allowed",
+                      " over the longest path allowed",
                   name + ".png", report);
   }
 }

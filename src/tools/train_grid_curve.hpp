@@ -9,7 +9,7 @@ namespace lstm_planner {
 /// One epoch of learning by reinforcement.
 struct GridCurvePoint {
   int epoch = 0;                ///< from 1
-  double steps = 0.0;           ///< of all agents since the beginning
+  double steps = 0.0;           ///< of all agents since the start
   double reward = 0.0;          ///< mean a step, cells
   double arrival = 0.0;         ///< share of the training episodes
   double ratio = 0.0;           ///< mean length / optimum of those that arrived

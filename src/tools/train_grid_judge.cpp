@@ -45,7 +45,7 @@ bool GridJudge::keepIfBest(const LayerStack& layers, const GridScore& score) {
   writeMetadata(options_.encoder, &model.metadata);
   model.metadata["training_command"] = options_.command;
   std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << "arrival on validation maps with the shield alone, ways of "
+  text << std::fixed << std::setprecision(3) << "arrival on validation maps with the shield alone, paths of "
        << std::setprecision(0) << options_.min_length << " to " << options_.max_length << " cells in "
        << options_.max_steps << " steps:" << std::setprecision(3);
   for (std::size_t i = 0; i < sets_.size(); ++i) text << ' ' << sets_[i].name << ' ' << score.success[i];

@@ -77,7 +77,7 @@ GridTaskSet drawTasks(const std::string& name, const std::vector<PassableGrid>& 
   set.maps = grids;
   if (set.tasks.empty()) {
     throw std::invalid_argument("generated maps of --map-size " + std::to_string(options.map_size) +
-                                " have no way as long as --min-length");
+                                " have no path as long as --min-length");
   }
   return set;
 }

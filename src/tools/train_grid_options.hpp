@@ -19,11 +19,11 @@ struct GridTrainingOptions {
   std::string method;
   std::vector<std::string> maps;  ///< folders of benchmark sets, each DIR or DIR=WEIGHT; none: generated maps
   int map_size = 256;             ///< cells, of generated maps
-  double min_length = 10.0;       ///< cells, of the shortest way
+  double min_length = 10.0;       ///< cells, of the shortest path
   double max_length = 300.0;
   GridEncoderParameters encoder;
   NetworkShape shape;
-  std::string from;  ///< model file to begin with; decides encoder and shape
+  std::string from;  ///< model file to start with; decides encoder and shape
   std::string output;
   std::string curve;
   std::string checkpoint;
@@ -50,7 +50,7 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
 /// What a result depends on, for the checkpoint; a method adds its own.
 nlohmann::json settingsOf(const GridTrainingOptions& options);
 
-/// The network to begin with: random, or that of `from`, which then also sets the encoder.
+/// The network to start with: random, or that of `from`, which then also sets the encoder.
 LayerStack firstLayers(GridTrainingOptions* options);
 
 }  // namespace lstm_planner

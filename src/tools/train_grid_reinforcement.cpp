@@ -118,7 +118,7 @@ class ReinforcementTraining {
 
   int stop(const Interruption& interruption) {
     std::cout << "interrupted in epoch " << epoch_ + 1 << std::endl;
-    // What was learned since the last epoch ended is judged where nothing else is kept; else that epoch begins anew.
+    // What was learned since the last epoch ended is judged where nothing else is kept; else that epoch starts anew.
     if (options_.checkpoint.empty() || judge_.best() < 0.0) {
       judge_.keepIfBest(learner_->layers(), judge_.judge(learner_->layers()));
     }

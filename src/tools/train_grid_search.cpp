@@ -62,13 +62,13 @@ std::string report(const SearchOptions& options, const GridTrainingMaps& maps,
   text << "# Structure search\n\nHere: " << imitation.dataset.steps << " steps, " << imitation.trainer.epochs
        << " epochs, validation on " << imitation.validation_steps << " steps of other maps of the sets";
   for (const GridTaskSet& set : maps.validation) text << ' ' << set.name;
-  text << "; ways of " << options.grid.min_length << " to " << options.grid.max_length
+  text << "; paths of " << options.grid.min_length << " to " << options.grid.max_length
        << " cells without corner cutting, seed " << options.grid.seed << ".\n"
        << "The thesis: 102,400 steps, 500 epochs, validation on 10,240 steps; mazes of corridor width 2 and 4, random "
           "fill of 25 and 40 % (Tables 3.1 and 3.2).\nBoth: momentum 0.95, learning rate "
        << imitation.trainer.optimiser.learning_rate
        << " (the thesis's: 0.1), L1 decay 1e-5, an update a time sequence. "
-          "Here the hidden state starts anew with every way, and gradients longer than 1 are shortened."
+          "Here the hidden state starts anew with every path, and gradients longer than 1 are shortened."
        << "\n\n    " << options.grid.command << "\n\n"
        << structureTables(outcomes);
   return text.str();

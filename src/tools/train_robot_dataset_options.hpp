@@ -18,7 +18,7 @@ struct DatasetTrainingOptions {
   std::vector<std::string> validation_datasets;
   double validation_share = 0.25;  ///< of the steps, where there are no validation_datasets
   std::string preset = "stable";
-  std::string init;  ///< model to begin with; empty: a new network
+  std::string init;  ///< model to start with; empty: a new network
   RobotNetworkOptions network;
   EncoderParameters encoder;  ///< of a new network; the range cap is the recordings'
   std::string output;

@@ -33,7 +33,7 @@ class RobotLearner {
 struct RobotReinforcementPlan {
   RobotTrainingOptions options;
   RobotNetworkOptions network;
-  std::string init;           ///< model to begin with; empty: a new network
+  std::string init;           ///< model to start with; empty: a new network
   std::string checkpoint;     ///< empty: none
   std::string keep = "best";  ///< which network is written: best of the judgements, or last
   nlohmann::json settings;    ///< what the learning depends on
@@ -41,7 +41,7 @@ struct RobotReinforcementPlan {
   bool keepsLast() const { return keep == "last"; }
 };
 
-/// A model to begin with has its own inputs and shape. Throws std::invalid_argument with a sentence for values that
+/// A model to start with has its own inputs and shape. Throws std::invalid_argument with a sentence for values that
 /// make no sense.
 void finishRobotNetwork(const CommandLine& line, RobotReinforcementPlan* plan, EncoderParameters* encoder);
 
@@ -93,7 +93,7 @@ void finishRobotReinforcement(const std::string& method, RobotReinforcementPlan*
   if (p.policy.encoder.views != 1) plan->settings["views"] = p.policy.encoder.views;
 }
 
-/// Those of the model to begin with, whose description replaces `policy`, or new ones.
+/// Those of the model to start with, whose description replaces `policy`, or new ones.
 LayerStack firstLayers(const RobotReinforcementPlan& plan, PolicyDescription* policy);
 
 /// Learns iteration by iteration, with a line for each; judges the network now and then, keeps the most efficient, and

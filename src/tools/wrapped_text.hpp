@@ -7,7 +7,7 @@ namespace lstm_planner {
 
 constexpr std::size_t kTextWidth = 110;  ///< letters of a line, of what the tool explains
 
-/// The text in lines of at most `width` letters, broken at blanks; all lines but the first begin with `indent` blanks,
+/// The text in lines of at most `width` letters, broken at blanks; all lines but the first start with `indent` blanks,
 /// of which the first has `used` letters before it already.
 std::string wrapped(const std::string& text, std::size_t width, std::size_t indent, std::size_t used);
 

@@ -53,7 +53,7 @@ StepFloor stepFloorParts(const LayerStack& layers, InstructionSet set);
 
 /// How long it takes to read so many bytes as the layers have weights, over and over in the same order; ns. No floor:
 /// where the first level of the cache is a little too small, reading there and back by turns is faster, as every pass
-/// begins with what the last one has left in it.
+/// starts with what the last one has left in it.
 double readInOrder(const LayerStack& layers, InstructionSet set);
 
 /// stepFloorParts().ns().

@@ -10,7 +10,7 @@
 #error "FLOOR_KERNELS names the table that this file defines"
 #endif
 
-/// Keeps the compiler from knowing what a register holds, and hence from taking steps of a chain together.
+/// Keeps the compiler from knowing what a register holds, and therefore from taking steps of a chain together.
 #if defined(__AVX512F__)
 #define FLOOR_OPAQUE(value) __asm__ volatile("" : "+v"(value))
 #elif defined(__x86_64__)

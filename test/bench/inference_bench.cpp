@@ -13,7 +13,7 @@ namespace {
 constexpr int kInputs = 11;
 constexpr int kOutputs = 8;
 
-/// Steps whose first input is the last step's first output, the rest constant: no step can begin before the one before
+/// Steps whose first input is the last step's first output, the rest constant: no step can start before the one before
 /// it is through, as in a drive. The time of a step is the least of many short runs, which other programs on the
 /// machine hardly change.
 class ChainedSteps {

@@ -141,7 +141,7 @@ void remember(const std::vector<Situation>& seen, benchmark::State* state) {
     std::size_t call = 0;
     for (const Situation& next : seen) {
       situation = next;
-      if (situation.time < last) memory.forget();  // the next drive begins
+      if (situation.time < last) memory.forget();  // the next drive starts
       last = situation.time;
       memory.clearChanges();
       times.time(call++, [&] { memory.add(situation); });

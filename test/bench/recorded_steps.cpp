@@ -38,7 +38,7 @@ RecordedDrive recordDrive(const std::string& name, const World& world, const Dri
   SimulatedRobot robot(world, robot_parameters, task.start, seed);
   NavigationAgent agent(shippedPolicy(), agent_parameters, Hokuyo::rules());
   const MotionController controller{MotionParameters()};
-  const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry begins at the start
+  const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
 
   RecordedDrive drive;
   drive.world = name;

@@ -54,7 +54,7 @@ void rollOutPlan(benchmark::State& state) {
 }
 BENCHMARK(rollOutPlan)->Arg(1)->Arg(10);
 
-/// From where the drive began to its goal, through all that was seen on it.
+/// From where the drive started to its goal, through all that was seen on it.
 void searchRoute(benchmark::State& state, const std::string& world) {
   const RecordedDrive& drive = driveIn(world);
   ObstacleMemory memory = memoryOf(drive);

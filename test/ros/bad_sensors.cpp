@@ -172,7 +172,7 @@ TEST_F(BadSensorTest, UnstampedScansHaveTheTimeWhenTheyWereReceived) {
     return stamp > 0.0;
   }));
   EXPECT_LE(stamp, ros::Time::now().toSec());
-  EXPECT_GT(stamp, 100.0) << "the tests' clock begins there";
+  EXPECT_GT(stamp, 100.0) << "the tests' clock starts there";
   EXPECT_TRUE(eventuallyBothGoOn());
 }
 

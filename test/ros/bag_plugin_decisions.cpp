@@ -82,12 +82,12 @@ class BagPluginTest : public BagPlannerTest, public testing::WithParamInterface<
 
   void play() {
     auto next = golden_.begin();
-    const ros::WallTime began = ros::WallTime::now();
+    const ros::WallTime started = ros::WallTime::now();
     for (const Message& message : messages_) {
       if (next == golden_.end() || HasFailure()) return;
       const double elapsed = (message.stamp - messages_.front().stamp).toSec();
       if (GetParam().rate > 0.0) {
-        ros::WallTime::sleepUntil(began + ros::WallDuration(elapsed / GetParam().rate));
+        ros::WallTime::sleepUntil(started + ros::WallDuration(elapsed / GetParam().rate));
       }
       ros::Time::setNow(message.stamp);
       publish(message);

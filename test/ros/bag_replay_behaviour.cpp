@@ -34,7 +34,7 @@ class ReplayListener {
     ros::NodeHandle node_handle = callbacks_.nodeHandle(name_space);
     clock_ = node_handle.subscribe("clock", kQueue, &ReplayListener::onClock, this);
     scans_ = node_handle.subscribe("scan", kQueue, &ReplayListener::onScan, this);
-    // Last, since the node begins when somebody listens to its decisions.
+    // Last, since the node starts when somebody listens to its decisions.
     decisions_ =
         node_handle.subscribe("bag_replay/LstmGlobalPlanner/decision", kQueue, &ReplayListener::onDecision, this);
   }

@@ -7,7 +7,7 @@ namespace {
 
 using actionlib_msgs::GoalStatus;
 
-TEST_F(RecorderTest, StepsAreLabelledWithTheWayThatWasTaken) {
+TEST_F(RecorderTest, StepsAreLabelledWithThePathThatWasTaken) {
   start();
   giveGoal(goalAt(5.0, 0.0));
   drive({0.4, 0.0, 0.0}, 2.0);                                         // ahead

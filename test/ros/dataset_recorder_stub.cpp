@@ -70,7 +70,7 @@ TEST_F(StubDrive, StraightToAGoalIsRecordedStepByStep) {
     return diagnostics_.count("dataset_recorder", "episodes arrived") == 1;
   };
   ASSERT_TRUE(eventually(arrived) || eventually(arrived));
-  EXPECT_EQ(seenMarkers(), (std::set<std::string>{"goal", "labels", "sectors", "way"}));
+  EXPECT_EQ(seenMarkers(), (std::set<std::string>{"goal", "labels", "sectors", "path"}));
   std_srvs::Trigger finish;
   ASSERT_TRUE(ros::service::call("dataset_recorder/finish", finish));
   EXPECT_TRUE(finish.response.success) << finish.response.message;

@@ -33,7 +33,7 @@ class MoveBase {
     server_.registerGoalCallback([this] {
       goals.push_back(server_.acceptNewGoal()->target_pose);
       behaviour_ = goals.size() <= behaviours_.size() ? behaviours_[goals.size() - 1] : "abort";
-      if (behaviour_ == "abort") server_.setAborted({}, "there is no way");
+      if (behaviour_ == "abort") server_.setAborted({}, "there is no path");
       if (behaviour_ == "lie") server_.setSucceeded({}, "here we are");
     });
     server_.registerPreemptCallback([this] { server_.setPreempted({}, "cancelled"); });
@@ -116,9 +116,9 @@ TEST_F(DemoRunner, SendsGoalsInTheOdometryFrameAndIsContentWhenAllAreReached) {
   EXPECT_NEAR(move_base_.goals[0].pose.position.x, 1.0, 1e-6);
   EXPECT_NEAR(move_base_.goals[0].pose.position.y, 0.0, 1e-6);
   EXPECT_NEAR(tf2::getYaw(move_base_.goals[0].pose.orientation), -M_PI / 2.0, 1e-6);
-  // A straight way of 1 m that ends 0.1 m early or up to one loop of the driver and the braking later.
+  // A straight path of 1 m that ends 0.1 m early or up to one loop of the driver and the braking later.
   EXPECT_NEAR(leg(0)["path_m"].get<double>(), 0.9, 0.1);
-  // The grid knows each end of the way to its cell of 0.05 m.
+  // The grid knows each end of the path to its cell of 0.05 m.
   EXPECT_NEAR(leg(0)["shortest_m"].get<double>(), 1.0, 2 * 0.05);
   EXPECT_GT(leg(0)["time_s"].get<double>(), 0.8 / 0.5);
   std::string picture;
@@ -135,7 +135,7 @@ TEST_F(DemoRunner, CountsEveryWayOfMissingAGoal) {
   ASSERT_EQ(result_.json["legs"].size(), 5u);
   EXPECT_TRUE(leg(0)["reached"]);
   EXPECT_FALSE(leg(1)["reached"]);
-  EXPECT_EQ(leg(1)["text"], "there is no way");
+  EXPECT_EQ(leg(1)["text"], "there is no path");
   EXPECT_FALSE(leg(2)["reached"]);
   EXPECT_EQ(leg(2)["text"], "the action succeeded, but the robot is not there");
   EXPECT_FALSE(leg(3)["reached"]);

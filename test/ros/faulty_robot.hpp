@@ -72,7 +72,7 @@ class FaultyRobot {
     static_broadcaster_.sendTransform(mount);
   }
 
-  /// Somebody puts it into another world; its driver begins to count anew. `world` must outlive its stay.
+  /// Somebody puts it into another world; its driver starts to count anew. `world` must outlive its stay.
   void enter(const World& world, const Pose2& start, std::uint64_t seed) {
     SimulatedRobot::Parameters parameters;
     parameters.base.odometry_error = 0.02;

@@ -85,7 +85,7 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(self.parameter(config, "/dataset_recorder/scan_topic"), "base_scan")
         self.assertEqual(self.parameter(config, "/dataset_recorder/odom_topic"), "odometry/filtered")
         self.assertEqual(self.parameter(config, "/dataset_recorder/seed"), 7)
-        self.assertEqual(self.parameter(config, "/dataset_recorder/way_points"), [])
+        self.assertEqual(self.parameter(config, "/dataset_recorder/waypoints"), [])
         self.check(config)
 
     def test_recording_drives_the_simulated_robot_where_there_is_a_map(self):
@@ -96,11 +96,11 @@ class LaunchFiles(unittest.TestCase):
         self.assertTrue(self.parameter(config, "/use_sim_time"))
         self.check(config)
 
-    def test_recording_takes_its_way_points_from_a_file(self):
-        way_points = os.path.join(rospkg.RosPack().get_path("lstm_planner"), "config", "demo_way_points.yaml")
-        config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "way_points:=" + way_points)
-        self.assertGreaterEqual(len(self.parameter(config, "/dataset_recorder/way_points")), 2)
-        self.assertEqual(self.parameter(config, "/dataset_recorder/way_point_frame"), "map")
+    def test_recording_takes_its_waypoints_from_a_file(self):
+        waypoints = os.path.join(rospkg.RosPack().get_path("lstm_planner"), "config", "demo_waypoints.yaml")
+        config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "waypoints:=" + waypoints)
+        self.assertGreaterEqual(len(self.parameter(config, "/dataset_recorder/waypoints")), 2)
+        self.assertEqual(self.parameter(config, "/dataset_recorder/waypoint_frame"), "map")
         self.assertNotIn("/use_sim_time", config.params)
 
     def test_recording_leaves_a_robot_alone_that_runs_already(self):

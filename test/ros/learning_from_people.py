@@ -36,7 +36,7 @@ def package_file(*path):
 
 
 GOALS_FILE = package_file("test", "ros", "learning_from_people_goals.yaml")
-WAY_POINTS = package_file("test", "ros", "learning_from_people_way_points.yaml")
+WAYPOINTS = package_file("test", "ros", "learning_from_people_waypoints.yaml")
 
 
 def tool(*arguments):
@@ -91,7 +91,7 @@ class LearningFromPeople(unittest.TestCase):
         """recorded.sqlite: at least that many steps, readable while it grows, finished by the service."""
         recording = launch(package_file("test", "ros", "learning_from_people.launch"),
                            "map:=" + self.path("building.yaml"), "output:=" + self.path("recorded.sqlite"),
-                           "way_points:=" + WAY_POINTS)
+                           "waypoints:=" + WAYPOINTS)
         try:
             deadline = time.monotonic() + RECORDING_PATIENCE
             while recorded_steps(self.path("recorded.sqlite")) < steps:
@@ -107,7 +107,7 @@ class LearningFromPeople(unittest.TestCase):
 
     def simulate(self, steps):
         """simulated.sqlite: the same building, driver and recorder, without ROS."""
-        tool("dataset", "simulate", "--map", self.path("building.yaml"), "--way-points", WAY_POINTS, "--steps",
+        tool("dataset", "simulate", "--map", self.path("building.yaml"), "--waypoints", WAYPOINTS, "--steps",
              str(steps), "--arcs", "--wander", "0.03", "--no-scans", "--output", self.path("simulated.sqlite"))
 
     def merge(self):

@@ -98,7 +98,7 @@ TEST_F(PlannerTest, WithoutAnnouncementsANewGoalIsNoticedByItsPose) {
   EXPECT_EQ(decisions.newest().at("step"), "1");
 }
 
-TEST_F(PlannerTest, OdometryJumpForgetsTheWayAndKeepsTheGoal) {
+TEST_F(PlannerTest, OdometryJumpForgetsThePathAndKeepsTheGoal) {
   DecisionListener decisions("LstmGlobalPlanner");
   auto planner = makePlanner();
   const auto goal = stampedPose("odom", kGoal);

@@ -17,7 +17,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kCallPeriod = 0.5;  // s
-constexpr double kGoalAhead = 2.0;   // m of the robot's way between a new goal and the robot
+constexpr double kGoalAhead = 2.0;   // m of the robot's path between a new goal and the robot
 
 /// A goal that lies in something seen is replaced by a place within the goal tolerance, with the goal's yaw.
 bool isAt(const geometry_msgs::PoseStamped& stamped, const Pose2& pose) {
@@ -49,7 +49,7 @@ class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Re
     const std::string path = recording.is_shipped ? shippedBag(recording.file) : realData("bags/" + recording.file);
     SKIP_WITHOUT_REAL_DATA(path);
     bag_.open(path);
-    recorded_ = std::make_unique<RecordedWay>(bag_);
+    recorded_ = std::make_unique<RecordedPath>(bag_);
     ros::Time::setNow(recorded_->clockAt(rosbag::View(bag_).getBeginTime()));
     if (!recording.scan_frame.empty()) {
       // The racecar's scanner sits some 0.3 m before base_link; at base_link it does for a plan that nobody follows.
@@ -139,7 +139,7 @@ class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Re
       return planner()->makePlan(start, goal_, plan_) && startsAtTheRobot(fromMessage(start.pose)) &&
              decisions_.count() > decisions_before;
     })) << "no plan "
-        << (ros::Time::now() - recorded_->way().front().stamp).toSec() << " s after the first odometry";
+        << (ros::Time::now() - recorded_->path().front().stamp).toSec() << " s after the first odometry";
     ++plans_;
     checkPlan();
     checkDecision();
@@ -148,10 +148,10 @@ class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Re
   /// A place that the robot will come to; another one as soon as it should have.
   void chooseGoal() {
     const ros::Time now = ros::Time::now();
-    if (now < goal_stamp_ || goal_stamp_ == recorded_->way().back().stamp) {
+    if (now < goal_stamp_ || goal_stamp_ == recorded_->path().back().stamp) {
       return;
     }
-    const WayPoint& there = recorded_->ahead(now, kGoalAhead);
+    const Waypoint& there = recorded_->ahead(now, kGoalAhead);
     goal_stamp_ = there.stamp;
     goal_ = stampedPose(GetParam().global_frame, compose(global_from_odometry_, there.pose));
     goal_publisher_.publish(goal_);
@@ -176,7 +176,7 @@ class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Re
   }
 
   /// One number that is not finite in the hidden state would make all later preferences so, though the shield still
-  /// finds a finite way.
+  /// finds a finite path.
   void checkDecision() {
     const auto decision = decisions_.newest();
     decided_by_network_ += decision.at("source") == "network";
@@ -187,7 +187,7 @@ class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Re
   }
 
   rosbag::Bag bag_;
-  std::unique_ptr<RecordedWay> recorded_;
+  std::unique_ptr<RecordedPath> recorded_;
 
   Counter<sensor_msgs::LaserScan> scans_heard_{"scan"};
   Counter<nav_msgs::Odometry> odometries_heard_{"odom"};

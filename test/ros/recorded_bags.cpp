@@ -217,9 +217,9 @@ TEST(RecordedBagTest, WhatIsMissingOrAmbiguousIsRefusedInASentence) {
   EXPECT_EQ(refusalOf(path, options).find("has no topic /odom of sensor_msgs/LaserScan, but /move_base/cancel"), 0u);
   options = {};
   options.scan_topic = "scan";
-  options.goal_topics = {"way/goal"};
+  options.goal_topics = {"path/goal"};
   EXPECT_EQ(refusalOf(path, options)
-                .find("has no topic /way/goal of geometry_msgs/PoseStamped or move_base_msgs/MoveBaseActionGoal, but"),
+                .find("has no topic /path/goal of geometry_msgs/PoseStamped or move_base_msgs/MoveBaseActionGoal, but"),
             0u);
 }
 

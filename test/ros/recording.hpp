@@ -33,17 +33,17 @@ inline std::string nameOf(const testing::TestParamInfo<RecordedBag>& info) {
 }
 
 /// Where the robot was, and how far it had driven until then.
-struct WayPoint {
+struct Waypoint {
   ros::Time stamp;
   Pose2 pose;
   double driven = 0.0;  ///< m
 };
 
-/// A recording that was read once: its clock, and the way of its robot.
-class RecordedWay {
+/// A recording that was read once: its clock, and the path of its robot.
+class RecordedPath {
  public:
   /// Throws std::runtime_error when there are fewer than two odometry messages.
-  explicit RecordedWay(const rosbag::Bag& bag) {
+  explicit RecordedPath(const rosbag::Bag& bag) {
     rosbag::View view(bag);
     for (const rosbag::MessageInstance& message : view) {
       if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
@@ -53,7 +53,7 @@ class RecordedWay {
         add(odometry->header.stamp, fromMessage(odometry->pose.pose));
       }
     }
-    if (way_.size() < 2) {
+    if (path_.size() < 2) {
       throw std::runtime_error("there is no odometry in " + bag.getFileName());
     }
   }
@@ -63,22 +63,22 @@ class RecordedWay {
   ros::Time clockAt(const ros::Time& recorded) const { return recorded - clock_difference_; }
 
   /// The first place that the robot comes to after driving on for `distance` (m), or else its last.
-  const WayPoint& ahead(const ros::Time& now, double distance) const {
-    const auto here = std::find_if(way_.begin(), way_.end() - 1, [&](const WayPoint& at) { return at.stamp >= now; });
-    return *std::find_if(here, way_.end() - 1,
-                         [&](const WayPoint& at) { return at.driven >= here->driven + distance; });
+  const Waypoint& ahead(const ros::Time& now, double distance) const {
+    const auto here = std::find_if(path_.begin(), path_.end() - 1, [&](const Waypoint& at) { return at.stamp >= now; });
+    return *std::find_if(here, path_.end() - 1,
+                         [&](const Waypoint& at) { return at.driven >= here->driven + distance; });
   }
 
-  const std::vector<WayPoint>& way() const { return way_; }
+  const std::vector<Waypoint>& path() const { return path_; }
 
  private:
   void add(const ros::Time& stamp, const Pose2& pose) {
-    const double driven = way_.empty() ? 0.0 : way_.back().driven + distanceBetween(way_.back().pose, pose);
-    way_.push_back({stamp, pose, driven});
+    const double driven = path_.empty() ? 0.0 : path_.back().driven + distanceBetween(path_.back().pose, pose);
+    path_.push_back({stamp, pose, driven});
   }
 
   ros::Duration clock_difference_ = ros::DURATION_MAX;
-  std::vector<WayPoint> way_;
+  std::vector<Waypoint> path_;
 };
 
 }  // namespace lstm_planner

@@ -83,7 +83,7 @@ TEST_F(ScriptedTeleoperator, DrivesToGoalsOfATopicInAnyFrameWithoutContacts) {
   EXPECT_TRUE(waitUntilAt({6.5, 1.25}));
   goals.publish(goalAt("map", {6.5, 8.25}));
   EXPECT_TRUE(waitUntilAt({6.5, 8.25}));
-  // Odometry begins at (1.5, 2.5), looking along the map's y axis.
+  // Odometry starts at (1.5, 2.5), looking along the map's y axis.
   goals.publish(goalAt("odom", {5.75, -0.5}));
   EXPECT_TRUE(waitUntilAt({2.0, 8.25}));
   EXPECT_EQ(contacts_, 0);
@@ -108,7 +108,7 @@ TEST_F(ScriptedTeleoperator, CommandsOftenEnoughForTheLatchAndStopsWhenTheGoalsS
   EXPECT_EQ(contacts_, 0);
 }
 
-TEST_F(ScriptedTeleoperator, DrivesToItsOwnWayPointsAndEnds) {
+TEST_F(ScriptedTeleoperator, DrivesToItsOwnWaypointsAndEnds) {
   std::vector<std::string> announced;
   const auto goals = node_.subscribe<geometry_msgs::PoseStamped>(
       "scripted_teleoperator/goal", 10,
@@ -117,7 +117,7 @@ TEST_F(ScriptedTeleoperator, DrivesToItsOwnWayPointsAndEnds) {
   ros::Publisher transforms = node_.advertise<tf2_msgs::TFMessage>("/tf", 10);
   ASSERT_TRUE(waitUntil([&] { return transforms.getNumSubscribers() > 0; }));
   transforms.publish(transformAtTheEndOfTime());
-  EXPECT_TRUE(waitUntilAt({1.5, 2.0})) << "the second of two way-points";
+  EXPECT_TRUE(waitUntilAt({1.5, 2.0})) << "the second of two waypoints";
   EXPECT_TRUE(waitUntil([&] { return command_subscriber_.getNumPublishers() == 0; })) << "it does not end";
   EXPECT_EQ(command_.linear, 0.0);
   EXPECT_EQ(contacts_, 0);
@@ -132,7 +132,7 @@ TEST(ScriptedTeleoperatorYaml, ListsEveryParameterWithItsDefault) {
   EXPECT_EQ(reader.unsetParameters(), std::set<std::string>()) << "missing in the yaml";
   EXPECT_EQ(reader.changedParameters(), std::set<std::string>()) << "not the default in the yaml";
   EXPECT_EQ(reader.unknownParameters(), std::vector<std::string>()) << "in the yaml, but not a parameter";
-  EXPECT_TRUE(parameters.way_points.empty());
+  EXPECT_TRUE(parameters.waypoints.empty());
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct Sample {
   long goals = 0;
   long reached = 0;
   long faults = 0;
-  long blind_contacts = 0;  ///< that began while there was no scan that could be used
+  long blind_contacts = 0;  ///< that started while there was no scan that could be used
   long contacts = 0;        ///< all
   long steps = 0;           ///< recorded
 };

@@ -31,7 +31,7 @@ constexpr double kWillowFreeThreshold = 0.19;
 
 inline std::string shippedModel() { return std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/create2_lstm.onnx"; }
 
-/// The first `count` random tasks whose shortest ways are between `shortest` and `longest` metres long.
+/// The first `count` random tasks whose shortest paths are between `shortest` and `longest` metres long.
 inline std::vector<DriveTask> drawTasksBetween(const GridWorld& world, int count, double shortest, double longest) {
   constexpr int kDrawn = 60;  // about one in eight pairs of places in Willow is less than 15 m apart
   constexpr double kClearance = 0.07;

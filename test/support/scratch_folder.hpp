@@ -13,7 +13,7 @@ namespace lstm_planner::test {
 /// A new folder of its own, removed with all that is in it: tests may run beside each other.
 class ScratchFolder {
  public:
-  /// `name`: the folder's name begins with it. Throws std::runtime_error where no folder can be made.
+  /// `name`: the folder's name starts with it. Throws std::runtime_error where no folder can be made.
   explicit ScratchFolder(const std::string& name = "lstm_planner") {
     std::string pattern = (std::filesystem::temp_directory_path() / (name + "_XXXXXX")).string();
     if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("cannot make a folder " + pattern);

@@ -32,8 +32,8 @@ std::string nearestName(const std::string& name, const std::vector<std::string>&
   std::string nearest;
   std::size_t least = std::max<std::size_t>(2, name.size() / 2);  // farther names are others
   for (const std::string& candidate : names) {
-    const bool begins = name.size() > 1 && candidate.compare(0, name.size(), name) == 0;
-    const std::size_t distance = begins ? 1 : editDistance(name, candidate);
+    const bool starts = name.size() > 1 && candidate.compare(0, name.size(), name) == 0;
+    const std::size_t distance = starts ? 1 : editDistance(name, candidate);
     if (distance > least || (distance == least && !nearest.empty())) continue;
     least = distance;
     nearest = candidate;

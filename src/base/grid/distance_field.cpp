@@ -66,20 +66,20 @@ GeodesicField::GeodesicField(const OccupancyGrid& grid, const DistanceField& dis
   lengths_.assign(cells, kUnreachable);
 
   // What a metre costs in each cell, 0 where the robot does not fit.
-  std::vector<float> price(cells, 0.0f);
+  std::vector<float> cost(cells, 0.0f);
   const double margin = options.comfort - options.clearance;
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
       const float distance = distances.at({column, row});
       if (distance <= 0.0f || distance < options.clearance) continue;
       const double nearness = margin > 0.0 ? std::max(0.0, (options.comfort - distance) / margin) : 0.0;
-      price[offsetOf({column, row}, columns_)] = static_cast<float>(1.0 + options.reluctance * nearness);
+      cost[offsetOf({column, row}, columns_)] = static_cast<float>(1.0 + options.reluctance * nearness);
     }
   }
-  const auto priceAt = [&](int column, int row) {
-    return grid.contains({column, row}) ? price[offsetOf({column, row}, columns_)] : 0.0f;
+  const auto costAt = [&](int column, int row) {
+    return grid.contains({column, row}) ? cost[offsetOf({column, row}, columns_)] : 0.0f;
   };
-  if (!(priceAt(goal.column, goal.row) > 0.0f)) return;
+  if (!(costAt(goal.column, goal.row) > 0.0f)) return;
 
   using Entry = std::pair<float, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open;
@@ -96,11 +96,11 @@ GeodesicField::GeodesicField(const OccupancyGrid& grid, const DistanceField& dis
     const int row = static_cast<int>(here / static_cast<std::size_t>(columns_));
     for (int up = -1; up <= 1; ++up) {
       for (int right = -1; right <= 1; ++right) {
-        const float neighbour_price = priceAt(column + right, row + up);
-        if ((right == 0 && up == 0) || neighbour_price <= 0.0f) continue;
+        const float neighbour_cost = costAt(column + right, row + up);
+        if ((right == 0 && up == 0) || neighbour_cost <= 0.0f) continue;
         const bool is_diagonal = right != 0 && up != 0;
-        if (is_diagonal && (priceAt(column + right, row) <= 0.0f || priceAt(column, row + up) <= 0.0f)) continue;
-        const float step = (is_diagonal ? diagonal : straight) * 0.5f * (price[here] + neighbour_price);
+        if (is_diagonal && (costAt(column + right, row) <= 0.0f || costAt(column, row + up) <= 0.0f)) continue;
+        const float step = (is_diagonal ? diagonal : straight) * 0.5f * (cost[here] + neighbour_cost);
         const std::size_t neighbour = offsetOf({column + right, row + up}, columns_);
         if (length + step >= lengths_[neighbour]) continue;
         lengths_[neighbour] = length + step;

@@ -70,7 +70,7 @@ struct Wall {
   int side;
 };
 
-/// The walls to open so that one way leads between any two squares ("growing tree").
+/// The walls to open so that one path leads between any two squares ("growing tree").
 std::vector<Wall> growTree(const Lattice& lattice, double branching, Random& random) {
   std::vector<bool> reached(static_cast<std::size_t>(lattice.size()));
   std::vector<int> open{static_cast<int>(uniformIndex(random, reached.size()))};

@@ -21,7 +21,7 @@ struct ImageSize {
   double pixel_bytes = 0.0;  ///< of a decoded pixel
 };
 
-bool begins(const std::string& bytes, const char* with) { return bytes.rfind(with, 0) == 0; }
+bool startsWith(const std::string& bytes, const char* with) { return bytes.rfind(with, 0) == 0; }
 
 /// `count` bytes from `first`; 0 where the file ends before.
 std::uint32_t number(const std::string& bytes, std::size_t first, std::size_t count, bool big_endian) {
@@ -80,9 +80,9 @@ ImageSize bmpSize(const std::string& bytes) {
 
 void checkMapImage(const std::string& bytes, const std::string& path) {
   ImageSize size;
-  if (begins(bytes, "\x89PNG")) {
+  if (startsWith(bytes, "\x89PNG")) {
     size = pngSize(bytes);
-  } else if (begins(bytes, "BM")) {
+  } else if (startsWith(bytes, "BM")) {
     size = bmpSize(bytes);
   } else if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6') {
     size = pnmSize(bytes);

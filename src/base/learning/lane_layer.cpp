@@ -31,7 +31,7 @@ class DenseLanes : public LaneLayer {
   Activation activation_;
 };
 
-/// What the two recurrent kinds share: their state before each step, and the way of errors from step to step.
+/// What the two recurrent kinds share: their state before each step, and how errors go from step to step.
 class RecurrentLanes : public LaneLayer {
  public:
   RecurrentLanes(int inputs, int units, int cells, int lanes, int steps)

@@ -27,7 +27,7 @@ typedef float Vector __attribute__((vector_size(kWidth * sizeof(float))));
 typedef int IntegerVector __attribute__((vector_size(kWidth * sizeof(int))));
 
 /// Vectors that go through the same operations side by side: a processor looks only so far ahead, and would wait for
-/// one vector's result before it begins with the next.
+/// one vector's result before it starts with the next.
 template <int kCount>
 struct Vectors {
   Vector of[kCount];

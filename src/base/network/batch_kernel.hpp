@@ -8,7 +8,7 @@ constexpr int kBatchBlock = 4;  ///< weighted sums that are made together: the g
 /// What becomes of the weighted sums of a layer.
 enum class BatchFunction { kLstm, kLstmWithSigmoidCandidate, kIdentity, kTanh, kSigmoid, kRelu, kSoftmax };
 
-/// A layer as the kernels read it. Rows count from the beginning of a tile's memory, weights from that of all weights.
+/// A layer as the kernels read it. Rows count from the start of a tile's memory, weights from that of all weights.
 struct BatchLayer {
   BatchFunction function;
   int inputs;     ///< how many rows come from the layer below

@@ -7,7 +7,7 @@
 namespace lstm_planner {
 namespace {
 
-/// One lane in all, without a way through memory.
+/// One lane in all, without a path through memory.
 template <class V>
 LSTM_PLANNER_INLINE V broadcastLane(Floats<8> v, int lane) {
 #if defined(__AVX512F__)

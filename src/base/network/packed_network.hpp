@@ -20,7 +20,7 @@ class PackedNetwork {
   PackedNetwork& operator=(const PackedNetwork&) = delete;
 
   /// In floats, a multiple of a cache line. The hidden state comes first: each recurrent layer's outputs, then an
-  /// LSTM's cell states. What follows is the sums that the next step begins with, and room for what layers hand on.
+  /// LSTM's cell states. What follows is the sums that the next step starts with, and room for what layers hand on.
   std::size_t memorySize() const { return memory_size_; }
   std::size_t hiddenStateSize() const { return hidden_state_size_; }
 

@@ -8,7 +8,7 @@
 
 namespace lstm_planner {
 
-/// A cache line, so that a vector of them begins at one: a load that crosses two lines takes twice as long.
+/// A cache line, so that a vector of them starts at one: a load that crosses two lines takes twice as long.
 struct alignas(64) CacheLine {
   float values[16];
 };

@@ -134,7 +134,7 @@ struct TiledLayer {
 
   static constexpr int kGates = kKind == LayerKind::kLstm ? 4 : 1;
 
-  /// Where a tile begins: its first unit, and the vectors that lie before it in the layer's sums.
+  /// Where a tile starts: its first unit, and the vectors that lie before it in the layer's sums.
   struct Place {
     int unit = 0;
     int vector = 0;

@@ -34,7 +34,7 @@ void AStarAgent::observe(const GridObservation& observation) {
 }
 
 int AStarAgent::decide() {
-  if (place_ + 1 >= path_.cells.size()) return kNoWay;
+  if (place_ + 1 >= path_.cells.size()) return kNoPath;
   return directionBetween(path_.cells[place_], path_.cells[place_ + 1]);
 }
 

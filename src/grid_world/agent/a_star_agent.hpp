@@ -5,7 +5,7 @@
 
 namespace lstm_planner {
 
-/// Walks the way that A* finds on the whole map before the first step: the offline agent of the thesis (1.3.1), the
+/// Walks the path that A* finds on the whole map before the first step: the offline agent of the thesis (1.3.1), the
 /// yardstick of the others. It ignores what is sensed.
 class AStarAgent : public GridAgent {
  public:
@@ -14,12 +14,12 @@ class AStarAgent : public GridAgent {
 
   /// Throws std::invalid_argument when start or goal is outside or not passable.
   void start(CellIndex start, CellIndex goal) override;
-  /// Plans again when the agent is not where its way led it.
+  /// Plans again when the agent is not where its path led it.
   void observe(const GridObservation& observation) override;
-  /// kNoWay at the goal, too.
+  /// kNoPath at the goal, too.
   int decide() override;
   void step(int /*direction*/, bool /*moved*/) override {}
-  /// The search's nodes and lists, the way, and the map, without which it could not search.
+  /// The search's nodes and lists, the path, and the map, without which it could not search.
   std::size_t peakBytes() const override { return peak_bytes_; }
   std::size_t expandedCells() const override { return expanded_; }
 

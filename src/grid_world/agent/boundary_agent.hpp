@@ -5,7 +5,7 @@
 
 namespace lstm_planner {
 
-/// BoundaryFollower as an agent of its own: certain to arrive, or to say that there is no way.
+/// BoundaryFollower as an agent of its own: certain to arrive, or to say that there is no path.
 class BoundaryAgent : public GridAgent {
  public:
   explicit BoundaryAgent(const BoundaryParameters& parameters = {}) : follower_(parameters) {}

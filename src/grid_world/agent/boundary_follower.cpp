@@ -40,11 +40,11 @@ void BoundaryFollower::observe(const GridObservation& observation) {
     trail_.moved(before.cell, now_, state_ == State::kFollowing ? end_ : -1);
   }
   decision_ = nextDirection();
-  expected_ = decision_ == kNoWay ? now_.cell : cellBeside(now_.cell, decision_);
+  expected_ = decision_ == kNoPath ? now_.cell : cellBeside(now_.cell, decision_);
 }
 
 int BoundaryFollower::nextDirection() {
-  if (now_.cell == now_.goal) return kNoWay;
+  if (now_.cell == now_.goal) return kNoPath;
   const OctileDistance distance = octileDistance(now_.cell, now_.goal);
   if (distance < best_) {
     best_ = distance;
@@ -52,7 +52,7 @@ int BoundaryFollower::nextDirection() {
   }
   if (state_ == State::kGoing) {
     const int direction = nearerNeighbour();
-    if (direction != kNoWay) return direction;
+    if (direction != kNoPath) return direction;
     meetBoundary();
   }
   if (state_ == State::kLeaving || seesNearerCell()) return leaving_direction_;
@@ -65,19 +65,19 @@ int BoundaryFollower::nextDirection() {
     beginLeg(end_);
   }
   End* end = &ends_[static_cast<std::size_t>(end_)];
-  if (!follow(end, ends_[static_cast<std::size_t>(1 - end_)].edge)) return kNoWay;
+  if (!follow(end, ends_[static_cast<std::size_t>(1 - end_)].edge)) return kNoPath;
   return directionAlong(end);
 }
 
 int BoundaryFollower::nearerNeighbour() const {
   const OctileDistance distance = octileDistance(now_.cell, now_.goal);
   OctileDistance nearest = distance;
-  int best = kNoWay;
+  int best = kNoPath;
   std::int64_t longest = 0;
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     if (!movePossible(now_.ranges, direction, parameters_.corner_cutting)) continue;
     const OctileDistance next = octileDistance(cellBeside(now_.cell, direction), now_.goal);
-    // Of the two directions of a shortest way, if both are possible, the one that can be kept for longer.
+    // Of the two directions of a shortest path, if both are possible, the one that can be kept for longer.
     const bool diagonal = direction % 2 != 0;
     if (next == (diagonal ? OctileDistance{distance.straight, distance.diagonal - 1}
                           : OctileDistance{distance.straight - 1, distance.diagonal})) {
@@ -116,7 +116,7 @@ void BoundaryFollower::beginLeg(int end) {
   state_ = State::kFollowing;
   end_ = end;
   leg_ = 0.0;
-  way_back_ = trail_.lengthTo(1 - end, now_.cell);
+  path_back_ = trail_.lengthTo(1 - end, now_.cell);
   leg_advanced_ = false;
 }
 
@@ -166,10 +166,10 @@ int BoundaryFollower::directionAlong(End* end) const {
   }
   // The farthest of the cells ahead that can be entered from here; bends in between are skipped.
   std::size_t skipped = cells.size();
-  int direction = kNoWay;
-  while (direction == kNoWay && skipped-- > 0) {
+  int direction = kNoPath;
+  while (direction == kNoPath && skipped-- > 0) {
     const int towards = rayBetween(now_.cell, cells[skipped]);
-    if (towards != kNoWay && movePossible(now_.ranges, towards, parameters_.corner_cutting)) direction = towards;
+    if (towards != kNoPath && movePossible(now_.ranges, towards, parameters_.corner_cutting)) direction = towards;
   }
   cells.resize(known);
   cells.erase(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(std::min(skipped + 1, known)));
@@ -181,8 +181,8 @@ bool BoundaryFollower::shouldTurnBack() const {
   // Longer towards the goal than away from it.
   const double here = octileDistance(now_.cell, now_.goal).length();
   const double there = octileDistance(ends_[static_cast<std::size_t>(1 - end_)].edge.cell, now_.goal).length();
-  return leg_ >
-         std::max(parameters_.first_leg, parameters_.leg_growth * way_back_) + parameters_.goal_weight * (there - here);
+  return leg_ > std::max(parameters_.first_leg, parameters_.leg_growth * path_back_) +
+                    parameters_.goal_weight * (there - here);
 }
 
 std::size_t BoundaryFollower::peakBytes() const { return sizeof(*this) + 2 * (kMostCells + 3) * sizeof(CellIndex); }

@@ -36,7 +36,7 @@ void DStarAgent::observe(const GridObservation& observation) {
 }
 
 int DStarAgent::decide() {
-  if (cell_ == goal_ || !search_.plan(cell_)) return kNoWay;
+  if (cell_ == goal_ || !search_.plan(cell_)) return kNoPath;
   return search_.firstMove(cell_);
 }
 

@@ -17,7 +17,7 @@ class DStarAgent : public GridAgent {
   void start(CellIndex start, CellIndex goal) override;
   /// Every cell of a ray is passable up to its end, and the end is blocked unless the ray reached kGridRayCap.
   void observe(const GridObservation& observation) override;
-  /// kNoWay at the goal, too.
+  /// kNoPath at the goal, too.
   int decide() override;
   void step(int /*direction*/, bool /*moved*/) override {}
   std::size_t peakBytes() const override { return search_.peakBytes(); }

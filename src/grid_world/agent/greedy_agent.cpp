@@ -11,12 +11,12 @@ void GreedyAgent::start(CellIndex start, CellIndex goal) {
 }
 
 int GreedyAgent::decide() {
-  int best = kNoWay;
+  int best = kNoPath;
   OctileDistance best_distance;
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     if (!movePossible(observation_.ranges, direction, corner_cutting_)) continue;
     const OctileDistance distance = octileDistance(cellBeside(observation_.cell, direction), observation_.goal);
-    if (best == kNoWay || distance < best_distance) {
+    if (best == kNoPath || distance < best_distance) {
       best = direction;
       best_distance = distance;
     }

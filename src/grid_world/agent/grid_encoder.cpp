@@ -114,9 +114,9 @@ void GridEncoder::look(const GridMemory& memory) {
   if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
   const RollingPlanner* planner = memory.planner();
   if (planner == nullptr) throw std::invalid_argument("grid_inputs is map, expected a memory with a planner");
-  way_direction_ = planner->direction();
+  path_direction_ = planner->direction();
   const double straight = std::max(1.0, memory.goalDistance());
-  detour_ = way_direction_ == kNoWay
+  detour_ = path_direction_ == kNoPath
                 ? 1.0f
                 : static_cast<float>(std::log2(std::max(1.0, planner->length() / straight))) / 4.0f;
 }
@@ -167,10 +167,10 @@ void GridEncoder::encode(int view, float* input, int stride) const {
   put(static_cast<float>(view & 1));
   for (const float value : progress_) put(value);
   if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
-  const bool has_way = way_direction_ != kNoWay;
-  put(has_way ? cosineOf(way_direction_ - view) : 0.0f);
-  put(has_way ? sineOf(way_direction_ - view) : 0.0f);
-  put(way_direction_ == view ? 1.0f : 0.0f);
+  const bool has_path = path_direction_ != kNoPath;
+  put(has_path ? cosineOf(path_direction_ - view) : 0.0f);
+  put(has_path ? sineOf(path_direction_ - view) : 0.0f);
+  put(path_direction_ == view ? 1.0f : 0.0f);
   put(detour_);
 }
 

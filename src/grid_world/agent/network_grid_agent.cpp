@@ -54,7 +54,7 @@ void NetworkGridAgent::judgeMoves() {
 
 int NetworkGridAgent::decide() {
   if (isEscaping()) return escape_->decide();
-  int best = kNoWay;
+  int best = kNoPath;
   float largest = -std::numeric_limits<float>::infinity();
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     if (options_.shield && !movePossible(memory_.observation().ranges, direction, options_.corner_cutting)) continue;

@@ -21,35 +21,35 @@ unsigned movesBetween(unsigned walls, CornerCutting corner_cutting) {
 
 RollingPlanner::RollingPlanner(CornerCutting corner_cutting)
     : corner_cutting_(corner_cutting), reached_by_(static_cast<std::size_t>(kSide * kSide) / 2), open_(kMostOpen) {
-  way_.reserve(kLongestWay);
+  path_.reserve(kLongestPath);
 }
 
 void RollingPlanner::start() {
   walls_.clear();
-  way_.clear();
-  way_step_ = 0;
-  direction_ = kNoWay;
+  path_.clear();
+  path_step_ = 0;
+  direction_ = kNoPath;
   expanded_ = 0;
 }
 
 std::size_t RollingPlanner::bytes() const {
-  return sizeof(*this) + walls_.bytes() + reached_by_.size() + kMostOpen * sizeof(OpenCell) + kLongestWay;
+  return sizeof(*this) + walls_.bytes() + reached_by_.size() + kMostOpen * sizeof(OpenCell) + kLongestPath;
 }
 
 void RollingPlanner::observe(const GridObservation& observation) {
   const bool is_new = walls_.observe(observation);
-  if (expected_ != observation.cell) way_.clear();
-  if (way_step_ >= way_.size() || (is_new && !isWayFree(observation))) plan(observation);
-  direction_ = kNoWay;
-  if (way_step_ >= way_.size()) return;
-  direction_ = way_[way_step_++];
+  if (expected_ != observation.cell) path_.clear();
+  if (path_step_ >= path_.size() || (is_new && !isPathFree(observation))) plan(observation);
+  direction_ = kNoPath;
+  if (path_step_ >= path_.size()) return;
+  direction_ = path_[path_step_++];
   expected_ = cellBeside(observation.cell, direction_);
 }
 
-bool RollingPlanner::isWayFree(const GridObservation& observation) const {
+bool RollingPlanner::isPathFree(const GridObservation& observation) const {
   CellIndex cell = observation.cell;
-  for (std::size_t step = way_step_; step < way_.size(); ++step) {
-    const int direction = way_[step];
+  for (std::size_t step = path_step_; step < path_.size(); ++step) {
+    const int direction = path_[step];
     const CellIndex next = cellBeside(cell, direction);
     if (walls_.isWall(next)) return false;
     if (direction % 2 != 0 && corner_cutting_ == CornerCutting::kForbidden &&
@@ -90,8 +90,8 @@ void RollingPlanner::clearPlan() {
   }
   free_ = 0;
   buckets_.fill(kNone);
-  way_.clear();
-  way_step_ = 0;
+  path_.clear();
+  path_step_ = 0;
   length_ = 0.0;
 }
 
@@ -111,7 +111,7 @@ void RollingPlanner::plan(const GridObservation& observation) {
       if (cell < 0) continue;
       if (isTarget(cell)) {
         length_ = static_cast<double>(total) / kStraight;
-        keepWay(cell);
+        keepPath(cell);
         return;
       }
       expand(cell, total - estimate(cell % kSide, cell / kSide));
@@ -154,7 +154,7 @@ void RollingPlanner::expand(int cell, int cost) {
   }
 }
 
-void RollingPlanner::keepWay(int cell) {
+void RollingPlanner::keepPath(int cell) {
   const auto before = [&](int later) {
     const CellIndex step = kGridRaySteps[reachedBy(later)];
     return later - step.row * kSide - step.column;
@@ -162,9 +162,9 @@ void RollingPlanner::keepWay(int cell) {
   std::size_t steps = 0;
   for (int at = cell; reachedBy(at) != kRoot; at = before(at)) ++steps;
   for (; reachedBy(cell) != kRoot; cell = before(cell)) {
-    if (--steps < kLongestWay) way_.push_back(reachedBy(cell));
+    if (--steps < kLongestPath) path_.push_back(reachedBy(cell));
   }
-  std::reverse(way_.begin(), way_.end());
+  std::reverse(path_.begin(), path_.end());
 }
 
 }  // namespace lstm_planner

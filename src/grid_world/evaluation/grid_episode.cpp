@@ -37,13 +37,13 @@ void run(const RangeTable& ranges, CellIndex cell, CellIndex goal, const GridEpi
     const GridObservation observation{cell, goal, ranges.at(cell)};
     agent->observe(observation);
     const int direction = agent->decide();
-    if (direction == kNoWay) {
-      episode->end = GridEpisode::End::kNoWay;
+    if (direction == kNoPath) {
+      episode->end = GridEpisode::End::kNoPath;
       return;
     }
     if (direction < 0 || direction >= kGridMoveCount) {
       throw std::logic_error("the agent decided for direction " + std::to_string(direction) + ", expected 0 to 7 or " +
-                             std::to_string(kNoWay) + " for no way");
+                             std::to_string(kNoPath) + " for no path");
     }
     const bool moved = movePossible(observation.ranges, direction, rules.corner_cutting);
     agent->step(direction, moved);

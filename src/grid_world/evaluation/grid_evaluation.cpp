@@ -124,7 +124,7 @@ GridSetSummary summarizeGridEpisodes(const std::string& name, const std::vector<
     summary.arrived += episode.end == GridEpisode::End::kArrived ? 1 : 0;
     summary.collisions += episode.end == GridEpisode::End::kCollision ? 1 : 0;
     summary.timeouts += episode.end == GridEpisode::End::kTimeout ? 1 : 0;
-    summary.no_way += episode.end == GridEpisode::End::kNoWay ? 1 : 0;
+    summary.no_path += episode.end == GridEpisode::End::kNoPath ? 1 : 0;
     summary.peak_bytes = std::max(summary.peak_bytes, episode.peak_bytes);
     seconds += episode.seconds;
     steps += static_cast<double>(episode.steps());

@@ -29,8 +29,8 @@ const char* toString(GridEpisode::End end) {
       return "collision";
     case GridEpisode::End::kTimeout:
       return "timeout";
-    case GridEpisode::End::kNoWay:
-      return "no way";
+    case GridEpisode::End::kNoPath:
+      return "no path";
   }
   return "";
 }
@@ -45,12 +45,12 @@ GridPicture pictureOfTask(const GridTaskSet& set, std::size_t task, const std::v
   picture.start = given.start;
   picture.goal = given.goal;
   for (const NamedGridAgent& agent : agents) {
-    GridPicture::Way way;
+    GridPicture::Path path;
     const GridEpisode episode =
-        runGridEpisode(grid, ranges, given.start, given.goal, rules, agent.make(grid).get(), &way.cells);
-    way.arrived = episode.end == GridEpisode::End::kArrived;
-    way.label = agent.name + ": " + toString(episode.end) + " after " + withOneDecimal(episode.length());
-    picture.ways.push_back(way);
+        runGridEpisode(grid, ranges, given.start, given.goal, rules, agent.make(grid).get(), &path.cells);
+    path.arrived = episode.end == GridEpisode::End::kArrived;
+    path.label = agent.name + ": " + toString(episode.end) + " after " + withOneDecimal(episode.length());
+    picture.paths.push_back(path);
   }
   return picture;
 }

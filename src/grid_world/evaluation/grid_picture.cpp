@@ -21,13 +21,13 @@ const cv::Vec3b kBlocked(90, 90, 90);
 const cv::Scalar kInk(20, 20, 20);
 const cv::Scalar kGoal(60, 160, 30);
 // Told apart by people who are blind to red and green, too.
-const std::array<cv::Scalar, 4> kWayColors = {cv::Scalar(0, 94, 213), cv::Scalar(178, 114, 0), cv::Scalar(115, 158, 0),
-                                              cv::Scalar(167, 121, 204)};
+const std::array<cv::Scalar, 4> kPathColors = {cv::Scalar(0, 94, 213), cv::Scalar(178, 114, 0), cv::Scalar(115, 158, 0),
+                                               cv::Scalar(167, 121, 204)};
 
 /// The cells that are drawn: those around everything of interest.
 cv::Rect frame(const PassableGrid& grid, const GridPicture& picture) {
   std::vector<CellIndex> cells = {picture.start, picture.goal};
-  for (const GridPicture::Way& way : picture.ways) cells.insert(cells.end(), way.cells.begin(), way.cells.end());
+  for (const GridPicture::Path& path : picture.paths) cells.insert(cells.end(), path.cells.begin(), path.cells.end());
   int left = grid.columns(), top = grid.rows(), right = 0, bottom = 0;
   for (const CellIndex& cell : cells) {
     left = std::min(left, cell.column);
@@ -38,7 +38,7 @@ cv::Rect frame(const PassableGrid& grid, const GridPicture& picture) {
   constexpr int kSmallest = 48;
   const int longest = std::max({right - left, bottom - top, kSmallest});
   const int margin = 4 + longest / 16;
-  // Long, thin pictures show little of what is around the way.
+  // Long, thin pictures show little of what is around the path.
   const int extra_columns = std::max(0, longest / 2 - (right - left)) / 2;
   const int extra_rows = std::max(0, longest / 2 - (bottom - top)) / 2;
   const cv::Rect wanted(cv::Point(left - margin - extra_columns, top - margin - extra_rows),
@@ -88,30 +88,30 @@ class Canvas {
   cv::Mat image_;
 };
 
-const cv::Scalar& colorOf(std::size_t way) { return kWayColors[way % kWayColors.size()]; }
+const cv::Scalar& colorOf(std::size_t path) { return kPathColors[path % kPathColors.size()]; }
 
-/// Narrower from way to way, so that those below show at the sides.
-int widthOf(std::size_t way, std::size_t ways, double scale) {
-  const double widest = std::min(0.8 * scale, 4.0 * static_cast<double>(ways));
-  return std::max(1 + static_cast<int>(ways - way), cvRound(widest / std::pow(1.8, static_cast<double>(way))));
+/// Narrower from path to path, so that those below show at the sides.
+int widthOf(std::size_t path, std::size_t paths, double scale) {
+  const double widest = std::min(0.8 * scale, 4.0 * static_cast<double>(paths));
+  return std::max(1 + static_cast<int>(paths - path), cvRound(widest / std::pow(1.8, static_cast<double>(path))));
 }
 
-void drawWays(const GridPicture& picture, Canvas* canvas) {
-  for (std::size_t i = 0; i < picture.ways.size(); ++i) {
-    const GridPicture::Way& way = picture.ways[i];
-    if (way.cells.empty()) continue;
+void drawPaths(const GridPicture& picture, Canvas* canvas) {
+  for (std::size_t i = 0; i < picture.paths.size(); ++i) {
+    const GridPicture::Path& path = picture.paths[i];
+    if (path.cells.empty()) continue;
     std::vector<cv::Point> points;
-    for (const CellIndex& cell : way.cells) points.push_back(canvas->at(cell));
-    const int width = widthOf(i, picture.ways.size(), canvas->scale());
+    for (const CellIndex& cell : path.cells) points.push_back(canvas->at(cell));
+    const int width = widthOf(i, picture.paths.size(), canvas->scale());
     cv::polylines(canvas->image(), points, false, colorOf(i), width, cv::LINE_AA, kShift);
-    if (!way.arrived) canvas->cross(way.cells.back(), 10.0, colorOf(i), 4);
+    if (!path.arrived) canvas->cross(path.cells.back(), 10.0, colorOf(i), 4);
   }
 }
 
 /// The map with a line of text above it, and one below it for each way.
 cv::Mat withText(const cv::Mat& map, const GridPicture& picture) {
   constexpr int kMargin = 10;
-  const int lines = static_cast<int>(picture.ways.size());
+  const int lines = static_cast<int>(picture.paths.size());
   constexpr int kNarrowest = 640;
   cv::Mat page(map.rows + (lines + 2) * kLine, std::max(map.cols, kNarrowest), CV_8UC3, kFree);
   map.copyTo(page(cv::Rect(0, kLine, map.cols, map.rows)));
@@ -120,11 +120,11 @@ cv::Mat withText(const cv::Mat& map, const GridPicture& picture) {
   };
   write(picture.title, kMargin, kLine);
   int bottom = kLine + map.rows;
-  for (std::size_t i = 0; i < picture.ways.size(); ++i) {
+  for (std::size_t i = 0; i < picture.paths.size(); ++i) {
     bottom += kLine;
     constexpr int kSample = 40;
     cv::line(page, {kMargin, bottom - kLine / 2}, {kMargin + kSample, bottom - kLine / 2}, colorOf(i), 5, cv::LINE_AA);
-    write(picture.ways[i].label, 2 * kMargin + kSample, bottom);
+    write(picture.paths[i].label, 2 * kMargin + kSample, bottom);
   }
   bottom += kLine;
   cv::circle(page, {kMargin + 7, bottom - kLine / 2}, 6, kInk, cv::FILLED, cv::LINE_AA);
@@ -139,7 +139,7 @@ cv::Mat withText(const cv::Mat& map, const GridPicture& picture) {
 void writeGridPicture(const std::string& path, const PassableGrid& grid, const GridPicture& picture) {
   if (grid.size() == 0) throw std::invalid_argument("an empty map cannot be drawn");
   Canvas canvas(grid, picture);
-  drawWays(picture, &canvas);
+  drawPaths(picture, &canvas);
   canvas.circle(picture.start, 6.0, kInk, cv::FILLED);
   canvas.circle(picture.goal, 8.0, kGoal, 3);
   writePicture(path, withText(canvas.image(), picture));

@@ -7,7 +7,7 @@
 namespace lstm_planner {
 namespace {
 
-/// The agent with the ways of those that search beside it, drawn over it.
+/// The agent with the paths of those that search beside it, drawn over it.
 std::vector<NamedGridAgent> withSearches(const GridComparison& comparison, std::size_t agent) {
   std::vector<NamedGridAgent> agents = {comparison.agents[agent].agent};
   for (const ReportAgent& other : comparison.agents) {
@@ -75,7 +75,7 @@ std::vector<ReportPicture> choosePictures(const GridComparison& comparison) {
         typicalArrival(comparison.episodes[*maze][agent]));
   }
   if (const auto random = setOfFigure(comparison, "3.17")) {
-    add("figure_3_14", "Figure 3.14: local ways around obstacles in a random map", *random,
+    add("figure_3_14", "Figure 3.14: local paths around obstacles in a random map", *random,
         typicalArrival(comparison.episodes[*random][agent]));
   }
   return pictures;

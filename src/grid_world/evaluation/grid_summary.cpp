@@ -28,7 +28,7 @@ void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& su
   for (const GridSetSummary& summary : summaries) width = std::max(width, summary.name.size());
   const auto name_width = static_cast<int>(width);
   out << std::left << std::setw(name_width) << "set" << std::right
-      << "  scenarios  arrived  collided  timeout  no way  length/optimum: mean  median    95 %  length  optimum"
+      << "  scenarios  arrived  collided  timeout  no path  length/optimum: mean  median    95 %  length  optimum"
          "   time [ms]  expanded  ns/step  peak [KiB]\n";
   out << std::fixed;
   for (const GridSetSummary& summary : summaries) {
@@ -39,7 +39,7 @@ void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& su
     percent(summary.arrived, 9);
     percent(summary.collisions, 10);
     percent(summary.timeouts, 9);
-    percent(summary.no_way, 8);
+    percent(summary.no_path, 8);
     out << std::setprecision(3) << std::setw(22) << summary.mean_ratio << std::setw(8) << summary.median_ratio
         << std::setw(8) << summary.p95_ratio << std::setprecision(1) << std::setw(8) << summary.mean_length
         << std::setw(9) << summary.mean_optimal << std::setprecision(4) << std::setw(12) << 1e3 * summary.mean_time

@@ -129,7 +129,7 @@ GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& se
       const double length = scenarios[i].optimal_length;
       if (length < selection.min_length || length > selection.max_length) continue;
       if (length == 0.0 && scenarios[i].start != scenarios[i].goal) {
-        ++set.without_way;
+        ++set.without_path;
         continue;
       }
       drawn.push_back({file, i + 1, std::move(scenarios[i])});

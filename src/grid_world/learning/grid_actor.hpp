@@ -34,7 +34,7 @@ class GridActor {
   Random& random() { return random_; }
   std::size_t set() const { return episode_.set; }  ///< of the course
 
-  /// True length of the way to the goal from here, and from the cell beside (+inf when blocked), cells.
+  /// True length of the path to the goal from here, and from the cell beside (+inf when blocked), cells.
   float distance() const { return episode_.goal->distances.at(cell_); }
   float distanceBeside(int direction) const { return episode_.goal->distances.at(cellBeside(cell_, direction)); }
   double walked() const { return walked_; }

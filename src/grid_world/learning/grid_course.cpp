@@ -110,7 +110,7 @@ GridCourse::GridCourse(const GridCourseParameters& parameters, const std::vector
 }
 
 std::shared_ptr<const CourseGoal> GridCourse::makeGoal(const CourseSet& set, Random& random) const {
-  // A cell in a tiny enclosed corner has no start: it is drawn again, but not for ever on a map without any way.
+  // A cell in a tiny enclosed corner has no start: it is drawn again, but not for ever on a map without any path.
   constexpr int kAttempts = 10000;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const auto& map = set.maps[uniformIndex(random, set.maps.size())];
@@ -124,7 +124,7 @@ std::shared_ptr<const CourseGoal> GridCourse::makeGoal(const CourseSet& set, Ran
     goal->starts = drawStarts(*map, goal->distances, parameters_, random);
     if (hasStart(*goal)) return goal;
   }
-  throw std::invalid_argument("no way of the wanted length was found on the training maps");
+  throw std::invalid_argument("no path of the wanted length was found on the training maps");
 }
 
 std::size_t GridCourse::drawSet(Random& random) const {
@@ -149,7 +149,8 @@ std::size_t GridCourse::drawBucket(Random& random) const {
 GridCourse::Episode GridCourse::draw(Random& random) const {
   const std::size_t drawn = drawSet(random);
   const CourseSet& set = sets_[drawn];
-  // The length is drawn before the map: small maps, which have no long ways, are not to make short ways more frequent.
+  // The length is drawn before the map: small maps, which have no long paths, are not to make short paths more
+  // frequent.
   const std::size_t bucket = drawBucket(random);
   constexpr int kAttempts = 1000;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {

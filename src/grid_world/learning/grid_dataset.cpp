@@ -16,7 +16,7 @@
 namespace lstm_planner {
 namespace {
 
-/// Ways of the same length differ by the rounding of distances that are summed up as float.
+/// Paths of the same length differ by the rounding of distances that are summed up as float.
 constexpr double kEqualLengths = 1e-3;
 
 /// Walks at a time, of which those that are not needed any more are thrown away.
@@ -62,7 +62,7 @@ class Rescue {
   int steps_left_ = 0;
 };
 
-/// One way, led by the supervisor where there is no `agent`.
+/// One path, led by the supervisor where there is no `agent`.
 Walk walk(const GridCourse::Episode& episode, const GridDatasetParameters& parameters, GridEncoder encoder,
           GridAgent* agent) {
   const CourseGoal& goal = *episode.goal;

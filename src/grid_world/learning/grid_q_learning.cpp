@@ -61,7 +61,7 @@ class GridQLearning::Implementation {
   }
 
   void update() {
-    if (tiles_.empty()) throw std::logic_error("Q-learning was to learn before its first epoch began");
+    if (tiles_.empty()) throw std::logic_error("Q-learning was to learn before its first epoch started");
     learner_.startUpdate();
     epsilon_ = explorationAt(learner_.progress(), parameters_.exploration_start, parameters_.exploration_end,
                              parameters_.exploration_share);

@@ -54,7 +54,7 @@ void QTileRunner::run(const Eigen::VectorXf& weights, const Eigen::VectorXf& tar
   tile.target_state.resize(tile.state.size(), 0.0f);
   network_.setState(tile.state);
   target_network_.setState(tile.target_state);
-  // The state after the window is looked at too, for its value; the next window begins with it.
+  // The state after the window is looked at too, for its value; the next window starts with it.
   for (int step = 0; step <= parameters_.window; ++step) {
     look(step, tile);
     network_.forward(weights, step);
@@ -95,7 +95,7 @@ int QTileRunner::outputAt(int actor, int direction) const {
   return parameters_.encoder.views == 1 ? direction * kTileLanes + actor : actor * kGridMoveCount + direction;
 }
 
-/// Fills in the best move and the value of the state in which a step begins.
+/// Fills in the best move and the value of the state in which a step starts.
 void QTileRunner::valueState(int step, int actor, const GridActor& walker) {
   const auto best = [&](const float* outputs) {
     int direction = -1;

@@ -5,7 +5,7 @@
 namespace lstm_planner {
 namespace {
 
-/// From the move before to the way to the goal, rad, in [0, pi].
+/// From the move before to the path to the goal, rad, in [0, pi].
 double turnToGoal(const GridMemory& memory) {
   if (memory.previousDirection() < 0) return 0.0;
   const GridObservation& observation = memory.observation();

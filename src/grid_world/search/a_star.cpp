@@ -19,7 +19,7 @@ std::array<bool, kGridMoveCount> passableAround(const PassableGrid& grid, CellIn
 
 }  // namespace
 
-/// Among equal estimates the cell nearer to the goal comes first: it spares most of a plateau of equally good ways.
+/// Among equal estimates the cell nearer to the goal comes first: it spares most of a plateau of equally good paths.
 struct AStar::Later {
   bool operator()(const Open& a, const Open& b) const {
     return a.estimate != b.estimate ? a.estimate > b.estimate : a.cost < b.cost;

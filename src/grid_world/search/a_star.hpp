@@ -10,10 +10,10 @@
 
 namespace lstm_planner {
 
-/// What becomes of a closed cell when a shorter way to it turns up. That happens with heuristics that are not
+/// What becomes of a closed cell when a shorter path to it turns up. That happens with heuristics that are not
 /// consistent only: Manhattan and scaled Euclidean.
 enum class ClosedCells {
-  kReopen,     ///< it is opened again, as in thesis Algorithm 1: shorter ways, for many more expansions
+  kReopen,     ///< it is opened again, as in thesis Algorithm 1: shorter paths, for many more expansions
   kStayClosed  ///< no cell is expanded twice
 };
 
@@ -24,7 +24,7 @@ struct AStarParameters {
 };
 
 struct AStarResult {
-  GridPath path;               ///< a shortest one if the heuristic is admissible; empty when there is no way
+  GridPath path;               ///< a shortest one if the heuristic is admissible; empty when there is no path
   std::size_t expanded = 0;    ///< cells taken from the open list; a cell that was opened again counts again
   std::size_t peak_bytes = 0;  ///< of the search, without the grid
 };
@@ -40,13 +40,13 @@ class AStar {
 
  private:
   struct Node {
-    MoveCost cost = 0;           ///< of the best way known from the start
+    MoveCost cost = 0;           ///< of the best path known from the start
     std::uint32_t search = 0;    ///< the search that this node was last reached in
     std::uint8_t direction = 0;  ///< of the move that led here
     bool closed = false;
   };
   struct Open {
-    MoveCost estimate;  ///< of the whole way
+    MoveCost estimate;  ///< of the whole path
     MoveCost cost;
     CellIndex cell;
   };

@@ -92,7 +92,7 @@ DStar::Neighbours DStar::neighboursOf(CellIndex cell) {
   return neighbours;
 }
 
-/// Algorithm 7. States without a way have nothing to tell their neighbours, and stay off the list.
+/// Algorithm 7. States without a path have nothing to tell their neighbours, and stay off the list.
 void DStar::insert(CellIndex cell, State& x, MoveCost h_new) {
   MoveCost k = h_new;
   if (x.tag == Tag::kOpen) k = std::min(x.k, h_new);
@@ -159,7 +159,7 @@ void DStar::processState() {
   x.tag = Tag::kClosed;
   ++processed_;
   const Neighbours neighbours = neighboursOf(cell);
-  if (k_old < x.h) findBetterWay(x, neighbours, k_old);
+  if (k_old < x.h) findBetterPath(x, neighbours, k_old);
   if (k_old == x.h) {
     lower(cell, x, neighbours);
   } else {
@@ -167,8 +167,8 @@ void DStar::processState() {
   }
 }
 
-/// Lines 8-15: neighbours whose ways are optimal already may lead x better than its own next cell.
-void DStar::findBetterWay(State& x, const Neighbours& neighbours, MoveCost k_old) {
+/// Lines 8-15: neighbours whose paths are optimal already may lead x better than its own next cell.
+void DStar::findBetterPath(State& x, const Neighbours& neighbours, MoveCost k_old) {
   for (std::size_t i = 0; i < kGridMoveCount; ++i) {
     const State* y = neighbours.states[i];
     if (y == nullptr || y->h > k_old || x.h <= y->h + neighbours.costs[i]) continue;
@@ -177,7 +177,7 @@ void DStar::findBetterWay(State& x, const Neighbours& neighbours, MoveCost k_old
   }
 }
 
-/// Lines 16-22: x's way is optimal; neighbours that go through it, or had better, take its cost.
+/// Lines 16-22: x's path is optimal; neighbours that go through it, or had better, take its cost.
 void DStar::lower(CellIndex cell, State& x, const Neighbours& neighbours) {
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     State* y = neighbours.states[static_cast<std::size_t>(direction)];
@@ -191,8 +191,8 @@ void DStar::lower(CellIndex cell, State& x, const Neighbours& neighbours) {
   }
 }
 
-/// Lines 23-33: x's way has become longer. What goes through it learns so; what could be shortened by it, or could
-/// shorten it, is put on the list and waits until its own way is known to be optimal.
+/// Lines 23-33: x's path has become longer. What goes through it learns so; what could be shortened by it, or could
+/// shorten it, is put on the list and waits until its own path is known to be optimal.
 void DStar::raise(CellIndex cell, State& x, const Neighbours& neighbours, MoveCost k_old) {
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     State* y = neighbours.states[static_cast<std::size_t>(direction)];

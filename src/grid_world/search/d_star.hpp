@@ -13,7 +13,7 @@
 namespace lstm_planner {
 
 /// D* (A. Stentz, Optimal and Efficient Path Planning for Partially-Known Environments, ICRA 1994; thesis 1.3.2,
-/// Algorithms 2-8): shortest ways to one goal on a map that changes while the robot drives. It searches from the goal,
+/// Algorithms 2-8): shortest paths to one goal on a map that changes while the robot drives. It searches from the goal,
 /// and a changed cell costs the repair of what depended on it.
 ///
 /// Every cell is taken for passable until setPassable() says otherwise; cells outside never are. Memory is taken in
@@ -33,15 +33,15 @@ class DStar {
   /// What the robot has found out; MODIFY-COST for every move that depends on the cell. `cell` must be inside.
   void setPassable(CellIndex cell, bool passable);
 
-  /// Repairs the ways that matter for a robot in this cell. Returns whether there is a way to the goal, with what is
+  /// Repairs the paths that matter for a robot in this cell. Returns whether there is a path to the goal, with what is
   /// known. Throws std::invalid_argument when the cell is outside.
   bool plan(CellIndex robot);
 
-  /// The direction of the first move of the shortest way that plan() found from this cell, or along which it lies; -1
-  /// at the goal and where there is no way.
+  /// The direction of the first move of the shortest path that plan() found from this cell, or along which it lies; -1
+  /// at the goal and where there is no path.
   int firstMove(CellIndex robot) const;
 
-  /// The whole way that plan() found from this cell; empty when there is none.
+  /// The whole path that plan() found from this cell; empty when there is none.
   GridPath path(CellIndex robot) const;
 
   /// Calls of PROCESS-STATE that took a state from the open list.
@@ -50,7 +50,7 @@ class DStar {
   std::size_t peakBytes() const;
 
  private:
-  /// Longer than any way, and two of them still add up without overflow.
+  /// Longer than any path, and two of them still add up without overflow.
   static constexpr MoveCost kUnreachable = std::numeric_limits<MoveCost>::max() / 4;
   static constexpr std::size_t kTileSide = 16;
   static constexpr std::int8_t kNoBack = -1;
@@ -58,7 +58,7 @@ class DStar {
   enum class Tag : std::uint8_t { kNew, kOpen, kClosed };
 
   struct State {
-    MoveCost h = kUnreachable;   ///< cost of the way to the goal
+    MoveCost h = kUnreachable;   ///< cost of the path to the goal
     MoveCost k = kUnreachable;   ///< the least h since it was put on the open list
     std::int8_t back = kNoBack;  ///< b, the direction of the next cell on the way
     Tag tag = Tag::kNew;
@@ -96,7 +96,7 @@ class DStar {
   void insertAgain(CellIndex cell);
   MoveCost leastKey();
   void processState();
-  static void findBetterWay(State& x, const Neighbours& neighbours, MoveCost k_old);
+  static void findBetterPath(State& x, const Neighbours& neighbours, MoveCost k_old);
   void lower(CellIndex cell, State& x, const Neighbours& neighbours);
   void raise(CellIndex cell, State& x, const Neighbours& neighbours, MoveCost k_old);
 

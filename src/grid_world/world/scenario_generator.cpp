@@ -13,9 +13,9 @@ namespace {
 
 constexpr int kGoalsPerScenario = 3;
 
-/// The length of the shortest way without the rounding of the distances, which add up floats: its straight and diagonal
-/// moves are counted on the way down.
-double lengthOfWay(const PassableGrid& grid, const GridDistances& distances, CellIndex cell, CellIndex goal) {
+/// The length of the shortest path without the rounding of the distances, which add up floats: its straight and
+/// diagonal moves are counted on the way down.
+double lengthOfPath(const PassableGrid& grid, const GridDistances& distances, CellIndex cell, CellIndex goal) {
   int straight = 0;
   int diagonal = 0;
   while (cell != goal) {
@@ -53,7 +53,7 @@ class Draw {
     const GridDistances distances(grid_, goal, CornerCutting::kForbidden);
     for (const Candidate& candidate : drawStarts(distances, goal, per_bucket)) {
       if (candidate.seen == 0) continue;
-      const double length = lengthOfWay(grid_, distances, candidate.start, goal);
+      const double length = lengthOfPath(grid_, distances, candidate.start, goal);
       const auto bucket = static_cast<std::size_t>(length / kBucketLength);
       if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
       if (buckets_[bucket].size() >= per_bucket) continue;  // a rounded distance had it in the bucket beside

@@ -258,11 +258,11 @@ void recordCarmenLog(const CarmenLog& log, const HindsightParameters& hindsight,
   DriveRecorder recorder(parameters, sink, [](const std::string& frame, double) {
     return frame == kOdometryFrame ? std::optional<Pose2>(Pose2()) : std::nullopt;
   });
-  std::vector<OdometryHeard> way;
+  std::vector<OdometryHeard> path;
   for (const DriveEvent& event : log.events) {
-    if (const auto* odometry = std::get_if<OdometryHeard>(&event)) way.push_back(*odometry);
+    if (const auto* odometry = std::get_if<OdometryHeard>(&event)) path.push_back(*odometry);
   }
-  GoalSchedule goals(hindsightGoals(way, hindsight, parameters, kOdometryFrame), parameters.max_gap);
+  GoalSchedule goals(hindsightGoals(path, hindsight, parameters, kOdometryFrame), parameters.max_gap);
   for (const DriveEvent& event : log.events) {
     recorder.add(event);
     if (const auto* odometry = std::get_if<OdometryHeard>(&event)) goals.tell(odometry->stamp, &recorder);

@@ -45,7 +45,7 @@ class KnownDrives {
       if (!isSameDrive(*known->second.first, episode)) continue;
       std::ostringstream sentence;
       sentence.precision(12);
-      sentence << "the drive that begins at " << first.stamp << " s is in '" << known->second.second << "' and in '"
+      sentence << "the drive that starts at " << first.stamp << " s is in '" << known->second.second << "' and in '"
                << path << "'; a dataset holds it once";
       throw DatasetError(sentence.str());
     }

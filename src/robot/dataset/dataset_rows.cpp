@@ -171,7 +171,7 @@ long nextEpisode(DatasetFile* file) { return file->numberOf("SELECT max(id) FROM
 
 namespace {
 
-/// Runs `work` for a row; what it throws begins with the row's name.
+/// Runs `work` for a row; what it throws starts with the row's name.
 template <typename Work>
 void atRow(const char* name, Int64 id, Work&& work) {
   try {

@@ -16,7 +16,7 @@ constexpr int kDatasetSchemaVersion = 1;
 /// degrees.
 constexpr std::array<const char*, 6> kDatasetSchema = {
     R"sql(CREATE TABLE recordings (
-  id INTEGER PRIMARY KEY,          -- in the order in which they were begun or merged
+  id INTEGER PRIMARY KEY,          -- in the order in which they were started or merged
   source TEXT NOT NULL,            -- 'live', or the path of the bag or log
   software_version TEXT NOT NULL,  -- of lstm_planner
   odometry_frame TEXT NOT NULL,    -- '' where there are no frames
@@ -32,7 +32,7 @@ constexpr std::array<const char*, 6> kDatasetSchema = {
   goal_x REAL NOT NULL,            -- m, in goal_frame
   goal_y REAL NOT NULL,            -- m, in goal_frame
   goal_yaw REAL NOT NULL,          -- rad, in goal_frame
-  goal_source TEXT NOT NULL,       -- a topic, 'way-points', 'hindsight'
+  goal_source TEXT NOT NULL,       -- a topic, 'waypoints', 'hindsight'
   begun REAL NOT NULL,             -- s, clock of the robot's stamps
   ended REAL NOT NULL,             -- s; 0 while it is running
   ending TEXT NOT NULL,            -- 'running' (or cut off), 'arrived', 'new goal', 'aborted', 'time jump',
@@ -88,8 +88,8 @@ constexpr std::array<const char*, 6> kDatasetSchema = {
   goal_bearing REAL NOT NULL,      -- rad in (-pi, pi], relative to the heading
   heading REAL NOT NULL,           -- rad in (-pi, pi], in the odometry frame
   previous_action REAL NOT NULL,   -- rad, angle of the label of the step before; 0 at the first
-  route_bearing REAL NOT NULL,     -- rad in (-pi, pi], of the way through what is remembered, relative to the heading
-  route_length REAL NOT NULL,      -- m, of that way to the goal
+  route_bearing REAL NOT NULL,     -- rad in (-pi, pi], of the path through what is remembered, relative to the heading
+  route_length REAL NOT NULL,      -- m, of that path to the goal
   -- times that the robot was at the place a step away in each direction
   visits_0 REAL NOT NULL, visits_1 REAL NOT NULL, visits_2 REAL NOT NULL, visits_3 REAL NOT NULL,
   visits_4 REAL NOT NULL, visits_5 REAL NOT NULL, visits_6 REAL NOT NULL, visits_7 REAL NOT NULL,

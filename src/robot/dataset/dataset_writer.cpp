@@ -84,7 +84,7 @@ class DatasetWriter::Implementation {
 
   void addStep(const DriveStep& step) {
     checkRunning();
-    if (!has_episode_) throw std::logic_error("a step was added before an episode was begun");
+    if (!has_episode_) throw std::logic_error("a step was added before an episode was started");
     if (step.number <= last_number_) {
       throw std::invalid_argument("step " + std::to_string(step.number) + " was added after step " +
                                   std::to_string(last_number_) + " of the same episode");
@@ -102,7 +102,7 @@ class DatasetWriter::Implementation {
 
   void endEpisode(double stamp, EpisodeEnd end) {
     checkRunning();
-    if (!has_episode_) throw std::logic_error("an episode was ended before one was begun");
+    if (!has_episode_) throw std::logic_error("an episode was ended before one was started");
     has_episode_ = false;
     if (is_kept_) waiting_.push_back(EndEpisode{next_episode_ - 1, stamp, end});
     write();

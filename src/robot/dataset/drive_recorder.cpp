@@ -128,7 +128,7 @@ void DriveRecorder::work(const ScanHeard& scan) {
 }
 
 void DriveRecorder::look(const ScanHeard& scan) {
-  // Counted from the clock's zero rather than from the first scan, so that a bag that begins earlier gives the same.
+  // Counted from the clock's zero rather than from the first scan, so that a bag that starts earlier gives the same.
   const double look = std::floor(scan.stamp / parameters_.period);
   if (last_look_ && look <= *last_look_) return;
   if (!see(scan)) {

@@ -18,21 +18,21 @@ struct Stretch {
 };
 
 /// One message of each moment: where stamps stand still, what stands would be looked at again and again.
-std::vector<OdometryHeard> thinned(const std::vector<OdometryHeard>& way) {
+std::vector<OdometryHeard> thinned(const std::vector<OdometryHeard>& path) {
   std::vector<OdometryHeard> thin;
-  for (const OdometryHeard& heard : way) {
+  for (const OdometryHeard& heard : path) {
     if (thin.empty() || heard.stamp != thin.back().stamp) thin.push_back(heard);
   }
   return thin;
 }
 
-std::vector<Stretch> stretchesOf(const std::vector<OdometryHeard>& way, const RecorderParameters& recorder) {
+std::vector<Stretch> stretchesOf(const std::vector<OdometryHeard>& path, const RecorderParameters& recorder) {
   std::vector<Stretch> stretches;
   OdometryHistory history(recorder.max_speed);
-  for (std::size_t i = 0; i < way.size(); ++i) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
     const long jumps = history.jumps();
-    history.add({way[i].stamp, way[i].pose, way[i].twist});
-    const bool follows = i > 0 && history.jumps() == jumps && way[i].stamp - way[i - 1].stamp <= recorder.max_gap;
+    history.add({path[i].stamp, path[i].pose, path[i].twist});
+    const bool follows = i > 0 && history.jumps() == jumps && path[i].stamp - path[i - 1].stamp <= recorder.max_gap;
     if (!follows) stretches.push_back({i, i});
     stretches.back().end = i + 1;
   }
@@ -42,19 +42,19 @@ std::vector<Stretch> stretchesOf(const std::vector<OdometryHeard>& way, const Re
 /// Finds the goals of one stretch.
 class GoalFinder {
  public:
-  GoalFinder(const std::vector<OdometryHeard>& way, const HindsightParameters& parameters,
+  GoalFinder(const std::vector<OdometryHeard>& path, const HindsightParameters& parameters,
              const RecorderParameters& recorder, const std::string& frame, std::vector<DriveEvent>* goals)
-      : way_(way), parameters_(parameters), recorder_(recorder), frame_(frame), goals_(goals) {
+      : path_(path), parameters_(parameters), recorder_(recorder), frame_(frame), goals_(goals) {
     driven_.push_back(0.0);
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      driven_.push_back(driven_.back() + distanceBetween(way[i - 1].pose, way[i].pose));
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      driven_.push_back(driven_.back() + distanceBetween(path[i - 1].pose, path[i].pose));
     }
   }
 
   void find(const Stretch& stretch) {
     std::size_t from = stretch.first;
     for (const std::size_t stop : stopsOf(stretch)) {
-      const double length = wayBetween(from, stop);
+      const double length = pathBetween(from, stop);
       if (length >= parameters_.shortest) divide(from, stop);
       // After a short hop he is still on the way to the next place.
       if (length >= parameters_.shortest || length < recorder_.min_step_distance) from = stop;
@@ -62,11 +62,11 @@ class GoalFinder {
   }
 
  private:
-  double wayBetween(std::size_t from, std::size_t to) const { return driven_[to] - driven_[from]; }
+  double pathBetween(std::size_t from, std::size_t to) const { return driven_[to] - driven_[from]; }
 
   bool hasMoved(std::size_t from, std::size_t to) const {
-    const double turned = std::abs(normalizeAngle(way_[to].pose.yaw - way_[from].pose.yaw));
-    return distanceBetween(way_[from].pose, way_[to].pose) >= recorder_.min_step_distance ||
+    const double turned = std::abs(normalizeAngle(path_[to].pose.yaw - path_[from].pose.yaw));
+    return distanceBetween(path_[from].pose, path_[to].pose) >= recorder_.min_step_distance ||
            (recorder_.min_step_turn > 0.0 && turned >= recorder_.min_step_turn);
   }
 
@@ -77,12 +77,12 @@ class GoalFinder {
     for (std::size_t i = stretch.first; i < stretch.end; ++i) {
       // Mostly it has moved there since this message, too, and there is no need to look at what lies between.
       const bool ends_early = i < next && next < stretch.end && hasMoved(i, next) &&
-                              way_[next - 1].stamp - way_[i].stamp < parameters_.stop;
+                              path_[next - 1].stamp - path_[i].stamp < parameters_.stop;
       if (ends_early) continue;
       std::size_t last = i;
       while (last + 1 < stretch.end && !hasMoved(i, last + 1)) ++last;
       next = last + 1;
-      if (way_[last].stamp - way_[i].stamp < parameters_.stop && last + 1 < stretch.end) continue;
+      if (path_[last].stamp - path_[i].stamp < parameters_.stop && last + 1 < stretch.end) continue;
       stops.push_back(last);
       i = last;
     }
@@ -90,9 +90,9 @@ class GoalFinder {
   }
 
   void divide(std::size_t from, std::size_t to) {
-    while (wayBetween(from, to) >= parameters_.shortest) {
-      const double parts = std::ceil(wayBetween(from, to) / parameters_.longest);
-      const double length = std::max(wayBetween(from, to) / parts, parameters_.shortest);
+    while (pathBetween(from, to) >= parameters_.shortest) {
+      const double parts = std::ceil(pathBetween(from, to) / parameters_.longest);
+      const double length = std::max(pathBetween(from, to) / parts, parameters_.shortest);
       const std::size_t target = parts > 1.0 ? placeAfter(from, to, length) : to;
       const std::optional<std::size_t> goal = lastGoalUpTo(target, from);
       if (goal) add(from, *goal);
@@ -100,7 +100,7 @@ class GoalFinder {
     }
   }
 
-  /// The first place after `length` (m) of way, or `to`.
+  /// The first place after `length` (m) of path, or `to`.
   std::size_t placeAfter(std::size_t from, std::size_t to, double length) const {
     const auto begin = driven_.begin();
     const auto place = std::lower_bound(begin + static_cast<std::ptrdiff_t>(from),
@@ -109,7 +109,7 @@ class GoalFinder {
   }
 
   std::optional<std::size_t> lastGoalUpTo(std::size_t target, std::size_t from) const {
-    for (std::size_t place = target; wayBetween(from, place) >= parameters_.shortest; --place) {
+    for (std::size_t place = target; pathBetween(from, place) >= parameters_.shortest; --place) {
       if (!isPassed(place, from)) return place;
     }
     return std::nullopt;
@@ -118,7 +118,7 @@ class GoalFinder {
   /// Whether the robot was there already before it came to stay.
   bool isPassed(std::size_t place, std::size_t from) const {
     const auto near = [&](std::size_t i) {
-      return distanceBetween(way_[i].pose, way_[place].pose) <= recorder_.goal_tolerance;
+      return distanceBetween(path_[i].pose, path_[place].pose) <= recorder_.goal_tolerance;
     };
     std::size_t i = place;
     while (i > from && near(i)) --i;
@@ -127,17 +127,17 @@ class GoalFinder {
   }
 
   void add(std::size_t from, std::size_t to) {
-    const GoalHeard goal{way_[from].stamp, {frame_, way_[to].pose}, "hindsight"};
+    const GoalHeard goal{path_[from].stamp, {frame_, path_[to].pose}, "hindsight"};
     goals_->emplace_back(goal);
-    goals_->emplace_back(GoalGivenUp{way_[to].stamp});
+    goals_->emplace_back(GoalGivenUp{path_[to].stamp});
   }
 
-  const std::vector<OdometryHeard>& way_;
+  const std::vector<OdometryHeard>& path_;
   const HindsightParameters& parameters_;
   const RecorderParameters& recorder_;
   const std::string& frame_;
   std::vector<DriveEvent>* goals_;
-  std::vector<double> driven_;  ///< m, until each place of the way
+  std::vector<double> driven_;  ///< m, until each place of the path
 };
 
 }  // namespace
@@ -154,10 +154,10 @@ std::vector<DriveEvent> hindsightGoals(const std::vector<OdometryHeard>& message
   validate(parameters);
   checkParameter(parameters.shortest > recorder.goal_tolerance, "shortest", parameters.shortest,
                  "more than the goal tolerance of " + std::to_string(recorder.goal_tolerance));
-  const std::vector<OdometryHeard> way = thinned(messages);
+  const std::vector<OdometryHeard> path = thinned(messages);
   std::vector<DriveEvent> goals;
-  GoalFinder finder(way, parameters, recorder, frame, &goals);
-  for (const Stretch& stretch : stretchesOf(way, recorder)) finder.find(stretch);
+  GoalFinder finder(path, parameters, recorder, frame, &goals);
+  for (const Stretch& stretch : stretchesOf(path, recorder)) finder.find(stretch);
   return goals;
 }
 

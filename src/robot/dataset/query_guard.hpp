@@ -17,7 +17,7 @@ class QueryGuard {
   QueryGuard(const QueryGuard&) = delete;
   QueryGuard& operator=(const QueryGuard&) = delete;
 
-  /// Begins to count anew, for queries of a file of so many bytes.
+  /// Starts to count anew, for queries of a file of so many bytes.
   void allow(std::uintmax_t bytes);
 
   /// Whether the last query was ended because it took too long.

@@ -19,7 +19,7 @@ namespace {
 using Poco::Data::Keywords::into;
 using Poco::Data::Keywords::now;
 
-bool begins(const std::string& text, const std::string& with) { return text.compare(0, with.size(), with) == 0; }
+bool startsWith(const std::string& text, const std::string& with) { return text.compare(0, with.size(), with) == 0; }
 
 bool contains(const std::string& text, const std::string& word) { return text.find(word) != std::string::npos; }
 
@@ -30,12 +30,12 @@ struct Expectation {
 
 Expectation expectationOf(const SchemaColumn& column) {
   const std::string& name = column.name;
-  if (begins(column.definition, "INTEGER")) {
+  if (startsWith(column.definition, "INTEGER")) {
     return {"(typeof(" + name + ") = 'integer' AND " + name + " BETWEEN 0 AND 2147483647)",
             "a whole number from 0 to 2147483647"};
   }
-  if (begins(column.definition, "TEXT")) return {"typeof(" + name + ") = 'text'", "a text"};
-  if (begins(column.definition, "BLOB")) return {"typeof(" + name + ") = 'blob'", "a blob"};
+  if (startsWith(column.definition, "TEXT")) return {"typeof(" + name + ") = 'text'", "a text"};
+  if (startsWith(column.definition, "BLOB")) return {"typeof(" + name + ") = 'blob'", "a blob"};
   std::ostringstream largest;
   largest << kLargestNumber;
   std::string condition = "(typeof(" + name + ") = 'real' AND abs(" + name + ") <= " + largest.str() + ")";

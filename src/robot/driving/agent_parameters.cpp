@@ -29,7 +29,7 @@ void validate(const AgentParameters& parameters) {
   leaderNamed(nameOfLeader(parameters.leader));
   if (parameters.leader == Source::kRoute && !parameters.memory.enabled) {
     throw std::invalid_argument(
-        "leader is route, expected network where memory/enabled is false: no way is remembered");
+        "leader is route, expected network where memory/enabled is false: no path is remembered");
   }
   visitAgentParameters(parameters, RangeCheck());
   checkParameter(parameters.step.stall > parameters.step.period, "step/stall", parameters.step.stall,

@@ -10,7 +10,7 @@ ClosedLoop::End ClosedLoop::run(const Point2& goal, const std::function<bool()>&
   while (goes_on()) {
     robot_.sense(range_cap, &situation_);
     const Decision& decision = agent_.update(situation_);
-    if (decision.source == Decision::Source::kNoWay) return End::kNoWay;
+    if (decision.source == Decision::Source::kNoPath) return End::kNoPath;
     if (robot_.hasArrived(situation_, decision)) return End::kArrived;
     note(decision);
     robot_.carryOut(situation_, decision, agent_);

@@ -18,8 +18,8 @@ const char* toString(Decision::Source source) {
       return "look around";
     case Decision::Source::kArrived:
       return "arrived";
-    case Decision::Source::kNoWay:
-      return "no way";
+    case Decision::Source::kNoPath:
+      return "no path";
   }
   return "unknown";
 }

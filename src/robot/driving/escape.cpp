@@ -31,7 +31,7 @@ std::optional<Decision::Source> Escape::decide(const Situation& situation, const
   const bool can_go = open >= std::min(distance, parameters_.follow_step);
   if (following_) {
     measureBoundary(situation.pose);
-    // Where the straight way leads nearer to the goal than where the boundary was met (Kamon and Rivlin's leaving
+    // Where the straight path leads nearer to the goal than where the boundary was met (Kamon and Rivlin's leaving
     // condition), even if the robot itself is not nearer yet.
     // Beside and behind the robot the scanner may be blind: only its own place counts there.
     const bool seen = std::abs(normalizeAngle(directionTo(situation.pose, goal) - situation.pose.yaw)) <= M_PI_2;
@@ -41,7 +41,7 @@ std::optional<Decision::Source> Escape::decide(const Situation& situation, const
       leave_below_ = nearest;  // What turns out not to be open must not be believed again.
     } else if (loopClosed(situation.pose)) {
       if (tight_ || rounds_ == kMostRounds) {
-        return Decision::Source::kNoWay;
+        return Decision::Source::kNoPath;
       }
       followTight(situation.pose, goal);
     }
@@ -78,7 +78,7 @@ void Escape::followTight(const Pose2& pose, const Point2& goal) {
   leave_below_ = distanceBetween(hit_position_, goal);
   along_ = 0.0;
   turned_ = 0.0;
-  way_ = 1;  // this way round is now the first direction
+  sense_ = 1;  // this way round is now the first direction
   leg_ = std::numeric_limits<double>::infinity();
   last_position_ = pose;
 }
@@ -90,7 +90,7 @@ void Escape::meetBoundary(const Situation& situation, const Shield& shield, cons
   last_position_ = situation.pose;
   along_ = 0.0;
   turned_ = 0.0;
-  way_ = 1;
+  sense_ = 1;
   leg_ = parameters_.first_leg;
   tight_ = false;
 
@@ -107,7 +107,7 @@ void Escape::meetBoundary(const Situation& situation, const Shield& shield, cons
     }
   }
   side_ = turn[1] <= turn[0] ? -1 : 1;
-  // The boundary is still ahead, not aside: probing has to begin at the goal's direction.
+  // The boundary is still ahead, not aside: probing has to start at the goal's direction.
   travel_direction_ = normalizeAngle(to_goal - side_ * parameters_.wall_turn);
 }
 
@@ -126,12 +126,12 @@ void Escape::measureBoundary(const Pose2& pose) {
   } else {
     turned_ += turnOf(direction);
   }
-  along_ += way_ * moved;
+  along_ += sense_ * moved;
   travel_direction_ = direction;
   last_position_ = pose;
-  if (way_ * along_ >= leg_) {
+  if (sense_ * along_ >= leg_) {
     // The other way round: what was on the right is now on the left.
-    way_ = -way_;
+    sense_ = -sense_;
     side_ = -side_;
     travel_direction_ = normalizeAngle(travel_direction_ + M_PI);
     leg_ *= 2.0;
@@ -139,7 +139,7 @@ void Escape::measureBoundary(const Pose2& pose) {
 }
 
 double Escape::turnOf(double direction) const {
-  // Probing begins wall_turn on the side of the wall and sweeps away from it: a larger turn towards the wall than that
+  // Probing starts wall_turn on the side of the wall and sweeps away from it: a larger turn towards the wall than that
   // was really one away from it, of more than half a circle.
   const double turn = normalizeAngle(direction - travel_direction_);
   const double slack = 0.35;
@@ -152,7 +152,7 @@ bool Escape::loopClosed(const Pose2& pose) const {
   }
   // A closed boundary turns by a full circle, and comes back as it went.
   const double off_circle = std::abs(std::abs(turned_) - 2.0 * M_PI);
-  const double direction = way_ > 0 ? departure_direction_ : departure_direction_ + M_PI;
+  const double direction = sense_ > 0 ? departure_direction_ : departure_direction_ + M_PI;
   return off_circle < M_PI_2 && std::abs(normalizeAngle(travel_direction_ - direction)) < M_PI_2;
 }
 

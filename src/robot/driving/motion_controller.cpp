@@ -154,22 +154,22 @@ double MotionController::cautiousSpeed(const Twist2& twist, const Shield& shield
   if (now >= parameters_.slow_gap + parameters_.lookahead) {
     return parameters_.max_linear;
   }
-  const double way = stoppingWay(parameters_.max_linear);
-  const double then = std::max(0.0, shield.arcGap({}, twist.angular / twist.linear, way));
+  const double path = stoppingDistance(parameters_.max_linear);
+  const double then = std::max(0.0, shield.arcGap({}, twist.angular / twist.linear, path));
   const double nearness = std::max(0.0, 1.0 - then / parameters_.slow_gap);
   // Beside a wall that it goes along, the robot comes no nearer to it.
-  const double approach = std::min(1.0, 2.0 * std::max(0.0, now - then) / way);
+  const double approach = std::min(1.0, 2.0 * std::max(0.0, now - then) / path);
   return parameters_.max_linear - nearness * approach * (parameters_.max_linear - parameters_.slow_speed);
 }
 
 double MotionController::yieldingReach(double footprint_radius) const {
   const double time = parameters_.reaction_time + parameters_.max_linear / parameters_.linear_acceleration;
-  return footprint_radius + stoppingWay(parameters_.max_linear) + parameters_.person_margin +
+  return footprint_radius + stoppingDistance(parameters_.max_linear) + parameters_.person_margin +
          parameters_.person_speed * time + footprint_radius;
 }
 
 double MotionController::yieldingSpeed(const Twist2& twist, const Shield& persons) const {
-  const double gap = persons.arcGap({}, twist.angular / twist.linear, stoppingWay(twist.linear));
+  const double gap = persons.arcGap({}, twist.angular / twist.linear, stoppingDistance(twist.linear));
   const double time = (gap - parameters_.person_margin) / parameters_.person_speed;
   return std::max(0.0, (time - parameters_.reaction_time) * parameters_.linear_acceleration);
 }
@@ -179,7 +179,7 @@ double MotionController::yieldingSpeed(const Twist2& twist, const Persons& perso
   return std::min(beside_resting, yieldingSpeed(twist, persons.moving));
 }
 
-double MotionController::stoppingWay(double speed) const {
+double MotionController::stoppingDistance(double speed) const {
   return speed * parameters_.reaction_time + speed * speed / (2.0 * parameters_.linear_acceleration);
 }
 

@@ -131,7 +131,7 @@ const Decision& NavigationAgent::update(const Situation& situation) {
 }
 
 const Decision& NavigationAgent::decideAbout(const Situation& situation) {
-  if (decision_.source == Source::kNoWay) {
+  if (decision_.source == Source::kNoPath) {
     return decision_;
   }
   if (distanceBetween(situation.pose, decision_.destination) <= parameters_.goal_tolerance) {
@@ -273,7 +273,7 @@ void NavigationAgent::decide(const Situation& situation) {
   }
 }
 
-/// Remembers what is seen; where the route leads, or would, what it says: kRoute, kLookAround, kNoWay, or kEscape.
+/// Remembers what is seen; where the route leads, or would, what it says: kRoute, kLookAround, kNoPath, or kEscape.
 NavigationAgent::Source NavigationAgent::guide(const Situation& situation) {
   if (!guide_) {
     return Source::kRoute;
@@ -329,8 +329,8 @@ void NavigationAgent::chooseAction(const Situation& situation) {
 
 void NavigationAgent::chooseRoute(const Situation& situation, Source guidance) {
   for (int blocks = 0; blocks <= kBlocks; ++blocks) {
-    if (guidance == Source::kNoWay) {
-      goTo(situation, Source::kNoWay, situation.pose.yaw, 0.0);
+    if (guidance == Source::kNoPath) {
+      goTo(situation, Source::kNoPath, situation.pose.yaw, 0.0);
       return;
     }
     if (guidance != Source::kRoute) {
@@ -374,8 +374,8 @@ void NavigationAgent::chooseEscape(const Situation& situation) {
   if (!source) {
     startFrom(situation, kNearerThanEver);
     chooseAsLed(situation, guide(situation));
-  } else if (*source == Source::kNoWay) {
-    goTo(situation, Source::kNoWay, situation.pose.yaw, 0.0);
+  } else if (*source == Source::kNoPath) {
+    goTo(situation, Source::kNoPath, situation.pose.yaw, 0.0);
   } else {
     goTo(situation, *source, move.direction, std::max(move.distance, parameters_.shield.shortest_step));
   }

@@ -18,7 +18,7 @@ int wrapped(int windows) {
   return ((windows + kRange / 2) & (kRange - 1)) - kRange / 2;
 }
 
-/// Where the entries of a scale begin; of one more than there are, where all end.
+/// Where the entries of a scale start; of one more than there are, where all end.
 constexpr std::size_t firstEntry(std::size_t scale) {
   std::size_t entries = 0;
   for (std::size_t before = 0; before < scale; ++before) {

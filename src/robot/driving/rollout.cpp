@@ -137,7 +137,7 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
     for (int step = 0; moves && step < parameters.steps && left > agent.goal_tolerance; ++step) {
       if (!stepTowards(local_goal, shield, agent, actions, direction, &at, &direction) ||
           distanceBetween(at, local_goal) > left) {
-        break;  // From here the way to the goal would have to be guessed.
+        break;  // From here the path to the goal would have to be guessed.
       }
       left = distanceBetween(at, local_goal);
       line.lineTo(toParentFrame(situation.pose, at));

@@ -14,7 +14,7 @@ constexpr double kStraight = 1e-9;
 
 double square(double value) { return value * value; }
 
-/// An arc in the frame of the pose that it begins at, mirrored where needed so that it bends to the left.
+/// An arc in the frame of the pose that it starts at, mirrored where needed so that it bends to the left.
 struct Arc {
   explicit Arc(double curvature) : radius(1.0 / std::abs(curvature)), mirror(curvature < 0.0 ? -1.0 : 1.0) {}
 

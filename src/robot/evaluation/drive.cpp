@@ -18,7 +18,7 @@ class ControlledRobot : public LoopRobot {
  public:
   ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters)
       : robot_(*robot), parameters_(parameters), tracker_(parameters.motion) {
-    const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry begins at the start
+    const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
     goal_ = {goal.x, goal.y, 0.0};
   }
 
@@ -94,8 +94,8 @@ class Run {
 
   DriveResult::End judge(ClosedLoop::End end) const {
     switch (end) {
-      case ClosedLoop::End::kNoWay:
-        return DriveResult::End::kNoWay;
+      case ClosedLoop::End::kNoPath:
+        return DriveResult::End::kNoPath;
       case ClosedLoop::End::kArrived:
         return isAtGoal(allowedRadius()) ? DriveResult::End::kReached : DriveResult::End::kElsewhere;
       case ClosedLoop::End::kStopped:
@@ -204,8 +204,8 @@ DriveSummary summarize(const std::vector<DriveResult>& results) {
       case DriveResult::End::kTimeout:
         ++summary.timeouts;
         break;
-      case DriveResult::End::kNoWay:
-        ++summary.no_way;
+      case DriveResult::End::kNoPath:
+        ++summary.no_path;
         break;
       case DriveResult::End::kElsewhere:
         ++summary.elsewhere;

@@ -12,7 +12,7 @@ namespace lstm_planner {
 std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footprint_radius, double clearance,
                                  double shortest, std::uint64_t seed) {
   const OccupancyGrid& grid = world.grid();
-  // Distances are between centres of cells, the obstacle begins half a cell before.
+  // Distances are between centres of cells, the obstacle starts half a cell before.
   const double needed = footprint_radius + clearance + 0.5 * grid.resolution();
   const DistanceField distances(grid, true);
   std::vector<CellIndex> standing;

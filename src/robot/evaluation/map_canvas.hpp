@@ -9,7 +9,7 @@
 
 namespace lstm_planner {
 
-/// The map's cells as a picture, row 0 at the bottom, and the way from the map frame into it. Colours are blue, green,
+/// The map's cells as a picture, row 0 at the bottom, and the path from the map frame into it. Colours are blue, green,
 /// red; positions and radii are in the map frame, m; widths are in thousandths of the longer side.
 class MapCanvas {
  public:

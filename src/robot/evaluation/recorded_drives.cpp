@@ -41,12 +41,12 @@ class CountingSink : public StepSink {
 
 class DriveRecording {
  public:
-  DriveRecording(const GridWorld& world, const std::vector<Point2>& way_points,
+  DriveRecording(const GridWorld& world, const std::vector<Point2>& waypoints,
                  const RecordedDrivesParameters& parameters, std::uint64_t seed, StepSink* sink)
-      : way_points_(way_points),
+      : waypoints_(waypoints),
         parameters_(parameters),
         random_(seed),
-        robot_(world, parameters.robot, {way_points.front().x, way_points.front().y, uniform(random_, -M_PI, M_PI)},
+        robot_(world, parameters.robot, {waypoints.front().x, waypoints.front().y, uniform(random_, -M_PI, M_PI)},
                random_()),
         driver_(world, parameters.driver, random_()),
         sink_(sink, parameters.steps),
@@ -59,7 +59,7 @@ class DriveRecording {
       const long steps = sink_.steps;
       driveTo(chooseGoal());
       futile = sink_.steps > steps ? 0 : futile + 1;
-      if (futile == kMostFutileGoals) throw std::invalid_argument("there is no way between the way-points");
+      if (futile == kMostFutileGoals) throw std::invalid_argument("there is no path between the waypoints");
     }
     recorder_.finish();
     result_.steps = sink_.steps;
@@ -72,23 +72,23 @@ class DriveRecording {
  private:
   bool goesOn() const { return !sink_.isFull() && (parameters_.goals == 0 || result_.goals < parameters_.goals); }
 
-  /// Any way-point but the one that the robot is at.
+  /// Any waypoint but the one that the robot is at.
   std::size_t chooseGoal() {
-    const std::size_t chosen = uniformIndex(random_, way_points_.size() - 1);
+    const std::size_t chosen = uniformIndex(random_, waypoints_.size() - 1);
     return chosen < here_ ? chosen : chosen + 1;
   }
 
   void driveTo(std::size_t chosen) {
     ++result_.goals;
-    const Point2 goal = way_points_[chosen];
-    recorder_.add(GoalHeard{robot_.time(), {kMapFrame, {goal.x, goal.y, 0.0}}, "way-points"});
+    const Point2 goal = waypoints_[chosen];
+    recorder_.add(GoalHeard{robot_.time(), {kMapFrame, {goal.x, goal.y, 0.0}}, "waypoints"});
     driver_.setGoal(goal);
     const double begun = robot_.time();
     while (driver_.state() == ScriptedDriver::State::kDriving && !sink_.isFull()) {
       if (robot_.time() - begun > parameters_.time_limit) break;
       drive();
     }
-    result_.no_way += driver_.state() == ScriptedDriver::State::kNoWay ? 1 : 0;
+    result_.no_path += driver_.state() == ScriptedDriver::State::kNoPath ? 1 : 0;
     if (driver_.state() == ScriptedDriver::State::kArrived) {
       ++result_.reached;
       here_ = chosen;
@@ -119,7 +119,7 @@ class DriveRecording {
     robot_.advance(parameters_.period - parameters_.scan_offset);
   }
 
-  const std::vector<Point2>& way_points_;
+  const std::vector<Point2>& waypoints_;
   const RecordedDrivesParameters& parameters_;
   Random random_;
   SimulatedRobot robot_;
@@ -137,7 +137,7 @@ std::vector<CellIndex> connectedPlaces(const GridWorld& world, double radius, Ra
   const OccupancyGrid& grid = world.grid();
   const DistanceField distances(grid, true);
   GeodesicField::Options options;
-  // Distances are between centres of cells, the obstacle begins half a cell before.
+  // Distances are between centres of cells, the obstacle starts half a cell before.
   options.clearance = radius + 0.5 * grid.resolution();
   std::vector<CellIndex> left;
   for (int row = 0; row < grid.rows(); ++row) {
@@ -160,14 +160,14 @@ std::vector<CellIndex> connectedPlaces(const GridWorld& world, double radius, Ra
 
 }  // namespace
 
-std::vector<Point2> drawWayPoints(const GridWorld& world, int count, double radius, double spacing,
+std::vector<Point2> drawWaypoints(const GridWorld& world, int count, double radius, double spacing,
                                   std::uint64_t seed) {
   Random random(seed);
   std::vector<CellIndex> places = connectedPlaces(world, radius, &random);
   if (count < 1 || places.size() < static_cast<std::size_t>(count)) {
     throw std::invalid_argument("the map has " + std::to_string(places.size()) +
                                 " connected places for a disc of radius " + std::to_string(radius) +
-                                " m, expected at least " + std::to_string(count) + " (one way-point or more)");
+                                " m, expected at least " + std::to_string(count) + " (one waypoint or more)");
   }
   shuffle(&places, random);
   std::vector<Point2> chosen;
@@ -199,14 +199,14 @@ void validate(const RecordedDrivesParameters& parameters) {
   checkRange("time_limit", parameters.time_limit, 0.1, 1e6);
 }
 
-RecordedDrives recordDrives(const GridWorld& world, const std::vector<Point2>& way_points,
+RecordedDrives recordDrives(const GridWorld& world, const std::vector<Point2>& waypoints,
                             const RecordedDrivesParameters& parameters, std::uint64_t seed, StepSink* sink) {
   validate(parameters);
-  if (way_points.size() < 2) {
-    throw std::invalid_argument("there are " + std::to_string(way_points.size()) +
-                                " way-points, expected at least two to drive between");
+  if (waypoints.size() < 2) {
+    throw std::invalid_argument("there are " + std::to_string(waypoints.size()) +
+                                " waypoints, expected at least two to drive between");
   }
-  return DriveRecording(world, way_points, parameters, seed, sink).run();
+  return DriveRecording(world, waypoints, parameters, seed, sink).run();
 }
 
 }  // namespace lstm_planner

@@ -111,7 +111,8 @@ class LazyThetaStar {
     long columns = 0;
     long rows = 0;
     while (columns < across || rows < up) {
-      // Which border is met first: of the next column at (2 columns + 1) / across of the way, of the next row likewise.
+      // Which border is met first: of the next column at (2 columns + 1) / across of the path, of the next row
+      // likewise.
       const long order = (2 * columns + 1) * up - (2 * rows + 1) * across;
       if (order == 0 &&
           (!isFree({cell.column + step_across, cell.row}) || !isFree({cell.column, cell.row + step_up}))) {

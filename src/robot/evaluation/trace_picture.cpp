@@ -219,7 +219,7 @@ void writeTracePicture(const std::string& path, const OccupancyGrid& map, const 
   for (const Circle& circle : picture.circles) canvas.circle(circle.center, circle.radius, kObstacle, cv::FILLED);
   drawWalkers(picture, &canvas);
   for (const std::vector<Point2>& trace : picture.traces) canvas.polyline(trace, kTrace, kTraceWidth);
-  for (const TracePicture::Part& part : picture.parts) canvas.polyline(part.way, colorOf(part.leader), kTraceWidth);
+  for (const TracePicture::Part& part : picture.parts) canvas.polyline(part.path, colorOf(part.leader), kTraceWidth);
   for (const Pose2& start : picture.starts) drawStart(start, picture.robot_radius, &canvas);
   for (const TracePicture::Goal& goal : picture.goals) drawGoal(goal, picture.robot_radius, &canvas);
   for (const Point2& contact : picture.contacts) canvas.cross(contact, picture.robot_radius, kContact, 2.5);

@@ -41,7 +41,7 @@ void requireDifferentDrives(const DatasetSplit& parts) {
     if (learned.count(beginningOf(episode)) == 0) return;
     std::ostringstream message;
     message.precision(12);
-    message << "the drive that begins at " << episode.steps.front().stamp
+    message << "the drive that starts at " << episode.steps.front().stamp
             << " s is in the training set and in the validation set, expected other drives to judge what was learned";
     throw std::invalid_argument(message.str());
   });

@@ -6,7 +6,7 @@
 namespace lstm_planner {
 namespace {
 
-/// Share of the way that the variances go towards those of one batch.
+/// Share by which the variances move towards those of one batch.
 constexpr double kVarianceRate = 0.3;
 
 }  // namespace

@@ -14,8 +14,8 @@
 namespace lstm_planner {
 namespace {
 
-/// m of way counted at the most, also where no way is known.
-constexpr double kLongestWay = 100.0;
+/// m of path counted at the most, also where no path is known.
+constexpr double kLongestPath = 100.0;
 
 AgentParameters drawAgent(const PolicyDescription& policy, Random& random) {
   AgentParameters agent = practiceAgent(policy);
@@ -36,11 +36,11 @@ class Practice {
         encoder_(agent.policy().description().encoder),
         random_(seed) {
     episode_.kind = exercise.kind;
-    wayLeft();
+    pathLeft();
   }
 
   std::optional<int> step(const Observation& observation) {
-    const double left = wayLeft();
+    const double left = pathLeft();
     finishStep(left);
     outcome_.before = observation;
     look(observation, left);
@@ -49,7 +49,7 @@ class Practice {
   }
 
   PracticeEpisode finish(bool arrived) {
-    finishStep(arrived ? 0.0 : wayLeft());
+    finishStep(arrived ? 0.0 : pathLeft());
     episode_.arrived = arrived;
     if (arrived && !episode_.steps.empty()) {
       episode_.steps.back().reward += static_cast<float>(rules_.arrival_bonus);
@@ -58,11 +58,11 @@ class Practice {
   }
 
  private:
-  /// The last that was known where the teacher knows no way, in a corner too narrow for it: to come there and to leave
+  /// The last that was known where the teacher knows no path, in a corner too narrow for it: to come there and to leave
   /// again is neither punished nor paid.
-  double wayLeft() {
+  double pathLeft() {
     const double left = exercise_.teacher->distanceToGo({drive_.truePose().x, drive_.truePose().y});
-    if (std::isfinite(left)) left_known_ = std::min(kLongestWay, left);
+    if (std::isfinite(left)) left_known_ = std::min(kLongestPath, left);
     return left_known_;
   }
 
@@ -144,7 +144,7 @@ class Practice {
   Encoder encoder_;
   Random random_;
   PracticeEpisode episode_;
-  double left_known_ = kLongestWay;
+  double left_known_ = kLongestPath;
   PracticeOutcome outcome_;  ///< of the step that is being made
   double left_before_ = 0.0;
   int contacts_before_ = 0;

@@ -15,8 +15,8 @@
 
 namespace lstm_planner {
 
-/// What the critic sees besides the policy's inputs: the way left in two forms, how much longer than the straight way
-/// it is, and where it begins.
+/// What the critic sees besides the policy's inputs: the path left in two forms, how much longer than the straight path
+/// it is, and where it starts.
 constexpr int kDrivePrivilegedInputs = 5;
 
 /// A drive as it was practised, step by step.
@@ -49,9 +49,9 @@ ActionChances epsilonGreedyChances(double epsilon);
 
 /// What a step brought.
 struct PracticeOutcome {
-  Observation before;     ///< in the state in which it began
-  double approach = 0.0;  ///< m nearer to the goal by the teacher's way
-  int contacts = 0;       ///< that began in it
+  Observation before;     ///< in the state in which it started
+  double approach = 0.0;  ///< m nearer to the goal by the teacher's path
+  int contacts = 0;       ///< that started in it
 };
 
 /// What a step earns.
@@ -68,7 +68,7 @@ struct PracticeRules {
   int goals = 1;          ///< a world
   int starts = 1;         ///< drives to a goal
   int max_steps = 1;      ///< of a drive
-  double discount = 0.0;  ///< a step; one of the privileged inputs is the way left, so discounted
+  double discount = 0.0;  ///< a step; one of the privileged inputs is the path left, so discounted
   std::uint64_t seed = 1;
   int threads = 1;                            ///< does not change the result
   Communicator* communicator = oneProcess();  ///< does not change the result either

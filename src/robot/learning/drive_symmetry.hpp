@@ -14,7 +14,7 @@ namespace lstm_planner {
 /// angles of the labels; they must be the same to both sides, or std::invalid_argument is thrown.
 RecordedEpisode mirrored(RecordedEpisode episode, const std::vector<double>& actions);
 
-/// With odometry that began with another heading: its frame is turned by `angle` (rad) around its origin.
+/// With odometry that started with another heading: its frame is turned by `angle` (rad) around its origin.
 RecordedEpisode turned(RecordedEpisode episode, double angle);
 
 /// `count` variants of each episode that is not discarded: each turned at random, and every other one mirrored, the

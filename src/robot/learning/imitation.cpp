@@ -24,7 +24,7 @@ struct Episode {
   std::vector<Observation> observations;
   std::vector<int> labels;  ///< -1 where the teacher had no answer
   bool arrived = false;
-  double efficiency = 0.0;  ///< shortest / driven way if it arrived, else 0
+  double efficiency = 0.0;  ///< shortest / driven path if it arrived, else 0
 };
 
 /// Who is at the wheel.

@@ -66,8 +66,8 @@ DriveResult::End StepDrive::run(int max_steps, NavigationAgent* agent) {
   switch (ClosedLoop(this, agent).run(toLocalFrame(task_.start, task_.goal), goes_on, note)) {
     case ClosedLoop::End::kArrived:
       return DriveResult::End::kReached;
-    case ClosedLoop::End::kNoWay:
-      return DriveResult::End::kNoWay;
+    case ClosedLoop::End::kNoPath:
+      return DriveResult::End::kNoPath;
     case ClosedLoop::End::kStopped:
       break;
   }

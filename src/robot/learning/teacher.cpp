@@ -20,12 +20,12 @@ GeodesicField makeField(const GridWorld& world, const Point2& goal, const Teache
 Teacher::Teacher(const GridWorld& world, const Point2& goal, const Parameters& parameters)
     : world_(world), parameters_(parameters), field_(makeField(world, goal, parameters)) {}
 
-CellIndex Teacher::startOfWay(const Point2& position) const {
+CellIndex Teacher::startOfPath(const Point2& position) const {
   const CellIndex here = world_.grid().cellAt(position);
   if (std::isfinite(field_.at(here))) {
     return here;
   }
-  // The robot stands closer to a wall than the teacher would: take the nearest cell from which there is a way.
+  // The robot stands closer to a wall than the teacher would: take the nearest cell from which there is a path.
   const int reach = static_cast<int>(0.4 / world_.grid().resolution());
   CellIndex best = here;
   double best_distance = std::numeric_limits<double>::infinity();
@@ -42,7 +42,7 @@ CellIndex Teacher::startOfWay(const Point2& position) const {
 }
 
 bool Teacher::direction(const Point2& position, double* direction) const {
-  CellIndex cell = startOfWay(position);
+  CellIndex cell = startOfPath(position);
   if (!std::isfinite(field_.at(cell))) {
     return false;
   }
@@ -64,6 +64,6 @@ bool Teacher::direction(const Point2& position, double* direction) const {
   return true;
 }
 
-double Teacher::distanceToGo(const Point2& position) const { return field_.at(startOfWay(position)); }
+double Teacher::distanceToGo(const Point2& position) const { return field_.at(startOfPath(position)); }
 
 }  // namespace lstm_planner

@@ -40,7 +40,7 @@ bool CostToGo::search(ObstacleMemory& memory, int start, const std::vector<End>&
   start_column_ = start % side_;
   start_row_ = start / side_;
   bool found = searchOnce(memory, ends);
-  if (!found && overflowed_) {  // some way costs more than 16 bits tell
+  if (!found && overflowed_) {  // some path costs more than 16 bits tell
     clear(memory.side());
     wide_costs_.resize(costs_.size(), kNone);
     is_wide_ = true;
@@ -71,13 +71,13 @@ bool CostToGo::searchAgain(ObstacleMemory& memory, int start, int column, int ro
     return false;
   }
   trace(memory, start, column, row);
-  return left(way_.back()) == 0 || isAtBorder(way_.back());
+  return left(path_.back()) == 0 || isAtBorder(path_.back());
 }
 
 void CostToGo::trace(ObstacleMemory& memory, int start, int column, int row) {
-  way_.clear();
+  path_.clear();
   for (int cell = start; cell >= 0; cell = next(memory, cell, column, row)) {
-    way_.push_back(cell);
+    path_.push_back(cell);
   }
 }
 
@@ -87,7 +87,7 @@ void CostToGo::clear(int side) {
     wide_costs_.clear();
     costs_.assign(index(side) * index(side), kFar);
     touched_.assign(index(side), {kFar, 0});
-    way_.reserve(2 * index(side));
+    path_.reserve(2 * index(side));
   } else if (is_wide_) {
     forgetTouched(kNone, &wide_costs_);
   } else {
@@ -120,7 +120,7 @@ bool CostToGo::run(ObstacleMemory& memory, int target) {
     const int cell = row * side_ + column;
     const std::uint32_t cost = left(cell);
     if (lowest != cost + octile(start_column_ - column, start_row_ - row)) {
-      continue;  // a cheaper way from it was found meanwhile
+      continue;  // a cheaper path from it was found meanwhile
     }
     found = cell == target;
     expand(memory, column, row, cost);
@@ -179,7 +179,7 @@ bool CostToGo::isAtBorder(int cell) const {
   return column == 0 || column == side_ - 1 || cell < side_ || cell >= side_ * (side_ - 1);
 }
 
-/// From which of its neighbours the footprint can come: ways lead both ways, but the memory tells no exits of cells at
+/// From which of its neighbours the footprint can come: paths lead both ways, but the memory tells no exits of cells at
 /// the border.
 std::uint8_t CostToGo::entries(ObstacleMemory& memory, int cell) const {
   if (!isAtBorder(cell)) {
@@ -219,8 +219,9 @@ int CostToGo::next(ObstacleMemory& memory, int cell, int column, int row) const 
   int next = -1;
   std::int64_t nearest = std::numeric_limits<std::int64_t>::max();
   for (int direction = 0; direction < kGridRayCount; ++direction) {
-    const CellIndex& way = kGridRaySteps[index(direction)];
-    const std::int64_t distance = (columns - way.column) * (columns - way.column) + (rows - way.row) * (rows - way.row);
+    const CellIndex& step = kGridRaySteps[index(direction)];
+    const std::int64_t distance =
+        (columns - step.column) * (columns - step.column) + (rows - step.row) * (rows - step.row);
     const int neighbour = neighbourOf(cell, direction);
     const std::uint32_t rest = left(neighbour);
     if (distance < nearest && rest < cost && cost - rest == stepCost(memory, neighbour, direction) &&

@@ -69,7 +69,7 @@ std::uint32_t CostToGo::cheapestThrough(ObstacleMemory& memory, int freed, int r
       if (through < enough) {
         const std::uint32_t cost = costBySteps(memory, column, row);
         if (cost >= relativeCost(column, row)) {
-          continue;  // no cheaper than it was, or there is no way
+          continue;  // no cheaper than it was, or there is no path
         }
         through = before + cost;
       }
@@ -79,7 +79,7 @@ std::uint32_t CostToGo::cheapestThrough(ObstacleMemory& memory, int freed, int r
   return cheapest;
 }
 
-/// What the way from a cell costs at least by what is left from its neighbours, and the steps to them as they are now.
+/// What the path from a cell costs at least by what is left from its neighbours, and the steps to them as they are now.
 std::uint32_t CostToGo::costBySteps(ObstacleMemory& memory, int column, int row) const {
   const int cell = row * side_ + column;
   const std::uint8_t exits = memory.exits(cell);

@@ -106,7 +106,7 @@ void KeptRoute::advance(ObstacleMemory& memory, const Point2& here) {
 }
 
 void KeptRoute::note(const ObstacleMemory& memory, const ObstacleMemory::Change& change) {
-  markPriced(memory);
+  markCosted(memory);
   const int cell = memory.cellAt(change.place);
   if (cell < 0 || beside_.empty()) {
     return;
@@ -157,7 +157,7 @@ double KeptRoute::cost(ObstacleMemory& memory, const RouteFinder& finder, double
 }
 
 /// Not before something has changed, as routes that are not taken need no marks.
-void KeptRoute::markPriced(const ObstacleMemory& memory) {
+void KeptRoute::markCosted(const ObstacleMemory& memory) {
   if (all_are_marked_) {
     return;
   }

@@ -110,7 +110,7 @@ bool Passability::isFree(const ObstacleWindow& window, const Point2& from, const
   const double wanted = wanted_passage == Passage::kRoomy    ? roomy_radius_
                         : wanted_passage == Passage::kNarrow ? narrow_radius_
                                                              : tight_radius_;
-  const double radius = onTheWay(wanted);
+  const double radius = onThePath(wanted);
   const double length = distanceBetween(from, to);
   const int parts = std::max(1, static_cast<int>(std::ceil(length / (2.0 * resolution_))));
   int empty = -1;  // a cell with nothing near
@@ -312,7 +312,7 @@ std::uint8_t Passability::judgeExitsAmongBlocks(const ObstacleWindow& window, in
   for (const CellIndex& step : kGridRaySteps)
     judgement(window, neighbourOf(step));  // before others are collected than here
   collectNearby(window, cell, near_cells_ + 1);
-  const double radius = onTheWay(tight_radius_);
+  const double radius = onThePath(tight_radius_);
   const Point2 from = bestPlace(window, cell);
   std::uint8_t exits = 0;
   for (std::size_t direction = 0; direction < kGridRaySteps.size(); ++direction) {
@@ -353,7 +353,7 @@ void Passability::collectNearby(const ObstacleWindow& window, int cell, int reac
 void Passability::setTightRadius(double radius) {
   tight_radius_ = radius;
   if (near_cells_ <= kMostNearCells) {
-    line_masks_.setRadius(onTheWay(radius) / resolution_);
+    line_masks_.setRadius(onThePath(radius) / resolution_);
   }
 }
 

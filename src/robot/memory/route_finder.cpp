@@ -168,17 +168,17 @@ void RouteFinder::follow(ObstacleMemory& memory, const Point2& start, Route* rou
   std::vector<Point2>& points = route->points;
   points.clear();
   points.push_back(start);
-  const std::vector<int>& way = cost_to_go_.way();
+  const std::vector<int>& path = cost_to_go_.path();
   const int goal_cell = memory.cellAt(end_);
   std::size_t cells = 1;
-  while (!isEnd(memory, way[cells - 1]) && cells < way.size()) {
-    const int cell = way[cells++];
+  while (!isEnd(memory, path[cells - 1]) && cells < path.size()) {
+    const int cell = path[cells++];
     if (cell != goal_cell) {
       points.push_back(memory.bestPlace(cell));
     }
   }
-  const int last = way[cells - 1];
-  route->cost = (cost_to_go_.cost(way.front()) - cost_to_go_.cost(last)) * memory.cellSize() / CostToGo::kStraight;
+  const int last = path[cells - 1];
+  route->cost = (cost_to_go_.cost(path.front()) - cost_to_go_.cost(last)) * memory.cellSize() / CostToGo::kStraight;
   if (goal_cell < 0) {
     route->cost += distanceBetween(points.back(), end_);
   }
@@ -206,8 +206,8 @@ void RouteFinder::pullStraight(ObstacleMemory& memory, Route* route) const {
   points.resize(pulled);
 }
 
-/// The straight way there has as much room as all the points in between. Looks twice as far each time, then between the
-/// last two.
+/// The straight path there has as much room as all the points in between. Looks twice as far each time, then between
+/// the last two.
 std::size_t RouteFinder::farthestInSight(ObstacleMemory& memory, const std::vector<Point2>& points, std::size_t at) {
   const std::size_t most = std::min(kLongestPull, points.size() - 1 - at);
   std::array<ObstacleMemory::Passage, kLongestPull + 1> passages;

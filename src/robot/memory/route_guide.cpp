@@ -9,25 +9,25 @@ namespace {
 
 using Source = Decision::Source;
 
-/// A new way is taken when it is this much better: a share, and m. Else every new wall seen would make the robot turn
-/// back and forth between two ways of the same length.
+/// A new path is taken when it is this much better: a share, and m. Else every new wall seen would make the robot turn
+/// back and forth between two paths of the same length.
 constexpr double kWorthTurning = 0.08;
 constexpr double kWorthTurningMetres = 0.3;
 
-/// A scan is remembered, where nobody asks for the way, when the robot has moved so far, m, or turned so far, rad.
+/// A scan is remembered, where nobody asks for the path, when the robot has moved so far, m, or turned so far, rad.
 constexpr double kNewPlace = 1.0;
 constexpr double kNewView = 1.0;
 
-/// A route is priced by what is remembered as far as this, m.
+/// A route is costed by what is remembered as far as this, m.
 constexpr double kLookedAt = 15.0;
 
 constexpr double kFullTurn = 2.0 * M_PI - 0.5;  ///< rad; the scanner sees more than the rest at once
-constexpr int kClosedLooks = 3;                 ///< looks around that must agree that there is no way
+constexpr int kClosedLooks = 3;                 ///< looks around that must agree that there is no path
 constexpr int kMostForgotten = 4;               ///< without progress in between
 constexpr double kBlockedAhead = 0.3;           ///< m to the place that is taken as blocked
 
-/// It can be driven, and no other way that costs so much is worth turning for.
-bool isHardlyDearer(double cost, double other_cost) {
+/// It can be driven, and no other path that costs so much is worth turning for.
+bool isHardlyCostlier(double cost, double other_cost) {
   return std::isfinite(cost) && cost <= other_cost * (1.0 + kWorthTurning) + kWorthTurningMetres;
 }
 
@@ -138,12 +138,12 @@ bool RouteGuide::takeBetter(const Point2& here) {
   candidate_.swap(&found_);
   const double new_cost = candidate_.cost(memory_, finder_, kLookedAt);
   const std::uint32_t searched_cost = finder_.costToGo().cost(memory_.cellAt(here));
-  // Where the robot is nearer to something than any way may come, the begin of each way has no price.
+  // Where the robot is nearer to something than any path may come, the start of each path has no cost.
   cost_scale_ = std::isfinite(new_cost) && searched_cost > 0 ? new_cost / searched_cost
                                                              : memory_.cellSize() / CostToGo::kStraight;
   const bool same_end =
       !route_.isEmpty() && distanceBetween(route_.route().points.back(), candidate_.route().points.back()) < 0.1;
-  if (same_end && isHardlyDearer(route_.cost(memory_, finder_, kLookedAt), new_cost)) {
+  if (same_end && isHardlyCostlier(route_.cost(memory_, finder_, kLookedAt), new_cost)) {
     return false;
   }
   route_.swap(&candidate_);
@@ -168,7 +168,8 @@ bool RouteGuide::costsHold(const Point2& here, const Point2& goal) {
 }
 
 bool RouteGuide::isWorthKeeping(const Point2& here, const Point2& goal, double cost) const {
-  return isHardlyDearer(cost, distanceBetween(here, end())) || isHardlyDearer(cost, metresOf(leastCost(here, goal)));
+  return isHardlyCostlier(cost, distanceBetween(here, end())) ||
+         isHardlyCostlier(cost, metresOf(leastCost(here, goal)));
 }
 
 /// By the last search alone; false when it takes a new one.
@@ -178,7 +179,7 @@ bool RouteGuide::takeFromLastSearch(const Point2& here, const Point2& goal) {
   }
   found_.points.back() = end();
   found_.length = lengthOf(found_.points);
-  return isHardlyDearer(found_.cost, through_freed_ * memory_.cellSize() / CostToGo::kStraight) &&
+  return isHardlyCostlier(found_.cost, through_freed_ * memory_.cellSize() / CostToGo::kStraight) &&
          !RouteFinder::isDetour(distanceBetween(here, goal), found_.length, tolerance());
 }
 
@@ -224,15 +225,15 @@ void RouteGuide::takeInChanges(const Point2& here, const Point2& goal, double co
   memory_.clearChanges();
 }
 
-/// What any way from here to the goal costs at least.
+/// What any path from here to the goal costs at least.
 std::uint32_t RouteGuide::leastCost(const Point2& here, const Point2& goal) const {
   const std::uint32_t least = std::min(through_freed_, finder_.costToGo().cost(memory_.cellAt(here)));
   const double moved = distanceBetween(goal, searched_goal_);
   if (least == CostToGo::kNone || moved == 0.0 || memory_.cellAt(goal) == memory_.cellAt(searched_goal_)) {
     return least;
   }
-  const double dearer = parameters_.memory.tightness * (moved + 2.0 * memory_.cellSize()) / memory_.cellSize();
-  return least - std::min(least, static_cast<std::uint32_t>(CostToGo::kDiagonal * dearer));
+  const double costlier = parameters_.memory.tightness * (moved + 2.0 * memory_.cellSize()) / memory_.cellSize();
+  return least - std::min(least, static_cast<std::uint32_t>(CostToGo::kDiagonal * costlier));
 }
 
 Decision::Source RouteGuide::lookAround(const Situation& situation) {
@@ -246,7 +247,7 @@ Decision::Source RouteGuide::lookAround(const Situation& situation) {
     return Source::kLookAround;
   }
   if (looking_ && ++closed_in_a_row_ >= kClosedLooks) {
-    return Source::kNoWay;
+    return Source::kNoPath;
   }
   if (!looking_ && ++forgotten_ > kMostForgotten) {
     return Source::kEscape;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// Noise, and beams that graze a wall, must not make it seem looked through.
+/// Noise, and beams that graze a wall, must not make it seem cleared.
 constexpr float kBehind = 0.1f;
 constexpr std::size_t kBeside = 2;
 

@@ -19,7 +19,7 @@ inline Floats allOf(float value) { return Floats{value, value, value, value}; }
 inline Doubles allOf(double value) { return Doubles{value, value}; }
 inline Ints allOf(std::int32_t value) { return Ints{value, value, value, value}; }
 
-/// Numbers that begin anywhere in memory.
+/// Numbers that start anywhere in memory.
 inline Doubles loadDoubles(const double* from) {
   Doubles values;
   std::memcpy(&values, from, sizeof(values));

@@ -17,7 +17,7 @@ struct SightBeams {
   FirstBeam first;
   int beams = 0;
   float beams_a_turn = 0.0f;
-  const float* limits = nullptr;    ///< m^2, a beam each: places farther away are not looked through
+  const float* limits = nullptr;    ///< m^2, a beam each: places farther away are not cleared
   const float* farthest = nullptr;  ///< m; the most of 2^level blocks of four beams from each block on, level by level
   int blocks = 0;                   ///< from one level to the next
   int levels = 0;
@@ -55,12 +55,12 @@ struct ScanKernels {
   std::size_t (*squaresOf)(const SquareFrame& frame, const double* places, std::size_t count, std::uint32_t* work,
                            std::uint32_t* keys);
 
-  /// Keeps of some cells, given by the keys of their first squares, those in which the scan may look through some
-  /// square. `limits`: m^2, from which on it surely looks through none. Returns how many. There is room for 16 more.
+  /// Keeps of some cells, given by the keys of their first squares, those in which the scan may clear some
+  /// square. `limits`: m^2, from which on it surely clears none. Returns how many. There is room for 16 more.
   std::size_t (*cellsInSight)(const SightBeams& beams, const SquareGrid& grid, std::uint32_t* cells, std::size_t count,
                               float* limits);
 
-  /// Keys of the squares that the scan looks through, of those in cells of four by four that `occupied` has a bit for,
+  /// Keys of the squares that the scan clears, of those in cells of four by four that `occupied` has a bit for,
   /// row by row. Returns how many. There is room for 16 more than all squares.
   std::size_t (*squaresSeenThrough)(const SightBeams& beams, const SquareGrid& grid, const std::uint32_t* cells,
                                     const float* limits, const std::uint16_t* occupied, std::size_t count,

@@ -21,7 +21,7 @@ constexpr float kInfinity = __builtin_huge_valf();
 constexpr int kSide = 4;  ///< squares a side of a cell
 constexpr int kCellSquares = kSide * kSide;
 
-constexpr float kNear = 0.5f;  ///< m; nearer neighbourhoods may always be looked through
+constexpr float kNear = 0.5f;  ///< m; nearer neighbourhoods may always be cleared
 
 // ---------------------------------------------------------------- vectors
 
@@ -213,7 +213,7 @@ LSTM_PLANNER_INLINE V farthest(const SightBeams& beams, IntegersOf<V> first, Int
   return level < beams.levels ? most : broadcast<V>(kInfinity);
 }
 
-/// Square of the distance, m^2, from which on the scan surely looks through no place of the neighbourhood of (x, y); 0
+/// Square of the distance, m^2, from which on the scan surely clears no place of the neighbourhood of (x, y); 0
 /// when it does so nowhere in it.
 template <class V>
 LSTM_PLANNER_INLINE V limitOf(const SightBeams& beams, V x, V y) {

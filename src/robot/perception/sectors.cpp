@@ -193,7 +193,7 @@ Sectors averageSectors(const RangeProfile& profile, double least_measured, doubl
   Sectors sectors;
   SectorCounts known{};
   addBeams(profile.ranges, range_cap, fan, 0.0, &sectors, &known);
-  // A full turn may begin inside the window: the rest of the window is then at the start of the fan.
+  // A full turn may start inside the window: the rest of the window is then at the start of the fan.
   if (!coversWindow(fan)) addBeams(profile.ranges, range_cap, fan, -kTurn, &sectors, &known);
 
   for (int sector = 0; sector < kSectorCount; ++sector) {

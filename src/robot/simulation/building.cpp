@@ -70,7 +70,7 @@ class RoomCutter {
     cutIntoRooms(slice(box, !cut_x, end + wall_, length));
   }
 
-  /// The part of a box from `begin` to `end` across the direction of the cut.
+  /// The part of a box from `start` to `end` across the direction of the cut.
   static CellBox slice(const CellBox& box, bool along_x, int begin, int end) {
     if (along_x) return {box.left, box.bottom + begin, box.right, box.bottom + end};
     return {box.left + begin, box.bottom, box.left + end, box.top};

@@ -83,8 +83,8 @@ void Crowd::step(double seconds, const Circle& robot, Walker* walker, std::vecto
     return;
   }
   const double left = distanceBetween(walker->body.center, walker->destination);
-  const double way = std::min(left, walker->speed * seconds);
-  const Point2 next = pointAlong(walker->body.center, directionTo(walker->body.center, walker->destination), way);
+  const double path = std::min(left, walker->speed * seconds);
+  const Point2 next = pointAlong(walker->body.center, directionTo(walker->body.center, walker->destination), path);
   // One that the robot has pushed against may still walk away from it.
   const double distance = distanceBetween(next, robot.center);
   if (distance < touching && distance < distanceBetween(walker->body.center, robot.center)) {
@@ -95,7 +95,7 @@ void Crowd::step(double seconds, const Circle& robot, Walker* walker, std::vecto
   }
   const bool walled = surroundings_.touches(next, walker->body.radius);
   if (!walled) walker->body.center = next;
-  if (walled || way >= left) walker->destination = drawPlace(walker->body.radius);
+  if (walled || path >= left) walker->destination = drawPlace(walker->body.radius);
 }
 
 std::vector<Point2> standingPlaces(const GridWorld& world, double radius) {

@@ -95,15 +95,15 @@ class Furnisher {
     return true;
   }
 
-  /// Chooses where a thing of `size` cells begins between the walls at `low` and `high`; false when it does not fit.
-  bool choose(int low, int high, int size, bool flush, int* begin) {
+  /// Chooses where a thing of `size` cells starts between the walls at `low` and `high`; false when it does not fit.
+  bool choose(int low, int high, int size, bool flush, int* start) {
     const int spare = high - low - size - 2 * gap_;
     // With less room than that, a gap behind it would be too narrow on one of its sides.
     if (spare < 0) return false;
     if (flush) {
-      *begin = uniform(random_) < 0.5 ? low : high - size;
+      *start = uniform(random_) < 0.5 ? low : high - size;
     } else {
-      *begin = low + gap_ + static_cast<int>(uniformIndex(random_, static_cast<std::size_t>(spare) + 1));
+      *start = low + gap_ + static_cast<int>(uniformIndex(random_, static_cast<std::size_t>(spare) + 1));
     }
     return true;
   }

@@ -10,7 +10,7 @@ namespace lstm_planner {
 int labelOpenAreas(const OccupancyGrid& grid, double radius, cv::Mat1i* labels) {
   constexpr int kSides = 4;
   const DistanceField distances(grid, true);
-  // Half a diagonal: the distance joins the centres of cells, and the obstacle begins at the edge of its own.
+  // Half a diagonal: the distance joins the centres of cells, and the obstacle starts at the edge of its own.
   const double clearance = radius + grid.resolution() * M_SQRT1_2;
   cv::Mat1b fits(grid.rows(), grid.columns());
   for (int row = 0; row < grid.rows(); ++row) {

@@ -10,14 +10,14 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kLookPeriod = 0.1;     // s between two looks while nothing changes
-constexpr double kNearestWay = 0.4;     // m from a place too near to a wall to where a way begins
+constexpr double kNearestPath = 0.4;    // m from a place too near to a wall to where a path starts
 constexpr double kForesight = 0.7;      // s of driving on that must not lead into anything
 constexpr double kInertia = 0.08;       // s that he knows his robot to take to do what the keys say
 constexpr double kForesightStep = 0.1;  // s
 constexpr double kMargin = 0.04;        // m between footprint and walls that is driven with where there is room
 constexpr double kAimedMargin = 0.02;   // m; by who is aimed well
 constexpr double kTightMargin = 0.005;  // m; and where there is not
-constexpr double kAimed = 0.1;          // rad; nearer to the direction of the way than this is aimed at it
+constexpr double kAimed = 0.1;          // rad; nearer to the direction of the path than this is aimed at it
 constexpr double kSteered = 0.2;        // rad away from it before a turn key is pressed while driving
 constexpr double kAttention = 2.0;      // s after which it is aimed anew, badly in another way
 
@@ -44,7 +44,7 @@ ScriptedDriver::ScriptedDriver(const GridWorld& world, const ScriptedDriverParam
 void ScriptedDriver::setGoal(const Point2& goal) {
   goal_ = goal;
   GeodesicField::Options options;
-  // Distances are between centres of cells, the obstacle begins half a cell before.
+  // Distances are between centres of cells, the obstacle starts half a cell before.
   const double radius = parameters_.footprint_radius + 0.5 * world_.grid().resolution();
   options.clearance = radius + parameters_.clearance;
   options.comfort = radius + std::max(parameters_.comfort, parameters_.clearance);
@@ -61,11 +61,11 @@ void ScriptedDriver::dropGoal() {
   state_ = State::kWaiting;
 }
 
-CellIndex ScriptedDriver::startOfWay(const Point2& position) const {
+CellIndex ScriptedDriver::startOfPath(const Point2& position) const {
   const OccupancyGrid& grid = world_.grid();
   const CellIndex here = grid.cellAt(position);
   if (std::isfinite(field_->at(here))) return here;
-  const int reach = static_cast<int>(kNearestWay / grid.resolution());
+  const int reach = static_cast<int>(kNearestPath / grid.resolution());
   CellIndex best = here;
   double nearest = std::numeric_limits<double>::infinity();
   for (int row = here.row - reach; row <= here.row + reach; ++row) {
@@ -80,10 +80,10 @@ CellIndex ScriptedDriver::startOfWay(const Point2& position) const {
 }
 
 double ScriptedDriver::distanceToGo(const Point2& position) const {
-  return field_ ? field_->at(startOfWay(position)) : std::numeric_limits<double>::infinity();
+  return field_ ? field_->at(startOfPath(position)) : std::numeric_limits<double>::infinity();
 }
 
-/// Whether all of a straight way is such that the robot may go there.
+/// Whether all of a straight path is such that the robot may go there.
 bool ScriptedDriver::isOpen(const Point2& from, const Point2& to) const {
   const double length = distanceBetween(from, to);
   const double direction = directionTo(from, to);
@@ -93,12 +93,12 @@ bool ScriptedDriver::isOpen(const Point2& from, const Point2& to) const {
   return true;
 }
 
-/// The farthest point of the way within the lookahead that can be driven at straight on.
+/// The farthest point of the path within the lookahead that can be driven at straight on.
 Point2 ScriptedDriver::pointAhead(const Point2& position) const {
   const OccupancyGrid& grid = world_.grid();
-  CellIndex cell = startOfWay(position);
+  CellIndex cell = startOfPath(position);
   Point2 ahead = grid.centerOf(cell);
-  const bool off_the_way = !std::isfinite(field_->at(grid.cellAt(position)));
+  const bool off_the_path = !std::isfinite(field_->at(grid.cellAt(position)));
   while (distanceBetween(position, grid.centerOf(cell)) < parameters_.lookahead) {
     CellIndex next = cell;
     for (int row = cell.row - 1; row <= cell.row + 1; ++row) {
@@ -106,12 +106,12 @@ Point2 ScriptedDriver::pointAhead(const Point2& position) const {
         if (field_->at({column, row}) < field_->at(next)) next = {column, row};
       }
     }
-    if (next.column == cell.column && next.row == cell.row) return off_the_way ? ahead : goal_;
+    if (next.column == cell.column && next.row == cell.row) return off_the_path ? ahead : goal_;
     const Point2 center = grid.centerOf(next);
-    if (!off_the_way && !isOpen(position, center)) break;
+    if (!off_the_path && !isOpen(position, center)) break;
     cell = next;
     ahead = center;
-    if (off_the_way && distanceBetween(position, ahead) > kNearestWay) break;
+    if (off_the_path && distanceBetween(position, ahead) > kNearestPath) break;
   }
   return ahead;
 }
@@ -170,7 +170,7 @@ ScriptedDriver::Keys ScriptedDriver::decide(const Pose2& pose) {
   const Point2 here{pose.x, pose.y};
   if (distanceBetween(here, goal_) < parameters_.arrival_distance) return {};
   if (!std::isfinite(distanceToGo(here))) {
-    state_ = State::kNoWay;
+    state_ = State::kNoPath;
     return {};
   }
   return steer(pose, normalizeAngle(directionTo(here, pointAhead(here)) + aim_error_ - pose.yaw));

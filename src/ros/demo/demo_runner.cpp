@@ -15,7 +15,7 @@ namespace {
 constexpr double kPoll = 0.02;          // s of the computer's clock
 constexpr double kCancelTime = 5.0;     // s for the action to end after a cancel
 constexpr double kTraceSpacing = 0.02;  // m between the points that are kept for the picture
-constexpr double kNearestFree = 0.3;    // m around a blocked cell in which the shortest way may begin
+constexpr double kNearestFree = 0.3;    // m around a blocked cell in which the shortest path may start
 constexpr double kGridError = 1e-3;     // m, keeps rounding from closing a gap that just fits
 
 void say(const std::string& line) { std::cout << line << std::endl; }

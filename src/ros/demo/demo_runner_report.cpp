@@ -65,7 +65,7 @@ std::string describeLeg(const DemoLeg& leg) {
     if (hasRatio(leg)) line += format(" = %.2f x shortest", leg.path / leg.shortest);
   } else {
     line += format("MISSED after %.1f s, path %.1f m, %.1f m away", leg.time, leg.path, leg.remaining);
-    if (!std::isfinite(leg.shortest)) line += ", no way on the map";
+    if (!std::isfinite(leg.shortest)) line += ", no path on the map";
   }
   line += ", " + contactsText(leg.contacts);
   if (!leg.reached && !leg.text.empty()) line += " (" + leg.text + ")";

@@ -118,7 +118,7 @@ bool StandaloneMoveBase::GoalServer::waitForPlan() {
   if (planner_.failures() == 0 || !last_valid_plan_.isLongerAgo(parameters_.planner_patience)) return true;
   const std::string duration = withUnit(parameters_.planner_patience, "s");
   abort(pose_known_ ? "No plan was found for " + duration +
-                          ": there is no way to the goal, or the planner has no sensor data (its messages say which)."
+                          ": there is no path to the goal, or the planner has no sensor data (its messages say which)."
                     : "No plan was found for " + duration + ": the robot's pose in frame '" + plugins_.globalFrame() +
                           "' is unknown.");
   return false;

@@ -37,7 +37,7 @@ void add(const std::string& key, const std::string& value, DiagnosticStatus* sta
 
 unsigned char levelOf(const Decision& decision) {
   switch (decision.source) {
-    case Decision::Source::kNoWay:
+    case Decision::Source::kNoPath:
       return DiagnosticStatus::ERROR;
     case Decision::Source::kLookAround:
     case Decision::Source::kEscape:

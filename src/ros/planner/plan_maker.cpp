@@ -71,8 +71,8 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
     sayWhoLeads(decision);
     publish(reading, decision, odometry_goal, *plan);
   }
-  if (decision.source == Decision::Source::kNoWay) {
-    throw PlanRefused("there is no way to the goal: the boundary of what is in the way was followed to its end");
+  if (decision.source == Decision::Source::kNoPath) {
+    throw PlanRefused("there is no path to the goal: the boundary of what is in the way was followed to its end");
   }
 }
 
@@ -115,11 +115,11 @@ const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading
       markers_.clearTrace();
       break;
     case NavigationAgent::Fresh::kJump:
-      ROS_WARN("the odometry jumped, the way so far and what was seen are forgotten; the goal stays");
+      ROS_WARN("the odometry jumped, the path so far and what was seen are forgotten; the goal stays");
       markers_.clearTrace();
       break;
     case NavigationAgent::Fresh::kGoalMoved:
-      ROS_WARN("the goal moved by %.2f m in the odometry frame, the way so far is forgotten",
+      ROS_WARN("the goal moved by %.2f m in the odometry frame, the path so far is forgotten",
                distanceBetween(last_goal, goal));
       break;
     case NavigationAgent::Fresh::kNo:

@@ -167,9 +167,9 @@ class Survey : public BagListener {
   void hearEnd(const rosbag::MessageInstance& message) override { note(message.getTime()); }
 
   /// The odometry as a recorder works on it.
-  std::vector<OdometryHeard> takeWay() {
+  std::vector<OdometryHeard> takePath() {
     takeFromOrder(true);
-    return std::move(way_);
+    return std::move(path_);
   }
 
   /// Empty when it is not known.
@@ -200,13 +200,13 @@ class Survey : public BagListener {
   }
 
   void takeFromOrder(bool all) {
-    while (const std::optional<DriveEvent> event = order_.take(all)) way_.push_back(std::get<OdometryHeard>(*event));
+    while (const std::optional<DriveEvent> event = order_.take(all)) path_.push_back(std::get<OdometryHeard>(*event));
   }
 
   std::string base_frame_;
   std::string scan_frame_;
   EventOrder order_;
-  std::vector<OdometryHeard> way_;
+  std::vector<OdometryHeard> path_;
 };
 
 /// Gives a bag to a recorder.
@@ -228,7 +228,7 @@ class Recorder : public BagListener {
   void hearGoal(const rosbag::MessageInstance& message) override {
     const std::string topic = message.getTopic().substr(1);
     // As the node itself calls the goals that it publishes there.
-    const std::string source = topic == "dataset_recorder/goal" ? "way-points" : topic;
+    const std::string source = topic == "dataset_recorder/goal" ? "waypoints" : topic;
     if (const auto goal = messageOf<geometry_msgs::PoseStamped>(message)) {
       messages_.hearGoal(*goal, source, message.getTime());
     } else if (const auto action = messageOf<move_base_msgs::MoveBaseActionGoal>(message)) {
@@ -281,7 +281,7 @@ BagDriveResult record(const std::string& path, const BagDriveOptions& options, c
 
   std::vector<DriveEvent> goals;
   if (options.hindsight) {
-    goals = hindsightGoals(survey.takeWay(), options.hindsight_parameters, parameters, result.odometry_frame);
+    goals = hindsightGoals(survey.takePath(), options.hindsight_parameters, parameters, result.odometry_frame);
     result.goals = std::count_if(goals.begin(), goals.end(),
                                  [](const DriveEvent& event) { return std::holds_alternative<GoalHeard>(event); });
   }

@@ -15,7 +15,7 @@ constexpr int kScanQueue = 200;
 constexpr int kOdometryQueue = 1000;
 constexpr int kGoalQueue = 20;
 const ros::WallDuration kStatusPeriod(1.0);
-constexpr double kLongestWay = 0.5;  // s that odometry is behind the clock, at the most
+constexpr double kLongestDelay = 0.5;  // s that odometry is behind the clock, at the most
 
 }  // namespace
 
@@ -32,7 +32,7 @@ DatasetRecorder::Implementation::Implementation(const RecorderNodeParameters& pa
       progress_(parameters.recorder.action_angles.size()),
       tf_listener_(&tf_),
       messages_(tf_, parameters.base_frame, std::nullopt, parameters.recorder, &progress_),
-      way_points_(parameters.way_points, parameters.seed),
+      waypoints_(parameters.waypoints, parameters.seed),
       markers_(private_node_, parameters.recorder.action_angles) {
   goal_publisher_ = private_node_.advertise<geometry_msgs::PoseStamped>("goal", 10, true);
   diagnostics_publisher_ = node_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 10);
@@ -144,20 +144,20 @@ void DatasetRecorder::Implementation::afterSensing() {
 
 void DatasetRecorder::Implementation::pickGoal() {
   const DriveRecorder& recorder = messages_.recorder();
-  if (way_points_.empty() || recorder.paused() || recorder.goal() || !file_.isOpen()) return;
+  if (waypoints_.empty() || recorder.paused() || recorder.goal() || !file_.isOpen()) return;
   if (ros::Time::now().isZero()) return;  // a simulator's clock has not come yet
   // A goal that was heard is worked on only when everything before it is.
   const double since_goal = std::abs((odometry_stamp_ - goal_stamp_).toSec());
-  if (!goal_stamp_.isZero() && since_goal <= parameters_.recorder.delay + kLongestWay) return;
+  if (!goal_stamp_.isZero() && since_goal <= parameters_.recorder.delay + kLongestDelay) return;
 
-  const NamedPose& way_point = way_points_.next();
+  const NamedPose& waypoint = waypoints_.next();
   geometry_msgs::PoseStamped goal;
-  goal.header.frame_id = parameters_.way_point_frame;
+  goal.header.frame_id = parameters_.waypoint_frame;
   goal.header.stamp = goalHeardNow();
-  goal.pose = toMessage(way_point.pose);
+  goal.pose = toMessage(waypoint.pose);
   goal_publisher_.publish(goal);
-  messages_.hearGoal(goal, "way-points", goal.header.stamp);
-  ROS_INFO("the next goal is %s at (%.2f, %.2f)", way_point.name.c_str(), way_point.pose.x, way_point.pose.y);
+  messages_.hearGoal(goal, "waypoints", goal.header.stamp);
+  ROS_INFO("the next goal is %s at (%.2f, %.2f)", waypoint.name.c_str(), waypoint.pose.x, waypoint.pose.y);
 }
 
 }  // namespace lstm_planner

@@ -19,7 +19,7 @@
 #include "ros/recorder/dataset_recorder_markers.hpp"
 #include "ros/recorder/dataset_recorder_progress.hpp"
 #include "ros/recorder/dataset_recorder_status.hpp"
-#include "ros/recorder/dataset_recorder_way_points.hpp"
+#include "ros/recorder/dataset_recorder_waypoints.hpp"
 
 namespace lstm_planner {
 
@@ -64,7 +64,7 @@ class DatasetRecorder::Implementation {
   tf2_ros::Buffer tf_;
   TransformListener tf_listener_;
   DriveMessages messages_;
-  WayPointPicker way_points_;
+  WaypointPicker waypoints_;
   std::optional<int> exit_code_;  ///< once nothing is recorded any more
   std::string problem_;           ///< what nobody expected to go wrong
 

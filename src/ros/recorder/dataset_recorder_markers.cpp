@@ -52,10 +52,10 @@ void RecorderMarkers::publish(const std::string& frame, const Situation& situati
   markers.markers.push_back(makeSectorMarker(header, situation.pose, situation.sectors, M_PI));
   const auto& episode = progress.newest();
   if (episode && episode->episode.end == EpisodeEnd::kRunning && !episode->poses.empty()) {
-    std::vector<Point2> way;
-    for (const Pose2& pose : episode->poses) way.push_back({pose.x, pose.y});
-    way.push_back({situation.pose.x, situation.pose.y});
-    markers.markers.push_back(makeTraceMarker(header, "way", way));
+    std::vector<Point2> path;
+    for (const Pose2& pose : episode->poses) path.push_back({pose.x, pose.y});
+    path.push_back({situation.pose.x, situation.pose.y});
+    markers.markers.push_back(makeTraceMarker(header, "path", path));
     markers.markers.push_back(labelMarker(header, *episode));
   }
   if (goal) {

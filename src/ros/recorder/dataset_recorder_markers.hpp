@@ -16,8 +16,8 @@ namespace lstm_planner {
 
 /// Shows in rviz what is recorded, on `markers`.
 ///
-/// Namespaces: sectors (purple: the eight averages of the last look), way (red: of the running episode), labels (an
-/// arrow at each of its steps, the way that was taken from there: red to the left, green ahead, blue to the right),
+/// Namespaces: sectors (purple: the eight averages of the last look), path (red: of the running episode), labels (an
+/// arrow at each of its steps, the path that was taken from there: red to the left, green ahead, blue to the right),
 /// goal (green).
 class RecorderMarkers {
  public:

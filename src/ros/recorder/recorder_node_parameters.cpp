@@ -19,9 +19,9 @@ RecorderNodeParameters loadRecorderNodeParameters(const ros::NodeHandle& node_ha
 
   visitRecorderNodeParameters(std::as_const(parameters), RangeCheck());
   validate(parameters.recorder);
-  checkParameter(parameters.way_points.size() != 1, "way_points", 1.0, "a list of none or of at least two");
-  if (parameters.way_point_frame.empty()) {
-    throw std::invalid_argument("parameter way_point_frame is empty, expected the frame of the way-points");
+  checkParameter(parameters.waypoints.size() != 1, "waypoints", 1.0, "a list of none or of at least two");
+  if (parameters.waypoint_frame.empty()) {
+    throw std::invalid_argument("parameter waypoint_frame is empty, expected the frame of the waypoints");
   }
   outputPath(parameters.output, std::time(nullptr));
   return parameters;

@@ -35,7 +35,7 @@ ScriptedTeleoperator::ScriptedTeleoperator(const TeleoperatorParameters& paramet
   // Small messages would otherwise wait some 40 ms for each other, which is long where the clock runs fast.
   const auto hints = ros::TransportHints().tcpNoDelay();
   truth_subscriber_ = node_.subscribe("ground_truth", 100, &ScriptedTeleoperator::onTruth, this, hints);
-  if (parameters_.way_points.empty()) {
+  if (parameters_.waypoints.empty()) {
     goal_subscriber_ = node_.subscribe(parameters_.goal_topic, 10, &ScriptedTeleoperator::onGoal, this);
   } else {
     goal_publisher_ = private_node_.advertise<geometry_msgs::PoseStamped>("goal", 1, true);
@@ -50,7 +50,7 @@ int ScriptedTeleoperator::run(const std::atomic<bool>& stop) {
     publish({});
     kPoll.sleep();  // so that the message still leaves
   }
-  return no_way_ == 0 ? 0 : 1;
+  return no_path_ == 0 ? 0 : 1;
 }
 
 void ScriptedTeleoperator::onGoal(const geometry_msgs::PoseStamped::ConstPtr& message) {
@@ -65,8 +65,8 @@ void ScriptedTeleoperator::onTruth(const nav_msgs::Odometry::ConstPtr& message) 
   truth_.add({message->header.stamp.toSec(), pose, {}});
 }
 
-void ScriptedTeleoperator::chooseWayPoint() {
-  const Pose2& place = parameters_.way_points[next_way_point_++ % parameters_.way_points.size()].pose;
+void ScriptedTeleoperator::chooseWaypoint() {
+  const Pose2& place = parameters_.waypoints[next_waypoint_++ % parameters_.waypoints.size()].pose;
   goal_.emplace();
   goal_->header.frame_id = parameters_.map_frame;
   goal_->header.stamp = ros::Time::now();
@@ -134,17 +134,17 @@ Twist2 ScriptedTeleoperator::steer() {
   }
   const Twist2 twist = driver_.command(base->pose, now);
   if (driver_.state() == ScriptedDriver::State::kArrived) endGoal("reached");
-  if (driver_.state() == ScriptedDriver::State::kNoWay) {
-    ++no_way_;
-    endGoal("there is no way");
+  if (driver_.state() == ScriptedDriver::State::kNoPath) {
+    ++no_path_;
+    endGoal("there is no path");
   }
   return goal_ && twist.linear == 0.0 && twist.angular == 0.0 ? kStanding : twist;
 }
 
 void ScriptedTeleoperator::onTimer(const ros::TimerEvent&) {
   if (isDone()) return;
-  if (!goal_ && !parameters_.way_points.empty()) chooseWayPoint();
-  if (goal_ && parameters_.way_points.empty() && goal_subscriber_.getNumPublishers() == 0) endGoal("withdrawn");
+  if (!goal_ && !parameters_.waypoints.empty()) chooseWaypoint();
+  if (goal_ && parameters_.waypoints.empty() && goal_subscriber_.getNumPublishers() == 0) endGoal("withdrawn");
   const Twist2 twist = goal_ ? steer() : Twist2();
   // Who has nothing to do keeps quiet, so that somebody else may drive.
   if (goal_ || moving_) publish(twist);

@@ -36,7 +36,7 @@ BagReplay::BagReplay(const BagReplayParameters& parameters)
           replayParameters(replay_.description(), parameters.planner.agent, parameters.planner.sensors.scan_rules),
           &replay_)),
       player_(parameters.bag, {drive_.scan_topic, drive_.odometry_source == "tf" ? "" : drive_.odometry_source}),
-      // The way is the driver's here, and BagReplayDriver shows it.
+      // The path is the driver's here, and BagReplayDriver shows it.
       markers_(ros::NodeHandle("~/LstmGlobalPlanner"), replay_.description(), 0),
       decisions_(ros::NodeHandle("~/LstmGlobalPlanner")),
       driver_(ros::NodeHandle("~")) {

@@ -15,7 +15,7 @@ constexpr double kTextHeight = 0.2;    // m above the floor
 constexpr double kDrivenLength = 0.3;  // m of the arrows; the driver's is the longer and thicker one, so that it shows
 constexpr double kPlannedLength = 0.22;  // beneath a planner's that points the same way
 
-enum Index { kWay, kDriven, kPlanned, kAgreement };
+enum Index { kPath, kDriven, kPlanned, kAgreement };
 
 const std_msgs::ColorRGBA kDriverColor = makeColor(0.1, 0.35, 0.85);
 const std_msgs::ColorRGBA kSameColor = makeColor(0.0, 0.65, 0.1);
@@ -48,9 +48,9 @@ void addArrow(const Pose2& pose, double angle, double length, double height, con
 }  // namespace
 
 BagReplayDriver::BagReplayDriver(ros::NodeHandle node_handle)
-    // Latched: whoever looks later sees all of the way, too.
+    // Latched: whoever looks later sees all of the path, too.
     : publisher_(node_handle.advertise<visualization_msgs::MarkerArray>("driver", 1, true)) {
-  markers_.markers = {markerOfWidth("way", Marker::LINE_LIST, 0.05, kDriverColor),
+  markers_.markers = {markerOfWidth("path", Marker::LINE_LIST, 0.05, kDriverColor),
                       markerOfWidth("driven", Marker::LINE_LIST, 0.035, kDriverColor),
                       markerOfWidth("planned", Marker::LINE_LIST, 0.025, kSameColor),
                       markerOfWidth("agreement", Marker::TEXT_VIEW_FACING, 0.3, makeColor(0.1, 0.1, 0.1))};
@@ -61,7 +61,7 @@ void BagReplayDriver::add(const ReplayedDecision& replayed, const std::string& f
   ++steps_;
   agreed_ += same;
   for (const Pose2& pose : {replayed.pose, replayed.next_pose}) {
-    markers_.markers[kWay].points.push_back(makePoint({pose.x, pose.y}, kTraceHeight));
+    markers_.markers[kPath].points.push_back(makePoint({pose.x, pose.y}, kTraceHeight));
   }
   addArrow(replayed.pose, replayed.driven_angle, kDrivenLength, kArrowHeight, kDriverColor, &markers_.markers[kDriven]);
   addArrow(replayed.pose, replayed.steering_angle, kPlannedLength, 1.5 * kArrowHeight, same ? kSameColor : kOtherColor,

@@ -29,7 +29,7 @@ RecorderParameters smallWorld() {
   return parameters;
 }
 
-/// A log as it is, plain or compressed; one that begins with 'z' is compressed first.
+/// A log as it is, plain or compressed; one that starts with 'z' is compressed first.
 void readLog(const std::uint8_t* data, std::size_t size) {
   static ScratchFile file(".log");
   std::string log(reinterpret_cast<const char*>(data), size);

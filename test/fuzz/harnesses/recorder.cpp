@@ -15,7 +15,7 @@ constexpr int kMostEvents = 200;
 class CheckingSink : public StepSink {
  public:
   void beginEpisode(const Episode&) override {
-    require(!in_episode_, "an episode ends before the next begins");
+    require(!in_episode_, "an episode ends before the next starts");
     in_episode_ = true;
   }
   void addStep(const DriveStep& step) override {

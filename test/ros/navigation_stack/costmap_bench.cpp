@@ -57,7 +57,7 @@ class MemoryMeter {
  public:
   MemoryMeter() {
     malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
+    std::ofstream("/proc/self/clear_refs") << 5;  // the peak starts anew
     before_ = memoryStatus("VmRSS");
   }
   double peak() const { return memoryStatus("VmHWM") - before_; }

@@ -13,17 +13,17 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kLongest = 60.0;  // s of a drive
-constexpr double kNear = 5.0;      // m of way to the near goal
+constexpr double kNear = 5.0;      // m of path to the near goal
 
-/// Cells in which the robot fits, with the length of the way there from the one in the middle.
-struct Ways {
-  explicit Ways(const GridWorld& world);
+/// Cells in which the robot fits, with the length of the path there from the one in the middle.
+struct Paths {
+  explicit Paths(const GridWorld& world);
   std::vector<CellIndex> places;
   std::vector<double> lengths;  ///< m, by place; those that cannot be reached are left out
   CellIndex middle;
 };
 
-Ways::Ways(const GridWorld& world) {
+Paths::Paths(const GridWorld& world) {
   const ShieldParameters shield;
   const OccupancyGrid& grid = world.grid();
   GeodesicField::Options options;
@@ -49,20 +49,20 @@ Ways::Ways(const GridWorld& world) {
   }
 }
 
-/// The near goal is `kNear` metres of way off, the far one as near to the costmap's upper right corner as can be.
+/// The near goal is `kNear` metres of path off, the far one as near to the costmap's upper right corner as can be.
 DriveTask chooseTask(const GridWorld& world, Goal goal) {
-  const Ways ways(world);
+  const Paths paths(world);
   const OccupancyGrid& grid = world.grid();
   std::size_t best = 0;
   const auto badness = [&](std::size_t i) {
-    if (goal == kNearGoal) return std::abs(ways.lengths[i] - kNear);
-    return std::hypot(grid.columns() - ways.places[i].column, grid.rows() - ways.places[i].row);
+    if (goal == kNearGoal) return std::abs(paths.lengths[i] - kNear);
+    return std::hypot(grid.columns() - paths.places[i].column, grid.rows() - paths.places[i].row);
   };
-  for (std::size_t i = 1; i < ways.places.size(); ++i) {
+  for (std::size_t i = 1; i < paths.places.size(); ++i) {
     if (badness(i) < badness(best)) best = i;
   }
-  const Point2 start = grid.centerOf(ways.middle);
-  return {{start.x, start.y, 0.0}, grid.centerOf(ways.places[best]), 0.0};
+  const Point2 start = grid.centerOf(paths.middle);
+  return {{start.x, start.y, 0.0}, grid.centerOf(paths.places[best]), 0.0};
 }
 
 /// What obstacle and inflation layer would make of the world, with the parameters of costmaps.yaml.

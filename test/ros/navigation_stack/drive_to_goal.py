@@ -56,7 +56,7 @@ class Judge:
 
 
 def in_odometry_frame(start, point):
-    """A point of the map in the frame that begins at the start pose (x, y, yaw)."""
+    """A point of the map in the frame that starts at the start pose (x, y, yaw)."""
     x, y = point[0] - start[0], point[1] - start[1]
     cosine, sine = math.cos(start[2]), math.sin(start[2])
     return cosine * x + sine * y, cosine * y - sine * x

@@ -15,7 +15,7 @@ START = (1.5, 2.5, 1.5708)
 FAR = (1.6, 4.4)  # outside the global costmap, seen from the start
 NEAR = (1.55, 3.9)  # inside
 TOLERANCE = 0.2  # m, of the local planner
-ODOMETRY_ERROR = 0.1  # m between where the robot is and where it thinks it is, on these ways
+ODOMETRY_ERROR = 0.1  # m between where the robot is and where it thinks it is, on these paths
 
 
 class Pitfalls(unittest.TestCase):

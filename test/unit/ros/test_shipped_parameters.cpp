@@ -81,7 +81,7 @@ std::enable_if_t<kIsNumber<Number>> expectValue(const YAML::Node& node, Number v
   EXPECT_EQ(node.as<double>(), static_cast<double>(value));
 }
 
-/// The comment begins with it.
+/// The comment starts with it.
 void expectRange(const std::string& comment, Range range) {
   const std::regex form(R"(\[([^,\]]+), ([^\]]+)\].*)");
   std::smatch ends;

@@ -46,7 +46,7 @@ TEST_F(DatasetConversionTool, LogsBecomeRecordingsOfOneDataset) {
     EXPECT_TRUE(recording.finished);
     EXPECT_FALSE(recording.description.parameters.keep_scans);
     ASSERT_EQ(recording.episodes.size(), 1u);
-    // Steps begin at 0, 0.5 ... 4.5 m; the last, at the goal, is labelled by none.
+    // Steps start at 0, 0.5 ... 4.5 m; the last, at the goal, is labelled by none.
     ASSERT_EQ(recording.episodes[0].steps.size(), 9u);
     EXPECT_TRUE(recording.episodes[0].steps[0].ranges.empty());
     EXPECT_EQ(recording.episodes[0].steps[0].geometry.mount.pose.x, 0.1);

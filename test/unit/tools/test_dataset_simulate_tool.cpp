@@ -47,12 +47,12 @@ TEST_F(DatasetSimulateTool, SharesTheStepsAmongSeveralMaps) {
 
 TEST_F(DatasetSimulateTool, DrivesToTheGoalsOfAFile) {
   const std::string goals = std::string(LSTM_PLANNER_SOURCE_DIR) + "/config/demo_goals.yaml";
-  const test::Outcome outcome = simulate("--steps 10 --no-scans --way-points " + goals);
+  const test::Outcome outcome = simulate("--steps 10 --no-scans --waypoints " + goals);
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   const Dataset dataset = readDataset(in("drives.sqlite"));
   const GoalInFrame& goal = dataset.recordings[0].episodes[0].episode.goal;
   EXPECT_EQ(goal.frame, "map");
-  // Those in the file, but for the first, where the robot begins.
+  // Those in the file, but for the first, where the robot starts.
   EXPECT_TRUE(goal.pose.y == 1.25 || goal.pose.y == 8.25 || goal.pose.y == 10.5) << goal.pose.y;
 }
 
@@ -62,12 +62,12 @@ TEST_F(DatasetSimulateTool, SaysWhatItCannotUse) {
     EXPECT_EQ(outcome.status, 2) << arguments;
     return outcome.output;
   };
-  std::ofstream(in("odom.yaml")) << "way_points: [[1, 2], [3, 4]]\nway_point_frame: odom\n";
-  EXPECT_NE(saysOf("--way-points " + in("odom.yaml")).find("way_point_frame is odom, expected map"), std::string::npos);
-  std::ofstream(in("text.yaml")) << "way_points: [[1, 2], here]\n";
-  EXPECT_NE(saysOf("--way-points " + in("text.yaml")).find("expected [x, y]"), std::string::npos);
-  EXPECT_NE(saysOf("--way-points 99999999").find("expected a number below a million"), std::string::npos);
-  EXPECT_NE(saysOf("--way-points 1").find("there are 1 way-points, expected at least two"), std::string::npos);
+  std::ofstream(in("odom.yaml")) << "waypoints: [[1, 2], [3, 4]]\nwaypoint_frame: odom\n";
+  EXPECT_NE(saysOf("--waypoints " + in("odom.yaml")).find("waypoint_frame is odom, expected map"), std::string::npos);
+  std::ofstream(in("text.yaml")) << "waypoints: [[1, 2], here]\n";
+  EXPECT_NE(saysOf("--waypoints " + in("text.yaml")).find("expected [x, y]"), std::string::npos);
+  EXPECT_NE(saysOf("--waypoints 99999999").find("expected a number below a million"), std::string::npos);
+  EXPECT_NE(saysOf("--waypoints 1").find("there are 1 waypoints, expected at least two"), std::string::npos);
   EXPECT_NE(saysOf("--speed -1").find("--speed is -1, expected a number in [0.01, 10]"), std::string::npos);
   EXPECT_NE(saysOf("--steps 0").find("--steps is 0"), std::string::npos);
   std::ofstream(in("drives.sqlite")) << "mine";

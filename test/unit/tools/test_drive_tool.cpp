@@ -38,7 +38,7 @@ class DriveTool : public test::ToolTest {
 };
 
 int ends(const nlohmann::json& json) {
-  return json["reached"].get<int>() + json["timeouts"].get<int>() + json["no_way"].get<int>() +
+  return json["reached"].get<int>() + json["timeouts"].get<int>() + json["no_path"].get<int>() +
          json["elsewhere"].get<int>();
 }
 

@@ -6,7 +6,7 @@
 
 namespace lstm_planner {
 
-/// Why a file cannot be read; what() is the end of a sentence that begins with "PATH cannot be read: ".
+/// Why a file cannot be read; what() is the end of a sentence that starts with "PATH cannot be read: ".
 class InputFileError : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

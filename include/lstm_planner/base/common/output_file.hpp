@@ -7,7 +7,7 @@
 
 namespace lstm_planner {
 
-/// Why a file cannot be written; what() is the end of a sentence that begins with "PATH cannot be written: ".
+/// Why a file cannot be written; what() is the end of a sentence that starts with "PATH cannot be written: ".
 class OutputFileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -21,10 +21,10 @@ class DistanceField {
   std::vector<float> distances_;
 };
 
-/// Length of the shortest 8-connected way (no cutting of corners) from every cell to `goal` through cells whose
+/// Length of the shortest 8-connected path (no cutting of corners) from every cell to `goal` through cells whose
 /// distance-field value is at least `clearance` (m): the distance-to-go of a robot of that radius; +inf where there is
 /// none, and so everywhere when the goal itself lies in such a place. The cost of a cell can be raised near obstacles:
-/// a cell nearer than `comfort` costs up to `1 + reluctance` times its length, so that the ways keep to the middle of
+/// a cell nearer than `comfort` costs up to `1 + reluctance` times its length, so that the paths keep to the middle of
 /// doors.
 class GeodesicField {
  public:
@@ -34,7 +34,7 @@ class GeodesicField {
     double reluctance = 0.0;
   };
   GeodesicField(const OccupancyGrid& grid, const DistanceField& distances, CellIndex goal, const Options& options);
-  float at(CellIndex index) const;  ///< m; +inf outside and where there is no way
+  float at(CellIndex index) const;  ///< m; +inf outside and where there is no path
 
  private:
   int columns_ = 0;

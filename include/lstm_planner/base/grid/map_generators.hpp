@@ -17,7 +17,7 @@ struct MazeParameters {
   int columns = 512;
   int rows = 512;
   int corridor_width = 8;
-  /// Probability that the maze grows on from a random place instead of the newest one: 0 gives long winding ways, 1
+  /// Probability that the maze grows on from a random place instead of the newest one: 0 gives long winding paths, 1
   /// short ones with many dead ends. 0.1 gives 17 % dead ends, where the benchmark's mazes have 16 to 19 %.
   double branching = 0.1;
 };

@@ -38,7 +38,7 @@ class LaneNetwork {
   /// Of forward(step).
   const float* outputs(int step) const;
 
-  /// The hidden state of one lane becomes zero at the beginning of `step`, as at the start of an episode; errors do not
+  /// The hidden state of one lane becomes zero at the start of `step`, as at the start of an episode; errors do not
   /// pass. To be called before forward(step).
   void forget(int step, int lane);
 

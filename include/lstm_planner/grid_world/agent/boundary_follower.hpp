@@ -14,12 +14,12 @@ namespace lstm_planner {
 struct BoundaryParameters {
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   double first_leg = 40.0;  ///< cells to follow a boundary before the first turning back
-  double leg_growth = 6.0;  ///< a later leg is as many times as long as the way between the ends where it begins
+  double leg_growth = 6.0;  ///< a later leg is as many times as long as the path between the ends where it starts
   /// A leg is longer by as many cells for each cell that its end is nearer to the goal than the other end.
   double goal_weight = 3.0;
 };
 
-/// Gets from anywhere to the goal with bounded memory wherever there is a way, and says so where there is none: a bug
+/// Gets from anywhere to the goal with bounded memory wherever there is a path, and says so where there is none: a bug
 /// algorithm for the grid.
 ///
 /// It goes on to nearer cells until no neighbour is nearer to the goal than the cell that it stands on (octile
@@ -28,13 +28,13 @@ struct BoundaryParameters {
 /// nearer to the goal than any before. To the other end it goes by a trail that leaves out the dead ends of the
 /// boundary.
 ///
-/// Why it arrives. Let the best cell h be one where no neighbour is nearer. Each step of a staircase way P (east,
+/// Why it arrives. Let the best cell h be one where no neighbour is nearer. Each step of a staircase path P (east,
 /// north, west, south) from h to the goal makes the octile distance smaller, so P's first step goes into a blocked
 /// cell, through an edge of the boundary cycle B. Moved a little into the free region, B is a closed curve with the
 /// whole region that the agent can reach on one side of it. If the goal is in this region, P starts and ends on that
 /// side and so crosses B an even number of times: it comes back in through an edge of another cell q of B, which is
 /// nearer to the goal than h. Following B therefore finds a nearer cell, or comes full circle and proves that there is
-/// no way. Each cell h is nearer than the one before, and a finite grid has finitely many. This holds with and without
+/// no path. Each cell h is nearer than the one before, and a finite grid has finitely many. This holds with and without
 /// corner cutting: the rule only decides how B runs where two blocked cells touch at a corner (BoundaryEdge), and P
 /// does not cross corners. Coming full circle is exact: the edges seen are one piece of the cycle, and its two ends
 /// meet.
@@ -43,12 +43,12 @@ class BoundaryFollower {
   /// Throws std::invalid_argument for a parameter that is negative or not finite.
   explicit BoundaryFollower(const BoundaryParameters& parameters = {});
 
-  /// Forgets everything; the way begins at the next observation.
+  /// Forgets everything; the path starts at the next observation.
   void start();
 
   void observe(const GridObservation& observation);
 
-  /// The direction to move in, or kNoWay. Not to be asked at the goal.
+  /// The direction to move in, or kNoPath. Not to be asked at the goal.
   int decide() const { return decision_; }
 
   std::size_t peakBytes() const;
@@ -79,14 +79,14 @@ class BoundaryFollower {
   GridObservation now_;
   bool started_ = false;
   CellIndex expected_;
-  int decision_ = kNoWay;
+  int decision_ = kNoPath;
   State state_ = State::kGoing;
   OctileDistance best_;
   int leaving_direction_ = 0;
   std::array<End, 2> ends_;
   int end_ = 0;                ///< the end that is followed or returned to
-  double leg_ = 0.0;           ///< cells gone since the leg began
-  double way_back_ = 0.0;      ///< cells from there to the other end
+  double leg_ = 0.0;           ///< cells gone since the leg started
+  double path_back_ = 0.0;     ///< cells from there to the other end
   bool leg_advanced_ = false;  ///< the leg has seen an edge that was new
   BoundaryTrail trail_;
 };

@@ -8,8 +8,8 @@
 
 namespace lstm_planner {
 
-/// The way between the two ends of what has been followed of a boundary, through the place where the agent stands, with
-/// loops cut off and bends cut short wherever the rays show that a straight way is free. Kept as the corners of a
+/// The path between the two ends of what has been followed of a boundary, through the place where the agent stands,
+/// with loops cut off and bends cut short wherever the rays show that a straight path is free. Kept as the corners of a
 /// polyline; bounded, 4 KiB: when more corners are needed than there is room for, or one lies more than 32,767 cells
 /// from the first, the trail is lost.
 class BoundaryTrail {
@@ -22,7 +22,7 @@ class BoundaryTrail {
   void clear();
 
   /// The agent has moved by one cell to the observed one; `follows` is the end that it takes along, -1 when it is on
-  /// its way between the ends.
+  /// its path between the ends.
   void moved(CellIndex from, const GridObservation& observation, int follows);
 
   /// More corners were needed than there is room for; nothing below may be asked until clear().
@@ -44,7 +44,7 @@ class BoundaryTrail {
   static constexpr std::size_t kRoom = kCapacity + 2;
 
   static std::size_t index(int end) { return static_cast<std::size_t>(end); }
-  /// Where corner `i` of the way to an end is kept: counted from the end to the one next to the agent.
+  /// Where corner `i` of the path to an end is kept: counted from the end to the one next to the agent.
   static std::size_t placeOf(int end, std::size_t i) { return end == 0 ? i : kRoom - 1 - i; }
   CellIndex corner(int end, std::size_t i) const;
   CellIndex last(int end) const { return corner(end, counts_[index(end)] - 1); }
@@ -54,7 +54,7 @@ class BoundaryTrail {
 
   CornerCutting corner_cutting_;
   CellIndex origin_;
-  std::array<Corner, kRoom> corners_{};  ///< of both ways, from the front and from the back
+  std::array<Corner, kRoom> corners_{};  ///< of both paths, from the front and from the back
   std::array<std::size_t, 2> counts_{};
   bool lost_ = false;
 };

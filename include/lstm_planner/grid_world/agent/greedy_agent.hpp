@@ -13,7 +13,7 @@ class GreedyAgent : public GridAgent {
 
   void start(CellIndex start, CellIndex goal) override;
   void observe(const GridObservation& observation) override { observation_ = observation; }
-  /// kNoWay when no move is possible.
+  /// kNoPath when no move is possible.
   int decide() override;
   void step(int direction, bool moved) override;
   std::size_t peakBytes() const override { return sizeof(*this); }

@@ -16,8 +16,8 @@ struct GridObservation {
   GridRanges ranges{};
 };
 
-/// Answer of an agent that has found out that there is no way to the goal.
-constexpr int kNoWay = -1;
+/// Answer of an agent that has found out that there is no path to the goal.
+constexpr int kNoPath = -1;
 
 /// An agent that moves from cell to cell towards a goal: the one interface of learned, reactive and searching agents.
 ///
@@ -31,7 +31,7 @@ class GridAgent {
 
   virtual void observe(const GridObservation& observation) = 0;
 
-  /// The direction to move in (kGridRaySteps), or kNoWay. Asked twice after one observation it answers the same.
+  /// The direction to move in (kGridRaySteps), or kNoPath. Asked twice after one observation it answers the same.
   virtual int decide() = 0;
 
   /// What became of the move that was tried: `moved` is false when it ran into an obstacle.

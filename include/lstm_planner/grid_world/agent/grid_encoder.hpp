@@ -16,7 +16,7 @@ namespace lstm_planner {
 class GridMemory {
  public:
   GridMemory() = default;
-  /// An agent that also remembers walls, and where they leave a way.
+  /// An agent that also remembers walls, and where they leave a path.
   explicit GridMemory(RollingPlanner planner) : planner_(std::move(planner)) {}
 
   void start();
@@ -108,7 +108,7 @@ class GridEncoder {
   float goal_cos_ = 1.0f;
   float goal_sin_ = 0.0f;
   std::array<float, 5> progress_{};
-  int way_direction_ = kNoWay;  ///< of the planner
+  int path_direction_ = kNoPath;  ///< of the planner
   float detour_ = 0.0f;
 };
 

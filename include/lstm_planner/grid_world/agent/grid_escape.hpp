@@ -21,9 +21,9 @@ struct GridEscapeParameters {
 /// Last resort of an agent that is not certain to arrive: watches how near to the goal (octile distance) it has ever
 /// been, and takes over when that has not improved for too long.
 ///
-/// Whatever the agent does, the two together arrive wherever there is a way. The escape starts where the agent has
+/// Whatever the agent does, the two together arrive wherever there is a path. The escape starts where the agent has
 /// strayed to and is certain to arrive from there by itself (BoundaryFollower), which measures its progress from where
-/// it began; so it reaches some cell nearer than ever, at the latest the goal. Then the agent goes on. Each such cell
+/// it started; so it reaches some cell nearer than ever, at the latest the goal. Then the agent goes on. Each such cell
 /// is nearer than the one before, and a finite grid has finitely many.
 ///
 /// Call observe() before each step, whoever makes it; while active(), go where decide() says.
@@ -40,7 +40,7 @@ class GridEscape {
 
   bool active() const { return active_; }
 
-  /// The direction to move in, or kNoWay when the goal cannot be reached. Only while active.
+  /// The direction to move in, or kNoPath when the goal cannot be reached. Only while active.
   int decide() const { return follower_.decide(); }
 
   /// How often the escape has taken over since start().

@@ -22,10 +22,10 @@ class RollingPlanner {
   /// Once before every step, whoever makes it.
   void observe(const GridObservation& observation);
 
-  /// The first move of the way, or kNoWay when the walls enclose the agent or the goal.
+  /// The first move of the path, or kNoPath when the walls enclose the agent or the goal.
   int direction() const { return direction_; }
 
-  /// Length of that way and of the rest as the crow flies, cells (a diagonal counts 1.4); 0 without a way.
+  /// Length of that path and of the rest as the crow flies, cells (a diagonal counts 1.4); 0 without a path.
   double length() const { return length_; }
 
   std::size_t expandedCells() const { return expanded_; }
@@ -35,9 +35,9 @@ class RollingPlanner {
   static constexpr int kSide = RollingGrid::kSide;
   static constexpr int kStraight = 5;  ///< costs in fifths of a cell
   static constexpr int kDiagonal = 7;
-  static constexpr std::size_t kBuckets = 16;       ///< no move raises cost + estimate by more than 14
-  static constexpr std::size_t kMostOpen = 2048;    ///< cells open at a time; more are left out
-  static constexpr std::size_t kLongestWay = 1024;  ///< steps of the way that are kept
+  static constexpr std::size_t kBuckets = 16;        ///< no move raises cost + estimate by more than 14
+  static constexpr std::size_t kMostOpen = 2048;     ///< cells open at a time; more are left out
+  static constexpr std::size_t kLongestPath = 1024;  ///< steps of the path that are kept
   static constexpr std::uint16_t kNone = 0xfff;
   static constexpr std::uint8_t kUnreached = 15;
   static constexpr std::uint8_t kRoot = 14;
@@ -50,7 +50,7 @@ class RollingPlanner {
   };
   static_assert(kSide * kSide <= 1 << 15 && kMostOpen < kNone, "they fit");
 
-  bool isWayFree(const GridObservation& observation) const;
+  bool isPathFree(const GridObservation& observation) const;
   void clearPlan();
   void plan(const GridObservation& observation);
   int pop(std::uint16_t* bucket);  ///< -1 for a cell that was reached sooner
@@ -58,7 +58,7 @@ class RollingPlanner {
   int estimate(int column, int row) const;
   void push(std::size_t bucket, int cell, int direction);
   void expand(int cell, int cost);
-  void keepWay(int cell);
+  void keepPath(int cell);
   std::uint8_t reachedBy(int cell) const {
     return (reached_by_[static_cast<std::size_t>(cell / 2)] >> (cell % 2 * 4)) & 15u;
   }
@@ -66,14 +66,14 @@ class RollingPlanner {
 
   CornerCutting corner_cutting_;
   RollingGrid walls_;
-  int direction_ = kNoWay;
+  int direction_ = kNoPath;
   double length_ = 0.0;
   std::size_t expanded_ = 0;
 
   CellIndex goal_;      ///< from the window's origin
-  CellIndex expected_;  ///< where the agent is when it follows the way
-  std::size_t way_step_ = 0;
-  std::vector<std::uint8_t> way_;  ///< directions from where the plan began
+  CellIndex expected_;  ///< where the agent is when it follows the path
+  std::size_t path_step_ = 0;
+  std::vector<std::uint8_t> path_;  ///< directions from where the plan started
 
   std::vector<std::uint8_t> reached_by_;  ///< two cells a byte
   std::vector<OpenCell> open_;            ///< on lists: one a bucket and the free ones

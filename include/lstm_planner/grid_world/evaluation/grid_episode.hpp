@@ -27,7 +27,7 @@ struct GridEpisode {
     kArrived,
     kCollision,  ///< tried to move into something blocked, which ends the episode
     kTimeout,
-    kNoWay,  ///< the agent says that the goal cannot be reached
+    kNoPath,  ///< the agent says that the goal cannot be reached
   };
   End end = End::kTimeout;
   std::int64_t straight_moves = 0;

@@ -37,7 +37,7 @@ struct GridSetSummary {
   std::size_t arrived = 0;
   std::size_t collisions = 0;
   std::size_t timeouts = 0;
-  std::size_t no_way = 0;
+  std::size_t no_path = 0;
   double mean_ratio = 0.0;  ///< GridEpisode::ratio()
   double median_ratio = 0.0;
   double p95_ratio = 0.0;     ///< the smallest ratio that 95 % do not exceed
@@ -55,7 +55,7 @@ struct GridSetSummary {
 GridSetSummary summarizeGridEpisodes(const std::string& name, const std::vector<GridEpisode>& episodes);
 
 /// With `success`, `collisions` and `timeouts` as shares of the scenarios; what is missing to 1 are agents that said
-/// that there is no way. A mean over nothing is null.
+/// that there is no path. A mean over nothing is null.
 nlohmann::json toJson(const GridSetSummary& summary);
 
 /// For people: one line a set.

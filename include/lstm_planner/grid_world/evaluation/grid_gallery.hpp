@@ -16,11 +16,11 @@ struct NamedGridAgent {
   GridAgentMaker make;
 };
 
-/// Runs a task once more with each agent and puts their ways, lengths and ends into one picture.
+/// Runs a task once more with each agent and puts their paths, lengths and ends into one picture.
 GridPicture pictureOfTask(const GridTaskSet& set, std::size_t task, const std::vector<NamedGridAgent>& agents,
                           const GridEpisodeRules& rules);
 
-/// The task with the longest way relative to the optimum, of those that arrived.
+/// The task with the longest path relative to the optimum, of those that arrived.
 std::optional<std::size_t> longestDetour(const std::vector<GridEpisode>& episodes);
 
 /// The task in the middle, of those that arrived, by ratio.
@@ -29,7 +29,7 @@ std::optional<std::size_t> typicalArrival(const std::vector<GridEpisode>& episod
 /// The tasks with the given end, the shortest optimum first.
 std::vector<std::size_t> tasksThatEnded(const std::vector<GridEpisode>& episodes, GridEpisode::End end);
 
-/// "arrived", "collision", "timeout", "no way".
+/// "arrived", "collision", "timeout", "no path".
 const char* toString(GridEpisode::End end);
 
 }  // namespace lstm_planner

@@ -7,20 +7,20 @@
 
 namespace lstm_planner {
 
-/// Ways of several agents between the same cells (thesis, Figures 3.9-3.14).
+/// Paths of several agents between the same cells (thesis, Figures 3.9-3.14).
 struct GridPicture {
-  struct Way {
+  struct Path {
     std::string label;
     std::vector<CellIndex> cells;
-    bool arrived = true;  ///< a way that ended elsewhere ends with a cross
+    bool arrived = true;  ///< a path that ended elsewhere ends with a cross
   };
   std::string title;
   CellIndex start;
   CellIndex goal;
-  std::vector<Way> ways;  ///< the first is drawn lowest and widest
+  std::vector<Path> paths;  ///< the first is drawn lowest and widest
 };
 
-/// Draws the part of the map that the ways touch, row 0 at the top, with the labels below it. Throws
+/// Draws the part of the map that the paths touch, row 0 at the top, with the labels below it. Throws
 /// std::invalid_argument for an empty map and std::runtime_error when the file cannot be written.
 void writeGridPicture(const std::string& path, const PassableGrid& grid, const GridPicture& picture);
 

@@ -13,7 +13,7 @@ namespace lstm_planner {
 /// An agent of a report.
 struct ReportAgent {
   NamedGridAgent agent;
-  bool searches = false;  ///< A* and D*: pictures show their ways beside those of the others
+  bool searches = false;  ///< A* and D*: pictures show their paths beside those of the others
 };
 
 /// What several agents did in the same tasks.
@@ -39,7 +39,7 @@ std::string successTrendCsv(const GridComparison& comparison, std::size_t set);
 void drawSuccessTrend(const GridComparison& comparison, std::size_t set, const std::string& csv_path,
                       const std::string& png_path);
 
-/// A picture of ways in a map, and what it shows.
+/// A picture of paths in a map, and what it shows.
 struct ReportPicture {
   std::string name;  ///< of its file, without extension
   std::string caption;

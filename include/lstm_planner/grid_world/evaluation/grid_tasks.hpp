@@ -52,7 +52,7 @@ struct GridTaskSet {
   std::vector<GridTask> tasks;  ///< map by map
   /// Scenarios that were left out, of the selected maps and lengths, because the benchmark gives the length 0 to goals
   /// that cannot be reached: a hundred of Dragon Age's hundred thousand.
-  std::size_t without_way = 0;
+  std::size_t without_path = 0;
 };
 
 /// Draws from a set's scenarios; the same for the same seed, whatever other sets are drawn. Throws MovingAiFileError

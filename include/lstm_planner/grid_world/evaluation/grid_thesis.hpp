@@ -5,7 +5,7 @@
 
 namespace lstm_planner {
 
-/// One of the thesis's tables of online tests, as printed: 50 scenarios with ways of at most 300 steps, corner cutting
+/// One of the thesis's tables of online tests, as printed: 50 scenarios with paths of at most 300 steps, corner cutting
 /// allowed, 1,000 steps an episode.
 struct ThesisTable {
   struct Row {
@@ -17,7 +17,7 @@ struct ThesisTable {
   };
   std::string number;
   std::string title;
-  std::string trend_figure;  ///< success over the longest way allowed
+  std::string trend_figure;  ///< success over the longest path allowed
   std::vector<Row> rows;
 };
 

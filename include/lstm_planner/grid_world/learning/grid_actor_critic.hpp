@@ -16,7 +16,7 @@ namespace lstm_planner {
 
 /// Advantage actor-critic (Mnih et al., "Asynchronous methods for deep reinforcement learning", ICML 2016, in its
 /// synchronous form) with generalised advantages (Schulman et al., ICLR 2016). Actions are always those that the shield
-/// allows. The reward is what a step brings the agent nearer to the goal by the true shortest way, less a cost a step;
+/// allows. The reward is what a step brings the agent nearer to the goal by the true shortest path, less a cost a step;
 /// neither that distance nor the critic, which sees it, is known to the agent that is shipped.
 struct GridActorCriticParameters {
   GridEncoderParameters encoder;
@@ -46,7 +46,7 @@ void validate(const GridActorCriticParameters& parameters);
 /// What the agents did since the last report.
 struct GridActorCriticReport {
   int update = 0;
-  double steps = 0.0;      ///< of all agents since the beginning
+  double steps = 0.0;      ///< of all agents since the start
   double reward = 0.0;     ///< mean a step
   double arrival = 0.0;    ///< share of the episodes that ended by arriving
   double ratio = 0.0;      ///< mean length / optimum of those
@@ -57,12 +57,12 @@ struct GridActorCriticReport {
 /// Learns in place, update by update.
 class GridActorCritic {
  public:
-  /// `layers` are the policy's, with weights to begin from; GridEncoder says how many inputs and outputs it has. Throws
+  /// `layers` are the policy's, with weights to start from; GridEncoder says how many inputs and outputs it has. Throws
   /// std::invalid_argument for what does not fit.
   GridActorCritic(const GridActorCriticParameters& parameters, LayerStack layers);
   ~GridActorCritic();
 
-  /// Begins epoch `epoch` (from 0) with new episodes; what happens in it depends only on the weights and the seed.
+  /// Starts epoch `epoch` (from 0) with new episodes; what happens in it depends only on the weights and the seed.
   void beginEpoch(int epoch, const GridCourse& course);
 
   /// One window of all agents, and one step of the optimisers. Of several ranks all have to call it.

@@ -19,7 +19,7 @@ struct CourseMap {
 };
 
 /// A place to go to: the true distance to it from everywhere (known while learning only), and where to start from, by
-/// length of the shortest way.
+/// length of the shortest path.
 struct CourseGoal {
   std::shared_ptr<const CourseMap> map;
   CellIndex goal;
@@ -28,7 +28,7 @@ struct CourseGoal {
 };
 
 struct GridCourseParameters {
-  double min_length = 10.0;   ///< cells; of the shortest way, >= 2
+  double min_length = 10.0;   ///< cells; of the shortest path, >= 2
   double max_length = 300.0;  ///< cells
   double short_share = 0.5;   ///< of the episodes whose length is drawn in proportion to 1 / length, not uniformly
   double long_share = 0.05;   ///< of the episodes that are longer than max_length
@@ -40,8 +40,8 @@ struct GridCourseParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridCourseParameters& parameters);
 
-/// Draws the episodes to learn from: maps by weight, and lengths of the shortest way uniformly in their range or, for a
-/// share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are short ways. A
+/// Draws the episodes to learn from: maps by weight, and lengths of the shortest path uniformly in their range or, for
+/// a share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are short paths. A
 /// few are much longer.
 class GridCourse {
  public:

@@ -12,7 +12,7 @@
 
 namespace lstm_planner {
 
-/// A round draws hundreds of ways, not millions: a few goals will do.
+/// A round draws hundreds of paths, not millions: a few goals will do.
 inline GridCourseParameters imitationCourse() {
   GridCourseParameters course;
   course.goals = 150;
@@ -22,15 +22,15 @@ inline GridCourseParameters imitationCourse() {
 /// Learning to walk the grid world from a supervisor that knows the map (thesis 2.3.1 and 3.2).
 ///
 /// One round is the thesis's way: the supervisor leads, the network learns to answer as it does. Every further round
-/// collects ways that the network leads itself and learns from everything collected so far (DAgger: Ross, Gordon and
+/// collects paths that the network leads itself and learns from everything collected so far (DAgger: Ross, Gordon and
 /// Bagnell, AISTATS 2011), so that it also learns what to do where only its own mistakes bring it.
 struct GridImitationParameters {
   GridEncoderParameters encoder{GridEncoderParameters::Inputs::kTrace, 1};
   GridCourseParameters course = imitationCourse();
   GridDatasetParameters dataset;  ///< of each round
-  int validation_steps = 10240;   ///< thesis Table 3.1; after each round as many again, of ways that the network leads
+  int validation_steps = 10240;   ///< thesis Table 3.1; after each round as many again, of paths that the network leads
   int rounds = 1;
-  double learner_share = 0.8;  ///< of the ways, from the second round on
+  double learner_share = 0.8;  ///< of the paths, from the second round on
   int batch_steps = 4096;      ///< steps an update; the thesis's are sequence_steps. Sets trainer.batch_size
   TrainerParameters trainer;   ///< for each round
   std::uint64_t seed = 1;

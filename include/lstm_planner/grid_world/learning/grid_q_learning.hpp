@@ -16,7 +16,7 @@ namespace lstm_planner {
 /// As printed, and with weights above zero, it would send an agent away from its goal and up to the walls. It is read
 /// as R(s) = -(tau_r sum(1 / r_i) + tau_d d + tau_theta theta): the minus stands before the whole sum, and the
 /// "proximity" r_i is near where the range is short, so that every term is a cost that ends with the arrival. d is the
-/// octile distance to the goal, theta the angle between the move before and the way to the goal.
+/// octile distance to the goal, theta the angle between the move before and the path to the goal.
 struct ThesisRewardWeights {
   double range = 0.02;     ///< tau_r, times 1 cell / range, of each of the 8 rays
   double distance = 0.02;  ///< tau_d, a cell
@@ -28,12 +28,12 @@ struct ThesisRewardWeights {
 ///
 /// Many agents walk at once, and the weights learn from the window of steps that all of them just made, instead of from
 /// a replay memory: such steps are as little correlated as replayed ones (Mnih et al., "Asynchronous methods for deep
-/// reinforcement learning", ICML 2016), and the hidden state in which a window begins is the one that today's network
+/// reinforcement learning", ICML 2016), and the hidden state in which a window starts is the one that today's network
 /// has there, where a replayed window would need one that an older network left.
 struct GridQLearningParameters {
   enum class Reward {
-    kProgress,  ///< cells nearer to the goal by the true shortest way, less a cost a step, as GridActorCritic
-    kThesis,    ///< Eq. 2.36, of the state in which the step begins
+    kProgress,  ///< cells nearer to the goal by the true shortest path, less a cost a step, as GridActorCritic
+    kThesis,    ///< Eq. 2.36, of the state in which the step starts
   };
   GridEncoderParameters encoder;
   int updates = 20000;     ///< of the weights, over all epochs
@@ -72,7 +72,7 @@ void validate(const GridQLearningParameters& parameters);
 /// What the agents did since the last report. Means over nothing are 0.
 struct GridQLearningReport {
   int update = 0;
-  double steps = 0.0;    ///< of all agents since the beginning
+  double steps = 0.0;    ///< of all agents since the start
   double reward = 0.0;   ///< mean a step
   double arrival = 0.0;  ///< share of the episodes that ended by arriving
   double ratio = 0.0;    ///< mean length / optimum of those
@@ -84,12 +84,12 @@ struct GridQLearningReport {
 /// Learns in place, update by update.
 class GridQLearning {
  public:
-  /// `layers` with weights to begin from; GridEncoder says how many inputs and outputs they have. Throws
+  /// `layers` with weights to start from; GridEncoder says how many inputs and outputs they have. Throws
   /// std::invalid_argument for what does not fit.
   GridQLearning(const GridQLearningParameters& parameters, LayerStack layers);
   ~GridQLearning();
 
-  /// Begins epoch `epoch` (from 0) with new episodes; `course` must outlive it.
+  /// Starts epoch `epoch` (from 0) with new episodes; `course` must outlive it.
   void beginEpoch(int epoch, const GridCourse& course);
 
   /// One window of all agents, and one step of the optimiser. Of several ranks all have to call it. Throws

@@ -6,7 +6,7 @@
 
 namespace lstm_planner {
 
-/// Length of the shortest way from every cell of a known grid to one goal, in cells, computed by buckets of width 1
+/// Length of the shortest path from every cell of a known grid to one goal, in cells, computed by buckets of width 1
 /// (Dial's algorithm: no move is shorter, so the order within a bucket does not matter).
 class GridDistances {
  public:
@@ -14,7 +14,7 @@ class GridDistances {
   /// Everything is unreachable from a goal outside or in a wall.
   GridDistances(const PassableGrid& grid, CellIndex goal, CornerCutting corner_cutting);
 
-  /// +inf outside and where there is no way.
+  /// +inf outside and where there is no path.
   float at(CellIndex cell) const;
 
  private:

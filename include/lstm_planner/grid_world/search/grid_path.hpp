@@ -8,7 +8,7 @@
 
 namespace lstm_planner {
 
-/// Lengths of ways as integers, so that searches compare them without rounding: kStraightCost units are one cell.
+/// Lengths of paths as integers, so that searches compare them without rounding: kStraightCost units are one cell.
 using MoveCost = std::int64_t;
 
 /// The ratio of both is a convergent of the continued fraction of sqrt(2), with more than 2^26 in the denominator. No
@@ -21,14 +21,14 @@ static_assert(kDiagonalCost * kDiagonalCost - 2 * kStraightCost * kStraightCost 
 
 constexpr MoveCost moveCost(int direction) { return direction % 2 == 0 ? kStraightCost : kDiagonalCost; }
 
-/// A way through a grid, from its first cell to its last.
+/// A path through a grid, from its first cell to its last.
 struct GridPath {
-  std::vector<CellIndex> cells;  ///< start and goal included; empty when there is no way
+  std::vector<CellIndex> cells;  ///< start and goal included; empty when there is no path
   std::int64_t straight_moves = 0;
   std::int64_t diagonal_moves = 0;
 
   bool found() const { return !cells.empty(); }
-  /// Cells; rounded once, however long the way is.
+  /// Cells; rounded once, however long the path is.
   double length() const {
     return static_cast<double>(straight_moves) + moveLength(1) * static_cast<double>(diagonal_moves);
   }
@@ -37,7 +37,7 @@ struct GridPath {
 /// The direction (kGridRaySteps) of the move between two cells that touch.
 int directionBetween(CellIndex from, CellIndex to);
 
-/// The way along neighbouring cells.
+/// The path along neighbouring cells.
 GridPath pathAlong(std::vector<CellIndex> cells);
 
 }  // namespace lstm_planner

@@ -7,7 +7,7 @@
 
 namespace lstm_planner {
 
-/// Estimates of the length of a way between two cells from their distance in columns and rows alone (thesis
+/// Estimates of the length of a path between two cells from their distance in columns and rows alone (thesis
 /// Eq. 1.2-1.5). A search is optimal with an estimate that is never too long (admissible).
 enum class Heuristic {
   kManhattan,       ///< columns + rows. Not admissible where diagonal moves are: up to sqrt(2) times too long
@@ -31,7 +31,7 @@ struct HeuristicParameters {
 /// Throws std::invalid_argument for a scale that is not from 0 to kLargestEuclideanScale.
 void checkHeuristic(const HeuristicParameters& heuristic);
 
-/// Whether a search with it always finds a shortest way.
+/// Whether a search with it always finds a shortest path.
 bool isAdmissible(const HeuristicParameters& heuristic);
 
 /// Estimated cost between two cells. `heuristic` must have passed checkHeuristic().

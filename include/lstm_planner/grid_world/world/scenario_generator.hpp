@@ -9,7 +9,7 @@
 
 namespace lstm_planner {
 
-/// Bucket b of a scenario file holds the shortest ways of 4 b up to 4 (b + 1) cells.
+/// Bucket b of a scenario file holds the shortest paths of 4 b up to 4 (b + 1) cells.
 constexpr double kBucketLength = 4.0;
 
 struct ScenarioDrawParameters {
@@ -19,7 +19,7 @@ struct ScenarioDrawParameters {
 void validate(const ScenarioDrawParameters& parameters);
 
 /// Draws scenarios for a map as the grid benchmark has them: as many in every bucket, in the order of buckets, each
-/// with the length of the shortest way without corner cutting. Goals are random passable cells; each gives at most one
+/// with the length of the shortest path without corner cutting. Goals are random passable cells; each gives at most one
 /// start a bucket, a random one among the cells of that distance. After three times as many goals as scenarios a bucket
 /// it ends, so the last buckets, which few pairs of cells are far enough apart for, may hold fewer. Start and goal
 /// differ; empty when no two cells are connected. The same map, parameters and seed give the same scenarios on every

@@ -32,7 +32,7 @@ class DatasetWriter : public StepSink {
   /// Counted in memory; written with the next of the others.
   void reject(Rejection rejection) override;
 
-  /// Marks the episode that was begun last, and is not discarded yet, as not to be learned from. False when there is
+  /// Marks the episode that was started last, and is not discarded yet, as not to be learned from. False when there is
   /// none.
   bool discardEpisode();
 

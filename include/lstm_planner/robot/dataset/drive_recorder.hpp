@@ -20,7 +20,7 @@ namespace lstm_planner {
 ///
 /// A look is taken once in every `period` of the stamps' clock: its first scan is paired with the pose at its stamp,
 /// interpolated between the two odometry messages around it (the nearest one can be half an odometry period away). It
-/// begins a step if the robot has moved since the last one; the pose where the next step begins labels it, and only
+/// starts a step if the robot has moved since the last one; the pose where the next step starts labels it, and only
 /// then it is given to the sink. The same events give the same steps, in whatever order they arrive within
 /// RecorderParameters::delay, live or from a file. Not thread safe.
 class DriveRecorder {

@@ -78,7 +78,7 @@ EpisodeEnd episodeEndNamed(const std::string& name);
 /// A drive to one goal.
 struct Episode {
   GoalInFrame goal;         ///< as it was given
-  std::string goal_source;  ///< where it came from: a topic, "way-points", "hindsight"
+  std::string goal_source;  ///< where it came from: a topic, "waypoints", "hindsight"
   double begun = 0.0;       ///< s
   double ended = 0.0;       ///< s
   EpisodeEnd end = EpisodeEnd::kRunning;
@@ -114,7 +114,7 @@ class StepSink {
  public:
   virtual ~StepSink() = default;
   virtual void beginEpisode(const Episode& episode) = 0;
-  virtual void addStep(const DriveStep& step) = 0;  ///< of the episode that was begun last
+  virtual void addStep(const DriveStep& step) = 0;  ///< of the episode that was started last
   virtual void endEpisode(double stamp, EpisodeEnd end) = 0;
   virtual void reject(Rejection rejection) = 0;
 };

@@ -29,21 +29,21 @@ void visitHindsightParameters(Parameters& hindsight, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const HindsightParameters& parameters);
 
-/// The goals of a way in the odometry frame `frame`: each a GoalHeard with the stamp from which it was driven to, and a
-/// GoalGivenUp with that at which the robot left it or was nearest to it, in order; all are stamps of the way.
+/// The goals of a path in the odometry frame `frame`: each a GoalHeard with the stamp from which it was driven to, and
+/// a GoalGivenUp with that at which the robot left it or was nearest to it, in order; all are stamps of the path.
 ///
-/// Odometry that jumps (RecorderParameters::max_speed) or is silent for max_gap ends a way; so does its last message.
-/// Goals are the places where the robot stood, and the ends of ways; what lies between two of them and is longer than
+/// Odometry that jumps (RecorderParameters::max_speed) or is silent for max_gap ends a path; so does its last message.
+/// Goals are the places where the robot stood, and the ends of paths; what lies between two of them and is longer than
 /// `longest` is divided into equal parts. An episode ends as soon as the robot comes within goal_tolerance of its goal,
-/// so a place that the way passes that near earlier, or starts from, is no goal: the last place before it that is not
-/// passed is taken, and what is left is driven to the next. Thus somebody who drives up a dead end and back has driven
-/// to its end first. Nowhere to be found is such a place where somebody circles on the spot: that way has no goal.
+/// so a place that the path passes that near earlier, or starts from, is no goal: the last place before it that is not
+/// passed is taken, and what is left is driven to the next. So somebody who drives up a dead end and back has driven
+/// to its end first. Nowhere to be found is such a place where somebody circles on the spot: that path has no goal.
 ///
 /// Throws std::invalid_argument also when `shortest` is not more than the goal tolerance.
-std::vector<DriveEvent> hindsightGoals(const std::vector<OdometryHeard>& way, const HindsightParameters& parameters,
+std::vector<DriveEvent> hindsightGoals(const std::vector<OdometryHeard>& path, const HindsightParameters& parameters,
                                        const RecorderParameters& recorder, const std::string& frame);
 
-/// Tells a recorder the goals of a way while it hears that way.
+/// Tells a recorder the goals of a path while it hears that path.
 class GoalSchedule {
  public:
   /// `goals`: of hindsightGoals(); `max_gap`: s, RecorderParameters::max_gap.

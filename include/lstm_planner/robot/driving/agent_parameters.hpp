@@ -30,7 +30,7 @@ struct ShieldParameters {
   double reach = 6.0;
 };
 
-/// What is remembered of the obstacles that were seen, and how ways through them are found.
+/// What is remembered of the obstacles that were seen, and how paths through them are found.
 struct MemoryParameters {
   bool enabled = true;
   double width = 70.4;
@@ -97,9 +97,9 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   if constexpr (!std::is_const_v<Parameters>) agent.leader = leaderNamed(leader);
   visit("goal_tolerance", agent.goal_tolerance, {0.01, 10.0}, "m", "nearer than this is arrived");
   visit("goal_in_sight", agent.goal_in_sight, {0.0, 100.0}, "m",
-        "a goal this near with a free straight way is driven to directly");
+        "a goal this near with a free straight path is driven to directly");
   visit("goal_drift", agent.goal_drift, {0.0, 0.9}, "",
-        "share of the way driven by which odometry may be wrong: a goal that turns out to lie in, or behind, an "
+        "share of the distance driven by which odometry may be wrong: a goal that turns out to lie in, or behind, an "
         "obstacle counts as reached from that far away");
   auto& step = agent.step;
   visit("step/length", step.length, {0.05, 5.0}, "m",
@@ -120,25 +120,25 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   visit("shield/clearance", shield.clearance, {0.0, 5.0}, "m",
         "kept between the footprint and every return where there is room");
   visit("shield/tight_clearance", shield.tight_clearance, {0.0, 5.0}, "m",
-        "kept where there is no way with shield/clearance");
+        "kept where there is no path with shield/clearance");
   visit("shield/shortest_step", shield.shortest_step, {0.002, 5.0}, "m",
-        "an action with less free way than this is not allowed");
+        "an action with less free space than this is not allowed");
   visit("shield/reach", shield.reach, {0.1, 100.0}, "m", "returns farther away are not looked at");
   auto& memory = agent.memory;
   visit("memory/enabled", memory.enabled, {}, "", "false: without progress boundaries are followed");
   visit("memory/resolution", memory.resolution, {0.01, 1.0}, "m",
-        "of the memory; at most 0.29 footprint radii, or ways would lead through walls");
+        "of the memory; at most 0.29 footprint radii, or paths would lead through walls");
   visit("memory/width", memory.width, {4.0, 1000.0}, "m",
         "side of the square around the robot in which obstacles are remembered");
   visit("memory/reach", memory.reach, {0.1, 100.0}, "m", "returns farther away are not remembered");
   visit("memory/comfort", memory.comfort, {0.0, 5.0}, "m",
-        "kept between the footprint and obstacles by ways where there is room");
+        "kept between the footprint and obstacles by paths where there is room");
   visit("memory/tightness", memory.tightness, {1.0, 100.0}, "",
-        "how many times its length a way counts where there is less room than shield/clearance");
+        "how many times its length a path counts where there is less room than shield/clearance");
   auto& escape = agent.escape;
   visit("escape/enabled", escape.enabled, {}, "", "false: the robot may stay in a dead end for ever");
   visit("escape/patience_steps", escape.patience_steps, {1, 1000000}, "",
-        "steps without a new best distance to the goal before the way through what is remembered leads in the "
+        "steps without a new best distance to the goal before the path through what is remembered leads in the "
         "network's place");
   visit("escape/patience_distance", escape.patience_distance, {0.1, 1e5}, "m", "driven likewise");
   visit("escape/last_resort", escape.last_resort, {1.0, 1e6}, "",

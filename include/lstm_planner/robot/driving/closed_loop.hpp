@@ -29,7 +29,7 @@ class ClosedLoop {
  public:
   enum class End {
     kArrived,  ///< the robot says so
-    kNoWay,    ///< the agent says that there is none
+    kNoPath,   ///< the agent says that there is none
     kStopped   ///< `goes_on` said so
   };
 

@@ -19,7 +19,7 @@ struct Decision {
     kEscape,       ///< leads: boundary following
     kLookAround,   ///< nothing is free in sight, or all around must be seen: turn
     kArrived,      ///< within the goal tolerance
-    kNoWay         ///< the goal cannot be reached: no path through what was seen leads there
+    kNoPath        ///< the goal cannot be reached: no path through what was seen leads there
   };
   static bool isLeader(Source source) {
     return source == Source::kNetwork || source == Source::kGreedy || source == Source::kRoute ||
@@ -47,7 +47,7 @@ struct Decision {
 };
 
 constexpr std::size_t kDecisionSources = 8;
-/// "network", "greedy", "goal in sight", "route", "escape", "look around", "arrived", "no way".
+/// "network", "greedy", "goal in sight", "route", "escape", "look around", "arrived", "no path".
 const char* toString(Decision::Source source);
 
 }  // namespace lstm_planner

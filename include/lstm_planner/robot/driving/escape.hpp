@@ -9,18 +9,18 @@
 
 namespace lstm_planner {
 
-/// A straight way to go: direction in the odometry frame (rad) and length (m).
+/// A straight path to go: direction in the odometry frame (rad) and length (m).
 struct Heading {
   double direction = 0.0;
   double distance = 0.0;
 };
 
-/// Gets the robot nearer to the goal than it has ever been, with bounded memory, wherever there is a way.
+/// Gets the robot nearer to the goal than it has ever been, with bounded memory, wherever there is a path.
 ///
 /// Goes straight for the goal; follows the boundary of what is in the way, with the wall on one side; leaves the
-/// boundary where the open way leads nearer to the goal than where the boundary was met. Turns back after 24, 48, 96
+/// boundary where the open path leads nearer to the goal than where the boundary was met. Turns back after 24, 48, 96
 /// ... m (the doubling search), so that the shorter way round costs at most a constant factor. Back where it met the
-/// boundary after a full turn, it goes around once more as close as it can, and then knows that there is no way (after
+/// boundary after a full turn, it goes around once more as close as it can, and then knows that there is no path (after
 /// Lumelsky and Stepanov, "Path-planning strategies for a point mobile automaton", Algorithmica 1987; Kamon and Rivlin,
 /// "Sensory-based motion planning with global proofs", 1997; Baeza-Yates et al., "Searching in the plane", 1993).
 class Escape {
@@ -35,7 +35,7 @@ class Escape {
   void moveGoal(const Point2& from, const Point2& to);
 
   /// The next step from the current situation, whose obstacles `shield` shows: kEscape or kLookAround, and `move` says
-  /// where to; kNoWay: went all around, the goal cannot be reached from here. Nothing: no boundary is followed and the
+  /// where to; kNoPath: went all around, the goal cannot be reached from here. Nothing: no boundary is followed and the
   /// goal is nearer than `target_distance` (m), the escape is over.
   std::optional<Decision::Source> decide(const Situation& situation, const Shield& shield, const Point2& goal,
                                          double target_distance, Heading* move);
@@ -62,9 +62,9 @@ class Escape {
   bool tight_ = false;                ///< second time around, with the tight clearance
   int rounds_ = 0;                    ///< boundaries gone around twice
   double departure_direction_ = 0.0;  ///< rad, odometry frame: how the boundary runs where it was met
-  double along_ = 0.0;   ///< m, signed way along the boundary from the hit; positive in the first direction
+  double along_ = 0.0;   ///< m, signed path along the boundary from the hit; positive in the first direction
   double turned_ = 0.0;  ///< rad, how much the boundary has turned since the hit
-  int way_ = 1;          ///< +1 while following in the first direction, -1 after turning back
+  int sense_ = 1;        ///< +1 while following in the first direction, -1 after turning back
   double leg_ = 0.0;     ///< m of boundary on this side of the hit before turning back
 };
 

@@ -37,7 +37,7 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
   visit("max_linear", motion.max_linear, {0.01, 10.0}, "m/s", "largest forward speed (a Create 2 really reaches 0.33)");
   visit("max_angular", motion.max_angular, {0.01, 20.0}, "rad/s", "largest turning speed");
   visit("max_wheel_speed", motion.max_wheel_speed, {0.01, 20.0}, "m/s",
-        "the base clips each wheel at it, which would bend the way");
+        "the base clips each wheel at it, which would bend the path");
   visit("axle_length", motion.axle_length, {0.01, 5.0}, "m", "between the wheels");
   visit("linear_acceleration", motion.linear_acceleration, {0.01, 50.0}, "m/s^2", "of speeding up and braking");
   visit("lookahead", motion.lookahead, {0.01, 20.0}, "m", "along the plan to the point that is steered for");
@@ -49,7 +49,7 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
         "from a measurement to the wheels, latch of the driver included");
   visit("safety_margin", motion.safety_margin, {0.001, 5.0}, "m", "between the footprint and any return, at the least");
   visit("slow_gap", motion.slow_gap, {0.001, 20.0}, "m",
-        "the robot slows down where its way leads nearer to something than this");
+        "the robot slows down where its path leads nearer to something than this");
   visit("slow_speed", motion.slow_speed, {0.001, 10.0}, "m/s", "on the way towards an obstacle that it nearly touches");
   visitMovingParameters(motion.moving, visit);
   visit("person_speed", motion.person_speed, {0.01, 20.0}, "m/s", "at which whatever moves may come towards the robot");
@@ -66,9 +66,9 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
 void validate(const MotionParameters& parameters);
 
 /// Turns and drives along a plan; never commands a motion which, braking included, comes nearer to a return than the
-/// safety margin. What is looked at is the way that the robot really takes: on with the present twist until the command
-/// acts, which may be at once or after the reaction time, then along the commanded arc until it stands. Only turning in
-/// place is always allowed.
+/// safety margin. What is looked at is the path that the robot really takes: on with the present twist until the
+/// command acts, which may be at once or after the reaction time, then along the commanded arc until it stands. Only
+/// turning in place is always allowed.
 ///
 /// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
 /// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves
@@ -100,7 +100,7 @@ class MotionController {
   double yieldingSpeed(const Twist2& twist, const Shield& persons) const;
   double yieldingSpeed(const Twist2& twist, const Persons& persons) const;
   double yieldingReach(double footprint_radius) const;
-  double stoppingWay(double speed) const;
+  double stoppingDistance(double speed) const;
 
   MotionParameters parameters_;
 };

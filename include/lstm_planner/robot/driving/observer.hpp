@@ -24,7 +24,7 @@ class Observer {
   /// The odometry jumped: everything is forgotten.
   void forget();
   /// What the network would be told at this step; the position is not rounded. In addition, for whoever learns from it
-  /// later: where the way through the obstacles seen so far begins, and how long it is.
+  /// later: where the path through the obstacles seen so far starts, and how long it is.
   Observation observe(const Situation& situation, const Point2& goal, double previous_action);
 
  private:

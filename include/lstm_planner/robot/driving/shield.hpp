@@ -22,14 +22,14 @@ class Shield {
   /// Replaces what is known by the returns of one scan (base frame).
   void show(const std::vector<Point2>& obstacles);
 
-  /// Length (m, at most `limit`) of the free way from `from` in `direction` (rad) for the footprint grown by
+  /// Free length (m, at most `limit`) from `from` in `direction` (rad) for the footprint grown by
   /// `clearance`. Where the robot already is nearer to something than that, it may pass it but not come nearer still;
   /// nearer than the hard margin (or the clearance, if that is less) it may only go away, so that the noise of a
   /// scanner cannot lure it closer bit by bit. 0 when the first millimetre is blocked.
   double freeDistance(const Point2& from, double direction, double limit, double clearance) const;
 
-  /// The same along the arc that begins at the pose `from`, forward, with that curvature (1/m, positive to the left; 0
-  /// is the straight line): length of arc in m. This is the way that a differential drive really takes when it is
+  /// The same along the arc that starts at the pose `from`, forward, with that curvature (1/m, positive to the left; 0
+  /// is the straight line): length of arc in m. This is the path that a differential drive really takes when it is
   /// commanded linear and angular = curvature * linear.
   double freeArc(const Pose2& from, double curvature, double limit, double clearance) const;
 

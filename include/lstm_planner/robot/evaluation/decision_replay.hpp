@@ -52,7 +52,7 @@ class DecisionReplay : public StepSink {
   std::vector<ReplayedDecision> decisions_;
   RejectionCounts rejections_{};
   long episodes_ = 0;
-  std::optional<Episode> episode_;  ///< that was begun last
+  std::optional<Episode> episode_;  ///< that was started last
   bool is_new_goal_ = true;
   long jumps_ = 0;
 };

@@ -12,18 +12,19 @@
 
 namespace lstm_planner {
 
-/// One way from a start to a goal, both in the world frame.
+/// One path from a start to a goal, both in the world frame.
 struct DriveTask {
   Pose2 start;
   Point2 goal;
-  double shortest = 0.0;  ///< m, shortest way of the footprint; 0 = not known
+  double shortest = 0.0;  ///< m, shortest path of the footprint; 0 = not known
 };
 
 /// Who says that the robot has arrived.
 enum class Arrival {
   /// The robot does, as in a building: its controller is within its tolerance of the goal by odometry. It knows no
   /// better than odometry, so the true position may be off by more than the goal's radius: by the odometry's error
-  /// times the driven way, and in a drive without contacts by all that odometry is wrong by (after a contact wheels may
+  /// times the driven path, and in a drive without contacts by all that odometry is wrong by (after a contact wheels
+  /// may
   /// have spun, and that counts). A goal that odometry has moved into something is replaced by a place beside it, as
   /// far
   /// away as odometry is wrong.
@@ -49,7 +50,7 @@ struct DriveResult {
   enum class End {
     kReached,
     kTimeout,
-    kNoWay,     ///< the robot said that there is none
+    kNoPath,    ///< the robot said that there is none
     kElsewhere  ///< the robot said that it had arrived, and had not
   };
   End end = End::kTimeout;
@@ -88,7 +89,7 @@ struct DriveSummary {
   int contacts = 0;
   int bumped = 0;
   int bumped_moving = 0;
-  int no_way = 0;
+  int no_path = 0;
   int timeouts = 0;
   int elsewhere = 0;
   double mean_ratio = 0.0;
@@ -99,7 +100,7 @@ struct DriveSummary {
 DriveSummary summarize(const std::vector<DriveResult>& results);
 
 /// Random starts and goals between free cells which a disc of `footprint_radius` + `clearance` (m) can reach from one
-/// another, at least `shortest` metres of way apart; the same for the same seed. Throws std::invalid_argument when the
+/// another, at least `shortest` metres of path apart; the same for the same seed. Throws std::invalid_argument when the
 /// map has none.
 std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footprint_radius, double clearance,
                                  double shortest, std::uint64_t seed);

@@ -16,16 +16,16 @@ struct TracePicture {
     std::string label;
     bool reached = true;
   };
-  /// A part of a way, in the colour of who decided it.
+  /// A part of a path, in the colour of who decided it.
   struct Part {
     enum class Leader { kNetwork, kGreedy, kRoute, kBoundary, kOther };
     Leader leader = Leader::kNetwork;
-    std::vector<Point2> way;
+    std::vector<Point2> path;
   };
   std::vector<std::vector<Point2>> traces;  ///< red, as in the thesis's figures
   std::vector<Part> parts;  ///< over them: network red, greedy violet, route blue, boundary teal, others grey
   std::vector<std::vector<Point2>>
-      walkers;                    ///< thin grey ways of people, pale but for the last 100 places; a disc at the end
+      walkers;                    ///< thin grey paths of people, pale but for the last 100 places; a disc at the end
   std::vector<Circle> circles;    ///< obstacles that are not in the map
   std::vector<Pose2> starts;      ///< dark blue arrows
   std::vector<Goal> goals;        ///< green discs with their label; missed ones are orange and crossed out

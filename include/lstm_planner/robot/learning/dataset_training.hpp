@@ -28,7 +28,7 @@ DatasetTrainingParameters thesisDatasetTraining();
 
 /// The same in a way that does not jump: many sequences an update, a learning rate that sinks to 0, hidden states that
 /// are right at each sequence's first counted step, averaged weights. Labels lead a little farther than the planner's
-/// waypoints lie: the way of half a second is more of the driver's hand than of where he wants to go. Each drive has
+/// waypoints lie: the path of half a second is more of the driver's hand than of where he wants to go. Each drive has
 /// seven variants.
 DatasetTrainingParameters stableDatasetTraining();
 

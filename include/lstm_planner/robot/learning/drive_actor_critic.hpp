@@ -15,7 +15,7 @@ namespace lstm_planner {
 /// Reinforcement for the robot: an actor with a critic that sees more (distances that are known in generated worlds
 /// only), generalised advantages, and updates that stay near the policy that drove (Schulman et al., "Proximal policy
 /// optimization algorithms", 2017). Drives are StepDrive's, under random conditions. The reward of a step is what it
-/// brings the robot nearer to the goal by the teacher's way, less a cost.
+/// brings the robot nearer to the goal by the teacher's path, less a cost.
 struct DriveActorCriticParameters {
   PolicyDescription policy;
   DriveCourseParameters course;
@@ -50,7 +50,7 @@ void validate(const DriveActorCriticParameters& parameters);
 /// What the last iteration brought.
 struct DriveActorCriticReport {
   int iteration = 0;       ///< from 1
-  double steps = 0.0;      ///< since the beginning
+  double steps = 0.0;      ///< since the start
   double reward = 0.0;     ///< mean a drive, m
   double arrival = 0.0;    ///< share of the drives
   double entropy = 0.0;    ///< mean, nat
@@ -60,7 +60,7 @@ struct DriveActorCriticReport {
 /// Learns in place.
 class DriveActorCritic {
  public:
-  /// `layers` are the policy's, with weights to begin from. Throws std::invalid_argument for what does not fit.
+  /// `layers` are the policy's, with weights to start from. Throws std::invalid_argument for what does not fit.
   DriveActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers);
   ~DriveActorCritic();
 

@@ -15,14 +15,14 @@ namespace lstm_planner {
 
 struct DriveCourseParameters {
   std::vector<WorldKind> worlds = worldKinds();  ///< kinds of generated worlds, in turn
-  double shortest = 2.0;                         ///< m, of the shortest way from start to goal
+  double shortest = 2.0;                         ///< m, of the shortest path from start to goal
   double dead_end_share = 0.0;                   ///< of the drives that start in a dead end (thesis ch. 5)
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DriveCourseParameters& parameters);
 
-/// A goal in a generated world, the teacher that knows the way to it, and where to start from.
+/// A goal in a generated world, the teacher that knows the path to it, and where to start from.
 struct DriveExercise {
   std::size_t kind = 0;  ///< index in DriveCourseParameters::worlds
   std::shared_ptr<const GridWorld> world;

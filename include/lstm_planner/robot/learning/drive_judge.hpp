@@ -14,7 +14,7 @@ namespace lstm_planner {
 struct DriveScore {
   int drives = 0;
   double arrival = 0.0;  ///< share of the drives
-  /// Mean of shortest / driven way, 0 for those that did not arrive ("success weighted by path length": Anderson et
+  /// Mean of shortest / driven path, 0 for those that did not arrive ("success weighted by path length": Anderson et
   /// al., "On evaluation of embodied navigation agents", 2018).
   double efficiency = 0.0;
 };
@@ -23,7 +23,7 @@ struct DriveScore {
 struct JudgedDrive {
   std::size_t kind = 0;  ///< of world: index in DriveCourseParameters::worlds
   bool arrived = false;
-  double efficiency = 0.0;  ///< shortest / driven way, at most 1; 0 when it did not arrive
+  double efficiency = 0.0;  ///< shortest / driven path, at most 1; 0 when it did not arrive
 };
 
 /// In so many worlds of a use, four drives each, under random conditions. The same for any number of threads.

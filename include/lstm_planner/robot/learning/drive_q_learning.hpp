@@ -36,8 +36,8 @@ double driveThesisReward(const Observation& observation, const DriveThesisReward
 /// value of what would have come next is unknown: its last step teaches nothing.
 struct DriveQLearningParameters {
   enum class Reward {
-    kProgress,  ///< m nearer to the goal by the teacher's way, 1 at most, less a cost a step, as DriveActorCritic
-    kThesis,    ///< Eq. 2.36, of the state in which the step begins
+    kProgress,  ///< m nearer to the goal by the teacher's path, 1 at most, less a cost a step, as DriveActorCritic
+    kThesis,    ///< Eq. 2.36, of the state in which the step starts
   };
   PolicyDescription policy;
   DriveCourseParameters course;
@@ -81,7 +81,7 @@ void validate(const DriveQLearningParameters& parameters);
 /// What the last iteration brought. Values are in the reward's unit: m by progress, none by the thesis.
 struct DriveQLearningReport {
   int iteration = 0;     ///< from 1
-  double steps = 0.0;    ///< since the beginning
+  double steps = 0.0;    ///< since the start
   double reward = 0.0;   ///< mean a drive
   double arrival = 0.0;  ///< share of the drives, exploring
   double epsilon = 0.0;  ///< of its drives
@@ -92,7 +92,7 @@ struct DriveQLearningReport {
 /// Learns in place.
 class DriveQLearning {
  public:
-  /// `layers` with weights to begin from. Throws std::invalid_argument for what does not fit.
+  /// `layers` with weights to start from. Throws std::invalid_argument for what does not fit.
   DriveQLearning(const DriveQLearningParameters& parameters, LayerStack layers);
   ~DriveQLearning();
 

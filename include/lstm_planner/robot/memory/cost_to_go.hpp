@@ -8,22 +8,22 @@
 
 namespace lstm_planner {
 
-/// What the way to the goal costs from the cells of an ObstacleMemory: A* from the goal towards a start.
+/// What the path to the goal costs from the cells of an ObstacleMemory: A* from the goal towards a start.
 ///
 /// Searched from the goal, so that what was found stays of use when the robot has moved on: it tells of any place what
-/// the way from there costs at least. Where obstacles have appeared since, ways have become dearer and the bounds still
-/// hold; where some have gone, cheapestThrough() tells what a way through there costs at least.
+/// the path from there costs at least. Where obstacles have appeared since, paths have become costlier and the bounds
+/// still hold; where some have gone, cheapestThrough() tells what a path through there costs at least.
 ///
 /// Costs are in fifths of a cell: a straight step costs 5, a diagonal one 7 (1 % less than the true ratio), steps into
-/// narrow and tight cells as many times more. Bounded memory, two bytes a cell and the queue; from the first way on
+/// narrow and tight cells as many times more. Bounded memory, two bytes a cell and the queue; from the first path on
 /// that costs more than two bytes tell, 2.6 km of cells of 0.2 m with room, four bytes a cell more.
 class CostToGo {
  public:
-  static constexpr std::uint32_t kNone = 0xffffffff;  ///< there is no way
+  static constexpr std::uint32_t kNone = 0xffffffff;  ///< there is no path
   static constexpr int kStraight = 5;                 ///< cost of a step
   static constexpr int kDiagonal = 7;
 
-  /// A cell where ways may end, and what is left from there.
+  /// A cell where paths may end, and what is left from there.
   struct End {
     int cell;
     std::uint32_t cost;
@@ -32,26 +32,26 @@ class CostToGo {
   /// `tightness`: see RouteFinder.
   explicit CostToGo(double tightness);
 
-  /// Finds the cheapest way from `start` to any of the ends; false when there is none. Of ways that are as good it
+  /// Finds the cheapest path from `start` to any of the ends; false when there is none. Of paths that are as good it
   /// takes the one that keeps nearest to that column and row, which may lie outside the window.
   bool search(ObstacleMemory& memory, int start, const std::vector<End>& ends, int column, int row);
 
-  /// Finds the cheapest way from elsewhere by the last search alone; false when that does not tell, because it did not
-  /// come there or something has changed along the way.
+  /// Finds the cheapest path from elsewhere by the last search alone; false when that does not tell, because it did not
+  /// come there or something has changed along the path.
   bool searchAgain(ObstacleMemory& memory, int start, int column, int row);
 
-  /// The cells of the way that was found last, from the start to the end.
-  const std::vector<int>& way() const { return way_; }
+  /// The cells of the path that was found last, from the start to the end.
+  const std::vector<int>& path() const { return path_; }
 
-  /// What the way from a cell costs at least; exactly that from all cells of a way that was just found.
+  /// What the path from a cell costs at least; exactly that from all cells of a path that was just found.
   std::uint32_t cost(int cell) const;
 
-  /// What a way from `from` costs at least if it leads through a cell round `freed`, where an obstacle has gone since
-  /// the search, and nothing has gone along the rest of the way. Cells for which that is `enough` anyway are not looked
-  /// at closely.
+  /// What a path from `from` costs at least if it leads through a cell round `freed`, where an obstacle has gone since
+  /// the search, and nothing has gone along the rest of the path. Cells for which that is `enough` anyway are not
+  /// looked at closely.
   std::uint32_t cheapestThrough(ObstacleMemory& memory, int freed, int reach, int from, std::uint32_t enough) const;
 
-  /// Cost of a way of so many cells where nothing is in between.
+  /// Cost of a path of so many cells where nothing is in between.
   static std::uint32_t octile(int columns, int rows);
   std::uint32_t octileBetween(int from, int to) const;
 
@@ -105,7 +105,7 @@ class CostToGo {
   bool overflowed_ = false;    ///< something cost too much for costs_
   std::vector<Span> touched_;  ///< columns of a row, by row
   CellQueue open_;
-  std::vector<int> way_;
+  std::vector<int> path_;
 };
 
 }  // namespace lstm_planner

@@ -15,7 +15,7 @@ class KeptRoute {
  public:
   explicit KeptRoute(const AgentParameters& parameters);
 
-  /// How far from a place, m, a change in the memory may make a way through it better or worse.
+  /// How far from a place, m, a change in the memory may make a path through it better or worse.
   static double reachOfChanges(const AgentParameters& parameters);
 
   const Route& route() const { return route_; }
@@ -50,7 +50,7 @@ class KeptRoute {
   void measure();
   static int sharesASide(const ObstacleMemory& memory);
   void forgetMarks();
-  void markPriced(const ObstacleMemory& memory);
+  void markCosted(const ObstacleMemory& memory);
   void mark(const ObstacleMemory& memory, const Point2& from, const Point2& to);
 
   double reach_;  ///< m, within which a change matters

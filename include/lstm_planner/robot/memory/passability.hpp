@@ -91,7 +91,7 @@ class Passability {
 
   void setTightRadius(double radius);
   /// The squares round: a path from best place to best place may come this much nearer to an obstacle in between.
-  double onTheWay(double radius) const { return radius - 0.5 * resolution_; }
+  double onThePath(double radius) const { return radius - 0.5 * resolution_; }
 
   double resolution_;          ///< m, of the window
   int side_;                   ///< cells, of the window

@@ -8,25 +8,25 @@
 
 namespace lstm_planner {
 
-/// A way to the goal through what is remembered; what was never seen counts as free.
+/// A path to the goal through what is remembered; what was never seen counts as free.
 struct Route {
   std::vector<Point2> points;  ///< odometry frame, from the start to the goal; straight between them
   double length = 0.0;         ///< m
   double cost = 0.0;           ///< m, tight places counted several times
 };
 
-/// Length of a way that is straight between its points, m.
+/// Length of a path that is straight between its points, m.
 double lengthOf(const std::vector<Point2>& points);
 
-/// Finds the shortest way through an ObstacleMemory: A* on its cells, tight ones costing more, corners pulled straight
-/// near the start. Beyond the window the way is taken as straight. The memory needed is allocated once.
+/// Finds the shortest path through an ObstacleMemory: A* on its cells, tight ones costing more, corners pulled straight
+/// near the start. Beyond the window the path is taken as straight. The memory needed is allocated once.
 class RouteFinder {
  public:
-  /// `tightness`: how many times its length a way through a tight place costs, at least 1; through a narrow one, a
+  /// `tightness`: how many times its length a path through a tight place costs, at least 1; through a narrow one, a
   /// quarter of what is above 1.
   explicit RouteFinder(double tightness);
 
-  /// False when there is no way: obstacles that were seen enclose the start, or the goal, all around. A goal that lies
+  /// False when there is no path: obstacles that were seen enclose the start, or the goal, all around. A goal that lies
   /// in something is replaced by the nearest place that the footprint fits on, and one that cannot be reached, or only
   /// by a long detour from a start that is near it, by the first place on the way: at most `tolerance` (m) from the
   /// goal.
@@ -37,7 +37,7 @@ class RouteFinder {
   bool fromLastSearch(ObstacleMemory& memory, const Point2& start, Route* route);
 
   /// Whether the last route found ends at the goal, or at the place nearest to it: costToGo() is then what is left of
-  /// the way there.
+  /// the path there.
   bool endsAtGoal() const { return ends_at_goal_; }
 
   /// Of the last search that found a route.
@@ -52,7 +52,7 @@ class RouteFinder {
   double costOf(ObstacleMemory& memory, const Point2& from, const Point2& to) const;
 
  private:
-  /// Where ways may end.
+  /// Where paths may end.
   enum class Ending {
     kAtCell,  ///< of the end point
     kNear,    ///< at most tolerance_ from it

@@ -9,16 +9,17 @@
 
 namespace lstm_planner {
 
-/// Keeps the way to the goal through what is remembered, and finds out when there is none.
+/// Keeps the path to the goal through what is remembered, and finds out when there is none.
 ///
 /// Remembered obstacles can be wrong (the odometry drifts, people go away). So when they enclose the goal everything is
 /// forgotten and looked at anew, all around, then narrower places are tried; only what is closed even so, seen from one
 /// place, several times in a row, is believed.
 ///
-/// A way that was found is kept without a new search as long as a search could find none that is worth turning for.
-/// Three bounds tell: no way is shorter than the straight line; by the last search's costs (CostToGo) no way from where
-/// the robot is now costs less than they say, because obstacles that appear only make ways dearer; and where one has
-/// gone, a way that gained by it leads through there. The way itself is priced anew where something changed beside it.
+/// A path that was found is kept without a new search as long as a search could find none that is worth turning for.
+/// Three bounds tell: no path is shorter than the straight line; by the last search's costs (CostToGo) no path from
+/// where the robot is now costs less than they say, because obstacles that appear only make paths costlier; and where
+/// one has gone, a path that gained by it leads through there. The path itself is costed anew where something changed
+/// beside it.
 class RouteGuide {
  public:
   explicit RouteGuide(const AgentParameters& parameters);
@@ -37,7 +38,7 @@ class RouteGuide {
 
   /// Takes in the situation and searches a new path where that may change it; one that is hardly better than the last
   /// one is not taken. kRoute: follow route(); kLookAround: turn on the spot, so that everything around is seen;
-  /// kNoWay: no path leads to the goal from here; kEscape: the memory was wrong too often, the goal must be found by
+  /// kNoPath: no path leads to the goal from here; kEscape: the memory was wrong too often, the goal must be found by
   /// other means.
   Decision::Source update(const Situation& situation, const Point2& goal);
 
@@ -60,7 +61,7 @@ class RouteGuide {
   /// Where the route ends, of which there must be one.
   const Point2& end() const { return route().points.back(); }
 
-  /// Whether the footprint fits through on the straight way from one place to the other, as far as is remembered.
+  /// Whether the footprint fits through on the straight path from one place to the other, as far as is remembered.
   bool isPassable(const Point2& from, const Point2& to) {
     return memory_.isFree(from, to, ObstacleMemory::Passage::kTight);
   }
@@ -104,7 +105,7 @@ class RouteGuide {
   double driven_ = 0.0;     ///< m since the goal was set
   bool looking_ = false;    ///< turning, after everything was forgotten
   double turned_ = 0.0;     ///< rad, while looking
-  bool squeezing_ = false;  ///< no way was found otherwise
+  bool squeezing_ = false;  ///< no path was found otherwise
   int closed_in_a_row_ = 0;
   int forgotten_ = 0;  ///< times since the last progress
 };

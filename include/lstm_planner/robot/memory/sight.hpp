@@ -23,7 +23,7 @@ class Sight {
   /// Replaces the scan.
   void show(const RangeProfile& profile, double yaw);
 
-  /// Nothing is looked through by a scan without beams.
+  /// Nothing is cleared by a scan without beams.
   bool isBlind() const { return finder_.beams() == 0; }
 
   /// What ScanKernels work on, until the next show(); not while isBlind().
@@ -38,7 +38,7 @@ class Sight {
   float neighbourhood_;
   BeamFinder finder_;
   std::vector<float> padded_;    ///< m, the ranges, and some more at both ends
-  std::vector<float> limits_;    ///< m^2; a beam each: farther places are not looked through
+  std::vector<float> limits_;    ///< m^2; a beam each: farther places are not cleared
   std::vector<float> farthest_;  ///< m; the most of 2^level blocks from each one on, level by level
   std::size_t blocks_ = 0;       ///< from one level of farthest_ to the next
 };

@@ -2,7 +2,7 @@
 
 namespace lstm_planner {
 
-/// Where a scan's beams begin, and how they follow one another: what it takes to tell towards which beam a place lies.
+/// Where a scan's beams start, and how they follow one another: what it takes to tell towards which beam a place lies.
 struct FirstBeam {
   float along_x = 1.0f;  ///< its direction
   float along_y = 0.0f;

@@ -48,7 +48,7 @@ void visitMovingParameters(Parameters& moving, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const MovingReturnsParameters& parameters);
 
-/// Tells which returns of a scan belong to things that move: those that lie where an earlier scan looked through. What
+/// Tells which returns of a scan belong to things that move: those that lie where an earlier scan saw free space. What
 /// was hidden before, such as a wall behind a corner, was not seen free and does not count; nor does what goes away
 /// from the scanner. Remembers such places for a while in the odometry frame: somebody who stands may walk on.
 class MovingReturns {
@@ -113,7 +113,7 @@ class MovingReturns {
   BeamDirections directions_;
   std::vector<Point2> returns_;        ///< of the last scan, odometry frame, in the order of the beams
   std::vector<std::uint32_t> beams_;   ///< of the returns
-  std::vector<std::uint8_t> is_free_;  ///< a return each: an earlier scan looked through there
+  std::vector<std::uint8_t> is_free_;  ///< a return each: an earlier scan saw free space there
   std::vector<float> x_, y_;           ///< m, the returns relative to an earlier view's scanner
   std::vector<float> positions_;       ///< among that view's beams
   std::vector<Point2> group_;          ///< returns beside one another that may be moving

@@ -25,9 +25,9 @@ struct Observation {
   double previous_action = 0.0;                      ///< rad, the steering angle of the last step; 0 at the first step
 
   // What the agent remembers; a network need not look at it.
-  double route_bearing = 0.0;  ///< rad in (-pi, pi], relative to the heading: where the way through what is remembered
-                               ///< begins; the goal's bearing where nothing is remembered
-  double route_length = 0.0;   ///< m, of that way to the goal; the goal's distance where nothing is remembered
+  double route_bearing = 0.0;  ///< rad in (-pi, pi], relative to the heading: where the path through what is remembered
+                               ///< starts; the goal's bearing where nothing is remembered
+  double route_length = 0.0;   ///< m, of that path to the goal; the goal's distance where nothing is remembered
   std::array<double, kPlaceDirections> visits{};  ///< times that the robot was at the place a step away in direction
                                                   ///< heading + i * 45 degrees (PlaceTrace)
   /// The same for squares of 0.5, 1.5 and 4.5 m, 0.8, 2 and 5 m away, or as far as it seems to be free (DriveTrace).

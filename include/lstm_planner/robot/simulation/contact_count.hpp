@@ -2,7 +2,7 @@
 
 namespace lstm_planner {
 
-/// Counts how often a robot begins to touch something: as long as it goes on touching, that is one contact.
+/// Counts how often a robot starts to touch something: as long as it goes on touching, that is one contact.
 class ContactCount {
  public:
   /// Whether it touches something now.

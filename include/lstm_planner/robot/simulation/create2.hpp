@@ -17,11 +17,11 @@ struct Create2Parameters {
   double max_wheel_acceleration = 2.0;
   double slip = 0.0;
   double drift = 0.0;
-  /// How far odometry errs, as a share of the way: each robot draws, from its seed, one error of the lengths and one of
-  /// the turns that it counts, both uniform in +-odometry_error; and its heading wanders about the true one, as that of
-  /// a gyroscope with something to hold on to does: normal, 1.5 odometry_error rad, forgotten within 20 m. A robot that
-  /// goes straight on is then that share of the way beside where it thinks it is (root mean square), after 10 m as
-  /// after 100 m.
+  /// How far odometry errs, as a share of the distance: each robot draws, from its seed, one error of the lengths and
+  /// one of the turns that it counts, both uniform in +-odometry_error; and its heading wanders about the true one, as
+  /// that of a gyroscope with something to hold on to does: normal, 1.5 odometry_error rad, forgotten within 20 m. A
+  /// robot that goes straight on is then that share of the distance beside where it thinks it is (root mean square),
+  /// after 10 m as after 100 m.
   double odometry_error = 0.0;
 };
 
@@ -39,7 +39,8 @@ void visitCreate2Parameters(Parameters& robot, const Visitor& visit) {
         "standard deviation of each wheel's true travel relative to what its encoder counts, per step");
   visit("drift", robot.drift, {-1.0, 1.0}, "",
         "constant relative error of the left wheel's travel, -drift for the right wheel");
-  visit("odometry_error", robot.odometry_error, {0.0, 0.5}, "", "share of the way by which odometry errs: 0.02 = 2 %");
+  visit("odometry_error", robot.odometry_error, {0.0, 0.5}, "",
+        "share of the distance by which odometry errs: 0.02 = 2 %");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -40,7 +40,7 @@ void visitCrowdParameters(Parameters& crowd, const Visitor& visit) {
 void validate(const CrowdParameters& parameters);
 
 /// A world with people in it. Each walks straight to a random place, then to another, at a speed of its own; a wall in
-/// its way makes it choose another place, too. Walkers pass through each other. They pay no heed to the robot until the
+/// its path makes it choose another place, too. Walkers pass through each other. They ignore the robot until the
 /// next step would touch it: then they stand for a while and go elsewhere. Deterministic for a seed.
 class Crowd : public World {
  public:
@@ -52,7 +52,7 @@ class Crowd : public World {
     bool beside_robot = false;  ///< it has met the robot and not left it since
   };
 
-  /// `surroundings` and `places`, where walkers begin and go to, must outlive the crowd; places where a walker does not
+  /// `surroundings` and `places`, where walkers start and go to, must outlive the crowd; places where a walker does not
   /// fit are not used. `robot` is where the robot starts. Throws as validate(), and std::invalid_argument when no place
   /// is fit for a walker.
   Crowd(const World& surroundings, const std::vector<Point2>& places, const CrowdParameters& parameters,

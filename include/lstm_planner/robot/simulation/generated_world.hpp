@@ -27,7 +27,7 @@ const char* toString(WorldKind kind);
 WorldKind worldKindOf(const std::string& name);
 
 /// A world of that kind, its size and everything else about it drawn from the seed; the same on every machine. There
-/// are places at least 5 m of way apart for a disc of the Create 2's radius and 7 cm of clearance.
+/// are places at least 5 m of path apart for a disc of the Create 2's radius and 7 cm of clearance.
 OccupancyGrid generateWorld(WorldKind kind, std::uint64_t seed);
 
 /// What a world is for. No world that a network is judged in may be one that it has learnt in.

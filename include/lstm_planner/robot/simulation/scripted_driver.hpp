@@ -20,7 +20,7 @@ struct ScriptedDriverParameters {
   double reluctance = 1.5;
   double lookahead = 0.6;
   double sharp_turn = 0.5;
-  /// Whether a turn key is pressed while driving, too, so that the robot drives arcs where the way bends less. Labels
+  /// Whether a turn key is pressed while driving, too, so that the robot drives arcs where the path bends less. Labels
   /// of thesis Eq. 4.1 hardly see arcs: half a second of one is half of its turn away from straight on.
   bool drives_arcs = false;
   double shortest_reaction = 0.2;
@@ -39,11 +39,11 @@ void visitDriverParameters(Parameters& driver, const Visitor& visit) {
   visit("turn_speed", driver.turn_speed, {0.01, 20.0}, "rad/s", "while a turn key is held");
   visit("footprint_radius", driver.footprint_radius, {0.02, 5.0}, "m", "of the robot");
   visit("clearance", driver.clearance, {0.0, 5.0}, "m",
-        "that the way keeps between the footprint and walls, at the least");
+        "that the path keeps between the footprint and walls, at the least");
   visit("comfort", driver.comfort, {0.0, 10.0}, "m",
-        "between footprint and walls below which the way counts as longer than it is");
+        "between footprint and walls below which the path counts as longer than it is");
   visit("reluctance", driver.reluctance, {0.0, 100.0}, "", "how much longer: up to 1 + this times");
-  visit("lookahead", driver.lookahead, {0.01, 20.0}, "m", "along the way to the point that is driven at");
+  visit("lookahead", driver.lookahead, {0.01, 20.0}, "m", "along the path to the point that is driven at");
   visit("sharp_turn", driver.sharp_turn, {0.2, 3.1416}, "rad", "who has to turn farther than this stops to turn");
   visit("drives_arcs", driver.drives_arcs, {}, "", "a turn key is pressed while driving, too; labels hardly see arcs");
   visit("shortest_reaction", driver.shortest_reaction, {0.0, 0.5}, "s",
@@ -60,7 +60,7 @@ void visitDriverParameters(Parameters& driver, const Visitor& visit) {
 void validate(const ScriptedDriverParameters& parameters);
 
 /// Drives like a person who sees robot and building from above and has three keys: forward, left and right; with none
-/// held the robot stops. Follows the shortest comfortable way to the goal, stops to turn, reacts late, aims badly,
+/// held the robot stops. Follows the shortest comfortable path to the goal, stops to turn, reacts late, aims badly,
 /// pauses sometimes, and does not touch what is in the map (unknown cells are as good as walls). Deterministic for a
 /// seed and the poses and times that it is asked at.
 ///
@@ -71,7 +71,7 @@ class ScriptedDriver {
     kWaiting,  ///< there is no goal
     kDriving,
     kArrived,  ///< and the keys are released
-    kNoWay     ///< to the goal from where the robot is, or the goal is too near to a wall
+    kNoPath    ///< to the goal from where the robot is, or the goal is too near to a wall
   };
 
   /// `world` must outlive the driver. Throws as validate().
@@ -84,7 +84,7 @@ class ScriptedDriver {
   Twist2 command(const Pose2& pose, double time);
 
   State state() const { return state_; }
-  /// m, of the way to the goal; +inf when there is none.
+  /// m, of the path to the goal; +inf when there is none.
   double distanceToGo(const Point2& position) const;
 
  private:
@@ -94,7 +94,7 @@ class ScriptedDriver {
     bool operator==(const Keys& other) const { return forward == other.forward && turn == other.turn; }
   };
 
-  CellIndex startOfWay(const Point2& position) const;
+  CellIndex startOfPath(const Point2& position) const;
   Point2 pointAhead(const Point2& position) const;
   bool isOpen(const Point2& from, const Point2& to) const;
   Twist2 twistOf(const Keys& keys) const;
@@ -121,7 +121,7 @@ class ScriptedDriver {
   double pause_end_ = 0.0;       ///< s
   double aim_error_ = 0.0;       ///< rad
   bool turning_ = false;         ///< in place
-  bool is_aimed_ = false;        ///< at the way ahead, so that there is little room needed
+  bool is_aimed_ = false;        ///< at the path ahead, so that there is little room needed
 };
 
 }  // namespace lstm_planner

@@ -47,7 +47,7 @@ class SimulatedRobot {
   const Pose2& truePose() const { return base_.truePose(); }
   const Pose2& odometry() const { return base_.odometry(); }
   const Twist2& measuredTwist() const { return base_.measuredTwist(); }
-  /// How often the footprint began to touch something; not a walker that runs into it, unless it drives towards him.
+  /// How often the footprint started to touch something; not a walker that runs into it, unless it drives towards him.
   int contacts() const { return contacts_.contacts(); }
   int bumped() const { return bumped_; }               ///< how often a walker ran into the robot
   int bumpedMoving() const { return bumped_moving_; }  ///< of those, while it moved aside or away from him

@@ -49,7 +49,7 @@ struct CorridorWorldParameters {
 void validate(const CorridorWorldParameters& parameters);
 OccupancyGrid generateCorridorWorld(const CorridorWorldParameters& parameters, std::uint64_t seed);
 
-/// A walled field of round poles. For a disc of `passage` there is a way from the left end of the field to the right
+/// A walled field of round poles. For a disc of `passage` there is a path from the left end of the field to the right
 /// one: poles that close it are felled.
 struct ForestParameters {
   double width = 12.0;            ///< m

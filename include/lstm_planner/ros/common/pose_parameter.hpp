@@ -8,7 +8,7 @@
 
 namespace lstm_planner {
 
-/// A place with a name, such as a way-point of a list.
+/// A place with a name, such as a waypoint of a list.
 struct NamedPose {
   std::string name;
   Pose2 pose;

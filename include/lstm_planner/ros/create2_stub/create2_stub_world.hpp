@@ -21,7 +21,7 @@ std::vector<Circle> readCircles(const std::string& path, double default_radius, 
 std::unique_ptr<World> makeWorld(const Create2StubParameters& parameters);
 
 /// A robot in a world. It cannot drive into anything: what it runs against holds it (it may turn, its wheels go on and
-/// the encoders count). A contact is counted when touching begins; it has ended when the robot is 1 cm away.
+/// the encoders count). A contact is counted when touching starts; it has ended when the robot is 1 cm away.
 class RobotInWorld {
  public:
   RobotInWorld(const World& world, const Create2Parameters& parameters, const Pose2& start, std::uint64_t seed);

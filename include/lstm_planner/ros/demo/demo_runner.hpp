@@ -26,7 +26,7 @@ struct DemoParameters {
     double time_limit;  ///< s
   };
   std::vector<Goal> goals;  ///< ~scenario/goals
-  Pose2 start;              ///< ~start, else ~scenario/start: where odometry began, in the map frame
+  Pose2 start;              ///< ~start, else ~scenario/start: where odometry started, in the map frame
   std::string map;
   double free_threshold = -1.0;
   std::string odom_frame = "odom";
@@ -64,7 +64,7 @@ struct DemoLeg {
   std::string text;        ///< what the action said, or why the arrival is not believed
   double time = 0.0;       ///< s
   double path = 0.0;       ///< m, truly driven
-  double shortest = 0.0;   ///< m, shortest way of the footprint from where the leg began; +inf where there is none
+  double shortest = 0.0;   ///< m, shortest path of the footprint from where the leg started; +inf where there is none
   double remaining = 0.0;  ///< m to the goal at the end
   unsigned contacts = 0;
 };

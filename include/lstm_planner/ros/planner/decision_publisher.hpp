@@ -11,7 +11,7 @@ namespace lstm_planner {
 /// Publishes each decision and where it came from as diagnostic_msgs/DiagnosticArray on `decision`.
 ///
 /// One status, whose message is the decision's source; a warning when the leader does not decide (looking around,
-/// boundary following, the route in the network's place), an error when there is no way. Values: step, goal_distance
+/// boundary following, the route in the network's place), an error when there is no path. Values: step, goal_distance
 /// (m), goal_bearing (rad), action (its index, -1 for none), preferred (the network's favourite, -1 when none is
 /// asked), overruled (whether another action was taken than that), steering_angle (rad), preferences, allowed.
 class DecisionPublisher {

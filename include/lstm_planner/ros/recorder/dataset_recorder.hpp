@@ -17,7 +17,7 @@ namespace lstm_planner {
 ///    unless it succeeded; arrival is told by odometry
 ///
 /// Published topics:
-///  - `~goal` (geometry_msgs/PoseStamped, latched): the way-point to drive to, where there are way-points
+///  - `~goal` (geometry_msgs/PoseStamped, latched): the waypoint to drive to, where there are waypoints
 ///  - `~markers` (visualization_msgs/MarkerArray): what is recorded, see RecorderMarkers
 ///  - `/diagnostics` (diagnostic_msgs/DiagnosticArray), once a second of the computer's clock, and after every service;
 ///    the same in short goes into the log every ten seconds
@@ -25,7 +25,7 @@ namespace lstm_planner {
 /// Services:
 ///  - `~pause` (std_srvs/SetBool): true: nothing becomes a step until false. Ends the running episode
 ///  - `~discard_episode` (std_srvs/Trigger): the running episode, or else the last one, is not to be learned from. The
-///    goal stays the goal; a new episode begins
+///    goal stays the goal; a new episode starts
 ///  - `~finish` (std_srvs/Trigger): writes everything, marks the recording as finished, and ends the node
 ///
 /// Parameters: RecorderNodeParameters.

@@ -17,8 +17,8 @@ struct RecorderNodeParameters {
   std::string scan_topic = "scan";
   std::string odom_topic = "odom";
   std::string base_frame = "base_footprint";
-  std::vector<NamedPose> way_points;
-  std::string way_point_frame = "odom";
+  std::vector<NamedPose> waypoints;
+  std::string waypoint_frame = "odom";
   int seed = 1;
   double disk_low = 500.0;
   RecorderParameters recorder;
@@ -28,13 +28,13 @@ struct RecorderNodeParameters {
 template <typename Parameters, typename Visitor>
 void visitRecorderNodeParameters(Parameters& node, const Visitor& visit) {
   visit("output", node.output, {}, "",
-        "the file; ~/ and package://NAME/ may begin it, %Y and the like are replaced by the time");
+        "the file; ~/ and package://NAME/ may start it, %Y and the like are replaced by the time");
   visit("scan_topic", node.scan_topic, {}, "", "sensor_msgs/LaserScan");
   visit("odom_topic", node.odom_topic, {}, "", "nav_msgs/Odometry");
   visit("base_frame", node.base_frame, {}, "", "the robot's, where the odometry does not name it");
   visit("disk_low", node.disk_low, {0.0, 1e9}, "MB", "with less than this left on the disk a warning is given");
-  visit("way_points", node.way_points, {}, "m", "the goals, in random order; none: goals come from elsewhere only");
-  visit("way_point_frame", node.way_point_frame, {}, "", "the frame that they are given in");
+  visit("waypoints", node.waypoints, {}, "m", "the goals, in random order; none: goals come from elsewhere only");
+  visit("waypoint_frame", node.waypoint_frame, {}, "", "the frame that they are given in");
   visit("seed", node.seed, {}, "", "of their order");
   visitRecorderParameters(node.recorder, visit);
 }

@@ -19,7 +19,7 @@ namespace lstm_planner {
 /// The node `scripted_teleoperator`: drives like a person at the keys (ScriptedDriver) to goals, for recordings without
 /// anybody. Publishes `cmd_vel` while it has a goal, and once more, zeros, when it has none.
 ///
-/// Goals (geometry_msgs/PoseStamped, any frame that tf connects with the base) come from a topic; or it has way-points
+/// Goals (geometry_msgs/PoseStamped, any frame that tf connects with the base) come from a topic; or it has waypoints
 /// of its own, which it drives to one after another, over and over, and publishes on `~goal` (latched). The robot's
 /// pose comes from the topic `ground_truth` (nav_msgs/Odometry in the map frame), as create2_stub has it, or, where
 /// nobody publishes that, from tf. Stands still while the pose is old, while the goal's frame is not known, and when
@@ -30,7 +30,7 @@ class ScriptedTeleoperator {
   explicit ScriptedTeleoperator(const TeleoperatorParameters& parameters);
 
   /// Drives until the goals are done, `stop` is set, or ROS shuts down. Returns the exit code: 0, or 1 when there was
-  /// no way to one of the goals.
+  /// no path to one of the goals.
   int run(const std::atomic<bool>& stop);
 
  private:
@@ -43,7 +43,7 @@ class ScriptedTeleoperator {
   void onTruth(const nav_msgs::Odometry::ConstPtr& message);
   void onTimer(const ros::TimerEvent& event);
   Twist2 steer();
-  void chooseWayPoint();
+  void chooseWaypoint();
   void endGoal(const char* how);
   bool isDone() const { return parameters_.goals > 0 && ended_ >= parameters_.goals; }
   std::optional<Localised> localise() const;
@@ -57,9 +57,9 @@ class ScriptedTeleoperator {
   OdometryHistory truth_;
   std::optional<geometry_msgs::PoseStamped> goal_;
   std::optional<Point2> driven_to_;  ///< map frame, where the driver thinks that the goal is
-  std::size_t next_way_point_ = 0;
-  int ended_ = 0;   ///< goals that were arrived at, replaced, or impossible
-  int no_way_ = 0;  ///< of these
+  std::size_t next_waypoint_ = 0;
+  int ended_ = 0;    ///< goals that were arrived at, replaced, or impossible
+  int no_path_ = 0;  ///< of these
   bool moving_ = false;
 
   ros::NodeHandle node_;

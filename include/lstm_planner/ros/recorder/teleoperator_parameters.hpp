@@ -19,7 +19,7 @@ struct TeleoperatorParameters {
   std::string map_frame = "map";
   std::string base_frame = "base_footprint";
   std::string goal_topic = "dataset_recorder/goal";
-  std::vector<NamedPose> way_points;
+  std::vector<NamedPose> waypoints;
   int goals = 0;
   double rate = 20.0;
   double patience = 0.5;
@@ -35,7 +35,7 @@ void visitTeleoperatorParameters(Parameters& node, const Visitor& visit) {
   visit("base_frame", node.base_frame, {}, "",
         "the robot's; where nobody publishes ground_truth, its pose comes from tf");
   visit("goal_topic", node.goal_topic, {}, "", "geometry_msgs/PoseStamped");
-  visit("way_points", node.way_points, {}, "m",
+  visit("waypoints", node.waypoints, {}, "m",
         "in the map frame; with any the topic is not listened to, and they are driven to one after another");
   visit("goals", node.goals, {0, 1000000}, "", "after which the node ends; 0: never");
   visit("rate", node.rate, {10.0, 100.0}, "Hz", "of commands");

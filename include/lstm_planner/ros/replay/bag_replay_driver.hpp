@@ -12,7 +12,7 @@ namespace lstm_planner {
 
 /// Shows in rviz, on `driver`, which way the driver went and where the planner would have gone elsewhere.
 ///
-/// Namespaces: way (blue), driven (blue: an arrow for the driver's angle at each step), planned (an arrow for the
+/// Namespaces: path (blue), driven (blue: an arrow for the driver's angle at each step), planned (an arrow for the
 /// planner's, green where it is the same steering angle, red where it is not), agreement (how often it was so far).
 class BagReplayDriver {
  public:

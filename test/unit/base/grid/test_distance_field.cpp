@@ -79,7 +79,7 @@ TEST(GeodesicField, GoesThroughADoorOnlyWhereTheRobotFits) {
   EXPECT_TRUE(std::isinf(geodesic(twoRooms(), {5, 7}, {0.25, 0.0, 0.0}).at({15, 7})));
 }
 
-TEST(GeodesicField, HasNoWayToAGoalInAWall) {
+TEST(GeodesicField, HasNoPathToAGoalInAWall) {
   EXPECT_TRUE(std::isinf(geodesic(twoRooms(), {10, 0}, {0.0, 0.0, 0.0}).at({5, 5})));
   EXPECT_TRUE(std::isinf(geodesic(twoRooms(), {-5, 700}, {}).at({5, 5})));
 }

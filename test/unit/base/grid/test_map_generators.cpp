@@ -44,7 +44,7 @@ std::size_t reachedCount(const PassableGrid& grid) {
   return count;
 }
 
-/// Open cells of a wall between two corridors, which is `width` cells long and begins at `first`.
+/// Open cells of a wall between two corridors, which is `width` cells long and starts at `first`.
 int openCells(const PassableGrid& grid, CellIndex first, CellIndex step, int width) {
   int open = 0;
   for (int i = 0; i < width; ++i) {
@@ -79,7 +79,7 @@ TEST_P(Mazes, AreTreesOfCorridorsOfTheWidth) {
         opened += (east > 0 ? 1 : 0) + (south > 0 ? 1 : 0);
       }
     }
-    EXPECT_EQ(opened, across * down - 1) << "a connected graph of n places with n - 1 ways is a tree";
+    EXPECT_EQ(opened, across * down - 1) << "a connected graph of n places with n - 1 paths is a tree";
     EXPECT_EQ(reachedCount(grid), passableCount(grid));
   }
 }
@@ -98,11 +98,11 @@ TEST(Mazes, HaveMoreDeadEndsTheMoreTheyBranch) {
     int count = 0;
     for (CellIndex cell{1, 1}; cell.row < 201; cell.row += 2) {
       for (cell.column = 1; cell.column < 201; cell.column += 2) {
-        int ways = 0;
+        int paths = 0;
         for (int direction = 0; direction < kGridMoveCount; direction += 2) {
-          ways += grid.passable(cellBeside(cell, direction)) ? 1 : 0;
+          paths += grid.passable(cellBeside(cell, direction)) ? 1 : 0;
         }
-        count += ways == 1 ? 1 : 0;
+        count += paths == 1 ? 1 : 0;
       }
     }
     return count / 10000.0;

@@ -176,7 +176,7 @@ TEST_P(NetworkKernels, TheSameStepsGiveTheSameBits) {
   }
 }
 
-TEST_P(NetworkKernels, CopiesGoTheirOwnWays) {
+TEST_P(NetworkKernels, CopiesAreIndependent) {
   LayerMaker make(11);
   Network network(make.thesisNet(), GetParam());
   for (int step = 0; step < 3; ++step) network.forward(make.input(11));

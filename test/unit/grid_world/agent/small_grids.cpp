@@ -105,8 +105,8 @@ Walk walk(const SmallGrid& world, GridAgent* agent, CornerCutting corner_cutting
     if (walk.steps == most_steps) return walk;
     agent->observe({cell, world.goal, senseRanges(world.grid, cell)});
     const int direction = agent->decide();
-    if (direction == kNoWay) {
-      walk.end = WalkEnd::kNoWay;
+    if (direction == kNoPath) {
+      walk.end = WalkEnd::kNoPath;
       return walk;
     }
     if (!movePossible(world.grid, cell, direction, corner_cutting)) {

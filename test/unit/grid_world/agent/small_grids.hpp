@@ -23,7 +23,7 @@ SmallGrid drawnGrid(const std::vector<std::string>& rows);
 /// wide.
 SmallGrid smallGrid(std::uint32_t seed);
 
-enum class WalkEnd { kArrived, kNoWay, kCollided, kTooLong };
+enum class WalkEnd { kArrived, kNoPath, kCollided, kTooLong };
 
 struct Walk {
   WalkEnd end = WalkEnd::kTooLong;

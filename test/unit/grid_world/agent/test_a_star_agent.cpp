@@ -14,7 +14,7 @@ PassableGrid gridWithWall() {
   return grid;
 }
 
-TEST(AStarAgent, WalksAShortestWay) {
+TEST(AStarAgent, WalksAShortestPath) {
   const PassableGrid grid = gridWithWall();
   const CellIndex goal{18, 2};
   CellIndex cell{2, 2};
@@ -26,7 +26,7 @@ TEST(AStarAgent, WalksAShortestWay) {
   for (int step = 0; step < 100 && cell != goal; ++step) {
     agent.observe({cell, goal, senseRanges(grid, cell)});
     const int direction = agent.decide();
-    ASSERT_NE(direction, kNoWay);
+    ASSERT_NE(direction, kNoPath);
     EXPECT_EQ(agent.decide(), direction);
     ASSERT_TRUE(movePossible(grid, cell, direction, CornerCutting::kForbidden));
     ++(direction % 2 == 0 ? straight_moves : diagonal_moves);
@@ -40,13 +40,13 @@ TEST(AStarAgent, WalksAShortestWay) {
   EXPECT_EQ(agent.peakBytes(), planned.peak_bytes + grid.size());
 }
 
-TEST(AStarAgent, FindsThatThereIsNoWay) {
+TEST(AStarAgent, FindsThatThereIsNoPath) {
   PassableGrid grid = gridWithWall();
   grid.set({10, 10}, false);
   AStarAgent agent(grid);
   agent.start({2, 2}, {18, 2});
   agent.observe({{2, 2}, {18, 2}, senseRanges(grid, {2, 2})});
-  EXPECT_EQ(agent.decide(), kNoWay);
+  EXPECT_EQ(agent.decide(), kNoPath);
 }
 
 TEST(AStarAgent, PlansAgainWhenItIsNotWhereItWent) {

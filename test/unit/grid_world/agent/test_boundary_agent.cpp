@@ -28,7 +28,7 @@ class BoundaryAgentIn : public testing::TestWithParam<std::tuple<CornerCutting, 
   }
 };
 
-TEST_P(BoundaryAgentIn, SmallGridsArrivesOrProvesThatThereIsNoWay) {
+TEST_P(BoundaryAgentIn, SmallGridsArrivesOrProvesThatThereIsNoPath) {
   BoundaryAgent agent(parameters());
   int arrived = 0;
   int enclosed = 0;
@@ -38,7 +38,7 @@ TEST_P(BoundaryAgentIn, SmallGridsArrivesOrProvesThatThereIsNoWay) {
     const bool reachable = std::isfinite(distances.at(world.start));
     // The grids have at most 400 cells, and so at most 1,600 edges.
     const Walk walked = walk(world, &agent, parameters().corner_cutting, 20 * world.grid.size());
-    ASSERT_EQ(walked.end, reachable ? WalkEnd::kArrived : WalkEnd::kNoWay) << "seed " << seed;
+    ASSERT_EQ(walked.end, reachable ? WalkEnd::kArrived : WalkEnd::kNoPath) << "seed " << seed;
     ++(reachable ? arrived : enclosed);
   }
   EXPECT_GT(arrived, 2500);
@@ -85,22 +85,22 @@ TEST(BoundaryAgent, LeavesAPocketWithoutComingBack) {
   EXPECT_LE(walked.steps, 28U);
 }
 
-TEST(BoundaryAgent, SaysThatAnEnclosedGoalHasNoWay) {
+TEST(BoundaryAgent, SaysThatAnEnclosedGoalHasNoPath) {
   const SmallGrid world = drawnGrid({"......", ".###..", ".#G#.S", ".###..", "......"});
   BoundaryAgent agent;
-  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoWay);
+  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoPath);
 }
 
 TEST(BoundaryAgent, SaysThatItIsEnclosedItself) {
   const SmallGrid world = drawnGrid({"S#..", "##..", "...G"});
   BoundaryAgent agent;
-  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoWay);
+  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoPath);
 }
 
 TEST(BoundaryAgent, PassesBetweenCornersOnlyWhereThatIsAllowed) {
   const SmallGrid world = drawnGrid({"S#.", "#..", "..G"});
   BoundaryAgent agent;
-  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoWay);
+  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoPath);
   BoundaryParameters parameters;
   parameters.corner_cutting = CornerCutting::kAllowed;
   BoundaryAgent cutting(parameters);
@@ -122,7 +122,7 @@ TEST(BoundaryAgent, AnswersTheSameWhenAskedTwice) {
 }
 
 TEST(BoundaryAgent, StaysSmallInALongMaze) {
-  // A comb of 400 dead ends, each of which bends the way back.
+  // A comb of 400 dead ends, each of which bends the path back.
   PassableGrid grid(801, 40, true);
   for (int column = 1; column < 800; column += 2) {
     for (int row = 0; row < 38; ++row) grid.set({column, row}, false);
@@ -131,12 +131,12 @@ TEST(BoundaryAgent, StaysSmallInALongMaze) {
   grid.set({799, 39}, false);
   const SmallGrid world = {grid, {0, 0}, {800, 0}};
   BoundaryAgent agent;
-  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 200000).end, WalkEnd::kNoWay);
+  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 200000).end, WalkEnd::kNoPath);
   EXPECT_LE(agent.peakBytes(), 6U * 1024U);
 }
 
-TEST(BoundaryAgent, ArrivesWhenTheTrailHasNoRoomForTheWayBack) {
-  // The goal is two cells above the start, at the end of a way that first bends 1,600 times and then leads back.
+TEST(BoundaryAgent, ArrivesWhenTheTrailHasNoRoomForThePathBack) {
+  // The goal is two cells above the start, at the end of a path that first bends 1,600 times and then leads back.
   const int columns = 1601;
   PassableGrid grid(columns, 7, true);
   for (int column = 0; column < columns; ++column) {

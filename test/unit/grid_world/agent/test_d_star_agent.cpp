@@ -28,7 +28,7 @@ Episode drive(const PassableGrid& grid, DStarAgent& agent, CellIndex start, Cell
     agent.observe({cell, goal, senseRanges(grid, cell)});
     const int direction = agent.decide();
     if (episode.steps++ == 0) episode.first_plan = agent.expandedCells();
-    episode.gave_up = direction == kNoWay;
+    episode.gave_up = direction == kNoPath;
     if (episode.gave_up) return episode;
     episode.collided = !movePossible(grid, cell, direction, corner_cutting);
     if (episode.collided) return episode;
@@ -42,23 +42,23 @@ Episode drive(const PassableGrid& grid, DStarAgent& agent, CellIndex start, Cell
 
 TEST(DStarAgent, ArrivesWithoutCollisionExactlyIfThereIsAWay) {
   std::mt19937 random(1);
-  int ways = 0;
+  int paths = 0;
   for (int round = 0; round < 60; ++round) {
     const CellIndex start{1, 1};
     const CellIndex goal{37, 28};
     const PassableGrid grid = randomGrid(40, 30, 35, random, {start, goal});
     for (const CornerCutting corner_cutting : {CornerCutting::kForbidden, CornerCutting::kAllowed}) {
-      const bool is_way = AStar(grid, {{}, corner_cutting}).find(start, goal).path.found();
+      const bool is_path = AStar(grid, {{}, corner_cutting}).find(start, goal).path.found();
       DStarAgent agent(40, 30, corner_cutting);
       const Episode episode = drive(grid, agent, start, goal, corner_cutting);
       EXPECT_FALSE(episode.collided);
-      EXPECT_EQ(episode.arrived, is_way);
-      EXPECT_EQ(episode.gave_up, !is_way);
-      ways += is_way ? 1 : 0;
+      EXPECT_EQ(episode.arrived, is_path);
+      EXPECT_EQ(episode.gave_up, !is_path);
+      paths += is_path ? 1 : 0;
     }
   }
-  EXPECT_GT(ways, 20);  // both cases must have been met
-  EXPECT_LT(ways, 100);
+  EXPECT_GT(paths, 20);  // both cases must have been met
+  EXPECT_LT(paths, 100);
 }
 
 TEST(DStarAgent, GoesStraightWhereNothingIsInTheWay) {

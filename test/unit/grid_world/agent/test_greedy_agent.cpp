@@ -6,7 +6,7 @@
 namespace lstm_planner {
 namespace {
 
-TEST(GreedyAgent, TakesTheShortestWayInTheOpen) {
+TEST(GreedyAgent, TakesTheShortestPathInTheOpen) {
   const SmallGrid world = drawnGrid({"S......", ".......", "......G"});
   GreedyAgent agent;
   const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 100);
@@ -40,7 +40,7 @@ TEST(GreedyAgent, CutsCornersWhereThatIsAllowed) {
 TEST(GreedyAgent, SaysThatItIsShutIn) {
   const SmallGrid world = drawnGrid({"S#", "#G"});
   GreedyAgent agent;
-  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoWay);
+  EXPECT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100).end, WalkEnd::kNoPath);
 }
 
 TEST(GreedyAgent, NeverCollides) {

@@ -15,7 +15,7 @@
 namespace lstm_planner {
 namespace {
 
-/// Some possible move, or kNoWay when shut in.
+/// Some possible move, or kNoPath when shut in.
 using Policy = std::function<int(const GridObservation&, CornerCutting)>;
 
 int randomMove(const GridObservation& observation, CornerCutting corner_cutting, std::mt19937* random) {
@@ -24,16 +24,16 @@ int randomMove(const GridObservation& observation, CornerCutting corner_cutting,
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     if (movePossible(observation.ranges, direction, corner_cutting)) possible[count++] = direction;
   }
-  return count == 0 ? kNoWay : possible[(*random)() % count];
+  return count == 0 ? kNoPath : possible[(*random)() % count];
 }
 
 int farthestMove(const GridObservation& observation, CornerCutting corner_cutting) {
-  int farthest = kNoWay;
+  int farthest = kNoPath;
   OctileDistance distance;
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     if (!movePossible(observation.ranges, direction, corner_cutting)) continue;
     const OctileDistance there = octileDistance(cellBeside(observation.cell, direction), observation.goal);
-    if (farthest == kNoWay || distance < there) {
+    if (farthest == kNoPath || distance < there) {
       farthest = direction;
       distance = there;
     }
@@ -65,7 +65,7 @@ class EscapingAgent : public GridAgent {
   CornerCutting corner_cutting_;
   GridEscape escape_;
   Policy policy_;
-  int direction_ = kNoWay;
+  int direction_ = kNoPath;
 };
 
 class GridEscapeWith : public testing::TestWithParam<std::tuple<CornerCutting, int, double>> {
@@ -81,16 +81,16 @@ class GridEscapeWith : public testing::TestWithParam<std::tuple<CornerCutting, i
       const GridDistances distances(world.grid, world.goal, parameters.boundary.corner_cutting);
       const bool reachable = std::isfinite(distances.at(world.start));
       EscapingAgent agent(parameters, policy(seed));
-      // Each of fewer than 400 distances costs the patience and a way along boundaries at most.
+      // Each of fewer than 400 distances costs the patience and a path along boundaries at most.
       const std::size_t most_steps = 400 * (static_cast<std::size_t>(parameters.patience) + 20 * world.grid.size());
       ASSERT_EQ(walk(world, &agent, parameters.boundary.corner_cutting, most_steps).end,
-                reachable ? WalkEnd::kArrived : WalkEnd::kNoWay)
+                reachable ? WalkEnd::kArrived : WalkEnd::kNoPath)
           << "seed " << seed;
     }
   }
 };
 
-TEST_P(GridEscapeWith, APolicyAtRandomArrivesOrProvesThatThereIsNoWay) {
+TEST_P(GridEscapeWith, APolicyAtRandomArrivesOrProvesThatThereIsNoPath) {
   expectCertain([](std::uint32_t seed) -> Policy {
     auto random = std::make_shared<std::mt19937>(seed);
     return [random](const GridObservation& observation, CornerCutting corner_cutting) {
@@ -99,7 +99,7 @@ TEST_P(GridEscapeWith, APolicyAtRandomArrivesOrProvesThatThereIsNoWay) {
   });
 }
 
-TEST_P(GridEscapeWith, APolicyThatFleesTheGoalArrivesOrProvesThatThereIsNoWay) {
+TEST_P(GridEscapeWith, APolicyThatFleesTheGoalArrivesOrProvesThatThereIsNoPath) {
   expectCertain([](std::uint32_t) -> Policy { return farthestMove; });
 }
 

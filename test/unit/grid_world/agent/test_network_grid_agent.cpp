@@ -39,7 +39,7 @@ int stepsToArrive(NetworkGridAgent& agent, const PassableGrid& grid, CellIndex c
     if (std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) <= 1) return step;
     agent.observe({cell, goal, senseRanges(grid, cell)});
     const int direction = agent.decide();
-    if (direction == kNoWay || !movePossible(grid, cell, direction, CornerCutting::kForbidden)) return -1;
+    if (direction == kNoPath || !movePossible(grid, cell, direction, CornerCutting::kForbidden)) return -1;
     cell = cellBeside(cell, direction);
     agent.step(direction, true);
   }
@@ -64,7 +64,7 @@ TEST(NetworkGridAgent, ArrivesByTheEscapeHoweverBadTheNetworkIs) {
   EXPECT_LT(steps, 100000);
 }
 
-TEST(NetworkGridAgent, SaysThatThereIsNoWayToAnEnclosedGoal) {
+TEST(NetworkGridAgent, SaysThatThereIsNoPathToAnEnclosedGoal) {
   PassableGrid grid(30, 30, true);
   for (int i = 12; i <= 18; ++i) {
     for (const CellIndex wall : {CellIndex{i, 12}, CellIndex{i, 18}, CellIndex{12, i}, CellIndex{18, i}}) {

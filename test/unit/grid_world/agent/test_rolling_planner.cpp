@@ -71,7 +71,7 @@ int walk(const Decide& decide, const PassableGrid& grid, CellIndex cell, CellInd
   for (int step = 0; step <= max_steps; ++step) {
     if (cell == goal) return step;
     const int direction = decide(observationAt(grid, cell, goal));
-    if (direction == kNoWay || !movePossible(grid, cell, direction, CornerCutting::kForbidden)) return -1;
+    if (direction == kNoPath || !movePossible(grid, cell, direction, CornerCutting::kForbidden)) return -1;
     cell = cellBeside(cell, direction);
   }
   return -1;
@@ -92,10 +92,10 @@ TEST(RollingPlanner, GoesStraightWhereNothingIsInTheWay) {
   EXPECT_EQ(walk(&planner, PassableGrid(500, 500, true), {20, 20}, {420, 300}, 1000), 400);
 }
 
-TEST(RollingPlanner, ArrivesWhereverThereIsAWayInAMapThatFitsTheWindow) {
+TEST(RollingPlanner, ArrivesWhereverThereIsAPathInAMapThatFitsTheWindow) {
   // The window is 160 cells and the agent within 16 cells of its middle: nothing of 60 cells is ever forgotten, and
   // what is known of the walls only grows. A random walk shows that the limit of steps tells good from bad.
-  constexpr double kMostSteps = 4.0;  // a cell of the shortest way
+  constexpr double kMostSteps = 4.0;  // a cell of the shortest path
   RollingPlanner planner;
   Random random(4);
   int reachable = 0;
@@ -125,7 +125,7 @@ TEST(RollingPlanner, ArrivesWhereverThereIsAWayInAMapThatFitsTheWindow) {
   EXPECT_LT(reached_by_chance, reachable / 10);
 }
 
-TEST(RollingPlanner, TheFirstPlanInAKnownPlaceIsAsShortAsTheShortestWay) {
+TEST(RollingPlanner, TheFirstPlanInAKnownPlaceIsAsShortAsTheShortestPath) {
   // All walls within sight: one beside each ray would do, so the place is a plus of corridors one cell wide.
   PassableGrid grid(30, 30, false);
   for (int i = 5; i < 25; ++i) {

@@ -101,10 +101,10 @@ TEST(GridEpisode, WithoutLimitStillEndsForAnAgentThatRunsInCircles) {
   EXPECT_EQ(episode.steps(), gridStepBound(corridor()));
 }
 
-TEST(GridEpisode, EndsWhenTheAgentKnowsThatThereIsNoWay) {
-  ScriptedAgent agent({kEast, kNoWay});
+TEST(GridEpisode, EndsWhenTheAgentKnowsThatThereIsNoPath) {
+  ScriptedAgent agent({kEast, kNoPath});
   const GridEpisode episode = run(corridor(), {0, 0}, {9, 0}, &agent);
-  EXPECT_EQ(episode.end, GridEpisode::End::kNoWay);
+  EXPECT_EQ(episode.end, GridEpisode::End::kNoPath);
   EXPECT_EQ(episode.steps(), 1);
 }
 

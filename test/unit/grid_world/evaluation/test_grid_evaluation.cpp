@@ -157,11 +157,11 @@ TEST(GridSummary, CountsEveryEndAndTakesMeansOverArrivals) {
   const GridSetSummary summary =
       summarizeGridEpisodes("set", {episodeOf(End::kArrived, 30, 10.0), episodeOf(End::kArrived, 10, 10.0),
                                     episodeOf(End::kCollision, 500, 10.0), episodeOf(End::kTimeout, 1000, 20.0),
-                                    episodeOf(End::kNoWay, 7, 10.0)});
+                                    episodeOf(End::kNoPath, 7, 10.0)});
   EXPECT_EQ(summary.arrived, 2u);
   EXPECT_EQ(summary.collisions, 1u);
   EXPECT_EQ(summary.timeouts, 1u);
-  EXPECT_EQ(summary.no_way, 1u);
+  EXPECT_EQ(summary.no_path, 1u);
   EXPECT_DOUBLE_EQ(summary.mean_ratio, 2.0);
   EXPECT_DOUBLE_EQ(summary.mean_length, 20.0);
   EXPECT_DOUBLE_EQ(summary.mean_optimal, 10.0);

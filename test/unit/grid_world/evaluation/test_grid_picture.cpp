@@ -35,18 +35,18 @@ TEST(GridPicture, HasTheFirstLineOfTheMapAtTheTop) {
   EXPECT_EQ(image.at<cv::Vec3b>(kTitle + 100, 500), cv::Vec3b(255, 255, 255));
 }
 
-TEST(GridPicture, DrawsAWayThroughTheMiddlesOfItsCells) {
-  GridPicture picture{"", {5, 10}, {35, 10}, {{"way", {{5, 10}, {35, 10}}, true}}};
+TEST(GridPicture, DrawsAPathThroughTheMiddlesOfItsCells) {
+  GridPicture picture{"", {5, 10}, {35, 10}, {{"path", {{5, 10}, {35, 10}}, true}}};
   const cv::Mat image = draw(hall(), picture);
   EXPECT_TRUE(isOrange(image.at<cv::Vec3b>(kTitle + 10 * 25 + 12, 500)));
   EXPECT_FALSE(isOrange(image.at<cv::Vec3b>(kTitle + 13 * 25 + 12, 500)));
 }
 
-TEST(GridPicture, MarksAWayThatEndsBeforeTheGoal) {
-  GridPicture picture{"", {5, 10}, {35, 10}, {{"way", {{5, 10}, {20, 10}}, false}}};
+TEST(GridPicture, MarksAPathThatEndsBeforeTheGoal) {
+  GridPicture picture{"", {5, 10}, {35, 10}, {{"path", {{5, 10}, {20, 10}}, false}}};
   const cv::Point beside_the_end(20 * 25 + 12 + 8, kTitle + 10 * 25 + 12 + 8);
   EXPECT_TRUE(isOrange(draw(hall(), picture).at<cv::Vec3b>(beside_the_end)));
-  picture.ways[0].arrived = true;
+  picture.paths[0].arrived = true;
   EXPECT_FALSE(isOrange(draw(hall(), picture).at<cv::Vec3b>(beside_the_end)));
 }
 
@@ -57,7 +57,7 @@ TEST(GridPicture, ShowsThePartOfALargeMapThatMatters) {
   EXPECT_LE(image.cols, 1000);
 }
 
-TEST(GridPicture, ShrinksWaysAcrossAMapOfManyCells) {
+TEST(GridPicture, ShrinksPathsAcrossAMapOfManyCells) {
   const cv::Mat image = draw(PassableGrid(3000, 3000, true), {"", {0, 0}, {2999, 2999}, {}});
   EXPECT_EQ(image.cols, 1000);
 }

@@ -99,7 +99,7 @@ TEST(GridReport, GivesTheThesisAsManyCsvFieldsAsTheOthers) {
   EXPECT_EQ(std::count(lines[2].begin(), lines[2].end(), ','), 15) << lines[2];
 }
 
-TEST(SuccessTrend, FallsAsLongerWaysAreAllowed) {
+TEST(SuccessTrend, FallsAsLongerPathsAreAllowed) {
   const std::vector<std::string> lines = linesOf(successTrendCsv(comparisonOf("Rows"), 0));
   ASSERT_EQ(lines.size(), 12u);
   EXPECT_EQ(lines[0], "longest optimum;A*;LSTM");
@@ -130,13 +130,13 @@ TEST(ReportPictures, AreAboutTheFirstAgentThatDoesNotSearch) {
   }
 }
 
-TEST(Gallery, RunsATaskAgainWithItsWays) {
+TEST(Gallery, RunsATaskAgainWithItsPaths) {
   const GridComparison comparison = comparisonOf("Rows");
   const GridPicture picture = pictureOfTask(comparison.sets[0], 3, {comparison.agents[1].agent}, comparison.rules);
-  ASSERT_EQ(picture.ways.size(), 1u);
-  EXPECT_EQ(picture.ways[0].cells.size(), 40u) << "39 moves to one cell before the goal, 40 away";
-  EXPECT_TRUE(picture.ways[0].arrived);
-  EXPECT_EQ(picture.ways[0].label, "LSTM: arrived after 39.0");
+  ASSERT_EQ(picture.paths.size(), 1u);
+  EXPECT_EQ(picture.paths[0].cells.size(), 40u) << "39 moves to one cell before the goal, 40 away";
+  EXPECT_TRUE(picture.paths[0].arrived);
+  EXPECT_EQ(picture.paths[0].label, "LSTM: arrived after 39.0");
 }
 
 TEST(Gallery, FindsDetoursTypicalArrivalsAndMisses) {

@@ -133,8 +133,8 @@ TEST_F(GridTasks, LeavesOutGoalsThatCannotBeReached) {
   scenarios[2].optimal_length = 0.0;
   writeScenarios(path, scenarios);
   const GridTaskSet set = drawGridTasks(files(), {});
-  EXPECT_EQ(goals(set), (std::vector<int>{0, 1})) << "a way of length 0 to the start itself is none too short";
-  EXPECT_EQ(set.without_way, 1u);
+  EXPECT_EQ(goals(set), (std::vector<int>{0, 1})) << "a path of length 0 to the start itself is none too short";
+  EXPECT_EQ(set.without_path, 1u);
 }
 
 TEST_F(GridTasks, RefusesScenariosOfAnotherMap) {

@@ -55,7 +55,7 @@ int arrivalsAlone(const Model& model) {
       }
       agent.observe({cell, goal, senseRanges(grid, cell)});
       const int direction = agent.decide();
-      if (direction == kNoWay) break;
+      if (direction == kNoPath) break;
       cell = cellBeside(cell, direction);
       agent.step(direction, true);
     }
@@ -87,7 +87,7 @@ TEST_P(ShippedGridModel, ArrivesEverywhereInAMazeWithoutCollision) {
     while (std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) > 1 && --steps_left > 0) {
       agent.observe({cell, goal, senseRanges(maze, cell)});
       const int direction = agent.decide();
-      ASSERT_TRUE(direction != kNoWay && movePossible(maze, cell, direction, CornerCutting::kForbidden));
+      ASSERT_TRUE(direction != kNoPath && movePossible(maze, cell, direction, CornerCutting::kForbidden));
       cell = cellBeside(cell, direction);
       agent.step(direction, true);
     }
@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedGridModel,
                          [](const auto& info) { return std::string(info.param.model); });
 
 TEST(ShippedGridModels, TheMainOneNeedsAtMost64KiBInAMazeThatTheTrailHasNoRoomFor) {
-  // A way that bends 1,600 times and then leads back to the goal, two cells above the start.
+  // A path that bends 1,600 times and then leads back to the goal, two cells above the start.
   constexpr int kColumns = 1601;
   PassableGrid maze(kColumns, 7, true);
   for (int column = 0; column < kColumns; ++column) {
@@ -121,7 +121,7 @@ TEST(ShippedGridModels, TheMainOneNeedsAtMost64KiBInAMazeThatTheTrailHasNoRoomFo
   for (int step = 0; step < 5000; ++step) {
     agent.observe({cell, goal, senseRanges(maze, cell)});
     const int direction = agent.decide();
-    ASSERT_NE(direction, kNoWay);
+    ASSERT_NE(direction, kNoPath);
     cell = cellBeside(cell, direction);
     agent.step(direction, true);
   }

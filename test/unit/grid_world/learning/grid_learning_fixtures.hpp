@@ -24,7 +24,7 @@ inline CourseGoal goalOn(const PassableGrid& grid, CellIndex goal) {
   return {map, goal, GridDistances(grid, goal, CornerCutting::kForbidden), {}};
 }
 
-/// Ways of 4 to 30 cells.
+/// Paths of 4 to 30 cells.
 inline GridCourseParameters smallCourse() {
   GridCourseParameters parameters;
   parameters.min_length = 4.0;

@@ -11,7 +11,7 @@
 namespace lstm_planner {
 namespace {
 
-/// Rooms whose doors lie at opposite ends: the straight way to the goal never works.
+/// Rooms whose doors lie at opposite ends: the straight path to the goal never works.
 PassableGrid zigzag() {
   PassableGrid grid(24, 24, true);
   for (int wall = 4; wall < 24; wall += 5) {
@@ -126,7 +126,7 @@ TEST(GridActorCritic, LearnsToGoRoundWalls) {
   };
   const double before = meanReward();
   for (int round = 0; round < 13; ++round) meanReward();
-  // A random walk gains nothing and pays the cost of every step, 0.2. A way twice as long as the shortest gains half a
+  // A random walk gains nothing and pays the cost of every step, 0.2. A path twice as long as the shortest gains half a
   // cell a step.
   EXPECT_LT(before, 0.0);
   EXPECT_GT(meanReward(), 0.3);

@@ -24,7 +24,7 @@ std::vector<GridCourse::Set> twoSets() {
   return {{{PassableGrid(60, 60, true)}, 3.0}, {{PassableGrid(200, 2, true)}, 1.0}};
 }
 
-TEST(GridCourse, DrawsWaysOfTheWantedLengthsFromTheSetsByTheirWeights) {
+TEST(GridCourse, DrawsPathsOfTheWantedLengthsFromTheSetsByTheirWeights) {
   const GridCourse course(parametersFor(10, 50, 0.0), twoSets(), 3, 1);
   Random random(1);
   std::map<std::size_t, int> episodes;
@@ -40,7 +40,7 @@ TEST(GridCourse, DrawsWaysOfTheWantedLengthsFromTheSetsByTheirWeights) {
   EXPECT_NEAR(episodes[0], 3000, 4 * 27);
 }
 
-TEST(GridCourse, AShareOfTheWaysIsShortMoreOften) {
+TEST(GridCourse, AShareOfThePathsIsShortMoreOften) {
   const auto shareBelow20 = [](double short_share) {
     const GridCourse course(parametersFor(10, 50, short_share), twoSets(), 3, 1);
     Random random(1);
@@ -56,7 +56,7 @@ TEST(GridCourse, AShareOfTheWaysIsShortMoreOften) {
   EXPECT_NEAR(shareBelow20(1.0), std::log(2.0) / std::log(5.0), 0.032);
 }
 
-TEST(GridCourse, AFewWaysAreLonger) {
+TEST(GridCourse, AFewPathsAreLonger) {
   GridCourseParameters parameters = parametersFor(10, 50, 0.5);
   parameters.long_share = 0.1;
   parameters.longest = 150;
@@ -69,7 +69,7 @@ TEST(GridCourse, AFewWaysAreLonger) {
     ASSERT_LE(length, 150.0f);
     if (length > 50.0f) ++longer;
   }
-  // The open square has few ways beyond its diagonal of 83 cells, so that some draws are made again. At most a tenth.
+  // The open square has few paths beyond its diagonal of 83 cells, so that some draws are made again. At most a tenth.
   EXPECT_GT(longer, 40);
   EXPECT_LT(longer, 400 + 4 * 19);
 }
@@ -84,7 +84,7 @@ TEST(GridCourse, RenewsItsGoalsWithoutPullingThemAwayFromRunningEpisodes) {
   EXPECT_EQ(episode.goal->distances.at(goal), 0.0f);
 }
 
-TEST(GridCourse, RefusesMapsWithoutAWayOfTheWantedLength) {
+TEST(GridCourse, RefusesMapsWithoutAPathOfTheWantedLength) {
   EXPECT_THROW(GridCourse(parametersFor(10, 50, 0.0), {{{PassableGrid(5, 5, true)}, 1.0}}, 1, 1),
                std::invalid_argument);
   EXPECT_THROW(GridCourse(parametersFor(10, 50, 0.0), {}, 1, 1), std::invalid_argument);

@@ -33,7 +33,7 @@ Model westward() {
   return model;
 }
 
-TEST(SupervisorMove, LeadsAlongAShortestWayFromEverywhere) {
+TEST(SupervisorMove, LeadsAlongAShortestPathFromEverywhere) {
   const PassableGrid grid = smallCave(1);
   Random random(1);
   const GridCourse course(smallCourse(), {{{grid}, 1.0}}, 1, 1);
@@ -62,7 +62,7 @@ TEST(SupervisorMove, GoesOnAsBeforeAmongEquals) {
   EXPECT_EQ(supervisorMove(goalOn(PassableGrid(8, 8, true), {6, 4}), {0, 0}, -1), 1);  // 34 degrees
 }
 
-TEST(SupervisorMove, HasNoAnswerWhereThereIsNoWay) {
+TEST(SupervisorMove, HasNoAnswerWhereThereIsNoPath) {
   PassableGrid grid(5, 1, true);
   grid.set({2, 0}, false);
   EXPECT_EQ(supervisorMove(goalOn(grid, {4, 0}), {0, 0}, -1), -1);
@@ -79,7 +79,7 @@ TEST(GridDataset, HasTheStepsThatWereAskedForInSequencesOfTheLengthThatWasAskedF
     ASSERT_LE(sequence.steps(), 12);
     if (sequence.weights[0] > 0.0f) continue;
     some_burn_in = true;
-    // It begins with the last four steps of the piece before.
+    // It starts with the last four steps of the piece before.
     EXPECT_EQ(sequence.weights.head(4).sum(), 0.0f);
     EXPECT_EQ(sequence.weights.tail(sequence.steps() - 4).minCoeff(), 1.0f);
     EXPECT_EQ(sequence.inputs.leftCols(4), sequences[i - 1].inputs.rightCols(4));
@@ -88,7 +88,7 @@ TEST(GridDataset, HasTheStepsThatWereAskedForInSequencesOfTheLengthThatWasAskedF
   EXPECT_NO_THROW(validateSequences(sequences, GridEncoder::kThesisInputs, kGridMoveCount, "test"));
 }
 
-TEST(GridDataset, LabelsOfTheSupervisorsWaysAreTheMovesThatWereMade) {
+TEST(GridDataset, LabelsOfTheSupervisorsPathsAreTheMovesThatWereMade) {
   GridDatasetParameters parameters = smallDataset();
   parameters.sequence_steps = 200;
   const auto sequences = collectGridSequences(parameters, kThesisInputs, caveCourse(), nullptr, 0.0, 1, 1);
@@ -118,7 +118,7 @@ TEST(GridDataset, DependsOnTheSeedAndNotOnTheThreads) {
   EXPECT_FALSE(other.size() == collect(1, 1, nullptr).size() && other == collect(1, 1, nullptr));
 }
 
-TEST(GridDataset, ALearnerThatLeadsIsToldTheWayWhereItGoes) {
+TEST(GridDataset, ALearnerThatLeadsIsToldThePathWhereItGoes) {
   GridDatasetParameters parameters = smallDataset();
   parameters.sequence_steps = 100;
   parameters.stuck_steps = 1000;
@@ -149,7 +149,7 @@ TEST(GridDataset, TheSupervisorRescuesALearnerThatIsStuck) {
   const Model learner = westward();
   const auto longest = [&](int stuck_steps) {
     parameters.stuck_steps = stuck_steps;
-    parameters.rescue_steps = 30;  // as long as any way here: it leads to the goal
+    parameters.rescue_steps = 30;  // as long as any path here: it leads to the goal
     Eigen::Index steps = 0;
     for (const Sequence& sequence :
          collectGridSequences(parameters, kThesisInputs, caveCourse(), &learner, 1.0, 1, 1)) {

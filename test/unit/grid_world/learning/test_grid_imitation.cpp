@@ -74,7 +74,7 @@ TEST(GridImitation, LearnsWhatTheInputsTell) {
   EXPECT_LT(1.0 - validation.accuracy(), (1.0 - going_on) / 2.0);
 }
 
-TEST(GridImitation, RoundsAddWaysThatTheLearnerLeads) {
+TEST(GridImitation, RoundsAddPathsThatTheLearnerLeads) {
   std::vector<std::size_t> steps;
   const GridImitationParameters parameters = tinyImitation();
   imitateOnGrid(parameters, smallNetwork(parameters, {4}), {{{smallCave(1)}, 1.0}}, {{{smallCave(2)}, 1.0}}, {},

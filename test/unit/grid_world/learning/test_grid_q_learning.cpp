@@ -34,7 +34,7 @@ GridCourse courseOn(const PassableGrid& grid, double max_length) {
   return GridCourse(parameters, {{{grid}, 1.0}}, 1, 1);
 }
 
-/// Between many of its cells the way begins by leading away from the goal.
+/// Between many of its cells the path starts by leading away from the goal.
 const std::vector<std::string> kSmallMaze = {
     ".......",  //
     "######.",  //
@@ -42,7 +42,7 @@ const std::vector<std::string> kSmallMaze = {
     ".######",  //
     ".......",
 };
-constexpr double kLongestWay = 24.0;  ///< rounded up
+constexpr double kLongestPath = 24.0;  ///< rounded up
 
 GridQLearningParameters smallParameters() {
   GridQLearningParameters parameters;
@@ -112,7 +112,7 @@ TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
 }
 
 TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
-  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestPath);
   GridQLearningParameters parameters = smallParameters();
   const Eigen::VectorXf weights = parameterVector(networkFor(parameters));
   const double in_one = Walk(parameters, course).window(weights, weights, kBestMoves).sums.value;
@@ -125,7 +125,7 @@ TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
 }
 
 Eigen::VectorXf weightsAfterSomeUpdates(int threads, Communicator* communicator = oneProcess()) {
-  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestPath);
   GridQLearningParameters parameters = smallParameters();
   parameters.threads = threads;
   parameters.communicator = communicator;
@@ -149,7 +149,7 @@ TEST(GridQLearning, LearnsTheSameOnAnyNumberOfRanks) {
 }
 
 TEST(GridQLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
-  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestWay);
+  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestPath);
   GridQLearningParameters parameters = smallParameters();
   parameters.target_interval = 3;  // a copy falls into the second epoch, another lies before it
   GridQLearning whole(parameters, networkFor(parameters));
@@ -230,7 +230,7 @@ double arrivalEverywhere(const PassableGrid& grid, const GridQLearningParameters
 
 double arrivalInMazeAfterLearning(GridQLearningParameters parameters) {
   const PassableGrid maze = gridFrom(kSmallMaze);
-  const GridCourse course = courseOn(maze, kLongestWay);
+  const GridCourse course = courseOn(maze, kLongestPath);
   parameters.updates = 600;
   parameters.discount = 0.9;
   GridQLearning learning(parameters, networkFor(parameters));
@@ -245,7 +245,7 @@ TEST(GridQLearning, LeadsEverywhereInASmallMaze) { EXPECT_EQ(arrivalInMazeAfterL
 TEST(GridQLearning, LeadsNearlyEverywhereByTheThesissReward) {
   GridQLearningParameters parameters = smallParameters();
   parameters.reward = GridQLearningParameters::Reward::kThesis;
-  parameters.value_scale = 4.0;  // of so short ways the costs are small
+  parameters.value_scale = 4.0;  // of so short paths the costs are small
   // Its distance is as the crow flies: behind a wall the wrong way seems the better one, so that detours come last.
   EXPECT_GT(arrivalInMazeAfterLearning(parameters), 0.9);
 }

@@ -24,7 +24,7 @@ void expectPossible(const PassableGrid& grid, const GridPath& path, CellIndex st
   }
 }
 
-TEST(AStar, CountsStraightAndDiagonalMovesOfTheWay) {
+TEST(AStar, CountsStraightAndDiagonalMovesOfThePath) {
   const PassableGrid grid(30, 20, true);
   const GridPath path = AStar(grid).find({2, 3}, {12, 7}).path;
   EXPECT_EQ(path.straight_moves, 6);
@@ -33,7 +33,7 @@ TEST(AStar, CountsStraightAndDiagonalMovesOfTheWay) {
   expectPossible(grid, path, {2, 3}, {12, 7}, CornerCutting::kForbidden);
 }
 
-TEST(AStar, ExpandsOnlyTheWayWhereNothingIsInTheWayAndTheHeuristicIsExact) {
+TEST(AStar, ExpandsOnlyThePathWhereNothingIsInThePathAndTheHeuristicIsExact) {
   const PassableGrid grid(200, 100, true);
   EXPECT_EQ(AStar(grid).find({10, 10}, {150, 60}).expanded, 141u);  // 140 moves
 }
@@ -51,7 +51,7 @@ TEST(AStar, ReturnsTheStartAloneWhenItIsTheGoal) {
   EXPECT_EQ(path.length(), 0.0);
 }
 
-TEST(AStar, ReturnsAnEmptyPathWhenThereIsNoWay) {
+TEST(AStar, ReturnsAnEmptyPathWhenThereIsNoPath) {
   PassableGrid grid(5, 3, true);
   for (int row = 0; row < 3; ++row) grid.set({2, row}, false);
   const AStarResult result = AStar(grid).find({0, 0}, {4, 2});
@@ -76,7 +76,7 @@ TEST(AStar, RefusesAStartInAWallAndAGoalOutsideInOneSentence) {
   EXPECT_THROW(AStar(grid, {{Heuristic::kScaledEuclidean, -1.0}}), std::invalid_argument);
 }
 
-TEST(AStar, FindsAShortestWayWithEveryAdmissibleHeuristic) {
+TEST(AStar, FindsAShortestPathWithEveryAdmissibleHeuristic) {
   std::mt19937 random(1);
   for (int round = 0; round < 40; ++round) {
     const CellIndex start{1, 1};
@@ -138,7 +138,7 @@ TEST(AStar, PaysEvenMoreInLengthWhenClosedCellsStayClosed) {
 
 TEST(AStar, ExpandsACellAtMostOnceWhenClosedCellsStayClosed) {
   PassableGrid grid(60, 40, true);
-  for (int row = 0; row < 40; ++row) grid.set({50, row}, false);  // no way: everything on this side is expanded
+  for (int row = 0; row < 40; ++row) grid.set({50, row}, false);  // no path: everything on this side is expanded
   const AStarParameters stay_closed{{Heuristic::kScaledEuclidean}, CornerCutting::kForbidden, ClosedCells::kStayClosed};
   EXPECT_EQ(AStar(grid, stay_closed).find({5, 5}, {55, 5}).expanded, 50u * 40u);
   EXPECT_GT(AStar(grid, {{Heuristic::kScaledEuclidean}}).find({5, 5}, {55, 5}).expanded, 50u * 40u);
@@ -157,7 +157,7 @@ TEST(AStar, GivesTheSameInALaterSearchAsInAFirst) {
   EXPECT_EQ(later.peak_bytes, first.peak_bytes);
 }
 
-TEST(MoveCost, OrdersNearlyEqualWaysLikeTheirTrueLengths) {
+TEST(MoveCost, OrdersNearlyEqualPathsLikeTheirTrueLengths) {
   // The hardest cases are convergents of sqrt(2): a straight moves against b diagonal ones that differ least. Whether
   // a < b sqrt(2) is decided by a^2 < 2 b^2.
   for (std::int64_t before = 1, a = 1, b = 1; b <= (std::int64_t{1} << 26);) {

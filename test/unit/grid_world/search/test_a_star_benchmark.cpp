@@ -36,7 +36,7 @@ void compareWithOptimum(const std::string& file, std::mt19937& random) {
   for (int i = 0; i < kScenariosPerMap; ++i) {
     const Scenario& scenario = scenarios[random() % scenarios.size()];
     const GridPath path = search.find(scenario.start, scenario.goal).path;
-    // Some Dragon Age maps come with ten scenarios without a way; their length is given as 0.
+    // Some Dragon Age maps come with ten scenarios without a path; their length is given as 0.
     ASSERT_EQ(path.found(), scenario.optimal_length > 0.0 || scenario.start == scenario.goal) << file;
     // The benchmark's authors summed up their lengths with rounding: the last digit may be off by one.
     EXPECT_NEAR(path.length(), scenario.optimal_length, lastDigit(scenario.optimal_length)) << file;

@@ -79,15 +79,15 @@ TEST(DStar, RepairsLocallyWhatAChangeNearTheRobotTouches) {
   DStar search(200, 200, goal);
   ASSERT_TRUE(search.plan(robot));
   const std::size_t first_plan = search.processedStates();
-  EXPECT_GT(first_plan, 10000u);  // it floods the map from the goal: 180 cells of way
+  EXPECT_GT(first_plan, 10000u);  // it floods the map from the goal: 180 cells of path
   for (int row = 99; row <= 101; ++row) search.setPassable({13, row}, false);
   ASSERT_TRUE(search.plan(robot));
-  // The cells behind the small wall, and as many more rows at the edge of the flood as the way has become longer.
+  // The cells behind the small wall, and as many more rows at the edge of the flood as the path has become longer.
   EXPECT_LT(search.processedStates() - first_plan, first_plan / 50);
   EXPECT_GT(search.path(robot).length(), 180.0);
 }
 
-TEST(DStar, ProcessesNothingWhenNothingChangedOrWhatChangedIsFarFromTheWay) {
+TEST(DStar, ProcessesNothingWhenNothingChangedOrWhatChangedIsFarFromThePath) {
   const CellIndex robot{10, 50};
   DStar search(100, 100, {90, 50});
   ASSERT_TRUE(search.plan(robot));
@@ -98,7 +98,7 @@ TEST(DStar, ProcessesNothingWhenNothingChangedOrWhatChangedIsFarFromTheWay) {
   EXPECT_EQ(search.processedStates(), first_plan);
 }
 
-TEST(DStar, FindsThatAnEnclosedRobotHasNoWayAndThatAnOpenedDoorMakesOne) {
+TEST(DStar, FindsThatAnEnclosedRobotHasNoPathAndThatAnOpenedDoorMakesOne) {
   DStar search(20, 20, {15, 15});
   const CellIndex robot{3, 3};
   ASSERT_TRUE(search.plan(robot));

@@ -25,15 +25,15 @@ TEST(Heuristic, FollowsTheThesisEquations) {
   EXPECT_NEAR(cells({Heuristic::kScaledEuclidean, 0.5}, from, to), 2.5, kUnit);
 }
 
-TEST(Heuristic, IsAdmissibleExactlyIfNeverLongerThanTheWay) {
+TEST(Heuristic, IsAdmissibleExactlyIfNeverLongerThanThePath) {
   for (const Heuristic kind : kHeuristics) {
     for (const double scale : {0.0, 0.5, 1.0, 1.001, kThesisEuclideanScale}) {
       const HeuristicParameters heuristic{kind, scale};
       bool never_longer = true;
       for (int column = 0; column < 60; ++column) {
         for (int row = 0; row < 60; ++row) {
-          const MoveCost way = estimateCost({Heuristic::kOctile}, {0, 0}, {column, row});
-          never_longer = never_longer && estimateCost(heuristic, {0, 0}, {column, row}) <= way;
+          const MoveCost path = estimateCost({Heuristic::kOctile}, {0, 0}, {column, row});
+          never_longer = never_longer && estimateCost(heuristic, {0, 0}, {column, row}) <= path;
         }
       }
       EXPECT_EQ(isAdmissible(heuristic), never_longer) << heuristicName(kind) << ", scale " << scale;
@@ -44,8 +44,8 @@ TEST(Heuristic, IsAdmissibleExactlyIfNeverLongerThanTheWay) {
 TEST(Heuristic, FitsItsTypeOnTheLongestGridWithTheLargestScale) {
   const HeuristicParameters heuristic{Heuristic::kScaledEuclidean, kLargestEuclideanScale};
   constexpr int kLongest = (1 << 26) - 1;
-  const MoveCost longest_way = kDiagonalCost * (kLongest + 1);
-  EXPECT_LT(estimateCost(heuristic, {0, 0}, {kLongest, 0}), std::numeric_limits<MoveCost>::max() - longest_way);
+  const MoveCost longest_path = kDiagonalCost * (kLongest + 1);
+  EXPECT_LT(estimateCost(heuristic, {0, 0}, {kLongest, 0}), std::numeric_limits<MoveCost>::max() - longest_path);
 }
 
 TEST(Heuristic, RefusesAScaleThatIsNoUsableNumber) {

@@ -16,7 +16,7 @@ namespace lstm_planner {
 namespace {
 
 /// Dijkstra's algorithm in its plainest form, in double precision.
-double shortestWay(const PassableGrid& grid, CellIndex start, CellIndex goal) {
+double shortestPath(const PassableGrid& grid, CellIndex start, CellIndex goal) {
   std::vector<double> lengths(grid.size(), std::numeric_limits<double>::infinity());
   using Open = std::pair<double, std::size_t>;
   std::priority_queue<Open, std::vector<Open>, std::greater<Open>> open;
@@ -46,7 +46,7 @@ TEST(ScenarioGenerator, GivesTheTrueLengthsInTheirBuckets) {
   ASSERT_FALSE(scenarios.empty());
   for (const Scenario& scenario : scenarios) {
     checkScenario(scenario, 1, grid, "a.scen");
-    EXPECT_NEAR(scenario.optimal_length, shortestWay(grid, scenario.start, scenario.goal), 1e-9);
+    EXPECT_NEAR(scenario.optimal_length, shortestPath(grid, scenario.start, scenario.goal), 1e-9);
     EXPECT_EQ(scenario.bucket, static_cast<int>(std::floor(scenario.optimal_length / 4.0)));
     EXPECT_NE(scenario.start, scenario.goal);
     EXPECT_EQ(scenario.map, "a.map");
@@ -54,12 +54,12 @@ TEST(ScenarioGenerator, GivesTheTrueLengthsInTheirBuckets) {
 }
 
 TEST(ScenarioGenerator, KeepsLongLengthsExactTo6Digits) {
-  // A way of 4428.04 cells with many diagonal moves, for which a sum of floats gives 4428.05.
+  // A path of 4428.04 cells with many diagonal moves, for which a sum of floats gives 4428.05.
   const PassableGrid grid = generateMaze({201, 201, 2, 0.0}, 1);
   const std::vector<Scenario> scenarios = drawScenarios(grid, "a.map", {1}, 1);
   const Scenario& longest = scenarios.back();
   ASSERT_GT(longest.optimal_length, 4000.0);
-  EXPECT_NEAR(longest.optimal_length, shortestWay(grid, longest.start, longest.goal), 1e-9);
+  EXPECT_NEAR(longest.optimal_length, shortestPath(grid, longest.start, longest.goal), 1e-9);
 }
 
 TEST(ScenarioGenerator, FillsBucketsInTheirOrder) {

@@ -302,7 +302,7 @@ TEST(CarmenLogTest, RecordedLogsDriveToWhereTheRobotStopped) {
   const RecordedEpisode& drive = list.episodes()[0];
   EXPECT_EQ(drive.episode.end, EpisodeEnd::kArrived);
   EXPECT_NEAR(drive.episode.goal.pose.x, 6.0, 1e-9);
-  // A scan every 0.25 m up to 0.3 m before the goal: those at 0, 0.25, ... 5.5 m begin steps. The last has no next.
+  // A scan every 0.25 m up to 0.3 m before the goal: those at 0, 0.25, ... 5.5 m start steps. The last has no next.
   EXPECT_EQ(drive.steps.size(), 22u);
   for (const DriveStep& step : drive.steps) {
     EXPECT_EQ(step.label, 2);  // straight ahead of -90, -45, 0, 45, 90 degrees

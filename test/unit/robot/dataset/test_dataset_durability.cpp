@@ -101,7 +101,7 @@ void recordOnSmallDisk(const std::string& path) {
 }
 
 /// The test executable runs itself again as the recorder whose end is tested. Only then this does something, before any
-/// test begins, and does not return. A fork would not do: of Poco's threads it takes along only what they left behind.
+/// test starts, and does not return. A fork would not do: of Poco's threads it takes along only what they left behind.
 bool runAsRecorderIfAsked() {
   const char* order = std::getenv(kRecorderVariable);
   if (order == nullptr) return false;

@@ -130,7 +130,7 @@ TEST_F(DriveRecorderTest, LabelsAStepWithTheAngleThatWasDrivenToTheNext) {
   const auto& steps = steps_.episodes().at(0).steps;
   ASSERT_EQ(steps.size(), 3u);
   EXPECT_EQ(steps[0].label, 2);
-  // Where the turn began, the way on lay 45 degrees to the left.
+  // Where the turn started, the path on lay 45 degrees to the left.
   EXPECT_NEAR(steps[1].driven_angle, M_PI_4, 1e-9);
   EXPECT_EQ(steps[1].label, 3);
   EXPECT_NEAR(steps[1].next_stamp - steps[1].stamp, 1.0, 1e-9);

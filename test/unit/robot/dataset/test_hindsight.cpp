@@ -10,11 +10,11 @@ namespace lstm_planner {
 namespace {
 
 /// Odometry of a robot at 10 Hz.
-class Way {
+class Path {
  public:
-  Way() { hear(); }
+  Path() { hear(); }
 
-  Way& drive(double distance, double speed = 0.5) {
+  Path& drive(double distance, double speed = 0.5) {
     const int count = static_cast<int>(std::lround(distance / speed / kPeriod));
     for (int i = 0; i < count; ++i) {
       const Point2 there = pointAlong(pose_, pose_.yaw, distance / count);
@@ -24,7 +24,7 @@ class Way {
     return *this;
   }
 
-  Way& turn(double angle, double seconds) {
+  Path& turn(double angle, double seconds) {
     const int count = static_cast<int>(std::lround(seconds / kPeriod));
     for (int i = 0; i < count; ++i) {
       pose_.yaw += angle / count;
@@ -33,10 +33,10 @@ class Way {
     return *this;
   }
 
-  Way& stand(double seconds) { return turn(0.0, seconds); }
+  Path& stand(double seconds) { return turn(0.0, seconds); }
 
   /// A circle to the left.
-  Way& circle(double radius) {
+  Path& circle(double radius) {
     constexpr int kCount = 120;
     for (int i = 0; i < kCount; ++i) {
       pose_.yaw += 2.0 * M_PI / kCount;
@@ -47,14 +47,14 @@ class Way {
     return *this;
   }
 
-  Way& jump(double x, double y) {
+  Path& jump(double x, double y) {
     pose_.x = x;
     pose_.y = y;
     hear(kPeriod);
     return *this;
   }
 
-  Way& silence(double seconds) {
+  Path& silence(double seconds) {
     stamp_ += seconds;
     hear();
     return *this;
@@ -82,10 +82,10 @@ struct Goal {
   Pose2 pose;
 };
 
-std::vector<Goal> goalsOf(const Way& way, const HindsightParameters& parameters = {},
+std::vector<Goal> goalsOf(const Path& path, const HindsightParameters& parameters = {},
                           const RecorderParameters& recorder = {}) {
   std::vector<Goal> goals;
-  for (const DriveEvent& event : hindsightGoals(way.odometry(), parameters, recorder, "odom")) {
+  for (const DriveEvent& event : hindsightGoals(path.odometry(), parameters, recorder, "odom")) {
     if (const auto* heard = std::get_if<GoalHeard>(&event)) {
       EXPECT_EQ(heard->goal.frame, "odom");
       EXPECT_EQ(heard->source, "hindsight");
@@ -98,12 +98,12 @@ std::vector<Goal> goalsOf(const Way& way, const HindsightParameters& parameters 
 }
 
 TEST(HindsightTest, PlacesWhereTheRobotStoodAreGoalsFromWhenItLeftTheLast) {
-  Way way;
-  way.stand(5.0).drive(4.0).stand(3.0);
-  const double first_left = way.now();
-  way.turn(M_PI_2, 1.0).drive(3.0).stand(2.5);
+  Path path;
+  path.stand(5.0).drive(4.0).stand(3.0);
+  const double first_left = path.now();
+  path.turn(M_PI_2, 1.0).drive(3.0).stand(2.5);
 
-  const std::vector<Goal> goals = goalsOf(way);
+  const std::vector<Goal> goals = goalsOf(path);
   ASSERT_EQ(goals.size(), 2u);
   EXPECT_NEAR(goals[0].pose.x, 4.0, 1e-9);
   EXPECT_NEAR(goals[0].from, 105.0, 1e-6);  // it stood at the start for 5 s
@@ -116,26 +116,26 @@ TEST(HindsightTest, PlacesWhereTheRobotStoodAreGoalsFromWhenItLeftTheLast) {
 }
 
 TEST(HindsightTest, ShorterPausesAreNoGoals) {
-  Way way;
-  way.drive(4.0).stand(1.5).drive(4.0);
-  const std::vector<Goal> goals = goalsOf(way);
+  Path path;
+  path.drive(4.0).stand(1.5).drive(4.0);
+  const std::vector<Goal> goals = goalsOf(path);
   ASSERT_EQ(goals.size(), 1u);
   EXPECT_NEAR(goals[0].pose.x, 8.0, 1e-9);
 }
 
-TEST(HindsightTest, NearPlacesAreOnTheWayToTheNext) {
-  Way way;
-  way.drive(1.0).stand(3.0).drive(5.0);
-  const std::vector<Goal> goals = goalsOf(way);
+TEST(HindsightTest, NearPlacesAreOnThePathToTheNext) {
+  Path path;
+  path.drive(1.0).stand(3.0).drive(5.0);
+  const std::vector<Goal> goals = goalsOf(path);
   ASSERT_EQ(goals.size(), 1u);
   EXPECT_NEAR(goals[0].pose.x, 6.0, 1e-9);
   EXPECT_DOUBLE_EQ(goals[0].from, 100.0);
 }
 
-TEST(HindsightTest, LongWaysAreDividedIntoEqualParts) {
-  Way way;
-  way.drive(24.0);
-  const std::vector<Goal> goals = goalsOf(way);
+TEST(HindsightTest, LongPathsAreDividedIntoEqualParts) {
+  Path path;
+  path.drive(24.0);
+  const std::vector<Goal> goals = goalsOf(path);
   ASSERT_EQ(goals.size(), 3u);  // 24 m in parts of at most 10 m
   for (std::size_t i = 0; i < goals.size(); ++i) {
     EXPECT_NEAR(goals[i].pose.x, 8.0 * static_cast<double>(i + 1), 0.05 + 1e-9);  // one message is 0.05 m
@@ -143,10 +143,10 @@ TEST(HindsightTest, LongWaysAreDividedIntoEqualParts) {
   }
 }
 
-TEST(HindsightTest, JumpsAndGapsEndWays) {
-  Way way;
-  way.drive(3.0).jump(20.0, 0.0).drive(4.0).silence(2.5).drive(5.0);
-  const std::vector<Goal> goals = goalsOf(way);
+TEST(HindsightTest, JumpsAndGapsEndPaths) {
+  Path path;
+  path.drive(3.0).jump(20.0, 0.0).drive(4.0).silence(2.5).drive(5.0);
+  const std::vector<Goal> goals = goalsOf(path);
   ASSERT_EQ(goals.size(), 3u);
   EXPECT_NEAR(goals[0].pose.x, 3.0, 1e-9);
   EXPECT_NEAR(goals[1].pose.x, 24.0, 1e-9);
@@ -155,9 +155,9 @@ TEST(HindsightTest, JumpsAndGapsEndWays) {
 }
 
 TEST(HindsightTest, WhoReturnsFromADeadEndHasDrivenToItsEndFirst) {
-  Way way;
-  way.drive(4.5).turn(M_PI, 1.5).drive(4.5).stand(3.0);
-  const std::vector<Goal> goals = goalsOf(way);
+  Path path;
+  path.drive(4.5).turn(M_PI, 1.5).drive(4.5).stand(3.0);
+  const std::vector<Goal> goals = goalsOf(path);
   const double tolerance = RecorderParameters().goal_tolerance;
   ASSERT_EQ(goals.size(), 2u);
   // On the way back all is near to where it was before, but for what is within the tolerance of the turning point.
@@ -166,9 +166,9 @@ TEST(HindsightTest, WhoReturnsFromADeadEndHasDrivenToItsEndFirst) {
 }
 
 TEST(HindsightTest, ALoopEndsBeforeItComesBackToItsStart) {
-  Way way;
-  way.circle(1.2).stand(3.0);  // 7.5 m
-  const std::vector<Goal> goals = goalsOf(way);
+  Path path;
+  path.circle(1.2).stand(3.0);  // 7.5 m
+  const std::vector<Goal> goals = goalsOf(path);
   const double tolerance = RecorderParameters().goal_tolerance;
   ASSERT_EQ(goals.size(), 1u);
   const double to_start = distanceBetween(goals[0].pose, Pose2());
@@ -177,50 +177,50 @@ TEST(HindsightTest, ALoopEndsBeforeItComesBackToItsStart) {
 }
 
 TEST(HindsightTest, CirclesOnTheSpotHaveNoGoal) {
-  Way way;
-  for (int i = 0; i < 10; ++i) way.circle(0.2);
-  EXPECT_TRUE(goalsOf(way).empty());
+  Path path;
+  for (int i = 0; i < 10; ++i) path.circle(0.2);
+  EXPECT_TRUE(goalsOf(path).empty());
 }
 
 TEST(HindsightTest, AFloodOfMessagesWhoseStampsHardlyGoOnChangesNothing) {
-  std::vector<OdometryHeard> way = Way().drive(5.0).stand(3.0).odometry();
-  const std::vector<DriveEvent> goals = hindsightGoals(way, {}, {}, "odom");
+  std::vector<OdometryHeard> path = Path().drive(5.0).stand(3.0).odometry();
+  const std::vector<DriveEvent> goals = hindsightGoals(path, {}, {}, "odom");
   ASSERT_FALSE(goals.empty());
   constexpr double kLasts = 2e-4;  // s
-  std::vector<OdometryHeard> flood(200000, way.front());
+  std::vector<OdometryHeard> flood(200000, path.front());
   for (std::size_t i = 0; i < flood.size(); ++i) {
     flood[i].stamp -= kLasts * (1.0 - static_cast<double>(i) / static_cast<double>(flood.size()));
   }
-  way.insert(way.begin(), flood.begin(), flood.end());
-  const std::vector<DriveEvent> again = hindsightGoals(way, {}, {}, "odom");
+  path.insert(path.begin(), flood.begin(), flood.end());
+  const std::vector<DriveEvent> again = hindsightGoals(path, {}, {}, "odom");
   ASSERT_EQ(again.size(), goals.size());
   for (std::size_t i = 0; i < goals.size(); ++i) EXPECT_NEAR(stampOf(again[i]), stampOf(goals[i]), 2.0 * kLasts);
 }
 
 TEST(HindsightTest, NothingOfNothing) {
   EXPECT_TRUE(hindsightGoals({}, {}, {}, "odom").empty());
-  EXPECT_TRUE(goalsOf(Way()).empty());
-  EXPECT_TRUE(goalsOf(Way().stand(60.0)).empty());
+  EXPECT_TRUE(goalsOf(Path()).empty());
+  EXPECT_TRUE(goalsOf(Path().stand(60.0)).empty());
 }
 
 /// A drive with everything that makes goals hard to find.
-Way crookedWay() {
-  Way way;
-  way.drive(7.0).turn(2.5, 1.0).drive(6.0, 0.3).circle(1.5).circle(1.5).drive(3.0).stand(4.0);
-  way.turn(M_PI, 3.0).drive(9.0).turn(-1.0, 0.5).drive(13.0, 0.8).circle(0.25).drive(2.5).silence(4.0).drive(3.0);
-  return way;
+Path crookedPath() {
+  Path path;
+  path.drive(7.0).turn(2.5, 1.0).drive(6.0, 0.3).circle(1.5).circle(1.5).drive(3.0).stand(4.0);
+  path.turn(M_PI, 3.0).drive(9.0).turn(-1.0, 0.5).drive(13.0, 0.8).circle(0.25).drive(2.5).silence(4.0).drive(3.0);
+  return path;
 }
 
-TEST(HindsightTest, NoWayPassesItsGoalBeforeItsEnd) {
-  const Way way = crookedWay();
+TEST(HindsightTest, NoPathPassesItsGoalBeforeItsEnd) {
+  const Path path = crookedPath();
   const RecorderParameters recorder;
-  const std::vector<Goal> goals = goalsOf(way);
+  const std::vector<Goal> goals = goalsOf(path);
   EXPECT_GT(goals.size(), 5u);  // some 60 m in parts of at most 10 m
   for (const Goal& goal : goals) {
     bool is_near = false;
     double driven = 0.0;
     const OdometryHeard* before = nullptr;
-    for (const OdometryHeard& heard : way.odometry()) {
+    for (const OdometryHeard& heard : path.odometry()) {
       if (heard.stamp < goal.from || heard.stamp > goal.until) continue;
       if (before != nullptr) driven += distanceBetween(before->pose, heard.pose);
       before = &heard;
@@ -234,13 +234,13 @@ TEST(HindsightTest, NoWayPassesItsGoalBeforeItsEnd) {
   }
 }
 
-/// What the recorder makes of a way and its goals in hindsight, with a scan after every odometry message.
-StepList recorded(const std::vector<OdometryHeard>& way) {
+/// What the recorder makes of a path and its goals in hindsight, with a scan after every odometry message.
+StepList recorded(const std::vector<OdometryHeard>& path) {
   const RecorderParameters parameters;
   StepList steps;
   DriveRecorder recorder(parameters, &steps, [](const std::string&, double) { return Pose2(); });
-  GoalSchedule goals(hindsightGoals(way, {}, parameters, "odom"), parameters.max_gap);
-  for (const OdometryHeard& heard : way) {
+  GoalSchedule goals(hindsightGoals(path, {}, parameters, "odom"), parameters.max_gap);
+  for (const OdometryHeard& heard : path) {
     recorder.add(heard);
     goals.tell(heard.stamp, &recorder);
     ScanHeard scan;
@@ -252,10 +252,10 @@ StepList recorded(const std::vector<OdometryHeard>& way) {
   return steps;
 }
 
-TEST(HindsightTest, EveryEpisodeOfARecordedWayArrives) {
-  const Way way = crookedWay();
-  const StepList steps = recorded(way.odometry());
-  EXPECT_EQ(steps.episodes().size(), goalsOf(way).size());
+TEST(HindsightTest, EveryEpisodeOfARecordedPathArrives) {
+  const Path path = crookedPath();
+  const StepList steps = recorded(path.odometry());
+  EXPECT_EQ(steps.episodes().size(), goalsOf(path).size());
   for (const RecordedEpisode& episode : steps.episodes()) {
     EXPECT_EQ(episode.episode.end, EpisodeEnd::kArrived);
     EXPECT_EQ(episode.episode.goal_source, "hindsight");
@@ -264,14 +264,14 @@ TEST(HindsightTest, EveryEpisodeOfARecordedWayArrives) {
 }
 
 TEST(HindsightTest, ClocksThatAreSetBackTellEachGoalInItsTime) {
-  Way first;
+  Path first;
   first.drive(5.0).stand(3.0).drive(5.0);
-  std::vector<OdometryHeard> way = first.odometry();
+  std::vector<OdometryHeard> path = first.odometry();
   for (OdometryHeard heard : first.odometry()) {
     heard.stamp -= 50.0;
-    way.push_back(heard);
+    path.push_back(heard);
   }
-  const StepList steps = recorded(way);
+  const StepList steps = recorded(path);
   ASSERT_EQ(steps.episodes().size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) {
     const Episode& episode = steps.episodes()[i].episode;

@@ -14,7 +14,7 @@ DrivePolicy policyPreferring(const std::vector<float>& preferences);
 /// Its network, for the thesis's inputs.
 LayerStack layersPreferring(const std::vector<float>& preferences);
 
-/// Default parameters, but that the way through what is remembered leads.
+/// Default parameters, but that the path through what is remembered leads.
 AgentParameters routeLed();
 
 /// Goes straight on wherever it may, and rather a little aside than back.
@@ -26,7 +26,7 @@ DrivePolicy uselessPolicy();
 /// What the agent knows at a place where it sees these points (base frame, m).
 Situation situationAt(const Pose2& pose, double time = 0.0, const std::vector<Point2>& obstacles = {});
 
-/// Points of a wall from `begin` to `end`, 1 cm apart.
+/// Points of a wall from `start` to `end`, 1 cm apart.
 std::vector<Point2> wall(const Point2& begin, const Point2& end);
 
 /// Points all around the origin, a degree apart.

@@ -19,7 +19,7 @@ class Driver {
   explicit Driver(const AgentParameters& parameters = {})
       : parameters_(parameters), agent_(shippedPolicy(), parameters_, Hokuyo::rules()) {}
 
-  /// Each drive begins at another place: what was seen in the one before is forgotten.
+  /// Each drive starts at another place: what was seen in the one before is forgotten.
   void run(const RecordedDrive& drive) {
     ++jumps_;
     bool is_new = true;

@@ -102,7 +102,7 @@ TEST(MotionAmongPeople, PassesAPersonWhoHasStoodStillForAWhile) {
   AmongPersons drive(world, {1.5, 4.0, 0.0}, 6.0);
   while (drive.robot().time() < 30.0) {
     drive.step();
-    // Comes to stand 0.2 m beside the robot's way.
+    // Comes to stand 0.2 m beside the robot's path.
     world.person.center.y = std::min(4.0 - 0.25 - kRadius - 0.2, world.person.center.y + 0.5 * kPeriod);
   }
   EXPECT_EQ(drive.robot().contacts(), 0);

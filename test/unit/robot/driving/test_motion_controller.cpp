@@ -79,7 +79,7 @@ TEST_F(MotionControllerTest, StopsBeforeAnObstacle) {
   EXPECT_GT(compute(planAlong({{0.0, 0.0}, {5.0, 0.0}})).linear, 0.0);
 }
 
-TEST_F(MotionControllerTest, SlowsDownOnItsWayTowardsAnObstacleButNotBesideOne) {
+TEST_F(MotionControllerTest, SlowsDownOnItsPathTowardsAnObstacleButNotBesideOne) {
   const MotionParameters& limits = controller_.parameters();
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {5.0, 0.0}});
   shield_.show(test::wall({-1.0, kRadius + 0.05}, {1.0, kRadius + 0.05}));
@@ -122,9 +122,9 @@ TEST_F(MotionControllerTest, TurnsTheSameWayWhereCommandsTakeTheirTime) {
   }
 }
 
-TEST_F(MotionControllerTest, LooksAtTheWayThatItTakesUntilTheCommandActs) {
+TEST_F(MotionControllerTest, LooksAtThePathThatItTakesUntilTheCommandActs) {
   // A post stands to the left, where it does not matter to a robot that goes straight on; but one that turns there now
-  // and begins the straight arc late is led to it.
+  // and starts the straight arc late is led to it.
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {5.0, 0.0}});
   shield_.show({pointAlong(Point2{}, 1.3, kRadius + 0.06)});
   const double straight_on = compute(plan, {}, {0.2, 0.0}).linear;
@@ -216,8 +216,8 @@ TEST_F(MotionControllerTest, IsNeverFasterThanLetsItStandBeforeAPersonComes) {
     const std::vector<Point2> person = {{kRadius + gap, 0.0}};
     const double speed = controller_.compute(plan, {}, {0.3, 0.0}, shield_, kPeriod, person).linear;
     const double time = limits.reaction_time + speed / limits.linear_acceleration;
-    const double way = speed * limits.reaction_time + speed * speed / (2.0 * limits.linear_acceleration);
-    ASSERT_TRUE(speed == 0.0 || gap - way - limits.person_speed * time >= limits.person_margin - 1e-9) << gap;
+    const double path = speed * limits.reaction_time + speed * speed / (2.0 * limits.linear_acceleration);
+    ASSERT_TRUE(speed == 0.0 || gap - path - limits.person_speed * time >= limits.person_margin - 1e-9) << gap;
     ASSERT_LE(speed, before) << gap;
     before = speed;
   }

@@ -39,7 +39,7 @@ class NavigationAgentTest : public ::testing::Test {
   NavigationAgent agent_;
 };
 
-/// 7.6 cm before the footprint, from far right to far left: only the ways along it are free.
+/// 7.6 cm before the footprint, from far right to far left: only the paths along it are free.
 std::vector<Point2> wallAhead() { return test::wall({0.25, -1.0}, {0.25, 1.0}); }
 
 TEST_F(NavigationAgentTest, GoesOneStepInThePreferredDirection) {
@@ -206,7 +206,7 @@ TEST_F(NavigationAgentTest, ShieldMasksThePreferredActionBeforeAWall) {
   EXPECT_EQ(decision.source, Source::kNetwork);
 }
 
-TEST_F(NavigationAgentTest, ChoosesAnewWithoutSteppingWhenTheWayIsBlocked) {
+TEST_F(NavigationAgentTest, ChoosesAnewWithoutSteppingWhenThePathIsBlocked) {
   agent_.update(situationAt({}));
   const Network::HiddenState before = hiddenState();
   const Decision& decision = agent_.update(situationAt({}, 0.1, wallAhead()));
@@ -215,7 +215,7 @@ TEST_F(NavigationAgentTest, ChoosesAnewWithoutSteppingWhenTheWayIsBlocked) {
   EXPECT_EQ(hiddenState(), before);
 }
 
-TEST_F(NavigationAgentTest, UsesTheTightClearanceWhereThereIsNoOtherWay) {
+TEST_F(NavigationAgentTest, UsesTheTightClearanceWhereThereIsNoOtherPath) {
   // A passage 0.44 m wide and closed behind: 4.6 cm on either side of the robot.
   std::vector<Point2> passage = test::wall({-0.24, 0.22}, {2.0, 0.22});
   for (const Point2& point : test::wall({-0.24, -0.22}, {2.0, -0.22})) passage.push_back(point);
@@ -264,7 +264,7 @@ TEST_F(NavigationAgentTest, HasArrivedWithinTheTolerance) {
   EXPECT_EQ(agent_.update(situationAt({-0.1, 0.1, 0.0}, 0.1)).source, Source::kGoalInSight);
 }
 
-TEST_F(NavigationAgentTest, WithoutShieldTheNetworkHasItsWay) {
+TEST_F(NavigationAgentTest, WithoutShieldTheNetworkIsFree) {
   AgentParameters parameters;
   parameters.shield_enabled = false;
   NavigationAgent agent(policy(), parameters);

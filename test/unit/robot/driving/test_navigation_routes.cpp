@@ -25,7 +25,7 @@ class NavigationRoutes : public ::testing::Test {
  protected:
   NavigationRoutes() : agent_(stubbornPolicy(), test::routeLed()) { agent_.setGoal({4.0, 0.0}); }
 
-  /// From the waypoint along the way on, m.
+  /// From the waypoint along the path on, m.
   static double lengthOn(const Decision& decision) {
     double length = 0.0;
     Point2 last = decision.waypoint;
@@ -40,7 +40,7 @@ class NavigationRoutes : public ::testing::Test {
   const AgentParameters defaults_ = test::routeLed();
 };
 
-/// Across the straight way; its right end is the nearer one.
+/// Across the straight path; its right end is the nearer one.
 const std::vector<Point2> kWall = test::wall({2.0, -1.0}, {2.0, 3.0});
 const double kRoundTheWall = 2.0 * std::hypot(2.0, 1.0);  ///< m, at least, from the origin to (4, 0)
 
@@ -124,7 +124,7 @@ TEST_F(NavigationRoutes, ItSaysWhenTheShieldOverrulesTheNetwork) {
   EXPECT_TRUE(blocked.isOverruled());
 }
 
-TEST_F(NavigationRoutes, TheWayOnGoesFromTheWaypointToTheDestination) {
+TEST_F(NavigationRoutes, ThePathOnGoesFromTheWaypointToTheDestination) {
   for (const double yaw : {0.0, -0.4, 1.0, 2.5}) {
     agent_.setGoal({4.0, 0.0});
     const Decision& decision = agent_.update(returnsAt(kWall, {0.0, 0.0, yaw}));
@@ -154,7 +154,7 @@ TEST_F(NavigationRoutes, TheDestinationIsBesideAGoalThatLiesInSomething) {
   EXPECT_LE(beside, 0.6);
   ASSERT_FALSE(decision.path_on.empty());
   EXPECT_EQ(decision.path_on.back().x, decision.destination.x);
-  // It stays there when the goal moves, until the way is found anew.
+  // It stays there when the goal moves, until the path is found anew.
   const Point2 destination = decision.destination;
   agent.moveGoal({goal.x + 0.1, goal.y});
   EXPECT_EQ(agent.decision().destination.x, destination.x);
@@ -196,7 +196,7 @@ TEST_F(NavigationRoutes, ANewGoalKeepsWhatWasSeenAndARestartForgetsIt) {
   EXPECT_NEAR(lengthOn(agent_.update(returnsAt({}))), 3.6, 1e-9);
 }
 
-TEST_F(NavigationRoutes, WithoutMemoryThereIsNoWayOn) {
+TEST_F(NavigationRoutes, WithoutMemoryThereIsNoPathOn) {
   AgentParameters forgetful;
   forgetful.memory.enabled = false;
   NavigationAgent agent(stubbornPolicy(), forgetful);
@@ -212,29 +212,29 @@ TEST_F(NavigationRoutes, ARobotThatIsHeldUpOnTheRouteIsLedAnotherWay) {
   const Decision& decision = agent_.update(situationAt({}, 2.1));
   EXPECT_EQ(decision.source, Source::kRoute);
   ASSERT_TRUE(decision.on_route);
-  // Round a place 0.3 m ahead: at less than the footprint from it there is no way.
+  // Round a place 0.3 m ahead: at less than the footprint from it there is no path.
   EXPECT_GT(std::abs(decision.direction), 0.3);
   EXPECT_GT(distanceBetween(decision.waypoint, Point2{0.3, 0.0}), 0.15);
 }
 
-TEST_F(NavigationRoutes, SaysThatThereIsNoWayAfterThreeTurnsInAClosedRing) {
+TEST_F(NavigationRoutes, SaysThatThereIsNoPathAfterThreeTurnsInAClosedRing) {
   double turned = 0.0;
   for (int i = 0; i < 100; ++i) {
     const Decision& decision = agent_.update(situationAt({0.0, 0.0, turned}, 0.5 * i, test::ring(0.8)));
-    if (decision.source == Source::kNoWay) break;
+    if (decision.source == Source::kNoPath) break;
     ASSERT_EQ(decision.source, Source::kLookAround) << i;
     turned += 0.5;
   }
-  EXPECT_EQ(agent_.decision().source, Source::kNoWay);
+  EXPECT_EQ(agent_.decision().source, Source::kNoPath);
   EXPECT_GT(turned, 3.0 * (2.0 * M_PI - 0.5));
   EXPECT_LT(turned, 3.0 * (2.0 * M_PI + 0.5) + 1.0);
   // It stays with that until there is a new goal.
-  EXPECT_EQ(agent_.update(situationAt({}, 99.0)).source, Source::kNoWay);
+  EXPECT_EQ(agent_.update(situationAt({}, 99.0)).source, Source::kNoPath);
   agent_.setGoal({0.3, 0.3});
-  EXPECT_NE(agent_.update(situationAt({}, 99.1, test::ring(0.8))).source, Source::kNoWay);
+  EXPECT_NE(agent_.update(situationAt({}, 99.1, test::ring(0.8))).source, Source::kNoPath);
 }
 
-TEST_F(NavigationRoutes, TheNetworkHasItsWayUntilPatienceEnds) {
+TEST_F(NavigationRoutes, TheNetworkLeadsUntilPatienceEnds) {
   AgentParameters parameters;
   parameters.escape.patience_steps = 5;
   NavigationAgent agent(stubbornPolicy(), parameters);
@@ -250,7 +250,7 @@ TEST_F(NavigationRoutes, TheNetworkHasItsWayUntilPatienceEnds) {
   EXPECT_EQ(decision.source, Source::kRoute);
   EXPECT_TRUE(decision.on_route);
   EXPECT_NEAR(decision.waypoint.x, -1.6, 1e-9);
-  // Nearer to the goal than ever it has its way again.
+  // Nearer to the goal than ever it leads again.
   EXPECT_EQ(agent.update(situationAt({0.3, 0.0, 0.0}, 9.0)).source, Source::kNetwork);
 }
 

@@ -66,7 +66,7 @@ TEST_F(Rollout, GoesThroughTheWaypointFirst) {
 }
 
 TEST_F(Rollout, OfTwoStepsAsFarAsideOfTheGoalTakesTheOneThatIsFree) {
-  // Behind the network's steps, at (0.8, 0), the way ahead and the one to the right are blocked.
+  // Behind the network's steps, at (0.8, 0), the path ahead and the one to the right are blocked.
   planFor(situationAt({}, 0.0, {{1.3, 0.0}, {1.15, -0.4}}), {4.0, 0.0, 0.0});
   const auto left =
       std::max_element(plan_.begin(), plan_.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
@@ -74,7 +74,7 @@ TEST_F(Rollout, OfTwoStepsAsFarAsideOfTheGoalTakesTheOneThatIsFree) {
 }
 
 TEST_F(Rollout, GoesRoundWhatTheScanShows) {
-  // A wall across the way, with its end 0.4 m to the left of it. The way through it is not the way of the plan.
+  // A wall across the path, with its end 0.4 m to the left of it. The path through it is not the path of the plan.
   const std::vector<Point2> wall = test::wall({1.2, -1.5}, {1.2, 0.4});
   const std::vector<Pose2>& plan = planFor(situationAt({}, 0.0, wall), {2.2, 0.3, 0.0});
   // Up to where it leaves straight for the goal it keeps the footprint's distance from the wall.

@@ -19,7 +19,7 @@ using Source = Decision::Source;
 const AgentParameters kDefaults;
 const double kRadius = kDefaults.shield.footprint_radius;
 
-/// What the memory's squares may hide of a distance: half a square's diagonal, half a square on ways in between.
+/// What the memory's squares may hide of a distance: half a square's diagonal, half a square on paths in between.
 const double kBlur = (0.5 * std::sqrt(2.0) + 0.5) * kDefaults.memory.resolution;
 
 /// Plans of an agent that was just put into a forest of poles, with that heading preferred.

@@ -224,7 +224,7 @@ TEST(ShieldArc, TellsTheSmallestGapOfAnArc) {
   Shield shield(kRadius, kHardMargin, kReach);
   EXPECT_DOUBLE_EQ(shield.arcGap({}, 1.0, 1.0), kReach);
   shield.show({{0.0, 2.4}});
-  EXPECT_NEAR(shield.arcGap({}, 1.0, 0.0), 2.4 - kRadius, 1e-12);                      // at its begin
+  EXPECT_NEAR(shield.arcGap({}, 1.0, 0.0), 2.4 - kRadius, 1e-12);                      // at its start
   EXPECT_NEAR(shield.arcGap({}, 1.0, 3.2), 0.4 - kRadius, 1e-12);                      // passed on half a circle
   EXPECT_NEAR(shield.arcGap({}, 1.0, M_PI_2), std::hypot(1.0, 1.4) - kRadius, 1e-12);  // at its end
   shield.show({{1.0, 0.5}});

@@ -88,7 +88,7 @@ class ShieldInRandomScans : public ::testing::Test {
   Shield shield_{kRadius, kHardMargin, kReach};
 };
 
-TEST_F(ShieldInRandomScans, FreesNoWayThatAReturnBlocks) {
+TEST_F(ShieldInRandomScans, FreesNoPathThatAReturnBlocks) {
   int shortened = 0;
   forManyQuestions(60, [&](const std::vector<Point2>& obstacles, const Pose2& from, double limit) {
     for (const double clearance : {0.07, 0.03, 0.0}) {

@@ -23,7 +23,7 @@ DriveResult resultOf(DriveResult::End end, double path_length, double shortest, 
 TEST(Summarize, CountsEnds) {
   std::vector<DriveResult> results = {
       resultOf(DriveResult::End::kReached, 1.0, 1.0, 10.0), resultOf(DriveResult::End::kReached, 3.0, 1.0, 20.0),
-      resultOf(DriveResult::End::kTimeout, 90.0, 1.0, 1800.0), resultOf(DriveResult::End::kNoWay, 50.0, 1.0, 500.0),
+      resultOf(DriveResult::End::kTimeout, 90.0, 1.0, 1800.0), resultOf(DriveResult::End::kNoPath, 50.0, 1.0, 500.0),
       resultOf(DriveResult::End::kElsewhere, 2.0, 1.0)};
   results[1].contacts = 2;
   results[1].goal_error = 0.2;
@@ -33,7 +33,7 @@ TEST(Summarize, CountsEnds) {
   EXPECT_EQ(summary.goals, 5);
   EXPECT_EQ(summary.reached, 2);
   EXPECT_EQ(summary.timeouts, 1);
-  EXPECT_EQ(summary.no_way, 1);
+  EXPECT_EQ(summary.no_path, 1);
   EXPECT_EQ(summary.elsewhere, 1);
   EXPECT_EQ(summary.contacts, 3);
   EXPECT_EQ(summary.bumped, 3);
@@ -190,7 +190,7 @@ TEST(Drive, DoesNotBelieveARobotWhoseWheelsSpin) {
   EXPECT_NEAR(result.contact_places[0].x, 3.0 - 0.3 - 0.17425, 0.01);
 }
 
-TEST(Drive, KeepsTheWaysOfThePeopleAround) {
+TEST(Drive, KeepsThePathsOfThePeopleAround) {
   const GridWorld world(test::emptyHall(6.0, 4.0));
   const std::vector<Point2> places = standingPlaces(world, 0.3);
   CrowdParameters two;

@@ -77,7 +77,7 @@ TEST(EscapeDrives, GetsOutOfASpiral) {
   expectEnd(result, End::kReached);
 }
 
-/// A goal in a ring of posts, and the length of the way round it.
+/// A goal in a ring of posts, and the length of the path round it.
 struct EnclosedGoal {
   EnclosedGoal(double radius, int posts) : round(2.0 * M_PI * (radius + kPost + kFollowDistance)) {
     for (int i = 0; i < posts; ++i) {
@@ -91,43 +91,43 @@ struct EnclosedGoal {
 };
 
 /// To the goal, on with the network until its patience ends, and as far back.
-double wayBeforeFollowing(double to_goal) {
+double pathBeforeFollowing(double to_goal) {
   return to_goal + 2.0 * (impatient().escape.patience_distance + kDefaults.step.length);
 }
 
 TEST(EscapeDrives, KnowsThatAnEnclosedGoalCannotBeReached) {
   const EnclosedGoal enclosed(1.2, 120);
   const DriveResult result = driveStubbornly(CircleWorld(enclosed.circles), {0.0, 0.0, 0.0}, enclosed.goal, 900.0);
-  expectEnd(result, End::kNoWay);
+  expectEnd(result, End::kNoPath);
   // A ring shorter than the first leg of the doubling search is gone round without turning back; once more at the most,
   // as close to it as the robot can.
   ASSERT_LT(kWobble * enclosed.round, kDefaults.escape.first_leg);
-  EXPECT_LT(result.path_length, wayBeforeFollowing(5.0) + 2.0 * kWobble * enclosed.round);
+  EXPECT_LT(result.path_length, pathBeforeFollowing(5.0) + 2.0 * kWobble * enclosed.round);
   EXPECT_GT(result.path_length, enclosed.round);  // it did look
 }
 
 TEST(EscapeDrives, KnowsItOfALargeRingToo) {
   const EnclosedGoal enclosed(3.6, 288);
   const DriveResult result = driveStubbornly(CircleWorld(enclosed.circles), {0.0, 0.0, 0.0}, enclosed.goal, 1800.0);
-  expectEnd(result, End::kNoWay);
+  expectEnd(result, End::kNoPath);
   // Here it turns back after the first leg, and goes round the other way.
   ASSERT_GT(enclosed.round, kDefaults.escape.first_leg);
   EXPECT_LT(result.path_length,
-            wayBeforeFollowing(5.0) + 2.0 * kDefaults.escape.first_leg + 2.0 * kWobble * enclosed.round);
+            pathBeforeFollowing(5.0) + 2.0 * kDefaults.escape.first_leg + 2.0 * kWobble * enclosed.round);
 }
 
 TEST(EscapeDrives, KnowsThatARoomWithoutDoorCannotBeLeft) {
   OccupancyGrid grid = test::emptyHall(9.0, 4.0);
   test::fillBox(3.0, 0.0, 3.1, 4.0, &grid);
   const DriveResult result = driveStubbornly(GridWorld(grid), {1.5, 2.0, 1.0}, {7.0, 2.0}, 3600.0);
-  expectEnd(result, End::kNoWay);
+  expectEnd(result, End::kNoPath);
   // Where the scanner sees nearer to the goal than it has been, the boundary is left, across the room at the most, and
   // met again; five times at the most. Each time it is followed for a first leg and back, and gone round twice.
   const double round = 2.0 * (2.9 + 3.8);
   const double across = std::hypot(2.9, 3.8);
   RecordProperty("path_length", std::to_string(result.path_length));
   EXPECT_LT(result.path_length,
-            wayBeforeFollowing(3.0) + 5.0 * (across + 2.0 * kDefaults.escape.first_leg + 2.0 * kWobble * round));
+            pathBeforeFollowing(3.0) + 5.0 * (across + 2.0 * kDefaults.escape.first_leg + 2.0 * kWobble * round));
 }
 
 TEST(EscapeDrives, TurnsBackWhenTheWallIsLongOnOneSide) {
@@ -147,17 +147,17 @@ TEST(EscapeDrives, TurnsBackWhenTheWallIsLongOnOneSide) {
   parameters.escape.first_leg = 1.0;
   const DriveResult result = driveStubbornly(GridWorld(grid), {0.0, 0.0, M_PI_2}, {0.0, 5.0}, 1800.0, parameters);
   expectEnd(result, End::kReached);
-  // The wall is met about 1.64 m up, 3.36 m before the goal. Past its right end the way to the goal is open; at the
+  // The wall is met about 1.64 m up, 3.36 m before the goal. Past its right end the path to the goal is open; at the
   // latest it is left where the robot is nearer to the goal than 3.36 m, 1.9 m beside it. The doubling search finds
-  // this place within nine times the way there (legs of 1, 2, 4, ... m to and fro until one is longer than it).
-  const double way = 5.1 + M_PI * (kFollowDistance + 0.1) + (5.1 - 1.9);
+  // this place within nine times the path there (legs of 1, 2, 4, ... m to and fro until one is longer than it).
+  const double path = 5.1 + M_PI * (kFollowDistance + 0.1) + (5.1 - 1.9);
   const double beside = 1.64 + std::hypot(5.5, 3.0) + 4 * parameters.step.length;  // to it, from it, patience
-  EXPECT_LT(result.path_length, 9.0 * way * kWobble + beside);
+  EXPECT_LT(result.path_length, 9.0 * path * kWobble + beside);
   // It did go the wrong way first, and did not go to its end.
   double leftmost = 0.0;
   for (const Pose2& pose : result.trace) leftmost = std::min(leftmost, pose.x);
   EXPECT_LT(leftmost, -1.0);
-  EXPECT_GT(leftmost, -2.0 * way * kWobble);
+  EXPECT_GT(leftmost, -2.0 * path * kWobble);
 }
 
 class UselessPolicyDrives : public ::testing::TestWithParam<int> {};

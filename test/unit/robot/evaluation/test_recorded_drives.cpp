@@ -29,37 +29,37 @@ RecordedDrivesParameters quickParameters() {
 }
 
 RecordedDrives record(const RecordedDrivesParameters& parameters, std::uint64_t seed, StepList* sink) {
-  return recordDrives(building(), drawWayPoints(building(), 20, 0.35, 1.5, 1), parameters, seed, sink);
+  return recordDrives(building(), drawWaypoints(building(), 20, 0.35, 1.5, 1), parameters, seed, sink);
 }
 
-TEST(WayPoints, LieApartWhereARobotHasRoom) {
-  const std::vector<Point2> points = drawWayPoints(building(), 20, 0.35, 1.5, 1);
+TEST(Waypoints, LieApartWhereARobotHasRoom) {
+  const std::vector<Point2> points = drawWaypoints(building(), 20, 0.35, 1.5, 1);
   ASSERT_EQ(points.size(), 20u);
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_FALSE(building().touches(points[i], 0.35));
     for (std::size_t j = 0; j < i; ++j) EXPECT_GE(distanceBetween(points[i], points[j]), 1.5);
   }
-  const std::vector<Point2> others = drawWayPoints(building(), 20, 0.35, 1.5, 2);
+  const std::vector<Point2> others = drawWaypoints(building(), 20, 0.35, 1.5, 2);
   EXPECT_NE(points.front().x, others.front().x);
 }
 
-TEST(WayPoints, AreAllInTheLargestPartOfAMap) {
+TEST(Waypoints, AreAllInTheLargestPartOfAMap) {
   OccupancyGrid grid(100, 20, 0.1);
   for (int row = 0; row < 20; ++row) grid.set({30, row}, Cell::kOccupied);
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    for (const Point2& point : drawWayPoints(GridWorld(grid), 5, 0.3, 0.5, seed)) EXPECT_GT(point.x, 3.1);
+    for (const Point2& point : drawWaypoints(GridWorld(grid), 5, 0.3, 0.5, seed)) EXPECT_GT(point.x, 3.1);
   }
 }
 
-TEST(WayPoints, LieNearerToEachOtherWhereThereIsNoRoomForMore) {
+TEST(Waypoints, LieNearerToEachOtherWhereThereIsNoRoomForMore) {
   const OccupancyGrid grid(10, 10, 0.1);
-  EXPECT_EQ(drawWayPoints(GridWorld(grid), 10, 0.2, 5.0, 1).size(), 10u);
+  EXPECT_EQ(drawWaypoints(GridWorld(grid), 10, 0.2, 5.0, 1).size(), 10u);
 }
 
-TEST(WayPoints, AreRefusedWhereThereAreNone) {
+TEST(Waypoints, AreRefusedWhereThereAreNone) {
   const OccupancyGrid solid(10, 10, 0.1, {}, Cell::kOccupied);
   try {
-    drawWayPoints(GridWorld(solid), 2, 0.2, 1.0, 1);
+    drawWaypoints(GridWorld(solid), 2, 0.2, 1.0, 1);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("has 0 connected places for a disc of radius 0.2"), std::string::npos)
@@ -74,7 +74,7 @@ TEST(RecordedDrives, GiveAsManyStepsAsWantedWithoutAnyContact) {
   const RecordedDrives drives = record(parameters, 1, &sink);
   EXPECT_EQ(drives.steps, 300);
   EXPECT_EQ(drives.contacts, 0);
-  EXPECT_EQ(drives.no_way, 0);
+  EXPECT_EQ(drives.no_path, 0);
   EXPECT_EQ(drives.reached + 1, drives.goals) << "all but the one on the way to which the steps were complete";
   long steps = 0;
   for (const RecordedEpisode& episode : sink.episodes()) steps += static_cast<long>(episode.steps.size());
@@ -99,7 +99,7 @@ TEST(RecordedDrives, EndAtTheirGoalsThoughOdometryErrs) {
   ASSERT_EQ(sink.episodes().size(), 6u);
   for (const RecordedEpisode& episode : sink.episodes()) {
     EXPECT_EQ(episode.episode.end, EpisodeEnd::kArrived);
-    EXPECT_EQ(episode.episode.goal_source, "way-points");
+    EXPECT_EQ(episode.episode.goal_source, "waypoints");
     EXPECT_EQ(episode.episode.goal.frame, "map");
   }
   // Only what happens between an arrival and the next goal is not about any goal.
@@ -145,23 +145,23 @@ TEST(RecordedDrives, AreTheSameForTheSameSeedOnly) {
   EXPECT_NE(anglesOf(1), anglesOf(2));
 }
 
-TEST(RecordedDrives, TurnToTheNextGoalWhereThereIsNoWay) {
+TEST(RecordedDrives, TurnToTheNextGoalWhereThereIsNoPath) {
   RecordedDrivesParameters parameters = quickParameters();
   parameters.steps = 0;
   parameters.goals = 8;
-  std::vector<Point2> way_points = drawWayPoints(building(), 3, 0.35, 1.5, 1);
-  way_points.push_back({0.0, 0.0});  // in the wall
+  std::vector<Point2> waypoints = drawWaypoints(building(), 3, 0.35, 1.5, 1);
+  waypoints.push_back({0.0, 0.0});  // in the wall
   StepList sink;
-  const RecordedDrives drives = recordDrives(building(), way_points, parameters, 1, &sink);
-  EXPECT_GT(drives.no_way, 0);
-  EXPECT_EQ(drives.reached + drives.no_way, 8);
+  const RecordedDrives drives = recordDrives(building(), waypoints, parameters, 1, &sink);
+  EXPECT_GT(drives.no_path, 0);
+  EXPECT_EQ(drives.reached + drives.no_path, 8);
 }
 
-TEST(RecordedDrives, RefuseWayPointsThatLeadNowhere) {
+TEST(RecordedDrives, RefuseWaypointsThatLeadNowhere) {
   StepList sink;
   EXPECT_THROW(recordDrives(building(), {{2.0, 2.0}}, quickParameters(), 1, &sink), std::invalid_argument);
-  // It begins at the first, and all others are in walls.
-  EXPECT_THROW(recordDrives(building(), {drawWayPoints(building(), 1, 0.35, 1.5, 1)[0], {0.0, 0.0}, {0.0, 1.0}},
+  // It starts at the first, and all others are in walls.
+  EXPECT_THROW(recordDrives(building(), {drawWaypoints(building(), 1, 0.35, 1.5, 1)[0], {0.0, 0.0}, {0.0, 1.0}},
                             quickParameters(), 1, &sink),
                std::invalid_argument);
 }

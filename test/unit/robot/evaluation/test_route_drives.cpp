@@ -17,7 +17,7 @@ using End = DriveResult::End;
 const AgentParameters kDefaults;
 const double kRadius = kDefaults.shield.footprint_radius;
 
-/// A drive along the way through what is remembered.
+/// A drive along the path through what is remembered.
 DriveResult driveGuided(const World& world, const DriveTask& task, const DriveParameters& parameters,
                         std::uint64_t seed = 1) {
   NavigationAgent agent(noPolicy(), test::routeLed());
@@ -36,7 +36,7 @@ TEST(RouteDrives, ARoomWithoutDoorIsKnownToBeClosedAfterAFewMetres) {
   OccupancyGrid grid = test::emptyHall(9.0, 4.0);
   test::fillBox(3.0, 0.0, 3.1, 4.0, &grid);
   const DriveResult result = driveGuided(GridWorld(grid), {{1.5, 2.0, 1.0}, {7.0, 2.0}, 0.0}, test::quickDrive(300.0));
-  EXPECT_EQ(static_cast<int>(result.end), static_cast<int>(End::kNoWay));
+  EXPECT_EQ(static_cast<int>(result.end), static_cast<int>(End::kNoPath));
   EXPECT_EQ(result.contacts, 0);
   // Across the room to the wall that hides the goal, and to what it had not seen behind it: no perimeter (13.4 m).
   EXPECT_LT(result.path_length, 2.0 * std::hypot(2.9, 3.8));
@@ -55,10 +55,10 @@ TEST(RouteDrives, AnEnclosedGoalIsKnownToBeEnclosed) {
   NavigationAgent agent(noPolicy(), trusting);
   const DriveResult result =
       drive(GridWorld(grid), {{1.0, 4.0, 0.0}, {6.2, 4.0}, 0.0}, test::quickDrive(900.0), 1, &agent);
-  EXPECT_EQ(static_cast<int>(result.end), static_cast<int>(End::kNoWay));
+  EXPECT_EQ(static_cast<int>(result.end), static_cast<int>(End::kNoPath));
   EXPECT_EQ(result.contacts, 0);
-  // No place shows all of its walls: each time round that found no way is forgotten, four times, before the boundary is
-  // followed, which takes a first leg there and back, and the way round again.
+  // No place shows all of its walls: each time round that found no path is forgotten, four times, before the boundary
+  // is followed, which takes a first leg there and back, and the path round again.
   const double round = 2.0 * (2.5 + 3.0) + 2.0 * M_PI * (kRadius + 0.12);
   RecordProperty("path_length", std::to_string(result.path_length));
   EXPECT_LT(result.path_length, 4.0 + 5.0 * 1.25 * round + 2.0 * kDefaults.escape.first_leg + 1.25 * round);
@@ -77,9 +77,9 @@ TEST(RouteDrives, LeavesADeadEndByTheShortestPath) {
 TEST(RouteDrives, GetsOutOfASpiralWithoutTurningBack) {
   const GridWorld world(test::spiral());
   const DriveResult result = driveGuided(world, {{3.4, 3.0, 0.0}, {0.8, 0.8}, 0.0}, test::quickDrive(400.0));
-  // Along the middle of the lanes: 0.4, 1.2 and 1.6, 3.4, 3.6, 4.8 ... m; the way is one only.
-  const double way = 0.8 + 1.6 + 2.2 + 3.2 + 3.6 + 4.8 + 5.6 + 5.2;
-  expectReached(result, 1.25 * way);
+  // Along the middle of the lanes: 0.4, 1.2 and 1.6, 3.4, 3.6, 4.8 ... m; the path is one only.
+  const double path = 0.8 + 1.6 + 2.2 + 3.2 + 3.6 + 4.8 + 5.6 + 5.2;
+  expectReached(result, 1.25 * path);
 }
 
 TEST(RouteDrives, ComesAsNearToAGoalBesideAWallAsTheFootprintFits) {
@@ -116,7 +116,7 @@ TEST_P(GeneratedWorldDrives, ReachEveryGoalWithoutContact) {
   const std::vector<DriveTask> tasks = drawTasks(world, 3, kRadius, 0.12, 4.0, course.seed);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     SCOPED_TRACE("task " + std::to_string(i));
-    // Nobody knows the way beforehand: dead ends are looked into.
+    // Nobody knows the path beforehand: dead ends are looked into.
     expectReached(driveGuided(world, tasks[i], parameters, i), 6.0 * tasks[i].shortest + 6.0);
   }
 }

@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kClearance = 0.25;
 
-struct Ways {
+struct Paths {
   double any_angle = 0.0;
   double along_the_grid = 0.0;
 };
 
-Ways between(const OccupancyGrid& grid, const Point2& start, const Point2& goal) {
+Paths between(const OccupancyGrid& grid, const Point2& start, const Point2& goal) {
   const DistanceField distances(grid, true);
   const CellIndex from = grid.cellAt(start);
   const CellIndex to = grid.cellAt(goal);
@@ -35,13 +35,13 @@ TEST(ShortestPath, IsStraightInTheOpen) {
 TEST(ShortestPath, BendsAtTheCornersOfWhatIsInBetween) {
   OccupancyGrid grid = test::emptyHall(8.0, 6.0);
   test::fillBox(3.9, 0.0, 4.1, 4.0, &grid);
-  const Ways ways = between(grid, {1.025, 1.025}, {7.025, 1.025});
-  // Round two corners, each a clearance away. The way bends in the middle of a cell near them.
+  const Paths paths = between(grid, {1.025, 1.025}, {7.025, 1.025});
+  // Round two corners, each a clearance away. The path bends in the middle of a cell near them.
   const double beside = std::hypot(4.0 - 0.125 - 1.025, 4.0 + kClearance - 1.025);
   const double above = 2.0 * kClearance * std::asin(1.0);  // a quarter circle at each corner at the most
-  EXPECT_GT(ways.any_angle, 2.0 * std::hypot(4.0 - 0.1 - kClearance - 1.025, 4.0 - 1.025));
-  EXPECT_LT(ways.any_angle, 2.0 * beside + above + 0.25);
-  EXPECT_LT(ways.any_angle, ways.along_the_grid);
+  EXPECT_GT(paths.any_angle, 2.0 * std::hypot(4.0 - 0.1 - kClearance - 1.025, 4.0 - 1.025));
+  EXPECT_LT(paths.any_angle, 2.0 * beside + above + 0.25);
+  EXPECT_LT(paths.any_angle, paths.along_the_grid);
 }
 
 TEST(ShortestPath, IsNeverLongerThanAlongTheGridNorShorterThanStraight) {
@@ -54,10 +54,10 @@ TEST(ShortestPath, IsNeverLongerThanAlongTheGridNorShorterThanStraight) {
   for (int i = 0; i < 10; ++i) {
     const Point2 start{0.6, 0.6 + 0.68 * i};
     const Point2 goal{9.4, 7.4 - 0.68 * i};
-    const Ways ways = between(grid, start, goal);
-    ASSERT_TRUE(std::isfinite(ways.any_angle));
-    EXPECT_LE(ways.any_angle, ways.along_the_grid + 1e-4);
-    EXPECT_GE(ways.any_angle, distanceBetween(start, goal) - 0.1);
+    const Paths paths = between(grid, start, goal);
+    ASSERT_TRUE(std::isfinite(paths.any_angle));
+    EXPECT_LE(paths.any_angle, paths.along_the_grid + 1e-4);
+    EXPECT_GE(paths.any_angle, distanceBetween(start, goal) - 0.1);
   }
 }
 

@@ -70,7 +70,7 @@ TEST(DriveCourse, StartsInDeadEndsWhenAsked) {
       dead_ends += start.column == end.column && start.row == end.row ? 1 : 0;
     }
   }
-  // The rest began so near to the goal, or so far below it, that there was no dead end on the way.
+  // The rest started so near to the goal, or so far below it, that there was no dead end on the way.
   EXPECT_GE(dead_ends, 15);
 }
 

@@ -21,7 +21,7 @@ TEST(Teacher, PointsStraightAlongACorridor) {
   const Teacher teacher(world, {7.0, 0.7}, {});
   double direction = 0.0;
   ASSERT_TRUE(teacher.direction({1.0, 0.7}, &direction));
-  // Cells are 5 cm: at the end of 0.5 m the way may lie one cell aside.
+  // Cells are 5 cm: at the end of 0.5 m the path may lie one cell aside.
   EXPECT_NEAR(direction, 0.0, 0.1);
   const Teacher back(world, {1.0, 0.7}, {});
   ASSERT_TRUE(back.direction({7.0, 0.7}, &direction));
@@ -58,7 +58,7 @@ TEST(Teacher, FollowingItArrives) {
   EXPECT_LT(driven, 1.15 * (2.0 * leg + 0.1));
 }
 
-TEST(Teacher, DistanceToGoFallsByTheWayDriven) {
+TEST(Teacher, DistanceToGoFallsByThePathDriven) {
   const GridWorld world(test::emptyHall(8.0, 4.0));
   Teacher::Parameters parameters;
   parameters.reluctance = 0.0;  // pure length
@@ -68,7 +68,7 @@ TEST(Teacher, DistanceToGoFallsByTheWayDriven) {
   EXPECT_NEAR(teacher.distanceToGo({5.025, 2.025}), 2.0, 1e-4);
 }
 
-TEST(Teacher, KnowsTheWayFromAPlaceTooNearToAWall) {
+TEST(Teacher, KnowsThePathFromAPlaceTooNearToAWall) {
   const GridWorld world(test::emptyHall(8.0, 4.0));
   const Teacher teacher(world, {7.0, 2.0}, {});
   double direction = 0.0;
@@ -78,7 +78,7 @@ TEST(Teacher, KnowsTheWayFromAPlaceTooNearToAWall) {
   EXPECT_TRUE(std::isfinite(teacher.distanceToGo({1.0, 0.3})));
 }
 
-TEST(Teacher, HasNoAnswerWhereThereIsNoWay) {
+TEST(Teacher, HasNoAnswerWhereThereIsNoPath) {
   OccupancyGrid grid = test::emptyHall(8.0, 4.0);
   test::fillBox(3.95, 0.0, 4.05, 4.0, &grid);
   const GridWorld world(grid);

@@ -340,7 +340,7 @@ TEST(ObstacleMemory, ABlockedPlaceStaysBlockedThoughTheScanLooksThroughIt) {
   EXPECT_TRUE(memory.isFree({4.5, 4.0}, {5.5, 4.0}, Passage::kRoomy));
 }
 
-TEST(ObstacleMemory, ThirtyTwoBlockedPlacesAreKeptTheOldestGivesWay) {
+TEST(ObstacleMemory, ThirtyTwoBlockedPlacesAreKeptTheOldestIsForgotten) {
   ObstacleMemory memory = emptyMemory(40.0);
   memory.add(test::situationAt({}));
   for (int i = 0; i <= 32; ++i) memory.block({-15.0 + 0.9 * i, 2.05});

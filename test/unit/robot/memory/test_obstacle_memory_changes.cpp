@@ -189,7 +189,7 @@ TEST(ObstacleMemoryChanges, AreNoneWhereAStandingRobotSeesTheSame) {
   EXPECT_FALSE(memory.everythingChanged());
 }
 
-TEST(ObstacleMemoryChanges, ListBlockedPlacesAndThoseThatGiveWay) {
+TEST(ObstacleMemoryChanges, ListBlockedPlacesAndThoseThatAreForgotten) {
   ObstacleMemory memory = smallMemory();
   memory.add(test::situationAt({}));
   for (int i = 0; i < 32; ++i) memory.block({0.1 * i, 3.0});

@@ -86,7 +86,7 @@ class RouteFinderTest : public ::testing::Test {
   std::vector<Point2> places_;
 };
 
-/// What the squares may take from a clearance: half a square's diagonal, and half a square for ways between squares.
+/// What the squares may take from a clearance: half a square's diagonal, and half a square for paths between squares.
 const double kBlur = (0.5 * std::sqrt(2.0) + 0.5) * kDefaults.memory.resolution;
 
 TEST_F(RouteFinderTest, GoesStraightWhereNothingIsKnown) {
@@ -112,7 +112,7 @@ TEST_F(RouteFinderTest, GoesTowardsTheGoalHoweverFarItIs) {
   }
 }
 
-TEST(RouteFinder, FindsAWayOfThreeKilometresInsideItsWindow) {
+TEST(RouteFinder, FindsAPathOfThreeKilometresInsideItsWindow) {
   // 43 lanes of 1.6 m, joined at alternate ends.
   MemoryParameters parameters = kDefaults.memory;
   parameters.reach = 60.0;
@@ -141,7 +141,7 @@ TEST(RouteFinder, FindsAWayOfThreeKilometresInsideItsWindow) {
   EXPECT_TRUE(finder.endsAtGoal());
   const std::uint32_t whole = finder.costToGo().cost(memory.cellAt(start));
   EXPECT_GT(whole, 70000u);
-  // The rest of it without a new search, and a short way after it with one.
+  // The rest of it without a new search, and a short path after it with one.
   const double length = route.length;
   const Point2 farther{0.0, -kHalf + 0.8};
   ASSERT_TRUE(finder.fromLastSearch(memory, farther, &route));
@@ -155,7 +155,7 @@ TEST(RouteFinder, FindsAWayOfThreeKilometresInsideItsWindow) {
   EXPECT_FALSE(finder.find(memory, start, goal, kTolerance, &route));
 }
 
-TEST_F(RouteFinderTest, GoesRoundAWallOnAWayNearlyAsShortAsATautString) {
+TEST_F(RouteFinderTest, GoesRoundAWallOnAPathNearlyAsShortAsATautString) {
   remember(test::wall({2.0, -1.0}, {2.0, 3.0}));
   const Point2 goal{4.0, 0.0};
   ASSERT_TRUE(find({0.0, 0.0}, goal));
@@ -172,7 +172,7 @@ TEST_F(RouteFinderTest, GoesRoundAWallOnAWayNearlyAsShortAsATautString) {
   EXPECT_GT(clearance(), disc - kBlur);
 }
 
-TEST_F(RouteFinderTest, TakesTheWayRoundTheOtherEndWhenThatIsShorter) {
+TEST_F(RouteFinderTest, TakesThePathRoundTheOtherEndWhenThatIsShorter) {
   remember(test::wall({2.0, -3.0}, {2.0, 1.0}));
   ASSERT_TRUE(find({0.0, 0.0}, {4.0, 0.0}));
   const auto highest = std::max_element(route_.points.begin(), route_.points.end(),
@@ -286,7 +286,7 @@ TEST_F(RouteFinderTest, MakesAShortDetourThoughItIsNearEnough) {
 
 TEST_F(RouteFinderTest, PrefersAWideDoorALittleFartherToATightOne) {
   // A wall with a door of 0.45 m straight ahead, and one of 1.2 m at y = `aside`.
-  const auto wayThrough = [&](double aside) {
+  const auto pathThrough = [&](double aside) {
     memory_.forget();
     std::vector<Point2> places = test::wall({2.025, -9.0}, {2.025, -0.225});
     append(test::wall({2.025, 0.225}, {2.025, aside - 0.6}), &places);
@@ -301,9 +301,9 @@ TEST_F(RouteFinderTest, PrefersAWideDoorALittleFartherToATightOne) {
     return highest;
   };
   // Through the wide one it is about hypot(2, 1) + hypot(2.4, 1) - 4.4 = 0.44 m farther.
-  EXPECT_GT(wayThrough(1.3), 0.7);
+  EXPECT_GT(pathThrough(1.3), 0.7);
   // And here about 2 * (hypot(2.2, 4.4) - 2.2) = 5.4 m.
-  EXPECT_LT(wayThrough(5.0), 0.2);
+  EXPECT_LT(pathThrough(5.0), 0.2);
 }
 
 TEST_F(RouteFinderTest, CostsARouteUnderWhatIsRememberedNow) {
@@ -313,7 +313,7 @@ TEST_F(RouteFinderTest, CostsARouteUnderWhatIsRememberedNow) {
   memory_.add(returnsAt(test::wall({2.0, -1.0}, {2.0, 1.0})));
   EXPECT_EQ(finder_.costOf(memory_, route_, 15.0), std::numeric_limits<double>::infinity());
   memory_.forget();
-  // Walls on both sides, 0.25 m from the way: tight, and it is one piece.
+  // Walls on both sides, 0.25 m from the path: tight, and it is one piece.
   std::vector<Point2> places = test::wall({1.0, 0.225}, {3.0, 0.225});
   append(test::wall({1.0, -0.225}, {3.0, -0.225}), &places);
   remember(places);
@@ -321,7 +321,7 @@ TEST_F(RouteFinderTest, CostsARouteUnderWhatIsRememberedNow) {
   EXPECT_DOUBLE_EQ(finder_.costOf(memory_, route_, 0.0), 4.0);  // not looked at
 }
 
-/// Least cost between two cells by plain Dijkstra with exact factors, in metres; +inf when there is no way.
+/// Least cost between two cells by plain Dijkstra with exact factors, in metres; +inf when there is no path.
 double dijkstra(ObstacleMemory* memory, int start, int goal) {
   constexpr int kColumns[] = {1, 1, 0, -1, -1, -1, 0, 1};
   constexpr int kRows[] = {0, 1, 1, 1, 0, -1, -1, -1};
@@ -355,7 +355,7 @@ TEST_F(RouteFinderTest, CostsAsMuchAsDijkstraFindsInRandomMemories) {
   std::uniform_real_distribution<double> place(-6.0, 6.0);
   std::uniform_real_distribution<double> angle(0.0, 2.0 * M_PI);
   std::uniform_real_distribution<double> length(0.1, 4.0);
-  int ways = 0;
+  int paths = 0;
   int walls = 0;
   for (int round = 0; round < 60; ++round) {
     memory_.forget();
@@ -378,7 +378,7 @@ TEST_F(RouteFinderTest, CostsAsMuchAsDijkstraFindsInRandomMemories) {
         ++walls;
         continue;
       }
-      ++ways;
+      ++paths;
       // Diagonal steps through narrow places are rounded down from 10.5 tenths to 10, straight ones from 7.5 to 7.
       ASSERT_LE(route_.cost, expected + 1e-6);
       ASSERT_GE(route_.cost, expected * 7.0 / 7.5 - 1e-6);
@@ -387,7 +387,7 @@ TEST_F(RouteFinderTest, CostsAsMuchAsDijkstraFindsInRandomMemories) {
       ASSERT_LT(distanceBetween(route_.points.back(), goal), memory_.cellSize() * std::sqrt(2.0));
     }
   }
-  EXPECT_GT(ways, 60);
+  EXPECT_GT(paths, 60);
   EXPECT_GT(walls, 20);
 }
 

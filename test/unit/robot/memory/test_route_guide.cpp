@@ -36,7 +36,7 @@ class RouteGuideTest : public test::GuideFixture {
     return status;
   }
 
-  /// Whether the way goes round the upper end of a wall that lies across it.
+  /// Whether the path goes round the upper end of a wall that lies across it.
   bool goesAbove() const {
     double highest = -1e9;
     double lowest = 1e9;
@@ -103,9 +103,9 @@ TEST_F(RouteGuideTest, BelievesThatARoomIsClosedAfterThreeLooksAroundAndNotEarli
   const GridWorld world(closedRoom());
   start({8.0, 2.0});
   Pose2 pose{2.0, 2.0, 0.0};
-  // What lies behind the robot at first is unknown, and a way leads there.
+  // What lies behind the robot at first is unknown, and a path leads there.
   for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) update(seenFrom(world, {2.0, 2.0, yaw}));
-  EXPECT_EQ(lookAround(world, &pose, 8.0), Source::kNoWay);
+  EXPECT_EQ(lookAround(world, &pose, 8.0), Source::kNoPath);
   // Three full turns, each less what the scanner sees more than its heading, and more by what it turns at once.
   EXPECT_GT(turned_, 3.0 * (2.0 * M_PI - 0.5) - degreesToRadians(160.0));
   EXPECT_LT(turned_, 3.0 * 2.0 * M_PI + degreesToRadians(160.0));
@@ -177,7 +177,7 @@ TEST_F(RouteGuideTest, ANewGoalIsFoundThroughWhatWasSeenBefore) {
   EXPECT_DOUBLE_EQ(guide_.route().length, 4.0);
 }
 
-TEST_F(RouteGuideTest, DoesNotTurnBackForAWayThatIsHardlyBetter) {
+TEST_F(RouteGuideTest, DoesNotTurnBackForAPathThatIsHardlyBetter) {
   start({4.0, 0.0});
   update(returnsAt(test::wall({2.0, -2.2}, {2.0, 1.5})));
   ASSERT_TRUE(goesAbove());
@@ -186,13 +186,13 @@ TEST_F(RouteGuideTest, DoesNotTurnBackForAWayThatIsHardlyBetter) {
   seen_through.profile = seeing(20.0f, std::atan2(-2.4, 2.0), std::atan2(-1.2, 2.0));
   update(seen_through);
   EXPECT_TRUE(goesAbove());
-  // Who had no way yet takes that one.
+  // Who had no path yet takes that one.
   start({4.0, 0.0});
   update(returnsAt({}));
   EXPECT_FALSE(goesAbove());
 }
 
-TEST_F(RouteGuideTest, TakesAMuchBetterWayAndLeavesOneThatIsBlocked) {
+TEST_F(RouteGuideTest, TakesAMuchBetterPathAndLeavesOneThatIsBlocked) {
   start({4.0, 0.0});
   update(returnsAt(test::wall({2.0, -3.0}, {2.0, 1.0})));
   ASSERT_TRUE(goesAbove());
@@ -206,7 +206,7 @@ TEST_F(RouteGuideTest, TakesAMuchBetterWayAndLeavesOneThatIsBlocked) {
   EXPECT_DOUBLE_EQ(guide_.route().length, 4.0);
 }
 
-TEST_F(RouteGuideTest, KeepsItsWayToAGoalThatMovesALittle) {
+TEST_F(RouteGuideTest, KeepsItsPathToAGoalThatMovesALittle) {
   const Situation wall = returnsAt(test::wall({2.0, -1.1}, {2.0, 1.0}));
   const Point2 moved{4.0, -0.2};
   start({4.0, 0.0});
@@ -259,7 +259,7 @@ TEST_F(RouteGuideTest, KeepsItsRouteWhileTheRobotDrivesAlongIt) {
 }
 
 TEST_F(RouteGuideTest, ToleratesMoreTheFartherTheRobotHasDriven) {
-  // The goal lies in the middle of a pillar: 0.3 + 0.174 m from where the robot can be. At 3 % that is 11 m of way.
+  // The goal lies in the middle of a pillar: 0.3 + 0.174 m from where the robot can be. At 3 % that is 11 m of path.
   const AgentParameters parameters;
   std::vector<Point2> pillar;
   for (const Point2& point : test::ring(0.3)) pillar.push_back({8.0 + point.x, point.y});

@@ -47,7 +47,7 @@ class RouteSearches : public test::GuideFixture {
     return highest;
   }
 
-  /// Below it the way is shorter.
+  /// Below it the path is shorter.
   const std::vector<Point2> wall_ = test::wall({3.0, -2.0}, {3.0, 4.0});
 };
 
@@ -63,7 +63,7 @@ TEST_F(RouteSearches, NoneIsMadeWhileTheRobotDrivesAlongAndNothingChanges) {
   }
 }
 
-TEST_F(RouteSearches, CornersThatTheFirstHadAreCutOnTheWay) {
+TEST_F(RouteSearches, CornersThatTheFirstHadAreCutOnThePath) {
   const Point2 goal{-25.0, 5.0};
   start(goal);
   Pose2 pose;
@@ -85,7 +85,7 @@ TEST_F(RouteSearches, NoneIsMadeForAnObstacleThatAppearsElsewhere) {
   EXPECT_EQ(guide_.searches(), 1);
 }
 
-TEST_F(RouteSearches, OneIsMadeWhenAnObstacleLiesOnTheWay) {
+TEST_F(RouteSearches, OneIsMadeWhenAnObstacleLiesOnThePath) {
   const Point2 middle = guide_.pointAhead(0.5 * guide_.route().length);
   std::vector<Point2> places = wall_;
   for (const Point2& point : test::wall({middle.x, middle.y - 1.0}, {middle.x, middle.y + 1.0})) {
@@ -98,7 +98,7 @@ TEST_F(RouteSearches, OneIsMadeWhenAnObstacleLiesOnTheWay) {
 }
 
 TEST_F(RouteSearches, OneIsMadeWhenAShortcutOpens) {
-  // A door of 1.2 m where the straight way leads through the wall.
+  // A door of 1.2 m where the straight path leads through the wall.
   const double aside = std::atan2(0.6, 3.0);
   ASSERT_EQ(update(seeingThrough(-aside, aside, {})), Source::kRoute);
   EXPECT_EQ(guide_.searches(), 2);
@@ -113,14 +113,14 @@ TEST_F(RouteSearches, NoneIsMadeForAGapThatLeadsNowhereNearer) {
 
 TEST_F(RouteSearches, OneIsMadeWhenTheRobotIsPushedOff) {
   ASSERT_LT(highest(), 1.0);
-  // Near the upper end of the wall the way round that end is much shorter than back to the lower one.
+  // Near the upper end of the wall the path round that end is much shorter than back to the lower one.
   ASSERT_EQ(update(returnsAt(wall_, {2.4, 4.2, 0.0})), Source::kRoute);
   EXPECT_EQ(guide_.searches(), 2);
   EXPECT_GT(highest(), 4.0);
 }
 
-TEST_F(RouteSearches, OneIsMadeForABlockedWayFromBesideADoorPost) {
-  // From here no straight line leads into the door, so that what the way costs is not known.
+TEST_F(RouteSearches, OneIsMadeForABlockedPathFromBesideADoorPost) {
+  // From here no straight line leads into the door, so that what the path costs is not known.
   const Pose2 pose{0.24, 0.16, 0.0};
   const Point2 goal{6.0, 0.0};
   std::vector<Point2> places;
@@ -148,7 +148,7 @@ TEST_F(RouteSearches, OneIsMadeForANewGoalAndNoneForOneThatMovesALittle) {
   EXPECT_EQ(guide_.searches(), 2);
 }
 
-/// A robot that sees walls come and go finds its way as one that searches at every step, but for the share that is not
+/// A robot that sees walls come and go finds its path as one that searches at every step, but for the share that is not
 /// worth turning for.
 class RouteSearchesAmongWalls : public ::testing::TestWithParam<unsigned> {};
 
@@ -184,7 +184,7 @@ TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
     ASSERT_EQ(kept, Source::kRoute) << "step " << step;
     const double cost = finder.costOf(memory, keeping.route(), 15.0);
     const double least = finder.costOf(memory, searching.route(), 15.0);
-    // 8 % and 0.3 m are not worth turning for; along cells a way may be up to 8 % longer than it is.
+    // 8 % and 0.3 m are not worth turning for; along cells a path may be up to 8 % longer than it is.
     ASSERT_LE(cost, 1.08 * 1.08 * least + 0.3) << "step " << step;
     ++compared;
     const Point2 next = keeping.pointAhead(0.3);

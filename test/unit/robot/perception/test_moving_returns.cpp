@@ -134,7 +134,7 @@ TEST_F(MovingReturnsTest, RemembersForAWhileWhomItHasTurnedItsBackTo) {
   EXPECT_TRUE(moving_.points().empty());
 }
 
-TEST_F(MovingReturnsTest, FlagsNothingStaticOnAWayThroughRooms) {
+TEST_F(MovingReturnsTest, FlagsNothingStaticOnAPathThroughRooms) {
   // Round corners and past posts, turning fast, with 2 % of odometry error, noise and lost beams: all that is newly
   // seen was hidden before.
   test::fillBox(0.0, 4.0, 4.0, 4.2, &grid_);
@@ -151,9 +151,9 @@ TEST_F(MovingReturnsTest, FlagsNothingStaticOnAWayThroughRooms) {
     while (distanceBetween(pose, corner) > 0.1) {
       const double error = normalizeAngle(directionTo(pose, corner) - pose.yaw);
       const double turn = std::max(-0.2, std::min(0.2, error));  // 2 rad/s
-      const double way = std::abs(error) < 0.3 ? 0.03 : 0.0;
-      pose = {pose.x + way * std::cos(pose.yaw), pose.y + way * std::sin(pose.yaw), pose.yaw + turn};
-      odometry = {odometry.x + 1.02 * way * std::cos(odometry.yaw), odometry.y + 1.02 * way * std::sin(odometry.yaw),
+      const double path = std::abs(error) < 0.3 ? 0.03 : 0.0;
+      pose = {pose.x + path * std::cos(pose.yaw), pose.y + path * std::sin(pose.yaw), pose.yaw + turn};
+      odometry = {odometry.x + 1.02 * path * std::cos(odometry.yaw), odometry.y + 1.02 * path * std::sin(odometry.yaw),
                   odometry.yaw + 1.02 * turn};
       look(pose, {}, odometry);
       ASSERT_TRUE(moving_.points().empty()) << "scan " << scans << " at " << pose.x << ", " << pose.y;

@@ -36,7 +36,7 @@ TEST(Observe, RoundsThePositionToTheCentreOfItsCell) {
   EXPECT_NEAR(observe({}, {-0.1, 0.1, 0.0}, {0.825, 0.175}, 0.0, 0.35).goal_distance, 1.0, 1e-12);
 }
 
-TEST(Observe, TakesTheStraightWayForTheRouteOfAnAgentThatRemembersNothing) {
+TEST(Observe, TakesTheStraightPathForTheRouteOfAnAgentThatRemembersNothing) {
   const Observation observation = observe({}, {1.0, 1.0, M_PI_2}, {-2.0, 1.0}, 0.0);
   EXPECT_EQ(observation.route_bearing, observation.goal_bearing);
   EXPECT_EQ(observation.route_length, observation.goal_distance);

@@ -120,7 +120,7 @@ TEST_P(ScanKernelsOf, SeeThroughWhatThePlainDefinitionSeesThrough) {
           const double x = corner + column * kResolution;
           const double y = corner + square_row * kResolution;
           const double distance = std::hypot(x, y);
-          const auto reachOf = [&](double towards) {  // how far away a place may lie to be looked through
+          const auto reachOf = [&](double towards) {  // how far away a place may lie to be cleared
             const long beam = profile.beamTowards(towards - kYaw);
             if (beam < 0) return -1.0;
             double nearest = 1e9;

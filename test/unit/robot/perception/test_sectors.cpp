@@ -83,7 +83,7 @@ TEST(AverageSectors, MirrorsAScannerUpsideDownAndANegativeIncrement) {
   const Sectors upside_down = averageSectors(scan, {{}, true}, {}, kCap);
   EXPECT_EQ(total(upside_down.beams), 720);
   EXPECT_NEAR(upside_down.range[0], 5.0, 1e-9);
-  // Near are now the beams above 67.5 degrees, and sector 7 begins with the beam at 67.5 degrees: 89 of its 90.
+  // Near are now the beams above 67.5 degrees, and sector 7 starts with the beam at 67.5 degrees: 89 of its 90.
   EXPECT_NEAR(upside_down.range[7], (89.0 * 1.0 + 5.0) / 90.0, 1e-9);
 
   LaserScan clockwise = makeScan(0.75 * M_PI, -M_PI / 720.0, 1081);

@@ -67,7 +67,7 @@ TEST(Create2, ReportsNoMotionBelowATick) {
 TEST(Create2, KeepsOdometryWithinATickOfTheTruthWithoutSlip) {
   Create2 robot(Create2Parameters{}, {}, 1);
   for (int i = 0; i < 60; ++i) drive(&robot, {0.2 + 0.1 * std::sin(i), 0.8 * std::cos(0.3 * i)}, 50);
-  // A tick of one wheel is 0.11 degrees of heading; 9 m of way at that error are 2 cm.
+  // A tick of one wheel is 0.11 degrees of heading; 9 m of path at that error are 2 cm.
   EXPECT_NEAR(normalizeAngle(robot.odometry().yaw - robot.truePose().yaw), 0.0, 2.0 * kTickLength / 0.235);
   EXPECT_LT(distanceBetween(robot.odometry(), robot.truePose()), 0.02);
 }
@@ -120,34 +120,34 @@ TEST(Create2, DriftsByTheErrorOfItsWheels) {
   EXPECT_EQ(robot.odometry().yaw, 0.0) << "the encoders do not see it";
 }
 
-/// Root mean square over many robots of how far each is from where its odometry puts it, after a straight way, m.
-double typicalError(double share, double way) {
+/// Root mean square over many robots of how far each is from where its odometry puts it, after a straight path, m.
+double typicalError(double share, double path) {
   constexpr int kRobots = 400;
   double squares = 0.0;
   for (std::uint64_t seed = 1; seed <= kRobots; ++seed) {
     Create2Parameters parameters = instantAcceleration();
     parameters.odometry_error = share;
     Create2 robot(parameters, {}, seed);
-    drive(&robot, {0.3, 0.0}, static_cast<int>(std::lround(way / 0.3 / 0.1)), 0.1);
+    drive(&robot, {0.3, 0.0}, static_cast<int>(std::lround(path / 0.3 / 0.1)), 0.1);
     const double error = distanceBetween(robot.truePose(), robot.odometry());
     squares += error * error / kRobots;
   }
   return std::sqrt(squares);
 }
 
-TEST(Create2, ErrsByAboutTwoPercentOfTheWay) {
-  for (const double way : {9.0, 18.0, 90.0}) {
+TEST(Create2, ErrsByAboutTwoPercentOfTheDistance) {
+  for (const double path : {9.0, 18.0, 90.0}) {
     // Lengths are wrong by a uniform share, 0.02 / sqrt(3). A heading that wanders from 0 by 0.03 rad with a memory of
     // L = 20 m leads aside by the integral of an Ornstein-Uhlenbeck process, whose variance is
-    // 0.03^2 (2 L way - L^2 (3 - 4 exp(-way / L) + exp(-2 way / L))).
-    const double lengthwise = 0.02 * way / std::sqrt(3.0);
-    const double past = std::exp(-way / 20.0);
-    const double aside = 0.03 * std::sqrt(40.0 * way - 400.0 * (3.0 - 4.0 * past + past * past));
+    // 0.03^2 (2 L path - L^2 (3 - 4 exp(-path / L) + exp(-2 path / L))).
+    const double lengthwise = 0.02 * path / std::sqrt(3.0);
+    const double past = std::exp(-path / 20.0);
+    const double aside = 0.03 * std::sqrt(40.0 * path - 400.0 * (3.0 - 4.0 * past + past * past));
     const double expected = std::hypot(lengthwise, aside);
     // The root mean square of 400 draws is known to 1 / sqrt(800), that is 3.5 %; three times that.
-    EXPECT_NEAR(typicalError(0.02, way), expected, 0.11 * expected);
-    EXPECT_GT(expected, 0.017 * way);
-    EXPECT_LT(expected, 0.022 * way);
+    EXPECT_NEAR(typicalError(0.02, path), expected, 0.11 * expected);
+    EXPECT_GT(expected, 0.017 * path);
+    EXPECT_LT(expected, 0.022 * path);
   }
 }
 
@@ -157,7 +157,7 @@ TEST(Create2, ErrsInItsTurnsByOneShareForEachRobot) {
   double previous = 0.0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Create2 robot(parameters, {}, seed);
-    drive(&robot, {0.0, 1.0}, 300);  // 3 rad on the spot: no way, so no wandering
+    drive(&robot, {0.0, 1.0}, 300);  // 3 rad on the spot: no path, so no wandering
     const double share = robot.truePose().yaw / 3.0 - 1.0;
     EXPECT_LE(std::abs(share), 0.02);
     EXPECT_NE(share, previous);

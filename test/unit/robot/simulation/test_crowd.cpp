@@ -48,10 +48,10 @@ TEST_F(CrowdTest, WalksAtItsSpeedAndNeverThroughAWall) {
     people.advance(kPeriod, kNobody);
     for (std::size_t k = 0; k < before.size(); ++k) {
       const Crowd::Walker& walker = people.walkers()[k];
-      const double way = distanceBetween(before[k].body.center, walker.body.center);
-      ASSERT_LE(way, walker.speed * kPeriod + 1e-12);
+      const double path = distanceBetween(before[k].body.center, walker.body.center);
+      ASSERT_LE(path, walker.speed * kPeriod + 1e-12);
       ASSERT_FALSE(hall.touches(walker.body.center, walker.body.radius));
-      walked[k] += way;
+      walked[k] += path;
     }
   }
   for (std::size_t k = 0; k < walked.size(); ++k) {

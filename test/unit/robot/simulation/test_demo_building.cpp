@@ -29,8 +29,8 @@ TEST_F(DemoBuilding, LetsTheRobotReachEveryGoalFromItsStart) {
   GeodesicField::Options robot;
   robot.clearance = 0.3485 / 2.0 + 0.1;  // its radius, and room to steer
   for (const YAML::Node& goal : scenario_["goals"]) {
-    const GeodesicField ways(map_, distances_, cellOf(goal["x"].as<double>(), goal["y"].as<double>()), robot);
-    const double length = ways.at(cellOf(start_[0].as<double>(), start_[1].as<double>()));
+    const GeodesicField paths(map_, distances_, cellOf(goal["x"].as<double>(), goal["y"].as<double>()), robot);
+    const double length = paths.at(cellOf(start_[0].as<double>(), start_[1].as<double>()));
     EXPECT_TRUE(std::isfinite(length)) << goal["name"].as<std::string>();
     EXPECT_GT(length, 5.0) << goal["name"].as<std::string>() << " is in another room";
   }

@@ -27,7 +27,7 @@ std::vector<CellIndex> cellsWhere(const OccupancyGrid& grid, Cell cell) {
   return cells;
 }
 
-/// Cells in which the robot fits but to which it finds no way from the first one in which it fits.
+/// Cells in which the robot fits but to which it finds no path from the first one in which it fits.
 int unreachableCells(const OccupancyGrid& grid) {
   const DistanceField distances(grid, true);
   const double clearance = kRobotRadius + grid.resolution() * M_SQRT1_2;
@@ -36,9 +36,9 @@ int unreachableCells(const OccupancyGrid& grid) {
     if (distances.at(cell) >= clearance) fitting.push_back(cell);
   }
   if (fitting.empty()) return -1;
-  const GeodesicField ways(grid, distances, fitting.front(), {clearance, 0.0, 0.0});
+  const GeodesicField paths(grid, distances, fitting.front(), {clearance, 0.0, 0.0});
   int unreachable = 0;
-  for (const CellIndex& cell : fitting) unreachable += std::isinf(ways.at(cell)) ? 1 : 0;
+  for (const CellIndex& cell : fitting) unreachable += std::isinf(paths.at(cell)) ? 1 : 0;
   return unreachable;
 }
 

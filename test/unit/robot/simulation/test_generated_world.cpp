@@ -49,9 +49,9 @@ int separateCells(const OccupancyGrid& grid, double radius) {
     }
   }
   if (fitting.empty()) return -1;
-  const GeodesicField ways(grid, distances, fitting.front(), {needed, 0.0, 0.0});
+  const GeodesicField paths(grid, distances, fitting.front(), {needed, 0.0, 0.0});
   return static_cast<int>(
-      std::count_if(fitting.begin(), fitting.end(), [&](const CellIndex& cell) { return std::isinf(ways.at(cell)); }));
+      std::count_if(fitting.begin(), fitting.end(), [&](const CellIndex& cell) { return std::isinf(paths.at(cell)); }));
 }
 
 class GeneratedWorld : public ::testing::TestWithParam<WorldKind> {};
@@ -150,8 +150,8 @@ TEST(Forest, CanBeCrossedHoweverDenseItIs) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const OccupancyGrid grid = generateForest(parameters, seed);
     const DistanceField distances(grid, true);
-    const GeodesicField ways(grid, distances, grid.cellAt({0.6, 5.0}), {needed, 0.0, 0.0});
-    EXPECT_TRUE(std::isfinite(ways.at(grid.cellAt({parameters.width - 0.65, 5.0})))) << seed;
+    const GeodesicField paths(grid, distances, grid.cellAt({0.6, 5.0}), {needed, 0.0, 0.0});
+    EXPECT_TRUE(std::isfinite(paths.at(grid.cellAt({parameters.width - 0.65, 5.0})))) << seed;
   }
 }
 

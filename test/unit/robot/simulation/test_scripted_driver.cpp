@@ -147,7 +147,7 @@ TEST(ScriptedDriver, DrivesAlikeForTheSameSeedOnly) {
   EXPECT_NE(traceOf(1), traceOf(2));
 }
 
-TEST(ScriptedDriver, SaysWhenThereIsNoWay) {
+TEST(ScriptedDriver, SaysWhenThereIsNoPath) {
   OccupancyGrid grid = twoRooms();
   for (int row = 60; row < 78; ++row) grid.set({60, row}, Cell::kOccupied);
   const GridWorld closed(grid);
@@ -155,12 +155,12 @@ TEST(ScriptedDriver, SaysWhenThereIsNoWay) {
     ScriptedDriver driver(closed, {}, 1);
     driver.setGoal(goal);
     const Trip trip = drive(closed, {1.0, 0.8, 0.0}, 10.0, &driver);
-    EXPECT_EQ(trip.state, ScriptedDriver::State::kNoWay) << goal.x << ", " << goal.y;
+    EXPECT_EQ(trip.state, ScriptedDriver::State::kNoPath) << goal.x << ", " << goal.y;
     EXPECT_EQ(distanceBetween(trip.poses.front(), trip.poses.back()), 0.0);
   }
 }
 
-TEST(ScriptedDriver, FindsOutOfAPlaceThatIsNearerToAWallThanItsWays) {
+TEST(ScriptedDriver, FindsOutOfAPlaceThatIsNearerToAWallThanItsPaths) {
   const GridWorld world(twoRooms());
   // 2 cm between the footprint and the wall at the left, towards which it looks.
   const Pose2 start{0.1 + kRadius + 0.02, 2.0, M_PI};

@@ -43,7 +43,7 @@ TEST(SimulatedRobot, SensesInTheOdometryFrame) {
   Situation situation;
   robot.sense(6.0, &situation);
   EXPECT_EQ(situation.time, 0.0);
-  EXPECT_EQ(situation.pose.x, 0.0);  // odometry begins at the start
+  EXPECT_EQ(situation.pose.x, 0.0);  // odometry starts at the start
   EXPECT_EQ(situation.pose.yaw, 0.0);
   double nearest = std::numeric_limits<double>::infinity();
   for (const Point2& point : situation.obstacles) nearest = std::min(nearest, point.x);

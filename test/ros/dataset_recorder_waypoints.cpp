@@ -30,17 +30,17 @@ class GoalWatcher {
   ros::Subscriber subscriber_;
 };
 
-class RecorderWayPointTest : public RecorderTest {
+class RecorderWaypointTest : public RecorderTest {
  protected:
-  void setWayPoints(const std::vector<double>& along_the_x_axis) {
+  void setWaypoints(const std::vector<double>& along_the_x_axis) {
     XmlRpc::XmlRpcValue list;
     for (std::size_t i = 0; i < along_the_x_axis.size(); ++i) {
-      XmlRpc::XmlRpcValue& way_point = list[static_cast<int>(i)];
-      way_point["name"] = "place " + std::to_string(i);
-      way_point["x"] = along_the_x_axis[i];
-      way_point["y"] = 0.0;
+      XmlRpc::XmlRpcValue& waypoint = list[static_cast<int>(i)];
+      waypoint["name"] = "place " + std::to_string(i);
+      waypoint["x"] = along_the_x_axis[i];
+      waypoint["y"] = 0.0;
     }
-    ros::param::set("/dataset_recorder/way_points", list);
+    ros::param::set("/dataset_recorder/waypoints", list);
   }
 
   /// Drives to so many goals, one after another, and returns where they were.
@@ -64,8 +64,8 @@ class RecorderWayPointTest : public RecorderTest {
   }
 };
 
-TEST_F(RecorderWayPointTest, AreGivenOutOneAfterAnother) {
-  setWayPoints({1.0, 2.0, 3.0});
+TEST_F(RecorderWaypointTest, AreGivenOutOneAfterAnother) {
+  setWaypoints({1.0, 2.0, 3.0});
   start();
   const std::vector<double> places = follow(6);
   for (std::size_t i = 1; i < places.size(); ++i) EXPECT_NE(places[i], places[i - 1]);
@@ -74,14 +74,14 @@ TEST_F(RecorderWayPointTest, AreGivenOutOneAfterAnother) {
   const std::vector<RecordedEpisode>& episodes = dataset.recordings.at(0).episodes;
   ASSERT_GE(episodes.size(), places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
-    EXPECT_EQ(episodes[i].episode.goal_source, "way-points");
+    EXPECT_EQ(episodes[i].episode.goal_source, "waypoints");
     EXPECT_DOUBLE_EQ(episodes[i].episode.goal.pose.x, places[i]);
     EXPECT_EQ(episodes[i].episode.end, EpisodeEnd::kArrived);
   }
 }
 
-TEST_F(RecorderWayPointTest, ComeInTheOrderOfTheSeed) {
-  setWayPoints({1.0, 2.0, 3.0, 4.0, 5.0});
+TEST_F(RecorderWaypointTest, ComeInTheOrderOfTheSeed) {
+  setWaypoints({1.0, 2.0, 3.0, 4.0, 5.0});
   start();
   const std::vector<double> places = follow(5);
   robot_.moveTo({0.0, 0.0, 0.0}, 10.0);
@@ -92,8 +92,8 @@ TEST_F(RecorderWayPointTest, ComeInTheOrderOfTheSeed) {
   EXPECT_NE(follow(5), places);
 }
 
-TEST_F(RecorderWayPointTest, ANewOneIsGivenOutWhenOneIsCancelled) {
-  setWayPoints({20.0, 30.0});
+TEST_F(RecorderWaypointTest, ANewOneIsGivenOutWhenOneIsCancelled) {
+  setWaypoints({20.0, 30.0});
   start();
   GoalWatcher watcher;
   ASSERT_TRUE(eventually([&] { return watcher.goals().size() == 1; }));
@@ -105,8 +105,8 @@ TEST_F(RecorderWayPointTest, ANewOneIsGivenOutWhenOneIsCancelled) {
   EXPECT_NE(watcher.goals()[1].pose.position.x, watcher.goals()[0].pose.position.x);
 }
 
-TEST_F(RecorderWayPointTest, GiveWayToAGoalThatSomebodySets) {
-  setWayPoints({20.0, 30.0});
+TEST_F(RecorderWaypointTest, GivePathToAGoalThatSomebodySets) {
+  setWaypoints({20.0, 30.0});
   start();
   GoalWatcher watcher;
   giveGoal(goalAt(2.0, 0.0));
@@ -118,11 +118,11 @@ TEST_F(RecorderWayPointTest, GiveWayToAGoalThatSomebodySets) {
   EXPECT_EQ(count("episodes arrived"), 1);
 }
 
-TEST_F(RecorderWayPointTest, AreAtLeastTwo) {
-  setWayPoints({1.0});
+TEST_F(RecorderWaypointTest, AreAtLeastTwo) {
+  setWaypoints({1.0});
   recorder_ = launch("dataset_recorder", {});
   EXPECT_EQ(recorder_->wait(), 1);
-  EXPECT_NE(recorder_->printed().find("parameter way_points is 1, expected a list of none or of at least two"),
+  EXPECT_NE(recorder_->printed().find("parameter waypoints is 1, expected a list of none or of at least two"),
             std::string::npos)
       << recorder_->printed();
 }
@@ -131,7 +131,7 @@ TEST_F(RecorderWayPointTest, AreAtLeastTwo) {
 }  // namespace lstm_planner
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "dataset_recorder_way_points");
+  ros::init(argc, argv, "dataset_recorder_waypoints");
   testing::InitGoogleTest(&argc, argv);
   const ros::NodeHandle node;  // keeps ROS up between tests
   return RUN_ALL_TESTS();
