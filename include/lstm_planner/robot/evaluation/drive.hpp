@@ -24,10 +24,8 @@ enum class Arrival {
   /// The robot does, as in a building: its controller is within its tolerance of the goal by odometry. It knows no
   /// better than odometry, so the true position may be off by more than the goal's radius: by the odometry's error
   /// times the driven path, and in a drive without contacts by all that odometry is wrong by (after a contact wheels
-  /// may
-  /// have spun, and that counts). A goal that odometry has moved into something is replaced by a place beside it, as
-  /// far
-  /// away as odometry is wrong.
+  /// may have spun, and that counts). A goal that odometry has moved into something is replaced by a place beside it,
+  /// as far away as odometry is wrong.
   kRobotSays,
   /// A referee does who knows the true position, and ends the drive there (BARN). The robot's own word ends it too.
   kTruePosition
