@@ -63,7 +63,8 @@ class CommandLine {
   /// Of the parameters that are visited, see parameter_visitors.hpp, those that are named: pairs of the parameter's and
   /// the option's name.
   auto parameters(const std::vector<std::pair<std::string, std::string>>& names) {
-    return [this, names](const std::string& name, auto& value, Range range, const char* unit, const char* meaning) {
+    return [this, names](const std::string& name, auto& value, [[maybe_unused]] Range range,
+                         [[maybe_unused]] const char* unit, [[maybe_unused]] const char* meaning) {
       for (const auto& [parameter, option] : names) {
         if (parameter != name) continue;
         if constexpr (kIsNumber<std::decay_t<decltype(value)>>) {

@@ -1,9 +1,11 @@
 #include <atomic>
 #include <iostream>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "lstm_planner/base/common/parallel_for.hpp"
+#include "lstm_planner/robot/evaluation/drive_film.hpp"
 #include "tools/command.hpp"
 #include "tools/drive_options.hpp"
 #include "tools/drive_report.hpp"
@@ -19,11 +21,17 @@ DriveResult driveOnce(const DriveOptions& options, const DriveWorld& world, cons
                       const DriveParameters& rules, const DrivePolicy& policy, DriveStates* states) {
   NavigationAgent agent(policy, options.agent);
   if (!options.states.empty()) states->watch(&agent);
-  if (options.crowd.walkers == 0) return drive(*world.world, exercise.task, rules, exercise.seed, &agent);
+  std::optional<DriveFilm> film;
+  DriveListener listener;
+  if (!options.film.empty()) {
+    film.emplace(floorOf(world, exercise.task), exercise.task, options.film, options.film_parameters);
+    listener = [&](const DriveMoment& moment) { film->show(moment); };
+  }
+  if (options.crowd.walkers == 0) return drive(*world.world, exercise.task, rules, exercise.seed, &agent, listener);
   const Point2 start{exercise.task.start.x, exercise.task.start.y};
   const std::uint64_t seed = Random(exercise.seed)();
   Crowd crowd(*world.world, world.walker_places, options.crowd, start, seed);
-  return drive(&crowd, exercise.task, rules, exercise.seed, &agent);
+  return drive(&crowd, exercise.task, rules, exercise.seed, &agent, listener);
 }
 
 /// Only a network that leads is read: the others need no file.

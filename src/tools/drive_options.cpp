@@ -61,6 +61,10 @@ void addOutputOptions(DriveOptions* options, CommandLine* line) {
                   "draw the drives that went wrong, the best, the middle and the worst into this folder");
   line->addOutput("states", &options->states,
                   "PNG file: the one drive of --only, with the network's preferences and hidden state step by step");
+  line->addFolder("film", &options->film,
+                  "draw the one drive of --only as the robot knows it, frame by frame, into this folder");
+  line->add("film-period", &options->film_parameters.period, {0.1, 1000.0}, "s of simulated time from frame to frame");
+  line->add("film-size", &options->film_parameters.longest_side, {100, 4000}, "pixels of a frame's longer side");
 }
 
 void check(const DriveOptions& options) {
@@ -77,6 +81,10 @@ void check(const DriveOptions& options) {
   if (!options.states.empty() && (options.only.size() != 1 || options.agent.leader != Decision::Source::kNetwork)) {
     throw std::invalid_argument("--states draws one drive: it needs --only with one number, and a network that leads");
   }
+  if (!options.film.empty() && options.only.size() != 1) {
+    throw std::invalid_argument("--film shows one drive: it needs --only with one number");
+  }
+  if (!options.film.empty()) makeOutputFolder(options.film);
   if (!options.pictures.empty()) makeOutputFolder(options.pictures);
 }
 

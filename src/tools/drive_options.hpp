@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/robot/evaluation/drive_film.hpp"
 
 namespace lstm_planner {
 
@@ -33,6 +34,8 @@ struct DriveOptions {
   std::string details;
   std::string pictures;
   std::string states;
+  std::string film;  ///< folder
+  DriveFilm::Parameters film_parameters;
 };
 
 /// Returns false when only the help was asked for. Throws with a sentence for options that make no sense.

@@ -52,16 +52,16 @@ OccupancyGrid knownPart(const OccupancyGrid& map) {
   return part;
 }
 
-/// An empty floor under circles and the path between them.
-OccupancyGrid floorUnder(const Drive& drive) {
-  Point2 low = drive.exercise.task.goal;
+/// An empty floor under circles and places.
+OccupancyGrid floorUnder(const std::vector<Circle>& circles, const std::vector<Point2>& places) {
+  Point2 low = places.front();
   Point2 high = low;
-  const auto include = [&](double x, double y) {
-    low = {std::min(low.x, x), std::min(low.y, y)};
-    high = {std::max(high.x, x), std::max(high.y, y)};
+  const auto include = [&](const Point2& place) {
+    low = {std::min(low.x, place.x), std::min(low.y, place.y)};
+    high = {std::max(high.x, place.x), std::max(high.y, place.y)};
   };
-  for (const Circle& circle : drive.world.circles) include(circle.center.x, circle.center.y);
-  for (const Pose2& pose : drive.result.trace) include(pose.x, pose.y);
+  for (const Circle& circle : circles) include(circle.center);
+  for (const Point2& place : places) include(place);
   const auto cells = [](double from, double to) {
     return static_cast<int>((to - from + 2.0 * kMargin) / kBackground) + 1;
   };
@@ -69,29 +69,13 @@ OccupancyGrid floorUnder(const Drive& drive) {
                        {low.x - kMargin, low.y - kMargin, 0.0});
 }
 
-TracePicture::Part::Leader leaderOf(Decision::Source source) {
-  switch (source) {
-    case Decision::Source::kNetwork:
-      return TracePicture::Part::Leader::kNetwork;
-    case Decision::Source::kGreedy:
-      return TracePicture::Part::Leader::kGreedy;
-    case Decision::Source::kRoute:
-      return TracePicture::Part::Leader::kRoute;
-    case Decision::Source::kEscape:
-      return TracePicture::Part::Leader::kBoundary;
-    default:
-      return TracePicture::Part::Leader::kOther;
-  }
-}
-
 /// The path in parts, each from where somebody took over to where he handed on.
 std::vector<TracePicture::Part> partsOf(const DriveResult& result) {
   std::vector<TracePicture::Part> parts;
   for (std::size_t i = 0; i < result.trace.size(); ++i) {
     const Point2 here{result.trace[i].x, result.trace[i].y};
-    const auto leader = leaderOf(result.led[i]);
     if (!parts.empty()) parts.back().path.push_back(here);
-    if (parts.empty() || parts.back().leader != leader) parts.push_back({leader, {here}});
+    if (parts.empty() || parts.back().source != result.led[i]) parts.push_back({result.led[i], {here}});
   }
   return parts;
 }
@@ -123,11 +107,17 @@ void draw(const std::string& path, const Drive& drive) {
   picture.contacts = drive.result.contact_places;
   picture.circles = drive.world.circles;
   picture.walkers = drive.result.walker_traces;
-  writeTracePicture(path, drive.world.map != nullptr ? knownPart(*drive.world.map) : floorUnder(drive), picture,
-                    kLongestSide);
+  writeTracePicture(path, floorOf(drive.world, drive.exercise.task, drive.result.trace), picture, kLongestSide);
 }
 
 }  // namespace
+
+OccupancyGrid floorOf(const DriveWorld& world, const DriveTask& task, const std::vector<Pose2>& trace) {
+  if (world.map != nullptr) return knownPart(*world.map);
+  std::vector<Point2> places = {task.goal, {task.start.x, task.start.y}};
+  for (const Pose2& pose : trace) places.push_back({pose.x, pose.y});
+  return floorUnder(world.circles, places);
+}
 
 void drawDrives(const std::string& folder, const DriveCourse& course, const DriveResults& results) {
   std::vector<Drive> good;

@@ -24,6 +24,10 @@ std::string driveJson(const DriveOptions& options, const DriveCourse& course, co
 /// A line a goal.
 std::string driveCsv(const DriveCourse& course, const DriveResults& results);
 
+/// The part of a world that a picture of a drive shows: what is known of the map, or an empty floor under all circles
+/// and the drive.
+OccupancyGrid floorOf(const DriveWorld& world, const DriveTask& task, const std::vector<Pose2>& trace = {});
+
 /// Draws the drives that went wrong and, by path / shortest, the worst, the middle and the best of the others.
 void drawDrives(const std::string& folder, const DriveCourse& course, const DriveResults& results);
 

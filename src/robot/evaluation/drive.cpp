@@ -16,8 +16,9 @@ namespace {
 /// A simulated robot that a controller leads along the agent's plans.
 class ControlledRobot : public LoopRobot {
  public:
-  ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters)
-      : robot_(*robot), parameters_(parameters), tracker_(parameters.motion) {
+  ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters,
+                  const DriveListener& listener)
+      : robot_(*robot), parameters_(parameters), listener_(listener), tracker_(parameters.motion) {
     const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
     goal_ = {goal.x, goal.y, 0.0};
   }
@@ -36,12 +37,14 @@ class ControlledRobot : public LoopRobot {
     }
     robot_.command(
         tracker_.compute(plan_, situation, robot_.measuredTwist(), agent.shield(), parameters_.control_period));
+    if (listener_) listener_({robot_.time(), robot_.truePose(), situation, plan_, agent});
     robot_.advance(parameters_.control_period);
   }
 
  private:
   SimulatedRobot& robot_;
   const DriveParameters& parameters_;
+  const DriveListener& listener_;
   PathTracker tracker_;
   Pose2 goal_;
   std::vector<Pose2> plan_;
@@ -52,9 +55,9 @@ class ControlledRobot : public LoopRobot {
 class Run {
  public:
   Run(SimulatedRobot* robot, const Crowd* crowd, const DriveTask& task, const DriveParameters& parameters,
-      NavigationAgent* agent)
+      NavigationAgent* agent, const DriveListener& listener)
       : robot_(*robot),
-        controlled_(robot, task, parameters),
+        controlled_(robot, task, parameters, listener),
         crowd_(crowd),
         task_(task),
         parameters_(parameters),
@@ -170,17 +173,17 @@ double overruledShare(const std::vector<DriveResult>& results) {
 }
 
 DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
-                  NavigationAgent* agent) {
+                  NavigationAgent* agent, const DriveListener& listener) {
   validate(parameters);
   SimulatedRobot robot(world, parameters.robot, task.start, seed);
-  return Run(&robot, nullptr, task, parameters, agent).run();
+  return Run(&robot, nullptr, task, parameters, agent, listener).run();
 }
 
 DriveResult drive(Crowd* crowd, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
-                  NavigationAgent* agent) {
+                  NavigationAgent* agent, const DriveListener& listener) {
   validate(parameters);
   SimulatedRobot robot(crowd, parameters.robot, task.start, seed);
-  return Run(&robot, crowd, task, parameters, agent).run();
+  return Run(&robot, crowd, task, parameters, agent, listener).run();
 }
 
 DriveSummary summarize(const std::vector<DriveResult>& results) {

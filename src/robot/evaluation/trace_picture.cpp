@@ -11,17 +11,13 @@
 
 #include "lstm_planner/base/common/picture_file.hpp"
 #include "robot/evaluation/map_canvas.hpp"
+#include "robot/evaluation/source_colors.hpp"
 
 namespace lstm_planner {
 namespace {
 
 const cv::Scalar kPaper(255, 255, 255);  // colours are blue, green, red
 const cv::Scalar kObstacle(40, 40, 40);
-const cv::Scalar kTrace(40, 40, 220);
-const cv::Scalar kGreedy(170, 60, 120);
-const cv::Scalar kRoute(235, 130, 20);
-const cv::Scalar kBoundary(150, 150, 0);
-const cv::Scalar kOther(130, 130, 130);
 const cv::Scalar kWalker(165, 150, 120);
 const cv::Scalar kWalkerBefore(225, 218, 205);
 const cv::Scalar kStart(130, 40, 0);
@@ -87,22 +83,6 @@ void drawWalkers(const TracePicture& picture, MapCanvas* canvas) {
   }
 }
 
-const cv::Scalar& colorOf(TracePicture::Part::Leader leader) {
-  switch (leader) {
-    case TracePicture::Part::Leader::kNetwork:
-      return kTrace;
-    case TracePicture::Part::Leader::kGreedy:
-      return kGreedy;
-    case TracePicture::Part::Leader::kRoute:
-      return kRoute;
-    case TracePicture::Part::Leader::kBoundary:
-      return kBoundary;
-    case TracePicture::Part::Leader::kOther:
-      break;
-  }
-  return kOther;
-}
-
 /// A line (or a disc, when it has no width) of a colour, and what it means.
 struct LegendEntry {
   std::string text;
@@ -122,17 +102,19 @@ std::vector<LegendEntry> legendOf(const TracePicture& picture, const MapCanvas& 
   add(!picture.starts.empty(), "start", kStart, 0);
   add(std::any_of(goals.begin(), goals.end(), isReached), "goal", kReached, 0);
   add(!std::all_of(goals.begin(), goals.end(), isReached), "goal, missed", kMissed, 0);
-  add(!picture.traces.empty() && picture.parts.empty(), "driven", kTrace, dash);
-  using Leader = TracePicture::Part::Leader;
-  const auto led = [&](Leader leader) {
+  add(!picture.traces.empty() && picture.parts.empty(), "driven", colorOf(Decision::Source::kNetwork), dash);
+  using Source = Decision::Source;
+  const auto decided = [&](Source source) {
     return std::any_of(picture.parts.begin(), picture.parts.end(),
-                       [leader](const TracePicture::Part& part) { return part.leader == leader; });
+                       [source](const TracePicture::Part& part) { return part.source == source; });
   };
-  add(led(Leader::kNetwork), "led by the network", colorOf(Leader::kNetwork), dash);
-  add(led(Leader::kGreedy), "going for the goal", colorOf(Leader::kGreedy), dash);
-  add(led(Leader::kRoute), "led by the remembered path", colorOf(Leader::kRoute), dash);
-  add(led(Leader::kBoundary), "along a boundary", colorOf(Leader::kBoundary), dash);
-  add(led(Leader::kOther), "goal in sight, or turning", colorOf(Leader::kOther), dash);
+  const auto addSource = [&](Source source, const char* text) { add(decided(source), text, colorOf(source), dash); };
+  addSource(Source::kNetwork, "led by the network");
+  addSource(Source::kGreedy, "going for the goal");
+  addSource(Source::kRoute, "led by the remembered path");
+  addSource(Source::kEscape, "along a boundary");
+  add(decided(Source::kGoalInSight) || decided(Source::kLookAround), "goal in sight, or turning",
+      colorOf(Source::kGoalInSight), dash);
   add(!picture.walkers.empty(), "people", kWalker, dash);
   add(!picture.contacts.empty(), "contact", kContact, 0);
   const double scale = scaleOf(canvas);
@@ -218,8 +200,9 @@ void writeTracePicture(const std::string& path, const OccupancyGrid& map, const 
   MapCanvas canvas(map, longest_side);
   for (const Circle& circle : picture.circles) canvas.circle(circle.center, circle.radius, kObstacle, cv::FILLED);
   drawWalkers(picture, &canvas);
-  for (const std::vector<Point2>& trace : picture.traces) canvas.polyline(trace, kTrace, kTraceWidth);
-  for (const TracePicture::Part& part : picture.parts) canvas.polyline(part.path, colorOf(part.leader), kTraceWidth);
+  for (const std::vector<Point2>& trace : picture.traces)
+    canvas.polyline(trace, colorOf(Decision::Source::kNetwork), kTraceWidth);
+  for (const TracePicture::Part& part : picture.parts) canvas.polyline(part.path, colorOf(part.source), kTraceWidth);
   for (const Pose2& start : picture.starts) drawStart(start, picture.robot_radius, &canvas);
   for (const TracePicture::Goal& goal : picture.goals) drawGoal(goal, picture.robot_radius, &canvas);
   for (const Point2& contact : picture.contacts) canvas.cross(contact, picture.robot_radius, kContact, 2.5);

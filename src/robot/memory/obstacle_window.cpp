@@ -52,6 +52,18 @@ Square ObstacleWindow::squareAt(const Point2& position) const {
   return {floorOf(position.x / resolution_), floorOf(position.y / resolution_)};
 }
 
+std::vector<Point2> ObstacleWindow::occupied() const {
+  std::vector<Point2> places;
+  for (int row = 0; row < squares_.rows(); ++row) {
+    for (int column = 0; column < squares_.columns(); column += 64) {
+      for (std::uint64_t bits = squares_.from(column, row); bits != 0; bits &= bits - 1) {
+        places.push_back(centerOf(Square{column + lowestBit(bits), row}));
+      }
+    }
+  }
+  return places;
+}
+
 int ObstacleWindow::set(const Square& square, bool occupied) {
   const int column = square.column / kSide;
   const int row = square.row / kSide;

@@ -82,6 +82,10 @@ class NavigationAgent {
   const Situation& situation() const { return situation_; }  ///< that was perceived last
   const Point2& goal() const { return goal_; }
   const Shield& shield() const { return shield_; }  ///< shows what was perceived, or decided about, last
+  /// Where obstacles are remembered; none where nothing is to be remembered. To be drawn: this is slow.
+  std::vector<Point2> rememberedObstacles() const {
+    return guide_ ? guide_->memory().obstacles() : std::vector<Point2>();
+  }
   /// Searches for paths through what is remembered, so far.
   long searches() const { return guide_ ? guide_->searches() : 0; }
   const AgentParameters& parameters() const { return parameters_; }

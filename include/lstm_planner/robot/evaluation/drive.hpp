@@ -43,6 +43,16 @@ struct DriveParameters {
   Arrival arrival = Arrival::kRobotSays;
 };
 
+/// A moment of a drive: a command was given, and nothing has moved since.
+struct DriveMoment {
+  double time;                     ///< s since the start
+  Pose2 pose;                      ///< where the robot truly is, world frame
+  const Situation& situation;      ///< what it knows of that, odometry frame
+  const std::vector<Pose2>& plan;  ///< that the controller follows, odometry frame
+  const NavigationAgent& agent;    ///< which has decided
+};
+using DriveListener = std::function<void(const DriveMoment&)>;
+
 /// What happened.
 struct DriveResult {
   enum class End {
@@ -73,12 +83,13 @@ double shareOf(Decision::Source source, const std::vector<DriveResult>& results)
 /// Share of the steps in which another action than the network's favourite was taken.
 double overruledShare(const std::vector<DriveResult>& results);
 
-/// Drives one task with agent and controller in closed loop, without ROS. The agent is given the goal anew.
+/// Drives one task with agent and controller in closed loop, without ROS. The agent is given the goal anew. `listener`,
+/// if there is one, is shown every moment.
 DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
-                  NavigationAgent* agent);
+                  NavigationAgent* agent, const DriveListener& listener = {});
 /// Among people, who walk on from where they are.
 DriveResult drive(Crowd* crowd, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
-                  NavigationAgent* agent);
+                  NavigationAgent* agent, const DriveListener& listener = {});
 
 /// Totals over many drives; ratios are path / shortest of those that arrived.
 struct DriveSummary {

@@ -5,6 +5,7 @@
 
 #include "lstm_planner/base/common/geometry.hpp"
 #include "lstm_planner/base/grid/occupancy_grid.hpp"
+#include "lstm_planner/robot/driving/decision.hpp"
 #include "lstm_planner/robot/simulation/world.hpp"
 
 namespace lstm_planner {
@@ -18,12 +19,11 @@ struct TracePicture {
   };
   /// A part of a path, in the colour of who decided it.
   struct Part {
-    enum class Leader { kNetwork, kGreedy, kRoute, kBoundary, kOther };
-    Leader leader = Leader::kNetwork;
+    Decision::Source source = Decision::Source::kNetwork;
     std::vector<Point2> path;
   };
   std::vector<std::vector<Point2>> traces;  ///< red, as in the thesis's figures
-  std::vector<Part> parts;  ///< over them: network red, greedy violet, route blue, boundary teal, others grey
+  std::vector<Part> parts;  ///< over them: network red, greedy violet, route blue, escape teal, others grey
   std::vector<std::vector<Point2>>
       walkers;                    ///< thin grey paths of people, pale but for the last 100 places; a disc at the end
   std::vector<Circle> circles;    ///< obstacles that are not in the map

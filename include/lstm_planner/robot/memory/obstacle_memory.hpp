@@ -48,6 +48,9 @@ class ObstacleMemory {
   /// through. Seldom right, but where there is no other path it is worth a try.
   void squeeze(bool on);
 
+  /// Where obstacles are remembered: the middles of the occupied squares.
+  std::vector<Point2> obstacles() const { return window_.occupied(); }
+
   /// What has changed since clearChanges(), in order; not all of it when everythingChanged().
   const std::vector<Change>& changes() const { return changes_; }
   /// The window moved, everything was forgotten, squeeze() took effect, or too much changed to be listed.

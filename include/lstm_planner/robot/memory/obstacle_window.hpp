@@ -54,6 +54,8 @@ class ObstacleWindow {
             (origin_row_ * kSide + square.row + 0.5) * resolution_};
   }
 
+  /// The middles of all squares where something stands.
+  std::vector<Point2> occupied() const;
   bool isOccupied(const Square& square) const { return squares_.test(square.column, square.row); }
   /// Whether something stands there from now on; the square's cell.
   int set(const Square& square, bool occupied);

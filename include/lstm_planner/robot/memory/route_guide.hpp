@@ -49,6 +49,9 @@ class RouteGuide {
   /// the goal lies in something.
   const Route& route() const { return route_.route(); }
 
+  /// What is remembered.
+  const ObstacleMemory& memory() const { return memory_; }
+
   /// The point that lies that far (m) along the route, of which there must be one.
   Point2 pointAhead(double distance) const;
 
