@@ -102,6 +102,7 @@ bool readDriveOptions(const std::vector<std::string>& arguments, DriveOptions* o
     EscapeParameters& escape = options->agent.escape;
     escape.patience_distance = kPatienceDistance * escape.patience_steps;
     options->model = findSharedFile(options->model);
+    options->agent = fittedToFootprint(options->agent);
     check(*options);
   });
   return line.parse(arguments);

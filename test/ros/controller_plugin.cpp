@@ -74,11 +74,30 @@ TEST_F(ControllerTest, StandsWithoutAPlanAndWithAnEmptyOne) {
 TEST_F(ControllerTest, StandsWhileTheScanIsOldAndGoesOnWhenItReturns) {
   expectStands("the newest message on /scan is 0.25", [&] {
     stand(kLogPeriod);
-    robot_.wait(0.25);  // scan_timeout is 0.2 s, odom_timeout 0.3 s
+    robot_.wait(0.25);  // three periods of 0.05 s are less than the shortest timeout, 0.2 s; of odometry 0.3 s
   });
   controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
   EXPECT_TRUE(computeAt(robot_.pose()));
   EXPECT_GT(velocity_.linear.x, 0.0);
+}
+
+TEST_F(ControllerTest, WaitsLongerForAScannerThatIsSlower) {
+  for (int i = 0; i < 20; ++i) computeAt(robot_.pose());
+  for (int i = 0; i < 20; ++i) {  // an LDS-01, at 5 Hz
+    robot_.wait(0.1);
+    robot_.publishOdometry();
+    robot_.moveTo(robot_.pose(), 0.1);
+    controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
+    EXPECT_TRUE(eventually([&] { return controller_->computeVelocityCommands(velocity_); }));
+  }
+  robot_.wait(0.45);
+  robot_.publishOdometry();
+  EXPECT_TRUE(eventually([&] { return controller_->computeVelocityCommands(velocity_); })) << "up to 0.6 s";
+  expectStands("the newest message on /scan is 0.65", [&] {
+    stand(kLogPeriod);
+    robot_.wait(0.65);
+    robot_.publishOdometry();
+  });
 }
 
 TEST_F(ControllerTest, StandsWhileTheOdometryIsOld) {

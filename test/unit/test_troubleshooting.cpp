@@ -22,7 +22,8 @@ fs::path inSource(const std::string& path) { return fs::path(LSTM_PLANNER_SOURCE
 /// The sources whose messages tell a user why the robot does not move, with literals over several lines made one.
 std::string messageSources() {
   std::string text;
-  for (const char* folder : {"src/ros/planner", "src/ros/controller", "src/ros/common", "src/robot/perception"}) {
+  for (const char* folder :
+       {"src/ros/planner", "src/ros/controller", "src/ros/common", "src/robot/perception", "src/robot/driving"}) {
     for (const auto& entry : fs::directory_iterator(inSource(folder))) text += contentOf(entry.path());
   }
   return std::regex_replace(text, std::regex("\"\\s*\\n\\s*\""), "");

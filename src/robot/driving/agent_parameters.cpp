@@ -1,5 +1,6 @@
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,9 @@ using Source = Decision::Source;
 
 const char* const kNoLeader = "none";
 
+/// Of the footprint radius: a coarser memory would have paths that lead through walls.
+constexpr double kCoarsest = 0.29;
+
 }  // namespace
 
 std::string nameOfLeader(Source leader) { return leader == Source::kGreedy ? kNoLeader : toString(leader); }
@@ -23,6 +27,21 @@ Source leaderNamed(const std::string& name) {
     if (name == nameOfLeader(leader)) return leader;
   }
   throw std::invalid_argument("leader is '" + name + "', expected network, route or none");
+}
+
+AgentParameters fittedToFootprint(AgentParameters parameters) {
+  constexpr double kMillimetres = 1000.0;
+  const ShieldParameters& shield = parameters.shield;
+  MemoryParameters& memory = parameters.memory;
+  const double around = shield.footprint_radius + std::max(memory.comfort, shield.clearance);
+  const double finest = std::ceil(kMillimetres * around / kMostNearSquares) / kMillimetres;
+  const double coarsest = std::floor(kMillimetres * kCoarsest * shield.footprint_radius) / kMillimetres;
+  if (finest > coarsest || !(memory.resolution > 0.0)) return parameters;
+  if (memory.resolution < finest || memory.resolution > kCoarsest * shield.footprint_radius) {
+    memory.resolution = std::clamp(memory.resolution, finest, coarsest);
+  }
+  memory.width = std::min(memory.width, kMostSquaresASide * memory.resolution);
+  return parameters;
 }
 
 void validate(const AgentParameters& parameters) {
@@ -46,7 +65,7 @@ void validate(const AgentParameters& parameters) {
                  "at least step, footprint radius and clearance together = " + std::to_string(needed_reach));
 
   const MemoryParameters& memory = parameters.memory;
-  const double coarsest = 0.29 * shield.footprint_radius;
+  const double coarsest = kCoarsest * shield.footprint_radius;
   checkParameter(memory.resolution <= coarsest, "memory/resolution", memory.resolution,
                  "at most 0.29 shield/footprint_radius = " + std::to_string(coarsest));
   const double widest = kMostSquaresASide * memory.resolution;

@@ -167,21 +167,24 @@ DrivePolicy noPolicy() {
   return DrivePolicy(description, {layer});
 }
 
-void checkFits(const PolicyDescription& description, double step_length, double footprint_radius, double range_max) {
+void checkFits(const PolicyDescription& description, double step_length, double range_max) {
   if (std::abs(description.step_length - step_length) > 0.01) {
     throw std::invalid_argument("the model was trained for steps of " + std::to_string(description.step_length) +
                                 " m, step/length is " + std::to_string(step_length) + " m");
-  }
-  if (footprint_radius > description.footprint_radius + 0.05) {
-    throw std::invalid_argument("the model was trained for a robot of radius " +
-                                std::to_string(description.footprint_radius) + " m, shield/footprint_radius is " +
-                                std::to_string(footprint_radius) + " m, more than 0.05 m larger");
   }
   if (range_max > 0.0 && range_max < 0.5 * description.encoder.range_cap) {
     throw std::invalid_argument("the scanner reaches " + std::to_string(range_max) +
                                 " m, the model was trained with a range cap of " +
                                 std::to_string(description.encoder.range_cap) + " m and needs at least half of it");
   }
+}
+
+std::string sizeWarning(const PolicyDescription& description, double footprint_radius) {
+  if (footprint_radius <= description.footprint_radius + 0.05) return "";
+  return "the model was trained for a robot of radius " + std::to_string(description.footprint_radius) +
+         " m, shield/footprint_radius is " + std::to_string(footprint_radius) +
+         " m: the network leads towards gaps that are too narrow, the shield takes those steps away, and the path "
+         "through the remembered obstacles leads more often; leader: route is made for any size";
 }
 
 }  // namespace lstm_planner

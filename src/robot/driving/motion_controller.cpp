@@ -37,7 +37,7 @@ void validate(const MotionParameters& parameters) {
 }
 
 MotionController::MotionController(const MotionParameters& parameters)
-    : parameters_((validate(parameters), parameters)) {}
+    : parameters_((validate(parameters), parameters)), reaction_time_(parameters.reaction_time) {}
 
 Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current,
                                  const Shield& shield, double period, const std::vector<Point2>& moving,
@@ -163,7 +163,7 @@ double MotionController::cautiousSpeed(const Twist2& twist, const Shield& shield
 }
 
 double MotionController::yieldingReach(double footprint_radius) const {
-  const double time = parameters_.reaction_time + parameters_.max_linear / parameters_.linear_acceleration;
+  const double time = reaction_time_ + parameters_.max_linear / parameters_.linear_acceleration;
   return footprint_radius + stoppingDistance(parameters_.max_linear) + parameters_.person_margin +
          parameters_.person_speed * time + footprint_radius;
 }
@@ -171,7 +171,7 @@ double MotionController::yieldingReach(double footprint_radius) const {
 double MotionController::yieldingSpeed(const Twist2& twist, const Shield& persons) const {
   const double gap = persons.arcGap({}, twist.angular / twist.linear, stoppingDistance(twist.linear));
   const double time = (gap - parameters_.person_margin) / parameters_.person_speed;
-  return std::max(0.0, (time - parameters_.reaction_time) * parameters_.linear_acceleration);
+  return std::max(0.0, (time - reaction_time_) * parameters_.linear_acceleration);
 }
 
 double MotionController::yieldingSpeed(const Twist2& twist, const Persons& persons) const {
@@ -180,7 +180,7 @@ double MotionController::yieldingSpeed(const Twist2& twist, const Persons& perso
 }
 
 double MotionController::stoppingDistance(double speed) const {
-  return speed * parameters_.reaction_time + speed * speed / (2.0 * parameters_.linear_acceleration);
+  return speed * reaction_time_ + speed * speed / (2.0 * parameters_.linear_acceleration);
 }
 
 double MotionController::allowedSpeed(const Twist2& twist, const Twist2& current, const Shield& shield,
@@ -192,24 +192,24 @@ double MotionController::allowedSpeed(const Twist2& twist, const Twist2& current
   const double slack = 1e-9;  // m
   // The command may act at once: the present speed, if that is higher, is then braked away along the new arc.
   const double length =
-      std::max(twist.linear, present) * parameters_.reaction_time + twist.linear * twist.linear / (2.0 * acceleration);
+      std::max(twist.linear, present) * reaction_time_ + twist.linear * twist.linear / (2.0 * acceleration);
   double allowed = twist.linear;
   double free = shield.freeArc({}, curvature, length, margin);
   if (free < length - slack) {
-    const double reaction = parameters_.reaction_time;
+    const double reaction = reaction_time_;
     allowed = acceleration * (std::sqrt(reaction * reaction + 2.0 * free / acceleration) - reaction);
     if (allowed < present) {
       allowed = std::sqrt(2.0 * acceleration * std::max(0.0, free - present * reaction));
     }
   }
   // Or the robot goes on as it does now until the last moment.
-  const double delay = std::max(0.0, parameters_.reaction_time - period);
+  const double delay = std::max(0.0, reaction_time_ - period);
   const double present_curvature = current.angular / present;
   if (shield.freeArc({}, present_curvature, present * delay, margin) < present * delay - slack) {
     return 0.0;
   }
   const Pose2 later = alongArc({}, present_curvature, present * delay);
-  const double hold = parameters_.reaction_time - delay;
+  const double hold = reaction_time_ - delay;
   const double rest = twist.linear * hold + twist.linear * twist.linear / (2.0 * acceleration);
   free = shield.freeArc(later, curvature, rest, margin);
   if (free < rest - slack) {

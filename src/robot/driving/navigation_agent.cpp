@@ -40,7 +40,7 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
       guide_(parameters.memory.enabled ? std::optional<RouteGuide>(parameters) : std::nullopt),
       clock_(parameters.step),
       progress_(parameters.escape.progress) {
-  checkFits(policy_.description(), parameters.step.length, parameters.shield.footprint_radius);
+  checkFits(policy_.description(), parameters.step.length);
   const auto actions = static_cast<std::size_t>(policy_.description().actions.size());
   decision_.preferences.resize(actions);
   decision_.allowed.resize(actions);
@@ -49,7 +49,7 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
 
 void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time) {
   checkPose(pose);
-  checkFits(policy_.description(), parameters_.step.length, parameters_.shield.footprint_radius, scan.range_max);
+  checkFits(policy_.description(), parameters_.step.length, scan.range_max);
   lstm_planner::perceive(scan, mount, rules_, policy_.description().encoder.range_cap, &situation_);
   situation_.pose = pose;
   situation_.time = time;

@@ -17,6 +17,7 @@ GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_
   reader.warnOfUnknown();
 
   visitGlobalPlannerParameters(std::as_const(parameters), RangeCheck());
+  parameters.agent = fittedToFootprint(parameters.agent);
   validate(parameters.sensors.scan_rules);
   validate(parameters.agent);
   if (parameters.agent.leader == Decision::Source::kGreedy) {

@@ -11,6 +11,7 @@ namespace lstm_planner {
 
 namespace {
 
+constexpr int kScanQueue = 3;        // the newest counts, those before it tell the scanner's period
 constexpr int kOdometryQueue = 100;  // a tenth of a second of the fastest
 
 /// When it was received stands in where a driver does not stamp its messages and leaves zero there.
@@ -29,7 +30,7 @@ SensorListener::SensorListener(MessageQueue* messages, const SensorParameters& p
   // Without this, TCP holds a scan back until the one before is acknowledged: up to 40 ms.
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   ros::NodeHandle node_handle = messages_.nodeHandle();
-  scan_subscriber_ = node_handle.subscribe(parameters.scan_topic, 1, &SensorListener::onScan, this, hints);
+  scan_subscriber_ = node_handle.subscribe(parameters.scan_topic, kScanQueue, &SensorListener::onScan, this, hints);
   odometry_subscriber_ =
       node_handle.subscribe(parameters.odom_topic, kOdometryQueue, &SensorListener::onOdometry, this, hints);
 }
@@ -39,6 +40,7 @@ void SensorListener::onScan(const ros::MessageEvent<sensor_msgs::LaserScan const
   scan_ = event.getConstMessage();
   scan_stamp_ = stampOr(scan_->header.stamp, event.getReceiptTime());
   fromMessage(*scan_, &laser_scan_);
+  scan_period_.note(scan_stamp_.toSec());
   silence_.show(laser_scan_, parameters_.scan_rules, scan_stamp_.toSec());
 }
 
@@ -46,6 +48,7 @@ void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const
   const std::lock_guard<std::mutex> lock(mutex_);
   const nav_msgs::Odometry::ConstPtr odometry = event.getConstMessage();
   odometry_stamp_ = stampOr(odometry->header.stamp, event.getReceiptTime());
+  odometry_period_.note(odometry_stamp_.toSec());
   const geometry_msgs::Twist& twist = odometry->twist.twist;
   const OdometryHistory::Entry entry{
       odometry_stamp_.toSec(), fromMessage(odometry->pose.pose), {twist.linear.x, twist.angular.z}};
@@ -69,9 +72,8 @@ SensorReading SensorListener::read(const ros::Time& now) {
   if (odometry_stamp_.isZero()) {
     throw SensorError("no odometry has been received on " + odometry_subscriber_.getTopic());
   }
-  checkAge(secondsBetween(scan_stamp_, now), parameters_.scan_timeout, scan_subscriber_.getTopic(), "scan_timeout");
-  checkAge(secondsBetween(odometry_stamp_, now), parameters_.odom_timeout, odometry_subscriber_.getTopic(),
-           "odom_timeout");
+  sayTimeoutsOnce();
+  checkAges(now);
   if (silence_.isCovered()) {
     throw SensorError("the scanner counts as covered: on " + scan_subscriber_.getTopic() +
                       " no beam has had a return since a scan in which " +
@@ -87,6 +89,7 @@ SensorReading SensorListener::read(const ros::Time& now) {
   SensorReading reading;
   reading.scan = scan_;
   reading.scan_stamp = scan_stamp_.toSec();
+  reading.scan_period = scan_period_.period();
   reading.mount = mountOf(frameName(scan_->header.frame_id));
   reading.odometry_frame = odometry_frame_;
   reading.scan_pose = history_.poseAt(scan_stamp_.toSec());
@@ -94,6 +97,26 @@ SensorReading SensorListener::read(const ros::Time& now) {
   reading.twist = history_.newest().twist;
   reading.jumps = history_.jumps();
   return reading;
+}
+
+double SensorListener::scanTimeout() const {
+  return timeoutFor(parameters_.scan_timeout, scan_period_.period(), parameters_.least_scan_timeout);
+}
+
+double SensorListener::odometryTimeout() const {
+  return timeoutFor(parameters_.odom_timeout, odometry_period_.period(), parameters_.least_odom_timeout);
+}
+
+void SensorListener::checkAges(const ros::Time& now) const {
+  checkAge(secondsBetween(scan_stamp_, now), scanTimeout(), scan_subscriber_.getTopic(), "scan_timeout");
+  checkAge(secondsBetween(odometry_stamp_, now), odometryTimeout(), odometry_subscriber_.getTopic(), "odom_timeout");
+}
+
+void SensorListener::sayTimeoutsOnce() {
+  if (timeouts_are_said_ || scan_period_.period() == 0.0 || odometry_period_.period() == 0.0) return;
+  timeouts_are_said_ = true;
+  ROS_INFO("a scan comes every %.3f s and is used for %.2f s, an odometry every %.3f s for %.2f s",
+           scan_period_.period(), scanTimeout(), odometry_period_.period(), odometryTimeout());
 }
 
 const SensorMount& SensorListener::mountOf(const std::string& frame) {

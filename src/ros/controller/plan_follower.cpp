@@ -14,6 +14,8 @@ namespace {
 /// Farther returns do not change a command; not looking at them keeps the controller cheap.
 constexpr double kShieldReach = 2.0;
 
+constexpr double kDriverPeriod = 0.1;  // s, of the slowest usual base drivers
+
 }  // namespace
 
 PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const std::string& base_frame,
@@ -54,7 +56,9 @@ Twist2 PlanFollower::compute() {
   checkPlanAge(now);
   compose(odometryFromPlan(reading.odometry_frame, now), plan_, &odometry_plan_);
   perceive(reading);
-  return tracker_.compute(odometry_plan_, seen_, reading.twist, shield_, 1.0 / parameters_.controller_frequency);
+  const double period = 1.0 / parameters_.controller_frequency;
+  tracker_.expectReactionTime(reading.scan_period + period + kDriverPeriod);
+  return tracker_.compute(odometry_plan_, seen_, reading.twist, shield_, period);
 }
 
 bool PlanFollower::goalReached() {

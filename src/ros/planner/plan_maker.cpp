@@ -34,7 +34,11 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       tracker_(goalPatience()),
       markers_(ros::NodeHandle("~/" + name), agent_.policy().description(), parameters.trace_length),
       decisions_(ros::NodeHandle("~/" + name)),
-      plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)) {}
+      plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)) {
+  if (parameters.agent.leader != Decision::Source::kNetwork) return;
+  const std::string warning = sizeWarning(agent_.policy().description(), parameters.agent.shield.footprint_radius);
+  if (!warning.empty()) ROS_WARN("%s", warning.c_str());
+}
 
 void PlanMaker::makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
                          std::vector<geometry_msgs::PoseStamped>* plan) {

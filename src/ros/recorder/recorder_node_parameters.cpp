@@ -18,6 +18,7 @@ RecorderNodeParameters loadRecorderNodeParameters(const ros::NodeHandle& node_ha
   reader.warnOfUnknown();
 
   visitRecorderNodeParameters(std::as_const(parameters), RangeCheck());
+  parameters.recorder.agent = fittedToFootprint(parameters.recorder.agent);
   validate(parameters.recorder);
   checkParameter(parameters.waypoints.size() != 1, "waypoints", 1.0, "a list of none or of at least two");
   if (parameters.waypoint_frame.empty()) {

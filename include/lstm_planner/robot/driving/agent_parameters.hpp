@@ -127,9 +127,9 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   auto& memory = agent.memory;
   visit("memory/enabled", memory.enabled, {}, "", "false: without progress boundaries are followed");
   visit("memory/resolution", memory.resolution, {0.01, 1.0}, "m",
-        "of the memory; at most 0.29 footprint radii, or paths would lead through walls");
+        "of the memory; finer for small robots (0.29 footprint radii), or paths would lead through walls");
   visit("memory/width", memory.width, {4.0, 1000.0}, "m",
-        "side of the square around the robot in which obstacles are remembered");
+        "side of the square around the robot in which obstacles are remembered; at most 2000 times the resolution");
   visit("memory/reach", memory.reach, {0.1, 100.0}, "m", "returns farther away are not remembered");
   visit("memory/comfort", memory.comfort, {0.0, 5.0}, "m",
         "kept between the footprint and obstacles by paths where there is room");
@@ -157,6 +157,10 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
         "coming back this near to where the boundary was met closes the loop");
   visit("escape/loop_length", escape.loop_length, {0.1, 1e5}, "m", "a shorter loop than this is not believed");
 }
+
+/// The same with a memory that is as fine as the footprint needs, and no wider than can be kept so fine: for robots of
+/// other sizes than the defaults are made for. Where nothing fits they stay as they are.
+AgentParameters fittedToFootprint(AgentParameters parameters);
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const AgentParameters& parameters);

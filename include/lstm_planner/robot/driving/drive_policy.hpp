@@ -75,10 +75,13 @@ class DrivePolicy {
 /// For an agent that no network leads: the thesis's inputs and steering angles, all weights zero.
 DrivePolicy noPolicy();
 
-/// Throws std::invalid_argument with one sentence that says what differs when a model made for another step length or a
-/// smaller robot would drive with these parameters. `range_max` is the scanner's (m, 0 = not known yet): it must reach
-/// as far as half the model's range cap.
-void checkFits(const PolicyDescription& description, double step_length, double footprint_radius,
-               double range_max = 0.0);
+/// Throws std::invalid_argument with one sentence that says what differs when a model made for another step length
+/// would drive with these parameters. `range_max` is the scanner's (m, 0 = not known yet): it must reach as far as half
+/// the model's range cap.
+void checkFits(const PolicyDescription& description, double step_length, double range_max = 0.0);
+
+/// What is to be expected of a model that was made for a robot more than 0.05 m smaller, in one sentence; empty
+/// otherwise. The shield keeps such a robot safe.
+std::string sizeWarning(const PolicyDescription& description, double footprint_radius);
 
 }  // namespace lstm_planner

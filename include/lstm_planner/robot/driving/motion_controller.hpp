@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "lstm_planner/base/common/geometry.hpp"
@@ -83,6 +84,9 @@ class MotionController {
   Twist2 compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current, const Shield& shield,
                  double period, const std::vector<Point2>& moving = {}, const std::vector<Point2>& resting = {}) const;
 
+  /// From now on it takes at least so long from a measurement to the wheels, s: the scanner is slow.
+  void expectReactionTime(double least) { reaction_time_ = std::max(parameters_.reaction_time, least); }
+
   /// At the plan's last pose within the tolerances.
   bool goalReached(const Pose2& pose, const Pose2& goal) const;
 
@@ -103,6 +107,7 @@ class MotionController {
   double stoppingDistance(double speed) const;
 
   MotionParameters parameters_;
+  double reaction_time_;  ///< s
 };
 
 }  // namespace lstm_planner

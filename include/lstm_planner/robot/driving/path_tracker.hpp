@@ -23,6 +23,9 @@ class PathTracker {
     return controller_.compute(plan, situation.pose, twist, shield, period, moving_.points(), moving_.resting());
   }
 
+  /// See MotionController.
+  void expectReactionTime(double least) { controller_.expectReactionTime(least); }
+
   /// The odometry jumped: what was seen is somewhere else now.
   void forget() { moving_.reset(); }
 

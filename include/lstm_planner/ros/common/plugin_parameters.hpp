@@ -15,11 +15,15 @@ namespace lstm_planner {
 struct SensorParameters {
   std::string scan_topic = "scan";
   std::string odom_topic = "odom";
-  double scan_timeout = 0.5;
-  double odom_timeout = 0.5;
+  double scan_timeout = 0.0;
+  double odom_timeout = 0.0;
   double tf_timeout = 0.5;
   double max_speed = 1.0;
   ScanRules scan_rules;  ///< what the scanner's readings mean
+
+  // No parameters: what the timeouts are at least where they follow the sensors, s.
+  double least_scan_timeout = 0.5;
+  double least_odom_timeout = 0.5;
 };
 
 /// Parameters of LstmGlobalPlanner, in "~/LstmGlobalPlanner"; config/lstm_planner.yaml explains each.
@@ -34,7 +38,7 @@ struct GlobalPlannerParameters {
 
 /// Parameters of SteeringController, in "~/SteeringController"; config/steering_controller.yaml explains each.
 struct SteeringControllerParameters {
-  SensorParameters sensors = {"scan", "odom", 0.2, 0.3, 0.3, 1.0, {}};
+  SensorParameters sensors = {"scan", "odom", 0.0, 0.0, 0.3, 1.0, {}, 0.2, 0.3};
   MotionParameters motion;
   double plan_timeout = 2.0;
   double footprint_radius = 0.17425;
@@ -47,8 +51,10 @@ template <typename Parameters, typename Visitor>
 void visitSensorParameters(Parameters& sensors, const Visitor& visit) {
   visit("scan_topic", sensors.scan_topic, {}, "", "sensor_msgs/LaserScan");
   visit("odom_topic", sensors.odom_topic, {}, "", "nav_msgs/Odometry");
-  visit("scan_timeout", sensors.scan_timeout, {0.01, 60.0}, "s", "an older scan is not used");
-  visit("odom_timeout", sensors.odom_timeout, {0.01, 60.0}, "s", "an older odometry is not used");
+  visit("scan_timeout", sensors.scan_timeout, {0.0, 60.0}, "s",
+        "an older scan is not used; 0: three periods of the scanner, as measured");
+  visit("odom_timeout", sensors.odom_timeout, {0.0, 60.0}, "s",
+        "an older odometry is not used; 0: three of its periods, as measured");
   visit("tf_timeout", sensors.tf_timeout, {0.0, 60.0}, "s",
         "an older transform between odometry, goal and costmap frames is not used; 0: of any age");
   visit("max_speed", sensors.max_speed, {0.01, 100.0}, "m/s", "odometry that moves faster has jumped");

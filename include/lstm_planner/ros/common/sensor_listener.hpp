@@ -13,6 +13,7 @@
 
 #include "lstm_planner/robot/perception/laser_scan.hpp"
 #include "lstm_planner/robot/perception/odometry_history.hpp"
+#include "lstm_planner/robot/perception/period_meter.hpp"
 #include "lstm_planner/robot/perception/silence_watch.hpp"
 #include "lstm_planner/ros/common/message_queue.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
@@ -23,8 +24,9 @@ namespace lstm_planner {
 /// What the sensors say at one moment.
 struct SensorReading {
   sensor_msgs::LaserScan::ConstPtr scan;
-  double scan_stamp = 0.0;  ///< s; when it was received, where the driver does not stamp its scans
-  SensorMount mount;        ///< of the scanner in the base frame
+  double scan_stamp = 0.0;   ///< s; when it was received, where the driver does not stamp its scans
+  double scan_period = 0.0;  ///< s, as measured; 0 as long as it is not known
+  SensorMount mount;         ///< of the scanner in the base frame
   std::string odometry_frame;
   Pose2 scan_pose;    ///< base in the odometry frame when the scan was taken
   Pose2 newest_pose;  ///< base in the odometry frame, newest
@@ -53,6 +55,10 @@ class SensorListener {
  private:
   void onScan(const ros::MessageEvent<sensor_msgs::LaserScan const>& event);
   void onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event);
+  void checkAges(const ros::Time& now) const;
+  void sayTimeoutsOnce();
+  double scanTimeout() const;
+  double odometryTimeout() const;
   const SensorMount& mountOf(const std::string& frame);
 
   MessageQueue& messages_;
@@ -65,7 +71,10 @@ class SensorListener {
   ros::Time scan_stamp_;
   LaserScan laser_scan_;  ///< the same
   SilenceWatch silence_;
+  PeriodMeter scan_period_;
   ros::Time odometry_stamp_;
+  PeriodMeter odometry_period_;
+  bool timeouts_are_said_ = false;
   bool odometry_is_finite_ = true;
   OdometryHistory history_;
 

@@ -89,6 +89,29 @@ TEST(AgentParameters, TakesTheLimitsOfTheMemory) {
             "");
 }
 
+/// What a robot of that radius gets with everything else as shipped.
+AgentParameters shippedFor(double radius) {
+  AgentParameters parameters;
+  parameters.shield.footprint_radius = radius;
+  return fittedToFootprint(parameters);
+}
+
+TEST(AgentParameters, TheMemoryFollowsTheFootprint) {
+  for (double radius = 0.09; radius < 0.51; radius += 0.01) {
+    EXPECT_NO_THROW(validate(shippedFor(radius))) << radius;
+  }
+  const AgentParameters burger = shippedFor(0.105);
+  EXPECT_NEAR(burger.memory.resolution, 0.03, 1e-9) << "0.29 * 0.105 = 0.03045, to a millimetre";
+  EXPECT_NEAR(burger.memory.width, 60.0, 1e-9);
+  EXPECT_NEAR(shippedFor(1.5).memory.resolution, 0.102, 1e-9) << "(1.5 + 0.12) / 16 = 0.10125";
+}
+
+TEST(AgentParameters, AMemoryThatSuitsTheFootprintStaysAsItIs) {
+  const AgentParameters create2 = shippedFor(AgentParameters().shield.footprint_radius);
+  EXPECT_EQ(create2.memory.resolution, MemoryParameters().resolution);
+  EXPECT_EQ(create2.memory.width, MemoryParameters().width);
+}
+
 TEST(AgentParameters, AWaypointMustNotBeReachedWhereItIsChosen) {
   // Or every question would be a new step.
   EXPECT_NE(complaintAbout([](AgentParameters* p) { p->step.reached = p->shield.shortest_step; }), "");

@@ -79,6 +79,16 @@ TEST_F(MotionControllerTest, StopsBeforeAnObstacle) {
   EXPECT_GT(compute(planAlong({{0.0, 0.0}, {5.0, 0.0}})).linear, 0.0);
 }
 
+TEST_F(MotionControllerTest, IsSlowerBehindASlowScanner) {
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {5.0, 0.0}});
+  shield_.show({{kRadius + 0.15, 0.0}});
+  const double before = compute(plan).linear;
+  controller_.expectReactionTime(0.1);
+  EXPECT_DOUBLE_EQ(compute(plan).linear, before) << "shorter than the parameter: that one counts";
+  controller_.expectReactionTime(0.4);
+  EXPECT_LT(compute(plan).linear, before);
+}
+
 TEST_F(MotionControllerTest, SlowsDownOnItsPathTowardsAnObstacleButNotBesideOne) {
   const MotionParameters& limits = controller_.parameters();
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {5.0, 0.0}});

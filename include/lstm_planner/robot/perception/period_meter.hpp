@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace lstm_planner {
+
+/// Measures how often a sensor's messages come, from their stamps. Messages that are lost do not matter, as long as a
+/// quarter of the neighbours come both; pauses of more than a second are no period.
+class PeriodMeter {
+ public:
+  /// The stamp of the next message, s.
+  void note(double stamp);
+
+  /// s, a quartile of the last intervals; 0 as long as there are too few of them.
+  double period() const { return period_; }
+
+ private:
+  static constexpr std::size_t kFewest = 4;
+  static constexpr std::size_t kMost = 16;
+
+  double stamp_ = 0.0;
+  bool has_stamp_ = false;
+  std::array<double, kMost> intervals_{};  ///< s, the newest ones
+  std::size_t count_ = 0;                  ///< of all so far
+  double period_ = 0.0;
+};
+
+/// How old a message may be, s: `set` where that is more than 0. Otherwise three of the sensor's periods (s, 0: not
+/// known yet), at least `least` and at most one second: whoever is slower has to be waited for on purpose.
+double timeoutFor(double set, double period, double least);
+
+}  // namespace lstm_planner
