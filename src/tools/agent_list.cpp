@@ -24,8 +24,10 @@ GridAgentOptions optionsFrom(const std::string& text, GridAgentOptions options, 
   std::getline(parts, part, ',');
   const std::size_t equals = part.find('=');
   options.agent = part.substr(0, equals);
-  options.model = equals == std::string::npos ? "" : findSharedFile(part.substr(equals + 1));
-  if (!options.model.empty() && !isNetworkAgent(options.agent)) {
+  options.model = equals == std::string::npos ? "" : part.substr(equals + 1);
+  if (isNetworkAgent(options.agent)) {
+    options.model = findSharedFile(options.model.empty() ? shippedModelOf(options.agent) : options.model);
+  } else if (!options.model.empty()) {
     throw std::invalid_argument("agent '" + text + "' has a model, but " + options.agent + " is no network");
   }
   while (std::getline(parts, part, ',')) {

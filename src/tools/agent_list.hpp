@@ -8,7 +8,7 @@
 
 namespace lstm_planner {
 
-/// Agents from texts like `astar`, `lstm=models/grid_lstm.onnx` or `lstm=FILE,no-shield,no-escape`; all else as in
+/// Agents from texts like `astar`, `lstm` (the shipped model) or `lstm=FILE,no-shield,no-escape`; all else as in
 /// `common`. Names that would be alike are told apart by the model's file. Throws std::invalid_argument with a
 /// sentence.
 std::vector<ReportAgent> agentsFromTexts(const std::vector<std::string>& texts, const GridAgentOptions& common);

@@ -35,10 +35,9 @@ std::string agentNames() {
 
 bool readOptions(const std::vector<std::string>& arguments, EvaluateOptions* options) {
   GridAgentOptions& agent = options->grid.agent;
-  agent.model = "models/grid_lstm.onnx";
   CommandLine line("evaluate", "judges an agent in scenarios of grid maps");
   line.addChoice("agent", &agent.agent, gridAgentNames(), agentNames());
-  line.addFile("model", &agent.model, "ONNX file of an agent that is a network");
+  line.addFile("model", &agent.model, "ONNX file of an agent that is a network (default: the shipped one)");
   addGridOptions(&options->grid, &line);
   line.addOutput("json", &options->json,
                  "write the result to this file; success, collisions and timeouts are shares of the scenarios, means "
@@ -48,11 +47,9 @@ bool readOptions(const std::vector<std::string>& arguments, EvaluateOptions* opt
                  "draw some misses and the longest detour of each set into this folder");
   line.whenParsed([&] {
     if (isNetworkAgent(agent.agent)) {
-      agent.model = findSharedFile(agent.model);
+      agent.model = findSharedFile(line.given("model") ? agent.model : shippedModelOf(agent.agent));
     } else if (line.given("model")) {
       throw std::invalid_argument("agent " + agent.agent + " has no --model");
-    } else {
-      agent.model.clear();
     }
   });
   return line.parse(arguments);
@@ -92,7 +89,9 @@ void writeDetails(const GridTaskSet& set, const std::vector<GridEpisode>& episod
     out << set.name << ',' << set.map_names[task.map] << ',' << task.start.column << ',' << task.start.row << ','
         << task.goal.column << ',' << task.goal.row << ',' << toString(episode.end) << ',' << task.optimal_length << ','
         << episode.length() << ',' << episode.steps() << ',' << episode.seconds << ',' << episode.expanded << ','
-        << episode.peak_bytes << '\n';
+        << episode.peak_bytes;
+    for (const std::int64_t steps : episode.led) out << ',' << steps;
+    out << ',' << episode.as_searched << '\n';
   }
 }
 
@@ -137,8 +136,8 @@ int runEvaluate(const std::vector<std::string>& arguments) {
 
   SetProgress progress(sets);
   std::ostringstream details;
-  details
-      << "set,map,start_column,start_row,goal_column,goal_row,end,optimum,length,steps,seconds,expanded,peak_bytes\n";
+  details << "set,map,start_column,start_row,goal_column,goal_row,end,optimum,length,steps,seconds,expanded,peak_bytes,"
+             "network_steps,search_steps,boundary_steps,greedy_steps,as_searched\n";
   std::vector<GridSetSummary> summaries;
   for (const GridTaskSet& set : sets) {
     GridEvaluationOptions evaluation = options.grid.evaluation;

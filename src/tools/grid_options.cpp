@@ -46,7 +46,7 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
   line->add("count", &selection.count, {0, 1e9}, "scenarios of each set; 0 = all");
   line->addSeed(&selection.seed, "of the choice of scenarios");
   line->add("max-steps", &rules.max_steps, {0, 1e12},
-            "of an episode; 0 = no limit but 16 times the number of the map's cells");
+            "of an episode; 0 = no limit, but walks in circles among known cells end as timeouts");
   line->addFlag("corner-cutting", &rules.corner_cutting, CornerCutting::kAllowed,
                 "diagonal moves may pass blocked cells at their sides");
   line->addFlag("thesis-terrain", &selection.rule, PassableRule::kThesis, "only '.' is passable, not 'G' and 'S'");

@@ -28,8 +28,9 @@ bool readOptions(const std::vector<std::string>& arguments, ReportOptions* optio
   line.addFolder("output", &options->output, "folder for report.md, CSV files and pictures").required();
   line.add(
           "agents", &options->agents,
-          "each NAME or NAME=MODEL, with ,no-shield and ,no-escape behind it where wanted: astar dstar greedy boundary "
-          "lstm=FILE rnn=FILE mlp=FILE qlearning=FILE network=FILE; pictures are about the first that does not search")
+          "each NAME or NAME=MODEL, with ,no-shield and ,no-escape behind it where wanted: astar dstar rolling "
+          "rolling_escape greedy boundary lstm rnn mlp qlearning network; without =MODEL a network is the shipped one; "
+          "pictures are about the first that does not search")
       .required();
   addGridOptions(&options->grid, &line);
   return line.parse(arguments);

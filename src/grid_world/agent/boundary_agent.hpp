@@ -13,6 +13,7 @@ class BoundaryAgent : public GridAgent {
   void start(CellIndex start, CellIndex goal) override;
   void observe(const GridObservation& observation) override { follower_.observe(observation); }
   int decide() override { return follower_.decide(); }
+  GridLeader leader() const override { return GridLeader::kBoundary; }
   void step(int direction, bool moved) override;
   std::size_t peakBytes() const override { return follower_.peakBytes(); }
 

@@ -19,6 +19,7 @@ class DStarAgent : public GridAgent {
   void observe(const GridObservation& observation) override;
   /// kNoPath at the goal, too.
   int decide() override;
+  GridLeader leader() const override { return GridLeader::kSearch; }
   void step(int /*direction*/, bool /*moved*/) override {}
   std::size_t peakBytes() const override { return search_.peakBytes(); }
   /// States processed by D*.

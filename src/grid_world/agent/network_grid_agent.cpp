@@ -66,6 +66,10 @@ int NetworkGridAgent::decide() {
   return best;
 }
 
+int NetworkGridAgent::searchedDirection() const {
+  return memory_.planner() == nullptr ? kNoPath : memory_.planner()->direction();
+}
+
 void NetworkGridAgent::step(int direction, bool moved) {
   if (moved) memory_.step(direction);
 }

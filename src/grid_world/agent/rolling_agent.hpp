@@ -13,6 +13,7 @@ class RollingAgent : public GridAgent {
   void start(CellIndex /*start*/, CellIndex /*goal*/) override { planner_.start(); }
   void observe(const GridObservation& observation) override { planner_.observe(observation); }
   int decide() override { return planner_.direction(); }
+  GridLeader leader() const override { return GridLeader::kSearch; }
   void step(int /*direction*/, bool /*moved*/) override {}
   std::size_t peakBytes() const override { return sizeof(*this) - sizeof(planner_) + planner_.bytes(); }
   std::size_t expandedCells() const override { return planner_.expandedCells(); }

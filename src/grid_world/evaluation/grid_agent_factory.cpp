@@ -9,6 +9,7 @@
 #include "grid_world/agent/boundary_agent.hpp"
 #include "grid_world/agent/d_star_agent.hpp"
 #include "grid_world/agent/rolling_agent.hpp"
+#include "grid_world/agent/rolling_escape_agent.hpp"
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
@@ -40,6 +41,15 @@ GridAgentMaker boundaryMaker(const GridAgentOptions& options) {
 GridAgentMaker rollingMaker(const GridAgentOptions& options) {
   const CornerCutting corner_cutting = options.corner_cutting;
   return [corner_cutting](const PassableGrid& /*grid*/) { return std::make_unique<RollingAgent>(corner_cutting); };
+}
+
+GridAgentMaker rollingEscapeMaker(const GridAgentOptions& options) {
+  const CornerCutting corner_cutting = options.corner_cutting;
+  GridEscapeParameters escape;
+  escape.patience = options.patience;
+  return [corner_cutting, escape](const PassableGrid& /*grid*/) {
+    return std::make_unique<RollingEscapeAgent>(corner_cutting, escape);
+  };
 }
 
 GridAgentMaker greedyMaker(const GridAgentOptions& options) {
@@ -77,7 +87,7 @@ GridAgentMaker networkMaker(const GridAgentOptions& options) {
 
 const std::vector<std::string>& gridAgentNames() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"astar", "dstar", "rolling", "greedy", "boundary"};
+    std::vector<std::string> all = {"astar", "dstar", "rolling", "rolling_escape", "greedy", "boundary"};
     all.insert(all.end(), std::begin(kNetworkNames), std::end(kNetworkNames));
     return all;
   }();
@@ -88,10 +98,18 @@ bool isNetworkAgent(const std::string& name) {
   return std::find(std::begin(kNetworkNames), std::end(kNetworkNames), name) != std::end(kNetworkNames);
 }
 
+std::string shippedModelOf(const std::string& name) {
+  if (name == "rnn") return "models/grid_rnn_2x16.onnx";
+  if (name == "mlp") return "models/grid_mlp_4x64.onnx";
+  if (name == "qlearning") return "models/grid_qlearning.onnx";
+  return "models/grid_lstm.onnx";
+}
+
 GridAgentMaker gridAgentMaker(const GridAgentOptions& options) {
   if (options.agent == "astar") return aStarMaker(options);
   if (options.agent == "dstar") return dStarMaker(options);
   if (options.agent == "rolling") return rollingMaker(options);
+  if (options.agent == "rolling_escape") return rollingEscapeMaker(options);
   if (options.agent == "greedy") return greedyMaker(options);
   if (options.agent == "boundary") return boundaryMaker(options);
   if (isNetworkAgent(options.agent)) return networkMaker(options);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -20,9 +21,39 @@ bool isNear(CellIndex cell, CellIndex goal, int distance) {
   return std::abs(cell.column - goal.column) <= distance && std::abs(cell.row - goal.row) <= distance;
 }
 
+/// Notices that an agent walks for long among cells that it has entered before.
+class CircleWatch {
+ public:
+  explicit CircleWatch(const PassableGrid& grid) : grid_(grid), entered_(grid.size(), false) {}
+
+  /// Once a step, with the cell where the agent is.
+  bool isCircling(CellIndex cell) {
+    std::vector<bool>::reference entered = entered_[grid_.offset(cell)];
+    cells_entered_ += entered ? 0 : 1;
+    steps_since_new_ = entered ? steps_since_new_ + 1 : 0;
+    entered = true;
+    return steps_since_new_ > circlingSteps(cells_entered_);
+  }
+
+ private:
+  const PassableGrid& grid_;
+  std::vector<bool> entered_;
+  std::int64_t cells_entered_ = 0;
+  std::int64_t steps_since_new_ = 0;
+};
+
+void countLeader(const GridAgent& agent, int direction, GridEpisode* episode) {
+  const GridLeader leader = agent.leader();
+  ++episode->led[static_cast<std::size_t>(leader)];
+  if (leader == GridLeader::kNetwork && direction == agent.searchedDirection()) ++episode->as_searched;
+}
+
 /// Runs to the end and counts the moves.
-void run(const RangeTable& ranges, CellIndex cell, CellIndex goal, const GridEpisodeRules& rules,
-         std::int64_t max_steps, GridAgent* agent, std::vector<CellIndex>* path, GridEpisode* episode) {
+void run(const PassableGrid& grid, const RangeTable& ranges, CellIndex cell, CellIndex goal,
+         const GridEpisodeRules& rules, GridAgent* agent, std::vector<CellIndex>* path, GridEpisode* episode) {
+  const std::int64_t max_steps = rules.max_steps > 0 ? rules.max_steps : gridStepBound(grid);
+  std::optional<CircleWatch> watch;
+  if (rules.max_steps == 0) watch.emplace(grid);
   agent->start(cell, goal);
   if (path != nullptr) path->assign(1, cell);
   for (std::int64_t steps = 0;; ++steps) {
@@ -30,7 +61,7 @@ void run(const RangeTable& ranges, CellIndex cell, CellIndex goal, const GridEpi
       episode->end = GridEpisode::End::kArrived;
       return;
     }
-    if (steps == max_steps) {
+    if (steps == max_steps || (watch && watch->isCircling(cell))) {
       episode->end = GridEpisode::End::kTimeout;
       return;
     }
@@ -46,6 +77,7 @@ void run(const RangeTable& ranges, CellIndex cell, CellIndex goal, const GridEpi
                              std::to_string(kNoPath) + " for no path");
     }
     const bool moved = movePossible(observation.ranges, direction, rules.corner_cutting);
+    if (moved) countLeader(*agent, direction, episode);
     agent->step(direction, moved);
     if (!moved) {
       episode->end = GridEpisode::End::kCollision;
@@ -79,7 +111,7 @@ GridEpisode runGridEpisode(const PassableGrid& grid, const RangeTable& ranges, C
   }
   GridEpisode episode;
   const double begin = processorSeconds();
-  run(ranges, start, goal, rules, rules.max_steps > 0 ? rules.max_steps : gridStepBound(grid), agent, path, &episode);
+  run(grid, ranges, start, goal, rules, agent, path, &episode);
   episode.seconds = processorSeconds() - begin;
   const auto searched = static_cast<std::int64_t>(agent->expandedCells());
   episode.expanded = searched > 0 ? searched : episode.steps();

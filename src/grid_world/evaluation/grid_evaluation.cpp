@@ -113,6 +113,23 @@ std::vector<GridEpisode> evaluateGridTasks(const GridTaskSet& set, std::size_t f
   return episodes;
 }
 
+namespace {
+
+/// What led, over all episodes.
+void addLeaders(const std::vector<GridEpisode>& episodes, GridSetSummary* summary) {
+  double steps = 0.0;
+  double as_searched = 0.0;
+  for (const GridEpisode& episode : episodes) {
+    steps += static_cast<double>(episode.steps());
+    as_searched += static_cast<double>(episode.as_searched);
+    for (std::size_t i = 0; i < summary->led.size(); ++i) summary->led[i] += static_cast<double>(episode.led[i]);
+  }
+  summary->as_searched = as_searched / summary->led[static_cast<std::size_t>(GridLeader::kNetwork)];
+  for (double& share : summary->led) share /= std::max(1.0, steps);
+}
+
+}  // namespace
+
 GridSetSummary summarizeGridEpisodes(const std::string& name, const std::vector<GridEpisode>& episodes) {
   if (episodes.empty()) throw std::invalid_argument("set " + name + " has no episodes, expected at least one");
   GridSetSummary summary;
@@ -138,6 +155,7 @@ GridSetSummary summarizeGridEpisodes(const std::string& name, const std::vector<
   summary.mean_time = mean(ofArrived(episodes, [](const GridEpisode& e) { return e.seconds; }));
   summary.mean_expanded = mean(ofArrived(episodes, [](const GridEpisode& e) { return e.expanded; }));
   summary.ns_per_step = steps > 0.0 ? 1e9 * seconds / steps : std::nan("");
+  addLeaders(episodes, &summary);
   return summary;
 }
 

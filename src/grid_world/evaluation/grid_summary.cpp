@@ -6,7 +6,33 @@
 
 namespace lstm_planner {
 
+namespace {
+
+double ledBy(const GridSetSummary& summary, GridLeader leader) { return summary.led[static_cast<std::size_t>(leader)]; }
+
+constexpr GridLeader kLeaders[] = {GridLeader::kNetwork, GridLeader::kSearch, GridLeader::kBoundary,
+                                   GridLeader::kGreedy};
+
+/// Of all steps; and of those of the network the ones that went where the search among its inputs would have gone.
+void printLeaders(std::ostream& out, const GridSetSummary& summary) {
+  const auto percent = [&](double share, int columns) {
+    out << std::setprecision(1) << std::setw(columns - 1) << 100.0 * share << '%';
+  };
+  percent(ledBy(summary, GridLeader::kNetwork), 17);
+  percent(ledBy(summary, GridLeader::kSearch), 9);
+  percent(ledBy(summary, GridLeader::kBoundary), 10);
+  if (summary.as_searched > 0.0) {
+    percent(summary.as_searched, 13);
+  } else {
+    out << std::setw(13) << '-';
+  }
+}
+
+}  // namespace
+
 nlohmann::json toJson(const GridSetSummary& summary) {
+  nlohmann::json led;
+  for (const GridLeader leader : kLeaders) led[nameOf(leader)] = ledBy(summary, leader);
   return {{"name", summary.name},
           {"scenarios", summary.scenarios},
           {"success", summary.share(summary.arrived)},
@@ -20,7 +46,9 @@ nlohmann::json toJson(const GridSetSummary& summary) {
           {"mean_time_s", summary.mean_time},
           {"mean_expanded", summary.mean_expanded},
           {"ns_per_step", summary.ns_per_step},
-          {"peak_bytes", summary.peak_bytes}};
+          {"peak_bytes", summary.peak_bytes},
+          {"led", led},
+          {"as_searched", summary.as_searched}};
 }
 
 void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& summaries) {
@@ -29,7 +57,7 @@ void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& su
   const auto name_width = static_cast<int>(width);
   out << std::left << std::setw(name_width) << "set" << std::right
       << "  scenarios  arrived  collided  timeout  no path  length/optimum: mean  median    95 %  length  optimum"
-         "   time [ms]  expanded  ns/step  peak [KiB]\n";
+         "   time [ms]  expanded  ns/step  peak [KiB]  led by: network   search  boundary  as searched\n";
   out << std::fixed;
   for (const GridSetSummary& summary : summaries) {
     const auto percent = [&](std::size_t count, int columns) {
@@ -44,7 +72,9 @@ void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& su
         << std::setw(8) << summary.p95_ratio << std::setprecision(1) << std::setw(8) << summary.mean_length
         << std::setw(9) << summary.mean_optimal << std::setprecision(4) << std::setw(12) << 1e3 * summary.mean_time
         << std::setprecision(1) << std::setw(10) << summary.mean_expanded << std::setw(9) << summary.ns_per_step
-        << std::setw(12) << static_cast<double>(summary.peak_bytes) / 1024.0 << '\n';
+        << std::setw(12) << static_cast<double>(summary.peak_bytes) / 1024.0;
+    printLeaders(out, summary);
+    out << '\n';
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -45,6 +46,29 @@ std::optional<GridSetFiles> setIn(const fs::path& folder) {
 std::string mapName(const std::string& scenario_file) {
   fs::path name = fs::path(scenario_file).stem();
   return (name.extension() == ".map" ? name.stem() : name).string();
+}
+
+/// NAME of NAME-3.map.scen; empty for a name that does not end in a hyphen and a number.
+std::string numberedName(const std::string& scenario_file) {
+  const std::string name = mapName(scenario_file);
+  const std::size_t hyphen = name.rfind('-');
+  if (hyphen == std::string::npos || hyphen + 1 == name.size()) return "";
+  return name.find_first_not_of("0123456789", hyphen + 1) == std::string::npos ? name.substr(0, hyphen) : "";
+}
+
+/// The benchmark's archives hold several sets in one folder (maze512-1-0 ... maze512-32-9): one set a name then.
+std::vector<GridSetFiles> splitByName(const GridSetFiles& files) {
+  std::map<std::string, GridSetFiles> sets;
+  for (const std::string& file : files.scenario_files) {
+    const std::string name = numberedName(file);
+    if (name.empty()) return {files};
+    sets[name].name = name;
+    sets[name].scenario_files.push_back(file);
+  }
+  if (sets.size() == 1) return {files};
+  std::vector<GridSetFiles> split;
+  for (auto& [name, set] : sets) split.push_back(std::move(set));
+  return split;
 }
 
 /// The number that a map's name ends in, or its place where it ends in none.
@@ -92,11 +116,13 @@ std::vector<GridSetFiles> findGridSets(const std::string& folder) {
     throw std::invalid_argument("scenarios '" + folder + "' cannot be read: expected a folder with .scen files");
   }
   const fs::path path = fs::canonical(folder);
-  if (const std::optional<GridSetFiles> set = setIn(path)) return {*set};
+  if (const std::optional<GridSetFiles> set = setIn(path)) return splitByName(*set);
   std::vector<GridSetFiles> sets;
   for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
     if (!entry.is_directory()) continue;
-    if (const std::optional<GridSetFiles> set = setIn(entry.path())) sets.push_back(*set);
+    const std::optional<GridSetFiles> set = setIn(entry.path());
+    if (!set) continue;
+    for (GridSetFiles& named : splitByName(*set)) sets.push_back(std::move(named));
   }
   if (sets.empty()) {
     throw std::invalid_argument("folder '" + folder + "' has no scenarios: expected .scen files in it, in " +

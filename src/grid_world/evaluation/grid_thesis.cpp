@@ -34,7 +34,7 @@ std::string lowerCase(std::string text) {
 const ThesisTable* thesisTableOf(const std::string& set_name) {
   const std::string name = lowerCase(set_name);
   const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
-  if (has("dragon")) return &tables()[0];
+  if (has("dragon") || name == "dao") return &tables()[0];
   if (has("maze") && has("8")) return &tables()[1];
   if (has("random") && has("25")) return &tables()[2];
   return nullptr;

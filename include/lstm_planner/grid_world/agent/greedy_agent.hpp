@@ -15,6 +15,7 @@ class GreedyAgent : public GridAgent {
   void observe(const GridObservation& observation) override { observation_ = observation; }
   /// kNoPath when no move is possible.
   int decide() override;
+  GridLeader leader() const override { return GridLeader::kGreedy; }
   void step(int direction, bool moved) override;
   std::size_t peakBytes() const override { return sizeof(*this); }
 

@@ -19,6 +19,18 @@ struct GridObservation {
 /// Answer of an agent that has found out that there is no path to the goal.
 constexpr int kNoPath = -1;
 
+/// What made a decision.
+enum class GridLeader {
+  kNetwork,
+  kSearch,    ///< a path was searched for, in the whole map or in what is remembered
+  kBoundary,  ///< following a boundary
+  kGreedy,    ///< the neighbour nearest to the goal
+};
+constexpr int kGridLeaderCount = 4;
+
+/// "network", "search", "boundary", "greedy".
+const char* nameOf(GridLeader leader);
+
 /// An agent that moves from cell to cell towards a goal: the one interface of learned, reactive and searching agents.
 ///
 /// An episode is start(), then observe(), decide(), step() again and again, until the goal is reached.
@@ -33,6 +45,12 @@ class GridAgent {
 
   /// The direction to move in (kGridRaySteps), or kNoPath. Asked twice after one observation it answers the same.
   virtual int decide() = 0;
+
+  /// What made the decision that decide() answers with.
+  virtual GridLeader leader() const = 0;
+
+  /// The direction that a search would move in whose result is one of the agent's inputs; kNoPath without one.
+  virtual int searchedDirection() const { return kNoPath; }
 
   /// What became of the move that was tried: `moved` is false when it ran into an obstacle.
   virtual void step(int direction, bool moved) = 0;

@@ -28,6 +28,8 @@ class NetworkGridAgent : public GridAgent {
   void start(CellIndex start, CellIndex goal) override;
   void observe(const GridObservation& observation) override;
   int decide() override;
+  GridLeader leader() const override { return isEscaping() ? GridLeader::kBoundary : GridLeader::kNetwork; }
+  int searchedDirection() const override;
   void step(int direction, bool moved) override;
   std::size_t peakBytes() const override;
 

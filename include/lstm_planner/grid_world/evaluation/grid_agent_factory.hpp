@@ -19,15 +19,19 @@ struct GridAgentOptions {
   bool keep_closed = false;                        ///< of A*: cells are expanded once, however reached later
   bool shield = true;                              ///< of a network: moves into something sensed are not chosen
   bool escape = true;                              ///< of a network: boundary following when it gets nowhere
-  int patience = GridEscapeParameters().patience;  ///< steps without progress before the escape
+  int patience = GridEscapeParameters().patience;  ///< steps without progress before an escape
 };
 
-/// "astar", "dstar", "rolling", "greedy", "boundary" and the networks: "lstm", "rnn", "mlp", "qlearning", "network".
+/// "astar", "dstar", "rolling", "rolling_escape", "greedy", "boundary" and the networks: "lstm", "rnn", "mlp",
+/// "qlearning", "network".
 const std::vector<std::string>& gridAgentNames();
 
 /// Whether the agent of this name needs a model. Which layers it has is the model file's business; the names say what
 /// a table calls it.
 bool isNetworkAgent(const std::string& name);
+
+/// The shipped file, relative to the package, of a network agent's name.
+std::string shippedModelOf(const std::string& name);
 
 /// A maker of such agents; a model is read once, here. Throws std::invalid_argument for an unknown name, a missing
 /// model or a bad scale, and ModelFileError or std::invalid_argument for a model that cannot be used.

@@ -17,7 +17,9 @@ struct GridSetFiles {
 };
 
 /// The sets in a folder: `folder` is a set with `Scenarios` and `Maps` in it, or its `Scenarios`, or holds `.scen`
-/// files beside their maps, or is a folder of such sets. Throws std::invalid_argument when there is no scenario file.
+/// files beside their maps, or is a folder of such sets. Where the names are NAME-NUMBER with several NAMEs, as in the
+/// benchmark's archives of mazes and of random maps, each is a set of its own. Throws std::invalid_argument when there
+/// is no scenario file.
 std::vector<GridSetFiles> findGridSets(const std::string& folder);
 
 /// Which maps of a set take part. Learning keeps to the maps numbered 0 to 5 of a set (the number at the end of the

@@ -57,6 +57,7 @@ class EscapingAgent : public GridAgent {
     direction_ = policy_(observation, corner_cutting_);
   }
   int decide() override { return direction_; }
+  GridLeader leader() const override { return escape_.active() ? GridLeader::kBoundary : GridLeader::kGreedy; }
   void step(int, bool) override {}
   std::size_t peakBytes() const override { return escape_.peakBytes(); }
   const GridEscape& escape() const { return escape_; }

@@ -25,13 +25,16 @@ constexpr int kEast = 0;
 constexpr int kNorthEast = 1;
 constexpr int kWest = 4;
 
-/// Decides for the given directions, again and again from the first.
+/// Decides for the given directions, again and again from the first. Three steps are the network's, the others those of
+/// boundary following.
 class ScriptedAgent : public GridAgent {
  public:
   explicit ScriptedAgent(std::vector<int> directions) : directions_(std::move(directions)) {}
   void start(CellIndex /*start*/, CellIndex /*goal*/) override { steps_ = 0; }
   void observe(const GridObservation& observation) override { observations.push_back(observation); }
   int decide() override { return directions_[steps_ % directions_.size()]; }
+  GridLeader leader() const override { return steps_ < 3 ? GridLeader::kNetwork : GridLeader::kBoundary; }
+  int searchedDirection() const override { return kEast; }
   void step(int /*direction*/, bool moved) override {
     last_moved = moved;
     ++steps_;

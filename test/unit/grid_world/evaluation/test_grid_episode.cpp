@@ -84,12 +84,13 @@ TEST(GridEpisode, ArrivesWithTheLastStepAllowed) {
   EXPECT_EQ(run(corridor(), {0, 0}, {9, 0}, &agent, rules).end, GridEpisode::End::kArrived);
 }
 
-TEST(GridEpisode, WithoutLimitStillEndsForAnAgentThatRunsInCircles) {
-  // An agent without memory of what it saw: the list of the fixture would grow to a million.
+TEST(GridEpisode, WithoutLimitEndsSoonForAnAgentThatRunsInCircles) {
+  // An agent without memory of what it saw: the list of the fixture would grow.
   class Shuttle : public GridAgent {
     void start(CellIndex /*start*/, CellIndex /*goal*/) override {}
     void observe(const GridObservation& observation) override { east_ = observation.cell.column == 0; }
     int decide() override { return east_ ? kEast : kWest; }
+    GridLeader leader() const override { return GridLeader::kGreedy; }
     void step(int /*direction*/, bool /*moved*/) override {}
     std::size_t peakBytes() const override { return sizeof(*this); }
     bool east_ = true;
@@ -98,7 +99,16 @@ TEST(GridEpisode, WithoutLimitStillEndsForAnAgentThatRunsInCircles) {
   rules.max_steps = 0;
   const GridEpisode episode = run(corridor(), {0, 0}, {9, 0}, &agent, rules);
   EXPECT_EQ(episode.end, GridEpisode::End::kTimeout);
-  EXPECT_EQ(episode.steps(), gridStepBound(corridor()));
+  EXPECT_EQ(episode.steps(), 2 + circlingSteps(2)) << "both cells are known after two steps";
+}
+
+TEST(GridEpisode, CountsWhoLedEachStep) {
+  ScriptedAgent agent({kEast, kNorthEast, kWest, kEast, kEast});
+  GridEpisodeRules rules;
+  rules.max_steps = 5;
+  const GridEpisode episode = run(PassableGrid(20, 20, true), {5, 5}, {19, 19}, &agent, rules);
+  EXPECT_EQ(episode.led, (std::array<std::int64_t, kGridLeaderCount>{3, 0, 2, 0}));
+  EXPECT_EQ(episode.as_searched, 1) << "of the network's three steps one goes east, as the search would";
 }
 
 TEST(GridEpisode, EndsWhenTheAgentKnowsThatThereIsNoPath) {

@@ -64,6 +64,7 @@ std::vector<double> results(const std::vector<GridEpisode>& episodes) {
     values.insert(values.end(), {static_cast<double>(episode.end), static_cast<double>(episode.straight_moves),
                                  static_cast<double>(episode.diagonal_moves), episode.optimal_length,
                                  static_cast<double>(episode.expanded), static_cast<double>(episode.peak_bytes)});
+    values.insert(values.end(), episode.led.begin(), episode.led.end());
   }
   return values;
 }
@@ -182,14 +183,35 @@ TEST(GridSummary, WritesTheKeysThatReadersCountOn) {
                episodeOf(GridEpisode::End::kTimeout, 9, 5.0), episodeOf(GridEpisode::End::kCollision, 1, 5.0)}));
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
-  EXPECT_EQ(keys, (std::vector<std::string>{"collisions", "mean_expanded", "mean_length", "mean_optimal", "mean_ratio",
-                                            "mean_time_s", "median_ratio", "name", "ns_per_step", "p95_ratio",
-                                            "peak_bytes", "scenarios", "success", "timeouts"}));
+  EXPECT_EQ(keys,
+            (std::vector<std::string>{"as_searched", "collisions", "led", "mean_expanded", "mean_length",
+                                      "mean_optimal", "mean_ratio", "mean_time_s", "median_ratio", "name",
+                                      "ns_per_step", "p95_ratio", "peak_bytes", "scenarios", "success", "timeouts"}));
   EXPECT_EQ(json["name"], "Rows");
   EXPECT_EQ(json["scenarios"], 4);
   EXPECT_EQ(json["success"], 0.25);
   EXPECT_EQ(json["collisions"], 0.25);
   EXPECT_EQ(json["timeouts"], 0.5);
+}
+
+TEST(GridSummary, GivesTheSharesOfWhoLedOverTheStepsOfAllEpisodes) {
+  GridEpisode mostly_network = episodeOf(GridEpisode::End::kArrived, 8, 8.0);
+  mostly_network.led = {6, 0, 2, 0};
+  mostly_network.as_searched = 3;
+  GridEpisode searched = episodeOf(GridEpisode::End::kTimeout, 12, 8.0);
+  searched.led = {0, 12, 0, 0};
+  const GridSetSummary summary = summarizeGridEpisodes("set", {mostly_network, searched});
+  EXPECT_EQ(summary.led, (std::array<double, kGridLeaderCount>{0.3, 0.6, 0.1, 0.0}));
+  EXPECT_EQ(summary.as_searched, 0.5);
+}
+
+TEST(GridEvaluation, TheSearchWithTheEscapeArrivesWhereThereIsAPath) {
+  const GridTaskSet set = randomSet(3, 20);
+  GridEvaluationOptions options;
+  options.rules.max_steps = 0;
+  const std::vector<GridEpisode> episodes =
+      evaluateGridTasks(set, 0, set.tasks.size(), makerOf("rolling_escape"), options);
+  EXPECT_EQ(summarizeGridEpisodes(set.name, episodes).arrived, set.tasks.size());
 }
 
 TEST(GridSummary, HasNoMeanWhereNoneArrived) {

@@ -69,6 +69,18 @@ TEST_F(GridTasks, FindsScenariosBesideTheirMaps) {
   EXPECT_EQ(drawGridTasks(files, {}).tasks.size(), 40u);
 }
 
+TEST_F(GridTasks, TellsTheSetsOfOneArchiveApartByTheirNames) {
+  for (const char* name : {"maze512-8-0", "maze512-8-1", "maze512-16-0"}) addMap(name);
+  const std::vector<GridSetFiles> sets = findGridSets(rows_.string());
+  ASSERT_EQ(sets.size(), 2u);
+  EXPECT_EQ(sets[0].name, "maze512-16");
+  EXPECT_EQ(sets[1].name, "maze512-8");
+  EXPECT_EQ(sets[1].scenario_files.size(), 2u);
+  EXPECT_EQ(findGridSets(rows_.parent_path().string()).size(), 2u) << "also in a folder of sets";
+  addMap("arena");
+  EXPECT_EQ(findGridSets(rows_.string()).size(), 1u) << "names without numbers are one set";
+}
+
 TEST_F(GridTasks, RefusesFoldersWithoutScenarios) {
   EXPECT_THROW(findGridSets((rows_ / "nothing").string()), std::invalid_argument);
   EXPECT_THROW(findGridSets((rows_ / "Maps").string()), std::invalid_argument);
