@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Checks the format of sources, shell scripts and the catkin package; see --help.
+# Checks sources, public headers, shell scripts and the catkin package; see --help.
 set -uo pipefail
 
 usage() {
   cat <<'USAGE'
 Usage: bash test/lint.sh
 
-clang-format on C++, shellcheck on shell scripts, catkin_lint on the package: says what each of them finds. What is not
+clang-format on C++, doxygen on public headers, shellcheck on shell scripts, catkin_lint on the package: says what each of them finds. What is not
 installed is left out with a line; so is a clang-format that is not of version 14, as others format otherwise.
 
 Exit status: 0 when nothing was found.
@@ -44,6 +44,29 @@ if command -v shellcheck >/dev/null; then
   { files_ending_with .sh; echo .ci/run; } | xargs shellcheck -x || status=1
 else
   left_out shellcheck 'it is not installed'
+fi
+
+# Public headers: comments that name a parameter or a class which does not exist, and markup that nothing understands.
+if ! command -v doxygen >/dev/null; then
+  left_out doxygen 'it is not installed'
+elif ! doxygen --version | grep -q '^1\.9'; then
+  left_out doxygen "version 1.9 is needed, this is $(doxygen --version)"
+else
+  pages="$(mktemp -d)"
+  doxygen - <<DOXYGEN || status=1
+OUTPUT_DIRECTORY = $pages
+INPUT = include/lstm_planner
+EXCLUDE = include/lstm_planner/compat
+RECURSIVE = YES
+STRIP_FROM_PATH = include
+GENERATE_HTML = NO
+GENERATE_LATEX = NO
+GENERATE_XML = YES
+QUIET = YES
+WARN_IF_UNDOCUMENTED = NO
+WARN_AS_ERROR = FAIL_ON_WARNINGS
+DOXYGEN
+  rm -r "$pages"
 fi
 
 # It does not bear variables of a newer ROS. The package's dependencies are those of Noetic.

@@ -4,6 +4,9 @@ set -uo pipefail
 # shellcheck source-path=SCRIPTDIR source=../launch/environment.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../launch/environment.sh"
 
+# shellcheck disable=SC2034  # read by environment.sh
+more_optional_packages=(catkin-lint clang-format doxygen shellcheck)  # for test/lint.sh
+
 usage() {
   cat <<'USAGE'
 Usage: bash test/run.sh [--build-only] [FILTER]

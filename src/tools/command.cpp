@@ -1,7 +1,7 @@
 #include "tools/command.hpp"
 
 #include <algorithm>
-#include <ostream>
+#include <iostream>
 #include <stdexcept>
 
 #include "lstm_planner/base/common/nearest_name.hpp"
@@ -15,6 +15,16 @@ void printUsage(const std::string& program, const std::string& kind, const std::
   out << "\n" << program << " " << kind << " --help explains it.\n";
 }
 
+namespace {
+
+std::string namesOf(const std::vector<Command>& commands) {
+  std::string names;
+  for (const Command& command : commands) names += (names.empty() ? "" : ", ") + std::string(command.name);
+  return names;
+}
+
+}  // namespace
+
 const Command& commandNamed(const std::string& name, const std::string& kind, const std::vector<Command>& commands) {
   const auto found =
       std::find_if(commands.begin(), commands.end(), [&](const Command& command) { return command.name == name; });
@@ -22,10 +32,20 @@ const Command& commandNamed(const std::string& name, const std::string& kind, co
   std::vector<std::string> names;
   for (const Command& command : commands) names.emplace_back(command.name);
   std::string hint = hintAt(name, names);
-  if (hint.empty()) {
-    for (const std::string& known : names) hint += (hint.empty() ? ", expected one of " : ", ") + known;
-  }
+  if (hint.empty()) hint = ", expected one of " + namesOf(commands);
   throw std::invalid_argument("there is no " + kind + " '" + name + "'" + hint);
+}
+
+int runAction(const std::string& command, const std::vector<Command>& actions,
+              const std::vector<std::string>& arguments) {
+  if (arguments.empty()) {
+    throw std::invalid_argument("an action is missing, expected one of " + namesOf(actions));
+  }
+  if (arguments[0] == "--help" || arguments[0] == "-h") {
+    printUsage("lstm_planner " + command, "ACTION", actions, std::cout);
+    return 0;
+  }
+  return commandNamed(arguments[0], "action", actions).run({arguments.begin() + 1, arguments.end()});
 }
 
 }  // namespace lstm_planner

@@ -23,12 +23,17 @@ void printUsage(const std::string& program, const std::string& kind, const std::
 /// letters.
 const Command& commandNamed(const std::string& name, const std::string& kind, const std::vector<Command>& commands);
 
+/// Runs the action that the first argument names, of a command that has several; prints them for --help.
+int runAction(const std::string& command, const std::vector<Command>& actions,
+              const std::vector<std::string>& arguments);
+
 int runDrive(const std::vector<std::string>& arguments);
 int runJudge(const std::vector<std::string>& arguments);
 int runTrain(const std::vector<std::string>& arguments);
 int runEvaluate(const std::vector<std::string>& arguments);
 int runReport(const std::vector<std::string>& arguments);
 int runMaps(const std::vector<std::string>& arguments);
+int runModel(const std::vector<std::string>& arguments);
 int runDataset(const std::vector<std::string>& arguments);
 int runParameters(const std::vector<std::string>& arguments);
 

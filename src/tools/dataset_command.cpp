@@ -1,6 +1,3 @@
-#include <iostream>
-#include <stdexcept>
-
 #include "tools/command.hpp"
 #include "tools/dataset_commands.hpp"
 
@@ -23,21 +20,8 @@ const std::vector<Command>& actions() {
   return all;
 }
 
-std::string namesOfActions() {
-  std::string names;
-  for (const Command& action : actions()) names += (names.empty() ? "" : ", ") + std::string(action.name);
-  return names;
-}
-
 }  // namespace
 
-int runDataset(const std::vector<std::string>& arguments) {
-  if (arguments.empty()) throw std::invalid_argument("an action is missing, expected one of " + namesOfActions());
-  if (arguments[0] == "--help" || arguments[0] == "-h") {
-    printUsage("lstm_planner dataset", "ACTION", actions(), std::cout);
-    return 0;
-  }
-  return commandNamed(arguments[0], "action", actions()).run({arguments.begin() + 1, arguments.end()});
-}
+int runDataset(const std::vector<std::string>& arguments) { return runAction("dataset", actions(), arguments); }
 
 }  // namespace lstm_planner

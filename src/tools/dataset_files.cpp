@@ -7,6 +7,8 @@
 #include "lstm_planner/robot/dataset/dataset_edit.hpp"
 #include "lstm_planner/robot/dataset/dataset_export.hpp"
 #include "lstm_planner/robot/dataset/dataset_summary.hpp"
+#include "lstm_planner/robot/learning/dataset_sequences.hpp"
+#include "lstm_planner/robot/learning/encoded_export.hpp"
 #include "tools/command_line.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_report.hpp"
@@ -14,6 +16,12 @@
 #include "tools/ranges.hpp"
 
 namespace lstm_planner {
+
+namespace {
+
+const std::vector<double> kLabelDistances = {0.0, 0.2, 0.4, 0.6, 0.8, 1.0};  // m
+
+}  // namespace
 
 int datasetInfo(const std::vector<std::string>& arguments) {
   std::string file;
@@ -96,14 +104,20 @@ int datasetExport(const std::vector<std::string>& arguments) {
   std::string file;
   std::string output;
   bool with_scans = false;
+  bool encoded = false;
   CommandLine line("dataset export", "writes a dataset for other programs; discarded episodes are left out");
   line.addFile("file", &file, "the dataset").required().standsAlone();
   line.addFile("output", &output, "FILE.csv: a row a step; FILE.npz: arrays for NumPy").required();
   line.addFlag("scans", &with_scans, true, "whole scans, too");
+  line.addFlag("encoded", &encoded, true,
+               "what a network is told at each step, and the labels 0 to 1 m ahead, in place of what was measured");
   if (!line.parse(arguments)) return 0;
   const std::string extension = std::filesystem::path(output).extension().string();
   if (extension != ".csv" && extension != ".npz") {
     throw std::invalid_argument("--output is '" + output + "', expected a name that ends in .csv or .npz");
+  }
+  if (encoded && (with_scans || extension != ".csv")) {
+    throw std::invalid_argument("--encoded writes no scans and a name that ends in .csv, not '" + output + "'");
   }
   const Dataset dataset = readDataset(file, with_scans);
   std::error_code unknown;
@@ -111,7 +125,11 @@ int datasetExport(const std::vector<std::string>& arguments) {
     throw std::invalid_argument("--output is the dataset itself, '" + file + "'");
   }
   checkWritable(output);
-  (extension == ".csv" ? exportCsv : exportNumpy)(output, dataset, with_scans);
+  if (encoded) {
+    exportEncodedCsv(output, dataset, policyOf(dataset), kLabelDistances);
+  } else {
+    (extension == ".csv" ? exportCsv : exportNumpy)(output, dataset, with_scans);
+  }
   std::cout << stepCount(dataset) << " steps\n";
   return 0;
 }

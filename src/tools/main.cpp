@@ -23,6 +23,7 @@ const std::vector<lstm_planner::Command>& commands() {
       {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate, true},
       {"report", "compare agents with each other and with the thesis", lstm_planner::runReport, true},
       {"maps", "generate floor plans, or maps and scenarios of the grid world", lstm_planner::runMaps},
+      {"model", "look at a model file, check it, or fit one that was exported elsewhere", lstm_planner::runModel},
       {"dataset", "look at, check, merge, split and export recorded drives", lstm_planner::runDataset},
       {"parameters", "print the parameters of plugins and nodes, with ranges and meanings",
        lstm_planner::runParameters},

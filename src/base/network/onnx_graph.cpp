@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/network/onnx_folding.hpp"
 #include "base/network/onnx_layers.hpp"
 #include "base/network/onnx_names.hpp"
 #include "base/network/onnx_shapes.hpp"
@@ -14,6 +15,11 @@ namespace {
 // Far above any net that runs at each scan.
 constexpr std::size_t kMaximumLayers = 256;
 constexpr std::size_t kMaximumWeights = std::size_t{1} << 24;
+
+constexpr int kMostFoldedValues = 1 << 20;
+
+/// The states of several recurrent layers in one value, as PyTorch has them: layer, robot, unit.
+bool isStackOfStates(const Shape& shape) { return shape.size() == 3 && shape[0] > 1 && shape[1] == 1; }
 
 }  // namespace
 
@@ -46,7 +52,7 @@ void GraphReader::addGraphInput(const onnx_subset::ValueInfoProto& input) {
   if (!type.has_shape()) throw ModelFileError(name + " has no shape, expected one");
   Shape shape;
   for (const auto& extent : type.shape().dim()) shape.push_back(extent.has_dim_value() ? extent.dim_value() : 1);
-  requireVector(shape, name);
+  if (!isStackOfStates(shape)) requireVector(shape, name);
   define(input.name(), {shape, 0, false, input.name()});
 }
 
@@ -69,30 +75,64 @@ const GraphReader::Value& GraphReader::valueNamed(const std::string& name, const
 void GraphReader::readNode(const onnx_subset::NodeProto& proto) {
   using Read = void (GraphReader::*)(Node&);
   static const std::map<std::string, Read> kOperators = {
+      {"Add", &GraphReader::readAdd},
+      {"Concat", &GraphReader::readConcat},
       {"Constant", &GraphReader::readConstant},
+      {"Gather", &GraphReader::readShapeNode},
       {"Gemm", &GraphReader::readGemm},
       {"Identity", &GraphReader::readShapeNode},
       {"LSTM", &GraphReader::readLstm},
+      {"MatMul", &GraphReader::readMatMul},
       {"RNN", &GraphReader::readRnn},
+      {"Shape", &GraphReader::readShape},
       {"Relu", &GraphReader::readActivation},
       {"Reshape", &GraphReader::readShapeNode},
       {"Sigmoid", &GraphReader::readActivation},
+      {"Slice", &GraphReader::readSlice},
       {"Softmax", &GraphReader::readSoftmax},
       {"Squeeze", &GraphReader::readShapeNode},
       {"Tanh", &GraphReader::readActivation},
       {"Transpose", &GraphReader::readShapeNode},
       {"Unsqueeze", &GraphReader::readShapeNode},
   };
+  if (isConstant(proto)) {
+    Node node(proto, constants_);
+    fold(node);
+    return node.finish();
+  }
   const auto found = kOperators.find(proto.op_type());
   if (found == kOperators.end() || !isStandardDomain(proto.domain())) {
     const std::string domain = isStandardDomain(proto.domain()) ? "" : " of the domain " + quoted(proto.domain());
-    throw ModelFileError("the operator " + quoted(proto.op_type()) + domain +
-                         " is not known to the planner, expected LSTM, RNN, Gemm, Relu, Tanh, Sigmoid, Softmax or one "
-                         "that changes only the shape");
+    throw ModelFileError(
+        "the operator " + quoted(proto.op_type()) + domain +
+        " is not known to the planner, expected LSTM, RNN, Gemm, MatMul with Add, Relu, Tanh, Sigmoid, "
+        "Softmax or one that changes only the shape");
   }
   Node node(proto, constants_);
   (this->*found->second)(node);
   node.finish();
+}
+
+/// Whether it is all told by what is stored in the file.
+bool GraphReader::isConstant(const onnx_subset::NodeProto& node) const {
+  const auto is_stored = [this](const std::string& input) { return input.empty() || constants_.count(input) > 0; };
+  return isStandardDomain(node.domain()) && isFoldable(node.op_type()) && node.input_size() > 0 &&
+         std::all_of(node.input().begin(), node.input().end(), is_stored);
+}
+
+void GraphReader::fold(Node& node) {
+  folded_.push_back(folded(node, opset_));
+  folded_values_ += folded_.back().float_data_size();
+  if (folded_values_ > kMostFoldedValues) {
+    throw ModelFileError(node.name() + " makes more than " + std::to_string(kMostFoldedValues) +
+                         " values of constants together with those before it");
+  }
+  addConstant(node.output(0), folded_.back());
+}
+
+void GraphReader::readShape(Node& node) {
+  folded_.push_back(integerTensor(valueNamed(node.input(0), node.name()).shape));
+  addConstant(node.output(0), folded_.back());
 }
 
 void GraphReader::readConstant(Node& node) {
@@ -103,12 +143,66 @@ void GraphReader::readConstant(Node& node) {
 
 void GraphReader::readShapeNode(Node& node) {
   Value value = valueNamed(node.input(0), node.name());
+  if (!value.is_state) requireVector(value.shape, node.name() + ": " + quoted(node.input(0)));
   const std::string& name = node.operatorName();
+  if (name == "Gather") value.shape = shapeAfterGather(node, value.shape);
   if (name == "Squeeze") value.shape = shapeAfterSqueeze(node, value.shape);
   if (name == "Unsqueeze") value.shape = shapeAfterUnsqueeze(node, value.shape);
   if (name == "Reshape") value.shape = shapeAfterReshape(node, value.shape);
   if (name == "Transpose") value.shape = shapeAfterTranspose(node, value.shape);
   define(node.output(0), value);
+}
+
+void GraphReader::readSlice(Node& node) {
+  Value value = valueNamed(node.input(0), node.name());
+  const Part part = partOfSlice(node, value.shape, opset_);
+  const bool is_one_layer = isStackOfStates(value.shape) && !value.graph_input.empty() && part.shape[0] == 1 &&
+                            part.shape[2] == value.shape[2];
+  if (is_one_layer) {
+    value.graph_input += "[" + std::to_string(part.first) + "]";
+  } else if (part.shape != value.shape) {
+    throw ModelFileError(node.name() + " takes " + shapeText(part.shape) + " of " + shapeText(value.shape) +
+                         ", expected all of it, or the state of one layer");
+  }
+  value.shape = part.shape;
+  define(node.output(0), value);
+}
+
+void GraphReader::readConcat(Node& node) {
+  node.integer("axis", 0);
+  if (valueNamed(node.input(0), node.name()).graph_input.empty()) {
+    joinStates(node);
+  } else {
+    joinInputs(node);
+  }
+}
+
+/// The network's input in several parts, one behind the other.
+void GraphReader::joinInputs(Node& node) {
+  const Shape first = valueNamed(node.input(0), node.name()).shape;
+  const std::size_t axis = axisIndex(node, node.integer("axis", 0), first.size());
+  Shape joined = first;
+  joined[axis] = 0;
+  for (int index = 0; !node.input(index).empty(); ++index) {
+    const Value& value = valueNamed(node.input(index), node.name());
+    Shape others = value.shape;
+    if (others.size() == first.size()) others[axis] = first[axis];
+    if (value.graph_input.empty() || others != first) {
+      throw ModelFileError(node.name() + " joins " + quoted(node.input(index)) + " of the shape " +
+                           shapeText(value.shape) + " to a graph input of the shape " + shapeText(first) +
+                           ", expected another graph input that fits");
+    }
+    takeGraphInput(node, value);
+    joined[axis] += value.shape[axis];
+  }
+  requireVector(joined, "the result of " + node.name());
+  define(node.output(0), {joined, 0, false, ""});
+}
+
+/// States for the graph's outputs: nothing is computed from them.
+void GraphReader::joinStates(Node& node) {
+  for (int index = 0; !node.input(index).empty(); ++index) valueNamed(node.input(index), node.name());
+  define(node.output(0), {{1}, stage_, true, ""});
 }
 
 void GraphReader::readLstm(Node& node) {
@@ -132,20 +226,50 @@ void GraphReader::readRnn(Node& node) {
 }
 
 void GraphReader::readGemm(Node& node) {
-  DenseLayer layer = denseLayer(node, takeData(node, 2).back());
-  const std::int64_t outputs = layer.weights.rows();
+  const Shape shape = takeData(node, 2);
+  addDense(node, shape, denseLayer(node, shape.back()));
+}
+
+/// A layer without biases; an Add that follows brings them.
+void GraphReader::readMatMul(Node& node) {
+  const Shape shape = takeData(node, 0);
+  if (shape.empty() || elementCount(shape, node.name()) != shape.back()) {
+    throw ModelFileError(node.name() + " takes the shape " + shapeText(shape) +
+                         ", expected all values along the last axis");
+  }
+  addDense(node, shape, productLayer(node, shape.back()));
+  last_is_matmul_ = true;
+}
+
+void GraphReader::addDense(const Node& node, const Shape& shape, DenseLayer layer) {
+  Shape result = shape;
+  result.back() = layer.weights.rows();
   addLayer(node, std::move(layer));
-  last_is_gemm_ = true;
-  define(node.output(0), {{1, outputs}, stage_, false, ""});
+  last_is_dense_ = true;
+  define(node.output(0), {result, stage_, false, ""});
+}
+
+void GraphReader::readAdd(Node& node) {
+  const int data = constants_.count(node.input(0)) > 0 ? 1 : 0;
+  const Value value = valueNamed(node.input(data), node.name());
+  if (!last_is_matmul_ || value.stage != stage_ || value.is_state) {
+    throw ModelFileError(node.name() + " does not follow a MatMul, expected it there only");
+  }
+  auto& layer = std::get<DenseLayer>(layers_.back());
+  layer.bias = biases(node, 1 - data, layer.weights.rows());
+  last_is_matmul_ = false;
+  ++stage_;
+  define(node.output(0), {value.shape, stage_, false, ""});
 }
 
 void GraphReader::readActivation(Node& node) {
   static const std::map<std::string, Activation> kActivations = {
       {"Relu", Activation::kRelu}, {"Sigmoid", Activation::kSigmoid}, {"Tanh", Activation::kTanh}};
   const Shape shape = takeData(node, 0);
-  if (!last_is_gemm_) throw ModelFileError(node.name() + " does not follow a Gemm, expected it there only");
+  if (!last_is_dense_) throw ModelFileError(node.name() + " does not follow a Gemm or MatMul, expected it there only");
   std::get<DenseLayer>(layers_.back()).activation = kActivations.at(node.operatorName());
-  last_is_gemm_ = false;
+  last_is_dense_ = false;
+  last_is_matmul_ = false;
   ++stage_;
   define(node.output(0), {shape, stage_, false, ""});
 }
@@ -159,7 +283,7 @@ void GraphReader::readSoftmax(Node& node) {
 
 Shape GraphReader::takeData(const Node& node, std::size_t rank) {
   const Value& value = valueNamed(node.input(0), node.name());
-  if (value.stage != stage_ || value.is_cell) {
+  if (value.stage != stage_ || value.is_state) {
     throw ModelFileError(node.name() + " takes " + quoted(node.input(0)) +
                          ", expected the output of the layer before it: the network must be one chain of layers");
   }
@@ -203,7 +327,8 @@ void GraphReader::takeGraphInput(const Node& node, const Value& value) {
 
 void GraphReader::addLayer(const Node& node, Layer layer) {
   layers_.push_back(std::move(layer));
-  last_is_gemm_ = false;
+  last_is_dense_ = false;
+  last_is_matmul_ = false;
   ++stage_;
   // Many nodes may share one stored tensor, so the size of the file is no limit to that of the network.
   if (layers_.size() > kMaximumLayers || countWeights(layers_) > kMaximumWeights) {
@@ -223,7 +348,7 @@ void GraphReader::requireOutputs() const {
   bool has_preferences = false;
   for (const auto& output : graph_.output()) {
     const Value& value = valueNamed(output.name(), "the graph's output");
-    has_preferences = has_preferences || (value.stage == stage_ && !value.is_cell);
+    has_preferences = has_preferences || (value.stage == stage_ && !value.is_state);
   }
   if (!has_preferences)
     throw ModelFileError("the last layer's output is not an output of the graph, expected it there");

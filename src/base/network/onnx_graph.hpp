@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <set>
 #include <string>
@@ -28,7 +29,7 @@ class GraphReader {
   struct Value {
     Shape shape;
     int stage = 0;            ///< number of computing nodes behind it
-    bool is_cell = false;     ///< an LSTM's cell state, which no node may take as its data
+    bool is_state = false;    ///< an LSTM's cell state, or states of several layers: no node may take it as its data
     std::string graph_input;  ///< the graph input that it is, in whatever shape; else empty
   };
 
@@ -40,15 +41,25 @@ class GraphReader {
   void readNode(const onnx_subset::NodeProto& node);
   void readConstant(Node& node);
   void readShapeNode(Node& node);
+  void readShape(Node& node);
+  bool isConstant(const onnx_subset::NodeProto& node) const;
+  void fold(Node& node);
+  void readSlice(Node& node);
+  void readConcat(Node& node);
   void readLstm(Node& node);
   void readRnn(Node& node);
   void readGemm(Node& node);
+  void readMatMul(Node& node);
+  void readAdd(Node& node);
   void readActivation(Node& node);
   void readSoftmax(Node& node);
 
   /// Shape of the data that a computing node takes, which must be the newest there are.
   Shape takeData(const Node& node, std::size_t rank);
   void takeInitialState(const Node& node, int index, std::int64_t units);
+  void addDense(const Node& node, const Shape& shape, DenseLayer layer);
+  void joinInputs(Node& node);
+  void joinStates(Node& node);
   void takeGraphInput(const Node& node, const Value& value);
   void addLayer(const Node& node, Layer layer);
   void defineStates(const Node& node, std::int64_t units);
@@ -57,10 +68,13 @@ class GraphReader {
   const onnx_subset::GraphProto& graph_;
   const std::int64_t opset_;
   Constants constants_;
+  std::deque<onnx_subset::TensorProto> folded_;  ///< constants that nodes made of constants
+  int folded_values_ = 0;
   std::map<std::string, Value> values_;
   std::set<std::string> taken_graph_inputs_;
   int stage_ = 0;
-  bool last_is_gemm_ = false;
+  bool last_is_dense_ = false;   ///< an activation may follow
+  bool last_is_matmul_ = false;  ///< a bias may be added
   LayerStack layers_;
 };
 

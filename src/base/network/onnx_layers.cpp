@@ -109,4 +109,27 @@ DenseLayer denseLayer(Node& node, std::int64_t inputs) {
   return layer;
 }
 
+DenseLayer productLayer(Node& node, std::int64_t inputs) {
+  const TensorProto& weights = node.requiredConstant(1, "weights");
+  const Shape shape = shapeOf(weights);
+  if (shape.size() != 2 || shape[0] != inputs) {
+    throw ModelFileError(node.name() + " has weights of the shape " + shapeText(shape) + ", expected two axes and " +
+                         std::to_string(inputs) + " inputs");
+  }
+  DenseLayer layer;
+  layer.weights = rowMajorMatrix(floatValues(weights), 0, shape[0], shape[1]).transpose();
+  layer.bias = Eigen::VectorXf::Zero(shape[1]);
+  return layer;
+}
+
+Eigen::VectorXf biases(const Node& node, int index, std::int64_t outputs) {
+  const TensorProto& bias = node.requiredConstant(index, "biases");
+  const Shape shape = shapeOf(bias);
+  if (shape.empty() || shape.back() != outputs || elementCount(shape, node.name()) != outputs) {
+    throw ModelFileError(node.name() + " has biases of the shape " + shapeText(shape) + ", expected " +
+                         std::to_string(outputs) + " along the last axis");
+  }
+  return rowMajorMatrix(floatValues(bias), 0, outputs, 1);
+}
+
 }  // namespace lstm_planner::onnx

@@ -10,15 +10,6 @@ namespace {
 
 constexpr std::size_t kMaximumRank = 8;
 
-std::size_t axisIndex(const Node& node, std::int64_t axis, std::size_t rank) {
-  const auto signed_rank = static_cast<std::int64_t>(rank);
-  if (axis < -signed_rank || axis >= signed_rank) {
-    throw ModelFileError(node.name() + " names the axis " + std::to_string(axis) + ", expected one of " +
-                         std::to_string(rank) + " axes");
-  }
-  return static_cast<std::size_t>(axis < 0 ? axis + signed_rank : axis);
-}
-
 /// An input since operator set 13, an attribute before.
 std::vector<std::int64_t> axesOf(Node& node) {
   std::vector<std::int64_t> axes = node.integers("axes");
@@ -39,6 +30,15 @@ std::set<std::size_t> axisSet(const Node& node, const std::vector<std::int64_t>&
 }
 
 }  // namespace
+
+std::size_t axisIndex(const Node& node, std::int64_t axis, std::size_t rank) {
+  const auto signed_rank = static_cast<std::int64_t>(rank);
+  if (axis < -signed_rank || axis >= signed_rank) {
+    throw ModelFileError(node.name() + " names the axis " + std::to_string(axis) + ", expected one of " +
+                         std::to_string(rank) + " axes");
+  }
+  return static_cast<std::size_t>(axis < 0 ? axis + signed_rank : axis);
+}
 
 void requireVector(const Shape& shape, const std::string& what) {
   elementCount(shape, what);
@@ -110,6 +110,56 @@ Shape shapeAfterTranspose(Node& node, const Shape& shape) {
   Shape result;
   for (const std::int64_t axis : order) result.push_back(shape[axisIndex(node, axis, shape.size())]);
   return result;
+}
+
+Shape shapeAfterGather(Node& node, const Shape& shape) {
+  const std::size_t axis = axisIndex(node, node.integer("axis", 0), shape.size());
+  const onnx_subset::TensorProto& tensor = node.requiredConstant(1, "indices");
+  const std::vector<std::int64_t> indices = integerValues(tensor);
+  if (shape[axis] != 1 || indices.size() != 1 || indices[0] < -1 || indices[0] > 0) {
+    throw ModelFileError(node.name() + " picks from the axis " + std::to_string(axis) + " of " + shapeText(shape) +
+                         ", expected the last of one step");
+  }
+  Shape result = shape;
+  if (tensor.dims_size() == 0) result.erase(result.begin() + static_cast<std::ptrdiff_t>(axis));
+  return result;
+}
+
+Part partOfSlice(Node& node, const Shape& shape, std::int64_t opset) {
+  // Attributes up to operator set 9, inputs since.
+  const auto list = [&](int index, const char* name) {
+    if (opset < 10) return node.integers(name);
+    const onnx_subset::TensorProto* tensor = node.constant(index, name);
+    return tensor == nullptr ? std::vector<std::int64_t>() : integerValues(*tensor);
+  };
+  const std::vector<std::int64_t> starts = list(1, "starts");
+  const std::vector<std::int64_t> ends = list(2, "ends");
+  std::vector<std::int64_t> axes = list(3, "axes");
+  const std::vector<std::int64_t> steps = opset < 10 ? std::vector<std::int64_t>() : list(4, "steps");
+  if (axes.empty()) {
+    for (std::size_t axis = 0; axis < starts.size(); ++axis) axes.push_back(static_cast<std::int64_t>(axis));
+  }
+  const bool skips = std::any_of(steps.begin(), steps.end(), [](std::int64_t step) { return step != 1; });
+  if (starts.empty() || starts.size() != ends.size() || starts.size() != axes.size() || skips) {
+    throw ModelFileError(node.name() +
+                         " has no starts, ends and axes that fit together, expected as many of each and steps of 1");
+  }
+  axisSet(node, axes, shape.size());
+  Part part{shape, 0};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const std::size_t axis = axisIndex(node, axes[i], shape.size());
+    const std::int64_t extent = shape[axis];
+    const auto place = [extent](std::int64_t at) {
+      return std::clamp(at < 0 && at >= -extent ? at + extent : at, std::int64_t{0}, extent);
+    };
+    const std::int64_t first = place(starts[i]);
+    const std::int64_t count = place(ends[i]) - first;
+    if (count < 1)
+      throw ModelFileError(node.name() + " takes nothing of " + shapeText(shape) + ", expected one value or more");
+    part.shape[axis] = count;
+    if (axis == 0) part.first = first;
+  }
+  return part;
 }
 
 void requireSoftmaxOverAll(Node& node, const Shape& shape, std::int64_t opset) {

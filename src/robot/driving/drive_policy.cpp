@@ -11,48 +11,18 @@ namespace {
 
 constexpr double kSameAngle = 1e-4;  ///< rad
 
-double readNumber(const std::map<std::string, std::string>& metadata, const std::string& key) {
-  const auto entry = metadata.find(key);
-  if (entry == metadata.end()) {
-    throw std::invalid_argument("the metadata has no key " + key);
-  }
-  std::istringstream text(entry->second);
-  text.imbue(std::locale::classic());
-  double number = 0.0;
-  if (!(text >> number) || !(text >> std::ws).eof() || !(number > 0.0) || !std::isfinite(number)) {
-    throw std::invalid_argument("the metadata key " + key + " is '" + entry->second + "', expected a positive number");
-  }
-  return number;
-}
+constexpr double kShortest = 1e-3;   ///< m
+constexpr double kLongest = 1000.0;  ///< m
 
-std::string writeNumber(double number) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(17);
-  text << number;
-  return text.str();
-}
-
-ActionSet readActions(const std::map<std::string, std::string>& metadata) {
-  const auto entry = metadata.find("action_angles");
-  if (entry == metadata.end()) {
-    throw std::invalid_argument("the metadata has no key action_angles");
+ActionSet readActions(MetadataReader* metadata) {
+  std::vector<double> angles = metadata->numbers("action_angles");
+  if (angles.empty()) return {};
+  try {
+    return ActionSet(std::move(angles));
+  } catch (const std::invalid_argument& error) {
+    metadata->note(std::string("action_angles: ") + error.what());
+    return {};
   }
-  std::istringstream text(entry->second);
-  text.imbue(std::locale::classic());
-  std::vector<double> angles;
-  double angle = 0.0;
-  while (text >> angle) {
-    angles.push_back(angle);
-    if (text >> std::ws; text.peek() == ',') {
-      text.ignore();
-    }
-  }
-  if (!text.eof()) {
-    throw std::invalid_argument("the metadata key action_angles is '" + entry->second +
-                                "', expected numbers separated by commas");
-  }
-  return ActionSet(std::move(angles));
 }
 
 }  // namespace
@@ -61,19 +31,21 @@ void writeMetadata(const PolicyDescription& description, std::map<std::string, s
   writeMetadata(description.encoder, metadata);
   std::string angles;
   for (const double angle : description.actions.angles()) {
-    angles += (angles.empty() ? "" : ",") + writeNumber(angle);
+    angles += (angles.empty() ? "" : ",") + metadataText(angle);
   }
   (*metadata)["action_angles"] = angles;
-  (*metadata)["step_length"] = writeNumber(description.step_length);
-  (*metadata)["robot_radius"] = writeNumber(description.footprint_radius);
+  (*metadata)["step_length"] = metadataText(description.step_length);
+  (*metadata)["robot_radius"] = metadataText(description.footprint_radius);
 }
 
 PolicyDescription readPolicyDescription(const std::map<std::string, std::string>& metadata) {
+  MetadataReader reader(metadata);
   PolicyDescription description;
-  description.encoder = readEncoderParameters(metadata);
-  description.actions = readActions(metadata);
-  description.step_length = readNumber(metadata, "step_length");
-  description.footprint_radius = readNumber(metadata, "robot_radius");
+  description.encoder = readEncoderParameters(&reader);
+  description.actions = readActions(&reader);
+  description.step_length = reader.number("step_length", kShortest, kLongest);
+  description.footprint_radius = reader.number("robot_radius", kShortest, kLongest);
+  reader.finish();
   return description;
 }
 
@@ -87,7 +59,7 @@ std::vector<int> viewsOf(const ActionSet& actions) {
     views.push_back(viewNearest(angle));
     if (std::abs(normalizeAngle(angle - views.back() * kViewAngle)) < kSameAngle) continue;
     throw std::invalid_argument("eight views need steering angles that are multiples of 45 degrees, one is " +
-                                writeNumber(angle) + " rad");
+                                metadataText(angle) + " rad");
   }
   return views;
 }

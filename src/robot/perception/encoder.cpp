@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
-#include <locale>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -15,6 +13,7 @@ namespace {
 
 constexpr double kSmallestScale = 1e-3;
 constexpr double kLargestScale = 1e6;
+constexpr double kSameAngle = 1e-3;     ///< rad
 constexpr double kMostLogSteps = 13.0;  ///< log2 of the longest time in steps that is told apart
 constexpr std::array<const char*, kPlaceScales> kPlaceNames = {"step", "room", "hall"};
 
@@ -26,42 +25,9 @@ double freshness(double visits, double age) {
 /// Grows with a count and stays below 1.
 double frequency(double count) { return std::max(0.0, count) / (std::max(0.0, count) + 2.0); }
 
-// The classic locale: a decimal comma of the user's locale must not change a model file.
-std::string toText(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::setprecision(17) << value;
-  return text.str();
-}
-
-const std::string& find(const std::map<std::string, std::string>& metadata, const std::string& key) {
-  const auto entry = metadata.find(key);
-  if (entry == metadata.end()) throw std::invalid_argument("the model's metadata lacks '" + key + "'");
-  return entry->second;
-}
-
-double readNumber(const std::map<std::string, std::string>& metadata, const std::string& key) {
-  const std::string& text = find(metadata, key);
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  double value = 0.0;
-  if (!(stream >> value) || !(stream >> std::ws).eof()) {
-    throw std::invalid_argument("the model's metadata has " + key + " '" + text + "', expected a number");
-  }
-  return value;
-}
-
-int readViews(const std::map<std::string, std::string>& metadata) {
-  const double views = readNumber(metadata, "views");
-  if (views != 1 && views != kDriveViews) {
-    throw std::invalid_argument("the model's metadata has views '" + find(metadata, "views") + "', expected 1 or 8");
-  }
-  return static_cast<int>(views);
-}
-
 void checkScale(const std::string& name, double value) {
   if (!(value >= kSmallestScale && value <= kLargestScale)) {
-    throw std::invalid_argument(name + " is " + toText(value) + ", expected a number in [0.001, 1000000]");
+    throw std::invalid_argument(name + " is " + metadataText(value) + ", expected a number in [0.001, 1000000]");
   }
 }
 
@@ -110,15 +76,15 @@ void validate(const EncoderParameters& parameters) {
     throw std::invalid_argument("sector_count is " + std::to_string(parameters.sector_count) + ", expected " +
                                 std::to_string(kSectorCount));
   }
-  if (!(std::abs(parameters.angle_span - M_PI) < 1e-3)) {
-    throw std::invalid_argument("angle_span is " + toText(parameters.angle_span) + ", expected pi");
+  if (!(std::abs(parameters.angle_span - M_PI) < kSameAngle)) {
+    throw std::invalid_argument("angle_span is " + metadataText(parameters.angle_span) + ", expected pi");
   }
   checkScale("range_cap", parameters.range_cap);
   checkScale("distance_scale", parameters.distance_scale);
   checkScale("angle_scale", parameters.angle_scale);
   checkScale("action_scale", parameters.action_scale);
   if (!(parameters.position_cell >= 0.0 && parameters.position_cell <= kLargestScale)) {
-    throw std::invalid_argument("position_cell is " + toText(parameters.position_cell) +
+    throw std::invalid_argument("position_cell is " + metadataText(parameters.position_cell) +
                                 ", expected a number in [0, 1000000]");
   }
   checkScale("event_range", parameters.event_range);
@@ -133,40 +99,41 @@ void writeMetadata(const EncoderParameters& parameters, std::map<std::string, st
   for (const std::string& name : parameters.input_layout) layout += (layout.empty() ? "" : ",") + name;
   (*metadata)["input_layout"] = layout;
   (*metadata)["sector_count"] = std::to_string(parameters.sector_count);
-  (*metadata)["angle_span"] = toText(parameters.angle_span);
-  (*metadata)["range_cap"] = toText(parameters.range_cap);
-  (*metadata)["distance_scale"] = toText(parameters.distance_scale);
-  (*metadata)["angle_scale"] = toText(parameters.angle_scale);
-  (*metadata)["action_scale"] = toText(parameters.action_scale);
-  (*metadata)["position_cell"] = toText(parameters.position_cell);
-  if (hasEvents(parameters.input_layout)) (*metadata)["event_range"] = toText(parameters.event_range);
+  (*metadata)["angle_span"] = metadataText(parameters.angle_span);
+  (*metadata)["range_cap"] = metadataText(parameters.range_cap);
+  (*metadata)["distance_scale"] = metadataText(parameters.distance_scale);
+  (*metadata)["angle_scale"] = metadataText(parameters.angle_scale);
+  (*metadata)["action_scale"] = metadataText(parameters.action_scale);
+  (*metadata)["position_cell"] = metadataText(parameters.position_cell);
+  if (hasEvents(parameters.input_layout)) (*metadata)["event_range"] = metadataText(parameters.event_range);
   if (parameters.views != 1) (*metadata)["views"] = std::to_string(parameters.views);
 }
 
-EncoderParameters readEncoderParameters(const std::map<std::string, std::string>& metadata) {
+EncoderParameters readEncoderParameters(MetadataReader* metadata) {
   EncoderParameters parameters;
   parameters.input_layout.clear();
-  std::istringstream layout(find(metadata, "input_layout"));
+  std::istringstream layout(metadata->text("input_layout"));
   for (std::string name; std::getline(layout, name, ',');) {
     name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
     parameters.input_layout.push_back(name);
   }
   parameters.input_layout.shrink_to_fit();
-  const double sector_count = readNumber(metadata, "sector_count");
-  if (sector_count != kSectorCount) {
-    throw std::invalid_argument("the model's metadata has sector_count '" + find(metadata, "sector_count") +
-                                "', expected " + std::to_string(kSectorCount));
+  parameters.sector_count = metadata->whole("sector_count", kSectorCount, kSectorCount);
+  parameters.angle_span = metadata->number("angle_span", M_PI - kSameAngle, M_PI + kSameAngle);
+  const auto scale = [metadata](const char* key) { return metadata->number(key, kSmallestScale, kLargestScale); };
+  parameters.range_cap = scale("range_cap");
+  parameters.distance_scale = scale("distance_scale");
+  parameters.angle_scale = scale("angle_scale");
+  parameters.action_scale = scale("action_scale");
+  parameters.position_cell = metadata->number("position_cell", 0.0, kLargestScale);
+  if (hasEvents(parameters.input_layout)) parameters.event_range = scale("event_range");
+  if (metadata->has("views")) parameters.views = metadata->whole("views", 1, kDriveViews);
+  if (!metadata->has("input_layout")) return parameters;
+  try {
+    validate(parameters);
+  } catch (const std::invalid_argument& error) {
+    metadata->note(error.what());
   }
-  parameters.sector_count = kSectorCount;
-  parameters.angle_span = readNumber(metadata, "angle_span");
-  parameters.range_cap = readNumber(metadata, "range_cap");
-  parameters.distance_scale = readNumber(metadata, "distance_scale");
-  parameters.angle_scale = readNumber(metadata, "angle_scale");
-  parameters.action_scale = readNumber(metadata, "action_scale");
-  parameters.position_cell = readNumber(metadata, "position_cell");
-  if (hasEvents(parameters.input_layout)) parameters.event_range = readNumber(metadata, "event_range");
-  if (metadata.count("views") > 0) parameters.views = readViews(metadata);
-  validate(parameters);
   return parameters;
 }
 

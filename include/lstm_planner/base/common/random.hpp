@@ -9,7 +9,7 @@
 namespace lstm_planner {
 
 /// Random numbers that are the same on every machine for the same seed. std::mt19937_64 is fixed by the standard; the
-/// distributions of <random> and std::shuffle are not, therefore these.
+/// distributions of the standard header random and std::shuffle are not, therefore these.
 using Random = std::mt19937_64;
 
 /// Uniform in [0, 1), 53 bits.

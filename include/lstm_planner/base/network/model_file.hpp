@@ -22,12 +22,13 @@ class ModelFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads an ONNX file (operator sets 7 to 22) whose graph is one chain of the operators LSTM, RNN, Gemm, Relu, Tanh,
-/// Sigmoid and Softmax, with the operators that exporters put between them (Constant, Identity, Reshape, Squeeze,
-/// Transpose, Unsqueeze).
+/// Reads an ONNX file (operator sets 7 to 22) whose graph is one chain of the operators LSTM, RNN, Gemm, MatMul
+/// with Add, Relu, Tanh, Sigmoid and Softmax, with the operators that exporters put between them (Concat, Constant,
+/// Gather, Identity, Reshape, Slice, Squeeze, Transpose, Unsqueeze).
 ///
-/// The graph stands for one step of one robot: batch and sequence are 1 or have no number. Initial states are graph
-/// inputs, zeros or left out; Network carries them in any case. An activation follows a Gemm, and an LSTM's activations
+/// The graph stands for one step of one robot: batch and sequence are 1 or have no number. The input may be several
+/// graph inputs, joined by a Concat. Initial states are graph inputs, zeros or left out, or the layers' parts of one
+/// graph input; Network carries them in any case. An activation follows a Gemm, and an LSTM's activations
 /// are Sigmoid, Tanh or Sigmoid, Tanh (gates, candidate, output).
 ///
 /// Throws ModelFileError for a file that is missing, truncated or not ONNX, and for an unknown operator or attribute,

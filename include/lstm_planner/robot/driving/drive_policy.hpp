@@ -24,7 +24,7 @@ struct PolicyDescription {
 };
 
 /// To and from the metadata of a model file (keys of the encoder, and: action_angles, step_length, robot_radius).
-/// Reading throws std::invalid_argument for a missing or malformed key.
+/// Reading throws std::invalid_argument, which names all missing and malformed keys.
 void writeMetadata(const PolicyDescription& description, std::map<std::string, std::string>* metadata);
 PolicyDescription readPolicyDescription(const std::map<std::string, std::string>& metadata);
 

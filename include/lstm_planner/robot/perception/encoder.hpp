@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/base/network/metadata_reader.hpp"
 #include "lstm_planner/robot/perception/observation.hpp"
 
 namespace lstm_planner {
@@ -52,10 +53,10 @@ constexpr double kViewAngle = 2.0 * M_PI / kDriveViews;
 void validate(const EncoderParameters& parameters);
 
 /// To and from the metadata of a model file (keys: input_layout, sector_count, angle_span, range_cap, distance_scale,
-/// angle_scale, action_scale, position_cell, event_range where there are events, views where there are eight). Reading
-/// throws std::invalid_argument for a missing or malformed key.
+/// angle_scale, action_scale, position_cell, event_range where there are events, views where there are eight). The
+/// reader notes what is missing or malformed.
 void writeMetadata(const EncoderParameters& parameters, std::map<std::string, std::string>* metadata);
-EncoderParameters readEncoderParameters(const std::map<std::string, std::string>& metadata);
+EncoderParameters readEncoderParameters(MetadataReader* metadata);
 
 /// The eighth of a turn, 0 .. 7, that is nearest to an angle (rad).
 int viewNearest(double angle);

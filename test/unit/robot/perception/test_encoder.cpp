@@ -122,6 +122,13 @@ TEST(Encoder, RefusesAnInputOfAnotherSize) {
   EXPECT_THROW(encoder.encode({}, input), std::invalid_argument);
 }
 
+EncoderParameters readBack(const std::map<std::string, std::string>& metadata) {
+  MetadataReader reader(metadata);
+  const EncoderParameters parameters = readEncoderParameters(&reader);
+  reader.finish();
+  return parameters;
+}
+
 TEST(EncoderParameters, SurviveTheMetadataBitForBit) {
   EncoderParameters written;
   written.input_layout = {"sector_3", "goal_distance"};
@@ -129,7 +136,7 @@ TEST(EncoderParameters, SurviveTheMetadataBitForBit) {
   written.position_cell = 0.35;
   std::map<std::string, std::string> metadata;
   writeMetadata(written, &metadata);
-  const EncoderParameters read = readEncoderParameters(metadata);
+  const EncoderParameters read = readBack(metadata);
   EXPECT_EQ(read.input_layout, written.input_layout);
   EXPECT_EQ(read.range_cap, written.range_cap);
   EXPECT_EQ(read.angle_span, written.angle_span);
@@ -144,9 +151,22 @@ TEST(EncoderParameters, TellTheEventRangeOnlyWhereThereAreEvents) {
   written.input_layout.push_back("event_0");
   written.event_range = 0.6;
   writeMetadata(written, &metadata);
-  EXPECT_EQ(readEncoderParameters(metadata).event_range, 0.6);
+  EXPECT_EQ(readBack(metadata).event_range, 0.6);
   metadata.erase("event_range");
-  EXPECT_THROW(readEncoderParameters(metadata), std::invalid_argument);
+  EXPECT_THROW(readBack(metadata), std::invalid_argument);
+}
+
+TEST(EncoderParameters, NameAllThatIsWrongInTheMetadataAtOnce) {
+  std::map<std::string, std::string> metadata;
+  writeMetadata({}, &metadata);
+  metadata.erase("range_cap");
+  metadata.erase("angle_scale");
+  metadata["distance_scale"] = "far";
+  metadata["input_layout"] = "sector_9";
+  const std::string refusal = test::refusalOf<std::invalid_argument>([&] { readBack(metadata); });
+  for (const char* part : {"range_cap", "angle_scale", "distance_scale is 'far'", "sector_9"}) {
+    EXPECT_NE(refusal.find(part), std::string::npos) << part << ": " << refusal;
+  }
 }
 
 TEST(EncoderParameters, NameWhatIsWrongInTheMetadata) {
@@ -155,19 +175,19 @@ TEST(EncoderParameters, NameWhatIsWrongInTheMetadata) {
   const auto refusal = [&good](const std::string& key, const std::string& value) -> std::string {
     std::map<std::string, std::string> metadata = good;
     metadata[key] = value;
-    return test::refusalOf<std::invalid_argument>([&] { readEncoderParameters(metadata); });
+    return test::refusalOf<std::invalid_argument>([&] { readBack(metadata); });
   };
   EXPECT_EQ(refusal("range_cap", "6.0 "), "") << "the good metadata with a blank";
-  EXPECT_NE(refusal("range_cap", "six").find("range_cap 'six'"), std::string::npos);
-  EXPECT_NE(refusal("range_cap", "-1").find("range_cap is -1"), std::string::npos);
+  EXPECT_NE(refusal("range_cap", "six").find("range_cap is 'six'"), std::string::npos);
+  EXPECT_NE(refusal("range_cap", "-1").find("range_cap is '-1'"), std::string::npos);
   EXPECT_NE(refusal("distance_scale", "nan"), "");
-  EXPECT_NE(refusal("sector_count", "24").find("expected 8"), std::string::npos);
+  EXPECT_NE(refusal("sector_count", "24").find("expected a number in [8, 8]"), std::string::npos);
   EXPECT_NE(refusal("input_layout", "sector_8").find("sector_8"), std::string::npos);
   EXPECT_NE(refusal("input_layout", "heading,heading").find("twice"), std::string::npos);
   EXPECT_NE(refusal("input_layout", ""), "");
   EXPECT_NE(refusal("angle_span", "6.28"), "");
   good.erase("angle_scale");
-  EXPECT_NE(refusal("range_cap", "6").find("lacks 'angle_scale'"), std::string::npos);
+  EXPECT_NE(refusal("range_cap", "6").find("lack angle_scale"), std::string::npos);
 }
 
 }  // namespace

@@ -101,11 +101,19 @@ TEST(EncoderViews, TravelInTheMetadataWhereThereAreEight) {
   std::map<std::string, std::string> metadata;
   writeMetadata(EncoderParameters(), &metadata);
   EXPECT_EQ(metadata.count("views"), 0u) << "a model with one view is written as ever";
-  EXPECT_EQ(readEncoderParameters(metadata).views, 1);
+  const auto views = [&metadata] {
+    MetadataReader reader(metadata);
+    const EncoderParameters parameters = readEncoderParameters(&reader);
+    reader.finish();
+    return parameters.views;
+  };
+  EXPECT_EQ(views(), 1);
   writeMetadata(eightViews(EncoderParameters().input_layout), &metadata);
-  EXPECT_EQ(readEncoderParameters(metadata).views, 8);
-  metadata["views"] = "3";
-  EXPECT_THROW(readEncoderParameters(metadata), std::invalid_argument);
+  EXPECT_EQ(views(), 8);
+  for (const char* wrong : {"3", "1.5", "9"}) {
+    metadata["views"] = wrong;
+    EXPECT_THROW(views(), std::invalid_argument) << wrong;
+  }
 }
 
 TEST(EncoderViews, NeedEveryDirectionOrNone) {

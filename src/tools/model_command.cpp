@@ -1,0 +1,194 @@
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "tools/command.hpp"
+#include "tools/command_line.hpp"
+#include "tools/ranges.hpp"
+#include "tools/shared_file.hpp"
+
+namespace lstm_planner {
+namespace {
+
+/// Which of the two worlds a model says that it was made for.
+bool isForGrid(const Model& model) { return model.metadata.count("grid_inputs") > 0; }
+
+/// Throws std::invalid_argument with all that is missing or does not fit.
+void checkModel(const Model& model) {
+  if (isForGrid(model)) {
+    NetworkGridAgent(model, {});
+  } else {
+    DrivePolicy(readPolicyDescription(model.metadata), model.layers);
+  }
+}
+
+const char* toString(Activation activation) {
+  switch (activation) {
+    case Activation::kTanh:
+      return ", tanh";
+    case Activation::kSigmoid:
+      return ", sigmoid";
+    case Activation::kRelu:
+      return ", relu";
+    case Activation::kIdentity:
+      break;
+  }
+  return "";
+}
+
+/// "LSTM 14 -> 32".
+std::string textOf(const Layer& layer) {
+  std::ostringstream text;
+  if (const auto* lstm = std::get_if<LstmLayer>(&layer)) {
+    text << "LSTM " << lstm->input.cols() << " -> " << lstm->recurrent.cols()
+         << (lstm->candidate == Activation::kTanh ? "" : ", candidate sigmoid");
+  } else if (const auto* recurrent = std::get_if<RecurrentLayer>(&layer)) {
+    text << "RNN " << recurrent->input.cols() << " -> " << recurrent->recurrent.cols();
+  } else if (const auto* dense = std::get_if<DenseLayer>(&layer)) {
+    text << "dense " << dense->weights.cols() << " -> " << dense->weights.rows() << toString(dense->activation);
+  } else {
+    text << "softmax";
+  }
+  return text.str();
+}
+
+void printModel(const Model& model) {
+  std::cout << "layers   ";
+  for (std::size_t i = 0; i < model.layers.size(); ++i) std::cout << (i > 0 ? "; " : "") << textOf(model.layers[i]);
+  std::cout << "\nweights  " << countWeights(model.layers) << "\ninputs   " << inputSize(model.layers) << "\noutputs  "
+            << outputSize(model.layers) << "\nfor      "
+            << (isForGrid(model)         ? "the grid world"
+                : model.metadata.empty() ? "nothing yet: it has no metadata"
+                                         : "the robot")
+            << "\n";
+  if (!model.metadata.empty()) std::cout << "metadata\n";
+  for (const auto& [key, value] : model.metadata)
+    std::cout << "  " << std::left << std::setw(17) << key << value << "\n";
+}
+
+/// The file that is the only argument of info and check.
+std::string fileOf(const std::string& action, const std::string& summary, const std::vector<std::string>& arguments) {
+  std::string file;
+  CommandLine line("model " + action, summary);
+  line.addFile("file", &file, "the ONNX file").required().standsAlone();
+  return line.parse(arguments) ? findSharedFile(file) : "";
+}
+
+int modelInfo(const std::vector<std::string>& arguments) {
+  const std::string file = fileOf("info", "says what a model file holds", arguments);
+  if (!file.empty()) printModel(readModelFile(file));
+  return 0;
+}
+
+int modelCheck(const std::vector<std::string>& arguments) {
+  const std::string file =
+      fileOf("check", "says whether a model can be used, and all that is wrong otherwise", arguments);
+  if (file.empty()) return 0;
+  const Model model = readModelFile(file);
+  try {
+    checkModel(model);
+  } catch (const std::invalid_argument& error) {
+    throw ModelFileError(file + ": " + error.what());
+  }
+  std::cout << file << ": a model for " << (isForGrid(model) ? "the grid world" : "the robot") << " that can be used\n";
+  return 0;
+}
+
+struct Conversion {
+  std::string file;
+  std::string output;
+  std::string task = "robot";
+  std::vector<std::string> layout;
+  std::vector<int> angles;  ///< degrees
+  PolicyDescription policy;
+  GridEncoderParameters grid;
+  std::string grid_inputs = "trace";
+  int views = 1;
+  std::string made_by;
+};
+
+void addRobotOptions(Conversion* conversion, CommandLine* line) {
+  EncoderParameters& encoder = conversion->policy.encoder;
+  line->section("what the robot's network is told and asked; see models/onnx.md");
+  line->add("layout", &conversion->layout, "names of the inputs, in their order (default: the thesis's fourteen)");
+  line->add("range-cap", &encoder.range_cap, {0.001, 1e6}, "m; a sector is told as range / range-cap");
+  line->add("distance-scale", &encoder.distance_scale, {0.001, 1e6},
+            "m; the goal's distance d is told as d / (d + it)");
+  line->add("angle-scale", &encoder.angle_scale, {0.001, 1e6}, "rad; by which goal_bearing and heading are divided");
+  line->add("action-scale", &encoder.action_scale, {0.001, 1e6}, "rad; by which previous_action is divided");
+  line->add("position-cell", &encoder.position_cell, {0.0, 1e6}, "m, to which the odometry is rounded; 0: not at all");
+  line->add("event-range", &encoder.event_range, {0.001, 1e6}, "m; nearer is an event");
+  line->add("actions", &conversion->angles, {-180.0, 180.0},
+            "degrees, steering angles by output, from right to left (default: -90 -45 0 45 90)");
+  line->add("step-length", &conversion->policy.step_length, {0.001, 1000.0}, "m from decision to decision");
+  line->add("robot-radius", &conversion->policy.footprint_radius, {0.001, 1000.0}, "m, of the largest robot");
+}
+
+bool readConversion(const std::vector<std::string>& arguments, Conversion* conversion) {
+  CommandLine line("model convert", "writes a network that was exported elsewhere with the metadata that it needs");
+  line.addFile("file", &conversion->file, "the ONNX file").required().standsAlone();
+  line.addOutput("output", &conversion->output, "ONNX file to write").required();
+  line.addChoice("task", &conversion->task, {"robot", "grid"}, "what it was made for");
+  line.add("views", &conversion->views, {1, 8},
+           "1: an output an action; 8: one output, asked in each of eight directions");
+  line.addChoice("grid-inputs", &conversion->grid_inputs, {"thesis", "trace", "map"},
+                 "of a network for the grid world");
+  line.add("made-by", &conversion->made_by, "how it was trained; stands in the file as training_command");
+  addRobotOptions(conversion, &line);
+  line.whenParsed([conversion] {
+    Conversion& c = *conversion;
+    if (!c.layout.empty()) c.policy.encoder.input_layout = c.layout;
+    c.policy.encoder.views = c.views;
+    if (!c.angles.empty()) {
+      std::vector<double> angles;
+      for (const int degrees : c.angles) angles.push_back(degrees * M_PI / 180.0);
+      c.policy.actions = ActionSet(angles);
+    }
+    c.grid.inputs = gridInputsNamed(c.grid_inputs);
+    c.grid.views = c.views;
+  });
+  return line.parse(arguments);
+}
+
+int modelConvert(const std::vector<std::string>& arguments) {
+  Conversion conversion;
+  if (!readConversion(arguments, &conversion)) return 0;
+  Model model = readModelFile(conversion.file);
+  if (conversion.task == "grid") {
+    writeMetadata(conversion.grid, &model.metadata);
+  } else {
+    writeMetadata(conversion.policy, &model.metadata);
+  }
+  if (!conversion.made_by.empty()) model.metadata["training_command"] = conversion.made_by;
+  try {
+    checkModel(model);
+  } catch (const std::invalid_argument& error) {
+    throw ModelFileError(conversion.file + ": " + error.what());
+  }
+  writeModelFile(conversion.output, model);
+  printModel(model);
+  return 0;
+}
+
+const std::vector<Command>& actions() {
+  static const std::vector<Command> all = {
+      {"info", "say what a model file holds", modelInfo},
+      {"check", "say whether a model can be used, and all that is wrong otherwise", modelCheck},
+      {"convert", "write a network that was exported elsewhere with the metadata that it needs", modelConvert},
+  };
+  return all;
+}
+
+}  // namespace
+
+int runModel(const std::vector<std::string>& arguments) { return runAction("model", actions(), arguments); }
+
+}  // namespace lstm_planner
