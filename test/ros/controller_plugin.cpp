@@ -174,6 +174,33 @@ TEST_F(ControllerTest, DoesNotDriveIntoWhatTheScanShows) {
   }));
 }
 
+TEST_F(ControllerTest, DoesNotDriveIntoWhatOnlyTheCostmapShows) {
+  // The robot looks along x; the gap is 0.02 m, the margin 0.03 m.
+  markInCostmap({0.2, -0.1}, {0.4, 0.1});
+  ASSERT_TRUE(computeAt({}));
+  EXPECT_EQ(velocity_.linear.x, 0.0);
+  markInCostmap({}, {});
+  ASSERT_TRUE(computeAt({}));
+  EXPECT_GT(velocity_.linear.x, 0.0) << "cleared";
+}
+
+TEST_F(ControllerTest, SeesTheCostmapInItsOwnFrame) {
+  useGlobalFrame("map");
+  initialise();
+  const Point2 ahead = toParentFrame(robot_.odometryInMap(), {0.3, 0.0});
+  markInCostmap({ahead.x - 0.1, ahead.y - 0.1}, {ahead.x + 0.1, ahead.y + 0.1});
+  ASSERT_TRUE(computeAt({}));
+  EXPECT_EQ(velocity_.linear.x, 0.0);
+}
+
+TEST_F(ControllerTest, TheCostmapCountsForNothingWhereItIsNotToBeUsed) {
+  ros::param::set("~/SteeringController/use_costmap", false);
+  initialise();
+  markInCostmap({0.2, -0.1}, {0.4, 0.1});
+  ASSERT_TRUE(computeAt({}));
+  EXPECT_GT(velocity_.linear.x, 0.0);
+}
+
 TEST_F(ControllerTest, BadParametersLeaveItStanding) {
   ros::param::set("~/SteeringController/max_linear", -1.0);
   SteeringController controller;

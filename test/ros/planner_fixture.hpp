@@ -94,6 +94,20 @@ class PlannerTest : public testing::Test {
     costmap_ = std::make_unique<costmap_2d::Costmap2DROS>("costmap", tf_);
   }
 
+  /// The costmap has an obstacle from there to there (m, its own frame), and nothing else.
+  void markInCostmap(const Point2& low, const Point2& high) {
+    constexpr double kResolution = 0.05;
+    constexpr unsigned int kSide = 400;
+    constexpr double kCorner = -10.0;
+    costmap_2d::Costmap2D& costmap = *costmap_->getCostmap();
+    const std::lock_guard<costmap_2d::Costmap2D::mutex_t> lock(*costmap.getMutex());
+    costmap.resizeMap(kSide, kSide, kResolution, kCorner, kCorner);
+    const auto index = [&](double position) { return static_cast<unsigned int>((position - kCorner) / kResolution); };
+    for (unsigned int x = index(low.x); x < index(high.x); ++x) {
+      for (unsigned int y = index(low.y); y < index(high.y); ++y) costmap.setCost(x, y, 254);
+    }
+  }
+
   /// An initialised planner that has heard scan and odometry; null when it does not plan.
   std::unique_ptr<LstmGlobalPlanner> makePlanner(const std::string& name = "LstmGlobalPlanner") {
     auto planner = std::make_unique<LstmGlobalPlanner>();

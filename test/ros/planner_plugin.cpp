@@ -239,6 +239,28 @@ TEST_F(PlannerTest, MissingOrDamagedModelRefusesEveryPlanAndThrowsNothing) {
   expectUnusable("model");
 }
 
+TEST_F(PlannerTest, PlansAroundWhatOnlyTheCostmapShows) {
+  ros::param::set("~/LstmGlobalPlanner/leader", "route");
+  auto planner = makePlanner();
+  const auto goal = stampedPose("odom", {3.0, 0.0, 0.0});
+  const auto nearest = [&](const Point2& place) {
+    double distance = 100.0;
+    for (const auto& pose : plan_) distance = std::min(distance, distanceBetween(place, pose.pose.position));
+    return distance;
+  };
+  robot_.range = [](double) { return 8.0F; };
+  moveTo(planner.get(), {}, 0.1);
+  ASSERT_TRUE(plan(planner.get(), goal));
+  EXPECT_LT(nearest({1.5, 0.0}), 0.05);
+  markInCostmap({1.4, -0.3}, {1.6, 0.3});
+  ASSERT_TRUE(plan(planner.get(), goal));
+  EXPECT_GT(nearest({1.5, 0.0}), 0.4) << "0.3 m of the zone and some of the footprint";
+  markInCostmap({}, {});
+  moveTo(planner.get(), {0.2, 0.3, 0.0}, 2.0);  // a step
+  ASSERT_TRUE(plan(planner.get(), goal));
+  EXPECT_LT(nearest({1.5, 0.15}), 0.1) << "cleared: straight to the goal";
+}
+
 TEST_F(PlannerTest, ModelForASmallerRobotIsUsedWithAWarning) {
   ros::param::set("~/LstmGlobalPlanner/shield/footprint_radius", 0.5);
   EXPECT_NE(makePlanner(), nullptr);

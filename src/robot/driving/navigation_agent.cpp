@@ -56,6 +56,11 @@ void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, 
   shield_.show(situation_.obstacles);
 }
 
+void NavigationAgent::mark(const std::vector<Point2>& obstacles) {
+  situation_.marked = obstacles;
+  shield_.add(obstacles);
+}
+
 NavigationAgent::Fresh NavigationAgent::drive(const Point2& goal, bool is_new, long jumps) {
   is_new_goal_ = is_new_goal_ || is_new;
   checkGoal(situation_.pose, goal);
@@ -127,6 +132,7 @@ void NavigationAgent::restart() {
 
 const Decision& NavigationAgent::update(const Situation& situation) {
   shield_.show(situation.obstacles);
+  shield_.add(situation.marked);
   return decideAbout(situation);
 }
 

@@ -29,8 +29,12 @@ Shield::Shield(double footprint_radius, double hard_margin, double reach)
 }
 
 void Shield::show(const std::vector<Point2>& obstacles) {
-  const std::size_t most = obstacles.size() / kGroup + 1;
   groups_ = 0;
+  add(obstacles);
+}
+
+void Shield::add(const std::vector<Point2>& obstacles) {
+  const std::size_t most = groups_ + obstacles.size() / kGroup + 1;
   if (x_.size() < most * kGroup) {
     x_.resize(most * kGroup);
     y_.resize(most * kGroup);

@@ -8,6 +8,7 @@ void perceive(const LaserScan& scan, const SensorMount& mount, const ScanRules& 
   toProfile(scan, mount, rules, &situation->profile);
   situation->sectors = averageSectors(situation->profile, rules.least_measured, range_cap);
   toPoints(situation->profile, &situation->beams, &situation->obstacles);
+  situation->marked.clear();
 }
 
 }  // namespace lstm_planner

@@ -2,6 +2,7 @@
 
 #include <ros/time.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "lstm_planner/ros/common/conversions.hpp"
@@ -11,20 +12,31 @@ namespace lstm_planner {
 
 namespace {
 
-/// Farther returns do not change a command; not looking at them keeps the controller cheap.
-constexpr double kShieldReach = 2.0;
+/// Farther returns do not change a command of a slow robot; not looking at them keeps the controller cheap.
+constexpr double kLeastReach = 2.0;  // m
 
 constexpr double kDriverPeriod = 0.1;  // s, of the slowest usual base drivers
+
+/// m, of what changes a command: as far as the robot needs to stop behind a slow scanner, and to steer.
+double reachOf(const SteeringControllerParameters& parameters) {
+  constexpr double kSlowestReaction = 1.0;  // s
+  const MotionParameters& motion = parameters.motion;
+  const double stopping =
+      motion.max_linear * kSlowestReaction + motion.max_linear * motion.max_linear / (2.0 * motion.linear_acceleration);
+  return std::max(kLeastReach, stopping + motion.lookahead + motion.slow_gap +
+                                   2.0 * (parameters.footprint_radius + motion.safety_margin));
+}
 
 }  // namespace
 
 PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const std::string& base_frame,
-                           const tf2_ros::Buffer& tf)
+                           const tf2_ros::Buffer& tf, costmap_2d::Costmap2DROS* costmap)
     : parameters_(parameters),
       frames_(tf, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf),
+      costmap_(parameters.use_costmap ? costmap : nullptr, reachOf(parameters)),
       tracker_(parameters.motion),
-      shield_(parameters.footprint_radius, parameters.motion.safety_margin, kShieldReach) {}
+      shield_(parameters.footprint_radius, parameters.motion.safety_margin, reachOf(parameters)) {}
 
 void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   plan_.clear();
@@ -55,7 +67,7 @@ Twist2 PlanFollower::compute() {
   const SensorReading reading = sensors_.read(now);
   checkPlanAge(now);
   compose(odometryFromPlan(reading.odometry_frame, now), plan_, &odometry_plan_);
-  perceive(reading);
+  perceive(reading, now);
   const double period = 1.0 / parameters_.controller_frequency;
   tracker_.expectReactionTime(reading.scan_period + period + kDriverPeriod);
   return tracker_.compute(odometry_plan_, seen_, reading.twist, shield_, period);
@@ -89,12 +101,16 @@ Pose2 PlanFollower::odometryFromPlan(const std::string& odometry_frame, const ro
   return plan_.empty() ? Pose2() : frames_.transform(odometry_frame, plan_frame_, now);
 }
 
-void PlanFollower::perceive(const SensorReading& reading) {
+void PlanFollower::perceive(const SensorReading& reading, const ros::Time& now) {
   fromMessage(*reading.scan, &scan_);
-  lstm_planner::perceive(scan_, reading.mount, parameters_.sensors.scan_rules, kShieldReach, &seen_);
+  lstm_planner::perceive(scan_, reading.mount, parameters_.sensors.scan_rules, kLeastReach, &seen_);
   seen_.pose = reading.scan_pose;
   seen_.time = reading.scan_stamp;
   shield_.show(seen_.obstacles);
+  if (costmap_.isUsed()) {
+    const Pose2 costmap_from_odometry = frames_.transform(costmap_.frame(), reading.odometry_frame, now);
+    shield_.add(costmap_.read(compose(costmap_from_odometry, reading.scan_pose), seen_.obstacles));
+  }
   if (reading.jumps != jumps_) {
     tracker_.forget();
     jumps_ = reading.jumps;

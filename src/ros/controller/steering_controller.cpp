@@ -6,6 +6,7 @@
 #include <exception>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "lstm_planner/ros/common/costmap_reader.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/controller/plan_follower.hpp"
 
@@ -36,7 +37,8 @@ void SteeringController::initialize(std::string name, tf2_ros::Buffer* tf, costm
   }
   try {
     const SteeringControllerParameters parameters = loadSteeringControllerParameters(ros::NodeHandle("~/" + name));
-    plan_follower_ = std::make_unique<PlanFollower>(parameters, costmap_ros->getBaseFrameID(), *tf);
+    plan_follower_ = std::make_unique<PlanFollower>(parameters, costmap_ros->getBaseFrameID(), *tf, costmap_ros);
+    costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
   } catch (const std::exception& error) {
     refuse(name, error.what());
   } catch (...) {
@@ -68,6 +70,7 @@ bool SteeringController::setPlan(const std::vector<geometry_msgs::PoseStamped>& 
 
 bool SteeringController::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
   cmd_vel = geometry_msgs::Twist();
+  const CostmapLock costmap_lock(costmap_);
   const std::lock_guard<std::mutex> lock(mutex_);
   try {
     if (plan_follower_ && plan_follower_->hasPlan()) {

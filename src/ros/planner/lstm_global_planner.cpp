@@ -6,6 +6,7 @@
 #include <exception>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "lstm_planner/ros/common/costmap_reader.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/planner/plan_maker.hpp"
 
@@ -47,8 +48,9 @@ void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* c
   try {
     const GlobalPlannerParameters parameters = loadGlobalPlannerParameters(ros::NodeHandle("~/" + name));
     warnOfPlanningOnce();
-    plan_maker_ =
-        std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(), costmap_ros->getBaseFrameID());
+    plan_maker_ = std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(),
+                                              costmap_ros->getBaseFrameID(), costmap_ros);
+    costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
     ROS_INFO("%s plans in %s with the model %s", name.c_str(), costmap_ros->getGlobalFrameID().c_str(),
              parameters.model.c_str());
   } catch (const std::exception& error) {
@@ -66,6 +68,7 @@ void LstmGlobalPlanner::refuse(const std::string& name, const std::string& reaso
 bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
                                  std::vector<geometry_msgs::PoseStamped>& plan) {
   plan.clear();
+  const CostmapLock costmap_lock(costmap_);
   const std::lock_guard<std::mutex> lock(mutex_);
   try {
     if (plan_maker_) {

@@ -22,7 +22,7 @@ double goalPatience() {
 }  // namespace
 
 PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& parameters,
-                     const std::string& global_frame, const std::string& base_frame)
+                     const std::string& global_frame, const std::string& base_frame, costmap_2d::Costmap2DROS* costmap)
     : parameters_(parameters),
       global_frame_(frameName(global_frame)),
       agent_(DrivePolicy::fromFile(resolvePackagePath(parameters.model)), parameters.agent,
@@ -30,6 +30,7 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       tf_listener_(&tf_, messages_.nodeHandle()),
       frames_(tf_, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf_),
+      costmap_(parameters.use_costmap ? costmap : nullptr, parameters.agent.shield.reach),
       goals_(messages_.nodeHandle("~")),
       tracker_(goalPatience()),
       markers_(ros::NodeHandle("~/" + name), agent_.policy().description(), parameters.trace_length),
@@ -95,6 +96,9 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
 void PlanMaker::perceive(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
   agent_.perceive(scan_, reading.mount, reading.scan_pose, reading.scan_stamp);
+  if (costmap_.isUsed()) {
+    agent_.mark(costmap_.read(compose(global_from_odometry_, reading.scan_pose), agent_.situation().obstacles));
+  }
 }
 
 GoalTracker::Verdict PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {

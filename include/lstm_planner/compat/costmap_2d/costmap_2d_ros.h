@@ -1,14 +1,17 @@
 #pragma once
 
+#include <costmap_2d/costmap_2d.h>
+#include <geometry_msgs/Point.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <tf2_ros/buffer.h>
 
 #include <string>
+#include <vector>
 
 namespace costmap_2d {
 
 /// The part of costmap_2d::Costmap2DROS that says where the robot is, for distributions that do not have costmap_2d.
-/// There is no cost map in it: the plugins of this package see the world through the scan alone.
+/// Its costmap is empty and stays so: the plugins of this package see the world through the scan alone.
 ///
 /// Parameters, in "~/" + name:
 ///  - `global_frame` (string, default "odom"): the frame plans are made in.
@@ -23,6 +26,10 @@ class Costmap2DROS {
   const std::string& getGlobalFrameID() const noexcept { return global_frame_; }
   const std::string& getBaseFrameID() const noexcept { return robot_base_frame_; }
 
+  Costmap2D* getCostmap() { return &costmap_; }
+  /// Not known.
+  std::vector<geometry_msgs::Point> getRobotFootprint() const { return {}; }
+
   /// s
   double getTransformTolerance() const { return transform_tolerance_; }
 
@@ -36,6 +43,7 @@ class Costmap2DROS {
   std::string global_frame_;
   std::string robot_base_frame_;
   double transform_tolerance_;
+  Costmap2D costmap_;
 };
 
 }  // namespace costmap_2d

@@ -49,6 +49,10 @@ class NavigationAgent {
   /// the model was made for another scanner or robot or the pose is out of reach (checkPose).
   void perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time);
 
+  /// A costmap has these obstacles, too, which the scan that was perceived last does not show (CostmapObstacles); base
+  /// frame, m. They are as good as returns, but forgotten at the next scan unless they are told again.
+  void mark(const std::vector<Point2>& obstacles);
+
   /// Decides about what was perceived last: decision(). `is_new`: the goal was given since the last call. `jumps`: how
   /// often the odometry has jumped so far. Throws std::invalid_argument for a goal out of reach (checkGoal).
   Fresh drive(const Point2& goal, bool is_new, long jumps);

@@ -21,6 +21,8 @@ class Shield {
 
   /// Replaces what is known by the returns of one scan (base frame).
   void show(const std::vector<Point2>& obstacles);
+  /// Others, too (base frame), until the next scan is shown.
+  void add(const std::vector<Point2>& obstacles);
 
   /// Free length (m, at most `limit`) from `from` in `direction` (rad) for the footprint grown by
   /// `clearance`. Where the robot already is nearer to something than that, it may pass it but not come nearer still;

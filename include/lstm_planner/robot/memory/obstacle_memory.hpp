@@ -38,6 +38,9 @@ class ObstacleMemory {
 
   /// Takes in what is seen from where the robot is: forgets what the scan sees through, then marks the returns. Does
   /// nothing where the pose is out of reach (isInReach).
+  ///
+  /// What a costmap has marked (Situation::marked) stands there, too, whatever the scan sees through, until a situation
+  /// comes without it; but not where, or beside where, the memory has seen something itself.
   void add(const Situation& situation);
 
   /// A place that turned out not to be passable although nothing is seen there; until forget(), or until so many others
@@ -78,6 +81,15 @@ class ObstacleMemory {
   }
 
  private:
+  /// A square of the odometry frame in one number.
+  using Mark = std::uint64_t;
+  void takeOverMarks(const Situation& situation);
+  void collectMarks(const Situation& situation);
+  bool isSeenBeside(const Square& square) const;
+  bool isMarked(const Square& square) const;
+  Mark markAt(const Square& square) const;
+  Square squareOfMark(Mark mark) const;
+  bool isInWindow(const Square& square) const;
   void set(const Square& square, bool occupied);
   void forgetUnderneath(const Pose2& pose);
   void noteChange(const Point2& place, bool occupied);
@@ -87,6 +99,9 @@ class ObstacleMemory {
   ObstacleWindow window_;
   ScanChanges scan_changes_;
   Passability passability_;
+  double reach_;              ///< m, of what is remembered
+  std::vector<Mark> marks_;   ///< of a costmap, sorted
+  std::vector<Mark> marked_;  ///< of the current situation
   std::vector<Change> changes_;
   bool everything_changed_ = true;
 };

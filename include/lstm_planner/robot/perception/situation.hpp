@@ -14,6 +14,7 @@ struct Situation {
   Pose2 pose;                     ///< base in the odometry frame
   Sectors sectors;                ///< for the network
   std::vector<Point2> obstacles;  ///< measured returns in the base frame, m; for shield, escape and controller
+  std::vector<Point2> marked;     ///< obstacles of a costmap (CostmapObstacles), base frame, m; perceive() has none
   RangeProfile profile;           ///< the same scan by direction, in the base frame; for what is seen to be free
   BeamDirections beams;           ///< of the scanner; only perceive() needs them, and only to be fast
 };

@@ -33,6 +33,7 @@ struct GlobalPlannerParameters {
   SensorParameters sensors;
   AgentParameters agent;
   RolloutParameters rollout;
+  bool use_costmap = true;
   int trace_length = 2000;
 };
 
@@ -42,6 +43,7 @@ struct SteeringControllerParameters {
   MotionParameters motion;
   double plan_timeout = 2.0;
   double footprint_radius = 0.17425;
+  bool use_costmap = true;
   double controller_frequency = 20.0;  ///< Hz, how often move_base asks for a command
 };
 
@@ -67,6 +69,8 @@ void visitGlobalPlannerParameters(Parameters& planner, const Visitor& visit) {
   visitSensorParameters(planner.sensors, visit);
   visitAgentParameters(planner.agent, visit);
   visitRolloutParameters(planner.rollout, visit);
+  visit("use_costmap", planner.use_costmap, {}, "",
+        "whether obstacles of move_base's costmap that the scan does not show count, too");
   visit("trace_length", planner.trace_length, {0, 100000}, "", "poses of the trace that the markers show");
 }
 
@@ -78,6 +82,8 @@ void visitSteeringControllerParameters(Parameters& controller, const Visitor& vi
         "without a new plan after which the robot stops; 0: never");
   visit("footprint_radius", controller.footprint_radius, {0.02, 5.0}, "m",
         "of the circle around everything that can touch");
+  visit("use_costmap", controller.use_costmap, {}, "",
+        "whether obstacles of move_base's costmap that the scan does not show count, too");
 }
 
 /// Both read the namespace of `node_handle`, warn of parameters there that are not known, and throw

@@ -11,6 +11,7 @@
 #include "lstm_planner/robot/driving/path_tracker.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
+#include "lstm_planner/ros/common/costmap_reader.hpp"
 #include "lstm_planner/ros/common/frame_transformer.hpp"
 #include "lstm_planner/ros/common/message_queue.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
@@ -27,9 +28,10 @@ class OutdatedPlan : public std::runtime_error {
 /// Follows a plan by scan and odometry: what SteeringController does once it is initialised. Not thread safe.
 class PlanFollower {
  public:
-  /// `base_frame`: the robot's, where the odometry does not name it. `tf` must outlive the object.
-  PlanFollower(const SteeringControllerParameters& parameters, const std::string& base_frame,
-               const tf2_ros::Buffer& tf);
+  /// `base_frame`: the robot's, where the odometry does not name it. `tf` must outlive the object. `costmap`: null
+  /// where there is none.
+  PlanFollower(const SteeringControllerParameters& parameters, const std::string& base_frame, const tf2_ros::Buffer& tf,
+               costmap_2d::Costmap2DROS* costmap = nullptr);
 
   /// Throws std::invalid_argument when the poses are not finite or not all in one named frame; the last plan is then
   /// forgotten.
@@ -46,12 +48,13 @@ class PlanFollower {
  private:
   void checkPlanAge(const ros::Time& now) const;
   Pose2 odometryFromPlan(const std::string& odometry_frame, const ros::Time& now) const;
-  void perceive(const SensorReading& reading);
+  void perceive(const SensorReading& reading, const ros::Time& now);
 
   SteeringControllerParameters parameters_;
   FrameTransformer frames_;
   MessageQueue messages_;
   SensorListener sensors_;
+  CostmapReader costmap_;
   PathTracker tracker_;
   Shield shield_;
 

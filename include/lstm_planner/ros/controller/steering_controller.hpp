@@ -6,6 +6,7 @@
 #include <nav_core/base_local_planner.h>
 #include <tf2_ros/buffer.h>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -18,7 +19,8 @@ class PlanFollower;
 /// The local planner plugin for move_base: turns and drives along the plan within the Create 2's limits, slows down
 /// near obstacles, and stands still when scan or odometry are too old.
 ///
-/// Subscribes scan and odom (topics are parameters). The costmap is used for the name of the robot's frame only.
+/// Subscribes scan and odom (topics are parameters). Obstacles of the costmap that the scan
+/// does not show count, too (CostmapReader).
 /// Parameters: SteeringControllerParameters, in "~/" + name. Thread safe; nothing is ever thrown out of it.
 class SteeringController : public nav_core::BaseLocalPlanner {
  public:
@@ -40,6 +42,8 @@ class SteeringController : public nav_core::BaseLocalPlanner {
  private:
   void refuse(const std::string& name, const std::string& reason);
 
+  /// Null until initialised, or if not used. Its mutex is taken before the other one.
+  std::atomic<costmap_2d::Costmap2DROS*> costmap_{nullptr};
   std::mutex mutex_;
   std::unique_ptr<PlanFollower> plan_follower_;                    ///< null until initialised
   std::string why_unusable_ = "initialize() has not been called";  ///< as long as it is not

@@ -4,6 +4,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <nav_core/base_global_planner.h>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -18,7 +19,8 @@ class PlanMaker;
 ///
 /// A plan starts at the robot, goes through the waypoint that the network chose for the current step, on through what
 /// the scan shows free, and ends at the goal. Most of it is a guess that is replaced while the robot drives, so
-/// move_base's planner_frequency must be above 0. The costmap is used for the names of its frames only.
+/// move_base's planner_frequency must be above 0. Obstacles of the costmap that the scan does not show count, too
+/// (CostmapReader).
 ///
 /// Subscribes scan, odom (topics are parameters) and ~current_goal. Publishes, in "~/" + name: plan (nav_msgs/Path),
 /// markers (visualization_msgs/MarkerArray), decision (diagnostic_msgs/DiagnosticArray).
@@ -39,6 +41,8 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
  private:
   void refuse(const std::string& name, const std::string& reason);
 
+  /// Null until initialised, or if not used. Its mutex is taken before the other one.
+  std::atomic<costmap_2d::Costmap2DROS*> costmap_{nullptr};
   std::mutex mutex_;
   std::unique_ptr<PlanMaker> plan_maker_;                          ///< null until initialised
   std::string why_unusable_ = "initialize() has not been called";  ///< as long as it is not

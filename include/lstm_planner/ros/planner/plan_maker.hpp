@@ -10,6 +10,7 @@
 
 #include "lstm_planner/robot/driving/goal_tracker.hpp"
 #include "lstm_planner/robot/driving/navigation_agent.hpp"
+#include "lstm_planner/ros/common/costmap_reader.hpp"
 #include "lstm_planner/ros/common/frame_transformer.hpp"
 #include "lstm_planner/ros/common/goal_listener.hpp"
 #include "lstm_planner/ros/common/message_queue.hpp"
@@ -31,9 +32,10 @@ class PlanRefused : public std::runtime_error {
 class PlanMaker {
  public:
   /// `name`: of the plugin; its topics live in "~/" + name. `global_frame`: the frame of the plans. `base_frame`: the
-  /// robot's, where the odometry does not name it. Throws when the model cannot be used with these parameters.
+  /// robot's, where the odometry does not name it. `costmap`: in the global frame; null where there is none. Throws
+  /// when the model cannot be used with these parameters.
   PlanMaker(const std::string& name, const GlobalPlannerParameters& parameters, const std::string& global_frame,
-            const std::string& base_frame);
+            const std::string& base_frame, costmap_2d::Costmap2DROS* costmap = nullptr);
 
   /// A plan from the robot to the goal in the global frame, stamped now; overwrites `plan`, reusing its memory. Throws
   /// PlanRefused, SensorError, FrameError, UnusableScan or std::invalid_argument with the reason.
@@ -62,6 +64,7 @@ class PlanMaker {
   TransformListener tf_listener_;
   FrameTransformer frames_;
   SensorListener sensors_;
+  CostmapReader costmap_;
   GoalListener goals_;
   GoalTracker tracker_;
   MarkerPublisher markers_;

@@ -66,6 +66,15 @@ TEST_F(NavigationAgentTest, AskingTwiceGivesTheSameAnswer) {
   EXPECT_EQ(hiddenState(), before);
 }
 
+TEST_F(NavigationAgentTest, GoesNowhereWhereACostmapHasAnObstacle) {
+  Situation situation = situationAt({});
+  situation.marked = wallAhead();
+  EXPECT_NE(agent_.update(situation).action, kStraight);
+  situation.marked.clear();
+  agent_.setGoal({10.0, 0.0});
+  EXPECT_EQ(agent_.update(situation).action, kStraight) << "cleared";
+}
+
 TEST_F(NavigationAgentTest, StepsAfterHalfASecondOnlyIfTheRobotHasMoved) {
   EXPECT_FALSE(stepsAnew({}, 0.6));
   EXPECT_FALSE(stepsAnew({0.01, 0.0, 0.02}, 0.6));  // less than odometry noise may feign

@@ -241,5 +241,14 @@ TEST(Shield, RefusesADiscThatItCannotWatch) {
   EXPECT_THROW(Shield(0.2, 0.03, nan), std::invalid_argument);
 }
 
+TEST(Shield, TakesOthersInBesideThoseOfTheScan) {
+  Shield shield(0.2, 0.03, 6.0);
+  shield.show({{3.0, 0.0}});
+  shield.add(std::vector<Point2>(40, {2.0, 0.0}));
+  EXPECT_NEAR(shield.freeDistance({}, 0.0, 6.0, 0.0), 1.8, 1e-9);
+  shield.show({{3.0, 0.0}});
+  EXPECT_NEAR(shield.freeDistance({}, 0.0, 6.0, 0.0), 2.8, 1e-9);
+}
+
 }  // namespace
 }  // namespace lstm_planner

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <costmap_2d/costmap_2d_ros.h>
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/robot/perception/costmap_obstacles.hpp"
+
+namespace lstm_planner {
+
+/// Holds the mutex of a costmap, which may be null. Whoever holds the mutex of a plugin and wants this one, too, must
+/// have taken this one first, as move_base does.
+class CostmapLock {
+ public:
+  explicit CostmapLock(costmap_2d::Costmap2DROS* costmap);
+
+ private:
+  std::unique_lock<costmap_2d::Costmap2D::mutex_t> lock_;
+};
+
+/// Reads the obstacles that one of move_base's costmaps has and a scan does not show (CostmapObstacles). Keeps nothing:
+/// what is cleared in the costmap is gone.
+class CostmapReader {
+ public:
+  /// `costmap`: null where it is not to be used. `reach`: farthest obstacle that is looked at, m.
+  CostmapReader(costmap_2d::Costmap2DROS* costmap, double reach) : costmap_(costmap), reach_(reach) {}
+
+  bool isUsed() const { return costmap_ != nullptr; }
+  std::string frame() const;
+
+  /// As points of the base frame, until the next call. `base`: where it was in frame() when the scan was taken,
+  /// `returns` of the scan in the base frame.
+  const std::vector<Point2>& read(const Pose2& base, const std::vector<Point2>& returns);
+
+ private:
+  void sayWhatIsNear() const;
+
+  costmap_2d::Costmap2DROS* costmap_;
+  double reach_;
+  CostmapObstacles finder_;
+  std::vector<Point2> obstacles_;
+};
+
+}  // namespace lstm_planner
