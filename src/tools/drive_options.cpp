@@ -6,6 +6,7 @@
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
 #include "tools/ranges.hpp"
+#include "tools/robot_file.hpp"
 #include "tools/shared_file.hpp"
 
 namespace lstm_planner {
@@ -37,6 +38,10 @@ void addWorldOptions(DriveOptions* options, CommandLine* line) {
 void addRobotOptions(DriveOptions* options, CommandLine* line) {
   AgentParameters& agent = options->agent;
   line->section("the robot");
+  line->addText(
+      "robot", "create2_hokuyo",
+      [options](const std::string& name) { readRobotFile(name, &options->drive, &options->agent); },
+      "a file of config/robots by its name, or another one of that form; options set together with it count more");
   line->addFile("model", &options->model, "ONNX file that drives");
   visitHokuyoParameters(options->drive.robot.scanner, line->parameters({{"noise", "noise"}, {"dropout", "dropout"}}));
   visitCreate2Parameters(options->drive.robot.base,
@@ -77,6 +82,7 @@ void check(const DriveOptions& options) {
   validate(options.crowd);
   validate(options.drive.robot.base);
   validate(options.drive.robot.scanner);
+  validate(options.drive.motion);
   validate(options.agent);
   if (!options.states.empty() && (options.only.size() != 1 || options.agent.leader != Decision::Source::kNetwork)) {
     throw std::invalid_argument("--states draws one drive: it needs --only with one number, and a network that leads");
@@ -94,7 +100,8 @@ bool readDriveOptions(const std::vector<std::string>& arguments, DriveOptions* o
   options->drive.robot.latency = kLatency;
   options->agent.leader = kDefaultLeader;
   options->crowd.walkers = 0;
-  CommandLine line("drive", "drives a simulated Create 2 to random goals and judges it");
+  CommandLine line("drive",
+                   "drives a simulated robot, a Create 2 unless told otherwise, to random goals and judges it");
   addWorldOptions(options, &line);
   addRobotOptions(options, &line);
   addOutputOptions(options, &line);

@@ -73,6 +73,35 @@ class LaunchFiles(unittest.TestCase):
             self.assertNotIn("/use_sim_time", config.params)
         self.check(load("navigation.launch"))
 
+    def test_a_robot_that_already_runs_gets_nothing_but_move_base(self):
+        config = load("navigation.launch", "base:=false", "laser:=false", "tf:=false", "robot:=turtlebot3_burger",
+                      "scan_topic:=front", "odom_topic:=wheels", "cmd_vel_topic:=drive", "odom_frame:=o", "base_frame:=b")
+        self.assertEqual([node.name for node in config.nodes], ["move_base"])
+        self.assertEqual([list(pair) for pair in config.nodes[0].remap_args], [["cmd_vel", "drive"]])
+        for plugin in ("LstmGlobalPlanner", "SteeringController"):
+            self.assertEqual(self.parameter(config, "/move_base/%s/scan_topic" % plugin), "front")
+            self.assertEqual(self.parameter(config, "/move_base/%s/odom_topic" % plugin), "wheels")
+        for costmap in ("global_costmap", "local_costmap"):
+            self.assertEqual(self.parameter(config, "/move_base/%s/obstacle_layer/scan/topic" % costmap), "front")
+            self.assertEqual(self.parameter(config, "/move_base/%s/global_frame" % costmap), "o")
+            self.assertEqual(self.parameter(config, "/move_base/%s/robot_base_frame" % costmap), "b")
+
+    def test_every_robot_has_one_footprint_in_all_places(self):
+        folder = os.path.join(rospkg.RosPack().get_path("lstm_planner"), "config", "robots")
+        names = sorted(os.path.splitext(name)[0] for name in os.listdir(folder))
+        self.assertGreaterEqual(len(names), 5)
+        for name in names:
+            config = load("navigation.launch", "robot:=" + name)
+            self.check(config)
+            radius = self.parameter(config, "/move_base/SteeringController/footprint_radius")
+            for other in ("LstmGlobalPlanner/shield/footprint_radius", "global_costmap/robot_radius",
+                          "local_costmap/robot_radius"):
+                self.assertEqual(self.parameter(config, "/move_base/" + other), radius, name)
+            diameter = self.parameter(config, "/move_base/create2_stub/robot/base_diameter")
+            self.assertAlmostEqual(diameter, 2.0 * radius, msg=name)
+            margin = self.parameter(config, "/move_base/SteeringController/safety_margin")
+            self.assertGreaterEqual(self.parameter(config, "/move_base/LstmGlobalPlanner/shield/tight_clearance"), margin)
+
     def test_a_serial_scanner_takes_the_place_of_the_one_with_an_address(self):
         config = load("navigation.launch", "laser_port:=/dev/ttyACM0")
         self.assertEqual(self.parameter(config, "/urg_node/serial_port"), "/dev/ttyACM0")

@@ -19,13 +19,19 @@ class ControlledRobot : public LoopRobot {
   ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters,
                   const DriveListener& listener)
       : robot_(*robot), parameters_(parameters), listener_(listener), tracker_(parameters.motion) {
+    tracker_.expectReactionTime(scanPeriod() + parameters.control_period + kDriverPeriod);
     const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
     goal_ = {goal.x, goal.y, 0.0};
   }
 
   const Pose2& goal() const { return goal_; }  ///< odometry frame
 
-  void sense(double range_cap, Situation* situation) override { robot_.sense(range_cap, situation); }
+  /// Sees what the last scan showed until the scanner has taken another one.
+  void sense(double range_cap, Situation* situation) override {
+    if (robot_.time() < next_scan_) return;
+    robot_.sense(range_cap, situation);
+    next_scan_ = robot_.time() + scanPeriod() - kSameTime;
+  }
 
   bool hasArrived(const Situation& situation, const Decision& decision) const override {
     return tracker_.goalReached(situation.pose, {decision.destination.x, decision.destination.y, 0.0});
@@ -42,6 +48,10 @@ class ControlledRobot : public LoopRobot {
   }
 
  private:
+  static constexpr double kSameTime = 1e-6;     // s
+  static constexpr double kDriverPeriod = 0.1;  // s, of the slowest usual base drivers
+  double scanPeriod() const { return 1.0 / parameters_.robot.scanner.rate; }
+
   SimulatedRobot& robot_;
   const DriveParameters& parameters_;
   const DriveListener& listener_;
@@ -49,6 +59,7 @@ class ControlledRobot : public LoopRobot {
   Pose2 goal_;
   std::vector<Pose2> plan_;
   int tick_ = 0;
+  double next_scan_ = 0.0;  ///< s
 };
 
 /// One drive as it goes on, and what is noted of it.

@@ -1,0 +1,122 @@
+#include "tools/robot_file.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "lstm_planner/base/common/nearest_name.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
+#include "lstm_planner/ros/common/plugin_parameters.hpp"
+#include "tools/shared_file.hpp"
+
+namespace lstm_planner {
+namespace {
+
+/// Reads one group of a file into variables that hold their defaults.
+class GroupReader {
+ public:
+  GroupReader(const std::string& file, const YAML::Node& root, const std::string& group)
+      : place_(file + ": " + group), group_(root[group]) {}
+
+  /// See parameter_visitors.hpp. Not longer than the reader lives.
+  auto visitor() {
+    return [this](const std::string& name, auto& value, Range, const char*, const char*) { read(name, &value); };
+  }
+
+  /// Throws std::invalid_argument when the group has something that was not read.
+  void refuseUnknown() const { refuseUnknown(group_, ""); }
+
+ private:
+  template <typename Value>
+  void read(const std::string& name, Value* value) {
+    known_.push_back(name);
+    YAML::Node node = group_;
+    std::istringstream parts(name);
+    for (std::string part; std::getline(parts, part, '/');) {
+      if (!node.IsDefined() || !node.IsMap()) return;
+      const YAML::Node inner = std::as_const(node)[part];
+      if (!inner.IsDefined()) return;
+      node.reset(inner);
+    }
+    try {
+      *value = node.as<Value>();
+    } catch (const YAML::Exception&) {
+      throw std::invalid_argument(place_ + "/" + name + " is not what is expected of it");
+    }
+  }
+
+  void refuseUnknown(const YAML::Node& node, const std::string& prefix) const {
+    if (!node.IsDefined() || node.IsNull()) return;
+    if (!node.IsMap()) throw std::invalid_argument(place_ + " is not a group of parameters");
+    for (const auto& entry : node) {
+      const std::string name = prefix + entry.first.as<std::string>();
+      if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
+      if (!entry.second.IsMap()) {
+        throw std::invalid_argument(place_ + "/" + name + ": there is no parameter of that name" +
+                                    hintAt(name, known_));
+      }
+      refuseUnknown(entry.second, name + "/");
+    }
+  }
+
+  std::string place_;
+  YAML::Node group_;
+  std::vector<std::string> known_;
+};
+
+std::string pathOf(const std::string& name) {
+  const std::string shared = findSharedFile("config/robots/" + name + ".yaml");
+  if (std::filesystem::is_regular_file(shared)) return shared;
+  if (std::filesystem::is_regular_file(name)) return name;
+  throw std::invalid_argument("there is no robot '" + name +
+                              "', expected a file, or the NAME of a config/robots/NAME.yaml");
+}
+
+YAML::Node load(const std::string& path) {
+  try {
+    const YAML::Node root = YAML::LoadFile(path);
+    if (root.IsMap()) return root;
+  } catch (const YAML::Exception& error) {
+    throw std::invalid_argument(path + ": " + error.what());
+  }
+  throw std::invalid_argument(path + ": expected groups of parameters, as in config/robots/create2_hokuyo.yaml");
+}
+
+}  // namespace
+
+void readRobotFile(const std::string& name, DriveParameters* drive, AgentParameters* agent) {
+  const std::string path = pathOf(name);
+  const YAML::Node root = load(path);
+
+  GlobalPlannerParameters planner;
+  planner.agent = *agent;
+  planner.rollout = drive->rollout;
+  GroupReader planner_group(path, root, "LstmGlobalPlanner");
+  visitGlobalPlannerParameters(planner, planner_group.visitor());
+  planner_group.refuseUnknown();
+  *agent = planner.agent;
+  drive->rollout = planner.rollout;
+
+  SteeringControllerParameters controller;
+  controller.motion = drive->motion;
+  controller.footprint_radius = agent->shield.footprint_radius;
+  GroupReader controller_group(path, root, "SteeringController");
+  visitSteeringControllerParameters(controller, controller_group.visitor());
+  controller_group.refuseUnknown();
+  drive->motion = controller.motion;
+  // Both look at the same shield here: the larger one is safe for both.
+  agent->shield.footprint_radius = std::max(agent->shield.footprint_radius, controller.footprint_radius);
+
+  GroupReader simulation(path, root, "create2_stub");
+  const auto visit = simulation.visitor();
+  visitCreate2Parameters(drive->robot.base, withPrefix("robot/", visit));
+  visitHokuyoParameters(drive->robot.scanner, withPrefix("laser/", visit));
+  simulation.refuseUnknown();
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "lstm_planner/robot/evaluation/drive.hpp"
+
+namespace lstm_planner {
+
+/// What a file says of a robot, taken over into what a drive is made of: parameters of both plugins, of the base and of
+/// the scanner, in the groups of config/robots/*.yaml. What the file does not say stays as it is.
+///
+/// `name`: a path, or NAME for config/robots/NAME.yaml. Throws std::invalid_argument for a file that there is not, or
+/// that says what no parameter is called.
+void readRobotFile(const std::string& name, DriveParameters* drive, AgentParameters* agent);
+
+}  // namespace lstm_planner

@@ -1,0 +1,82 @@
+// `lstm_planner drive --robot`: the robots of config/robots, and files of that form.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "support/tool_test.hpp"
+
+namespace lstm_planner {
+namespace {
+
+std::vector<std::string> robots() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(LSTM_PLANNER_SOURCE_DIR "/config/robots")) {
+    names.push_back(entry.path().stem().string());
+  }
+  return names;
+}
+
+std::string fileOf(const std::string& robot) { return LSTM_PLANNER_SOURCE_DIR "/config/robots/" + robot + ".yaml"; }
+
+class DriveRobots : public test::ToolTest {
+ protected:
+  static test::Outcome drive(const std::string& arguments) { return runTool("drive " + arguments); }
+  std::string fileWith(const std::string& text) const {
+    std::ofstream(in("robot.yaml")) << text;
+    return in("robot.yaml");
+  }
+};
+
+class EachRobot : public DriveRobots, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(EachRobot, ArrivesInRoomsWithoutTouchingAnything) {
+  const test::Outcome outcome =
+      drive("--worlds rooms --goals 4 --drift 0.02 --json " + in("out.json") + " --robot " + fileOf(GetParam()));
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  std::ifstream file(in("out.json"));
+  const nlohmann::json json = nlohmann::json::parse(file);
+  EXPECT_EQ(json["reached"], 4) << outcome.output;
+  EXPECT_EQ(json["contacts"], 0) << outcome.output;
+}
+
+INSTANTIATE_TEST_SUITE_P(OfConfig, EachRobot, ::testing::ValuesIn(robots()),
+                         [](const auto& info) { return info.param; });
+
+TEST_F(DriveRobots, TheCreateIsWhatTheDefaultsAreMadeFor) {
+  const std::string arguments = "--worlds forest --goals 3 --drift 0.02 --threads 1";
+  EXPECT_EQ(drive(arguments).output, drive(arguments + " --robot " + fileOf("create2_hokuyo")).output);
+}
+
+TEST_F(DriveRobots, WhatIsSetOnTheLineCountsMore) {
+  const std::string robot = "--worlds forest --goals 1 --threads 1 --robot " + fileOf("turtlebot3_burger");
+  EXPECT_NE(drive(robot).output, drive(robot + " --noise 0.0 --dropout 0.0").output);
+  EXPECT_EQ(drive(robot + " --noise 0.0").output, drive("--noise 0.0 " + robot).output);
+}
+
+TEST_F(DriveRobots, AFileThatMakesNoSenseIsRefusedWithASentence) {
+  const auto complaint = [&](const std::string& robot) {
+    const test::Outcome outcome = drive("--worlds forest --goals 1 --robot " + robot);
+    EXPECT_NE(outcome.status, 0);
+    return outcome.output;
+  };
+  const auto contains = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(contains(complaint("robby"), "there is no robot 'robby'"));
+  EXPECT_TRUE(
+      contains(complaint(fileWith("SteeringController: {max_linaer: 1.0}")), "max_linaer: there is no parameter"));
+  EXPECT_TRUE(
+      contains(complaint(fileWith("SteeringController: {max_linear: fast}")), "max_linear is not what is expected"));
+  EXPECT_TRUE(contains(complaint(fileWith("SteeringController: {max_linear: -1.0}")), "max_linear is -1"));
+  EXPECT_TRUE(contains(complaint(fileWith("LstmGlobalPlanner: 3")), "LstmGlobalPlanner is not a group"));
+  EXPECT_TRUE(contains(complaint(fileWith("just a text")), "expected groups of parameters"));
+  EXPECT_TRUE(contains(complaint(fileWith("a: [")), "robot.yaml"));
+}
+
+}  // namespace
+}  // namespace lstm_planner
