@@ -79,6 +79,7 @@ class PlannerTest : public testing::Test {
   ~PlannerTest() override {
     ros::param::del("~/LstmGlobalPlanner");
     ros::param::del("~/planner_frequency");
+    ros::param::del("~/costmap/footprint");
   }
 
   void useGlobalFrame(const std::string& frame) {
@@ -106,6 +107,17 @@ class PlannerTest : public testing::Test {
     for (unsigned int x = index(low.x); x < index(high.x); ++x) {
       for (unsigned int y = index(low.y); y < index(high.y); ++y) costmap.setCost(x, y, 254);
     }
+  }
+
+  /// A rectangle from there to there (m, the robot's frame) is what move_base knows of the robot's shape.
+  void useFootprint(const Point2& low, const Point2& high) {
+    ros::param::set("~/costmap/footprint", "[]");  // somebody has set it
+    std::vector<geometry_msgs::Point> corners(4);
+    for (std::size_t i = 0; i < 4; ++i) {
+      corners[i].x = i == 0 || i == 3 ? low.x : high.x;
+      corners[i].y = i < 2 ? low.y : high.y;
+    }
+    costmap_->setUnpaddedRobotFootprint(corners);
   }
 
   /// An initialised planner that has heard scan and odometry; null when it does not plan.

@@ -261,6 +261,14 @@ TEST_F(PlannerTest, PlansAroundWhatOnlyTheCostmapShows) {
   EXPECT_LT(nearest({1.5, 0.15}), 0.1) << "cleared: straight to the goal";
 }
 
+TEST_F(PlannerTest, TheFarthestCornerOfTheCostmapsFootprintIsItsRadius) {
+  useFootprint({-0.4, -0.3}, {0.1, 0.3});
+  EXPECT_NE(makePlanner(), nullptr);
+  log_.flush();
+  EXPECT_EQ(log_.count("reaches 0.500 m from the robot's middle, LstmGlobalPlanner/shield/footprint_radius is 0.174 m"),
+            1);
+}
+
 TEST_F(PlannerTest, ModelForASmallerRobotIsUsedWithAWarning) {
   ros::param::set("~/LstmGlobalPlanner/shield/footprint_radius", 0.5);
   EXPECT_NE(makePlanner(), nullptr);

@@ -6,6 +6,7 @@
 #include <exception>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "lstm_planner/ros/common/costmap_footprint.hpp"
 #include "lstm_planner/ros/common/costmap_reader.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/controller/plan_follower.hpp"
@@ -36,7 +37,9 @@ void SteeringController::initialize(std::string name, tf2_ros::Buffer* tf, costm
     return;
   }
   try {
-    const SteeringControllerParameters parameters = loadSteeringControllerParameters(ros::NodeHandle("~/" + name));
+    SteeringControllerParameters parameters = loadSteeringControllerParameters(ros::NodeHandle("~/" + name));
+    parameters.footprint_radius =
+        safeFootprintRadius(*costmap_ros, parameters.footprint_radius, name + "/footprint_radius");
     plan_follower_ = std::make_unique<PlanFollower>(parameters, costmap_ros->getBaseFrameID(), *tf, costmap_ros);
     costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
   } catch (const std::exception& error) {

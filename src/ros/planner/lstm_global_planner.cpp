@@ -6,6 +6,7 @@
 #include <exception>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "lstm_planner/ros/common/costmap_footprint.hpp"
 #include "lstm_planner/ros/common/costmap_reader.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/planner/plan_maker.hpp"
@@ -46,7 +47,10 @@ void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* c
     return;
   }
   try {
-    const GlobalPlannerParameters parameters = loadGlobalPlannerParameters(ros::NodeHandle("~/" + name));
+    GlobalPlannerParameters parameters = loadGlobalPlannerParameters(ros::NodeHandle("~/" + name));
+    double& radius = parameters.agent.shield.footprint_radius;
+    radius = safeFootprintRadius(*costmap_ros, radius, name + "/shield/footprint_radius");
+    parameters.agent = fittedToFootprint(parameters.agent);
     warnOfPlanningOnce();
     plan_maker_ = std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(),
                                               costmap_ros->getBaseFrameID(), costmap_ros);

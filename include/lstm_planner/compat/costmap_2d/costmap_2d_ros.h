@@ -27,8 +27,10 @@ class Costmap2DROS {
   const std::string& getBaseFrameID() const noexcept { return robot_base_frame_; }
 
   Costmap2D* getCostmap() { return &costmap_; }
-  /// Not known.
-  std::vector<geometry_msgs::Point> getRobotFootprint() const { return {}; }
+  /// Corners in the robot's frame, none unless somebody sets them; there is no padding.
+  const std::vector<geometry_msgs::Point>& getRobotFootprint() const noexcept { return footprint_; }
+  const std::vector<geometry_msgs::Point>& getUnpaddedRobotFootprint() const noexcept { return footprint_; }
+  void setUnpaddedRobotFootprint(const std::vector<geometry_msgs::Point>& points) { footprint_ = points; }
 
   /// s
   double getTransformTolerance() const { return transform_tolerance_; }
@@ -44,6 +46,7 @@ class Costmap2DROS {
   std::string robot_base_frame_;
   double transform_tolerance_;
   Costmap2D costmap_;
+  std::vector<geometry_msgs::Point> footprint_;
 };
 
 }  // namespace costmap_2d
