@@ -43,12 +43,13 @@ void Sight::measureBeams(const RangeProfile& profile) {
   blocks_ = blocks + (std::size_t{1} << kLevels) + kLanes;
   farthest_.resize(kLevels * blocks_);
   const float* const ranges = padded_.data();
+  const Floats farthest = allOf(profile.farthestRange());
   float* const limits = limits_.data();
   for (std::size_t i = 0; i < length; i += kLanes) {
     static_assert(kBlock == kLanes, "a block side by side");
     Floats nearest = loadFloats(ranges + i);
     for (std::size_t j = 1; j <= 2 * kBeside; ++j) nearest = lesser(nearest, loadFloats(ranges + i + j));
-    const Floats before = greater(nearest - allOf(kBehind), Floats{});
+    const Floats before = greater(lesser(nearest, farthest) - allOf(kBehind), Floats{});
     store(before * before, limits + i);
     farthest_[i / kBlock] = mostOf(before) + kBlur;
   }

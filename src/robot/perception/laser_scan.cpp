@@ -46,6 +46,7 @@ void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules&
   profile->first_direction = mount.pose.yaw + mirror * scan.angle_min;
   profile->increment = mirror * scan.angle_increment;
   profile->nearest_range = scan.range_min;
+  profile->farthest_range = scan.range_max;
   profile->ranges.resize(scan.ranges.size());
   const ReadingBounds bounds(scan, rules);
   const std::size_t beams = scan.ranges.size();

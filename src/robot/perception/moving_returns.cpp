@@ -92,8 +92,9 @@ void MovingReturns::keepView() {
     view_.finder = BeamFinder(profile, view_.pose.yaw);
   }
   view_.limits.resize(profile.ranges.size());
+  const auto farthest = profile.farthestRange();
   for (std::size_t beam = 0; beam < profile.ranges.size(); ++beam) {
-    const float range = profile.ranges[beam];
+    const float range = std::min(profile.ranges[beam], farthest);
     const float before = range > margin ? range - margin : 0.0f;
     view_.limits[beam] = range <= 0.0f ? std::numeric_limits<float>::infinity() : before * before;
   }
@@ -122,7 +123,7 @@ MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& vie
     return Sight::kUnknown;
   }
   long known = 0;
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = profile.farthest_range;
   for (long beam = first; beam <= last; ++beam) {
     const double range = profile.ranges[static_cast<std::size_t>(beam)];
     if (range > 0.0) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "lstm_planner/base/common/geometry.hpp"
@@ -42,9 +44,15 @@ struct RangeProfile {
   /// there for the network, but shows no place to be free.
   std::vector<float> ranges;
   double nearest_range = 0.0;  ///< m, below which the scanner cannot measure
+  /// m, beyond which it cannot: there is nothing up to here where the range is +inf.
+  double farthest_range = std::numeric_limits<double>::infinity();
 
   static constexpr float kSilent = -1.0f;
 
+  /// The same as a float, which may hold less.
+  float farthestRange() const {
+    return static_cast<float>(std::min<double>(farthest_range, std::numeric_limits<float>::max()));
+  }
   double direction(std::size_t beam) const { return first_direction + static_cast<double>(beam) * increment; }
   /// True for a return with a range.
   bool isMeasured(std::size_t beam) const { return ranges[beam] > 0.0f && std::isfinite(ranges[beam]); }

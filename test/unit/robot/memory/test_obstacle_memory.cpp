@@ -65,6 +65,24 @@ TEST(ObstacleMemory, ForgetsWhatTheScanLooksThrough) {
   EXPECT_EQ(memory.passage(memory.cellAt({5.05, 4.0})), Passage::kRoomy);
 }
 
+TEST(ObstacleMemory, KeepsWhatIsFartherThanTheScannerCanSee) {
+  OccupancyGrid with_box = test::emptyHall(12.0, 8.0);
+  test::fillBox(8.0, 3.7, 8.3, 4.3, &with_box);
+  ObstacleMemory memory = emptyMemory();
+  memory.add(seenFrom(GridWorld(with_box), {6.0, 4.0, 0.0}));
+  ASSERT_TRUE(isBlocked(&memory, {8.05, 4.0}));
+  // From farther away: no beam returns, which says nothing of what is beyond 3.5 m (an LDS-01).
+  Situation open = seenFrom(GridWorld(test::emptyHall(12.0, 8.0)), {4.0, 4.0, 0.0});
+  std::fill(open.profile.ranges.begin(), open.profile.ranges.end(), std::numeric_limits<float>::infinity());
+  open.obstacles.clear();
+  open.profile.farthest_range = 3.5;
+  memory.add(open);
+  EXPECT_TRUE(isBlocked(&memory, {8.05, 4.0}));
+  open.profile.farthest_range = 30.0;
+  memory.add(open);
+  EXPECT_FALSE(isBlocked(&memory, {8.05, 4.0}));
+}
+
 TEST(ObstacleMemory, KeepsWhatIsHiddenWhenTheScanEndsBeforeIt) {
   OccupancyGrid grid = test::emptyHall(8.0, 8.0);
   test::fillBox(6.0, 3.7, 6.1, 4.3, &grid);

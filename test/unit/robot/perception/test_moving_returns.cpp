@@ -69,6 +69,17 @@ class MovingReturnsTest : public ::testing::Test {
   double time_ = 0.0;
 };
 
+TEST_F(MovingReturnsTest, AWallThatComesIntoTheScannersSightDoesNotMove) {
+  HokuyoParameters short_sighted;
+  short_sighted.range_max = short_sighted.sight = 3.5;
+  hokuyo_ = Hokuyo(short_sighted, 1);
+  for (int i = 0; i < 30; ++i) {
+    const Pose2 pose{5.0, 5.0 + 0.05 * i, M_PI_2};
+    look(pose);
+    EXPECT_TRUE(moving_.points().empty()) << pose.y;
+  }
+}
+
 TEST_F(MovingReturnsTest, FindsAPersonWhoCrosses) {
   const Pose2 pose{5.0, 2.0, M_PI_2};
   for (int i = 0; i < 10; ++i) {
