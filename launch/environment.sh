@@ -37,11 +37,11 @@ required_packages() {
     libgtest-dev libopencv-dev libpoco-dev libprotobuf-dev libsqlite3-dev libyaml-cpp-dev nlohmann-json3-dev \
     protobuf-compiler python3 "${more_packages[@]}"
   if [ "$1" = noetic ]; then
-    printf 'ros-noetic-%s\n' actionlib actionlib-msgs catkin costmap-2d diagnostic-msgs geometry-msgs move-base \
+    printf 'ros-noetic-%s\n' actionlib actionlib-msgs catkin costmap-2d diagnostic-msgs diagnostic-updater geometry-msgs move-base \
       move-base-msgs nav-core nav-msgs pluginlib rosbag rosbash roscpp rosgraph-msgs roslaunch roslib rosparam \
       rosservice rostest sensor-msgs std-msgs std-srvs tf2 tf2-geometry-msgs tf2-msgs tf2-ros visualization-msgs
   else
-    printf '%s\n' catkin libactionlib-dev libactionlib-msgs-dev libdiagnostic-msgs-dev libgeometry-msgs-dev \
+    printf '%s\n' catkin libactionlib-dev libactionlib-msgs-dev libdiagnostic-msgs-dev libdiagnostic-updater-dev libgeometry-msgs-dev \
       libmove-base-msgs-dev libnav-msgs-dev libros-rosgraph-msgs-dev librosbag-dev libroscpp-dev librostest-dev \
       libsensor-msgs-dev libstd-msgs-dev libstd-srvs-dev libtf2-dev libtf2-geometry-msgs-dev libtf2-msgs-dev \
       libtf2-ros-dev libvisualization-msgs-dev pluginlib-dev python3-actionlib python3-catkin \
@@ -53,7 +53,8 @@ required_packages() {
 }
 
 # Packages that add something where the distribution has them: an independent reader of model files for the tests, the
-# driver's own messages, the navigation stack's other planners to compare with, MPI for several processes, Google
+# driver's own messages, parameters that change while the robot drives, the navigation stack's other planners to compare
+# with, MPI for several processes, Google
 # Benchmark, a viewer when there is a display.
 optional_packages() {
   printf '%s\n' libbenchmark-dev libopenmpi-dev openmpi-bin python3-onnx "${more_optional_packages[@]}"

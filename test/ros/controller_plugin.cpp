@@ -9,6 +9,7 @@
 #include <pluginlib/class_loader.hpp>
 
 #include "lstm_planner/ros/controller/steering_controller.hpp"
+#include "ros/diagnostics_listener.hpp"
 #include "ros/planner_fixture.hpp"
 
 namespace lstm_planner {
@@ -219,6 +220,34 @@ TEST_F(ControllerTest, TheCostmapCountsForNothingWhereItIsNotToBeUsed) {
   markInCostmap({0.2, -0.1}, {0.4, 0.1});
   ASSERT_TRUE(computeAt({}));
   EXPECT_GT(velocity_.linear.x, 0.0);
+}
+
+TEST_F(ControllerTest, SaysThatAnObstacleStopsIt) {
+  DiagnosticsListener listener("SteeringController");
+  robot_.range = [](double angle) { return std::abs(angle) < 0.3 ? 0.0943F : 4.0F; };
+  const std::string reason = "the robot stands: an obstacle is within the safety margin";
+  EXPECT_TRUE(eventually([&] {
+    stand(0.5);
+    controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
+    controller_->computeVelocityCommands(velocity_);
+    return listener.latched().message.find(reason) == 0 && log_.count(reason) > 0;
+  }));
+  EXPECT_EQ(listener.latched().level, diagnostic_msgs::DiagnosticStatus::WARN);
+}
+
+TEST_F(ControllerTest, TellsOfItsSensorsAndThatNobodyAsks) {
+  DiagnosticsListener listener("SteeringController");
+  EXPECT_TRUE(eventually([&] {
+    robot_.again();
+    return std::abs(
+               std::atof(DiagnosticsListener::valueOf("rate (Hz)", listener.task("SteeringController scan")).c_str()) -
+               20.0) < 0.1;
+  }));
+  EXPECT_TRUE(eventually([&] { return listener.latched().message.find("nobody asks for commands") == 0; }));
+  robot_.wait(1.0);
+  EXPECT_TRUE(eventually([&] {
+    return listener.task("SteeringController odometry").message.find("the newest message on /odom is ") == 0;
+  }));
 }
 
 TEST_F(ControllerTest, BadParametersLeaveItStanding) {

@@ -14,6 +14,7 @@
 #include <string>
 #include <thread>
 
+#include "ros/diagnostics_listener.hpp"
 #include "ros/planner_fixture.hpp"
 
 namespace lstm_planner {
@@ -328,6 +329,29 @@ TEST_F(PlannerTest, PlannerThatFailsInATightLoopSaysSoOnce) {
   }
   log_.flush();
   EXPECT_EQ(log_.count("no plan"), before + 1);
+}
+
+TEST_F(PlannerTest, TellsInDiagnosticsWhoLeadsAndWithWhichModel) {
+  DiagnosticsListener listener("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  EXPECT_TRUE(eventually([&] {
+    preview(planner.get());
+    return !DiagnosticsListener::valueOf("time for the plan (ms)", listener.task("LstmGlobalPlanner")).empty();
+  }));
+  EXPECT_EQ(listener.latched().message.find("the network leads: "), 0u) << listener.latched().message;
+  EXPECT_TRUE(eventually([&] { return listener.task("LstmGlobalPlanner model").message == model_.path(); }));
+  EXPECT_EQ(DiagnosticsListener::valueOf("sha1", listener.task("LstmGlobalPlanner model")).size(), 40u);
+}
+
+TEST_F(PlannerTest, TellsInDiagnosticsWhyThereIsNoPlan) {
+  DiagnosticsListener listener("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  robot_.wait(1000.0);
+  EXPECT_TRUE(eventually([&] {
+    EXPECT_FALSE(preview(planner.get()));
+    return listener.latched().message == "no plan";
+  }));
+  EXPECT_EQ(DiagnosticsListener::valueOf("why", listener.latched()).find("the newest message on /scan is "), 0u);
 }
 
 TEST_F(PlannerTest, LoadsByItsNameThroughPluginlib) {

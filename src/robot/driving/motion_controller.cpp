@@ -39,24 +39,24 @@ void validate(const MotionParameters& parameters) {
 MotionController::MotionController(const MotionParameters& parameters)
     : parameters_((validate(parameters), parameters)), reaction_time_(parameters.reaction_time) {}
 
-Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current,
-                                 const Shield& shield, double period, const std::vector<Point2>& moving,
-                                 const std::vector<Point2>& resting) const {
-  if (plan.empty() || !isFinite(pose)) {
-    return {};
-  }
+MotionCommand MotionController::compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current,
+                                        const Shield& shield, double period, const std::vector<Point2>& moving,
+                                        const std::vector<Point2>& resting) const {
+  if (plan.empty()) return {{}, StopReason::kNoPlan};
+  if (!isFinite(pose)) return {{}, StopReason::kUnusableData};
   const Pose2& goal = plan.back();
   const double to_goal = distanceBetween(pose, goal);
   if (to_goal <= parameters_.position_tolerance) {
     const double error = normalizeAngle(goal.yaw - pose.yaw);
     const bool aligned = std::abs(error) <= parameters_.heading_tolerance;
-    return {0.0, aligned ? 0.0 : clamp(parameters_.heading_gain * error, parameters_.max_angular)};
+    if (aligned) return {{}, StopReason::kArrived};
+    return {{0.0, clamp(parameters_.heading_gain * error, parameters_.max_angular)}, StopReason::kNone};
   }
 
   const Pose2 ahead = target(plan, pose, shield);
   double error = normalizeAngle(directionTo(pose, ahead) - pose.yaw);
   if (!std::isfinite(error)) {
-    return {};  // the plan is not finite
+    return {{}, StopReason::kUnusableData};  // the plan is not finite
   }
   // What lies behind may be a little to the left now and a little to the right next time: go on turning the way we
   // turn. Only when that is fast: where commands take their time, a slow turn may be the answer to the one before last.
@@ -65,19 +65,22 @@ Twist2 MotionController::compute(const std::vector<Pose2>& plan, const Pose2& po
     error -= std::copysign(2.0 * M_PI, error);
   }
   Twist2 twist{0.0, clamp(parameters_.heading_gain * error, parameters_.max_angular)};
+  StopReason stop = StopReason::kNone;
   if (std::abs(error) < parameters_.turn_in_place) {
     const double brakes = std::sqrt(2.0 * parameters_.linear_acceleration * to_goal);
     const double reachable = std::max(0.0, current.linear) + parameters_.linear_acceleration * period;
     twist.linear = std::min({parameters_.max_linear * std::cos(error), brakes, reachable});
     twist = withinWheelLimits(twist);
     const Persons persons(shield.footprintRadius(), yieldingReach(shield.footprintRadius()), moving, resting);
-    twist.linear = safeSpeed(twist, current, shield, persons, period);
+    const SafeSpeed safe = safeSpeed(twist, current, shield, persons, period);
+    twist.linear = safe.speed;
+    stop = safe.stop;
   }
   // Wheels that turn the robot brake it later: before somebody it stands first, then it turns.
   if (twist.linear == 0.0 && current.linear > kSpeedError && !moving.empty()) {
-    return {};
+    return {{}, stop == StopReason::kNone ? StopReason::kPerson : stop};
   }
-  return withinWheelLimits(twist);
+  return {withinWheelLimits(twist), stop};
 }
 
 bool MotionController::goalReached(const Pose2& pose, const Pose2& goal) const {
@@ -129,21 +132,26 @@ Twist2 MotionController::withinWheelLimits(const Twist2& twist) const {
   return fastest > 0.0 ? Twist2{share * twist.linear, share * twist.angular} : twist;
 }
 
-double MotionController::safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield,
-                                   const Persons& persons, double period) const {
+MotionController::SafeSpeed MotionController::safeSpeed(const Twist2& wanted, const Twist2& current,
+                                                        const Shield& shield, const Persons& persons,
+                                                        double period) const {
   constexpr int kTries = 8;
   constexpr double kCreep = 0.005;  // m/s; slower is standing
   double speed = std::min(wanted.linear, cautiousSpeed(wanted, shield));
+  StopReason stop = speed < wanted.linear ? StopReason::kObstacle : StopReason::kNone;
   for (int i = 0; i < kTries && speed >= kCreep; ++i) {
     const Twist2 twist{speed, wanted.angular};
-    const double allowed = std::min(allowedSpeed(twist, current, shield, period), yieldingSpeed(twist, persons));
+    const double before_obstacles = allowedSpeed(twist, current, shield, period);
+    const double before_persons = yieldingSpeed(twist, persons);
+    const double allowed = std::min(before_obstacles, before_persons);
     if (allowed >= speed) {
-      return speed;
+      return {speed, StopReason::kNone};
     }
     // A slower robot that turns as fast takes a narrower arc, which must be looked at anew.
     speed = allowed;
+    stop = before_persons < before_obstacles ? StopReason::kPerson : StopReason::kObstacle;
   }
-  return 0.0;
+  return {0.0, stop};
 }
 
 double MotionController::cautiousSpeed(const Twist2& twist, const Shield& shield) const {

@@ -99,6 +99,20 @@ SensorReading SensorListener::read(const ros::Time& now) {
   return reading;
 }
 
+SensorHealth SensorListener::scanHealth(const ros::Time& now) {
+  messages_.handOut();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return {scan_subscriber_.getTopic(), secondsBetween(scan_stamp_, now), scan_period_.period(), scanTimeout(),
+          scan_ != nullptr};
+}
+
+SensorHealth SensorListener::odometryHealth(const ros::Time& now) {
+  messages_.handOut();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return {odometry_subscriber_.getTopic(), secondsBetween(odometry_stamp_, now), odometry_period_.period(),
+          odometryTimeout(), !odometry_stamp_.isZero()};
+}
+
 double SensorListener::scanTimeout() const {
   return timeoutFor(parameters_.scan_timeout, scan_period_.period(), parameters_.least_scan_timeout);
 }

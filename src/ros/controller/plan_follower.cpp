@@ -32,11 +32,12 @@ double reachOf(const SteeringControllerParameters& parameters) {
 PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const std::string& base_frame,
                            const tf2_ros::Buffer& tf, costmap_2d::Costmap2DROS* costmap)
     : parameters_(parameters),
+      reach_(reachOf(parameters)),
       frames_(tf, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf),
-      costmap_(parameters.use_costmap ? costmap : nullptr, reachOf(parameters)),
+      costmap_(parameters.use_costmap ? costmap : nullptr, reach_),
       tracker_(parameters.motion),
-      shield_(parameters.footprint_radius, parameters.motion.safety_margin, reachOf(parameters)) {}
+      shield_(parameters.footprint_radius, parameters.motion.safety_margin, reach_) {}
 
 void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   plan_.clear();
@@ -62,7 +63,7 @@ void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) 
   plan_time_ = ros::Time::now();
 }
 
-Twist2 PlanFollower::compute() {
+MotionCommand PlanFollower::compute() {
   const ros::Time now = ros::Time::now();
   const SensorReading reading = sensors_.read(now);
   checkPlanAge(now);

@@ -8,6 +8,7 @@
 
 #include "lstm_planner/ros/common/costmap_footprint.hpp"
 #include "lstm_planner/ros/common/costmap_reader.hpp"
+#include "lstm_planner/ros/common/plugin_diagnostics.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/controller/plan_follower.hpp"
 
@@ -18,6 +19,8 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kLogPeriod = 2.0;  // s
+constexpr double kShortStop = 1.0;  // s: nobody needs to be told of a shorter one
+constexpr double kUnasked = 1.0;    // s
 
 }  // namespace
 
@@ -34,6 +37,7 @@ void SteeringController::initialize(std::string name, tf2_ros::Buffer* tf, costm
   }
   if (tf == nullptr || costmap_ros == nullptr) {
     refuse(name, "it was initialised without tf or a costmap");
+    startDiagnostics(name);
     return;
   }
   try {
@@ -47,6 +51,7 @@ void SteeringController::initialize(std::string name, tf2_ros::Buffer* tf, costm
   } catch (...) {
     refuse(name, "the reason is not known");
   }
+  startDiagnostics(name);
 }
 
 void SteeringController::refuse(const std::string& name, const std::string& reason) {
@@ -75,22 +80,45 @@ bool SteeringController::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) 
   cmd_vel = geometry_msgs::Twist();
   const CostmapLock costmap_lock(costmap_);
   const std::lock_guard<std::mutex> lock(mutex_);
+  answer_.time = ros::WallTime::now();
   try {
-    if (plan_follower_ && plan_follower_->hasPlan()) {
-      const Twist2 twist = plan_follower_->compute();
-      cmd_vel.linear.x = twist.linear;
-      cmd_vel.angular.z = twist.angular;
-      return true;
+    if (!plan_follower_) {
+      ROS_ERROR_THROTTLE(kLogPeriod, "the robot stands: the controller cannot be used: %s", why_unusable_.c_str());
+      return false;
     }
-    const std::string reason =
-        plan_follower_ ? "there is no plan to follow" : "the controller cannot be used: " + why_unusable_;
-    ROS_WARN_THROTTLE(kLogPeriod, "the robot stands: %s", reason.c_str());
+    if (!plan_follower_->hasPlan()) return stand(StopReason::kNoPlan, toString(StopReason::kNoPlan));
+    const MotionCommand command = plan_follower_->compute();
+    noteStop(command);
+    cmd_vel.linear.x = command.linear;
+    cmd_vel.angular.z = command.angular;
+    return true;
+  } catch (const OutdatedPlan& error) {
+    return stand(StopReason::kOldPlan, error.what());
   } catch (const std::exception& error) {
-    ROS_WARN_THROTTLE(kLogPeriod, "the robot stands: %s", error.what());
+    return stand(StopReason::kUnusableData, error.what());
   } catch (...) {
-    ROS_ERROR_THROTTLE(kLogPeriod, "the robot stands, for an unknown reason");
+    return stand(StopReason::kUnusableData, "the reason is not known");
   }
+}
+
+bool SteeringController::stand(StopReason reason, const std::string& why) {
+  answer_.command = {{}, reason};
+  answer_.why = why;
+  answer_.stopped_since = ros::WallTime();
+  ROS_WARN_THROTTLE(kLogPeriod, "the robot stands: %s", why.c_str());
   return false;
+}
+
+void SteeringController::noteStop(const MotionCommand& command) {
+  answer_.command = command;
+  answer_.why.clear();
+  if (command.stop != StopReason::kObstacle && command.stop != StopReason::kPerson) {
+    answer_.stopped_since = ros::WallTime();
+  } else if (answer_.stopped_since.isZero()) {
+    answer_.stopped_since = answer_.time;
+  } else if ((answer_.time - answer_.stopped_since).toSec() > kShortStop) {
+    ROS_WARN_THROTTLE(kLogPeriod, "the robot stands: %s", toString(command.stop));
+  }
 }
 
 bool SteeringController::isGoalReached() {
@@ -103,6 +131,37 @@ bool SteeringController::isGoalReached() {
     ROS_ERROR_THROTTLE(kLogPeriod, "whether the goal is reached is not known");
   }
   return false;
+}
+
+void SteeringController::startDiagnostics(const std::string& name) {
+  if (diagnostics_) return;
+  using Status = PluginDiagnostics::Status;
+  diagnostics_ = std::make_unique<PluginDiagnostics>(name, &mutex_, [this](Status& status) { describeStop(&status); });
+  diagnostics_->add("scan", [this](Status& status) {
+    if (plan_follower_) describe(plan_follower_->sensors().scanHealth(ros::Time::now()), "scan_timeout", &status);
+  });
+  diagnostics_->add("odometry", [this](Status& status) {
+    if (plan_follower_) describe(plan_follower_->sensors().odometryHealth(ros::Time::now()), "odom_timeout", &status);
+  });
+  diagnostics_->start();
+}
+
+void SteeringController::describeStop(PluginDiagnostics::Status* status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  const MotionCommand& command = answer_.command;
+  const bool is_asked = (ros::WallTime::now() - answer_.time).toSec() <= kUnasked;
+  if (!plan_follower_) {
+    status->summary(DiagnosticStatus::ERROR, "the controller cannot be used: " + why_unusable_);
+  } else if (!is_asked) {
+    status->summary(DiagnosticStatus::OK, "nobody asks for commands: there is no goal, or no plan to it");
+  } else if (command.stop == StopReason::kNone || command.stop == StopReason::kArrived) {
+    status->summary(DiagnosticStatus::OK, toString(command.stop));
+  } else {
+    status->summary(DiagnosticStatus::WARN, std::string("the robot stands: ") + toString(command.stop));
+    if (!answer_.why.empty()) status->add("why", answer_.why);
+  }
+  status->add("linear (m/s)", is_asked ? command.linear : 0.0);
+  status->add("angular (rad/s)", is_asked ? command.angular : 0.0);
 }
 
 }  // namespace lstm_planner

@@ -3,11 +3,14 @@
 #include <ros/console.h>
 #include <ros/node_handle.h>
 
+#include <algorithm>
 #include <exception>
 #include <pluginlib/class_list_macros.hpp>
 
+#include "lstm_planner/base/common/file_hash.hpp"
 #include "lstm_planner/ros/common/costmap_footprint.hpp"
 #include "lstm_planner/ros/common/costmap_reader.hpp"
+#include "lstm_planner/ros/common/plugin_diagnostics.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/planner/plan_maker.hpp"
 
@@ -18,6 +21,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kLogPeriod = 2.0;  // s
+constexpr double kUnasked = 5.0;    // s; move_base may plan as rarely as every second
 
 void warnOfPlanningOnce() {
   const double frequency = ros::NodeHandle("~").param("planner_frequency", 0.0);
@@ -44,6 +48,7 @@ void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* c
   }
   if (costmap_ros == nullptr) {
     refuse(name, "it was initialised without a costmap");
+    startDiagnostics(name);
     return;
   }
   try {
@@ -52,6 +57,7 @@ void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* c
     radius = safeFootprintRadius(*costmap_ros, radius, name + "/shield/footprint_radius");
     parameters.agent = fittedToFootprint(parameters.agent);
     warnOfPlanningOnce();
+    model_ = resolvePackagePath(parameters.model);
     plan_maker_ = std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(),
                                               costmap_ros->getBaseFrameID(), costmap_ros);
     costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
@@ -62,6 +68,7 @@ void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* c
   } catch (...) {
     refuse(name, "the reason is not known");
   }
+  startDiagnostics(name);
 }
 
 void LstmGlobalPlanner::refuse(const std::string& name, const std::string& reason) {
@@ -74,19 +81,91 @@ bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const 
   plan.clear();
   const CostmapLock costmap_lock(costmap_);
   const std::lock_guard<std::mutex> lock(mutex_);
+  answer_.time = ros::WallTime::now();
   try {
-    if (plan_maker_) {
-      plan_maker_->makePlan(start, goal, &plan);
-      return true;
+    if (!plan_maker_) {
+      ROS_ERROR_THROTTLE(kLogPeriod, "no plan: the planner cannot be used: %s", why_unusable_.c_str());
+      return false;
     }
-    ROS_ERROR_THROTTLE(kLogPeriod, "no plan: the planner cannot be used: %s", why_unusable_.c_str());
+    plan_maker_->makePlan(start, goal, &plan);
+    answer_.refusal.clear();
+    answer_.duration = (ros::WallTime::now() - answer_.time).toSec();
+    answer_.longest = std::max(answer_.longest, answer_.duration);
+    return true;
   } catch (const std::exception& error) {
-    ROS_WARN_THROTTLE(kLogPeriod, "no plan: %s", error.what());
+    return refusePlan(&plan, error.what());
   } catch (...) {
-    ROS_ERROR_THROTTLE(kLogPeriod, "no plan, for an unknown reason");
+    return refusePlan(&plan, "the reason is not known");
   }
-  plan.clear();
+}
+
+bool LstmGlobalPlanner::refusePlan(std::vector<geometry_msgs::PoseStamped>* plan, const std::string& reason) {
+  plan->clear();
+  answer_.refusal = reason;
+  ROS_WARN_THROTTLE(kLogPeriod, "no plan: %s", reason.c_str());
   return false;
+}
+
+void LstmGlobalPlanner::startDiagnostics(const std::string& name) {
+  if (diagnostics_) return;
+  using Status = PluginDiagnostics::Status;
+  diagnostics_ = std::make_unique<PluginDiagnostics>(name, &mutex_, [this](Status& status) { describeDrive(&status); });
+  diagnostics_->add("model", [this](Status& status) { describeModel(&status); });
+  diagnostics_->add("scan", [this](Status& status) {
+    if (plan_maker_) describe(plan_maker_->sensors().scanHealth(ros::Time::now()), "scan_timeout", &status);
+  });
+  diagnostics_->add("odometry", [this](Status& status) {
+    if (plan_maker_) describe(plan_maker_->sensors().odometryHealth(ros::Time::now()), "odom_timeout", &status);
+  });
+  diagnostics_->start();
+}
+
+void LstmGlobalPlanner::describeDrive(PluginDiagnostics::Status* status) const {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (!plan_maker_) {
+    status->summary(DiagnosticStatus::ERROR, "the planner cannot be used: " + why_unusable_);
+    return;
+  }
+  if ((ros::WallTime::now() - answer_.time).toSec() > kUnasked) {
+    status->summary(DiagnosticStatus::OK, "nobody asks for plans: there is no goal");
+    return;
+  }
+  const Decision& decision = plan_maker_->agent().decision();
+  if (!answer_.refusal.empty()) {
+    const bool is_final = decision.source == Decision::Source::kNoPath;
+    status->summary(is_final ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN, "no plan");
+    status->add("why", answer_.refusal);
+  } else {
+    const bool is_rescue = decision.leader == Decision::Source::kEscape;
+    status->summary(is_rescue ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
+                    std::string("the ") + toString(decision.leader) + " leads: " + decision.why);
+  }
+  status->add("decided by", toString(decision.source));
+  status->add("step", decision.step);
+  status->add("best distance to the goal (m)", plan_maker_->agent().bestDistance());
+  if (decision.preferred >= 0) {  // else neither network nor shield were asked about actions
+    status->add("actions that the shield removed",
+                std::count(decision.allowed.begin(), decision.allowed.end(), static_cast<char>(0)));
+    status->add("overruled", decision.isOverruled() ? "true" : "false");
+  }
+  status->add("searches for a path", plan_maker_->agent().searches());
+  status->add("time for the plan (ms)", 1e3 * answer_.duration);
+  status->add("longest time for a plan (ms)", 1e3 * answer_.longest);
+}
+
+void LstmGlobalPlanner::describeModel(PluginDiagnostics::Status* status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (!plan_maker_) {
+    status->summary(DiagnosticStatus::ERROR, "the planner cannot be used: " + why_unusable_);
+    return;
+  }
+  if (model_hash_.empty()) model_hash_ = sha1OfFile(model_);
+  const PolicyDescription& description = plan_maker_->agent().policy().description();
+  status->summary(DiagnosticStatus::OK, model_);
+  status->add("sha1", model_hash_);
+  status->add("steering angles", description.actions.size());
+  status->add("step length (m)", description.step_length);
+  status->add("robot radius (m)", description.footprint_radius);
 }
 
 }  // namespace lstm_planner

@@ -5,6 +5,7 @@
 
 #include "lstm_planner/base/common/geometry.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
+#include "lstm_planner/robot/driving/stop_reason.hpp"
 #include "lstm_planner/robot/perception/moving_returns.hpp"
 
 namespace lstm_planner {
@@ -66,6 +67,11 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const MotionParameters& parameters);
 
+/// What the controller commands, and why it is not to drive: a robot that is stopped may still turn.
+struct MotionCommand : Twist2 {
+  StopReason stop = StopReason::kNone;
+};
+
 /// Turns and drives along a plan; never commands a motion which, braking included, comes nearer to a return than the
 /// safety margin. What is looked at is the path that the robot really takes: on with the present twist until the
 /// command acts, which may be at once or after the reaction time, then along the commanded arc until it stands. Only
@@ -81,8 +87,9 @@ class MotionController {
   /// The next command. `plan` and `pose` are in the same frame, `current` is the measured twist, `shield` has been
   /// shown the latest scan, `period` is the time to the next command, s; `moving` are points of things that move, base
   /// frame, `resting` of things that have moved and stand (MovingReturns). Zero for an empty plan.
-  Twist2 compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current, const Shield& shield,
-                 double period, const std::vector<Point2>& moving = {}, const std::vector<Point2>& resting = {}) const;
+  MotionCommand compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current, const Shield& shield,
+                        double period, const std::vector<Point2>& moving = {},
+                        const std::vector<Point2>& resting = {}) const;
 
   /// From now on it takes at least so long from a measurement to the wheels, s: the scanner is slow.
   void expectReactionTime(double least) { reaction_time_ = std::max(parameters_.reaction_time, least); }
@@ -94,11 +101,15 @@ class MotionController {
 
  private:
   struct Persons;
+  struct SafeSpeed {
+    double speed;     ///< m/s
+    StopReason stop;  ///< where that is 0
+  };
 
   Pose2 target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const;
   Twist2 withinWheelLimits(const Twist2& twist) const;
-  double safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield, const Persons& persons,
-                   double period) const;
+  SafeSpeed safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield, const Persons& persons,
+                      double period) const;
   double cautiousSpeed(const Twist2& twist, const Shield& shield) const;
   double allowedSpeed(const Twist2& twist, const Twist2& current, const Shield& shield, double period) const;
   double yieldingSpeed(const Twist2& twist, const Shield& persons) const;

@@ -17,8 +17,8 @@ class PathTracker {
 
   /// The next command along a plan in the odometry frame, `period` s before the one after it. `shield` shows the
   /// situation's obstacles, `twist` is the measured one. Zero for an empty plan.
-  Twist2 compute(const std::vector<Pose2>& plan, const Situation& situation, const Twist2& twist, const Shield& shield,
-                 double period) {
+  MotionCommand compute(const std::vector<Pose2>& plan, const Situation& situation, const Twist2& twist,
+                        const Shield& shield, double period) {
     moving_.show(situation.profile, situation.pose, situation.time);
     return controller_.compute(plan, situation.pose, twist, shield, period, moving_.points(), moving_.resting());
   }

@@ -34,6 +34,15 @@ struct SensorReading {
   long jumps = 0;     ///< how often the odometry has jumped so far
 };
 
+/// How a sensor's messages come.
+struct SensorHealth {
+  std::string topic;
+  double age = 0.0;     ///< s, of the newest message; negative: stamped in the future
+  double period = 0.0;  ///< s, as measured; 0 as long as it is not known
+  double timeout = 0.0;
+  bool is_heard = false;  ///< something has come
+};
+
 /// There is no usable reading; what() says why.
 class SensorError : public std::runtime_error {
  public:
@@ -51,6 +60,9 @@ class SensorListener {
   /// Of what has come until now. Throws SensorError when scan or odometry is missing, too old, not finite, the scanner
   /// is covered (SilenceWatch) or its place is not known.
   SensorReading read(const ros::Time& now);
+
+  SensorHealth scanHealth(const ros::Time& now);
+  SensorHealth odometryHealth(const ros::Time& now);
 
  private:
   void onScan(const ros::MessageEvent<sensor_msgs::LaserScan const>& event);

@@ -38,12 +38,14 @@ class PlanFollower {
   void setPlan(const std::vector<geometry_msgs::PoseStamped>& plan);
   bool hasPlan() const { return !plan_.empty(); }
 
-  /// The next command. Throws SensorError, UnusableScan, FrameError or OutdatedPlan when it is not safe to move. Zero
-  /// without a plan.
-  Twist2 compute();
+  /// The next command, or why there is none. Throws SensorError, UnusableScan, FrameError or OutdatedPlan when it is
+  /// not safe to move. Zero without a plan.
+  MotionCommand compute();
 
   /// Throws as compute().
   bool goalReached();
+
+  SensorListener& sensors() { return sensors_; }
 
  private:
   void checkPlanAge(const ros::Time& now) const;
@@ -51,6 +53,7 @@ class PlanFollower {
   void perceive(const SensorReading& reading, const ros::Time& now);
 
   SteeringControllerParameters parameters_;
+  double reach_;  ///< m, within which obstacles are looked at
   FrameTransformer frames_;
   MessageQueue messages_;
   SensorListener sensors_;

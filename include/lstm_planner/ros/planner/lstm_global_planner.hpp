@@ -3,6 +3,7 @@
 #include <costmap_2d/costmap_2d_ros.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <nav_core/base_global_planner.h>
+#include <ros/time.h>
 
 #include <atomic>
 #include <memory>
@@ -10,9 +11,14 @@
 #include <string>
 #include <vector>
 
+namespace diagnostic_updater {
+class DiagnosticStatusWrapper;
+}
+
 namespace lstm_planner {
 
 class PlanMaker;
+class PluginDiagnostics;
 
 /// The global planner plugin for move_base: plans from the laser scan, the odometry and a recurrent network, without a
 /// map.
@@ -23,8 +29,8 @@ class PlanMaker;
 /// (CostmapReader).
 ///
 /// Subscribes scan, odom (topics are parameters) and ~current_goal. Publishes, in "~/" + name: plan (nav_msgs/Path),
-/// markers (visualization_msgs/MarkerArray), decision (diagnostic_msgs/DiagnosticArray).
-/// Parameters: GlobalPlannerParameters. Thread safe; nothing is ever thrown out of it.
+/// markers (visualization_msgs/MarkerArray), decision (diagnostic_msgs/DiagnosticArray), status (latched: who leads, or
+/// why there is no plan; diagnostic_msgs/DiagnosticStatus); and /diagnostics. Parameters: GlobalPlannerParameters. Thread safe; nothing is ever thrown out of it.
 class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
  public:
   LstmGlobalPlanner();
@@ -39,13 +45,30 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
                 std::vector<geometry_msgs::PoseStamped>& plan) override;
 
  private:
+  /// What was answered last, and when.
+  struct Answer {
+    std::string refusal;  ///< empty: there was a plan
+    ros::WallTime time;
+    double duration = 0.0;  ///< s
+    double longest = 0.0;   ///< s, of all so far
+  };
+
   void refuse(const std::string& name, const std::string& reason);
+  bool refusePlan(std::vector<geometry_msgs::PoseStamped>* plan, const std::string& reason);
+  void startDiagnostics(const std::string& name);
+  void describeDrive(diagnostic_updater::DiagnosticStatusWrapper* status) const;
+  void describeModel(diagnostic_updater::DiagnosticStatusWrapper* status);
 
   /// Null until initialised, or if not used. Its mutex is taken before the other one.
   std::atomic<costmap_2d::Costmap2DROS*> costmap_{nullptr};
   std::mutex mutex_;
   std::unique_ptr<PlanMaker> plan_maker_;                          ///< null until initialised
   std::string why_unusable_ = "initialize() has not been called";  ///< as long as it is not
+  std::string model_;                                              ///< path
+  std::string model_hash_;                                         ///< once somebody has asked
+  Answer answer_;
+  // Last: they ask for what is above.
+  std::unique_ptr<PluginDiagnostics> diagnostics_;
 };
 
 }  // namespace lstm_planner

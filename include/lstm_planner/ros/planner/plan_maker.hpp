@@ -42,6 +42,10 @@ class PlanMaker {
   void makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
                 std::vector<geometry_msgs::PoseStamped>* plan);
 
+  /// How the drive is led.
+  const NavigationAgent& agent() const { return agent_; }
+  SensorListener& sensors() { return sensors_; }
+
  private:
   void makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
                                std::vector<geometry_msgs::PoseStamped>* plan);

@@ -261,6 +261,21 @@ TEST_F(MotionControllerTest, TurnsThoughAPersonIsNear) {
   EXPECT_GT(twist.angular, 1.0);
 }
 
+TEST_F(MotionControllerTest, SaysWhyItDoesNotDrive) {
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {5.0, 0.0}});
+  const std::vector<Point2> person = {{kRadius + 0.2, 0.0}};
+  EXPECT_EQ(controller_.compute(plan, {}, {}, shield_, kPeriod).stop, StopReason::kNone);
+  EXPECT_EQ(controller_.compute({}, {}, {}, shield_, kPeriod).stop, StopReason::kNoPlan);
+  EXPECT_EQ(controller_.compute(plan, {5.0, 0.0, 0.0}, {}, shield_, kPeriod).stop, StopReason::kArrived);
+  EXPECT_EQ(controller_.compute(plan, {kNan, 0.0, 0.0}, {}, shield_, kPeriod).stop, StopReason::kUnusableData);
+  EXPECT_EQ(controller_.compute(plan, {}, {}, shield_, kPeriod, person).stop, StopReason::kPerson);
+  EXPECT_EQ(controller_.compute(plan, {}, {0.3, 0.0}, shield_, kPeriod, person).stop, StopReason::kPerson);
+  shield_.show({{kRadius + 0.02, 0.0}});
+  EXPECT_EQ(controller_.compute(plan, {}, {}, shield_, kPeriod).stop, StopReason::kObstacle);
+  EXPECT_EQ(controller_.compute(planAlong({{0.0, 0.0}, {0.0, 5.0}}), {}, {}, shield_, kPeriod).stop, StopReason::kNone)
+      << "it turns away";
+}
+
 TEST_F(MotionControllerTest, RefusesLimitsThatAreNotPositive) {
   MotionParameters parameters;
   parameters.max_linear = 0.0;

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "lstm_planner/ros/common/sensor_listener.hpp"
+
+namespace lstm_planner {
+
+/// Says on /diagnostics, once a second, and on "~/NAME/status", latched and whenever it changes, how a plugin is.
+///
+/// Has a thread of its own: nothing is done where the plugin works, and little where nobody listens.
+class PluginDiagnostics {
+ public:
+  using Status = diagnostic_updater::DiagnosticStatusWrapper;
+  using Report = std::function<void(Status&)>;
+
+  /// `mutex` is held while a report is made. `status`: the report that is latched, too. Not to be destroyed under the
+  /// mutex.
+  PluginDiagnostics(const std::string& name, std::mutex* mutex, const Report& status);
+  ~PluginDiagnostics();
+  PluginDiagnostics(const PluginDiagnostics&) = delete;
+  PluginDiagnostics& operator=(const PluginDiagnostics&) = delete;
+
+  /// One more for /diagnostics. Before start().
+  void add(const std::string& what, const Report& report);
+  void start();
+
+ private:
+  Report locked(const Report& report);
+  void tellNowAndThen();
+  void tell();
+
+  std::string name_;
+  std::mutex& mutex_;
+  Report status_;
+  ros::Publisher diagnostics_publisher_;  ///< tells whether somebody listens
+  ros::Publisher status_publisher_;
+  diagnostic_updater::Updater updater_;
+  ros::WallTime updated_;
+  diagnostic_msgs::DiagnosticStatus published_;  ///< last
+  std::mutex finish_mutex_;                      ///< guards finished_
+  std::condition_variable finishes_;
+  bool finished_ = false;
+  std::thread thread_;  ///< last: it uses what is above
+};
+
+/// How often and how old. `timeout_parameter`: the name of the parameter that limits the age.
+void describe(const SensorHealth& sensor, const std::string& timeout_parameter,
+              diagnostic_updater::DiagnosticStatusWrapper* status);
+
+}  // namespace lstm_planner

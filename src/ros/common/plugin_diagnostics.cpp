@@ -1,0 +1,97 @@
+#include "lstm_planner/ros/common/plugin_diagnostics.hpp"
+
+#include <ros/console.h>
+
+#include <chrono>
+#include <exception>
+
+#include "lstm_planner/ros/common/message_age.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr std::chrono::milliseconds kStatusPeriod(200);
+constexpr double kLogPeriod = 2.0;  // s
+const ros::WallDuration kDiagnosticsPeriod(1.0);
+
+}  // namespace
+
+PluginDiagnostics::PluginDiagnostics(const std::string& name, std::mutex* mutex, const Report& status)
+    : name_(name),
+      mutex_(*mutex),
+      status_(locked(status)),
+      diagnostics_publisher_(ros::NodeHandle().advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
+      status_publisher_(ros::NodeHandle("~/" + name).advertise<diagnostic_msgs::DiagnosticStatus>("status", 1, true)) {
+  updater_.setHardwareID("none");
+  updater_.add(name_, status_);
+}
+
+void PluginDiagnostics::start() { thread_ = std::thread(&PluginDiagnostics::tellNowAndThen, this); }
+
+PluginDiagnostics::~PluginDiagnostics() {
+  {
+    const std::lock_guard<std::mutex> lock(finish_mutex_);
+    finished_ = true;
+  }
+  finishes_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void PluginDiagnostics::add(const std::string& what, const Report& report) {
+  updater_.add(name_ + " " + what, locked(report));
+}
+
+PluginDiagnostics::Report PluginDiagnostics::locked(const Report& report) {
+  return [this, report](Status& status) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    report(status);
+  };
+}
+
+void PluginDiagnostics::tellNowAndThen() {
+  std::unique_lock<std::mutex> lock(finish_mutex_);
+  while (!finishes_.wait_for(lock, kStatusPeriod, [this] { return finished_; })) {
+    lock.unlock();
+    try {
+      if (ros::ok()) tell();
+    } catch (const std::exception& error) {
+      ROS_ERROR_THROTTLE(kLogPeriod, "no diagnostics of %s: %s", name_.c_str(), error.what());
+    }
+    lock.lock();
+  }
+}
+
+void PluginDiagnostics::tell() {
+  Status status;
+  status_(status);
+  if (status.message != published_.message || status.level != published_.level) {
+    published_ = status;
+    published_.name = name_;
+    status_publisher_.publish(published_);
+  }
+  const ros::WallTime now = ros::WallTime::now();
+  if (diagnostics_publisher_.getNumSubscribers() == 0 || now - updated_ < kDiagnosticsPeriod) return;
+  updated_ = now;
+  updater_.force_update();
+}
+
+void describe(const SensorHealth& sensor, const std::string& timeout_parameter,
+              diagnostic_updater::DiagnosticStatusWrapper* status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (!sensor.is_heard) {
+    status->summary(DiagnosticStatus::ERROR, "nothing has been received on " + sensor.topic);
+    return;
+  }
+  const std::string problem = ageProblem(sensor.age, sensor.timeout, timeout_parameter);
+  if (problem.empty()) {
+    status->summary(DiagnosticStatus::OK, "messages come in time");
+  } else {
+    status->summary(DiagnosticStatus::ERROR, "the newest message on " + sensor.topic + " is " + problem);
+  }
+  status->add("topic", sensor.topic);
+  status->add("age (s)", sensor.age);
+  status->add("rate (Hz)", sensor.period > 0.0 ? 1.0 / sensor.period : 0.0);
+  status->add("oldest that is used (s)", sensor.timeout);
+}
+
+}  // namespace lstm_planner
