@@ -58,6 +58,7 @@ required_packages() {
 # Benchmark, a viewer when there is a display.
 optional_packages() {
   printf '%s\n' libbenchmark-dev libopenmpi-dev openmpi-bin python3-onnx "${more_optional_packages[@]}"
+  [ "$1" = noetic ] || printf '%s\n' libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure
   [ "$1" = noetic ] && printf 'ros-noetic-%s\n' create-msgs dwa-local-planner dynamic-reconfigure global-planner
   if [ -n "${DISPLAY:-}" ]; then
     if [ "$1" = noetic ]; then echo ros-noetic-rviz; else echo rviz; fi

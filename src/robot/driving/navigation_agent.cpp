@@ -23,6 +23,7 @@ constexpr double kGoalShift = 0.25;
 
 /// Why a leader leads.
 const char* const kNewGoal = "new goal";
+const char* const kChosen = "the parameter leader was changed";
 const char* const kNearerThanEver = "nearer to the goal than ever";
 const char* const kNoProgress = "no progress";
 const char* const kNoProgressForLong = "no progress for very long";
@@ -45,6 +46,20 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
   decision_.preferences.resize(actions);
   decision_.allowed.resize(actions);
   if (guide_) decision_.path_on.reserve(guide_->route().points.capacity());
+}
+
+void NavigationAgent::change(const AgentParameters& parameters) {
+  AgentParameters changed = parameters_;
+  changed.leader = parameters.leader;
+  changed.goal_tolerance = parameters.goal_tolerance;
+  changed.goal_in_sight = parameters.goal_in_sight;
+  changed.escape.patience_steps = parameters.escape.patience_steps;
+  changed.escape.patience_distance = parameters.escape.patience_distance;
+  changed.escape.last_resort = parameters.escape.last_resort;
+  validate(changed);
+  const bool is_led_as_chosen = decision_.leader == parameters_.leader;
+  if (is_led_as_chosen && changed.leader != parameters_.leader) lead(changed.leader, kChosen);
+  parameters_ = changed;
 }
 
 void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time) {

@@ -18,12 +18,17 @@ GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_
 
   visitGlobalPlannerParameters(std::as_const(parameters), RangeCheck());
   parameters.agent = fittedToFootprint(parameters.agent);
+  validate(parameters);
+  return parameters;
+}
+
+void validate(const GlobalPlannerParameters& parameters) {
+  visitGlobalPlannerParameters(parameters, RangeCheck());
   validate(parameters.sensors.scan_rules);
   validate(parameters.agent);
   if (parameters.agent.leader == Decision::Source::kGreedy) {
     throw std::invalid_argument("leader is 'none', expected network or route: none is for comparisons in simulation");
   }
-  return parameters;
 }
 
 SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHandle& node_handle) {
@@ -33,11 +38,32 @@ SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHan
   reader.warnOfUnknown();
   ParameterReader(ros::NodeHandle("~")).read("controller_frequency", &parameters.controller_frequency);
 
-  visitSteeringControllerParameters(std::as_const(parameters), RangeCheck());
+  validate(parameters);
+  return parameters;
+}
+
+void validate(const SteeringControllerParameters& parameters) {
+  visitSteeringControllerParameters(parameters, RangeCheck());
   validate(parameters.sensors.scan_rules);
   validate(parameters.motion);
   checkRange("controller_frequency", parameters.controller_frequency, 0.1, 1000.0);
-  return parameters;
+}
+
+std::vector<std::string> changeableGlobalPlannerParameters() {
+  return {"leader",
+          "goal_tolerance",
+          "goal_in_sight",
+          "escape/patience_steps",
+          "escape/patience_distance",
+          "escape/last_resort",
+          "trace_length"};
+}
+
+std::vector<std::string> changeableSteeringControllerParameters() {
+  return {"max_linear",         "max_angular",       "max_wheel_speed", "linear_acceleration", "lookahead",
+          "nearest_target",     "turn_in_place",     "heading_gain",    "reaction_time",       "safety_margin",
+          "slow_gap",           "slow_speed",        "person_speed",    "person_margin",       "person_slow_speed",
+          "position_tolerance", "heading_tolerance", "plan_timeout"};
 }
 
 std::string resolvePackagePath(const std::string& path) {

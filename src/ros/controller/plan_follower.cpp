@@ -39,6 +39,17 @@ PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const
       tracker_(parameters.motion),
       shield_(parameters.footprint_radius, parameters.motion.safety_margin, reach_) {}
 
+void PlanFollower::change(const SteeringControllerParameters& parameters) {
+  if (reachOf(parameters) > reach_) {
+    throw std::invalid_argument("that needs a restart: obstacles would have to be looked at within " +
+                                std::to_string(reachOf(parameters)) + " m, they are within " + std::to_string(reach_) +
+                                " m");
+  }
+  tracker_.change(parameters.motion);
+  shield_ = Shield(parameters.footprint_radius, parameters.motion.safety_margin, reach_);
+  parameters_ = parameters;
+}
+
 void PlanFollower::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   plan_.clear();
   if (plan.empty()) {

@@ -10,6 +10,7 @@
 #include "lstm_planner/ros/common/costmap_reader.hpp"
 #include "lstm_planner/ros/common/plugin_diagnostics.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
+#include "lstm_planner/ros/common/reconfigure_server.hpp"
 #include "lstm_planner/ros/controller/plan_follower.hpp"
 
 PLUGINLIB_EXPORT_CLASS(lstm_planner::SteeringController, nav_core::BaseLocalPlanner)
@@ -46,6 +47,7 @@ void SteeringController::initialize(std::string name, tf2_ros::Buffer* tf, costm
         safeFootprintRadius(*costmap_ros, parameters.footprint_radius, name + "/footprint_radius");
     plan_follower_ = std::make_unique<PlanFollower>(parameters, costmap_ros->getBaseFrameID(), *tf, costmap_ros);
     costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
+    startReconfigure(name);
   } catch (const std::exception& error) {
     refuse(name, error.what());
   } catch (...) {
@@ -131,6 +133,23 @@ bool SteeringController::isGoalReached() {
     ROS_ERROR_THROTTLE(kLogPeriod, "whether the goal is reached is not known");
   }
   return false;
+}
+
+void SteeringController::startReconfigure(const std::string& name) {
+  const auto visit = [](auto& parameters, const auto& visitor) {
+    visitSteeringControllerParameters(parameters, visitor);
+  };
+  const auto change = [this, visit](const ReconfigureServer::Rows& rows) {
+    SteeringControllerParameters changed = plan_follower_->parameters();
+    assignRows(rows, &changed, visit);
+    validate(changed);
+    plan_follower_->change(changed);
+  };
+  const ReconfigureServer::Description description{rowsOf(plan_follower_->parameters(), visit),
+                                                   rowsOf(SteeringControllerParameters(), visit),
+                                                   changeableSteeringControllerParameters(),
+                                                   {}};
+  reconfigure_ = std::make_unique<ReconfigureServer>(name, description, &mutex_, change);
 }
 
 void SteeringController::startDiagnostics(const std::string& name) {

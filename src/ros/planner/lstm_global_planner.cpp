@@ -12,6 +12,7 @@
 #include "lstm_planner/ros/common/costmap_reader.hpp"
 #include "lstm_planner/ros/common/plugin_diagnostics.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
+#include "lstm_planner/ros/common/reconfigure_server.hpp"
 #include "lstm_planner/ros/planner/plan_maker.hpp"
 
 PLUGINLIB_EXPORT_CLASS(lstm_planner::LstmGlobalPlanner, nav_core::BaseGlobalPlanner)
@@ -63,6 +64,7 @@ void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* c
     costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
     ROS_INFO("%s plans in %s with the model %s", name.c_str(), costmap_ros->getGlobalFrameID().c_str(),
              parameters.model.c_str());
+    startReconfigure(name);
   } catch (const std::exception& error) {
     refuse(name, error.what());
   } catch (...) {
@@ -104,6 +106,21 @@ bool LstmGlobalPlanner::refusePlan(std::vector<geometry_msgs::PoseStamped>* plan
   answer_.refusal = reason;
   ROS_WARN_THROTTLE(kLogPeriod, "no plan: %s", reason.c_str());
   return false;
+}
+
+void LstmGlobalPlanner::startReconfigure(const std::string& name) {
+  const auto visit = [](auto& parameters, const auto& visitor) { visitGlobalPlannerParameters(parameters, visitor); };
+  const auto change = [this, visit](const ReconfigureServer::Rows& rows) {
+    GlobalPlannerParameters changed = plan_maker_->parameters();
+    assignRows(rows, &changed, visit);
+    validate(changed);
+    plan_maker_->change(changed);
+  };
+  const ReconfigureServer::Description description{rowsOf(plan_maker_->parameters(), visit),
+                                                   rowsOf(GlobalPlannerParameters(), visit),
+                                                   changeableGlobalPlannerParameters(),
+                                                   {"network", "route"}};
+  reconfigure_ = std::make_unique<ReconfigureServer>(name, description, &mutex_, change);
 }
 
 void LstmGlobalPlanner::startDiagnostics(const std::string& name) {

@@ -41,6 +41,12 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
   if (!warning.empty()) ROS_WARN("%s", warning.c_str());
 }
 
+void PlanMaker::change(const GlobalPlannerParameters& parameters) {
+  agent_.change(parameters.agent);
+  markers_.setTraceLength(parameters.trace_length);
+  parameters_ = parameters;
+}
+
 void PlanMaker::makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal_message,
                          std::vector<geometry_msgs::PoseStamped>* plan) {
   try {

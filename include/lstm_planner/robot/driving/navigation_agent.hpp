@@ -45,6 +45,10 @@ class NavigationAgent {
   /// not fit them.
   NavigationAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules = {});
 
+  /// From the next decision on: leader, goal_tolerance, goal_in_sight and the escape's patience, which may change
+  /// during a drive; the rest of the parameters stays. Throws std::invalid_argument, and changes nothing, for bad ones.
+  void change(const AgentParameters& parameters);
+
   /// What the scanner sees at `time` (s) from `pose`: situation(). Throws UnusableScan, or std::invalid_argument when
   /// the model was made for another scanner or robot or the pose is out of reach (checkPose).
   void perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time);

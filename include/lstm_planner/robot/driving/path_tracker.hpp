@@ -23,6 +23,9 @@ class PathTracker {
     return controller_.compute(plan, situation.pose, twist, shield, period, moving_.points(), moving_.resting());
   }
 
+  /// From the next command on; what moves is found as before. Throws as MotionController, and changes nothing.
+  void change(const MotionParameters& parameters) { controller_ = MotionController(parameters); }
+
   /// See MotionController.
   void expectReactionTime(double least) { controller_.expectReactionTime(least); }
 

@@ -3,6 +3,7 @@
 #include <ros/node_handle.h>
 
 #include <string>
+#include <vector>
 
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
 #include "lstm_planner/robot/driving/motion_controller.hpp"
@@ -90,6 +91,14 @@ void visitSteeringControllerParameters(Parameters& controller, const Visitor& vi
 /// std::invalid_argument naming the parameter, its value and what was expected.
 GlobalPlannerParameters loadGlobalPlannerParameters(const ros::NodeHandle& node_handle);
 SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHandle& node_handle);
+
+/// Throw std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const GlobalPlannerParameters& parameters);
+void validate(const SteeringControllerParameters& parameters);
+
+/// Names of those that may change while the robot drives.
+std::vector<std::string> changeableGlobalPlannerParameters();
+std::vector<std::string> changeableSteeringControllerParameters();
 
 /// The file behind package://NAME/PATH; any other path as it is. Throws std::invalid_argument for an unknown package.
 std::string resolvePackagePath(const std::string& path);

@@ -45,6 +45,11 @@ class PlanFollower {
   /// Throws as compute().
   bool goalReached();
 
+  /// From the next command on: what moves the robot; not the sensors. Throws std::invalid_argument for what
+  /// needs a restart, or as MotionController.
+  void change(const SteeringControllerParameters& parameters);
+  const SteeringControllerParameters& parameters() const { return parameters_; }
+
   SensorListener& sensors() { return sensors_; }
 
  private:

@@ -23,13 +23,15 @@ namespace lstm_planner {
 
 class PlanFollower;
 class PluginDiagnostics;
+class ReconfigureServer;
 
 /// The local planner plugin for move_base: turns and drives along the plan within the Create 2's limits, slows down
 /// near obstacles, and stands still when scan or odometry are too old.
 ///
 /// Subscribes scan and odom (topics are parameters). Publishes /diagnostics, and why the robot stands on "~/" + name +
 /// "/status" (diagnostic_msgs/DiagnosticStatus, latched). Obstacles of the costmap that the scan does not show count,
-/// too (CostmapReader). Parameters: SteeringControllerParameters, in "~/" + name. Thread safe; nothing is ever thrown out of it.
+/// too (CostmapReader). Parameters: SteeringControllerParameters, in "~/" + name; some may change while it drives
+/// (dynamic_reconfigure). Thread safe; nothing is ever thrown out of it.
 class SteeringController : public nav_core::BaseLocalPlanner {
  public:
   SteeringController();
@@ -58,6 +60,7 @@ class SteeringController : public nav_core::BaseLocalPlanner {
   };
 
   void refuse(const std::string& name, const std::string& reason);
+  void startReconfigure(const std::string& name);
   void startDiagnostics(const std::string& name);
   void describeStop(diagnostic_updater::DiagnosticStatusWrapper* status) const;
   void noteStop(const MotionCommand& command);
@@ -71,6 +74,7 @@ class SteeringController : public nav_core::BaseLocalPlanner {
   Answer answer_;
   // Last: they ask for what is above.
   std::unique_ptr<PluginDiagnostics> diagnostics_;
+  std::unique_ptr<ReconfigureServer> reconfigure_;
 };
 
 }  // namespace lstm_planner

@@ -19,6 +19,7 @@ namespace lstm_planner {
 
 class PlanMaker;
 class PluginDiagnostics;
+class ReconfigureServer;
 
 /// The global planner plugin for move_base: plans from the laser scan, the odometry and a recurrent network, without a
 /// map.
@@ -30,7 +31,8 @@ class PluginDiagnostics;
 ///
 /// Subscribes scan, odom (topics are parameters) and ~current_goal. Publishes, in "~/" + name: plan (nav_msgs/Path),
 /// markers (visualization_msgs/MarkerArray), decision (diagnostic_msgs/DiagnosticArray), status (latched: who leads, or
-/// why there is no plan; diagnostic_msgs/DiagnosticStatus); and /diagnostics. Parameters: GlobalPlannerParameters. Thread safe; nothing is ever thrown out of it.
+/// why there is no plan; diagnostic_msgs/DiagnosticStatus); and /diagnostics. Parameters: GlobalPlannerParameters; some
+/// may change while it drives (dynamic_reconfigure). Thread safe; nothing is ever thrown out of it.
 class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
  public:
   LstmGlobalPlanner();
@@ -55,6 +57,7 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
 
   void refuse(const std::string& name, const std::string& reason);
   bool refusePlan(std::vector<geometry_msgs::PoseStamped>* plan, const std::string& reason);
+  void startReconfigure(const std::string& name);
   void startDiagnostics(const std::string& name);
   void describeDrive(diagnostic_updater::DiagnosticStatusWrapper* status) const;
   void describeModel(diagnostic_updater::DiagnosticStatusWrapper* status);
@@ -69,6 +72,7 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
   Answer answer_;
   // Last: they ask for what is above.
   std::unique_ptr<PluginDiagnostics> diagnostics_;
+  std::unique_ptr<ReconfigureServer> reconfigure_;
 };
 
 }  // namespace lstm_planner

@@ -26,6 +26,7 @@ class MarkerPublisher {
   void publish(const std_msgs::Header& header, const Situation& situation, const Decision& decision, const Pose2& goal);
 
   void clearTrace() { trace_.clear(); }
+  void setTraceLength(int poses) { trace_length_ = static_cast<std::size_t>(poses); }
 
   bool isListenedTo() const { return publisher_.getNumSubscribers() > 0; }
 

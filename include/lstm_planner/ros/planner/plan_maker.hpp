@@ -42,6 +42,10 @@ class PlanMaker {
   void makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
                 std::vector<geometry_msgs::PoseStamped>* plan);
 
+  /// From the next plan on, as NavigationAgent::change(), and trace_length.
+  void change(const GlobalPlannerParameters& parameters);
+  const GlobalPlannerParameters& parameters() const { return parameters_; }
+
   /// How the drive is led.
   const NavigationAgent& agent() const { return agent_; }
   SensorListener& sensors() { return sensors_; }

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/base/common/parameter_rows.hpp"
+
+namespace lstm_planner {
+
+/// Lets a plugin's parameters be changed while it drives, by dynamic_reconfigure (rqt_reconfigure, dynparam) in
+/// "~/NAME". Made from the visited parameters; there is no .cfg file. Does nothing where dynamic_reconfigure was not
+/// installed when this was built.
+class ReconfigureServer {
+ public:
+  using Rows = std::vector<ParameterRow>;
+  /// Takes over the rows; throws std::invalid_argument, and changes nothing, when one cannot be used.
+  using Change = std::function<void(const Rows&)>;
+
+  /// What may be changed, and from what to what.
+  struct Description {
+    Rows rows;      ///< as they are now
+    Rows defaults;  ///< in the same order
+    std::vector<std::string> changeable;
+    std::vector<std::string> leaders;  ///< what `leader` may be
+  };
+
+  /// `mutex` is held during a change. Not to be destroyed under it.
+  ReconfigureServer(const std::string& name, const Description& description, std::mutex* mutex, const Change& change);
+  ~ReconfigureServer();
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace lstm_planner
