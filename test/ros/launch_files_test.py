@@ -102,6 +102,14 @@ class LaunchFiles(unittest.TestCase):
             margin = self.parameter(config, "/move_base/SteeringController/safety_margin")
             self.assertGreaterEqual(self.parameter(config, "/move_base/LstmGlobalPlanner/shield/tight_clearance"), margin)
 
+    def test_two_machines_share_what_navigation_starts(self):
+        whole = {node.name for node in load("navigation.launch").nodes}
+        robot, desktop = (load("two_machines.launch", "on:=" + machine) for machine in ("robot", "desktop"))
+        self.check(robot)
+        self.check(desktop)
+        self.assertEqual({node.name for node in desktop.nodes}, {"move_base"})
+        self.assertEqual({node.name for node in robot.nodes}, whole - {"move_base"})
+
     def test_a_serial_scanner_takes_the_place_of_the_one_with_an_address(self):
         config = load("navigation.launch", "laser_port:=/dev/ttyACM0")
         self.assertEqual(self.parameter(config, "/urg_node/serial_port"), "/dev/ttyACM0")

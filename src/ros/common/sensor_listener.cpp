@@ -17,9 +17,14 @@ constexpr int kOdometryQueue = 100;  // a tenth of a second of the fastest
 /// When it was received stands in where a driver does not stamp its messages and leaves zero there.
 ros::Time stampOr(const ros::Time& stamp, const ros::Time& received) { return stamp.isZero() ? received : stamp; }
 
-void checkAge(double age, double timeout, const std::string& topic, const std::string& parameter) {
-  const std::string problem = ageProblem(age, timeout, parameter);
-  if (!problem.empty()) throw SensorError("the newest message on " + topic + " is " + problem);
+/// `age`: by the stamp; `silence`: since it was received; s.
+void checkAge(double age, double silence, double timeout, const std::string& topic, const std::string& parameter) {
+  std::string problem = ageProblem(age, timeout, parameter);
+  if (problem.empty()) return;
+  if (age > timeout && silence <= timeout) {
+    problem += ", although it has just come: the network is slow, or the clocks differ (NTP)";
+  }
+  throw SensorError("the newest message on " + topic + " is " + problem);
 }
 
 }  // namespace
@@ -38,7 +43,8 @@ SensorListener::SensorListener(MessageQueue* messages, const SensorParameters& p
 void SensorListener::onScan(const ros::MessageEvent<sensor_msgs::LaserScan const>& event) {
   const std::lock_guard<std::mutex> lock(mutex_);
   scan_ = event.getConstMessage();
-  scan_stamp_ = stampOr(scan_->header.stamp, event.getReceiptTime());
+  scan_received_ = event.getReceiptTime();
+  scan_stamp_ = stampOr(scan_->header.stamp, scan_received_);
   fromMessage(*scan_, &laser_scan_);
   scan_period_.note(scan_stamp_.toSec());
   silence_.show(laser_scan_, parameters_.scan_rules, scan_stamp_.toSec());
@@ -47,7 +53,8 @@ void SensorListener::onScan(const ros::MessageEvent<sensor_msgs::LaserScan const
 void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const nav_msgs::Odometry::ConstPtr odometry = event.getConstMessage();
-  odometry_stamp_ = stampOr(odometry->header.stamp, event.getReceiptTime());
+  odometry_received_ = event.getReceiptTime();
+  odometry_stamp_ = stampOr(odometry->header.stamp, odometry_received_);
   odometry_period_.note(odometry_stamp_.toSec());
   const geometry_msgs::Twist& twist = odometry->twist.twist;
   const OdometryHistory::Entry entry{
@@ -122,8 +129,10 @@ double SensorListener::odometryTimeout() const {
 }
 
 void SensorListener::checkAges(const ros::Time& now) const {
-  checkAge(secondsBetween(scan_stamp_, now), scanTimeout(), scan_subscriber_.getTopic(), "scan_timeout");
-  checkAge(secondsBetween(odometry_stamp_, now), odometryTimeout(), odometry_subscriber_.getTopic(), "odom_timeout");
+  checkAge(secondsBetween(scan_stamp_, now), secondsBetween(scan_received_, now), scanTimeout(),
+           scan_subscriber_.getTopic(), "scan_timeout");
+  checkAge(secondsBetween(odometry_stamp_, now), secondsBetween(odometry_received_, now), odometryTimeout(),
+           odometry_subscriber_.getTopic(), "odom_timeout");
 }
 
 void SensorListener::sayTimeoutsOnce() {

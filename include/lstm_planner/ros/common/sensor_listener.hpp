@@ -81,10 +81,12 @@ class SensorListener {
   std::string odometry_frame_;
   sensor_msgs::LaserScan::ConstPtr scan_;
   ros::Time scan_stamp_;
+  ros::Time scan_received_;
   LaserScan laser_scan_;  ///< the same
   SilenceWatch silence_;
   PeriodMeter scan_period_;
   ros::Time odometry_stamp_;
+  ros::Time odometry_received_;
   PeriodMeter odometry_period_;
   bool timeouts_are_said_ = false;
   bool odometry_is_finite_ = true;
