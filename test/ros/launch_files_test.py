@@ -102,6 +102,18 @@ class LaunchFiles(unittest.TestCase):
             margin = self.parameter(config, "/move_base/SteeringController/safety_margin")
             self.assertGreaterEqual(self.parameter(config, "/move_base/LstmGlobalPlanner/shield/tight_clearance"), margin)
 
+    def test_several_robots_have_namespaces_and_frames_of_their_own(self):
+        config = load("two_robots.launch", "move_base:=standalone", "rviz:=true", "start2:=[3.0, 3.0, 0.0]")
+        self.check(config)
+        for robot, other in (("robot1", "robot2"), ("robot2", "robot1")):
+            self.assertEqual(self.parameter(config, "/%s/create2_stub/odom_frame" % robot), robot + "/odom")
+            self.assertEqual(self.parameter(config, "/%s/create2_stub/laser/frame" % robot), robot + "/laser")
+            self.assertEqual(self.parameter(config, "/%s/create2_stub/others" % robot),
+                             "/%s/create2_stub/ground_truth" % other)
+            self.assertEqual(self.parameter(config, "/%s/move_base/global_costmap/global_frame" % robot),
+                             robot + "/odom")
+        self.assertEqual(self.parameter(config, "/robot2/create2_stub/start"), [3.0, 3.0, 0.0])
+
     def test_two_machines_share_what_navigation_starts(self):
         whole = {node.name for node in load("navigation.launch").nodes}
         robot, desktop = (load("two_machines.launch", "on:=" + machine) for machine in ("robot", "desktop"))

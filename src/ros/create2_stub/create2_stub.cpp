@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "lstm_planner/ros/common/conversions.hpp"
@@ -45,8 +47,9 @@ geometry_msgs::TransformStamped transform(const std::string& parent, const std::
 
 Create2Stub::Create2Stub(const Create2StubParameters& parameters)
     : parameters_(parameters),
-      world_(makeWorld(parameters)),
-      robot_(*world_, parameters.robot, parameters.start, parameters.seed),
+      building_(makeWorld(parameters)),
+      world_(*building_, parameters.robot.base_diameter / 2.0),
+      robot_(world_, parameters.robot, parameters.start, parameters.seed),
       laser_(parameters.laser, parameters.seed + 1),
       driver_(parameters, &robot_, [this] { return driverTime(); }),
       scans_(parameters.laser.rate),
@@ -71,7 +74,19 @@ Create2Stub::Create2Stub(const Create2StubParameters& parameters)
   scan_message_.header.frame_id = parameters_.laser_frame;
   scan_message_.time_increment = static_cast<float>(kTimeIncrement);
   scan_message_.scan_time = static_cast<float>(1.0 / parameters_.laser.rate);
+  watchOthers();
   publishContacts();
+}
+
+void Create2Stub::watchOthers() {
+  std::istringstream topics(parameters_.others);
+  std::string topic;
+  for (std::size_t robot = 0; topics >> topic; ++robot) {
+    const auto move = [this, robot](const nav_msgs::Odometry::ConstPtr& truth) {
+      world_.moveRobot(robot, {truth->pose.pose.position.x, truth->pose.pose.position.y});
+    };
+    other_subscribers_.push_back(node_.subscribe<nav_msgs::Odometry>(topic, 1, move));
+  }
 }
 
 void Create2Stub::run() {
@@ -168,7 +183,7 @@ void Create2Stub::advance() {
 
 void Create2Stub::publishScan() {
   if (scan_paused_) return;
-  laser_.scan(*world_, robot_.robot().truePose(), 1e-9 * static_cast<double>(time_), &scan_);
+  laser_.scan(world_, robot_.robot().truePose(), 1e-9 * static_cast<double>(time_), &scan_);
   scan_message_.header.stamp = simulatedTime();
   toMessage(scan_, &scan_message_);
   scan_publisher_.publish(scan_message_);
@@ -197,9 +212,11 @@ void Create2Stub::publishContacts() {
 void Create2Stub::publishStaticTransforms() {
   const ros::Time now = simulatedTime();
   std::vector<geometry_msgs::TransformStamped> transforms;
+  // Where several robots share tf, their frames begin with their names.
+  const std::string base_link = parameters_.base_frame.substr(0, parameters_.base_frame.rfind('/') + 1) + "base_link";
   if (parameters_.publish_static_tf) {
-    transforms.push_back(transform(parameters_.base_frame, "base_link", now, {}, parameters_.base_link_height));
-    transforms.push_back(transform("base_link", parameters_.laser_frame, now, parameters_.laser.mount.pose,
+    transforms.push_back(transform(parameters_.base_frame, base_link, now, {}, parameters_.base_link_height));
+    transforms.push_back(transform(base_link, parameters_.laser_frame, now, parameters_.laser.mount.pose,
                                    parameters_.laser_height, parameters_.laser.mount.upside_down));
   }
   if (parameters_.publish_map) {
@@ -209,7 +226,7 @@ void Create2Stub::publishStaticTransforms() {
 }
 
 void Create2Stub::publishMap() {
-  const auto* grid_world = dynamic_cast<const GridWorld*>(world_.get());
+  const auto* grid_world = dynamic_cast<const GridWorld*>(building_.get());
   if (grid_world == nullptr) return;
   const OccupancyGrid& grid = grid_world->grid();
   nav_msgs::OccupancyGrid message;

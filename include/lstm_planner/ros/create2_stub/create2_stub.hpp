@@ -1,6 +1,7 @@
 #pragma once
 
 #include <geometry_msgs/Twist.h>
+#include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 #include <sensor_msgs/LaserScan.h>
@@ -10,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_driver.hpp"
@@ -57,6 +59,7 @@ class Create2Stub {
   void runGivenClock();
   void restartAt(const ros::Time& time);
   void advance();
+  void watchOthers();
   void publishStaticTransforms();
   void publishMap();
   void publishScan();
@@ -68,7 +71,8 @@ class Create2Stub {
   ros::Time driverTime() const;  ///< on a clock that runs by itself no two messages of the driver have the same stamp
 
   Create2StubParameters parameters_;
-  std::unique_ptr<World> world_;
+  std::unique_ptr<World> building_;
+  WorldWithRobots world_;
   RobotInWorld robot_;
   Hokuyo laser_;
   Create2StubDriver driver_;
@@ -88,6 +92,7 @@ class Create2Stub {
   ros::NodeHandle private_node_{"~"};
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   ros::Subscriber command_subscriber_;
+  std::vector<ros::Subscriber> other_subscribers_;
   ros::Publisher scan_publisher_;
   ros::Publisher truth_publisher_;
   ros::Publisher contacts_publisher_;

@@ -31,6 +31,7 @@ struct Create2StubParameters {
   std::string map_frame = "map";
   bool publish_map = false;
   Pose2 start;
+  std::string others;
 
   // The robot and its scanner.
   Create2Parameters robot;
@@ -69,6 +70,9 @@ void visitCreate2StubParameters(Parameters& stub, const Visitor& visit) {
   visit("publish_map", stub.publish_map, {}, "",
         "the map, and the fixed transform map_frame -> odom_frame; for viewing");
   visit("start", stub.start, {}, "m, m, rad", "of the robot, in the map frame");
+
+  visit("others", stub.others, {}, "",
+        "~ground_truth topics of other robots, as large as this one, which it sees and can touch; spaces between them");
 
   visitCreate2Parameters(stub.robot, withPrefix("robot/", visit));
   visit("base_link_height", stub.base_link_height, {-100.0, 100.0}, "m", "above base_frame");

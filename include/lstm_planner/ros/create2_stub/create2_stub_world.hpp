@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +21,25 @@ std::vector<Circle> readCircles(const std::string& path, double default_radius, 
 /// The world that the parameters name. Throws std::invalid_argument when they name none or two, when its file cannot be
 /// read, or when the robot would touch something at the start pose.
 std::unique_ptr<World> makeWorld(const Create2StubParameters& parameters);
+
+/// A building with other robots in it: discs that move.
+class WorldWithRobots : public World {
+ public:
+  /// `radius`: of each robot, m. `building` must outlive the object.
+  WorldWithRobots(const World& building, double radius) : building_(building), radius_(radius) {}
+
+  /// Where a robot is now; it is nowhere before.
+  void moveRobot(std::size_t robot, const Point2& position);
+
+  void castRays(const Point2& origin, double first_direction, double increment, double max_range,
+                std::vector<double>* ranges) const override;
+  bool touches(const Point2& center, double radius) const override;
+
+ private:
+  const World& building_;
+  double radius_;
+  std::map<std::size_t, Point2> robots_;
+};
 
 /// A robot in a world. It cannot drive into anything: what it runs against holds it (it may turn, its wheels go on and
 /// the encoders count). A contact is counted when touching starts; it has ended when the robot is 1 cm away.
