@@ -1,17 +1,18 @@
+#include <algorithm>
 #include <iostream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
-#include "lstm_planner/grid_world/evaluation/grid_thesis.hpp"
 #include "tools/agent_list.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/grid_options.hpp"
 #include "tools/output_file.hpp"
-#include "tools/progress.hpp"
 #include "tools/ranks.hpp"
+#include "tools/report_files.hpp"
+#include "tools/report_thesis.hpp"
 
 namespace lstm_planner {
 
@@ -24,7 +25,10 @@ struct ReportOptions {
 };
 
 bool readOptions(const std::vector<std::string>& arguments, ReportOptions* options) {
-  CommandLine line("report", "compares agents in the same scenarios, with the thesis's tables and figures");
+  CommandLine line(
+      "report",
+      "compares agents in the same scenarios, with the thesis's tables and figures; report --thesis --help: the thesis "
+      "under its own rules");
   line.addFolder("output", &options->output, "folder for report.md, CSV files and pictures").required();
   line.add(
           "agents", &options->agents,
@@ -34,22 +38,6 @@ bool readOptions(const std::vector<std::string>& arguments, ReportOptions* optio
       .required();
   addGridOptions(&options->grid, &line);
   return line.parse(arguments);
-}
-
-void evaluateAll(const GridOptions& options, GridComparison* comparison) {
-  Progress progress;
-  const auto runs = static_cast<double>(comparison->sets.size() * comparison->agents.size());
-  double done = 0.0;
-  for (const GridTaskSet& set : comparison->sets) {
-    comparison->episodes.emplace_back();
-    for (const ReportAgent& agent : comparison->agents) {
-      GridEvaluationOptions evaluation = options.evaluation;
-      evaluation.communicator = ranks();
-      evaluation.progress = [&](double share) { progress.show((done + share) / runs); };
-      comparison->episodes.back().push_back(evaluateGridTasks(set, 0, set.tasks.size(), agent.agent.make, evaluation));
-      ++done;
-    }
-  }
 }
 
 std::string rulesText(const GridOptions& options) {
@@ -62,41 +50,6 @@ std::string rulesText(const GridOptions& options) {
        << ", arrival within one cell. Averages are over the arrivals. Times are processor times and depend on the "
           "machine. The thesis's rows are as printed: 50 scenarios of at most 300 steps, corner cutting allowed.";
   return text.str();
-}
-
-std::string fileName(const GridTaskSet& set) {
-  const ThesisTable* thesis = thesisTableOf(set.name);
-  if (thesis == nullptr) return "success_" + set.name;
-  std::string name = "figure_" + thesis->trend_figure;
-  name.replace(name.find('.'), 1, "_");
-  return name;
-}
-
-void appendPicture(const std::string& caption, const std::string& file, std::ostream& out) {
-  out << "![" << caption << "](" << file << ")\n\n" << caption << "\n\n";
-}
-
-void writeTrends(const GridComparison& comparison, const std::string& folder, std::ostream& report) {
-  for (std::size_t i = 0; i < comparison.sets.size(); ++i) {
-    const GridTaskSet& set = comparison.sets[i];
-    const std::string name = fileName(set);
-    const std::string csv = folder + "/" + name + ".csv";
-    writeTextFile(csv, successTrendCsv(comparison, i));
-    drawSuccessTrend(comparison, i, csv, folder + "/" + name + ".png");
-    const ThesisTable* thesis = thesisTableOf(set.name);
-    appendPicture((thesis == nullptr ? "" : "Figure " + thesis->trend_figure + ": ") + "success in " + set.name +
-                      " over the longest path allowed",
-                  name + ".png", report);
-  }
-}
-
-void drawPicture(const GridComparison& comparison, const ReportPicture& picture, const std::string& folder,
-                 std::ostream& report) {
-  const GridTaskSet& set = comparison.sets[picture.set];
-  const std::string file = picture.name + ".png";
-  writeGridPicture(folder + "/" + file, set.maps[set.tasks[picture.task].map],
-                   pictureOfTask(set, picture.task, picture.agents, comparison.rules));
-  appendPicture(picture.caption, file, report);
 }
 
 /// Figure 3.9, where the first set has training maps.
@@ -123,6 +76,7 @@ void drawTrainingPicture(const ReportOptions& options, const GridComparison& com
 }  // namespace
 
 int runReport(const std::vector<std::string>& arguments) {
+  if (std::find(arguments.begin(), arguments.end(), "--thesis") != arguments.end()) return runThesisReport(arguments);
   ReportOptions options;
   if (!readOptions(arguments, &options)) return 0;
   makeOutputFolder(options.output);
@@ -130,7 +84,7 @@ int runReport(const std::vector<std::string>& arguments) {
   comparison.agents = agentsFromTexts(options.agents, options.grid.agent);
   comparison.rules = options.grid.evaluation.rules;
   comparison.sets = drawGridTaskSets(options.grid);
-  evaluateAll(options.grid, &comparison);
+  evaluateAll(options.grid.evaluation, &comparison);
   if (!isFirstRank()) return 0;
 
   std::ostringstream report;

@@ -120,7 +120,8 @@ std::shared_ptr<const CourseGoal> GridCourse::makeGoal(const CourseSet& set, Ran
     auto goal = std::make_shared<CourseGoal>();
     goal->map = map;
     goal->goal = cell;
-    goal->distances = GridDistances(map->grid, cell, CornerCutting::kForbidden);
+    goal->corner_cutting = parameters_.corner_cutting;
+    goal->distances = GridDistances(map->grid, cell, parameters_.corner_cutting);
     goal->starts = drawStarts(*map, goal->distances, parameters_, random);
     if (hasStart(*goal)) return goal;
   }

@@ -6,9 +6,11 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "grid_world/agent/a_star_agent.hpp"
 #include "lstm_planner/base/common/parallel_for.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
@@ -62,6 +64,30 @@ class Rescue {
   int steps_left_ = 0;
 };
 
+/// What the supervisor of the parameters answers along one path.
+class Supervisor {
+ public:
+  Supervisor(const CourseGoal& goal, CellIndex start, GridSupervisor kind) : goal_(goal) {
+    if (kind == GridSupervisor::kShortestPath) return;
+    AStarParameters parameters;
+    parameters.heuristic.kind = Heuristic::kScaledEuclidean;
+    parameters.corner_cutting = goal.corner_cutting;
+    parameters.closed_cells = ClosedCells::kStayClosed;
+    search_.emplace(goal.map->grid, parameters);
+    search_->start(start, goal.goal);
+  }
+
+  int move(const GridObservation& observation, int previous_direction) {
+    if (!search_) return supervisorMove(goal_, observation.cell, previous_direction);
+    search_->observe(observation);
+    return search_->decide();
+  }
+
+ private:
+  const CourseGoal& goal_;
+  std::optional<AStarAgent> search_;
+};
+
 /// One path, led by the supervisor where there is no `agent`.
 Walk walk(const GridCourse::Episode& episode, const GridDatasetParameters& parameters, GridEncoder encoder,
           GridAgent* agent) {
@@ -70,6 +96,7 @@ Walk walk(const GridCourse::Episode& episode, const GridDatasetParameters& param
   memory.start();
   if (agent != nullptr) agent->start(episode.start, goal.goal);
   Rescue rescue(parameters);
+  Supervisor supervisor(goal, episode.start, parameters.supervisor);
   Walk walk;
   CellIndex cell = episode.start;
   const auto inputs = static_cast<std::size_t>(encoder.size());
@@ -80,7 +107,7 @@ Walk walk(const GridCourse::Episode& episode, const GridDatasetParameters& param
     encoder.look(memory);
     walk.inputs.resize(walk.inputs.size() + inputs);
     encoder.encode(0, &walk.inputs[walk.inputs.size() - inputs], 1);
-    const int label = supervisorMove(goal, cell, memory.previousDirection());
+    const int label = supervisor.move(observation, memory.previousDirection());
     walk.labels.push_back(label);
     int direction = label;
     if (agent != nullptr) {
@@ -120,7 +147,7 @@ int supervisorMove(const CourseGoal& goal, CellIndex cell, int previous_directio
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     double& length = lengths[static_cast<std::size_t>(direction)];
     length = std::numeric_limits<double>::infinity();
-    if (!movePossible(goal.map->ranges.at(cell), direction, CornerCutting::kForbidden)) continue;
+    if (!movePossible(goal.map->ranges.at(cell), direction, goal.corner_cutting)) continue;
     length = moveLength(direction) + static_cast<double>(goal.distances.at(cellBeside(cell, direction)));
     shortest = std::min(shortest, length);
   }
@@ -165,6 +192,7 @@ std::vector<Sequence> collectGridSequences(const GridDatasetParameters& paramete
   const GridEncoder encoder(encoder_parameters);
   NetworkGridAgent::Options shield_alone;
   shield_alone.escape = false;
+  shield_alone.corner_cutting = course.cornerCutting();
   Random seeds(seed);
   std::vector<Sequence> sequences;
   std::size_t missing = static_cast<std::size_t>(parameters.steps);

@@ -24,7 +24,8 @@ struct CourseGoal {
   std::shared_ptr<const CourseMap> map;
   CellIndex goal;
   GridDistances distances;
-  std::vector<std::vector<CellIndex>> starts;  ///< by length: bucket i from shortest + i * bucket width
+  std::vector<std::vector<CellIndex>> starts;                ///< by length: bucket i from shortest + i * bucket width
+  CornerCutting corner_cutting = CornerCutting::kForbidden;  ///< of the paths
 };
 
 struct GridCourseParameters {
@@ -35,6 +36,7 @@ struct GridCourseParameters {
   double longest = 1500.0;    ///< cells; of those
   int goals = 600;            ///< kept at a time, over all maps
   bool mirrored = true;       ///< every map also mirrored at its diagonal
+  CornerCutting corner_cutting = CornerCutting::kForbidden;
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
@@ -60,6 +62,7 @@ class GridCourse {
   GridCourse(const GridCourseParameters& parameters, const std::vector<Set>& sets, std::uint64_t seed, int threads);
 
   std::size_t sets() const { return sets_.size(); }
+  CornerCutting cornerCutting() const { return parameters_.corner_cutting; }
 
   /// May be called from several threads at once, with different generators.
   Episode draw(Random& random) const;

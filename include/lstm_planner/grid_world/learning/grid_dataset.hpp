@@ -15,7 +15,14 @@ namespace lstm_planner {
 /// that the answer can be told from what the agent knows. -1 when there is no path.
 int supervisorMove(const CourseGoal& goal, CellIndex cell, int previous_direction);
 
+/// Who answers.
+enum class GridSupervisor {
+  kShortestPath,  ///< supervisorMove()
+  kThesisAStar,   ///< A* with 25 times the Euclidean distance, closed cells stay closed (thesis 3.2): not the shortest
+};
+
 struct GridDatasetParameters {
+  GridSupervisor supervisor = GridSupervisor::kShortestPath;
   int steps = 102400;        ///< with a label (thesis Table 3.1)
   int sequence_steps = 512;  ///< the thesis's "time sequence": errors go back this far at most
   int burn_in_steps = 32;    ///< of a sequence that is not the start of a path, steps that only bring the hidden

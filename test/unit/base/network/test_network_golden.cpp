@@ -1,29 +1,26 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/network/network.hpp"
 #include "support/real_data.hpp"
-
-// The networks of the thesis's author: each of the 11 features runs through its own copy of one stacked LSTM on a
-// scalar, all copies sharing their weights, and one dense layer mixes the 11 outputs.
+#include "support/thesis_network.hpp"
 
 namespace lstm_planner {
 namespace {
 
 namespace fs = std::filesystem;
 using Eigen::Index;
-using Eigen::MatrixXf;
 using Eigen::VectorXf;
 using Rows = std::vector<std::vector<double>>;
 
-constexpr int kFeatures = 11;
+constexpr int kFeatures = ThesisNetwork::kInputs;
 
 fs::path goldenFolder() { return realData("golden"); }
 
@@ -39,30 +36,6 @@ Rows readCsv(const fs::path& path) {
   return rows;
 }
 
-MatrixXf matrixFrom(const nlohmann::json& rows) {
-  MatrixXf matrix(rows.size(), rows.at(0).size());
-  for (Index row = 0; row < matrix.rows(); ++row) {
-    for (Index column = 0; column < matrix.cols(); ++column) matrix(row, column) = rows[row][column].get<float>();
-  }
-  return matrix;
-}
-
-VectorXf vectorFrom(const nlohmann::json& values) {
-  VectorXf vector(values.size());
-  for (Index index = 0; index < vector.size(); ++index) vector(index) = values[index].get<float>();
-  return vector;
-}
-
-/// Caffe stacks the gates as input, forget, output, candidate; ours are input, output, forget, candidate.
-template <typename Matrix>
-Matrix fromCaffeGates(const Matrix& caffe) {
-  const Index cells = caffe.rows() / 4;
-  Matrix ours = caffe;
-  ours.middleRows(cells, cells) = caffe.middleRows(2 * cells, cells);
-  ours.middleRows(2 * cells, cells) = caffe.middleRows(cells, cells);
-  return ours;
-}
-
 struct Steps {
   std::string mode;
   int reset_every;
@@ -72,30 +45,18 @@ class GoldenNetwork : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
     SKIP_WITHOUT_REAL_DATA(goldenFolder());
-    std::ifstream file(goldenFolder() / (GetParam() + "_weights.json"));
-    const nlohmann::json weights = nlohmann::json::parse(file);
-    const auto lstm = [&](const std::string& name) {
-      return LstmLayer{fromCaffeGates(matrixFrom(weights.at(name + "_W_xc"))),
-                       fromCaffeGates(matrixFrom(weights.at(name + "_W_hc"))),
-                       fromCaffeGates(vectorFrom(weights.at(name + "_b_c"))), Activation::kTanh};
-    };
-    features_.assign(kFeatures, Network({lstm("lstm1"), lstm("lstm2")}));
-    mixers_.emplace_back(LayerStack{DenseLayer{matrixFrom(weights.at("out_W")), vectorFrom(weights.at("out_b"))}});
+    network_.emplace(goldenFolder(), GetParam());
   }
 
   VectorXf step(const std::vector<double>& row) {
-    const Index cells = features_.front().outputSize();
-    VectorXf hidden(kFeatures * cells);
-    for (int feature = 0; feature < kFeatures; ++feature) {
-      const VectorXf input = VectorXf::Constant(1, static_cast<float>(row.at(2 + feature)));
-      hidden.segment(feature * cells, cells) = features_[feature].forward(input);
-    }
-    return mixers_.front().forward(hidden);
+    std::array<float, ThesisNetwork::kInputs> inputs{};
+    for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = static_cast<float>(row.at(2 + i));
+    return network_->forward(inputs);
   }
 
   void expectFinalStates(const std::string& mode) const {
     const Rows rows = readCsv(goldenFolder() / (GetParam() + "_state_" + mode + ".csv"));
-    const Index cells = features_.front().outputSize();
+    const Index cells = network_->cells();
     ASSERT_EQ(rows.size(), 1u + 4 * kFeatures);
     // Four blocks of one row a feature: h1, c1, h2, c2, which is the order of our hidden state.
     for (int block = 0; block < 4; ++block) {
@@ -104,15 +65,14 @@ class GoldenNetwork : public testing::TestWithParam<std::string> {
         for (Index cell = 0; cell < cells; ++cell) {
           const double golden = row.at(2 + cell);
           // Cell states count up over the run, so their rounding is relative to their size.
-          EXPECT_NEAR(features_[feature].hiddenState()(block * cells + cell), golden,
+          EXPECT_NEAR(network_->hiddenState(feature)(block * cells + cell), golden,
                       1e-4 * std::max(1.0, std::abs(golden)));
         }
       }
     }
   }
 
-  std::vector<Network> features_;
-  std::vector<Network> mixers_;
+  std::optional<ThesisNetwork> network_;
 };
 
 TEST_P(GoldenNetwork, EqualsTheAuthorsNetworkInAllModes) {
@@ -124,7 +84,7 @@ TEST_P(GoldenNetwork, EqualsTheAuthorsNetworkInAllModes) {
     double largest = 0.0;
     for (int t = 0; t < 300; ++t) {
       if (t % steps.reset_every == 0) {
-        for (Network& feature : features_) feature.reset();
+        network_->reset();
       }
       const VectorXf logits = step(inputs[1 + t]);
       const auto& row = golden[header + t];

@@ -62,6 +62,31 @@ TEST(SupervisorMove, GoesOnAsBeforeAmongEquals) {
   EXPECT_EQ(supervisorMove(goalOn(PassableGrid(8, 8, true), {6, 4}), {0, 0}, -1), 1);  // 34 degrees
 }
 
+TEST(SupervisorMove, CutsACornerOnlyWhereTheCourseAllowsIt) {
+  PassableGrid grid(3, 3, true);
+  grid.set({1, 0}, false);
+  CourseGoal goal = goalOn(grid, {2, 1});
+  EXPECT_EQ(supervisorMove(goal, {0, 0}, -1), 2) << "around the corner";
+  goal.distances = GridDistances(grid, {2, 1}, CornerCutting::kAllowed);
+  goal.corner_cutting = CornerCutting::kAllowed;
+  EXPECT_EQ(supervisorMove(goal, {0, 0}, -1), 1);
+}
+
+TEST(CollectGridSequences, LearnsThePathsOfTheThesisAStarWhichAreLonger) {
+  const auto stepsOfTenPaths = [](GridSupervisor supervisor) {
+    GridDatasetParameters parameters = smallDataset();
+    parameters.steps = 3000;
+    parameters.sequence_steps = 1000;
+    parameters.supervisor = supervisor;
+    int steps = 0;
+    const auto sequences = collectGridSequences(parameters, kThesisInputs, caveCourse(), nullptr, 0.0, 5, 1);
+    for (std::size_t i = 0; i < 10; ++i) steps += static_cast<int>(sequences[i].labels.size());
+    return steps;
+  };
+  EXPECT_GT(stepsOfTenPaths(GridSupervisor::kThesisAStar), stepsOfTenPaths(GridSupervisor::kShortestPath))
+      << "the same ten starts and goals";
+}
+
 TEST(SupervisorMove, HasNoAnswerWhereThereIsNoPath) {
   PassableGrid grid(5, 1, true);
   grid.set({2, 0}, false);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/grid_world/learning/grid_imitation.hpp"
+
+namespace lstm_planner {
+
+/// The thesis's training by its own rules: Tables 3.1 and 3.2 as in thesisImitation(), corners may be cut, and the
+/// supervisor is A* with its heuristic.
+GridImitationParameters thesisTraining();
+
+/// A network of the thesis's online tests.
+struct ThesisNetwork {
+  std::string name;  ///< as tables call it
+  std::string file;  ///< without folder
+  NetworkShape shape;
+  double learning_rate = 0.1;  ///< Table 3.2; that of the perceptron is not printed
+};
+
+/// Two LSTM layers of 8 cells (Fig. 3.8a), two of 16, and the perceptron of four layers of 64 units (Fig. 3.8b).
+const std::vector<ThesisNetwork>& thesisNetworks();
+
+struct ThesisNetworkResult {
+  Model model;  ///< ready to be written and to walk
+  double training_accuracy = 0.0;
+  double validation_accuracy = 0.0;  ///< of the best epoch
+};
+
+/// Trains one network on the maps of the scenario files, each weighing alike. `progress` is told the share done and
+/// ends the training when it returns false. Throws as imitateOnGrid() and readMovingAiMap().
+ThesisNetworkResult trainThesisNetwork(const ThesisNetwork& network, const GridImitationParameters& parameters,
+                                       const std::vector<std::string>& training_files,
+                                       const std::vector<std::string>& validation_files,
+                                       const std::function<bool(double)>& progress = {});
+
+}  // namespace lstm_planner

@@ -1,0 +1,82 @@
+#include "lstm_planner/grid_world/evaluation/thesis_maps.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_thesis.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr std::size_t kTrainingMaps = 5;
+constexpr std::size_t kValidationMaps = 3;
+constexpr std::size_t kTestMaps = 10;
+
+/// Whether a set's name says this kind and number: "Mazes_2w" and "maze512-2" are "maze" and "2".
+bool isSet(const std::string& name, const std::string& kind, const std::string& number) {
+  std::string text;
+  for (const char letter : name) text += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  if (text.find(kind) == std::string::npos) return false;
+  const std::size_t last = text.find_last_of("0123456789");
+  if (last == std::string::npos) return false;
+  const std::size_t before = text.find_last_not_of("0123456789", last);
+  return text.substr(before + 1, last - before) == number;
+}
+
+GridSetFiles trainingSet(std::vector<GridSetFiles>* sets, const std::string& kind, const std::string& number,
+                         Random& random) {
+  for (GridSetFiles& set : *sets) {
+    if (!isSet(set.name, kind, number)) continue;
+    if (set.scenario_files.size() < 2) {
+      throw std::invalid_argument("set " + set.name + " has " + std::to_string(set.scenario_files.size()) +
+                                  " maps, expected at least 2 for the thesis's training");
+    }
+    shuffle(&set.scenario_files, random);
+    return set;
+  }
+  throw std::invalid_argument("there is no set of " + kind + " " + number +
+                              ", expected mazes of width 2 and 4 and random fill of 25 and 40 % (Mazes_2w, Mazes_4w, "
+                              "Random25, Random40) for the thesis's training");
+}
+
+bool contains(const std::vector<std::string>& files, const std::string& file) {
+  return std::find(files.begin(), files.end(), file) != files.end();
+}
+
+}  // namespace
+
+ThesisMaps chooseThesisMaps(const std::vector<GridSetFiles>& sets, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<GridSetFiles> drawn = sets;
+  std::vector<GridSetFiles> trained;
+  for (const auto& [kind, number] : {std::pair{"random", "25"}, {"maze", "2"}, {"maze", "4"}, {"random", "40"}}) {
+    trained.push_back(trainingSet(&drawn, kind, number, random));
+  }
+  ThesisMaps maps;
+  for (std::size_t i = 0; i < kTrainingMaps + kValidationMaps; ++i) {
+    std::vector<std::string>& files = i < kTrainingMaps ? maps.training : maps.validation;
+    files.push_back(trained[i % trained.size()].scenario_files[i / trained.size()]);
+  }
+  for (const GridSetFiles& set : sets) {
+    if (thesisTableOf(set.name) == nullptr) continue;
+    GridSetFiles test = set;
+    const auto used = [&](const std::string& file) {
+      return contains(maps.training, file) || contains(maps.validation, file);
+    };
+    std::vector<std::string>& files = test.scenario_files;
+    files.erase(std::remove_if(files.begin(), files.end(), used), files.end());
+    shuffle(&files, random);
+    if (files.size() > kTestMaps) files.resize(kTestMaps);
+    std::sort(files.begin(), files.end());
+    if (!files.empty()) maps.tests.push_back(std::move(test));
+  }
+  if (maps.tests.empty()) {
+    throw std::invalid_argument(
+        "there is no set to test in, expected Dragon Age, mazes of width 8 or random fill of 25 %");
+  }
+  return maps;
+}
+
+}  // namespace lstm_planner

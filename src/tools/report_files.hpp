@@ -1,0 +1,21 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+
+#include "lstm_planner/grid_world/evaluation/grid_report.hpp"
+
+namespace lstm_planner {
+
+// What the reports about the grid world have in common. Texts about the pictures are appended to `report`, in Markdown.
+
+/// Runs every agent in every set, with a bar.
+void evaluateAll(const GridEvaluationOptions& options, GridComparison* comparison);
+
+/// Figures 3.15-3.17 or their like, a CSV file and a picture for each set.
+void writeTrends(const GridComparison& comparison, const std::string& folder, std::ostream& report);
+
+void drawPicture(const GridComparison& comparison, const ReportPicture& picture, const std::string& folder,
+                 std::ostream& report);
+
+}  // namespace lstm_planner

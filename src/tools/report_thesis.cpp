@@ -1,0 +1,237 @@
+#include "tools/report_thesis.hpp"
+
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_report.hpp"
+#include "lstm_planner/grid_world/evaluation/thesis_maps.hpp"
+#include "lstm_planner/grid_world/learning/thesis_training.hpp"
+#include "tools/command_line.hpp"
+#include "tools/interruption.hpp"
+#include "tools/output_file.hpp"
+#include "tools/progress.hpp"
+#include "tools/ranges.hpp"
+#include "tools/ranks.hpp"
+#include "tools/report_files.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+struct ThesisOptions {
+  std::vector<std::string> folders;
+  std::string output;
+  GridImitationParameters training = thesisTraining();
+  ScenarioSelection selection;
+  GridEvaluationOptions evaluation;
+};
+
+bool readOptions(const std::vector<std::string>& arguments, ThesisOptions* options) {
+  ScenarioSelection& selection = options->selection;
+  selection.min_length = options->training.course.min_length;
+  selection.max_length = options->training.course.max_length;
+  selection.count = 50;
+  selection.rule = PassableRule::kThesis;
+  GridEpisodeRules& rules = options->evaluation.rules;
+  rules.corner_cutting = CornerCutting::kAllowed;
+  rules.max_steps = 300;
+  bool thesis = true;
+  CommandLine line(
+      "report --thesis",
+      "the thesis's chapter 3 under its own rules: trains its networks on five maps (Tables 3.1 and 3.2), "
+      "tests them in ten maps of each set without shield and escape, corners may be cut, only '.' is free");
+  line.addFlag("thesis", &thesis, true, "this");
+  line.addFiles("scenarios", &options->folders,
+                "folders with the MovingAI benchmark's sets: mazes of width 2 and 4, random fill of 25 and 40 % to "
+                "train on; Dragon Age, mazes of width 8 and random fill of 25 % to test in")
+      .required();
+  line.addFolder("output", &options->output, "folder for thesis.md, networks, CSV files and pictures").required();
+  line.add("count", &selection.count, {1, 1e9}, "tasks of each set");
+  line.add("max-steps", &rules.max_steps, {1, 1e12}, "of a task");
+  line.add("steps", &options->training.dataset.steps, kAnySteps, "to learn from");
+  line.add("validation-steps", &options->training.validation_steps, kAnySteps, "to choose the best epoch by");
+  line.add("epochs", &options->training.trainer.epochs, kAnyCount, "of the training");
+  line.addSeed(&options->training.seed, "of maps, tasks, weights and training");
+  line.add("threads", &options->training.threads, kAnyThreads, "do not change the result");
+  if (!line.parse(arguments)) return false;
+  selection.seed = options->training.seed;
+  options->evaluation.threads = options->training.threads;
+  validate(options->training);
+  return true;
+}
+
+std::vector<GridSetFiles> setsIn(const std::vector<std::string>& folders) {
+  std::vector<GridSetFiles> sets;
+  for (const std::string& folder : folders) {
+    for (GridSetFiles& set : findGridSets(folder)) sets.push_back(std::move(set));
+  }
+  return sets;
+}
+
+std::string percent(double share) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << 100.0 * share << " %";
+  return text.str();
+}
+
+/// A network agent as the thesis lets it walk, or with the shield.
+ReportAgent networkAgent(const std::string& name, const std::string& file, bool shield) {
+  GridAgentOptions options;
+  options.agent = "network";
+  options.model = file;
+  options.corner_cutting = CornerCutting::kAllowed;
+  options.shield = shield;
+  options.escape = false;
+  return {{name, gridAgentMaker(options)}, false};
+}
+
+ReportAgent aStarAgent() {
+  GridAgentOptions options;
+  options.agent = "astar";
+  options.corner_cutting = CornerCutting::kAllowed;
+  options.heuristic.kind = Heuristic::kScaledEuclidean;
+  options.keep_closed = true;
+  return {{"A*", gridAgentMaker(options)}, true};
+}
+
+/// Trains all networks, writes them, and appends their accuracies to the report; A* and they as agents.
+std::vector<ReportAgent> trainAgents(const ThesisOptions& options, const ThesisMaps& maps, std::ostream& report) {
+  const Interruption interruption;
+  std::vector<ReportAgent> agents = {aStarAgent()};
+  std::vector<ReportAgent> shielded;
+  report << "| network | weights | training accuracy | validation accuracy |\n|---|---|---|---|\n";
+  for (const ThesisNetwork& network : thesisNetworks()) {
+    std::cout << "training " << network.name << std::endl;
+    Progress bar;
+    const auto progress = [&](double share) {
+      bar.show(share);
+      return !interruption.wanted();
+    };
+    const ThesisNetworkResult trained =
+        trainThesisNetwork(network, options.training, maps.training, maps.validation, progress);
+    if (interruption.wanted()) throw std::runtime_error("interrupted while " + network.name + " was trained");
+    const std::string file = options.output + "/" + network.file;
+    if (isFirstRank()) writeModelFile(file, trained.model);
+    report << "| " << network.name << " | " << countWeights(trained.model.layers) << " | "
+           << percent(trained.training_accuracy) << " | " << percent(trained.validation_accuracy) << " |\n";
+    agents.push_back(networkAgent(network.name, file, false));
+    shielded.push_back(networkAgent(network.name + ", with shield", file, true));
+  }
+  report << '\n';
+  agents.insert(agents.end(), shielded.begin(), shielded.end());
+  return agents;
+}
+
+/// Table 3.6; that the thesis's tables count A* only where the network arrived is said by its program's logs.
+void appendProperties(std::ostream& report) {
+  report << "## Table 3.6: properties\n\n| Property | A* | LSTM |\n|---|---|---|\n"
+            "| Agent type | offline | online |\n"
+            "| Output | a path, the same for the same map | a preference over eight moves (softmax), step by step |\n"
+            "| Environment | known | unknown: eight rays of at most 50 cells |\n"
+            "| Solution | the whole path | one step at a time |\n"
+            "| Nodes that can be expanded | any | the neighbours |\n"
+            "| A node is counted when | it is taken from the open list | a new input is built |\n\n";
+}
+
+/// The averages of A* that the thesis prints are over the tasks that its LSTM solved.
+void appendSolvedAverages(const GridComparison& comparison, std::ostream& report) {
+  constexpr std::size_t kAStar = 0;
+  constexpr std::size_t kLstm = 1;
+  for (std::size_t set = 0; set < comparison.sets.size(); ++set) {
+    double solved = 0.0;
+    double length = 0.0;
+    double expanded = 0.0;
+    for (std::size_t task = 0; task < comparison.sets[set].tasks.size(); ++task) {
+      if (comparison.episodes[set][kLstm][task].end != GridEpisode::End::kArrived) continue;
+      const GridEpisode& a_star = comparison.episodes[set][kAStar][task];
+      solved += 1.0;
+      length += a_star.length();
+      expanded += static_cast<double>(a_star.expanded);
+    }
+    if (solved == 0.0) continue;
+    std::ostringstream text;
+    text << comparison.sets[set].name << ": over the " << solved << " tasks that "
+         << comparison.agents[kLstm].agent.name << " solved, as the thesis averages, A* has length " << std::fixed
+         << std::setprecision(2) << length / solved << " and expands " << expanded / solved << ".\n\n";
+    report << text.str();
+  }
+}
+
+/// Tables 3.7-3.9 for tasks of at most `max_length` cells.
+GridComparison compare(const ThesisOptions& options, const ThesisMaps& maps, const std::vector<ReportAgent>& agents,
+                       double max_length) {
+  GridComparison comparison;
+  comparison.agents = agents;
+  comparison.rules = options.evaluation.rules;
+  ScenarioSelection selection = options.selection;
+  selection.max_length = max_length;
+  for (const GridSetFiles& set : maps.tests) comparison.sets.push_back(drawGridTasks(set, selection));
+  evaluateAll(options.evaluation, &comparison);
+  return comparison;
+}
+
+/// Figure 3.9.
+void drawTrainingTask(const ThesisOptions& options, const ThesisMaps& maps, const GridComparison& tests,
+                      std::ostream& report) {
+  GridComparison training;
+  training.agents = tests.agents;
+  training.rules = tests.rules;
+  training.sets = {drawGridTasks({"training", maps.training}, options.selection)};
+  const ReportPicture first = trainingPicture(training, 0, 0);
+  const std::vector<GridEpisode> episodes = evaluateGridTasks(training.sets[0], 0, training.sets[0].tasks.size(),
+                                                              first.agents.front().make, options.evaluation);
+  if (const auto task = typicalArrival(episodes)) {
+    drawPicture(training, trainingPicture(training, 0, *task), options.output, report);
+  }
+}
+
+std::string listed(const std::vector<std::string>& files) {
+  std::string text;
+  for (const std::string& file : files) text += (text.empty() ? "" : ", ") + file.substr(file.rfind('/') + 1);
+  return text;
+}
+
+}  // namespace
+
+int runThesisReport(const std::vector<std::string>& arguments) {
+  ThesisOptions options;
+  if (!readOptions(arguments, &options)) return 0;
+  makeOutputFolder(options.output);
+  options.evaluation.communicator = ranks();
+  options.training.trainer.communicator = ranks();
+  const ThesisMaps maps = chooseThesisMaps(setsIn(options.folders), options.training.seed);
+  std::ostringstream report;
+  report << "# The thesis under its own rules\n\n"
+         << options.training.dataset.steps << " steps, " << options.training.trainer.epochs << " epochs; trained on "
+         << listed(maps.training) << "; best epoch chosen on " << listed(maps.validation) << ". "
+         << options.selection.count << " tasks of each set in at most ten maps, " << options.evaluation.rules.max_steps
+         << " steps, corners may be cut, no shield, no escape, arrival within one cell; seed " << options.training.seed
+         << ".\n\n";
+  const std::vector<ReportAgent> agents = trainAgents(options, maps, report);
+  appendProperties(report);
+  constexpr double kScenarioPlaces = 120.0;  // cells: the longest of the first 300 scenarios of a file
+  for (const double max_length : {options.selection.max_length, kScenarioPlaces}) {
+    const GridComparison comparison = compare(options, maps, agents, max_length);
+    report << "# Tables 3.7-3.9, paths of 10 to " << max_length << " cells\n\n" << reportTables(comparison);
+    appendSolvedAverages(comparison, report);
+    if (max_length == kScenarioPlaces) continue;
+    if (!isFirstRank()) continue;
+    std::ostringstream figures;
+    writeTrends(comparison, options.output, figures);
+    drawTrainingTask(options, maps, comparison, figures);
+    for (const ReportPicture& picture : choosePictures(comparison)) {
+      drawPicture(comparison, picture, options.output, figures);
+    }
+    report << "# Figures 3.9-3.17\n\n" << figures.str();
+  }
+  if (!isFirstRank()) return 0;
+  writeTextFile(options.output + "/thesis.md", report.str());
+  std::cout << report.str() << "wrote " << options.output << "/thesis.md\n";
+  return 0;
+}
+
+}  // namespace lstm_planner
