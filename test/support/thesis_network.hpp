@@ -31,7 +31,7 @@ class ThesisNetwork {
   }
 
   Eigen::Index cells() const { return inputs_.front().outputSize(); }
-  const Eigen::VectorXf& hiddenState(int input) const { return inputs_[static_cast<std::size_t>(input)].hiddenState(); }
+  Eigen::VectorXf hiddenState(int input) const { return inputs_[static_cast<std::size_t>(input)].hiddenState(); }
 
   void reset() {
     for (Network& input : inputs_) input.reset();
