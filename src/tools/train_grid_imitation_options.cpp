@@ -11,6 +11,8 @@ namespace {
 const Choices<OptimiserKind> kOptimisers = {{"adam", OptimiserKind::kAdam}, {"momentum", OptimiserKind::kMomentum}};
 const Choices<Decay> kDecays = {
     {"none", Decay::kNone}, {"l1", Decay::kL1}, {"l2", Decay::kL2Norm}, {"l2-squared", Decay::kL2Squared}};
+const Choices<GridSupervisor> kSupervisors = {{"shortest", GridSupervisor::kShortestPath},
+                                              {"thesis", GridSupervisor::kThesisAStar}};
 const Choices<LearningRateSchedule> kSchedules = {{"constant", LearningRateSchedule::kConstant},
                                                   {"cosine", LearningRateSchedule::kCosine}};
 
@@ -62,6 +64,10 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
            "steps that begin a sequence in the middle of a path and only bring the hidden state up to date");
   line.add("batch-steps", &p.batch_steps, kAnySteps, "steps an update");
   line.add("goals", &p.course.goals, {1, 1e5}, "of the paths of a round");
+  line.addFlag("corner-cutting", &options->corner_cutting, CornerCutting::kAllowed,
+               "diagonal moves may pass blocked cells at their sides");
+  line.addChoice("supervisor", &dataset.supervisor, kSupervisors,
+                 "whose paths are learned: shortest, or thesis (A* with 25 times the Euclidean distance)");
   addOptimiserOptions(&optimiser, &line);
   if (dagger) {
     line.add("rounds", &p.rounds, kAnyCount, "of collecting and training for --epochs");
@@ -73,6 +79,7 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   p.trainer.epochs = options->epochs;
   p.course.min_length = options->min_length;
   p.course.max_length = options->max_length;
+  p.course.corner_cutting = options->corner_cutting;
   p.seed = options->seed;
   p.threads = options->threads;
   validate(p);
@@ -91,6 +98,7 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
                     {"decay-rate", optimiser.decay_rate},
                     {"rounds", p.rounds},
                     {"learner-share", p.learner_share}});
+  if (dataset.supervisor != GridSupervisor::kShortestPath) (*settings)["supervisor"] = "thesis";
   return true;
 }
 

@@ -21,9 +21,11 @@ GridScore GridJudge::judge(const LayerStack& layers) const {
   writeMetadata(options_.encoder, &model.metadata);
   NetworkGridAgent::Options shield_alone;
   shield_alone.escape = false;
+  shield_alone.corner_cutting = options_.corner_cutting;
   const auto make_agent = [&](const PassableGrid&) { return std::make_unique<NetworkGridAgent>(model, shield_alone); };
   GridEvaluationOptions evaluation;
   evaluation.rules.max_steps = options_.max_steps;
+  evaluation.rules.corner_cutting = options_.corner_cutting;
   evaluation.threads = options_.threads;
   evaluation.communicator = ranks();
   GridScore score;

@@ -42,13 +42,14 @@ void addSet(const GridSetFiles& files, double weight, const GridTrainingOptions&
   GridCourse::Set training;
   training.weight = weight;
   for (const std::string& scenarios : selectScenarioFiles(files, MapSelection::kTrain)) {
-    training.maps.push_back(readMovingAiMap(mapOfScenarioFile(scenarios)));
+    training.maps.push_back(readMovingAiMap(mapOfScenarioFile(scenarios), options.rule));
   }
   if (training.maps.empty()) throw std::invalid_argument("set " + files.name + " has no training maps");
   ScenarioSelection selection;
   selection.maps = MapSelection::kValidation;
   selection.min_length = options.min_length;
   selection.max_length = options.max_length;
+  selection.rule = options.rule;
   selection.count = static_cast<std::size_t>(options.validation);
   maps->training.push_back(std::move(training));
   maps->validation.push_back(drawGridTasks(files, selection));

@@ -30,6 +30,7 @@ void addGridMapOptions(GridTrainingOptions* options, CommandLine* line) {
   line->add("map-size", &o.map_size, {16, 4096}, "cells, of generated maps");
   line->add("min-length", &o.min_length, kAnyLength, "cells, of the shortest path");
   line->add("max-length", &o.max_length, kAnyLength, "cells, of the shortest path");
+  line->addFlag("thesis-terrain", &o.rule, PassableRule::kThesis, "only '.' is passable, not 'G' and 'S'");
   line->add("epochs", &o.epochs, kAnyCount, "of the training; of each round of dagger");
   line->addSeed(&o.seed, "of everything");
   line->add("threads", &o.threads, kAnyThreads, "does not change the result");
@@ -59,21 +60,25 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
 }
 
 nlohmann::json settingsOf(const GridTrainingOptions& options) {
-  return {{"method", options.method},
-          {"maps", options.maps},
-          {"map-size", options.map_size},
-          {"min-length", options.min_length},
-          {"max-length", options.max_length},
-          {"network", options.network},
-          {"cells", options.shape.cells},
-          {"deep-in", options.shape.deep_in},
-          {"deep-out", options.shape.deep_out},
-          {"inputs", options.inputs},
-          {"views", options.encoder.views},
-          {"from", options.from},
-          {"epochs", options.epochs},
-          {"validation", options.validation},
-          {"seed", options.seed}};
+  nlohmann::json settings = {{"method", options.method},
+                             {"maps", options.maps},
+                             {"map-size", options.map_size},
+                             {"min-length", options.min_length},
+                             {"max-length", options.max_length},
+                             {"network", options.network},
+                             {"cells", options.shape.cells},
+                             {"deep-in", options.shape.deep_in},
+                             {"deep-out", options.shape.deep_out},
+                             {"inputs", options.inputs},
+                             {"views", options.encoder.views},
+                             {"from", options.from},
+                             {"epochs", options.epochs},
+                             {"validation", options.validation},
+                             {"seed", options.seed}};
+  // Named where they are not the default: checkpoints that were written before there was a choice stay readable.
+  if (options.rule == PassableRule::kThesis) settings["thesis-terrain"] = true;
+  if (options.corner_cutting == CornerCutting::kAllowed) settings["corner-cutting"] = true;
+  return settings;
 }
 
 LayerStack firstLayers(GridTrainingOptions* options) {

@@ -8,6 +8,7 @@
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
+#include "lstm_planner/grid_world/world/movingai.hpp"
 #include "tools/command_line.hpp"
 
 namespace lstm_planner {
@@ -21,6 +22,8 @@ struct GridTrainingOptions {
   int map_size = 256;             ///< cells, of generated maps
   double min_length = 10.0;       ///< cells, of the shortest path
   double max_length = 300.0;
+  PassableRule rule = PassableRule::kBenchmark;
+  CornerCutting corner_cutting = CornerCutting::kForbidden;  ///< in training and judging
   GridEncoderParameters encoder;
   NetworkShape shape;
   std::string from;  ///< model file to start with; decides encoder and shape
