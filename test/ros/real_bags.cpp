@@ -9,7 +9,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "ros/bag_planner.hpp"
 #include "support/real_data.hpp"
 
@@ -17,6 +16,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kCallPeriod = 0.5;  // s
+constexpr double kTimeout = 0.5;     // s, of scan and odometry
 constexpr double kGoalAhead = 2.0;   // m of the robot's path between a new goal and the robot
 
 /// A goal that lies in something seen is replaced by a place within the goal tolerance, with the goal's yaw.
@@ -56,6 +56,8 @@ class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Re
       static_broadcaster_.sendTransform(identity("base_link", recording.scan_frame));
     }
     ros::param::set("~/LstmGlobalPlanner/goal_drift", 0.0);
+    ros::param::set("~/LstmGlobalPlanner/scan_timeout", kTimeout);
+    ros::param::set("~/LstmGlobalPlanner/odom_timeout", kTimeout);
     ros::param::set("~/LstmGlobalPlanner/tf_timeout", 0.0);  // some localisations publish every 15 s
     no_return_ = "nan zero below beyond 65.53";              // a URG-04LX sends its error codes as millimetres
     makePlanner(recording.global_frame, recording.max_speed, kCallPeriod);
@@ -113,9 +115,8 @@ class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Re
 
   /// The sensors' newest messages, by their own stamps, are not older than the planner's limits.
   bool isFresh() const {
-    const SensorParameters limits;
     const ros::Time now = ros::Time::now();
-    return (now - scan_stamp_).toSec() <= limits.scan_timeout && (now - odometry_stamp_).toSec() <= limits.odom_timeout;
+    return (now - scan_stamp_).toSec() <= kTimeout && (now - odometry_stamp_).toSec() <= kTimeout;
   }
 
   void ask() {
