@@ -24,7 +24,7 @@ struct RecordingDescription {
   std::string begun;             ///< UTC, ISO 8601, by the computer's clock
 };
 
-/// The version of this package, e.g. "0.1.0".
+/// The version of this package, e.g. "0.2.0".
 std::string softwareVersion();
 
 struct RecordedEpisode {
