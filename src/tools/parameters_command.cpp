@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -29,6 +30,10 @@ struct Row {
 };
 using Table = std::vector<Row>;
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 std::string textOf(bool value) { return value ? "true" : "false"; }
 std::string textOf(const std::string& value) { return value.empty() ? "\"\"" : value; }
 std::string textOf(const Pose2& pose) {
@@ -51,7 +56,9 @@ auto collectIn(Table* table) {
 struct Node {
   const char* name;
   const char* title;
+  const char* file;
   Table table;
+  std::vector<std::string> changeable;  ///< names of those that may change while it runs
 };
 
 std::vector<Node> nodes() {
@@ -62,13 +69,18 @@ std::vector<Node> nodes() {
   const TeleoperatorParameters driver;
   const BagReplayParameters replay;
   const DemoParameters demo;
-  std::vector<Node> all = {{"planner", "LstmGlobalPlanner, config/lstm_planner.yaml", {}},
-                           {"controller", "SteeringController, config/steering_controller.yaml", {}},
-                           {"recorder", "dataset_recorder, config/dataset_recorder.yaml", {}},
-                           {"stub", "create2_stub, config/create2_stub.yaml", {}},
-                           {"driver", "scripted_teleoperator, config/scripted_teleoperator.yaml", {}},
-                           {"replay", "bag_replay, launch/replay.launch", {}},
-                           {"demo", "demo_runner, launch/demo.launch", {}}};
+  std::vector<Node> all = {
+      {"planner", "LstmGlobalPlanner", "config/lstm_planner.yaml", {}, changeableGlobalPlannerParameters()},
+      {"controller",
+       "SteeringController",
+       "config/steering_controller.yaml",
+       {},
+       changeableSteeringControllerParameters()},
+      {"recorder", "dataset_recorder", "config/dataset_recorder.yaml", {}, {}},
+      {"stub", "create2_stub", "config/create2_stub.yaml", {}, {}},
+      {"driver", "scripted_teleoperator", "config/scripted_teleoperator.yaml", {}, {}},
+      {"replay", "bag_replay", "launch/replay.launch", {}, {}},
+      {"demo", "demo_runner", "launch/demo.launch", {}, {}}};
   visitGlobalPlannerParameters(planner, collectIn(&all[0].table));
   visitSteeringControllerParameters(controller, collectIn(&all[1].table));
   visitRecorderNodeParameters(recorder, collectIn(&all[2].table));
@@ -80,7 +92,7 @@ std::vector<Node> nodes() {
 }
 
 void print(const Node& node) {
-  std::cout << node.title << "\n";
+  std::cout << node.title << ", " << node.file << "\n";
   for (const Row& row : node.table) {
     const std::string what = row.range + (row.range.empty() || row.unit.empty() ? "" : " ") + row.unit;
     std::cout << "  " << row.name << ": " << row.value << (what.empty() ? "" : "  ") << what << "\n      "
@@ -88,20 +100,46 @@ void print(const Node& node) {
   }
 }
 
+void printAsTable(const Node& node) {
+  std::cout << "\n## " << node.title << "\n\n`" << node.file
+            << "`\n\n| parameter | default | range | unit | live | meaning |\n|---|---|---|---|---|---|\n";
+  for (const Row& row : node.table) {
+    std::cout << "| `" << row.name << "` | `" << row.value << "` | " << row.range << " | " << row.unit << " | "
+              << (contains(node.changeable, row.name) ? "yes" : "") << " | " << row.meaning << " |\n";
+  }
+}
+
+/// The page config/parameters.md.
+void printMarkdown(const std::vector<Node>& nodes) {
+  std::cout
+      << "# All parameters\n\n"
+         "Printed by `lstm_planner parameters --markdown`. The parameters of a node are in its private namespace, "
+         "those of a plugin in\n`~/PLUGIN`. Live: may change while the robot drives. The last column says what a "
+         "parameter means and what a larger or smaller\nvalue changes.\n";
+  for (const Node& node : nodes) printAsTable(node);
+}
+
 }  // namespace
 
 int runParameters(const std::vector<std::string>& arguments) {
-  const std::vector<Node> all = nodes();
+  std::vector<Node> all = nodes();
   std::vector<std::string> names;
   for (const Node& node : all) names.emplace_back(node.name);
   std::string wanted;
+  bool markdown = false;
   CommandLine line("parameters", "prints the parameters of plugins and nodes: default, range, unit and meaning");
   line.addChoice("of", &wanted, names,
                  "planner, controller, recorder, stub, driver, replay or demo; --of may be left out (default: all)")
       .standsAlone();
+  line.addFlag("markdown", &markdown, true, "print tables in Markdown, as in config/parameters.md");
   if (!line.parse(arguments)) return 0;
-  for (const Node& node : all) {
-    if (wanted.empty() || wanted == node.name) print(node);
+  if (!wanted.empty()) {
+    all.erase(std::remove_if(all.begin(), all.end(), [&](const Node& node) { return wanted != node.name; }), all.end());
+  }
+  if (markdown) {
+    printMarkdown(all);
+  } else {
+    for (const Node& node : all) print(node);
   }
   return 0;
 }

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <regex>
 #include <string>
 #include <vector>
@@ -95,6 +97,13 @@ TEST_F(CommandLineTool, PrintsTheParametersOfPluginsAndNodes) {
   const std::string stub = success("parameters stub");
   EXPECT_TRUE(contains(stub, "robot/axle_length"));
   EXPECT_FALSE(contains(stub, "LstmGlobalPlanner"));
+}
+
+TEST_F(CommandLineTool, ThePageOfAllParametersIsWhatItPrints) {
+  std::ifstream page(std::string(LSTM_PLANNER_SOURCE_DIR) + "/config/parameters.md");
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  EXPECT_EQ(text, success("parameters --markdown"))
+      << "the page is old; in the source folder: lstm_planner parameters --markdown > config/parameters.md";
 }
 
 TEST_F(CommandLineTool, SaysItsVersion) {

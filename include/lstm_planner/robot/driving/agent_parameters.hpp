@@ -90,72 +90,84 @@ constexpr double kMostSquaresASide = 2000.0;  ///< of the memory
 template <typename Parameters, typename Visitor>
 void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   std::string leader = nameOfLeader(agent.leader);
-  visit(
-      "leader", leader, {}, "",
-      "who chooses the steps: network, as long as there is progress; route, the path through what is remembered; none, "
-      "the allowed angle nearest to the goal's bearing");
+  visit("leader", leader, {}, "",
+        "who chooses the steps: network, as long as there is progress (searches nothing on the way); route, the path "
+        "through what is remembered (shorter paths); none, the allowed angle nearest to the goal's bearing");
   if constexpr (!std::is_const_v<Parameters>) agent.leader = leaderNamed(leader);
-  visit("goal_tolerance", agent.goal_tolerance, {0.01, 10.0}, "m", "nearer than this is arrived");
+  visit("goal_tolerance", agent.goal_tolerance, {0.01, 10.0}, "m",
+        "nearer to the goal than this the robot has arrived; not more than the controller's position_tolerance");
   visit("goal_in_sight", agent.goal_in_sight, {0.0, 100.0}, "m",
-        "a goal this near with a free straight path is driven to directly");
+        "a goal that is nearer than this is driven to directly when the straight path is free");
   visit("goal_drift", agent.goal_drift, {0.0, 0.9}, "",
         "share of the distance driven by which odometry may be wrong: a goal that turns out to lie in, or behind, an "
-        "obstacle counts as reached from that far away");
+        "obstacle counts as reached from that far away; 0 where something localises the robot");
   auto& step = agent.step;
   visit("step/length", step.length, {0.05, 5.0}, "m",
-        "to the waypoint; a step is over when the robot has moved that far");
+        "to the waypoint; a step is over when the robot has moved that far; the model's");
   visit("step/turn", step.turn, {0.01, 2.0 * M_PI}, "rad", "a step is over when the robot has turned that far");
   visit("step/period", step.period, {0.01, 60.0}, "s",
-        "after this long a step is over if the robot has moved at all (thesis: 2 Hz)");
+        "a step is over after this time if the robot has moved at all (thesis: 2 Hz)");
   visit("step/reached", step.reached, {0.001, 1.0}, "m", "a step is over when the robot is this near to the waypoint");
   visit("step/stall", step.stall, {0.01, 600.0}, "s",
-        "a robot that stands still this long under a decision looks around instead");
-  visit("step/still_distance", step.still_distance, {1e-4, 1.0}, "m", "who moves less than this, and");
-  visit("step/still_turn", step.still_turn, {1e-4, M_PI}, "rad", "turns less than this, has not moved");
+        "a robot that stands still for longer looks around; shorter gives up tight passages sooner");
+  visit("step/still_distance", step.still_distance, {1e-4, 1.0}, "m",
+        "a robot that moves less than this, and turns less than step/still_turn, stands still");
+  visit("step/still_turn", step.still_turn, {1e-4, M_PI}, "rad",
+        "see step/still_distance; above the noise of the odometry");
   visit("shield/enabled", agent.shield_enabled, {}, "",
-        "takes away the actions that would hit something seen; false only in simulation");
+        "removes the actions that would hit something seen; false only in simulation");
   auto& shield = agent.shield;
   visit("shield/footprint_radius", shield.footprint_radius, {0.02, 5.0}, "m",
         "of the circle around everything that can touch (half the Create 2's diameter)");
   visit("shield/clearance", shield.clearance, {0.0, 5.0}, "m",
-        "kept between the footprint and every return where there is room");
+        "kept between the footprint and every return where there is room; more is calmer, less fits through narrower "
+        "doors");
   visit("shield/tight_clearance", shield.tight_clearance, {0.0, 5.0}, "m",
-        "kept where there is no path with shield/clearance");
+        "kept where there is no path with shield/clearance; not less than the controller's safety_margin");
   visit("shield/shortest_step", shield.shortest_step, {0.002, 5.0}, "m",
-        "an action with less free space than this is not allowed");
-  visit("shield/reach", shield.reach, {0.1, 100.0}, "m", "returns farther away are not looked at");
+        "an action with less free space than this is removed");
+  visit("shield/reach", shield.reach, {0.1, 100.0}, "m",
+        "returns farther away are not looked at; longer takes more time, shorter follows boundaries for longer");
   auto& memory = agent.memory;
-  visit("memory/enabled", memory.enabled, {}, "", "false: without progress boundaries are followed");
+  visit("memory/enabled", memory.enabled, {}, "",
+        "false: nothing is remembered, and without progress boundaries are followed");
   visit("memory/resolution", memory.resolution, {0.01, 1.0}, "m",
         "of the memory; finer for small robots (0.29 footprint radii), or paths would lead through walls");
   visit("memory/width", memory.width, {4.0, 1000.0}, "m",
-        "side of the square around the robot in which obstacles are remembered; at most 2000 times the resolution");
-  visit("memory/reach", memory.reach, {0.1, 100.0}, "m", "returns farther away are not remembered");
-  visit("memory/comfort", memory.comfort, {0.0, 5.0}, "m",
-        "kept between the footprint and obstacles by paths where there is room");
+        "side of the square around the robot in which obstacles are remembered; larger finds longer paths, and takes "
+        "more memory and time; at most 2000 times the resolution");
+  visit("memory/reach", memory.reach, {0.1, 100.0}, "m",
+        "returns farther away are not remembered: they are too far apart to be walls");
+  visit(
+      "memory/comfort", memory.comfort, {0.0, 5.0}, "m",
+      "kept between the footprint and obstacles by paths where there is room; more suits controllers that follow less "
+      "exactly, and takes more time");
   visit("memory/tightness", memory.tightness, {1.0, 100.0}, "",
-        "how many times its length a path counts where there is less room than shield/clearance");
+        "how many times its length a path counts where there is less room than shield/clearance; more makes longer "
+        "paths around tight places");
   auto& escape = agent.escape;
-  visit("escape/enabled", escape.enabled, {}, "", "false: the robot may stay in a dead end for ever");
+  visit("escape/enabled", escape.enabled, {}, "", "false: the robot may stay in a dead end forever");
   visit("escape/patience_steps", escape.patience_steps, {1, 1000000}, "",
-        "steps without a new best distance to the goal before the path through what is remembered leads in the "
-        "network's place");
-  visit("escape/patience_distance", escape.patience_distance, {0.1, 1e5}, "m", "driven likewise");
+        "steps without a new best distance to the goal before the path through what is remembered leads instead of "
+        "the network; fewer leaves dead ends sooner, and gives the network less freedom");
+  visit("escape/patience_distance", escape.patience_distance, {0.1, 1e5}, "m",
+        "driven without a new best distance, with the same effect");
   visit("escape/last_resort", escape.last_resort, {1.0, 1e6}, "",
         "times that patience before boundaries are followed instead");
   visit("escape/progress", escape.progress, {0.01, 100.0}, "m",
-        "nearer to the goal than ever by this much is a new best");
-  visit("escape/follow_step", escape.follow_step, {0.05, 5.0}, "m", "to the waypoint while following a boundary");
+        "a distance to the goal that is shorter than ever by this much is a new best");
+  visit("escape/follow_step", escape.follow_step, {0.05, 5.0}, "m",
+        "to the waypoint while following a boundary; shorter follows corners more closely, and slower");
   visit("escape/probe_angle", escape.probe_angle, {0.01, 0.78}, "rad", "between probed directions (5 degrees)");
   visit("escape/wall_turn", escape.wall_turn, {0.01, 3.14}, "rad",
         "how far back towards the boundary the probing starts (100 degrees)");
   visit("escape/leave_margin", escape.leave_margin, {0.01, 100.0}, "m",
-        "nearer to the goal than where the boundary was met before it is left");
+        "the boundary is left when the robot is nearer to the goal by this much than where it met the boundary");
   visit("escape/first_leg", escape.first_leg, {0.1, 1e5}, "m",
-        "of boundary before the first turning back; doubles each time");
+        "of boundary before the robot turns back for the first time; doubles each time; longer suits large obstacles");
   visit("escape/loop_tolerance", escape.loop_tolerance, {0.01, 100.0}, "m",
-        "coming back this near to where the boundary was met closes the loop");
-  visit("escape/loop_length", escape.loop_length, {0.1, 1e5}, "m", "a shorter loop than this is not believed");
+        "nearer than this to where the boundary was met the loop is closed; more than the drift of the odometry");
+  visit("escape/loop_length", escape.loop_length, {0.1, 1e5}, "m", "a shorter loop does not count");
 }
 
 /// The same with a memory that is as fine as the footprint needs, and no wider than can be kept so fine: for robots of

@@ -36,11 +36,11 @@ void visitScanRules(Rules& rules, const Visitor& visit) {
   std::string no_return = noReturnText(rules);
   visit("no_return", no_return, {}, "",
         "readings that the driver sends in place of +inf: nan, zero, below (range_min), beyond (range_max) and one "
-        "number "
-        "(m)");
+        "number (m); what is listed counts as free");
   if constexpr (!std::is_const_v<Rules>) setNoReturn(no_return, &rules);
   visit("least_measured", rules.least_measured, {0.01, 1.0}, "",
-        "share of the beams in each sector that must be measured: other scans are not used");
+        "share of the beams in each sector that must be measured: other scans are not used; less accepts more of the "
+        "scanner to be hidden");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

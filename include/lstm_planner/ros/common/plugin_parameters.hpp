@@ -54,19 +54,22 @@ template <typename Parameters, typename Visitor>
 void visitSensorParameters(Parameters& sensors, const Visitor& visit) {
   visit("scan_topic", sensors.scan_topic, {}, "", "sensor_msgs/LaserScan");
   visit("odom_topic", sensors.odom_topic, {}, "", "nav_msgs/Odometry");
-  visit("scan_timeout", sensors.scan_timeout, {0.0, 60.0}, "s",
-        "an older scan is not used; 0: three periods of the scanner, as measured");
+  visit(
+      "scan_timeout", sensors.scan_timeout, {0.0, 60.0}, "s",
+      "an older scan is not used; 0: three periods of the scanner, as measured; shorter stops sooner when the scanner "
+      "fails");
   visit("odom_timeout", sensors.odom_timeout, {0.0, 60.0}, "s",
         "an older odometry is not used; 0: three of its periods, as measured");
   visit("tf_timeout", sensors.tf_timeout, {0.0, 60.0}, "s",
         "an older transform between odometry, goal and costmap frames is not used; 0: of any age");
-  visit("max_speed", sensors.max_speed, {0.01, 100.0}, "m/s", "odometry that moves faster has jumped");
+  visit("max_speed", sensors.max_speed, {0.01, 100.0}, "m/s",
+        "odometry that moves faster has jumped; well above the robot's own speed");
   visitScanRules(sensors.scan_rules, visit);
 }
 
 template <typename Parameters, typename Visitor>
 void visitGlobalPlannerParameters(Parameters& planner, const Visitor& visit) {
-  visit("model", planner.model, {}, "", "of the network: a path, or package://NAME/PATH");
+  visit("model", planner.model, {}, "", "file of the network: a path, or package://NAME/PATH");
   visitSensorParameters(planner.sensors, visit);
   visitAgentParameters(planner.agent, visit);
   visitRolloutParameters(planner.rollout, visit);
@@ -80,9 +83,9 @@ void visitSteeringControllerParameters(Parameters& controller, const Visitor& vi
   visitSensorParameters(controller.sensors, visit);
   visitMotionParameters(controller.motion, visit);
   visit("plan_timeout", controller.plan_timeout, {0.0, 3600.0}, "s",
-        "without a new plan after which the robot stops; 0: never");
+        "the robot stops when the plan is older; several periods of the planner; 0: never");
   visit("footprint_radius", controller.footprint_radius, {0.02, 5.0}, "m",
-        "of the circle around everything that can touch");
+        "of the circle around everything that can touch; larger keeps farther off and fits through less");
   visit("use_costmap", controller.use_costmap, {}, "",
         "whether obstacles of move_base's costmap that the scan does not show count, too");
 }
