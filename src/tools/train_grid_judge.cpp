@@ -1,6 +1,5 @@
 #include "tools/train_grid_judge.hpp"
 
-#include <filesystem>
 #include <iomanip>
 #include <memory>
 #include <sstream>
@@ -38,10 +37,7 @@ GridScore GridJudge::judge(const LayerStack& layers) const {
   return score;
 }
 
-bool GridJudge::keepIfBest(const LayerStack& layers, const GridScore& score) {
-  if (score.mean <= best_) return false;
-  best_ = score.mean;
-  if (!isFirstRank()) return true;
+void GridJudge::write(const LayerStack& layers, const GridScore& score) const {
   Model model;
   model.layers = layers;
   writeMetadata(options_.encoder, &model.metadata);
@@ -53,14 +49,6 @@ bool GridJudge::keepIfBest(const LayerStack& layers, const GridScore& score) {
   for (std::size_t i = 0; i < sets_.size(); ++i) text << ' ' << sets_[i].name << ' ' << score.success[i];
   model.metadata["score"] = text.str();
   writeModelFile(options_.output, model);
-  return true;
-}
-
-nlohmann::json GridJudge::state() const { return {{"best", best_}, {"output", options_.output}}; }
-
-void GridJudge::restore(const nlohmann::json& state) {
-  const bool same = state.value("output", options_.output) == options_.output;
-  best_ = same && std::filesystem::exists(options_.output) ? state.at("best").get<double>() : -1.0;
 }
 
 std::vector<std::string> GridJudge::names() const {

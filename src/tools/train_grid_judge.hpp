@@ -15,26 +15,18 @@ struct GridScore {
   double mean = 0.0;            ///< over the sets
 };
 
-/// Judges networks while they learn, and keeps the best in the output file.
+/// Judges networks while they learn, and writes them to the output file.
 class GridJudge {
  public:
   GridJudge(const GridTrainingOptions& options, std::vector<GridTaskSet> sets);
 
   GridScore judge(const LayerStack& layers) const;
-
-  /// Writes the model when it is better than all before. Returns whether it was.
-  bool keepIfBest(const LayerStack& layers, const GridScore& score);
-
-  double best() const { return best_; }  ///< mean arrival; -1 before the first
-  /// For a checkpoint, and from it: the best is in the output file, unless that is another now, or was taken away.
-  nlohmann::json state() const;
-  void restore(const nlohmann::json& state);
+  void write(const LayerStack& layers, const GridScore& score) const;
   std::vector<std::string> names() const;
 
  private:
   GridTrainingOptions options_;
   std::vector<GridTaskSet> sets_;
-  double best_ = -1.0;
 };
 
 }  // namespace lstm_planner

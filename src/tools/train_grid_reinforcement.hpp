@@ -1,53 +1,69 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
-#include "lstm_planner/base/network/layers.hpp"
-#include "lstm_planner/grid_world/learning/grid_course.hpp"
+#include "lstm_planner/grid_world/learning/grid_reinforcement.hpp"
+#include "tools/ranges.hpp"
+#include "tools/ranks.hpp"
 #include "tools/train_grid_options.hpp"
 
 namespace lstm_planner {
 
-/// What a learner's agents did since the last report; see the learners' own reports.
-struct ReinforcementReport {
-  double steps = 0.0;
-  double reward = 0.0;
-  double arrival = 0.0;
-  double ratio = 0.0;
-};
-
-/// A learner as the loop of epochs sees it: GridActorCritic, GridQLearning.
-class ReinforcementLearner {
- public:
-  virtual ~ReinforcementLearner() = default;
-  virtual void beginEpoch(int epoch, const GridCourse& course) = 0;
-  virtual void update() = 0;
-  virtual ReinforcementReport report() = 0;
-  virtual const LayerStack& layers() const = 0;
-  virtual std::vector<std::uint8_t> checkpoint() const = 0;
-  virtual void restore(const std::vector<std::uint8_t>& checkpoint) = 0;
-};
-
-/// What the loop is to do.
-struct ReinforcementPlan {
+/// What is to be trained, and how.
+struct GridReinforcementPlan {
   GridTrainingOptions options;
-  GridCourseParameters course;
+  GridReinforcementParameters training;
   nlohmann::json settings;  ///< what the result depends on
-  int updates = 20000;      ///< over all epochs
 };
 
-/// --updates and the course's options; `plan` holds the method's defaults.
-void addReinforcementOptions(ReinforcementPlan* plan, CommandLine* line);
+/// All options that ways of reinforcement have in common. `plan` and `parameters`, the learner's, hold the defaults and
+/// take the values.
+template <typename Parameters>
+void addGridReinforcementOptions(const std::string& method, const std::vector<std::string>& arguments,
+                                 GridReinforcementPlan* plan, Parameters* parameters, CommandLine* line) {
+  Parameters& p = *parameters;
+  GridCourseParameters& course = plan->training.course;
+  plan->options.method = method;
+  plan->options.epochs = plan->training.epochs;
+  plan->options.encoder = p.encoder;
+  addGridTrainingOptions(arguments, &plan->options, line);
+  line->add("updates", &p.updates, kAnySteps, "of the weights, over all epochs");
+  line->add("goals", &course.goals, {1, 1e5}, "kept at a time; each takes 4 bytes a cell of its map");
+  line->add("short-share", &course.short_share, kAnyShare,
+            "of the training episodes whose length is drawn in proportion to 1 / length, not uniformly");
+  line->add("agents", &p.agents, kAnyAgents, "at a time");
+  line->add("window", &p.window, kAnyWindow, "steps of each agent an update");
+  line->add("max-steps", &p.max_steps, kAnySteps, "of a training episode");
+}
 
-/// Takes over what was parsed. Throws std::invalid_argument with a sentence for values that make no sense.
-void finishReinforcementOptions(ReinforcementPlan* plan);
+/// Hands what was parsed to the training and to the learner's parameters, and notes it in the plan's settings. Throws
+/// std::invalid_argument with a sentence for values that make no sense.
+template <typename Parameters>
+void finishGridReinforcement(GridReinforcementPlan* plan, Parameters* parameters) {
+  Parameters& p = *parameters;
+  GridTrainingOptions& options = plan->options;
+  GridReinforcementParameters& training = plan->training;
+  training.course.min_length = options.min_length;
+  training.course.max_length = options.max_length;
+  training.updates = p.updates;
+  training.epochs = options.epochs;
+  training.seed = p.seed = options.seed;
+  training.threads = p.threads = options.threads;
+  p.communicator = ranks();
+  validate(training);
+  validate(p);
+  plan->settings = settingsOf(options);
+  plan->settings.update({{"updates", p.updates},
+                         {"goals", training.course.goals},
+                         {"short-share", training.course.short_share},
+                         {"agents", p.agents},
+                         {"window", p.window},
+                         {"max-steps", p.max_steps}});
+}
 
-/// Learns epoch by epoch: each with a new course, judged after it, the best kept, a line printed and the checkpoint
-/// written. Goes on from the checkpoint where there is one. Returns the exit status.
-int trainByReinforcement(const ReinforcementPlan& plan, ReinforcementLearner* learner);
+/// Learns epoch by epoch, with a line for each; see GridReinforcement and runTraining(). Returns the exit status.
+int trainByReinforcement(const GridReinforcementPlan& plan, GridLearner* learner);
 
 }  // namespace lstm_planner

@@ -21,40 +21,21 @@ struct FollowedDrives {
   double weight = 0.3;
 };
 
-class RobotActorCritic : public RobotLearner {
- public:
-  RobotActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers, const FollowedDrives& followed)
-      : policy_(parameters.policy), learner_(parameters, std::move(layers)) {
-    if (!followed.recordings.empty()) {
-      learner_.follow(readDatasetsFor(policy_, followed.recordings), followed.weight);
-    }
-    if (!followed.validation.empty()) validation_ = readDatasetsFor(policy_, followed.validation);
-  }
+const char* const kColumns = "iteration     steps  reward  arrival  entropy  explained";
 
-  std::string columns() const override { return "iteration     steps  reward  arrival  entropy  explained"; }
-  std::string iterate() override {
-    const DriveActorCriticReport report = learner_.iterate();
-    std::ostringstream line;
-    line << std::fixed << std::setw(9) << report.iteration << std::setprecision(0) << std::setw(10) << report.steps
-         << std::setprecision(3) << std::setw(8) << report.reward << std::setw(9) << report.arrival << std::setw(9)
-         << report.entropy << std::setw(11) << report.explained;
-    return line.str();
-  }
-  int iterations() const override { return learner_.iterations(); }
-  const LayerStack& layers() const override { return learner_.layers(); }
-  std::string remark() const override {
-    if (validation_.recordings.empty()) return "";
-    const ConfusionMatrix taken = preferencesIn(validation_, DrivePolicy(policy_, learner_.layers()));
-    return "; recordings: " + accuracyText(taken) + " (always the most frequent label: " + majorityText(taken) + ")";
-  }
-  std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
-  void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
+std::string lineOf(const ReinforcementReport& report) {
+  std::ostringstream line;
+  line << std::fixed << std::setw(9) << report.update << std::setprecision(0) << std::setw(10) << report.steps
+       << std::setprecision(3) << std::setw(8) << report.reward << std::setw(9) << report.arrival << std::setw(9)
+       << report.entropy << std::setw(11) << report.explained;
+  return line.str();
+}
 
- private:
-  PolicyDescription policy_;
-  DriveActorCritic learner_;
-  Dataset validation_;
-};
+/// How often the network would have done what the drivers of `recordings` did.
+std::string agreementWith(const Dataset& recordings, const DrivePolicy& policy) {
+  const ConfusionMatrix taken = preferencesIn(recordings, policy);
+  return "; recordings: " + accuracyText(taken) + " (always the most frequent label: " + majorityText(taken) + ")";
+}
 
 bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan,
                  DriveActorCriticParameters* parameters, FollowedDrives* followed) {
@@ -88,8 +69,16 @@ int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
   FollowedDrives followed;
   if (!readOptions(arguments, &plan, &parameters, &followed)) return 0;
   LayerStack layers = firstLayers(plan, &parameters.policy);
-  RobotActorCritic learner(parameters, std::move(layers), followed);
-  return trainByReinforcement(plan, parameters.policy, parameters.iterations, &learner);
+  const PolicyDescription& policy = parameters.policy;
+  DriveActorCritic learner(parameters, std::move(layers));
+  if (!followed.recordings.empty()) learner.follow(readDatasetsFor(policy, followed.recordings), followed.weight);
+  RobotLearningTable table{kColumns, lineOf};
+  if (!followed.validation.empty()) {
+    table.remark = [&policy, recordings = readDatasetsFor(policy, followed.validation)](const LayerStack& network) {
+      return agreementWith(recordings, DrivePolicy(policy, network));
+    };
+  }
+  return trainByReinforcement(plan, policy, parameters.iterations, table, &learner);
 }
 
 }  // namespace lstm_planner

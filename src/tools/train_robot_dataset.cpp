@@ -60,18 +60,18 @@ class DatasetTraining {
     const auto begun = std::chrono::steady_clock::now();
     std::cout << "epoch  training accuracy  validation accuracy  of the averaged weights" << std::endl;
     TrainingState state;
+    Trainer trainer(layers_, sets_.training, sets_.validation, options_.training.trainer, &state);
     bool interrupted = false;
-    const auto epoch_done = [&](const EpochReport& report) {
+    while (!trainer.done() && !interrupted) {
+      const EpochReport& report = trainer.runEpoch();
       printEpoch(report);
       bar_.show(static_cast<double>(report.epoch) / options_.training.trainer.epochs);
       if (!options_.stability.empty()) {
         stability_.push_back(measureEpoch(layers_, state, sets_.training, options_.training.trainer.threads));
       }
       interrupted = interruption.wanted();
-      return !interrupted;
-    };
-    const TrainingResult result =
-        train(layers_, sets_.training, sets_.validation, options_.training.trainer, epoch_done, &state);
+    }
+    const TrainingResult result = trainer.result();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
     std::cout << result.curve.size() << " epochs in " << std::setprecision(1) << seconds.count() << " s" << std::endl;
     finish(result);
@@ -136,7 +136,7 @@ class DatasetTraining {
   }
 
   void finish(const TrainingResult& result) const {
-    const EpochReport& best = result.curve[static_cast<std::size_t>(result.best_epoch - 1)];
+    const EpochReport& best = result.best();
     const PolicyDescription& policy = options_.training.sequences.policy;
     const std::vector<std::string> names = namesOf(policy.actions);
     std::cout << "validation set by the " << (options_.training.trainer.averaging > 0.0 ? "averaged " : "")

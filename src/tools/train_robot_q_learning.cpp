@@ -12,28 +12,15 @@ namespace lstm_planner {
 
 namespace {
 
-class RobotQLearner : public RobotLearner {
- public:
-  RobotQLearner(const DriveQLearningParameters& parameters, LayerStack layers)
-      : learner_(parameters, std::move(layers)) {}
+const char* const kColumns = "iteration     steps   reward  arrival  epsilon    value    error";
 
-  std::string columns() const override { return "iteration     steps   reward  arrival  epsilon    value    error"; }
-  std::string iterate() override {
-    const DriveQLearningReport report = learner_.iterate();
-    std::ostringstream line;
-    line << std::fixed << std::setw(9) << report.iteration << std::setprecision(0) << std::setw(10) << report.steps
-         << std::setprecision(3) << std::setw(9) << report.reward << std::setw(9) << report.arrival << std::setw(9)
-         << report.epsilon << std::setw(9) << report.value << std::setw(9) << report.error;
-    return line.str();
-  }
-  int iterations() const override { return learner_.iterations(); }
-  const LayerStack& layers() const override { return learner_.layers(); }
-  std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
-  void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
-
- private:
-  DriveQLearning learner_;
-};
+std::string lineOf(const ReinforcementReport& report) {
+  std::ostringstream line;
+  line << std::fixed << std::setw(9) << report.update << std::setprecision(0) << std::setw(10) << report.steps
+       << std::setprecision(3) << std::setw(9) << report.reward << std::setw(9) << report.arrival << std::setw(9)
+       << report.epsilon << std::setw(9) << report.value << std::setw(9) << report.error;
+  return line.str();
+}
 
 bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan,
                  DriveQLearningParameters* parameters) {
@@ -57,8 +44,8 @@ int trainRobotByQLearning(const std::vector<std::string>& arguments) {
   DriveQLearningParameters parameters;
   if (!readOptions(arguments, &plan, &parameters)) return 0;
   LayerStack layers = firstLayers(plan, &parameters.policy);
-  RobotQLearner learner(parameters, std::move(layers));
-  return trainByReinforcement(plan, parameters.policy, parameters.iterations, &learner);
+  DriveQLearning learner(parameters, std::move(layers));
+  return trainByReinforcement(plan, parameters.policy, parameters.iterations, {kColumns, lineOf}, &learner);
 }
 
 }  // namespace lstm_planner

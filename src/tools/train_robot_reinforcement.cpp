@@ -1,98 +1,50 @@
 #include "tools/train_robot_reinforcement.hpp"
 
-#include <algorithm>
-#include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <utility>
 
-#include "lstm_planner/base/learning/training_checkpoint.hpp"
-#include "tools/interruption.hpp"
-#include "tools/progress.hpp"
-#include "tools/ranks.hpp"
+#include "tools/training_host.hpp"
 
 namespace lstm_planner {
 
 namespace {
 
-/// Times that the network is judged, and a checkpoint written, in a whole training.
+/// Times that the network is judged in a whole training, but for the first.
 constexpr int kJudgements = 10;
 
-class RobotReinforcement {
+class RobotReinforcementHost : public ToolTrainingHost {
  public:
-  RobotReinforcement(const RobotReinforcementPlan& plan, const PolicyDescription& policy, int iterations,
-                     RobotLearner* learner)
-      : plan_(plan), policy_(policy), iterations_(iterations), learner_(*learner) {}
+  RobotReinforcementHost(const TrainingLoopOptions& loop, const RobotReinforcementPlan& plan,
+                         const PolicyDescription& policy, const RobotLearningTable& table,
+                         const DriveReinforcement& training)
+      : ToolTrainingHost(loop), options_(plan.options), policy_(policy), table_(table), training_(training) {}
 
-  int run() {
-    const Interruption interruption;
-    restore();
-    std::cout << learner_.columns() << " | validation drives" << std::endl;
-    if (learner_.iterations() == 0 || isLast()) judge();
-    const int interval = std::max(1, iterations_ / kJudgements);
-    while (learner_.iterations() < iterations_) {
-      std::cout << learner_.iterate() << std::endl;
-      const int done = learner_.iterations();
-      bar_.show(static_cast<double>(done) / iterations_);
-      const bool stop = interruption.wanted() && done < iterations_;
-      // A break leaves no trace: it is judged only where nothing else is kept.
-      const bool due = done % interval == 0 || done == iterations_;
-      if (due || (stop && plan_.checkpoint.empty())) judge();
-      if (due || stop) writeCheckpoint();
-      if (stop) {
-        std::cout << "interrupted; "
-                  << (plan_.checkpoint.empty() ? "without --checkpoint the training cannot be gone on with"
-                                               : "the same command goes on from here")
-                  << std::endl;
-        return interruption.exitStatus();
-      }
-    }
-    std::cout << "wrote " << plan_.options.output << ": efficiency " << std::fixed << std::setprecision(3) << best_
-              << std::endl;
-    return 0;
+  void stepDone() override {
+    std::cout << table_.line(training_.report()) << std::endl;
+    ToolTrainingHost::stepDone();
+  }
+  double judge(const LayerStack& layers) override {
+    score_ = judgeDrives(DrivePolicy(policy_, layers), options_.course, options_.validation, options_.max_steps,
+                         options_.seed, options_.threads);
+    return score_.efficiency;
+  }
+  void keep(const LayerStack& layers) override { writeRobotModel(options_, policy_, layers, score_); }
+  void judged(const Judgement& judgement) override {
+    std::cout << std::string(table_.columns.size() + 1, ' ') << "| " << toText(score_)
+              << (judgement.best ? " (best)" : "") << table_.remark(training_.layers()) << std::endl;
   }
 
  private:
-  /// The best of several judgements owes something to luck; the last network owes nothing to it.
-  bool isLast() const { return plan_.keepsLast() && learner_.iterations() == iterations_; }
+  double progress() const override { return training_.progress(); }
+  std::string position() const override { return "iteration " + std::to_string(training_.iterations()); }
+  std::string scoreName() const override { return "efficiency"; }
+  void printHeader() const override { std::cout << table_.columns << " | validation drives" << std::endl; }
 
-  /// Keeps the most efficient network, or the last.
-  void judge() {
-    const DriveScore score =
-        judgeDrives(DrivePolicy(policy_, learner_.layers()), plan_.options.course, plan_.options.validation,
-                    plan_.options.max_steps, plan_.options.seed, plan_.options.threads);
-    const bool best = score.efficiency > best_;
-    if (best || isLast()) {
-      best_ = score.efficiency;
-      if (isFirstRank()) writeRobotModel(plan_.options, policy_, learner_.layers(), score);
-    }
-    std::cout << std::string(learner_.columns().size() + 1, ' ') << "| " << toText(score) << (best ? " (best)" : "")
-              << learner_.remark() << std::endl;
-  }
-
-  void restore() {
-    if (plan_.checkpoint.empty()) return;
-    const auto checkpoint = readTrainingCheckpoint(plan_.checkpoint, plan_.settings);
-    if (!checkpoint) return;
-    learner_.restore(checkpoint->learner);
-    const bool kept = checkpoint->progress.value("output", "") == plan_.options.output &&
-                      std::filesystem::exists(plan_.options.output);
-    if (kept) best_ = checkpoint->progress.at("best").get<double>();
-    std::cout << "going on from " << plan_.checkpoint << " after iteration " << learner_.iterations() << std::endl;
-  }
-
-  void writeCheckpoint() const {
-    if (plan_.checkpoint.empty() || !isFirstRank()) return;
-    writeTrainingCheckpoint(
-        plan_.checkpoint, {plan_.settings, {{"best", best_}, {"output", plan_.options.output}}, learner_.checkpoint()});
-  }
-
-  const RobotReinforcementPlan& plan_;
+  const RobotTrainingOptions& options_;
   const PolicyDescription& policy_;
-  const int iterations_;
-  RobotLearner& learner_;
-  Progress bar_;
-  double best_ = -1.0;
+  const RobotLearningTable& table_;
+  const DriveReinforcement& training_;
+  DriveScore score_;  ///< what was judged last
 };
 
 }  // namespace
@@ -118,8 +70,16 @@ LayerStack firstLayers(const RobotReinforcementPlan& plan, PolicyDescription* po
 }
 
 int trainByReinforcement(const RobotReinforcementPlan& plan, const PolicyDescription& policy, int iterations,
-                         RobotLearner* learner) {
-  return RobotReinforcement(plan, policy, iterations, learner).run();
+                         const RobotLearningTable& table, DriveLearner* learner) {
+  TrainingLoopOptions loop;
+  loop.checkpoint = plan.checkpoint;
+  loop.settings = plan.settings;
+  loop.output = plan.options.output;
+  loop.keep_last = plan.keep == "last";
+  loop.communicator = ranks();
+  DriveReinforcement training(iterations, kJudgements, learner);
+  RobotReinforcementHost host(loop, plan, policy, table, training);
+  return host.end(runTraining(loop, &training, &host));
 }
 
 }  // namespace lstm_planner

@@ -1,35 +1,27 @@
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "lstm_planner/robot/learning/drive_learner.hpp"
 #include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_robot_options.hpp"
 
 namespace lstm_planner {
 
-/// A learner as the loop of iterations sees it: DriveActorCritic, DriveQLearning.
-class RobotLearner {
- public:
-  virtual ~RobotLearner() = default;
-  /// The names of what iterate() returns.
-  virtual std::string columns() const = 0;
-  /// Learns, and says in a line of a table what came of it.
-  virtual std::string iterate() = 0;
-  virtual int iterations() const = 0;
-  virtual const LayerStack& layers() const = 0;
-  /// What else there is to say of it when it is judged.
-  virtual std::string remark() const { return ""; }
-  virtual std::vector<std::uint8_t> checkpoint() const = 0;
-  virtual void restore(const std::vector<std::uint8_t>& checkpoint) = 0;
+/// The table of iterations that a way of learning prints.
+struct RobotLearningTable {
+  std::string columns;
+  std::function<std::string(const ReinforcementReport&)> line;
+  std::function<std::string(const LayerStack&)> remark = [](const LayerStack&) { return ""; };  ///< on a judged network
 };
 
-/// What the loop is to do.
+/// What is to be trained, and how.
 struct RobotReinforcementPlan {
   RobotTrainingOptions options;
   RobotNetworkOptions network;
@@ -37,8 +29,6 @@ struct RobotReinforcementPlan {
   std::string checkpoint;     ///< empty: none
   std::string keep = "best";  ///< which network is written: best of the judgements, or last
   nlohmann::json settings;    ///< what the learning depends on
-
-  bool keepsLast() const { return keep == "last"; }
 };
 
 /// A model to start with has its own inputs and shape. Throws std::invalid_argument with a sentence for values that
@@ -96,9 +86,9 @@ void finishRobotReinforcement(const std::string& method, RobotReinforcementPlan*
 /// Those of the model to start with, whose description replaces `policy`, or new ones.
 LayerStack firstLayers(const RobotReinforcementPlan& plan, PolicyDescription* policy);
 
-/// Learns iteration by iteration, with a line for each; judges the network now and then, keeps the most efficient, and
-/// writes the checkpoint. Goes on from the checkpoint where there is one. Returns the exit status.
+/// Learns iteration by iteration, with a line for each; see DriveReinforcement and runTraining(). Returns the exit
+/// status.
 int trainByReinforcement(const RobotReinforcementPlan& plan, const PolicyDescription& policy, int iterations,
-                         RobotLearner* learner);
+                         const RobotLearningTable& table, DriveLearner* learner);
 
 }  // namespace lstm_planner

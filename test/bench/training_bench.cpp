@@ -62,7 +62,7 @@ void thesisTraining(benchmark::State& state) {
   const WorkMeter meter;
   for (auto _ : state) {
     const TrainingResult result = train(layers, training, validation, parameters);
-    state.counters["accuracy"] = result.curve[static_cast<std::size_t>(result.best_epoch - 1)].validation.accuracy();
+    state.counters["accuracy"] = result.best().validation.accuracy();
   }
   const double samples = static_cast<double>(state.iterations()) * parameters.epochs * kTrainingSteps;
   meter.report("sample", samples, &state);

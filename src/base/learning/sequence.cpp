@@ -1,7 +1,9 @@
 #include "lstm_planner/base/learning/sequence.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace lstm_planner {
 namespace {
@@ -11,6 +13,31 @@ namespace {
 }
 
 }  // namespace
+
+void cutIntoPieces(const Sequence& episode, const SequenceCut& cut, std::vector<Sequence>* pieces) {
+  for (Eigen::Index fresh = 0; fresh < episode.steps(); fresh += fresh == 0 ? cut.first : cut.further) {
+    const Eigen::Index length = fresh == 0 ? cut.first : cut.further;
+    const Eigen::Index begin = std::max<Eigen::Index>(0, fresh - cut.burn_in);
+    const Eigen::Index steps = std::min(fresh + length, episode.steps()) - begin;
+    Sequence piece{episode.inputs.middleCols(begin, steps), episode.labels.segment(begin, steps),
+                   episode.weights.segment(begin, steps)};
+    piece.weights.head(fresh - begin).setZero();
+    pieces->push_back(std::move(piece));
+  }
+}
+
+std::size_t countWeighted(const std::vector<Sequence>& sequences) {
+  std::size_t count = 0;
+  for (const Sequence& sequence : sequences) {
+    count += static_cast<std::size_t>((sequence.weights.array() > 0.0f).count());
+  }
+  return count;
+}
+
+int sequencesWithSteps(int steps, const std::vector<Sequence>& sequences) {
+  const double steps_each = static_cast<double>(countWeighted(sequences)) / static_cast<double>(sequences.size());
+  return std::max(1, static_cast<int>(std::lround(steps / steps_each)));
+}
 
 void validateSequences(const std::vector<Sequence>& sequences, int inputs, int outputs, const std::string& name) {
   for (std::size_t index = 0; index < sequences.size(); ++index) {

@@ -160,49 +160,68 @@ bool hasWeight(const std::vector<Sequence>& sequences) {
                      [](const Sequence& sequence) { return (sequence.weights.array() > 0.0f).any(); });
 }
 
-/// State of one training run.
-class Trainer {
+/// nullptr before the first.
+const EpochReport* bestOf(const std::vector<EpochReport>& curve) {
+  const auto best = std::find_if(curve.rbegin(), curve.rend(), [](const EpochReport& report) { return report.best; });
+  return best == curve.rend() ? nullptr : &*best;
+}
+
+/// Throws std::invalid_argument.
+const LayerStack& checked(const LayerStack& layers, const std::vector<Sequence>& training,
+                          const std::vector<Sequence>& validation, const TrainerParameters& parameters) {
+  validate(parameters);
+  validateLayers(layers);
+  validateSequences(training, inputSize(layers), outputSize(layers), "training");
+  validateSequences(validation, inputSize(layers), outputSize(layers), "validation");
+  if (!hasWeight(training)) {
+    throw std::invalid_argument("training set of " + std::to_string(training.size()) +
+                                " sequences has no step with a weight above 0, expected at least one");
+  }
+  return layers;
+}
+
+}  // namespace
+
+class Trainer::Implementation {
  public:
-  Trainer(const LayerStack& layers, const std::vector<Sequence>& training, const std::vector<Sequence>& validation,
-          const TrainerParameters& parameters)
+  Implementation(const LayerStack& layers, const std::vector<Sequence>& training,
+                 const std::vector<Sequence>& validation, const TrainerParameters& parameters, TrainingState* state)
       : parameters_(parameters),
+        layers_(checked(layers, training, validation, parameters)),
+        state_(*state),
         gradient_(layers, parameters.shards, parameters.threads, parameters.communicator),
         optimiser_(parameters.optimiser, weightMask(layers)),
         order_(pointersTo(training)),
         validation_(cut(pointersTo(validation), parameters.batch_size)),
         random_(parameters.seed),
         weights_(parameterVector(layers)) {
-    if (parameters.averaging > 0.0) averaged_weights_ = weights_;
+    if (averages()) averaged_weights_ = weights_;
+    if (!state_.curve.empty()) goOnFrom(state_);
   }
 
-  TrainingResult run(const LayerStack& layers, const EpochCallback& callback, TrainingState* state) {
-    if (!state->curve.empty()) goOnFrom(*state);
-    while (static_cast<int>(state->curve.size()) < parameters_.epochs) {
-      EpochReport report = runEpoch(static_cast<int>(state->curve.size()) + 1);
-      const EpochReport* best = bestOf(state->curve);
-      report.best = best == nullptr || validation_.empty() || isBetter(report.kept(), best->kept());
-      if (report.best) state->best_weights = averages() ? averaged_weights_ : weights_;
-      state->weights = weights_;
-      state->averaged_weights = averaged_weights_;
-      state->optimiser = optimiser_.state();
-      state->curve.push_back(std::move(report));
-      if (callback && !callback(state->curve.back())) break;
-    }
-    TrainingResult result;
-    result.layers = layers;
-    setParameterVector(state->best_weights, result.layers);
-    result.best_epoch = bestOf(state->curve)->epoch;
-    result.curve = state->curve;
+  bool done() const { return static_cast<int>(state_.curve.size()) >= parameters_.epochs; }
+
+  const EpochReport& runEpoch() {
+    EpochReport report = learn(static_cast<int>(state_.curve.size()) + 1);
+    const EpochReport* best = bestOf(state_.curve);
+    report.best = best == nullptr || validation_.empty() || isBetter(report.kept(), best->kept());
+    if (report.best) state_.best_weights = averages() ? averaged_weights_ : weights_;
+    state_.weights = weights_;
+    state_.averaged_weights = averaged_weights_;
+    state_.optimiser = optimiser_.state();
+    state_.curve.push_back(std::move(report));
+    return state_.curve.back();
+  }
+
+  TrainingResult result() const {
+    const EpochReport* best = bestOf(state_.curve);
+    if (best == nullptr) throw std::logic_error("a training has no result before its first epoch");
+    TrainingResult result{layers_, best->epoch, state_.curve};
+    setParameterVector(state_.best_weights, result.layers);
     return result;
   }
 
  private:
-  /// nullptr before the first.
-  static const EpochReport* bestOf(const std::vector<EpochReport>& curve) {
-    const auto best = std::find_if(curve.rbegin(), curve.rend(), [](const EpochReport& report) { return report.best; });
-    return best == curve.rend() ? nullptr : &*best;
-  }
-
   bool averages() const { return parameters_.averaging > 0.0; }
 
   void goOnFrom(const TrainingState& state) {
@@ -221,7 +240,7 @@ class Trainer {
     update_ = static_cast<long>(state.curve.size() * cut(order_, parameters_.batch_size).size());
   }
 
-  EpochReport runEpoch(int epoch) {
+  EpochReport learn(int epoch) {
     shuffle(&order_, random_);
     const std::vector<Batch> batches = cut(order_, parameters_.batch_size);
     const long updates = static_cast<long>(batches.size()) * parameters_.epochs;
@@ -250,7 +269,9 @@ class Trainer {
     averaged_weights_ += static_cast<float>(1.0 - kept) * (weights_ - averaged_weights_);
   }
 
-  const TrainerParameters& parameters_;
+  const TrainerParameters parameters_;
+  const LayerStack layers_;
+  TrainingState& state_;
   ShardedGradient gradient_;
   Optimiser optimiser_;
   Batch order_;
@@ -262,7 +283,13 @@ class Trainer {
   long update_ = 0;
 };
 
-}  // namespace
+Trainer::Trainer(const LayerStack& layers, const std::vector<Sequence>& training,
+                 const std::vector<Sequence>& validation, const TrainerParameters& parameters, TrainingState* state)
+    : implementation_(std::make_unique<Implementation>(layers, training, validation, parameters, state)) {}
+Trainer::~Trainer() = default;
+bool Trainer::done() const { return implementation_->done(); }
+const EpochReport& Trainer::runEpoch() { return implementation_->runEpoch(); }
+TrainingResult Trainer::result() const { return implementation_->result(); }
 
 void validate(const TrainerParameters& parameters) {
   requireAtLeastOne("epochs", parameters.epochs);
@@ -277,17 +304,13 @@ void validate(const TrainerParameters& parameters) {
 TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& training,
                      const std::vector<Sequence>& validation, const TrainerParameters& parameters,
                      const EpochCallback& callback, TrainingState* state) {
-  validate(parameters);
-  validateLayers(layers);
-  validateSequences(training, inputSize(layers), outputSize(layers), "training");
-  validateSequences(validation, inputSize(layers), outputSize(layers), "validation");
-  if (!hasWeight(training)) {
-    throw std::invalid_argument("training set of " + std::to_string(training.size()) +
-                                " sequences has no step with a weight above 0, expected at least one");
-  }
   TrainingState begun_here;
-  return Trainer(layers, training, validation, parameters)
-      .run(layers, callback, state != nullptr ? state : &begun_here);
+  Trainer trainer(layers, training, validation, parameters, state != nullptr ? state : &begun_here);
+  while (!trainer.done()) {
+    const EpochReport& report = trainer.runEpoch();
+    if (callback && !callback(report)) break;
+  }
+  return trainer.result();
 }
 
 LossSum evaluate(const LayerStack& layers, const std::vector<Sequence>& sequences, int threads) {

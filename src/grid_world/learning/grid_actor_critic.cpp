@@ -83,8 +83,8 @@ class GridActorCritic::Implementation {
     sums_ += sums;
   }
 
-  GridActorCriticReport report() {
-    GridActorCriticReport report;
+  ReinforcementReport report() {
+    ReinforcementReport report;
     report.update = learner_.updates();
     report.steps = learner_.steps();
     report.reward = sums_.reward / sums_.steps;
@@ -97,6 +97,7 @@ class GridActorCritic::Implementation {
     return report;
   }
 
+  int updates() const { return learner_.updates(); }
   const LayerStack& layers() {
     setParameterVector(learner_.policy(), policy_);
     return policy_;
@@ -155,7 +156,8 @@ GridActorCritic::GridActorCritic(const GridActorCriticParameters& parameters, La
 GridActorCritic::~GridActorCritic() = default;
 void GridActorCritic::beginEpoch(int epoch, const GridCourse& course) { implementation_->beginEpoch(epoch, course); }
 void GridActorCritic::update() { implementation_->update(); }
-GridActorCriticReport GridActorCritic::report() { return implementation_->report(); }
+ReinforcementReport GridActorCritic::report() { return implementation_->report(); }
+int GridActorCritic::updates() const { return implementation_->updates(); }
 const LayerStack& GridActorCritic::layers() const { return implementation_->layers(); }
 std::vector<std::uint8_t> GridActorCritic::checkpoint() const { return implementation_->checkpoint(); }
 void GridActorCritic::restore(const std::vector<std::uint8_t>& checkpoint) { implementation_->restore(checkpoint); }

@@ -83,9 +83,9 @@ class GridQLearning::Implementation {
     sums_ += sums;
   }
 
-  GridQLearningReport report() {
+  ReinforcementReport report() {
     const auto mean = [](double sum, double count) { return count > 0.0 ? sum / count : 0.0; };
-    GridQLearningReport report;
+    ReinforcementReport report;
     report.update = learner_.updates();
     report.steps = learner_.steps();
     report.reward = mean(sums_.reward, sums_.steps);
@@ -98,6 +98,7 @@ class GridQLearning::Implementation {
     return report;
   }
 
+  int updates() const { return learner_.updates(); }
   const LayerStack& layers() {
     setParameterVector(learner_.weights(), layers_);
     return layers_;
@@ -146,7 +147,8 @@ GridQLearning::GridQLearning(const GridQLearningParameters& parameters, LayerSta
 GridQLearning::~GridQLearning() = default;
 void GridQLearning::beginEpoch(int epoch, const GridCourse& course) { implementation_->beginEpoch(epoch, course); }
 void GridQLearning::update() { implementation_->update(); }
-GridQLearningReport GridQLearning::report() { return implementation_->report(); }
+ReinforcementReport GridQLearning::report() { return implementation_->report(); }
+int GridQLearning::updates() const { return implementation_->updates(); }
 const LayerStack& GridQLearning::layers() const { return implementation_->layers(); }
 std::vector<std::uint8_t> GridQLearning::checkpoint() const { return implementation_->checkpoint(); }
 void GridQLearning::restore(const std::vector<std::uint8_t>& checkpoint) { implementation_->restore(checkpoint); }

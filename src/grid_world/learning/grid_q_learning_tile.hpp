@@ -10,7 +10,7 @@
 
 namespace lstm_planner {
 
-/// What goes into a GridQLearningReport.
+/// What goes into the report.
 struct QSums {
   double steps = 0, reward = 0, arrived = 0, ended = 0, ratio = 0, value = 0, squared_error = 0;
   void operator+=(const QSums& other);

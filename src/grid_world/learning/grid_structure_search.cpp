@@ -1,7 +1,5 @@
 #include "lstm_planner/grid_world/learning/grid_structure_search.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <mutex>
 
@@ -38,15 +36,13 @@ std::optional<StructureOutcome> run(const StructureTrial& trial, const GridImita
   LayerStack layers = makeLstmStack(encoder.size(), cells, encoder.outputs());
   initialise({}, parameters.seed, layers);
   TrainerParameters trainer = parameters.trainer;
-  const double steps_each =
-      static_cast<double>(countLabels(dataset.training)) / static_cast<double>(dataset.training.size());
-  trainer.batch_size = std::max(1, static_cast<int>(std::lround(trial.sequence_steps / steps_each)));
+  trainer.batch_size = sequencesWithSteps(trial.sequence_steps, dataset.training);
   trainer.seed = parameters.seed;
   trainer.shards = 1;  // a batch has a few sequences: cut up it would be slower, and the trials keep the threads busy
   trainer.threads = 1;
   const TrainingResult result = train(layers, dataset.training, dataset.validation, trainer, report);
   if (static_cast<int>(result.curve.size()) < trainer.epochs) return std::nullopt;
-  const EpochReport& best = result.curve[static_cast<std::size_t>(result.best_epoch - 1)];
+  const EpochReport& best = result.best();
   return StructureOutcome{trial, countWeights(layers), best.training.accuracy(), best.validation.accuracy(),
                           result.best_epoch};
 }

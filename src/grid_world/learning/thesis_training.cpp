@@ -44,16 +44,17 @@ ThesisNetworkResult trainThesisNetwork(const ThesisNetwork& network, const GridI
   const GridEncoder encoder(own.encoder);
   LayerStack layers = makeNetwork(encoder.size(), network.shape, encoder.outputs());
   initialise({}, own.seed, layers);
-  const auto epoch_done = [&](int, const EpochReport& report, const GridImitationState&) {
-    return !progress || progress(static_cast<double>(report.epoch) / own.trainer.epochs);
-  };
-  const GridImitationResult result =
-      imitateOnGrid(own, layers, mapsOf(training_files), mapsOf(validation_files), epoch_done);
+  const auto imitation = gridImitation(own, layers, mapsOf(training_files), mapsOf(validation_files));
+  bool go_on = true;
+  while (!imitation->done() && go_on) {
+    imitation->step();
+    go_on = !progress || progress(imitation->progress());
+  }
+  const TrainingResult result = imitation->roundResult();
   ThesisNetworkResult trained;
   trained.model.layers = result.layers;
   writeMetadata(own.encoder, &trained.model.metadata);
-  const TrainingResult& round = result.rounds.back().training;
-  const EpochReport& best = round.curve[static_cast<std::size_t>(round.best_epoch - 1)];
+  const EpochReport& best = result.best();
   trained.training_accuracy = best.training.accuracy();
   trained.validation_accuracy = best.validation.accuracy();
   return trained;

@@ -77,7 +77,7 @@ class DriveActorCritic::Implementation {
     imitation_ = weight;
   }
 
-  DriveActorCriticReport iterate() {
+  ReinforcementReport iterate() {
     const PracticeReward reward = progressReward(parameters_.step_cost, parameters_.contact_cost);
     std::vector<PracticeEpisode> episodes = practise(
         practiceRules(parameters_, preferredChances, reward, parameters_.arrival_bonus), policy_, learner_.updates());
@@ -108,7 +108,7 @@ class DriveActorCritic::Implementation {
     return report(sums, batch);
   }
 
-  int iterations() const { return learner_.updates(); }
+  int updates() const { return learner_.updates(); }
   const LayerStack& layers() const { return policy_; }
 
   std::vector<std::uint8_t> checkpoint() const { return learner_.checkpoint(); }
@@ -118,9 +118,9 @@ class DriveActorCritic::Implementation {
   }
 
  private:
-  DriveActorCriticReport report(const PracticeSums& sums, DriveBatch& batch) {
-    DriveActorCriticReport report;
-    report.iteration = learner_.updates();
+  ReinforcementReport report(const PracticeSums& sums, DriveBatch& batch) {
+    ReinforcementReport report;
+    report.update = learner_.updates();
     report.steps = learner_.steps();
     report.reward = sums.reward;
     report.arrival = sums.arrival;
@@ -142,8 +142,8 @@ DriveActorCritic::DriveActorCritic(const DriveActorCriticParameters& parameters,
     : implementation_(std::make_unique<Implementation>(parameters, std::move(layers))) {}
 DriveActorCritic::~DriveActorCritic() = default;
 void DriveActorCritic::follow(const Dataset& recordings, double weight) { implementation_->follow(recordings, weight); }
-DriveActorCriticReport DriveActorCritic::iterate() { return implementation_->iterate(); }
-int DriveActorCritic::iterations() const { return implementation_->iterations(); }
+ReinforcementReport DriveActorCritic::iterate() { return implementation_->iterate(); }
+int DriveActorCritic::updates() const { return implementation_->updates(); }
 const LayerStack& DriveActorCritic::layers() const { return implementation_->layers(); }
 std::vector<std::uint8_t> DriveActorCritic::checkpoint() const { return implementation_->checkpoint(); }
 void DriveActorCritic::restore(const std::vector<std::uint8_t>& checkpoint) { implementation_->restore(checkpoint); }

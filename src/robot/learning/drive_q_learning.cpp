@@ -56,9 +56,9 @@ class DriveQLearning::Implementation {
     DrivePolicy(parameters.policy, layers_);  // throws when they do not fit together
   }
 
-  DriveQLearningReport iterate() {
+  ReinforcementReport iterate() {
     learner_.startUpdate();
-    DriveQLearningReport report;
+    ReinforcementReport report;
     report.epsilon = explorationAt(learner_.progress(), parameters_.exploration_start, parameters_.exploration_end,
                                    parameters_.exploration_share);
     const std::vector<PracticeEpisode> episodes = practise(rulesWith(report.epsilon), layers_, learner_.updates());
@@ -66,14 +66,14 @@ class DriveQLearning::Implementation {
     setParameterVector(learner_.weights(), layers_);
     const PracticeSums sums = sumUp(episodes);
     learner_.finishUpdate(sums.steps);
-    report.iteration = learner_.updates();
+    report.update = learner_.updates();
     report.steps = learner_.steps();
     report.reward = sums.reward;
     report.arrival = sums.arrival;
     return report;
   }
 
-  int iterations() const { return learner_.updates(); }
+  int updates() const { return learner_.updates(); }
   const LayerStack& layers() const { return layers_; }
 
   std::vector<std::uint8_t> checkpoint() const { return learner_.checkpoint(); }
@@ -96,7 +96,7 @@ class DriveQLearning::Implementation {
   }
 
   /// Fills in what `report` says of the values.
-  void learnFrom(const std::vector<PracticeEpisode>& episodes, DriveQLearningReport* report) {
+  void learnFrom(const std::vector<PracticeEpisode>& episodes, ReinforcementReport* report) {
     DriveTiles<DriveQTile> tiles(parameters_.communicator, parameters_.threads,
                                  [this] { return std::make_unique<DriveQTile>(parameters_, layers_); });
     const int windows = tiles.pack(episodes);
@@ -126,8 +126,8 @@ class DriveQLearning::Implementation {
 DriveQLearning::DriveQLearning(const DriveQLearningParameters& parameters, LayerStack layers)
     : implementation_(std::make_unique<Implementation>(parameters, std::move(layers))) {}
 DriveQLearning::~DriveQLearning() = default;
-DriveQLearningReport DriveQLearning::iterate() { return implementation_->iterate(); }
-int DriveQLearning::iterations() const { return implementation_->iterations(); }
+ReinforcementReport DriveQLearning::iterate() { return implementation_->iterate(); }
+int DriveQLearning::updates() const { return implementation_->updates(); }
 const LayerStack& DriveQLearning::layers() const { return implementation_->layers(); }
 std::vector<std::uint8_t> DriveQLearning::checkpoint() const { return implementation_->checkpoint(); }
 void DriveQLearning::restore(const std::vector<std::uint8_t>& checkpoint) { implementation_->restore(checkpoint); }

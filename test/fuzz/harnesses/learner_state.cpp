@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "fuzz/harness.hpp"
+#include "lstm_planner/base/learning/imitation_rounds.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
-#include "lstm_planner/grid_world/learning/grid_imitation.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 
 namespace lstm_planner::fuzz {
@@ -26,7 +26,7 @@ void restore(int learner, const std::vector<std::uint8_t>& state) {
   static GridQLearning q_learning = smallLearner<GridQLearning, GridQLearningParameters>();
   switch (learner % 3) {
     case 0:
-      gridImitationStateFrom(state);
+      imitationStateFrom(state);
       break;
     case 1:
       actor_critic.restore(state);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,28 @@ struct Sequence {
 
   Eigen::Index steps() const { return inputs.cols(); }
 };
+
+/// How an episode is cut into pieces, along which errors go back.
+struct SequenceCut {
+  Eigen::Index first = 0;    ///< steps of the first piece, > 0
+  Eigen::Index further = 0;  ///< new steps of each further one, > 0
+  Eigen::Index burn_in = 0;  ///< before these, so many steps of the piece before, where there are: they have no weight,
+                             ///< and bring the hidden state up to date
+};
+
+/// Pieces of at most `steps`, the first `burn_in` of all but the first repeated.
+inline SequenceCut overlappingPieces(Eigen::Index steps, Eigen::Index burn_in) {
+  return {steps, steps - burn_in, burn_in};
+}
+
+/// Appends the pieces of an episode.
+void cutIntoPieces(const Sequence& episode, const SequenceCut& cut, std::vector<Sequence>* pieces);
+
+/// Steps with a weight above 0.
+std::size_t countWeighted(const std::vector<Sequence>& sequences);
+
+/// How many of the sequences, of which there must be one, have about so many steps with a weight: at least 1.
+int sequencesWithSteps(int steps, const std::vector<Sequence>& sequences);
 
 /// Throws std::invalid_argument with one sentence naming `name`, the sequence and the step when a sequence is empty,
 /// its parts differ in length, a value is not finite, a weight is negative, or a label is not one of `outputs` classes.

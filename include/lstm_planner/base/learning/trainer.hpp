@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "lstm_planner/base/common/communicator.hpp"
@@ -52,6 +53,8 @@ struct TrainingResult {
   LayerStack layers;  ///< of the best epoch
   int best_epoch = 0;
   std::vector<EpochReport> curve;
+
+  const EpochReport& best() const { return curve[static_cast<std::size_t>(best_epoch - 1)]; }
 };
 
 /// A training between two epochs: what the epochs to come depend on besides the arguments.
@@ -63,18 +66,35 @@ struct TrainingState {
   std::vector<EpochReport> curve;  ///< of the epochs that are done; empty: not begun
 };
 
-/// Called after each epoch; training ends early when it returns false.
-using EpochCallback = std::function<bool(const EpochReport&)>;
-
-/// Supervised learning by mini-batches, starting from the weights of `layers`.
+/// Supervised learning by mini-batches, epoch by epoch, starting from the weights of `layers`.
 ///
 /// The epoch with the highest accuracy on the validation set is kept, of equals the one with the lower loss; without a
 /// validation set the last. With averaging that means the averaged weights: theirs is the accuracy that is compared.
 /// The same input gives the same weights, bit for bit, for any number of threads and ranks; of several ranks each has
-/// to call it, and their callbacks have to answer alike. A `state` that has begun is gone on with as if there had been
-/// no break; it is kept up to date, before each callback. Throws std::invalid_argument for parameters, layers or
-/// sequences that are not valid or when no training step has a weight; std::runtime_error when the loss stops being
-/// finite.
+/// to call it. A `state` that has begun is gone on with as if there had been no break; it is kept up to date.
+class Trainer {
+ public:
+  /// Sequences and state must outlive it. Throws std::invalid_argument for parameters, layers or sequences that are not
+  /// valid, when no training step has a weight, and for the state of another network.
+  Trainer(const LayerStack& layers, const std::vector<Sequence>& training, const std::vector<Sequence>& validation,
+          const TrainerParameters& parameters, TrainingState* state);
+  ~Trainer();
+
+  bool done() const;
+  /// Throws std::runtime_error when the loss stops being finite.
+  const EpochReport& runEpoch();
+  /// Of the epochs so far, of which there must be one.
+  TrainingResult result() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// Called after each epoch; training ends early when it returns false.
+using EpochCallback = std::function<bool(const EpochReport&)>;
+
+/// All epochs of a Trainer. The ranks' callbacks have to answer alike; `state`, where given, is up to date before each.
 TrainingResult train(const LayerStack& layers, const std::vector<Sequence>& training,
                      const std::vector<Sequence>& validation, const TrainerParameters& parameters,
                      const EpochCallback& callback = {}, TrainingState* state = nullptr);

@@ -8,9 +8,8 @@
 
 #include "lstm_planner/base/common/communicator.hpp"
 #include "lstm_planner/base/learning/optimiser.hpp"
-#include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
-#include "lstm_planner/grid_world/learning/grid_course.hpp"
+#include "lstm_planner/grid_world/learning/grid_learner.hpp"
 
 namespace lstm_planner {
 
@@ -22,7 +21,6 @@ struct GridActorCriticParameters {
   GridEncoderParameters encoder;
   std::vector<int> critic_units = {48, 32};
   int updates = 20000;      ///< of the weights, over all epochs
-  int epochs = 10;          ///< parts, each with new maps' goals and new episodes; checkpoints lie between them
   int agents = 128;         ///< at a time; rounded up to whole tiles
   int window = 64;          ///< steps of each agent an update: errors go back that far
   int max_steps = 1500;     ///< of an episode
@@ -43,40 +41,21 @@ struct GridActorCriticParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridActorCriticParameters& parameters);
 
-/// What the agents did since the last report.
-struct GridActorCriticReport {
-  int update = 0;
-  double steps = 0.0;      ///< of all agents since the start
-  double reward = 0.0;     ///< mean a step
-  double arrival = 0.0;    ///< share of the episodes that ended by arriving
-  double ratio = 0.0;      ///< mean length / optimum of those
-  double entropy = 0.0;    ///< mean, nat
-  double explained = 0.0;  ///< share of the returns' variance that the critic explains
-};
-
 /// Learns in place, update by update.
-class GridActorCritic {
+class GridActorCritic : public GridLearner {
  public:
   /// `layers` are the policy's, with weights to start from; GridEncoder says how many inputs and outputs it has. Throws
   /// std::invalid_argument for what does not fit.
   GridActorCritic(const GridActorCriticParameters& parameters, LayerStack layers);
-  ~GridActorCritic();
+  ~GridActorCritic() override;
 
-  /// Starts epoch `epoch` (from 0) with new episodes; what happens in it depends only on the weights and the seed.
-  void beginEpoch(int epoch, const GridCourse& course);
-
-  /// One window of all agents, and one step of the optimisers. Of several ranks all have to call it.
-  void update();
-
-  /// Since the last call.
-  GridActorCriticReport report();
-
-  const LayerStack& layers() const;
-
-  /// Everything that the next epoch depends on. Between epochs only.
-  std::vector<std::uint8_t> checkpoint() const;
-  /// Throws std::invalid_argument when it is not a checkpoint of the same networks.
-  void restore(const std::vector<std::uint8_t>& checkpoint);
+  void beginEpoch(int epoch, const GridCourse& course) override;
+  void update() override;
+  ReinforcementReport report() override;
+  int updates() const override;
+  const LayerStack& layers() const override;
+  std::vector<std::uint8_t> checkpoint() const override;
+  void restore(const std::vector<std::uint8_t>& checkpoint) override;
 
  private:
   class Implementation;

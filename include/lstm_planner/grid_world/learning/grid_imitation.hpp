@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <vector>
 
-#include "lstm_planner/base/learning/trainer.hpp"
+#include "lstm_planner/base/learning/imitation_rounds.hpp"
 #include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
@@ -21,9 +21,8 @@ inline GridCourseParameters imitationCourse() {
 
 /// Learning to walk the grid world from a supervisor that knows the map (thesis 2.3.1 and 3.2).
 ///
-/// One round is the thesis's way: the supervisor leads, the network learns to answer as it does. Every further round
-/// collects paths that the network leads itself and learns from everything collected so far (DAgger: Ross, Gordon and
-/// Bagnell, AISTATS 2011), so that it also learns what to do where only its own mistakes bring it.
+/// One round is the thesis's way: the supervisor leads, the network learns to answer as it does. Further rounds are
+/// those of ImitationRounds.
 struct GridImitationParameters {
   GridEncoderParameters encoder{GridEncoderParameters::Inputs::kTrace, 1};
   GridCourseParameters course = imitationCourse();
@@ -43,42 +42,10 @@ GridImitationParameters thesisImitation();
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridImitationParameters& parameters);
 
-/// A training between two epochs.
-struct GridImitationState {
-  std::vector<Eigen::VectorXf> learners;  ///< weights after each round that is done
-  std::vector<EpochReport> curve;         ///< of these rounds, one after the other
-  TrainingState training;                 ///< of the round that goes on
-};
-
-std::vector<std::uint8_t> toBytes(const GridImitationState& state);
-/// Throws std::invalid_argument when the bytes are not those of a state.
-GridImitationState gridImitationStateFrom(const std::vector<std::uint8_t>& bytes);
-
-/// What one round brought.
-struct GridImitationRound {
-  int round = 0;          ///< from 1
-  std::size_t steps = 0;  ///< collected so far
-  TrainingResult training;
-};
-
-/// Called after each epoch with the state so far; learning ends early when it returns false.
-using GridImitationEpochCallback = std::function<bool(int round, const EpochReport&, const GridImitationState&)>;
-using GridImitationRoundCallback = std::function<void(const GridImitationRound&)>;
-
-struct GridImitationResult {
-  LayerStack layers;                       ///< of the last round's best epoch on the validation set
-  std::vector<GridImitationRound> rounds;  ///< without those that were done before
-  std::vector<EpochReport> curve;          ///< of all rounds
-};
-
-/// Runs all rounds, from the weights of `layers`, or goes on from `state`, where given and begun; collecting what was
-/// collected before is done again, as it is not kept. The same arguments give the same weights, bit for bit, with and
-/// without a break, for any number of threads. Throws std::invalid_argument for what does not fit together.
-GridImitationResult imitateOnGrid(const GridImitationParameters& parameters, const LayerStack& layers,
-                                  const std::vector<GridCourse::Set>& training,
-                                  const std::vector<GridCourse::Set>& validation,
-                                  const GridImitationEpochCallback& epoch_done = {},
-                                  const GridImitationRoundCallback& round_done = {},
-                                  const GridImitationState& state = {});
+/// Rounds of imitation from the weights of `layers`, which collect on these maps. The same arguments give the same
+/// weights, bit for bit, for any number of threads. Throws std::invalid_argument for what does not fit together.
+std::unique_ptr<ImitationRounds> gridImitation(const GridImitationParameters& parameters, const LayerStack& layers,
+                                               std::vector<GridCourse::Set> training,
+                                               const std::vector<GridCourse::Set>& validation);
 
 }  // namespace lstm_planner

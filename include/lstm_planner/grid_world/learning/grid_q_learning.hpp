@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "lstm_planner/base/common/communicator.hpp"
-#include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
-#include "lstm_planner/grid_world/learning/grid_course.hpp"
+#include "lstm_planner/grid_world/learning/grid_learner.hpp"
 
 namespace lstm_planner {
 
@@ -69,42 +68,23 @@ struct GridQLearningParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridQLearningParameters& parameters);
 
-/// What the agents did since the last report. Means over nothing are 0.
-struct GridQLearningReport {
-  int update = 0;
-  double steps = 0.0;    ///< of all agents since the start
-  double reward = 0.0;   ///< mean a step
-  double arrival = 0.0;  ///< share of the episodes that ended by arriving
-  double ratio = 0.0;    ///< mean length / optimum of those
-  double epsilon = 0.0;  ///< of the last update
-  double value = 0.0;    ///< mean of the moves made, cells: where it grows and grows, learning diverges
-  double error = 0.0;    ///< root of the mean squared error of these values, cells
-};
-
 /// Learns in place, update by update.
-class GridQLearning {
+class GridQLearning : public GridLearner {
  public:
   /// `layers` with weights to start from; GridEncoder says how many inputs and outputs they have. Throws
   /// std::invalid_argument for what does not fit.
   GridQLearning(const GridQLearningParameters& parameters, LayerStack layers);
-  ~GridQLearning();
+  ~GridQLearning() override;
 
-  /// Starts epoch `epoch` (from 0) with new episodes; `course` must outlive it.
-  void beginEpoch(int epoch, const GridCourse& course);
-
-  /// One window of all agents, and one step of the optimiser. Of several ranks all have to call it. Throws
-  /// std::logic_error before the first epoch.
-  void update();
-
-  /// Since the last call.
-  GridQLearningReport report();
-
-  const LayerStack& layers() const;
-
-  /// Everything that the next epoch depends on. Between epochs only.
-  std::vector<std::uint8_t> checkpoint() const;
-  /// Throws std::invalid_argument when it is not a checkpoint of the same network.
-  void restore(const std::vector<std::uint8_t>& checkpoint);
+  void beginEpoch(int epoch, const GridCourse& course) override;
+  /// Throws std::logic_error before the first epoch.
+  void update() override;
+  /// Means over nothing are 0.
+  ReinforcementReport report() override;
+  int updates() const override;
+  const LayerStack& layers() const override;
+  std::vector<std::uint8_t> checkpoint() const override;
+  void restore(const std::vector<std::uint8_t>& checkpoint) override;
 
  private:
   class Implementation;

@@ -33,7 +33,7 @@ struct ThesisNetworkResult {
 };
 
 /// Trains one network on the maps of the scenario files, each weighing alike. `progress` is told the share done and
-/// ends the training when it returns false. Throws as imitateOnGrid() and readMovingAiMap().
+/// ends the training when it returns false. Throws as gridImitation() and readMovingAiMap().
 ThesisNetworkResult trainThesisNetwork(const ThesisNetwork& network, const GridImitationParameters& parameters,
                                        const std::vector<std::string>& training_files,
                                        const std::vector<std::string>& validation_files,

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "lstm_planner/base/common/communicator.hpp"
-#include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/robot/dataset/dataset.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/learning/drive_course.hpp"
+#include "lstm_planner/robot/learning/drive_learner.hpp"
 
 namespace lstm_planner {
 
@@ -47,22 +47,12 @@ struct DriveActorCriticParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DriveActorCriticParameters& parameters);
 
-/// What the last iteration brought.
-struct DriveActorCriticReport {
-  int iteration = 0;       ///< from 1
-  double steps = 0.0;      ///< since the start
-  double reward = 0.0;     ///< mean a drive, m
-  double arrival = 0.0;    ///< share of the drives
-  double entropy = 0.0;    ///< mean, nat
-  double explained = 0.0;  ///< share of the returns' variance that the critic explains
-};
-
 /// Learns in place.
-class DriveActorCritic {
+class DriveActorCritic : public DriveLearner {
  public:
   /// `layers` are the policy's, with weights to start from. Throws std::invalid_argument for what does not fit.
   DriveActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers);
-  ~DriveActorCritic();
+  ~DriveActorCritic() override;
 
   /// From now on each iteration also learns to steer as the driver of these drives did (cross-entropy, rare angles
   /// weigh more), with the `weight` that the mean over the recorded steps has beside the mean over the practised ones.
@@ -70,17 +60,11 @@ class DriveActorCritic {
   /// std::invalid_argument unless the weight is positive, there are steps, and the recordings fit the policy.
   void follow(const Dataset& recordings, double weight);
 
-  /// Collects drives and learns from them. What happens depends only on the weights, the seed, and how many iterations
-  /// there were before.
-  DriveActorCriticReport iterate();
-
-  int iterations() const;  ///< done so far
-  const LayerStack& layers() const;
-
-  /// Everything that the next iteration depends on.
-  std::vector<std::uint8_t> checkpoint() const;
-  /// Throws std::invalid_argument when it is not a checkpoint of the same networks.
-  void restore(const std::vector<std::uint8_t>& checkpoint);
+  ReinforcementReport iterate() override;
+  int updates() const override;
+  const LayerStack& layers() const override;
+  std::vector<std::uint8_t> checkpoint() const override;
+  void restore(const std::vector<std::uint8_t>& checkpoint) override;
 
  private:
   class Implementation;

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "lstm_planner/base/common/communicator.hpp"
-#include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/learning/drive_course.hpp"
+#include "lstm_planner/robot/learning/drive_learner.hpp"
 #include "lstm_planner/robot/perception/observation.hpp"
 
 namespace lstm_planner {
@@ -78,35 +78,19 @@ struct DriveQLearningParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DriveQLearningParameters& parameters);
 
-/// What the last iteration brought. Values are in the reward's unit: m by progress, none by the thesis.
-struct DriveQLearningReport {
-  int iteration = 0;     ///< from 1
-  double steps = 0.0;    ///< since the start
-  double reward = 0.0;   ///< mean a drive
-  double arrival = 0.0;  ///< share of the drives, exploring
-  double epsilon = 0.0;  ///< of its drives
-  double value = 0.0;    ///< mean of the actions taken: where it grows and grows, learning diverges
-  double error = 0.0;    ///< root of the mean squared error of these values, before learning from these drives
-};
-
 /// Learns in place.
-class DriveQLearning {
+class DriveQLearning : public DriveLearner {
  public:
   /// `layers` with weights to start from. Throws std::invalid_argument for what does not fit.
   DriveQLearning(const DriveQLearningParameters& parameters, LayerStack layers);
-  ~DriveQLearning();
+  ~DriveQLearning() override;
 
-  /// Collects drives and learns from them. What happens depends only on the weights, the seed, and how many iterations
-  /// there were before. Throws std::runtime_error when no drive had a step.
-  DriveQLearningReport iterate();
-
-  int iterations() const;            ///< done so far
-  const LayerStack& layers() const;  ///< prefer the action of the highest value: a DrivePolicy as it is
-
-  /// Everything that the next iteration depends on.
-  std::vector<std::uint8_t> checkpoint() const;
-  /// Throws std::invalid_argument when it is not a checkpoint of the same network.
-  void restore(const std::vector<std::uint8_t>& checkpoint);
+  /// Throws std::runtime_error when no drive had a step.
+  ReinforcementReport iterate() override;
+  int updates() const override;
+  const LayerStack& layers() const override;  ///< prefer the action of the highest value: a DrivePolicy as it is
+  std::vector<std::uint8_t> checkpoint() const override;
+  void restore(const std::vector<std::uint8_t>& checkpoint) override;
 
  private:
   class Implementation;

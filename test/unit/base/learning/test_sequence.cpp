@@ -49,5 +49,48 @@ TEST(Sequence, BadOnesAreNamed) {
   EXPECT_EQ(complaint(sequence), "training sequence 1: has label 2 at step 3, expected one in [0, 2)");
 }
 
+/// The inputs are the numbers of the steps.
+Sequence episodeOf(int steps) {
+  Sequence episode{Eigen::MatrixXf(1, steps), Eigen::VectorXi::Zero(steps), Eigen::VectorXf::Ones(steps)};
+  for (int step = 0; step < steps; ++step) episode.inputs(0, step) = static_cast<float>(step);
+  return episode;
+}
+
+/// First step, steps and steps without weight of each piece.
+using Pieces = std::vector<std::vector<int>>;
+Pieces piecesOf(int steps, const SequenceCut& cut) {
+  std::vector<Sequence> pieces;
+  cutIntoPieces(episodeOf(steps), cut, &pieces);
+  Pieces found;
+  for (const Sequence& piece : pieces) {
+    const auto length = static_cast<int>(piece.steps());
+    const int counted = static_cast<int>(piece.weights.sum());
+    EXPECT_EQ(piece.weights.tail(counted).sum(), static_cast<float>(counted)) << "those without weight come first";
+    EXPECT_EQ(piece.labels.size(), length);
+    found.push_back({static_cast<int>(piece.inputs(0, 0)), length, length - counted});
+  }
+  return found;
+}
+
+TEST(CutIntoPieces, EachStepHasItsWeightInOnePiece) {
+  EXPECT_EQ(piecesOf(10, {4, 4, 0}), (Pieces{{0, 4, 0}, {4, 4, 0}, {8, 2, 0}}));
+  EXPECT_EQ(piecesOf(10, {4, 4, 2}), (Pieces{{0, 4, 0}, {2, 6, 2}, {6, 4, 2}}));
+  EXPECT_EQ(piecesOf(10, {4, 4, 6}), (Pieces{{0, 4, 0}, {0, 8, 4}, {2, 8, 6}})) << "there are no more before";
+  EXPECT_EQ(piecesOf(4, {4, 4, 2}), (Pieces{{0, 4, 0}}));
+  EXPECT_TRUE(piecesOf(0, {4, 4, 2}).empty());
+}
+
+TEST(CutIntoPieces, OverlappingPiecesAreOfOneLength) {
+  EXPECT_EQ(piecesOf(10, overlappingPieces(6, 2)), (Pieces{{0, 6, 0}, {4, 6, 2}}));
+}
+
+TEST(Sequence, StepsWithWeightAreCounted) {
+  Sequence sequence = goodSequence();
+  sequence.weights << 0.0f, 0.5f, 2.0f, 0.0f;
+  EXPECT_EQ(countWeighted({sequence, goodSequence()}), 6u);
+  EXPECT_EQ(sequencesWithSteps(9, {sequence, goodSequence()}), 3);
+  EXPECT_EQ(sequencesWithSteps(1, {sequence, goodSequence()}), 1);
+}
+
 }  // namespace
 }  // namespace lstm_planner

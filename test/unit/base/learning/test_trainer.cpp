@@ -97,7 +97,7 @@ TEST(Trainer, KeepsTheBestEpochOnTheValidationSet) {
   ASSERT_EQ(result.curve.size(), 30u);
   double best = 0.0;
   for (const EpochReport& report : result.curve) best = std::max(best, report.validation.accuracy());
-  const EpochReport& kept = result.curve[static_cast<std::size_t>(result.best_epoch - 1)];
+  const EpochReport& kept = result.best();
   EXPECT_TRUE(kept.best);
   EXPECT_EQ(kept.validation.accuracy(), best);
   EXPECT_EQ(evaluate(result.layers, validation).confusion, kept.validation.confusion);
@@ -189,7 +189,7 @@ TEST(Trainer, BestEpochIsThatOfTheAveragedWeights) {
     best = std::max(best, report.averaged.accuracy());
     EXPECT_EQ(report.kept().confusion, report.averaged.confusion);
   }
-  const EpochReport& kept = result.curve[static_cast<std::size_t>(result.best_epoch - 1)];
+  const EpochReport& kept = result.best();
   EXPECT_EQ(kept.averaged.accuracy(), best);
   EXPECT_EQ(evaluate(result.layers, validation).confusion, kept.averaged.confusion);
 }

@@ -65,7 +65,7 @@ TEST(GridActorCritic, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
     parameters.communicator = communicator;
     GridActorCritic training(parameters, smallPolicy(parameters));
     const Eigen::VectorXf weights = weightsAfter(training, 0, 5);
-    const GridActorCriticReport report = training.report();
+    const ReinforcementReport report = training.report();
     return std::make_pair(weights, std::vector<double>{report.steps, report.reward, report.arrival, report.ratio,
                                                        report.entropy, report.explained});
   };

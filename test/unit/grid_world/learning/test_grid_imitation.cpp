@@ -35,10 +35,14 @@ LayerStack smallNetwork(const GridImitationParameters& parameters, std::vector<i
   return layers;
 }
 
-GridImitationResult run(const GridImitationParameters& parameters, const GridImitationEpochCallback& callback = {},
-                        const GridImitationState& state = {}) {
-  return imitateOnGrid(parameters, smallNetwork(parameters, {4}), {{{smallCave(1)}, 1.0}}, {{{smallCave(2)}, 1.0}},
-                       callback, {}, state);
+std::unique_ptr<ImitationRounds> inCaves(const GridImitationParameters& parameters) {
+  return gridImitation(parameters, smallNetwork(parameters, {4}), {{{smallCave(1)}, 1.0}}, {{{smallCave(2)}, 1.0}});
+}
+
+/// Weights after all rounds.
+Eigen::VectorXf weightsAfter(const std::unique_ptr<ImitationRounds>& rounds) {
+  while (!rounds->done()) rounds->step();
+  return parameterVector(rounds->layers());
 }
 
 /// Accuracy of going on as before, and of a random guess at the first step.
@@ -50,7 +54,7 @@ double accuracyOfGoingOn(const std::vector<Sequence>& sequences) {
       right += sequence.labels[step] == sequence.labels[step - 1] ? 1.0 : 0.0;
     }
   }
-  return right / static_cast<double>(countLabels(sequences));
+  return right / static_cast<double>(countWeighted(sequences));
 }
 
 TEST(GridImitation, LearnsWhatTheInputsTell) {
@@ -65,9 +69,9 @@ TEST(GridImitation, LearnsWhatTheInputsTell) {
   parameters.trainer.epochs = 30;
   parameters.trainer.optimiser.learning_rate = 0.02;
   const Sets open = {{{PassableGrid(40, 40, true)}, 1.0}};
-  const GridImitationResult result = imitateOnGrid(parameters, smallNetwork(parameters, {8}), open, open);
-  const TrainingResult& training = result.rounds.at(0).training;
-  const LossSum& validation = training.curve[static_cast<std::size_t>(training.best_epoch - 1)].validation;
+  const auto rounds = gridImitation(parameters, smallNetwork(parameters, {8}), open, open);
+  while (!rounds->done()) rounds->step();
+  const LossSum validation = rounds->roundResult().best().validation;
   const double going_on = accuracyOfGoingOn(collectGridSequences(
       parameters.dataset, parameters.encoder, GridCourse(parameters.course, open, 1, 1), nullptr, 0.0, 1, 1));
   EXPECT_GT(going_on, 0.6);
@@ -75,64 +79,31 @@ TEST(GridImitation, LearnsWhatTheInputsTell) {
 }
 
 TEST(GridImitation, RoundsAddPathsThatTheLearnerLeads) {
+  const auto rounds = inCaves(tinyImitation());
   std::vector<std::size_t> steps;
-  const GridImitationParameters parameters = tinyImitation();
-  imitateOnGrid(parameters, smallNetwork(parameters, {4}), {{{smallCave(1)}, 1.0}}, {{{smallCave(2)}, 1.0}}, {},
-                [&](const GridImitationRound& round) {
-                  EXPECT_EQ(round.round, static_cast<int>(steps.size()) + 1);
-                  steps.push_back(round.steps);
-                });
+  while (!rounds->done()) {
+    rounds->step();
+    if (rounds->judgementDue()) steps.push_back(rounds->collectedSteps());
+  }
   EXPECT_EQ(steps, (std::vector<std::size_t>{300, 600}));
 }
 
 TEST(GridImitation, GivesTheSameWeightsForAnyNumberOfThreads) {
   GridImitationParameters parameters = tinyImitation();
-  const Eigen::VectorXf one = parameterVector(run(parameters).layers);
+  const Eigen::VectorXf one = weightsAfter(inCaves(parameters));
   parameters.threads = 3;
-  EXPECT_EQ(parameterVector(run(parameters).layers), one);
+  EXPECT_EQ(weightsAfter(inCaves(parameters)), one);
   parameters.seed = 2;
-  EXPECT_NE(parameterVector(run(parameters).layers), one);
+  EXPECT_NE(weightsAfter(inCaves(parameters)), one);
 }
 
 TEST(GridImitation, GoesOnAfterABreakAsIfThereHadBeenNone) {
-  const GridImitationParameters parameters = tinyImitation();
-  const GridImitationResult without_break = run(parameters);
-  const Eigen::VectorXf whole = parameterVector(without_break.layers);
-  ASSERT_EQ(without_break.curve.size(), 6u);
-  for (const int epochs_before : {1, 3, 4, 6}) {  // in a round, after one, in the second, after everything
-    std::vector<std::uint8_t> bytes;
-    int epochs = 0;
-    run(parameters, [&](int, const EpochReport&, const GridImitationState& state) {
-      bytes = toBytes(state);
-      return ++epochs < epochs_before;
-    });
-    const GridImitationResult rest = run(parameters, {}, gridImitationStateFrom(bytes));
-    EXPECT_EQ(parameterVector(rest.layers), whole) << epochs_before << " epochs before the break";
-    ASSERT_EQ(rest.curve.size(), 6u);
-    for (std::size_t epoch = 0; epoch < 6; ++epoch) {
-      EXPECT_EQ(rest.curve[epoch].epoch, static_cast<int>(epoch) + 1);
-      EXPECT_EQ(rest.curve[epoch].training.loss, without_break.curve[epoch].training.loss);
-      EXPECT_EQ(rest.curve[epoch].validation.confusion, without_break.curve[epoch].validation.confusion);
-    }
-  }
-}
-
-TEST(GridImitation, RefusesBytesThatAreNoState) {
-  EXPECT_THROW(gridImitationStateFrom({}), std::invalid_argument);
-  std::vector<std::uint8_t> bytes = toBytes({});
-  EXPECT_TRUE(gridImitationStateFrom(bytes).training.curve.empty());
-  bytes.pop_back();
-  EXPECT_THROW(gridImitationStateFrom(bytes), std::invalid_argument);
-}
-
-TEST(GridImitation, RefusesAStateOfManyLevels) {
-  const std::vector<std::uint8_t> lists_in_lists(1000000, 0x81);
-  try {
-    gridImitationStateFrom(lists_in_lists);
-    FAIL() << "it was taken";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("more than 16 levels"), std::string::npos) << error.what();
-  }
+  const Eigen::VectorXf whole = weightsAfter(inCaves(tinyImitation()));
+  const auto first = inCaves(tinyImitation());
+  for (int epoch = 0; epoch < 4; ++epoch) first->step();  // to the second round, on paths that the learner led
+  const auto rest = inCaves(tinyImitation());
+  rest->restore(first->checkpoint());
+  EXPECT_EQ(weightsAfter(rest), whole);
 }
 
 TEST(GridImitation, ThesisTrainsAsInItsTables) {

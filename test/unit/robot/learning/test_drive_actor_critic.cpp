@@ -36,13 +36,13 @@ TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
   DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
   const double before = learner.iterate().reward;
   double after = 0.0;
-  while (learner.iterations() < parameters.iterations) after = learner.iterate().reward;
+  while (learner.updates() < parameters.iterations) after = learner.iterate().reward;
   EXPECT_GT(after, before + 2.0) << "m nearer to the goal a drive";
 }
 
 TEST_P(DriveActorCriticWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
   expectTheSameOnAnyNumberOfRanks<DriveActorCritic>(
-      tiny(GetParam()), kNetworkSeed, [](const DriveActorCriticReport& report) {
+      tiny(GetParam()), kNetworkSeed, [](const ReinforcementReport& report) {
         return std::vector<double>{report.steps, report.reward, report.arrival, report.entropy, report.explained};
       });
 }
@@ -67,7 +67,7 @@ TEST_P(DriveActorCriticWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) 
   for (int i = 0; i < 2; ++i) first.iterate();
   DriveActorCritic second(parameters, tinyNetwork(parameters, kNetworkSeed));
   second.restore(first.checkpoint());
-  EXPECT_EQ(second.iterations(), 2);
+  EXPECT_EQ(second.updates(), 2);
   for (int i = 0; i < 2; ++i) second.iterate();
   EXPECT_EQ(parameterVector(through.layers()), parameterVector(second.layers()));
 }
@@ -88,7 +88,7 @@ TEST_P(DriveActorCriticWithViews, TakesOverADriversMannerWhileItPractises) {
     parameters.iterations = 8;
     DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
     if (follows) learner.follow(recordings, 3.0);
-    while (learner.iterations() < parameters.iterations) learner.iterate();
+    while (learner.updates() < parameters.iterations) learner.iterate();
     const ConfusionMatrix taken = preferencesIn(others, DrivePolicy(parameters.policy, learner.layers()));
     return static_cast<double>(taken.trace()) / static_cast<double>(taken.sum());
   };

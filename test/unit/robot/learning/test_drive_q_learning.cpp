@@ -34,7 +34,7 @@ double arrivalAfterLearning(DriveQLearningParameters parameters) {
   parameters.learning_rate = 0.01;
   DriveQLearning learner(parameters, tinyNetwork(parameters, kNetworkSeed));
   EXPECT_LT(arrivalOf(parameters, learner.layers()), 0.2) << "nothing to learn";
-  while (learner.iterations() < parameters.iterations) learner.iterate();
+  while (learner.updates() < parameters.iterations) learner.iterate();
   return arrivalOf(parameters, learner.layers());
 }
 
@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveQLearningWithViews, ::testing::Values
 
 TEST_P(DriveQLearningWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
   expectTheSameOnAnyNumberOfRanks<DriveQLearning>(
-      tinyTraining<DriveQLearningParameters>(GetParam()), kNetworkSeed, [](const DriveQLearningReport& report) {
+      tinyTraining<DriveQLearningParameters>(GetParam()), kNetworkSeed, [](const ReinforcementReport& report) {
         return std::vector<double>{report.steps, report.reward, report.arrival, report.value, report.error};
       });
 }
@@ -85,7 +85,7 @@ TEST_P(DriveQLearningWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
   for (int i = 0; i < 3; ++i) first.iterate();
   DriveQLearning second(parameters, tinyNetwork(parameters, kNetworkSeed));
   second.restore(first.checkpoint());
-  EXPECT_EQ(second.iterations(), 3);
+  EXPECT_EQ(second.updates(), 3);
   second.iterate();
   EXPECT_EQ(parameterVector(through.layers()), parameterVector(second.layers()));
 }

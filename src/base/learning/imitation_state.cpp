@@ -3,14 +3,15 @@
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/base/learning/imitation_rounds.hpp"
 #include "lstm_planner/base/learning/optimiser_json.hpp"
-#include "lstm_planner/grid_world/learning/grid_imitation.hpp"
 
 namespace lstm_planner {
 namespace {
 
 using Json = nlohmann::json;
 
+/// It was the grid world's first.
 constexpr const char* kFormat = "lstm_planner grid imitation 1";
 
 template <typename Vector>
@@ -44,7 +45,9 @@ Json toJson(const EpochReport& report) {
           {"learning_rate", report.learning_rate},
           {"training", toJson(report.training)},
           {"validation", toJson(report.validation)},
-          {"best", report.best}};
+          {"best", report.best},
+          {"averaged", toJson(report.averaged)},
+          {"mean_batch_accuracy", report.mean_batch_accuracy}};
 }
 
 EpochReport reportFrom(const Json& json) {
@@ -54,6 +57,9 @@ EpochReport reportFrom(const Json& json) {
   report.training = lossFrom(json.at("training"));
   report.validation = lossFrom(json.at("validation"));
   report.best = json.at("best").get<bool>();
+  // Files from before these were written are read all the same.
+  if (json.contains("averaged")) report.averaged = lossFrom(json["averaged"]);
+  report.mean_batch_accuracy = json.value("mean_batch_accuracy", 0.0);
   return report;
 }
 
@@ -71,11 +77,12 @@ std::vector<EpochReport> curveFrom(const Json& json) {
 
 }  // namespace
 
-std::vector<std::uint8_t> toBytes(const GridImitationState& state) {
+std::vector<std::uint8_t> toBytes(const ImitationState& state) {
   Json json = {{"format", kFormat},
                {"learners", Json::array()},
                {"curve", toJson(state.curve)},
                {"weights", valuesOf(state.training.weights)},
+               {"averaged_weights", valuesOf(state.training.averaged_weights)},
                {"best_weights", valuesOf(state.training.best_weights)},
                {"velocity", valuesOf(state.training.optimiser.velocity)},
                {"squared_average", valuesOf(state.training.optimiser.squared_average)},
@@ -85,13 +92,14 @@ std::vector<std::uint8_t> toBytes(const GridImitationState& state) {
   return Json::to_cbor(json);
 }
 
-GridImitationState gridImitationStateFrom(const std::vector<std::uint8_t>& bytes) try {
+ImitationState imitationStateFrom(const std::vector<std::uint8_t>& bytes) try {
   const Json json = checkpointJson(bytes);
   if (json.at("format") != kFormat) throw std::invalid_argument("another format");
-  GridImitationState state;
+  ImitationState state;
   for (const Json& learner : json.at("learners")) state.learners.push_back(vectorFromJson(learner));
   state.training.weights = vectorFromJson(json.at("weights"));
   state.training.best_weights = vectorFromJson(json.at("best_weights"));
+  if (json.contains("averaged_weights")) state.training.averaged_weights = vectorFromJson(json["averaged_weights"]);
   state.training.optimiser.velocity = vectorFromJson(json.at("velocity"));
   state.training.optimiser.squared_average = vectorFromJson(json.at("squared_average"));
   state.training.optimiser.updates = wholeNumber(json.at("updates"), 0, LONG_MAX);
@@ -99,7 +107,7 @@ GridImitationState gridImitationStateFrom(const std::vector<std::uint8_t>& bytes
   state.training.curve = curveFrom(json.at("round_curve"));
   return state;
 } catch (const std::exception& error) {
-  throw std::invalid_argument(std::string("this is not the state of an imitation in the grid world: ") + error.what());
+  throw std::invalid_argument(std::string("this is not the state of an imitation: ") + error.what());
 }
 
 }  // namespace lstm_planner

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "lstm_planner/base/learning/reinforcement_learner.hpp"
+#include "lstm_planner/grid_world/learning/grid_course.hpp"
+
+namespace lstm_planner {
+
+/// A network that learns while its agents walk through a course: GridActorCritic, GridQLearning. Its checkpoints are
+/// of the time between two epochs.
+class GridLearner : public ReinforcementLearner {
+ public:
+  /// Starts epoch `epoch` (from 0) with new episodes of `course`, which must outlive it. What happens in it depends
+  /// only on the weights and the seed.
+  virtual void beginEpoch(int epoch, const GridCourse& course) = 0;
+
+  /// One window of all agents, and one step of the optimisers. Of several ranks all have to call it.
+  virtual void update() = 0;
+
+  /// Since the last call.
+  virtual ReinforcementReport report() = 0;
+};
+
+}  // namespace lstm_planner

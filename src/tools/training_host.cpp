@@ -1,0 +1,25 @@
+#include "tools/training_host.hpp"
+
+#include <iomanip>
+#include <iostream>
+
+namespace lstm_planner {
+
+void ToolTrainingHost::begun(bool resumed) {
+  if (resumed) std::cout << "going on from " << options_.checkpoint << " after " << position() << std::endl;
+  printHeader();
+}
+
+int ToolTrainingHost::end(const TrainingOutcome& outcome) const {
+  if (outcome.best) {
+    std::cout << "wrote " << options_.output << ": " << scoreName() << ' ' << std::fixed << std::setprecision(3)
+              << *outcome.best << std::endl;
+  }
+  if (!outcome.stopped) return 0;
+  std::cout << "interrupted; "
+            << (options_.checkpoint.empty() ? "without --checkpoint the training cannot be gone on with" : resumption())
+            << std::endl;
+  return interruption_.exitStatus();
+}
+
+}  // namespace lstm_planner

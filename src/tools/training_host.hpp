@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "lstm_planner/base/learning/training_loop.hpp"
+#include "tools/interruption.hpp"
+#include "tools/progress.hpp"
+
+namespace lstm_planner {
+
+/// Runs a training from the command line: Ctrl-C stops it, a bar shows how far it is.
+class ToolTrainingHost : public TrainingHost {
+ public:
+  /// `options` must outlive it.
+  explicit ToolTrainingHost(const TrainingLoopOptions& options) : options_(options) {}
+
+  void begun(bool resumed) final;
+  void stepDone() override { bar_.show(progress()); }
+  bool stopWanted() final { return interruption_.wanted(); }
+
+  /// Says what was written and, after a stop, how it goes on. Returns the exit status.
+  int end(const TrainingOutcome& outcome) const;
+
+ protected:
+  virtual double progress() const = 0;       ///< share of the training that is done
+  virtual std::string position() const = 0;  ///< what is done, like "iteration 5"
+  virtual std::string scoreName() const = 0;
+  virtual void printHeader() const = 0;  ///< of the table of steps
+  /// How a stopped training with a checkpoint is gone on with.
+  virtual std::string resumption() const { return "the same command goes on from here"; }
+
+ private:
+  const TrainingLoopOptions& options_;
+  Interruption interruption_;
+  Progress bar_;
+};
+
+}  // namespace lstm_planner
