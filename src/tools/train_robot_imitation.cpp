@@ -48,17 +48,6 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   return true;
 }
 
-std::vector<EpochReport> wholeCurve(const ImitationResult& result) {
-  std::vector<EpochReport> curve;
-  for (const ImitationRound& round : result.rounds) {
-    for (EpochReport report : round.training.curve) {
-      report.epoch = static_cast<int>(curve.size()) + 1;
-      curve.push_back(std::move(report));
-    }
-  }
-  return curve;
-}
-
 }  // namespace
 
 int trainRobotByDagger(const std::vector<std::string>& arguments) {
@@ -68,7 +57,7 @@ int trainRobotByDagger(const std::vector<std::string>& arguments) {
   DriveScore best;
   std::cout << std::fixed << std::setprecision(3) << "round    steps  accuracy  arrival alone  efficiency" << std::endl;
   const auto report = [&](const ImitationRound& round) {
-    const EpochReport& epoch = round.training.curve[static_cast<std::size_t>(round.training.best_epoch - 1)];
+    const EpochReport& epoch = round.training.best();
     std::cout << std::setw(5) << round.round << std::setw(9) << round.steps << std::setw(10)
               << epoch.validation.accuracy() << std::setw(15) << round.score.arrival << std::setw(12)
               << round.score.efficiency << std::endl;
@@ -82,7 +71,7 @@ int trainRobotByDagger(const std::vector<std::string>& arguments) {
   std::cout << "wrote " << options.output << ": " << toText(best) << "\n";
   if (!options.curve.empty()) {
     const std::string stem = options.curve.substr(0, options.curve.rfind('.'));
-    writeLearningCurve(stem + ".csv", options.curve, wholeCurve(result));
+    writeLearningCurve(stem + ".csv", options.curve, result.curve);
   }
   return 0;
 }

@@ -13,6 +13,7 @@
 #include "grid_world/agent/a_star_agent.hpp"
 #include "lstm_planner/base/common/parallel_for.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/learning/teacher_rescue.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 
 namespace lstm_planner {
@@ -20,6 +21,9 @@ namespace {
 
 /// Paths of the same length differ by the rounding of distances that are summed up as float.
 constexpr double kEqualLengths = 1e-3;
+
+/// Cells; a learner that comes less near to the goal than that makes no progress.
+constexpr double kNearer = 0.5;
 
 /// Walks at a time, of which those that are not needed any more are thrown away.
 constexpr int kBlock = 64;
@@ -39,30 +43,6 @@ double alignment(CellIndex step, CellIndex to_goal) {
 bool arrived(CellIndex cell, CellIndex goal) {
   return std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) <= 1;
 }
-
-/// Lets the supervisor take over for a while when the learner gets no nearer.
-class Rescue {
- public:
-  explicit Rescue(const GridDatasetParameters& parameters) : parameters_(parameters) {}
-
-  /// Whether the supervisor leads the next step, with this distance to go.
-  bool wanted(float distance) {
-    constexpr float kNearer = 0.5f;
-    since_best_ = distance < best_ - kNearer ? 0 : since_best_ + 1;
-    best_ = std::min(best_, distance);
-    if (since_best_ >= parameters_.stuck_steps) {
-      since_best_ = 0;
-      steps_left_ = parameters_.rescue_steps;
-    }
-    return steps_left_-- > 0;
-  }
-
- private:
-  const GridDatasetParameters& parameters_;
-  float best_ = std::numeric_limits<float>::infinity();
-  int since_best_ = 0;
-  int steps_left_ = 0;
-};
 
 /// What the supervisor of the parameters answers along one path.
 class Supervisor {
@@ -95,7 +75,7 @@ Walk walk(const GridCourse::Episode& episode, const GridDatasetParameters& param
   GridMemory memory = makeGridMemory(encoder.parameters());
   memory.start();
   if (agent != nullptr) agent->start(episode.start, goal.goal);
-  Rescue rescue(parameters);
+  TeacherRescue rescue(kNearer, parameters.stuck_steps, parameters.rescue_steps);
   Supervisor supervisor(goal, episode.start, parameters.supervisor);
   Walk walk;
   CellIndex cell = episode.start;
@@ -112,7 +92,7 @@ Walk walk(const GridCourse::Episode& episode, const GridDatasetParameters& param
     int direction = label;
     if (agent != nullptr) {
       agent->observe(observation);
-      if (!rescue.wanted(goal.distances.at(cell))) direction = agent->decide();
+      if (!rescue.wanted(static_cast<double>(goal.distances.at(cell)))) direction = agent->decide();
       agent->step(direction, true);
     }
     memory.step(direction);
@@ -121,22 +101,11 @@ Walk walk(const GridCourse::Episode& episode, const GridDatasetParameters& param
   return walk;
 }
 
-/// Overlapping pieces: the first steps of all but the first only bring the hidden state up to date.
-void cutIntoSequences(const Walk& walk, const GridDatasetParameters& parameters, int inputs,
-                      std::vector<Sequence>* sequences) {
-  const int steps = static_cast<int>(walk.labels.size());
-  for (int fresh = 0; fresh < steps;) {
-    const int begin = fresh == 0 ? 0 : fresh - parameters.burn_in_steps;
-    const int end = std::min(steps, begin + parameters.sequence_steps);
-    Sequence sequence;
-    sequence.inputs = Eigen::Map<const Eigen::MatrixXf>(
-        &walk.inputs[static_cast<std::size_t>(begin) * static_cast<std::size_t>(inputs)], inputs, end - begin);
-    sequence.labels = Eigen::Map<const Eigen::VectorXi>(&walk.labels[static_cast<std::size_t>(begin)], end - begin);
-    sequence.weights.setOnes(end - begin);
-    sequence.weights.head(fresh - begin).setZero();
-    sequences->push_back(std::move(sequence));
-    fresh = end;
-  }
+/// The first `steps` of it, each with weight.
+Sequence toSequence(const Walk& walk, std::size_t steps, int inputs) {
+  const auto count = static_cast<Eigen::Index>(steps);
+  return {Eigen::Map<const Eigen::MatrixXf>(walk.inputs.data(), inputs, count),
+          Eigen::Map<const Eigen::VectorXi>(walk.labels.data(), count), Eigen::VectorXf::Ones(count)};
 }
 
 }  // namespace
@@ -194,6 +163,7 @@ std::vector<Sequence> collectGridSequences(const GridDatasetParameters& paramete
   shield_alone.escape = false;
   shield_alone.corner_cutting = course.cornerCutting();
   Random seeds(seed);
+  const SequenceCut cut = overlappingPieces(parameters.sequence_steps, parameters.burn_in_steps);
   std::vector<Sequence> sequences;
   std::size_t missing = static_cast<std::size_t>(parameters.steps);
   while (missing > 0) {
@@ -209,21 +179,13 @@ std::vector<Sequence> collectGridSequences(const GridDatasetParameters& paramete
       }
       walks[static_cast<std::size_t>(index)] = walk(episode, parameters, encoder, agent.get());
     });
-    for (Walk& walk : walks) {
-      if (walk.labels.size() > missing) walk.labels.resize(missing);
-      missing -= walk.labels.size();
-      cutIntoSequences(walk, parameters, encoder.size(), &sequences);
+    for (const Walk& walk : walks) {
+      const std::size_t steps = std::min(walk.labels.size(), missing);
+      missing -= steps;
+      cutIntoPieces(toSequence(walk, steps, encoder.size()), cut, &sequences);
     }
   }
   return sequences;
-}
-
-std::size_t countLabels(const std::vector<Sequence>& sequences) {
-  std::size_t count = 0;
-  for (const Sequence& sequence : sequences) {
-    count += static_cast<std::size_t>((sequence.weights.array() > 0.0f).count());
-  }
-  return count;
 }
 
 }  // namespace lstm_planner

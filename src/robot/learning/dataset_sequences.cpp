@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,16 +26,11 @@ Sequence toSequence(const std::vector<RecordedChoice>& episode, const Encoder& e
   return sequence;
 }
 
-void cut(const Sequence& episode, int piece, int burn_in, std::vector<Sequence>* pieces) {
-  const Eigen::Index length = piece > 0 ? piece : episode.steps();
-  for (Eigen::Index first = 0; first < episode.steps(); first += length) {
-    const Eigen::Index burnt = std::min<Eigen::Index>(first, burn_in);
-    const Eigen::Index steps = burnt + std::min(length, episode.steps() - first);
-    Sequence sequence{episode.inputs.middleCols(first - burnt, steps), episode.labels.segment(first - burnt, steps),
-                      episode.weights.segment(first - burnt, steps)};
-    sequence.weights.head(burnt).setZero();
-    pieces->push_back(std::move(sequence));
-  }
+/// All in one piece where they say 0 steps.
+SequenceCut cutOf(const DatasetSequenceParameters& parameters) {
+  const Eigen::Index steps =
+      parameters.sequence_steps > 0 ? parameters.sequence_steps : std::numeric_limits<Eigen::Index>::max() / 2;
+  return {steps, steps, parameters.burn_in_steps};
 }
 
 }  // namespace
@@ -83,10 +79,10 @@ std::vector<Sequence> datasetSequences(const Dataset& dataset, const DatasetSequ
   validate(parameters);
   const Encoder encoder(parameters.policy.encoder);
   std::vector<Sequence> sequences;
-  forEachRecordedEpisode(
-      dataset, parameters.policy, parameters.label_distance, [&](const std::vector<RecordedChoice>& episode) {
-        cut(toSequence(episode, encoder), parameters.sequence_steps, parameters.burn_in_steps, &sequences);
-      });
+  forEachRecordedEpisode(dataset, parameters.policy, parameters.label_distance,
+                         [&](const std::vector<RecordedChoice>& episode) {
+                           cutIntoPieces(toSequence(episode, encoder), cutOf(parameters), &sequences);
+                         });
   return sequences;
 }
 

@@ -2,22 +2,25 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <iterator>
-#include <limits>
+#include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
+#include <utility>
 
 #include "lstm_planner/base/common/parallel_for.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/base/learning/imitation_rounds.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/base/learning/teacher_rescue.hpp"
 #include "lstm_planner/robot/learning/step_drive.hpp"
 
 namespace lstm_planner {
 
 namespace {
+
+/// m; a learner that comes less near to the goal than that makes no progress.
+constexpr double kNearer = 0.1;
 
 /// One drive as the learner saw it.
 struct Episode {
@@ -42,9 +45,7 @@ Episode driveEpisode(const DriveExercise& exercise, const DriveTask& task, const
   NavigationAgent agent(DrivePolicy(parameters.policy, layers), practiceAgent(parameters.policy));
   StepDrive drive(*exercise.world, task, conditions, parameters.policy.footprint_radius, random());
   Episode episode;
-  double best = std::numeric_limits<double>::infinity();
-  int since_best = 0;
-  int rescue = 0;
+  TeacherRescue rescue(kNearer, parameters.stuck_steps, parameters.rescue_steps);
   agent.setStepListener([&](const Situation&, const Observation& observation) -> std::optional<int> {
     const Pose2& pose = drive.truePose();
     double direction = 0.0;
@@ -53,82 +54,28 @@ Episode driveEpisode(const DriveExercise& exercise, const DriveTask& task, const
     const int label = known ? parameters.policy.actions.nearest(wanted) : -1;
     episode.observations.push_back(observation);
     episode.labels.push_back(label);
-
-    const double left = exercise.teacher->distanceToGo({pose.x, pose.y});
-    since_best = left < best - 0.1 ? 0 : since_best + 1;
-    best = std::min(best, left);
-    if (driver == Driver::kRescuedLearner && since_best >= parameters.stuck_steps) {
-      since_best = 0;
-      rescue = parameters.rescue_steps;
-    }
-    const bool teacher_drives = known && (driver == Driver::kTeacher || rescue > 0);
-    rescue = std::max(0, rescue - 1);
-    return teacher_drives ? std::optional<int>(label) : std::nullopt;
+    const bool teacher_drives =
+        driver == Driver::kTeacher ||
+        (driver == Driver::kRescuedLearner && rescue.wanted(exercise.teacher->distanceToGo({pose.x, pose.y})));
+    return known && teacher_drives ? std::optional<int>(label) : std::nullopt;
   });
   episode.arrived = drive.run(parameters.max_steps, &agent) == DriveResult::End::kReached;
   if (episode.arrived) episode.efficiency = task.shortest / std::max(task.shortest, drive.pathLength());
   return episode;
 }
 
-/// Calls `choose_driver` for each drive of a round and lets that driver drive it.
-template <typename ChooseDriver>
-std::vector<Episode> collect(const ImitationParameters& parameters, const LayerStack& layers, int round,
-                             bool validation, const ChooseDriver& choose_driver,
-                             const std::function<void(int)>& report) {
-  const int worlds = validation ? parameters.validation_worlds : parameters.worlds;
-  std::vector<std::vector<Episode>> episodes(static_cast<std::size_t>(worlds));
-  std::atomic<int> done{0};
-  const auto work = [&](int world, int thread) {
-    const int number = round * parameters.worlds + world;
-    const WorldUse use = validation ? WorldUse::kValidation : WorldUse::kTraining;
-    Random random(parameters.seed * 1000003ULL + static_cast<std::uint64_t>(2 * number + (validation ? 1 : 0)));
-    for (const DriveExercise& exercise :
-         makeDriveExercises(parameters.course, use, parameters.seed, number, parameters.goals, parameters.starts)) {
-      for (const DriveTask& task : exercise.tasks) {
-        const Driver driver = choose_driver(random);
-        episodes[static_cast<std::size_t>(world)].push_back(
-            driveEpisode(exercise, task, parameters, layers, driver, random()));
-      }
-    }
-    ++done;
-    if (thread == 0) {
-      report(done);
-    }
-  };
-  parallelFor(worlds, parameters.threads, work);
-  std::vector<Episode> all;
-  for (std::vector<Episode>& some : episodes) {
-    std::move(some.begin(), some.end(), std::back_inserter(all));
+/// The whole of an episode.
+Sequence toSequence(const Episode& episode, const Encoder& encoder) {
+  const auto steps = static_cast<Eigen::Index>(episode.labels.size());
+  Sequence sequence{Eigen::MatrixXf(encoder.size(), steps), Eigen::VectorXi::Zero(steps), Eigen::VectorXf::Zero(steps)};
+  for (Eigen::Index step = 0; step < steps; ++step) {
+    const auto i = static_cast<std::size_t>(step);
+    encoder.encode(episode.observations[i], sequence.inputs.col(step));
+    if (episode.labels[i] < 0) continue;
+    sequence.labels[step] = episode.labels[i];
+    sequence.weights[step] = 1.0f;
   }
-  return all;
-}
-
-/// Cuts episodes into overlapping sequences: the first steps of all but the first only bring the hidden state up to
-/// date.
-void cutIntoSequences(const std::vector<Episode>& episodes, const ImitationParameters& parameters,
-                      std::vector<Sequence>* sequences) {
-  const Encoder encoder(parameters.policy.encoder);
-  const int stride = parameters.sequence_steps - parameters.burn_in_steps;
-  for (const Episode& episode : episodes) {
-    const int steps = static_cast<int>(episode.labels.size());
-    for (int fresh = 0; fresh < steps; fresh += fresh == 0 ? parameters.sequence_steps : stride) {
-      const int begin = fresh == 0 ? 0 : fresh - parameters.burn_in_steps;
-      const int end = std::min(steps, begin + parameters.sequence_steps);
-      Sequence sequence;
-      sequence.inputs.resize(encoder.size(), end - begin);
-      sequence.labels.setZero(end - begin);
-      sequence.weights.setZero(end - begin);
-      for (int step = begin; step < end; ++step) {
-        const auto i = static_cast<std::size_t>(step);
-        encoder.encode(episode.observations[i], sequence.inputs.col(step - begin));
-        if (episode.labels[i] >= 0 && step >= fresh) {
-          sequence.labels[step - begin] = episode.labels[i];
-          sequence.weights[step - begin] = 1.0f;
-        }
-      }
-      sequences->push_back(std::move(sequence));
-    }
-  }
+  return sequence;
 }
 
 DriveScore scoreOf(const std::vector<Episode>& episodes) {
@@ -140,6 +87,90 @@ DriveScore scoreOf(const std::vector<Episode>& episodes) {
   }
   return score;
 }
+
+/// Drives in generated worlds. The same worlds judge every round: first as the teacher drives there, then, added to
+/// that, as each learner did.
+class DriveImitationCourse : public ImitationCourse {
+ public:
+  DriveImitationCourse(const ImitationParameters& parameters, const LayerStack& layers,
+                       const ProgressCallback& progress)
+      : parameters_(parameters), layers_(layers), progress_(progress) {}
+
+  std::vector<Sequence> collectTraining(int round, const LayerStack* learner) override {
+    const auto driver = [&](Random& random) {
+      if (learner == nullptr) return Driver::kTeacher;
+      return uniform(random) < parameters_.learner_share ? Driver::kRescuedLearner : Driver::kTeacher;
+    };
+    const std::vector<Episode> episodes = drive(learner != nullptr ? *learner : layers_, round, false, driver);
+    for (const Episode& episode : episodes) steps_ += episode.labels.size();
+    return cut(episodes);
+  }
+
+  std::vector<Sequence> collectValidation(int /*round*/, const LayerStack* learner) override {
+    if (learner == nullptr) return cut(drive(layers_, 0, true, [](Random&) { return Driver::kTeacher; }));
+    return std::move(judged_);
+  }
+
+  /// By its own drives in the validation worlds, which are then the next to be validated by.
+  DriveScore judge(const LayerStack& learner) {
+    const std::vector<Episode> episodes = drive(learner, 0, true, [](Random&) { return Driver::kLearner; });
+    judged_ = cut(episodes);
+    return scoreOf(episodes);
+  }
+
+  std::size_t steps() const { return steps_; }  ///< of all drives to learn from
+
+ private:
+  /// Calls `choose_driver` for each drive of a round and lets that driver drive it.
+  template <typename ChooseDriver>
+  std::vector<Episode> drive(const LayerStack& layers, int round, bool validation, const ChooseDriver& choose_driver) {
+    const int worlds = validation ? parameters_.validation_worlds : parameters_.worlds;
+    std::vector<std::vector<Episode>> episodes(static_cast<std::size_t>(worlds));
+    std::atomic<int> done{0};
+    const auto work = [&](int world, int thread) {
+      const int number = round * parameters_.worlds + world;
+      const WorldUse use = validation ? WorldUse::kValidation : WorldUse::kTraining;
+      Random random(parameters_.seed * 1000003ULL + static_cast<std::uint64_t>(2 * number + (validation ? 1 : 0)));
+      for (const DriveExercise& exercise : makeDriveExercises(parameters_.course, use, parameters_.seed, number,
+                                                              parameters_.goals, parameters_.starts)) {
+        for (const DriveTask& task : exercise.tasks) {
+          const Driver driver = choose_driver(random);
+          episodes[static_cast<std::size_t>(world)].push_back(
+              driveEpisode(exercise, task, parameters_, layers, driver, random()));
+        }
+      }
+      ++done;
+      if (thread == 0) reportProgress(done);
+    };
+    parallelFor(worlds, parameters_.threads, work);
+    worlds_before_ += worlds;
+    std::vector<Episode> all;
+    for (std::vector<Episode>& some : episodes) std::move(some.begin(), some.end(), std::back_inserter(all));
+    return all;
+  }
+
+  /// Training costs little beside the simulation: progress counts worlds.
+  void reportProgress(int worlds) const {
+    if (!progress_) return;
+    const double worlds_a_round = parameters_.worlds + parameters_.validation_worlds;
+    progress_((worlds_before_ + worlds) / (parameters_.rounds * worlds_a_round + parameters_.validation_worlds));
+  }
+
+  std::vector<Sequence> cut(const std::vector<Episode>& episodes) const {
+    const Encoder encoder(parameters_.policy.encoder);
+    const SequenceCut pieces = overlappingPieces(parameters_.sequence_steps, parameters_.burn_in_steps);
+    std::vector<Sequence> sequences;
+    for (const Episode& episode : episodes) cutIntoPieces(toSequence(episode, encoder), pieces, &sequences);
+    return sequences;
+  }
+
+  const ImitationParameters& parameters_;
+  const LayerStack& layers_;  ///< not asked while the teacher drives
+  const ProgressCallback& progress_;
+  std::vector<Sequence> judged_;
+  std::size_t steps_ = 0;
+  double worlds_before_ = 0.0;
+};
 
 }  // namespace
 
@@ -167,63 +198,29 @@ void validate(const ImitationParameters& parameters) {
 ImitationResult imitate(const ImitationParameters& parameters, const ProgressCallback& progress,
                         const RoundCallback& round_done) {
   validate(parameters);
-  const Encoder encoder(parameters.policy.encoder);
-  LayerStack layers = makeNetwork(encoder.size(), parameters.shape, parameters.policy.actions.size());
+  LayerStack layers =
+      makeNetwork(Encoder(parameters.policy.encoder).size(), parameters.shape, parameters.policy.actions.size());
   initialise({}, parameters.seed, layers);
-
-  // Training costs little beside the simulation: progress counts worlds.
-  const double worlds_a_round = parameters.worlds + parameters.validation_worlds;
-  const double all_worlds = parameters.rounds * worlds_a_round + parameters.validation_worlds;
-  double worlds_before = 0.0;
-  const auto report = [&](int worlds) {
-    if (progress) {
-      progress((worlds_before + worlds) / all_worlds);
-    }
-  };
-
-  const auto teacher = [](Random&) { return Driver::kTeacher; };
-  const auto learner = [](Random&) { return Driver::kLearner; };
-  const auto mixture = [&](Random& random) {
-    return uniform(random) < parameters.learner_share ? Driver::kRescuedLearner : Driver::kTeacher;
-  };
-
-  // The same worlds judge every round: first as the teacher drives there, then, added to that, as each learner did.
-  std::vector<Sequence> validation;
-  cutIntoSequences(collect(parameters, layers, 0, true, teacher, report), parameters, &validation);
-  worlds_before += parameters.validation_worlds;
-
+  auto new_course = std::make_unique<DriveImitationCourse>(parameters, layers, progress);
+  DriveImitationCourse& course = *new_course;
+  ImitationRoundsParameters rounds_parameters;
+  rounds_parameters.rounds = parameters.rounds;
+  rounds_parameters.trainer = parameters.trainer;
+  ImitationRounds rounds(rounds_parameters, layers, std::move(new_course));
   ImitationResult result;
-  std::vector<Sequence> training;
-  std::size_t steps = 0;
   double best_efficiency = -1.0;
-  for (int round = 0; round < parameters.rounds; ++round) {
-    const std::vector<Episode> episodes = round == 0 ? collect(parameters, layers, round, false, teacher, report)
-                                                     : collect(parameters, layers, round, false, mixture, report);
-    worlds_before += parameters.worlds;
-    for (const Episode& episode : episodes) {
-      steps += episode.labels.size();
-    }
-    cutIntoSequences(episodes, parameters, &training);
-
-    ImitationRound outcome;
-    outcome.round = round + 1;
-    outcome.steps = steps;
-    outcome.training = train(layers, training, validation, parameters.trainer);
-    layers = outcome.training.layers;
-
-    const std::vector<Episode> judged = collect(parameters, layers, 0, true, learner, report);
-    worlds_before += parameters.validation_worlds;
-    outcome.score = scoreOf(judged);
-    cutIntoSequences(judged, parameters, &validation);
+  while (!rounds.done()) {
+    rounds.step();
+    if (!rounds.judgementDue()) continue;
+    ImitationRound outcome{rounds.round(), course.steps(), course.judge(rounds.layers()), rounds.roundResult()};
     if (outcome.score.efficiency >= best_efficiency) {
       best_efficiency = outcome.score.efficiency;
-      result.layers = layers;
+      result.layers = rounds.layers();
     }
-    if (round_done) {
-      round_done(outcome);
-    }
+    if (round_done) round_done(outcome);
     result.rounds.push_back(std::move(outcome));
   }
+  result.curve = rounds.curve();
   return result;
 }
 

@@ -48,7 +48,4 @@ std::vector<Sequence> collectGridSequences(const GridDatasetParameters& paramete
                                            const GridEncoderParameters& encoder, const GridCourse& course,
                                            const Model* learner, double learner_share, std::uint64_t seed, int threads);
 
-/// Number of steps with a label.
-std::size_t countLabels(const std::vector<Sequence>& sequences);
-
 }  // namespace lstm_planner

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/base/learning/sequence.hpp"
 #include "lstm_planner/base/learning/trainer.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/learning/drive_course.hpp"
@@ -13,9 +12,8 @@
 
 namespace lstm_planner {
 
-/// Learning to drive from a teacher that knows the map, in generated worlds and under random conditions (DAgger: Ross,
-/// Gordon and Bagnell, "A reduction of imitation learning and structured prediction to no-regret online learning",
-/// AISTATS 2011).
+/// Learning to drive from a teacher that knows the map, in generated worlds and under random conditions, in the rounds
+/// of ImitationRounds.
 struct ImitationParameters {
   PolicyDescription policy;
   DriveCourseParameters course;
@@ -50,6 +48,7 @@ struct ImitationRound {
 struct ImitationResult {
   LayerStack layers;  ///< of the most efficient round
   std::vector<ImitationRound> rounds;
+  std::vector<EpochReport> curve;  ///< of all rounds, one after the other
 };
 
 /// Reports of progress: share of the whole work that is done, in [0, 1]. Called from the calling thread.

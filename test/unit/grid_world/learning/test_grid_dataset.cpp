@@ -97,7 +97,7 @@ TEST(GridDataset, HasTheStepsThatWereAskedForInSequencesOfTheLengthThatWasAskedF
   const GridDatasetParameters parameters = smallDataset();
   const GridCourse course = caveCourse();
   const auto sequences = collectGridSequences(parameters, kThesisInputs, course, nullptr, 0.0, 1, 1);
-  EXPECT_EQ(countLabels(sequences), 500u);
+  EXPECT_EQ(countWeighted(sequences), 500u);
   bool some_burn_in = false;
   for (std::size_t i = 0; i < sequences.size(); ++i) {
     const Sequence& sequence = sequences[i];
@@ -149,7 +149,7 @@ TEST(GridDataset, ALearnerThatLeadsIsToldThePathWhereItGoes) {
   parameters.stuck_steps = 1000;
   const Model learner = westward();
   const auto sequences = collectGridSequences(parameters, kThesisInputs, caveCourse(), &learner, 1.0, 1, 1);
-  EXPECT_EQ(countLabels(sequences), 500u);
+  EXPECT_EQ(countWeighted(sequences), 500u);
   int to_the_west = 0;
   int otherwise_labelled = 0;
   for (const Sequence& sequence : sequences) {

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+namespace lstm_planner {
+
+/// Lets the teacher lead for a while when a learner comes no nearer to its goal.
+class TeacherRescue {
+ public:
+  /// `nearer`: by how much the distance to the goal has to fall below the least so far to count. After `stuck_steps`
+  /// without that the teacher leads for `rescue_steps`.
+  TeacherRescue(double nearer, int stuck_steps, int rescue_steps)
+      : nearer_(nearer), stuck_steps_(stuck_steps), rescue_steps_(rescue_steps) {}
+
+  /// Once a step: whether the teacher leads it, with this distance to go.
+  bool wanted(double distance) {
+    since_best_ = distance < best_ - nearer_ ? 0 : since_best_ + 1;
+    best_ = std::min(best_, distance);
+    if (since_best_ >= stuck_steps_) {
+      since_best_ = 0;
+      steps_left_ = rescue_steps_;
+    }
+    if (steps_left_ == 0) return false;
+    --steps_left_;
+    return true;
+  }
+
+ private:
+  double nearer_;
+  int stuck_steps_;
+  int rescue_steps_;
+  double best_ = std::numeric_limits<double>::infinity();
+  int since_best_ = 0;
+  int steps_left_ = 0;
+};
+
+}  // namespace lstm_planner
