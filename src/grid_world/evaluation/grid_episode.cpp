@@ -1,11 +1,12 @@
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <ctime>
 #include <optional>
 #include <stdexcept>
 #include <string>
+
+#include "grid_world/agent/grid_walk.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -15,10 +16,6 @@ double processorSeconds() {
   std::timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-bool isNear(CellIndex cell, CellIndex goal, int distance) {
-  return std::abs(cell.column - goal.column) <= distance && std::abs(cell.row - goal.row) <= distance;
 }
 
 /// Notices that an agent walks for long among cells that it has entered before.
@@ -48,30 +45,19 @@ void countLeader(const GridAgent& agent, int direction, GridEpisode* episode) {
   if (leader == GridLeader::kNetwork && direction == agent.searchedDirection()) ++episode->as_searched;
 }
 
-/// Runs to the end and counts the moves.
-void run(const PassableGrid& grid, const RangeTable& ranges, CellIndex cell, CellIndex goal,
-         const GridEpisodeRules& rules, GridAgent* agent, std::vector<CellIndex>* path, GridEpisode* episode) {
+/// Walks to the end.
+GridEpisode::End run(const PassableGrid& grid, const GridEpisodeRules& rules, GridAgent* agent, GridWalk* walk,
+                     std::vector<CellIndex>* path, GridEpisode* episode) {
   const std::int64_t max_steps = rules.max_steps > 0 ? rules.max_steps : gridStepBound(grid);
   std::optional<CircleWatch> watch;
   if (rules.max_steps == 0) watch.emplace(grid);
-  agent->start(cell, goal);
-  if (path != nullptr) path->assign(1, cell);
-  for (std::int64_t steps = 0;; ++steps) {
-    if (isNear(cell, goal, rules.arrival_distance)) {
-      episode->end = GridEpisode::End::kArrived;
-      return;
-    }
-    if (steps == max_steps || (watch && watch->isCircling(cell))) {
-      episode->end = GridEpisode::End::kTimeout;
-      return;
-    }
-    const GridObservation observation{cell, goal, ranges.at(cell)};
+  if (path != nullptr) path->assign(1, walk->cell());
+  while (!walk->isNear(rules.arrival_distance)) {
+    if (walk->moves() == max_steps || (watch && watch->isCircling(walk->cell()))) return GridEpisode::End::kTimeout;
+    const GridObservation observation = walk->observe();
     agent->observe(observation);
     const int direction = agent->decide();
-    if (direction == kNoPath) {
-      episode->end = GridEpisode::End::kNoPath;
-      return;
-    }
+    if (direction == kNoPath) return GridEpisode::End::kNoPath;
     if (direction < 0 || direction >= kGridMoveCount) {
       throw std::logic_error("the agent decided for direction " + std::to_string(direction) + ", expected 0 to 7 or " +
                              std::to_string(kNoPath) + " for no path");
@@ -79,14 +65,11 @@ void run(const PassableGrid& grid, const RangeTable& ranges, CellIndex cell, Cel
     const bool moved = movePossible(observation.ranges, direction, rules.corner_cutting);
     if (moved) countLeader(*agent, direction, episode);
     agent->step(direction, moved);
-    if (!moved) {
-      episode->end = GridEpisode::End::kCollision;
-      return;
-    }
-    cell = cellBeside(cell, direction);
-    ++(direction % 2 == 0 ? episode->straight_moves : episode->diagonal_moves);
-    if (path != nullptr) path->push_back(cell);
+    if (!moved) return GridEpisode::End::kCollision;
+    walk->move(direction);
+    if (path != nullptr) path->push_back(walk->cell());
   }
+  return GridEpisode::End::kArrived;
 }
 
 }  // namespace
@@ -111,7 +94,11 @@ GridEpisode runGridEpisode(const PassableGrid& grid, const RangeTable& ranges, C
   }
   GridEpisode episode;
   const double begin = processorSeconds();
-  run(grid, ranges, start, goal, rules, agent, path, &episode);
+  GridWalk walk(ranges, start, goal);
+  agent->start(start, goal);
+  episode.end = run(grid, rules, agent, &walk, path, &episode);
+  episode.straight_moves = walk.straightMoves();
+  episode.diagonal_moves = walk.diagonalMoves();
   episode.seconds = processorSeconds() - begin;
   const auto searched = static_cast<std::int64_t>(agent->expandedCells());
   episode.expanded = searched > 0 ? searched : episode.steps();

@@ -1,33 +1,43 @@
 #include "grid_world/learning/grid_actor.hpp"
 
-#include <algorithm>
-#include <cstdlib>
-
 namespace lstm_planner {
 
 void GridActor::startEpisode() {
   episode_ = course_->draw(random_);
-  cell_ = episode_.start;
-  memory_.start();
-  steps_ = 0;
+  walk_ = GridWalk(episode_.goal->map->ranges, episode_.start, episode_.goal->goal);
   walked_ = 0.0;
+  memory_.start();
 }
-
-void GridActor::observe() { memory_.observe({cell_, episode_.goal->goal, episode_.goal->map->ranges.at(cell_)}); }
 
 GridActor::Outcome GridActor::step(int direction, const GridRewards& rewards, int max_steps) {
   const float before = distance();
-  cell_ = cellBeside(cell_, direction);
-  memory_.step(direction);
-  ++steps_;
+  walk_.move(direction);
   walked_ += moveLength(direction);
-  const CellIndex goal = episode_.goal->goal;
+  memory_.step(direction);
   Outcome outcome;
-  outcome.arrived = std::max(std::abs(goal.column - cell_.column), std::abs(goal.row - cell_.row)) <= 1;
-  outcome.timed_out = !outcome.arrived && steps_ >= max_steps;
+  outcome.arrived = walk_.isNear(1);
+  outcome.timed_out = !outcome.arrived && walk_.moves() >= max_steps;
   outcome.reward = static_cast<double>(before - distance()) - rewards.step_cost;
-  if (outcome.arrived) outcome.reward += rewards.arrival_bonus;
+  if (outcome.arrived) {
+    outcome.reward += rewards.arrival_bonus;
+    outcome.ratio = walked_ / static_cast<double>(episode_.goal->distances.at(episode_.start));
+  }
+  if (outcome.arrived || outcome.timed_out) startEpisode();
   return outcome;
+}
+
+void GridEpisodeSums::count(const GridActor::Outcome& outcome) {
+  if (!outcome.arrived && !outcome.timed_out) return;
+  ended += 1.0;
+  if (!outcome.arrived) return;
+  arrived += 1.0;
+  ratio += outcome.ratio;
+}
+
+void GridEpisodeSums::operator+=(const GridEpisodeSums& other) {
+  ended += other.ended;
+  arrived += other.arrived;
+  ratio += other.ratio;
 }
 
 }  // namespace lstm_planner

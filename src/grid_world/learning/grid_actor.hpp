@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grid_world/agent/grid_walk.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
 
@@ -14,11 +15,12 @@ struct GridRewards {
 /// One agent that learns: walks through one episode after the other.
 class GridActor {
  public:
+  /// Of a step.
   struct Outcome {
     double reward = 0.0;
     bool arrived = false;
     bool timed_out = false;
-    bool ended() const { return arrived || timed_out; }
+    double ratio = 0.0;  ///< length / optimum, where it arrived
   };
 
   GridActor(const GridCourse& course, const GridEncoderParameters& encoder, std::uint64_t seed)
@@ -26,32 +28,43 @@ class GridActor {
     startEpisode();
   }
 
-  bool atStart() const { return steps_ == 0; }
+  bool atStart() const { return walk_.moves() == 0; }
   /// Senses; once before each step().
-  void observe();
+  void observe() { memory_.observe(walk_.observe()); }
   const GridMemory& memory() const { return memory_; }
-  const GridRanges& ranges() const { return memory_.observation().ranges; }
+  /// Whether the shield allows a move.
+  bool possible(int direction) const {
+    return movePossible(memory_.observation().ranges, direction, CornerCutting::kForbidden);
+  }
   Random& random() { return random_; }
   std::size_t set() const { return episode_.set; }  ///< of the course
 
   /// True length of the path to the goal from here, and from the cell beside (+inf when blocked), cells.
-  float distance() const { return episode_.goal->distances.at(cell_); }
-  float distanceBeside(int direction) const { return episode_.goal->distances.at(cellBeside(cell_, direction)); }
-  double walked() const { return walked_; }
-  float optimum() const { return episode_.goal->distances.at(episode_.start); }
+  float distance() const { return episode_.goal->distances.at(walk_.cell()); }
+  float distanceBeside(int direction) const { return episode_.goal->distances.at(cellBeside(walk_.cell(), direction)); }
 
-  /// `direction` must be possible. After an outcome that ended, startEpisode().
+  /// `direction` must be possible. Where the episode ends the next one starts.
   Outcome step(int direction, const GridRewards& rewards, int max_steps);
-  void startEpisode();
 
  private:
+  void startEpisode();
+
   const GridCourse* course_;
   Random random_;
   GridCourse::Episode episode_;
   GridMemory memory_;
-  CellIndex cell_;
-  int steps_ = 0;
-  double walked_ = 0.0;
+  GridWalk walk_;
+  double walked_ = 0.0;  ///< cells
+};
+
+/// What became of the episodes that ended.
+struct GridEpisodeSums {
+  double ended = 0.0, arrived = 0.0, ratio = 0.0;
+
+  void count(const GridActor::Outcome& outcome);
+  void operator+=(const GridEpisodeSums& other);
+  double arrival() const { return ended > 0.0 ? arrived / ended : 0.0; }      ///< share
+  double meanRatio() const { return arrived > 0.0 ? ratio / arrived : 0.0; }  ///< of those that arrived
 };
 
 }  // namespace lstm_planner

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "grid_world/learning/grid_actor_critic_tile.hpp"
-#include "lstm_planner/base/common/parallel_for.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/base/learning/actor_critic.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
@@ -34,43 +33,29 @@ class GridActorCritic::Implementation {
       : parameters_((validate(parameters), parameters)),
         policy_(std::move(layers)),
         critic_(makeCritic(GridEncoder(parameters.encoder).size(), parameters.critic_units, parameters.seed + 1)),
-        learner_(kCheckpointNames, actorCriticSchedule(parameters, parameters.updates), policy_, critic_, 0) {
-    for (int thread = 0; thread < parameters_.threads; ++thread) {
-      runners_.push_back(std::make_unique<GridActorCriticTileRunner>(parameters_, policy_, critic_));
-    }
-  }
+        learner_(kCheckpointNames, actorCriticSchedule(parameters, parameters.updates), policy_, critic_, 0),
+        tiles_(parameters.communicator, parameters.threads,
+               [this] { return std::make_unique<GridActorCriticTileRunner>(parameters_, policy_, critic_); }) {}
 
   void beginEpoch(int epoch, const GridCourse& course) {
-    Random seeds(parameters_.seed * 1000003 + static_cast<std::uint64_t>(epoch));
-    const int actors = runners_.front()->actors();
     // A set of maps that was not there before starts with the variance of nothing known.
     learner_.advantageVariances().resize(course.sets(), 1.0);
     sums_ = GridActorCriticSums::ofSets(course.sets());
-    tiles_.clear();
-    tiles_.resize(static_cast<std::size_t>((parameters_.agents + actors - 1) / actors));
-    for (GridActorCriticTile& tile : tiles_) {
-      for (int actor = 0; actor < actors; ++actor) tile.actors.emplace_back(course, parameters_.encoder, seeds());
-    }
+    tiles_.start(parameters_.agents, course, parameters_.encoder,
+                 parameters_.seed * 1000003 + static_cast<std::uint64_t>(epoch));
   }
 
   void update() {
     std::vector<double>& variances = learner_.advantageVariances();
     const double entropy_weight = learner_.entropyWeight();
-    const Share own = shareOfTiles();
-    parallelFor(own.count(), parameters_.threads, [&](int index, int thread) {
-      GridActorCriticTile& tile = tiles_[static_cast<std::size_t>(own.first + index)];
-      runners_[static_cast<std::size_t>(thread)]->run(learner_.policy(), learner_.critic(), entropy_weight, variances,
-                                                      tile);
-    });
-    exchangeTiles();
-    Eigen::VectorXf policy_gradient = Eigen::VectorXf::Zero(learner_.policy().size());
-    Eigen::VectorXf critic_gradient = Eigen::VectorXf::Zero(learner_.critic().size());
-    GridActorCriticSums sums = GridActorCriticSums::ofSets(variances.size());
-    for (const GridActorCriticTile& tile : tiles_) {
-      policy_gradient += tile.policy_gradient;
-      critic_gradient += tile.critic_gradient;
-      sums += tile.sums;
-    }
+    const auto run = [&](GridActorCriticTileRunner* runner, GridActorCriticTile* tile) {
+      return runner->run(learner_.policy(), learner_.critic(), entropy_weight, variances, tile);
+    };
+    const GridActorCriticSums sums = tiles_.run(GridActorCriticSums::ofSets(variances.size()), run);
+    const Eigen::VectorXf policy_gradient =
+        tiles_.sumOf(&GridActorCriticTile::policy_gradient, learner_.policy().size());
+    const Eigen::VectorXf critic_gradient =
+        tiles_.sumOf(&GridActorCriticTile::critic_gradient, learner_.critic().size());
     learner_.updatePolicy(policy_gradient, sums.steps);
     learner_.updateCritic(critic_gradient, sums.steps);
     // Slow, so that a window's own luck does not scale its own advantages.
@@ -88,8 +73,8 @@ class GridActorCritic::Implementation {
     report.update = learner_.updates();
     report.steps = learner_.steps();
     report.reward = sums_.reward / sums_.steps;
-    report.arrival = sums_.ended > 0.0 ? sums_.arrived / sums_.ended : 0.0;
-    report.ratio = sums_.arrived > 0.0 ? sums_.ratio / sums_.arrived : 0.0;
+    report.arrival = sums_.episodes.arrival();
+    report.ratio = sums_.episodes.meanRatio();
     report.entropy = sums_.entropy / sums_.steps;
     const double mean = sums_.returns / sums_.steps;
     report.explained = 1.0 - sums_.squared_errors / (sums_.squared_returns - sums_.steps * mean * mean);
@@ -107,47 +92,11 @@ class GridActorCritic::Implementation {
   void restore(const std::vector<std::uint8_t>& checkpoint) { learner_.restore(checkpoint); }
 
  private:
-  Share shareOfTiles() const {
-    const Communicator& ranks = *parameters_.communicator;
-    return shareOf(static_cast<int>(tiles_.size()), ranks.rank(), ranks.size());
-  }
-
-  /// What this rank's tiles brought goes to all others, so that all add up the same.
-  void exchangeTiles() {
-    Communicator& ranks = *parameters_.communicator;
-    if (ranks.size() == 1) return;
-    const Share own = shareOfTiles();
-    const auto tiles = static_cast<Eigen::Index>(tiles_.size());
-    const Eigen::Index policy_size = learner_.policy().size();
-    const Eigen::Index critic_size = learner_.critic().size();
-    const std::size_t sets = learner_.advantageVariances().size();
-    const auto sum_count = static_cast<Eigen::Index>(GridActorCriticSums::ofSets(sets).numbers().size());
-    Eigen::MatrixXf gradients(policy_size + critic_size, tiles);
-    Eigen::MatrixXd sums(sum_count, tiles);
-    for (int index = own.first; index < own.last; ++index) {
-      GridActorCriticTile& tile = tiles_[static_cast<std::size_t>(index)];
-      gradients.col(index) << tile.policy_gradient, tile.critic_gradient;
-      double* next = sums.col(index).data();
-      for (const double* number : tile.sums.numbers()) *next++ = *number;
-    }
-    exchangeShares(&ranks, static_cast<int>(tiles), static_cast<std::size_t>(gradients.rows()), gradients.data());
-    exchangeShares(&ranks, static_cast<int>(tiles), static_cast<std::size_t>(sum_count), sums.data());
-    for (Eigen::Index index = 0; index < tiles; ++index) {
-      GridActorCriticTile& tile = tiles_[static_cast<std::size_t>(index)];
-      tile.policy_gradient = gradients.col(index).head(policy_size);
-      tile.critic_gradient = gradients.col(index).tail(critic_size);
-      tile.sums = GridActorCriticSums::ofSets(sets);
-      const double* next = sums.col(index).data();
-      for (double* number : tile.sums.numbers()) *number = *next++;
-    }
-  }
-
   GridActorCriticParameters parameters_;
   LayerStack policy_;
   LayerStack critic_;
   ActorCritic learner_;
-  std::vector<std::unique_ptr<GridActorCriticTileRunner>> runners_;
-  std::vector<GridActorCriticTile> tiles_;
+  GridTiles<GridActorCriticTile, GridActorCriticTileRunner> tiles_;
   GridActorCriticSums sums_;
 };
 

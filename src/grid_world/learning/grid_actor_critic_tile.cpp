@@ -10,9 +10,6 @@
 namespace lstm_planner {
 namespace {
 
-/// Lanes that keep a step's rows in the first cache.
-constexpr int kTileLanes = 64;
-
 /// What only the critic sees: the true distance in two forms, its ratio to the distance as the crow flies, and what
 /// each move would gain.
 constexpr int kPrivilegedInputs = 3 + kGridMoveCount;
@@ -30,8 +27,7 @@ void encodePrivileged(const GridActor& actor, double discount, float* input, int
   input[2 * stride] = std::log2(std::max(1.0f, distance) / octile) / 4.0f;
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     const float gain = distance - actor.distanceBeside(direction);
-    const bool possible = movePossible(actor.ranges(), direction, CornerCutting::kForbidden);
-    input[(3 + direction) * stride] = possible ? gain / 1.4142135f : -1.5f;
+    input[(3 + direction) * stride] = actor.possible(direction) ? gain / 1.4142135f : -1.5f;
   }
 }
 
@@ -48,9 +44,7 @@ void GridActorCriticSums::operator+=(const GridActorCriticSums& other) {
   steps += other.steps;
   reward += other.reward;
   entropy += other.entropy;
-  arrived += other.arrived;
-  ended += other.ended;
-  ratio += other.ratio;
+  episodes += other.episodes;
   returns += other.returns;
   squared_returns += other.squared_returns;
   squared_errors += other.squared_errors;
@@ -60,11 +54,13 @@ void GridActorCriticSums::operator+=(const GridActorCriticSums& other) {
   }
 }
 
-std::vector<double*> GridActorCriticSums::numbers() {
-  std::vector<double*> all = {&steps, &reward,  &entropy,         &arrived,       &ended,
-                              &ratio, &returns, &squared_returns, &squared_errors};
-  for (double& number : set_steps) all.push_back(&number);
-  for (double& number : set_squared_advantages) all.push_back(&number);
+std::vector<double*> numbersOf(GridActorCriticSums* sums) {
+  GridEpisodeSums& episodes = sums->episodes;
+  std::vector<double*> all = {&sums->steps,    &sums->reward,          &sums->entropy,
+                              &episodes.ended, &episodes.arrived,      &episodes.ratio,
+                              &sums->returns,  &sums->squared_returns, &sums->squared_errors};
+  for (double& number : sums->set_steps) all.push_back(&number);
+  for (double& number : sums->set_squared_advantages) all.push_back(&number);
   return all;
 }
 
@@ -77,72 +73,66 @@ LayerStack makeCritic(int policy_inputs, const std::vector<int>& units, std::uin
 GridActorCriticTileRunner::GridActorCriticTileRunner(const GridActorCriticParameters& parameters,
                                                      const LayerStack& policy, const LayerStack& critic)
     : parameters_(parameters),
-      encoder_(parameters.encoder),
-      actors_(kTileLanes / parameters.encoder.views),
-      policy_(policy, kTileLanes, parameters.window),
-      critic_(critic, roundedUp(actors_ * (parameters.window + 1), kLaneGroup), 1),
-      steps_(static_cast<std::size_t>(actors_ * parameters.window)) {}
+      lanes_(parameters.encoder),
+      policy_(policy, GridLanes::kCount, parameters.window),
+      critic_(critic, roundedUp(actors() * (parameters.window + 1), kLaneGroup), 1),
+      steps_(static_cast<std::size_t>(actors() * parameters.window)) {}
 
-void GridActorCriticTileRunner::run(const Eigen::VectorXf& policy_parameters, const Eigen::VectorXf& critic_parameters,
-                                    double entropy_weight, const std::vector<double>& advantage_variances,
-                                    GridActorCriticTile& tile) {
-  tile.sums = GridActorCriticSums::ofSets(advantage_variances.size());
-  tile.policy_gradient.setZero(policy_parameters.size());
-  tile.critic_gradient.setZero(critic_parameters.size());
-  if (tile.state.empty()) tile.state.assign(policy_.state().size(), 0.0f);
-  policy_.setState(tile.state);
-  for (int step = 0; step < parameters_.window; ++step) walk(policy_parameters, step, tile);
-  for (int actor = 0; actor < actors_; ++actor) look(parameters_.window, actor, tile);
+GridActorCriticSums GridActorCriticTileRunner::run(const Eigen::VectorXf& policy_parameters,
+                                                   const Eigen::VectorXf& critic_parameters, double entropy_weight,
+                                                   const std::vector<double>& advantage_variances,
+                                                   GridActorCriticTile* tile) {
+  sums_ = GridActorCriticSums::ofSets(advantage_variances.size());
+  tile->policy_gradient.setZero(policy_parameters.size());
+  tile->critic_gradient.setZero(critic_parameters.size());
+  if (tile->state.empty()) tile->state.assign(policy_.state().size(), 0.0f);
+  policy_.setState(tile->state);
+  const int window = parameters_.window;
+  for (int step = 0; step < window; ++step) walk(policy_parameters, step, tile);
+  for (int actor = 0; actor < actors(); ++actor) look(window, actor, &tile->actors[static_cast<std::size_t>(actor)]);
   const float* values = critic_.forward(critic_parameters, 0);
-  for (int actor = 0; actor < actors_; ++actor) judge(values, actor, entropy_weight, advantage_variances, tile);
-  std::fill_n(critic_.outputGradient(0) + parameters_.window * actors_, critic_.lanes() - parameters_.window * actors_,
-              0.0f);
-  policy_.backward(policy_parameters, parameters_.window, tile.policy_gradient);
-  critic_.backward(critic_parameters, 1, tile.critic_gradient);
-  policy_.carryOver(parameters_.window);
-  tile.state = policy_.state();
-}
-
-int GridActorCriticTileRunner::preferenceAt(int actor, int direction) const {
-  return parameters_.encoder.views == 1 ? direction * kTileLanes + actor : actor * kGridMoveCount + direction;
+  for (int actor = 0; actor < actors(); ++actor) judge(values, actor, entropy_weight, advantage_variances);
+  std::fill_n(critic_.outputGradient(0) + window * actors(), critic_.lanes() - window * actors(), 0.0f);
+  policy_.backward(policy_parameters, window, tile->policy_gradient);
+  critic_.backward(critic_parameters, 1, tile->critic_gradient);
+  policy_.carryOver(window);
+  tile->state = policy_.state();
+  return sums_;
 }
 
 /// Senses and fills the critic's input of that step.
-void GridActorCriticTileRunner::look(int step, int actor, GridActorCriticTile& tile) {
-  GridActor& walker = tile.actors[static_cast<std::size_t>(actor)];
-  walker.observe();
-  encoder_.look(walker.memory());
-  float* input = critic_.inputs(0) + step * actors_ + actor;
-  encoder_.encode(0, input, critic_.lanes());
-  encodePrivileged(walker, parameters_.discount, input + encoder_.size() * critic_.lanes(), critic_.lanes());
+void GridActorCriticTileRunner::look(int step, int actor, GridActor* walker) {
+  walker->observe();
+  lanes_.look(*walker);
+  const GridEncoder& encoder = lanes_.encoder();
+  float* input = critic_.inputs(0) + step * actors() + actor;
+  encoder.encode(0, input, critic_.lanes());
+  encodePrivileged(*walker, parameters_.discount, input + encoder.size() * critic_.lanes(), critic_.lanes());
 }
 
-void GridActorCriticTileRunner::walk(const Eigen::VectorXf& policy_parameters, int step, GridActorCriticTile& tile) {
-  const int views = parameters_.encoder.views;
-  for (int actor = 0; actor < actors_; ++actor) {
-    if (tile.actors[static_cast<std::size_t>(actor)].atStart()) {
-      for (int view = 0; view < views; ++view) policy_.forget(step, actor * views + view);
-    }
-    look(step, actor, tile);
-    for (int view = 0; view < views; ++view) {
-      encoder_.encode(view, policy_.inputs(step) + actor * views + view, kTileLanes);
-    }
+void GridActorCriticTileRunner::walk(const Eigen::VectorXf& policy_parameters, int step, GridActorCriticTile* tile) {
+  for (int actor = 0; actor < actors(); ++actor) {
+    GridActor& walker = tile->actors[static_cast<std::size_t>(actor)];
+    if (walker.atStart()) lanes_.forget(actor, step, &policy_);
+    look(step, actor, &walker);
+    lanes_.show(actor, step, &policy_);
   }
   const float* preferences = policy_.forward(policy_parameters, step);
-  for (int actor = 0; actor < actors_; ++actor) act(preferences, step, actor, tile);
+  for (int actor = 0; actor < actors(); ++actor) {
+    act(preferences, step, actor, &tile->actors[static_cast<std::size_t>(actor)]);
+  }
 }
 
 void GridActorCriticTileRunner::choose(const float* preferences, int actor, GridActor& walker, Step& done) const {
   float largest = -1e30f;
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    if (!movePossible(walker.ranges(), direction, CornerCutting::kForbidden)) continue;
-    largest = std::max(largest, preferences[preferenceAt(actor, direction)]);
+    if (walker.possible(direction)) largest = std::max(largest, preferences[lanes_.outputAt(actor, direction)]);
   }
   float total = 0.0f;
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    const bool possible = movePossible(walker.ranges(), direction, CornerCutting::kForbidden);
     float& probability = done.probabilities[static_cast<std::size_t>(direction)];
-    probability = possible ? std::exp(preferences[preferenceAt(actor, direction)] - largest) : 0.0f;
+    probability =
+        walker.possible(direction) ? std::exp(preferences[lanes_.outputAt(actor, direction)] - largest) : 0.0f;
     total += probability;
   }
   float draw = static_cast<float>(uniform(walker.random())) * total;
@@ -155,48 +145,39 @@ void GridActorCriticTileRunner::choose(const float* preferences, int actor, Grid
   }
 }
 
-void GridActorCriticTileRunner::act(const float* preferences, int step, int actor, GridActorCriticTile& tile) {
-  GridActor& walker = tile.actors[static_cast<std::size_t>(actor)];
+void GridActorCriticTileRunner::act(const float* preferences, int step, int actor, GridActor* walker) {
   Step& done = stepOf(step, actor);
-  choose(preferences, actor, walker, done);
-  done.set = walker.set();
-  const GridActor::Outcome outcome =
-      walker.step(done.direction, {parameters_.step_cost, parameters_.arrival_bonus}, parameters_.max_steps);
-  done.reward = outcome.reward;
-  done.arrived = outcome.arrived;
-  done.timed_out = outcome.timed_out;
-  if (!outcome.ended()) return;
-  tile.sums.ended += 1.0;
-  if (outcome.arrived) {
-    tile.sums.arrived += 1.0;
-    tile.sums.ratio += walker.walked() / static_cast<double>(walker.optimum());
-  }
-  walker.startEpisode();
+  choose(preferences, actor, *walker, done);
+  done.set = walker->set();
+  done.outcome =
+      walker->step(done.direction, {parameters_.step_cost, parameters_.arrival_bonus}, parameters_.max_steps);
+  sums_.episodes.count(done.outcome);
 }
 
 /// Advantages from the last step back, and from them the derivatives by the outputs of both networks.
 void GridActorCriticTileRunner::judge(const float* values, int actor, double entropy_weight,
-                                      const std::vector<double>& advantage_variances, GridActorCriticTile& tile) {
+                                      const std::vector<double>& advantage_variances) {
   Advantages advantages(parameters_.discount, parameters_.advantage_decay,
-                        kValueScale * static_cast<double>(values[parameters_.window * actors_ + actor]));
+                        kValueScale * static_cast<double>(values[parameters_.window * actors() + actor]));
   for (int step = parameters_.window; step-- > 0;) {
     const Step& done = stepOf(step, actor);
-    const double value = kValueScale * static_cast<double>(values[step * actors_ + actor]);
-    const Advantages::End end =
-        done.arrived ? Advantages::End::kArrived : (done.timed_out ? Advantages::End::kCutOff : Advantages::End::kNone);
-    const double advantage = advantages.before(done.reward, value, end);
-    critic_.outputGradient(0)[step * actors_ + actor] = static_cast<float>(-advantage / kValueScale);
+    const double value = kValueScale * static_cast<double>(values[step * actors() + actor]);
+    const GridActor::Outcome& outcome = done.outcome;
+    const Advantages::End end = outcome.arrived     ? Advantages::End::kArrived
+                                : outcome.timed_out ? Advantages::End::kCutOff
+                                                    : Advantages::End::kNone;
+    const double advantage = advantages.before(outcome.reward, value, end);
+    critic_.outputGradient(0)[step * actors() + actor] = static_cast<float>(-advantage / kValueScale);
     const double entropy =
         fillPolicyGradient(done, step, actor, advantage / std::sqrt(advantage_variances[done.set]), entropy_weight);
-    GridActorCriticSums& sums = tile.sums;
-    sums.steps += 1.0;
-    sums.reward += done.reward;
-    sums.entropy += entropy;
-    sums.returns += value + advantage;
-    sums.squared_returns += (value + advantage) * (value + advantage);
-    sums.squared_errors += advantage * advantage;
-    sums.set_steps[done.set] += 1.0;
-    sums.set_squared_advantages[done.set] += advantage * advantage;
+    sums_.steps += 1.0;
+    sums_.reward += outcome.reward;
+    sums_.entropy += entropy;
+    sums_.returns += value + advantage;
+    sums_.squared_returns += (value + advantage) * (value + advantage);
+    sums_.squared_errors += advantage * advantage;
+    sums_.set_steps[done.set] += 1.0;
+    sums_.set_squared_advantages[done.set] += advantage * advantage;
   }
 }
 
@@ -214,7 +195,7 @@ double GridActorCriticTileRunner::fillPolicyGradient(const Step& done, int step,
       by_preference = advantage * (probability - (direction == done.direction ? 1.0 : 0.0)) +
                       entropy_weight * probability * (std::log(probability) + entropy);
     }
-    gradient[preferenceAt(actor, direction)] = static_cast<float>(by_preference);
+    gradient[lanes_.outputAt(actor, direction)] = static_cast<float>(by_preference);
   }
   return entropy;
 }

@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "grid_world/agent/a_star_agent.hpp"
 #include "lstm_planner/base/common/parallel_for.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/base/learning/teacher_rescue.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -38,10 +39,6 @@ double alignment(CellIndex step, CellIndex to_goal) {
   const double product =
       static_cast<double>(step.column) * to_goal.column + static_cast<double>(step.row) * to_goal.row;
   return product / (std::hypot(step.column, step.row) * std::hypot(to_goal.column, to_goal.row));
-}
-
-bool arrived(CellIndex cell, CellIndex goal) {
-  return std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) <= 1;
 }
 
 /// What the supervisor of the parameters answers along one path.
@@ -68,37 +65,70 @@ class Supervisor {
   std::optional<AStarAgent> search_;
 };
 
-/// One path, led by the supervisor where there is no `agent`.
-Walk walk(const GridCourse::Episode& episode, const GridDatasetParameters& parameters, GridEncoder encoder,
-          GridAgent* agent) {
-  const CourseGoal& goal = *episode.goal;
-  GridMemory memory = makeGridMemory(encoder.parameters());
-  memory.start();
-  if (agent != nullptr) agent->start(episode.start, goal.goal);
-  TeacherRescue rescue(kNearer, parameters.stuck_steps, parameters.rescue_steps);
-  Supervisor supervisor(goal, episode.start, parameters.supervisor);
-  Walk walk;
-  CellIndex cell = episode.start;
-  const auto inputs = static_cast<std::size_t>(encoder.size());
-  while (!arrived(cell, goal.goal) &&
-         (agent == nullptr || static_cast<int>(walk.labels.size()) < parameters.max_steps)) {
-    const GridObservation observation{cell, goal.goal, goal.map->ranges.at(cell)};
-    memory.observe(observation);
-    encoder.look(memory);
-    walk.inputs.resize(walk.inputs.size() + inputs);
-    encoder.encode(0, &walk.inputs[walk.inputs.size() - inputs], 1);
-    const int label = supervisor.move(observation, memory.previousDirection());
-    walk.labels.push_back(label);
-    int direction = label;
-    if (agent != nullptr) {
-      agent->observe(observation);
-      if (!rescue.wanted(static_cast<double>(goal.distances.at(cell)))) direction = agent->decide();
-      agent->step(direction, true);
-    }
-    memory.step(direction);
-    cell = cellBeside(cell, direction);
+/// Records what the agent at a place is told, and what the supervisor answers. The supervisor leads, or the `learner`
+/// where there is one, whom it rescues.
+class TaughtAgent : public GridAgent {
+ public:
+  TaughtAgent(const CourseGoal& goal, const GridDatasetParameters& parameters, const GridEncoder& encoder,
+              std::unique_ptr<GridAgent> learner)
+      : goal_(goal),
+        encoder_(encoder),
+        memory_(makeGridMemory(encoder.parameters())),
+        learner_(std::move(learner)),
+        rescue_(kNearer, parameters.stuck_steps, parameters.rescue_steps),
+        kind_(parameters.supervisor) {}
+
+  void start(CellIndex start, CellIndex goal) override {
+    memory_.start();
+    supervisor_.emplace(goal_, start, kind_);
+    if (learner_) learner_->start(start, goal);
   }
-  return walk;
+
+  void observe(const GridObservation& observation) override {
+    memory_.observe(observation);
+    encoder_.look(memory_);
+    const auto inputs = static_cast<std::size_t>(encoder_.size());
+    walk_.inputs.resize(walk_.inputs.size() + inputs);
+    encoder_.encode(0, &walk_.inputs[walk_.inputs.size() - inputs], 1);
+    direction_ = supervisor_->move(observation, memory_.previousDirection());
+    walk_.labels.push_back(direction_);
+    if (!learner_) return;
+    learner_->observe(observation);
+    if (!rescue_.wanted(static_cast<double>(goal_.distances.at(observation.cell)))) direction_ = learner_->decide();
+  }
+
+  int decide() override { return direction_; }
+  GridLeader leader() const override { return learner_ ? learner_->leader() : GridLeader::kSearch; }
+  void step(int direction, bool moved) override {
+    memory_.step(direction);
+    if (learner_) learner_->step(direction, moved);
+  }
+  std::size_t peakBytes() const override { return memory_.bytes(); }
+
+  Walk takeWalk() { return std::move(walk_); }
+
+ private:
+  const CourseGoal& goal_;
+  GridEncoder encoder_;
+  GridMemory memory_;
+  std::unique_ptr<GridAgent> learner_;
+  TeacherRescue rescue_;
+  GridSupervisor kind_;
+  std::optional<Supervisor> supervisor_;
+  Walk walk_;
+  int direction_ = kNoPath;
+};
+
+/// One path, led by the supervisor where there is no `learner`, who is led to the end.
+Walk walkOf(const GridCourse::Episode& episode, const GridDatasetParameters& parameters, const GridEncoder& encoder,
+            std::unique_ptr<GridAgent> learner) {
+  const CourseGoal& goal = *episode.goal;
+  GridEpisodeRules rules;
+  rules.corner_cutting = goal.corner_cutting;
+  rules.max_steps = learner ? parameters.max_steps : gridStepBound(goal.map->grid);
+  TaughtAgent agent(goal, parameters, encoder, std::move(learner));
+  runGridEpisode(goal.map->grid, goal.map->ranges, episode.start, goal.goal, rules, &agent);
+  return agent.takeWalk();
 }
 
 /// The first `steps` of it, each with weight.
@@ -177,7 +207,7 @@ std::vector<Sequence> collectGridSequences(const GridDatasetParameters& paramete
       if (learner != nullptr && uniform(random) < learner_share) {
         agent = std::make_unique<NetworkGridAgent>(*learner, shield_alone);
       }
-      walks[static_cast<std::size_t>(index)] = walk(episode, parameters, encoder, agent.get());
+      walks[static_cast<std::size_t>(index)] = walkOf(episode, parameters, encoder, std::move(agent));
     });
     for (const Walk& walk : walks) {
       const std::size_t steps = std::min(walk.labels.size(), missing);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "grid_world/learning/grid_q_learning_tile.hpp"
-#include "lstm_planner/base/common/parallel_for.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/learning/q_learner.hpp"
@@ -44,20 +43,13 @@ class GridQLearning::Implementation {
   Implementation(const GridQLearningParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         layers_((checkFit(layers, GridEncoder(parameters.encoder)), std::move(layers))),
-        learner_(kCheckpointNames, qLearningSchedule(parameters, parameters.updates), layers_) {
-    for (int thread = 0; thread < parameters_.threads; ++thread) {
-      runners_.push_back(std::make_unique<QTileRunner>(parameters_, layers_));
-    }
-  }
+        learner_(kCheckpointNames, qLearningSchedule(parameters, parameters.updates), layers_),
+        tiles_(parameters.communicator, parameters.threads,
+               [this] { return std::make_unique<QTileRunner>(parameters_, layers_); }) {}
 
   void beginEpoch(int epoch, const GridCourse& course) {
-    Random seeds(parameters_.seed * 1000003 + static_cast<std::uint64_t>(epoch));
-    const int actors = runners_.front()->actors();
-    tiles_.clear();
-    tiles_.resize(static_cast<std::size_t>((parameters_.agents + actors - 1) / actors));
-    for (QTile& tile : tiles_) {
-      for (int actor = 0; actor < actors; ++actor) tile.actors.emplace_back(course, parameters_.encoder, seeds());
-    }
+    tiles_.start(parameters_.agents, course, parameters_.encoder,
+                 parameters_.seed * 1000003 + static_cast<std::uint64_t>(epoch));
   }
 
   void update() {
@@ -65,19 +57,10 @@ class GridQLearning::Implementation {
     learner_.startUpdate();
     epsilon_ = explorationAt(learner_.progress(), parameters_.exploration_start, parameters_.exploration_end,
                              parameters_.exploration_share);
-    const Share own = shareOfTiles();
-    parallelFor(own.count(), parameters_.threads, [&](int index, int thread) {
-      runners_[static_cast<std::size_t>(thread)]->run(learner_.weights(), learner_.targetWeights(), epsilon_,
-                                                      tiles_[static_cast<std::size_t>(own.first + index)]);
+    const QSums sums = tiles_.run(QSums(), [&](QTileRunner* runner, QTile* tile) {
+      return runner->run(learner_.weights(), learner_.targetWeights(), epsilon_, tile);
     });
-    exchangeTiles(own);
-    // In the order of the tiles, whichever thread was first.
-    Eigen::VectorXf gradient = Eigen::VectorXf::Zero(learner_.weights().size());
-    QSums sums;
-    for (const QTile& tile : tiles_) {
-      gradient += tile.gradient;
-      sums += tile.sums;
-    }
+    const Eigen::VectorXf gradient = tiles_.sumOf(&QTile::gradient, learner_.weights().size());
     learner_.update(gradient / static_cast<float>(sums.steps));
     learner_.finishUpdate(sums.steps);
     sums_ += sums;
@@ -89,8 +72,8 @@ class GridQLearning::Implementation {
     report.update = learner_.updates();
     report.steps = learner_.steps();
     report.reward = mean(sums_.reward, sums_.steps);
-    report.arrival = mean(sums_.arrived, sums_.ended);
-    report.ratio = mean(sums_.ratio, sums_.arrived);
+    report.arrival = sums_.episodes.arrival();
+    report.ratio = sums_.episodes.meanRatio();
     report.epsilon = epsilon_;
     report.value = mean(sums_.value, sums_.steps);
     report.error = std::sqrt(mean(sums_.squared_error, sums_.steps));
@@ -108,36 +91,10 @@ class GridQLearning::Implementation {
   void restore(const std::vector<std::uint8_t>& checkpoint) { learner_.restore(checkpoint); }
 
  private:
-  Share shareOfTiles() const {
-    const Communicator& ranks = *parameters_.communicator;
-    return shareOf(static_cast<int>(tiles_.size()), ranks.rank(), ranks.size());
-  }
-
-  /// What this rank's tiles brought goes to all others, so that all add up the same.
-  void exchangeTiles(const Share& own) {
-    Communicator& ranks = *parameters_.communicator;
-    if (ranks.size() == 1) return;
-    Eigen::MatrixXf gradients(learner_.weights().size(), static_cast<Eigen::Index>(tiles_.size()));
-    std::vector<QSums> sums(tiles_.size());
-    for (int index = own.first; index < own.last; ++index) {
-      const auto tile = static_cast<std::size_t>(index);
-      gradients.col(index) = tiles_[tile].gradient;
-      sums[tile] = tiles_[tile].sums;
-    }
-    const int count = static_cast<int>(tiles_.size());
-    exchangeShares(&ranks, count, static_cast<std::size_t>(gradients.rows()), gradients.data());
-    exchangeShares(&ranks, count, 1, sums.data());
-    for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
-      tiles_[tile].gradient = gradients.col(static_cast<Eigen::Index>(tile));
-      tiles_[tile].sums = sums[tile];
-    }
-  }
-
   GridQLearningParameters parameters_;
   LayerStack layers_;
   QLearner learner_;
-  std::vector<std::unique_ptr<QTileRunner>> runners_;
-  std::vector<QTile> tiles_;
+  GridTiles<QTile, QTileRunner> tiles_;
   QSums sums_;
   double epsilon_ = 0.0;
 };

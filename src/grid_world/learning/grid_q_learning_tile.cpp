@@ -8,19 +8,12 @@
 namespace lstm_planner {
 namespace {
 
-/// Lanes that keep a step's rows in the first cache.
-constexpr int kTileLanes = 64;
-
-bool possible(const GridActor& walker, int direction) {
-  return movePossible(walker.ranges(), direction, CornerCutting::kForbidden);
-}
-
 /// One of the moves that the shield allows, each equally likely.
 int randomMove(GridActor& walker) {
   std::array<int, kGridMoveCount> moves{};
   std::size_t count = 0;
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    if (possible(walker, direction)) moves[count++] = direction;
+    if (walker.possible(direction)) moves[count++] = direction;
   }
   return moves[uniformIndex(walker.random(), count)];
 }
@@ -30,69 +23,66 @@ int randomMove(GridActor& walker) {
 void QSums::operator+=(const QSums& other) {
   steps += other.steps;
   reward += other.reward;
-  arrived += other.arrived;
-  ended += other.ended;
-  ratio += other.ratio;
   value += other.value;
   squared_error += other.squared_error;
+  episodes += other.episodes;
+}
+
+std::vector<double*> numbersOf(QSums* sums) {
+  GridEpisodeSums& episodes = sums->episodes;
+  return {&sums->steps,    &sums->reward,     &sums->value,   &sums->squared_error,
+          &episodes.ended, &episodes.arrived, &episodes.ratio};
 }
 
 QTileRunner::QTileRunner(const GridQLearningParameters& parameters, const LayerStack& layers)
     : parameters_(parameters),
-      encoder_(parameters.encoder),
-      actors_(kTileLanes / parameters.encoder.views),
-      network_(layers, kTileLanes, parameters.window + 1),
-      target_network_(layers, kTileLanes, 1),
-      windows_(static_cast<std::size_t>(actors_),
+      lanes_(parameters.encoder),
+      network_(layers, GridLanes::kCount, parameters.window + 1),
+      target_network_(layers, GridLanes::kCount, 1),
+      windows_(static_cast<std::size_t>(actors()),
                std::vector<QTransition>(static_cast<std::size_t>(parameters.window + 1))) {}
 
-void QTileRunner::run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon,
-                      QTile& tile) {
-  tile.sums = {};
-  tile.gradient.setZero(weights.size());
-  tile.state.resize(network_.state().size(), 0.0f);
-  tile.target_state.resize(tile.state.size(), 0.0f);
-  network_.setState(tile.state);
-  target_network_.setState(tile.target_state);
+QSums QTileRunner::run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon,
+                       QTile* tile) {
+  sums_ = {};
+  tile->gradient.setZero(weights.size());
+  tile->state.resize(network_.state().size(), 0.0f);
+  tile->target_state.resize(tile->state.size(), 0.0f);
+  network_.setState(tile->state);
+  target_network_.setState(tile->target_state);
   // The state after the window is looked at too, for its value; the next window starts with it.
   for (int step = 0; step <= parameters_.window; ++step) {
     look(step, tile);
     network_.forward(weights, step);
     target_network_.forward(target_weights, 0);
-    for (int actor = 0; actor < actors_; ++actor) {
-      valueState(step, actor, tile.actors[static_cast<std::size_t>(actor)]);
-      if (step < parameters_.window) move(step, actor, epsilon, tile);
+    for (int actor = 0; actor < actors(); ++actor) {
+      GridActor& walker = tile->actors[static_cast<std::size_t>(actor)];
+      valueState(step, actor, walker);
+      if (step < parameters_.window) move(step, actor, epsilon, &walker);
     }
     if (step < parameters_.window) target_network_.carryOver(1);
   }
-  tile.target_state = target_network_.state();
-  for (int actor = 0; actor < actors_; ++actor) judge(actor, tile);
-  network_.backward(weights, parameters_.window, tile.gradient);
+  tile->target_state = target_network_.state();
+  for (int actor = 0; actor < actors(); ++actor) judge(actor);
+  network_.backward(weights, parameters_.window, tile->gradient);
   network_.carryOver(parameters_.window);
-  tile.state = network_.state();
+  tile->state = network_.state();
+  return sums_;
 }
 
-void QTileRunner::look(int step, QTile& tile) {
-  const int views = parameters_.encoder.views;
-  for (int actor = 0; actor < actors_; ++actor) {
-    GridActor& walker = tile.actors[static_cast<std::size_t>(actor)];
-    if (step > 0 || !tile.observed) walker.observe();
-    encoder_.look(walker.memory());
-    for (int view = 0; view < views; ++view) {
-      const int lane = actor * views + view;
-      if (walker.atStart()) {
-        network_.forget(step, lane);
-        target_network_.forget(0, lane);
-      }
-      encoder_.encode(view, network_.inputs(step) + lane, kTileLanes);
+void QTileRunner::look(int step, QTile* tile) {
+  for (int actor = 0; actor < actors(); ++actor) {
+    GridActor& walker = tile->actors[static_cast<std::size_t>(actor)];
+    if (step > 0 || !tile->observed) walker.observe();
+    if (walker.atStart()) {
+      lanes_.forget(actor, step, &network_);
+      lanes_.forget(actor, 0, &target_network_);
     }
+    lanes_.look(walker);
+    lanes_.show(actor, step, &network_);
   }
-  std::copy_n(network_.inputs(step), encoder_.size() * kTileLanes, target_network_.inputs(0));
-  tile.observed = true;
-}
-
-int QTileRunner::outputAt(int actor, int direction) const {
-  return parameters_.encoder.views == 1 ? direction * kTileLanes + actor : actor * kGridMoveCount + direction;
+  std::copy_n(network_.inputs(step), network_.inputSize() * network_.lanes(), target_network_.inputs(0));
+  tile->observed = true;
 }
 
 /// Fills in the best move and the value of the state in which a step starts.
@@ -100,8 +90,8 @@ void QTileRunner::valueState(int step, int actor, const GridActor& walker) {
   const auto best = [&](const float* outputs) {
     int direction = -1;
     for (int candidate = 0; candidate < kGridMoveCount; ++candidate) {
-      if (!possible(walker, candidate)) continue;
-      if (direction < 0 || outputs[outputAt(actor, candidate)] > outputs[outputAt(actor, direction)]) {
+      if (!walker.possible(candidate)) continue;
+      if (direction < 0 || outputs[lanes_.outputAt(actor, candidate)] > outputs[lanes_.outputAt(actor, direction)]) {
         direction = candidate;
       }
     }
@@ -111,48 +101,41 @@ void QTileRunner::valueState(int step, int actor, const GridActor& walker) {
   QTransition& transition = windows_[static_cast<std::size_t>(actor)][static_cast<std::size_t>(step)];
   transition.direction = best(network_.outputs(step));
   const int chosen = parameters_.double_q ? transition.direction : best(target_outputs);
-  transition.value = parameters_.value_scale * static_cast<double>(target_outputs[outputAt(actor, chosen)]);
+  transition.value = parameters_.value_scale * static_cast<double>(target_outputs[lanes_.outputAt(actor, chosen)]);
 }
 
-void QTileRunner::move(int step, int actor, double epsilon, QTile& tile) {
-  GridActor& walker = tile.actors[static_cast<std::size_t>(actor)];
+void QTileRunner::move(int step, int actor, double epsilon, GridActor* walker) {
   QTransition& transition = windows_[static_cast<std::size_t>(actor)][static_cast<std::size_t>(step)];
   const int best = transition.direction;
-  if (uniform(walker.random()) < epsilon) transition.direction = randomMove(walker);
+  if (uniform(walker->random()) < epsilon) transition.direction = randomMove(*walker);
   transition.greedy = transition.direction == best;
-  transition.estimate =
-      parameters_.value_scale * static_cast<double>(network_.outputs(step)[outputAt(actor, transition.direction)]);
-  const double thesis_reward = thesisReward(walker.memory(), parameters_.thesis_reward);
+  transition.estimate = parameters_.value_scale *
+                        static_cast<double>(network_.outputs(step)[lanes_.outputAt(actor, transition.direction)]);
+  const double thesis_reward = thesisReward(walker->memory(), parameters_.thesis_reward);
   const GridActor::Outcome outcome =
-      walker.step(transition.direction, {parameters_.step_cost, parameters_.arrival_bonus}, parameters_.max_steps);
+      walker->step(transition.direction, {parameters_.step_cost, parameters_.arrival_bonus}, parameters_.max_steps);
   const bool by_progress = parameters_.reward == GridQLearningParameters::Reward::kProgress;
   transition.reward = by_progress ? outcome.reward : thesis_reward;
   transition.arrived = outcome.arrived;
   transition.timed_out = outcome.timed_out;
-  if (!outcome.ended()) return;
-  tile.sums.ended += 1.0;
-  if (outcome.arrived) {
-    tile.sums.arrived += 1.0;
-    tile.sums.ratio += walker.walked() / static_cast<double>(walker.optimum());
-  }
-  walker.startEpisode();
+  sums_.episodes.count(outcome);
 }
 
 /// From the targets of one agent's steps, the derivatives by the network's outputs.
-void QTileRunner::judge(int actor, QTile& tile) {
+void QTileRunner::judge(int actor) {
   const std::vector<QTransition>& window = windows_[static_cast<std::size_t>(actor)];
   const std::vector<double> targets = lambdaTargets(window, parameters_.discount, parameters_.trace_decay);
   for (int step = 0; step < parameters_.window; ++step) {
     const QTransition& transition = window[static_cast<std::size_t>(step)];
     const double error = transition.estimate - targets[static_cast<std::size_t>(step)];
     float* gradient = network_.outputGradient(step);
-    for (int direction = 0; direction < kGridMoveCount; ++direction) gradient[outputAt(actor, direction)] = 0.0f;
-    gradient[outputAt(actor, transition.direction)] =
+    for (int direction = 0; direction < kGridMoveCount; ++direction) gradient[lanes_.outputAt(actor, direction)] = 0.0f;
+    gradient[lanes_.outputAt(actor, transition.direction)] =
         static_cast<float>(huberDerivative(error, parameters_.huber) / parameters_.value_scale);
-    tile.sums.steps += 1.0;
-    tile.sums.reward += transition.reward;
-    tile.sums.value += transition.estimate;
-    tile.sums.squared_error += error * error;
+    sums_.steps += 1.0;
+    sums_.reward += transition.reward;
+    sums_.value += transition.estimate;
+    sums_.squared_error += error * error;
   }
 }
 

@@ -3,7 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "grid_world/learning/grid_actor.hpp"
+#include "grid_world/learning/grid_lanes.hpp"
+#include "grid_world/learning/grid_tiles.hpp"
 #include "lstm_planner/base/learning/lane_network.hpp"
 #include "lstm_planner/base/learning/q_learning_targets.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
@@ -12,18 +13,16 @@ namespace lstm_planner {
 
 /// What goes into the report.
 struct QSums {
-  double steps = 0, reward = 0, arrived = 0, ended = 0, ratio = 0, value = 0, squared_error = 0;
+  double steps = 0, reward = 0, value = 0, squared_error = 0;
+  GridEpisodeSums episodes;
   void operator+=(const QSums& other);
 };
+std::vector<double*> numbersOf(QSums* sums);
 
-/// Some agents that go through a window together, with what they carry from window to window.
-struct QTile {
-  std::vector<GridActor> actors;
-  std::vector<float> state;         ///< hidden, of the network that learns
-  std::vector<float> target_state;  ///< and of the target network
+struct QTile : GridTile {
+  std::vector<float> target_state;  ///< hidden, of the target network
   bool observed = false;            ///< whether the agents have sensed where they are
   Eigen::VectorXf gradient;         ///< sum over the window's steps
-  QSums sums;
 };
 
 /// Leads tiles of agents through a window, and works out the gradient. One a thread.
@@ -33,23 +32,22 @@ class QTileRunner {
   QTileRunner(const GridQLearningParameters& parameters, const LayerStack& layers);
 
   /// Agents of a tile.
-  int actors() const { return actors_; }
+  int actors() const { return lanes_.actors(); }
 
-  void run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon, QTile& tile);
+  QSums run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon, QTile* tile);
 
  private:
-  void look(int step, QTile& tile);
+  void look(int step, QTile* tile);
   void valueState(int step, int actor, const GridActor& walker);
-  void move(int step, int actor, double epsilon, QTile& tile);
-  void judge(int actor, QTile& tile);
-  int outputAt(int actor, int direction) const;
+  void move(int step, int actor, double epsilon, GridActor* walker);
+  void judge(int actor);
 
   const GridQLearningParameters& parameters_;
-  GridEncoder encoder_;
-  int actors_;
+  GridLanes lanes_;
   LaneNetwork network_;
   LaneNetwork target_network_;                     ///< one step long: nothing goes back through it
   std::vector<std::vector<QTransition>> windows_;  ///< of each agent; one step more, of which only the value counts
+  QSums sums_;                                     ///< of the window
 };
 
 }  // namespace lstm_planner

@@ -6,8 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "lstm_planner/base/common/communicator.hpp"
-#include "lstm_planner/base/common/parallel_for.hpp"
+#include "lstm_planner/base/learning/tile_exchange.hpp"
 #include "robot/learning/drive_practice.hpp"
 
 namespace lstm_planner {
@@ -80,9 +79,6 @@ class DriveLanes {
   std::vector<std::vector<Slot>> lanes_;
 };
 
-/// The numbers that a sum consists of: what ranks exchange.
-inline std::vector<double*> numbersOf(double* sum) { return {sum}; }
-
 /// Tiles, each with its lanes(): shared among ranks and threads, and their results added up in order, the same for any
 /// number of them. Every rank packs all drives, and has to call each() and addUp() as the others do.
 template <typename Tile>
@@ -93,7 +89,7 @@ class DriveTiles {
 
   /// `make` makes a tile; all have the same number of lanes.
   template <typename Make>
-  DriveTiles(Communicator* ranks, int threads, const Make& make) : ranks_(*ranks), threads_(threads) {
+  DriveTiles(Communicator* ranks, int threads, const Make& make) : exchange_(ranks, threads) {
     do {
       tiles_.push_back(make());
     } while (static_cast<int>(tiles_.size()) * tiles_.front()->lanes().count() < kLanes);
@@ -123,61 +119,30 @@ class DriveTiles {
   /// What `work` says of each tile, in the order of the tiles. `zero`: of a tile with nothing in it.
   template <typename Sum, typename Work>
   std::vector<Sum> each(const Sum& zero, const Work& work) {
-    std::vector<Sum> all(tiles_.size(), zero);
-    const Share own = ownTiles();
-    parallelFor(own.count(), threads_, [&](int tile, int) {
-      const auto i = static_cast<std::size_t>(own.first + tile);
-      all[i] = work(tiles_[i].get());
-    });
-    exchange(&all);
-    return all;
+    return exchange_.each(count(), zero,
+                          [&](int tile, int) { return work(tiles_[static_cast<std::size_t>(tile)].get()); });
   }
 
   /// Adds up the gradients, of `size` numbers, that `work` leaves in the tiles, and the steps that it says they are
   /// over.
   template <typename Work>
   double addUp(Eigen::Index size, const Work& work, Eigen::VectorXf* gradient) {
-    const std::vector<double> counts = each(0.0, work);
-    gradients_.resize(size, static_cast<Eigen::Index>(tiles_.size()));
-    const Share own = ownTiles();
-    for (int tile = own.first; tile < own.last; ++tile) {
-      gradients_.col(tile) = tiles_[static_cast<std::size_t>(tile)]->gradient();
-    }
-    exchangeShares(&ranks_, static_cast<int>(tiles_.size()), static_cast<std::size_t>(size), gradients_.data());
-    double count = 0.0;
-    *gradient = gradients_.col(0);
-    for (std::size_t tile = 0; tile < tiles_.size(); ++tile) {
-      count += counts[tile];
-      if (tile > 0) *gradient += gradients_.col(static_cast<Eigen::Index>(tile));
-    }
-    return count;
+    double steps = 0.0;
+    for (const double some : each(0.0, work)) steps += some;
+    *gradient = exchange_.sumOf(count(), size, [&](int tile) -> const Eigen::VectorXf& {
+      return tiles_[static_cast<std::size_t>(tile)]->gradient();
+    });
+    return steps;
   }
 
   auto begin() const { return tiles_.begin(); }
   auto end() const { return tiles_.end(); }
 
  private:
-  Share ownTiles() const { return shareOf(static_cast<int>(tiles_.size()), ranks_.rank(), ranks_.size()); }
+  int count() const { return static_cast<int>(tiles_.size()); }
 
-  template <typename Sum>
-  void exchange(std::vector<Sum>* all) {
-    if (ranks_.size() == 1) return;
-    const std::size_t width = numbersOf(&all->front()).size();
-    std::vector<double> numbers;
-    for (Sum& sum : *all) {
-      for (const double* number : numbersOf(&sum)) numbers.push_back(*number);
-    }
-    exchangeShares(&ranks_, static_cast<int>(all->size()), width, numbers.data());
-    const double* next = numbers.data();
-    for (Sum& sum : *all) {
-      for (double* number : numbersOf(&sum)) *number = *next++;
-    }
-  }
-
-  Communicator& ranks_;
-  int threads_;
+  TileExchange exchange_;
   std::vector<std::unique_ptr<Tile>> tiles_;
-  Eigen::MatrixXf gradients_;  ///< a column a tile
 };
 
 }  // namespace lstm_planner

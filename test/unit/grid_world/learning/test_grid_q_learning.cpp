@@ -74,10 +74,10 @@ class Walk {
       tile_.actors.emplace_back(course, parameters.encoder, static_cast<std::uint64_t>(actor));
     }
   }
-  const QTile& window(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon) {
-    runner_.run(weights, target_weights, epsilon, tile_);
-    return tile_;
+  QSums window(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon) {
+    return runner_.run(weights, target_weights, epsilon, &tile_);
   }
+  const Eigen::VectorXf& gradient() const { return tile_.gradient; }  ///< of the last window
 
  private:
   GridQLearningParameters parameters_;
@@ -95,11 +95,13 @@ TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
   parameters.huber = 1e6;
   const Eigen::VectorXf target_weights = parameterVector(networkFor(parameters));
   const Eigen::VectorXf weights = 1.5f * target_weights;
-  const Eigen::VectorXf gradient = Walk(parameters, course).window(weights, target_weights, kRandomMoves).gradient;
+  Walk walk(parameters, course);
+  walk.window(weights, target_weights, kRandomMoves);
+  const Eigen::VectorXf gradient = walk.gradient();
   const auto errorAt = [&](Eigen::Index index, float change) {
     Eigen::VectorXf moved = weights;
     moved[index] += change;
-    return Walk(parameters, course).window(moved, target_weights, kRandomMoves).sums.squared_error;
+    return Walk(parameters, course).window(moved, target_weights, kRandomMoves).squared_error;
   };
   // An error of half a squared value is the squared error of the output times the scale's square.
   const double unit = 2.0 * parameters.value_scale * parameters.value_scale;
@@ -115,11 +117,11 @@ TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
   const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestPath);
   GridQLearningParameters parameters = smallParameters();
   const Eigen::VectorXf weights = parameterVector(networkFor(parameters));
-  const double in_one = Walk(parameters, course).window(weights, weights, kBestMoves).sums.value;
+  const double in_one = Walk(parameters, course).window(weights, weights, kBestMoves).value;
   parameters.window = 8;
   Walk halves(parameters, course);
-  const double first = halves.window(weights, weights, kBestMoves).sums.value;
-  const double second = halves.window(weights, weights, kBestMoves).sums.value;
+  const double first = halves.window(weights, weights, kBestMoves).value;
+  const double second = halves.window(weights, weights, kBestMoves).value;
   // Only the order of summing differs.
   EXPECT_NEAR(first + second, in_one, 1e-9 * std::abs(in_one));
 }
