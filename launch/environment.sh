@@ -1,12 +1,13 @@
 # shellcheck shell=bash
 # What launch/demo.sh and the scripts in test and test/fuzz have in common: find ROS 1, install what is missing, build in a
 # workspace outside the source tree, and enter that workspace's environment. To be sourced by them; does nothing by itself.
-# They may set more_packages and more_optional_packages.
+# They may set more_packages, more_optional_packages and wants_rviz.
 #
 #   LSTM_PLANNER_WS   the workspace; default ${XDG_CACHE_HOME:-~/.cache}/lstm_planner
 
 more_packages=()
 more_optional_packages=()
+wants_rviz="${DISPLAY:-}"
 source_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)"
 workspace="${LSTM_PLANNER_WS:-${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/lstm_planner}"
 noetic_setup=/opt/ros/noetic/setup.bash
@@ -54,14 +55,13 @@ required_packages() {
 
 # Packages that add something where the distribution has them: an independent reader of model files for the tests, the
 # driver's own messages, parameters that change while the robot drives, the navigation stack's other planners to compare
-# with, MPI for several processes, Google
-# Benchmark, a viewer when there is a display.
+# with, MPI for several processes, Google Benchmark, and rviz with its headers, for the panel, where somebody can see it.
 optional_packages() {
   printf '%s\n' libbenchmark-dev libopenmpi-dev openmpi-bin python3-onnx "${more_optional_packages[@]}"
   [ "$1" = noetic ] || printf '%s\n' libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure
   [ "$1" = noetic ] && printf 'ros-noetic-%s\n' create-msgs dwa-local-planner dynamic-reconfigure global-planner
-  if [ -n "${DISPLAY:-}" ]; then
-    if [ "$1" = noetic ]; then echo ros-noetic-rviz; else echo rviz; fi
+  if [ -n "$wants_rviz" ]; then
+    if [ "$1" = noetic ]; then echo ros-noetic-rviz; else printf '%s\n' rviz librviz-dev; fi
   fi
 }
 

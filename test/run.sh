@@ -6,6 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../launch/environment.sh"
 
 # shellcheck disable=SC2034  # read by environment.sh
 more_optional_packages=(catkin-lint clang-format doxygen shellcheck)  # for test/lint.sh
+wants_rviz=true  # its panel is tested without a display
 
 usage() {
   cat <<'USAGE'

@@ -51,8 +51,9 @@ unsigned char levelOf(const Decision& decision) {
 
 }  // namespace
 
-DecisionPublisher::DecisionPublisher(ros::NodeHandle node_handle)
-    : publisher_(node_handle.advertise<diagnostic_msgs::DiagnosticArray>("decision", kQueue)) {}
+DecisionPublisher::DecisionPublisher(ros::NodeHandle node_handle, const ActionSet& actions)
+    : action_angles_(listText(actions.angles())),
+      publisher_(node_handle.advertise<diagnostic_msgs::DiagnosticArray>("decision", kQueue)) {}
 
 void DecisionPublisher::publish(const std_msgs::Header& header, const Situation& situation, const Decision& decision,
                                 const Pose2& goal) {
@@ -76,6 +77,7 @@ void DecisionPublisher::publish(const std_msgs::Header& header, const Situation&
   add("destination", text(decision.destination.x) + ", " + text(decision.destination.y), &status);
   add("preferences", listText(decision.preferences), &status);
   add("allowed", listText(decision.allowed), &status);
+  add("action_angles", action_angles_, &status);
   diagnostic_msgs::DiagnosticArray message;
   message.header = header;
   message.status.push_back(status);

@@ -143,6 +143,7 @@ void LstmGlobalPlanner::describeDrive(PluginDiagnostics::Status* status) const {
     status->summary(DiagnosticStatus::ERROR, "the planner cannot be used: " + why_unusable_);
     return;
   }
+  status->add("model", model_);
   if ((ros::WallTime::now() - answer_.time).toSec() > kUnasked) {
     status->summary(DiagnosticStatus::OK, "nobody asks for plans: there is no goal");
     return;

@@ -34,7 +34,7 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       goals_(messages_.nodeHandle("~")),
       tracker_(goalPatience()),
       markers_(ros::NodeHandle("~/" + name), agent_.policy().description(), parameters.trace_length),
-      decisions_(ros::NodeHandle("~/" + name)),
+      decisions_(ros::NodeHandle("~/" + name), agent_.policy().description().actions),
       plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)) {
   if (parameters.agent.leader != Decision::Source::kNetwork) return;
   const std::string warning = sizeWarning(agent_.policy().description(), parameters.agent.shield.footprint_radius);

@@ -38,7 +38,7 @@ BagReplay::BagReplay(const BagReplayParameters& parameters)
       player_(parameters.bag, {drive_.scan_topic, drive_.odometry_source == "tf" ? "" : drive_.odometry_source}),
       // The path is the driver's here, and BagReplayDriver shows it.
       markers_(ros::NodeHandle("~/LstmGlobalPlanner"), replay_.description(), 0),
-      decisions_(ros::NodeHandle("~/LstmGlobalPlanner")),
+      decisions_(ros::NodeHandle("~/LstmGlobalPlanner"), replay_.description().actions),
       driver_(ros::NodeHandle("~")) {
   if (replay_.decisions().empty()) {
     throw std::invalid_argument("there is nothing to decide about in '" + parameters_.bag +

@@ -4,6 +4,9 @@
 #include <ros/publisher.h>
 #include <std_msgs/Header.h>
 
+#include <string>
+
+#include "lstm_planner/robot/driving/action_set.hpp"
 #include "lstm_planner/robot/driving/navigation_agent.hpp"
 
 namespace lstm_planner {
@@ -13,10 +16,11 @@ namespace lstm_planner {
 /// One status, whose message is the decision's source; a warning when the leader does not decide (looking around,
 /// boundary following, the route in the network's place), an error when there is no path. Values: step, goal_distance
 /// (m), goal_bearing (rad), action (its index, -1 for none), preferred (the network's favourite, -1 when none is
-/// asked), overruled (whether another action was taken than that), steering_angle (rad), preferences, allowed.
+/// asked), overruled (whether another action was taken than that), steering_angle (rad), preferences, allowed,
+/// action_angles (rad, those of the actions).
 class DecisionPublisher {
  public:
-  explicit DecisionPublisher(ros::NodeHandle node_handle);
+  DecisionPublisher(ros::NodeHandle node_handle, const ActionSet& actions);
 
   /// `header`: time and odometry frame. Cheap while nobody listens.
   void publish(const std_msgs::Header& header, const Situation& situation, const Decision& decision, const Pose2& goal);
@@ -24,6 +28,7 @@ class DecisionPublisher {
   bool isListenedTo() const { return publisher_.getNumSubscribers() > 0; }
 
  private:
+  std::string action_angles_;
   ros::Publisher publisher_;
 };
 

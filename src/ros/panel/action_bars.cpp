@@ -1,0 +1,47 @@
+#include "ros/panel/action_bars.hpp"
+
+#include <QPainter>
+
+namespace lstm_planner {
+namespace {
+
+constexpr int kHeight = 100;        // pixels
+constexpr int kTextHeight = 24;     // pixels
+constexpr double kShortest = 0.06;  // of the longest bar: the least preferred one is seen, too
+
+// As the arrows in the scene (MarkerPublisher).
+QColor colorOf(const ViewAction& action) {
+  if (action.removed) return QColor(128, 128, 128);
+  return action.chosen ? QColor(255, 140, 0) : QColor(25, 102, 230);
+}
+
+}  // namespace
+
+ActionBars::ActionBars(QWidget* parent) : QWidget(parent) { setFixedHeight(kHeight); }
+
+void ActionBars::setActions(const std::vector<ViewAction>& actions) {
+  actions_ = actions;
+  update();
+}
+
+void ActionBars::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const int longest = height() - kTextHeight;
+  if (actions_.empty()) {
+    painter.drawText(rect(), Qt::AlignCenter, QString::fromUtf8("the network is not asked"));
+    return;
+  }
+  const int count = static_cast<int>(actions_.size());
+  for (int i = 0; i < count; ++i) {
+    const ViewAction& action = actions_[static_cast<std::size_t>(i)];
+    const int left = width() * i / count;
+    const int right = width() * (i + 1) / count;
+    const int length = static_cast<int>(longest * (kShortest + (1.0 - kShortest) * action.share));
+    const int gap = (right - left) / 6;
+    painter.fillRect(left + gap, longest - length, right - left - 2 * gap, length, colorOf(action));
+    painter.drawText(QRect(left, longest, right - left, kTextHeight), Qt::AlignCenter,
+                     QString::fromStdString(action.name));
+  }
+}
+
+}  // namespace lstm_planner
