@@ -10,7 +10,7 @@ import rospkg
 import rostest
 
 # Drivers and viewers; their absence says nothing about the launch file.
-OPTIONAL_PACKAGES = {"create_driver", "urg_node", "rviz", "move_base"}
+OPTIONAL_PACKAGES = {"create_driver", "hls_lfcd_lds_driver", "rplidar_ros", "urg_node", "rviz", "move_base"}
 
 # Debian's tf2_ros comes without its programs.
 OPTIONAL_NODES = {"tf2_ros/static_transform_publisher"}
@@ -126,6 +126,18 @@ class LaunchFiles(unittest.TestCase):
         config = load("navigation.launch", "laser_port:=/dev/ttyACM0")
         self.assertEqual(self.parameter(config, "/urg_node/serial_port"), "/dev/ttyACM0")
         self.assertNotIn("/urg_node/ip_address", config.params)
+
+    def test_another_scanner_is_started_by_its_drivers_name(self):
+        for driver, name, port in (("rplidar_ros", "rplidar_node", "serial_port"),
+                                   ("hls_lfcd_lds_driver", "hlds_laser_publisher", "port")):
+            config = load("navigation.launch", "laser:=" + driver, "laser_port:=/dev/ttyUSB3")
+            self.check(config)
+            self.assertIn(driver, {node.package for node in config.nodes})
+            self.assertNotIn("urg_node", {node.package for node in config.nodes})
+            self.assertEqual(self.parameter(config, "/%s/%s" % (name, port)), "/dev/ttyUSB3")
+            self.assertEqual(self.parameter(config, "/%s/frame_id" % name), "laser")
+        with self.assertRaisesRegex(Exception, "laser is velodyne, expected true, false, urg_node"):
+            load("navigation.launch", "laser:=velodyne")
 
     def test_recording_hands_its_arguments_on(self):
         config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "output:=/o.sqlite", "scan:=base_scan",
