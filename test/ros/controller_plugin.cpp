@@ -83,12 +83,16 @@ TEST_F(ControllerTest, StandsWhileTheScanIsOldAndGoesOnWhenItReturns) {
 }
 
 TEST_F(ControllerTest, WaitsLongerForAScannerThatIsSlower) {
-  for (int i = 0; i < 20; ++i) computeAt(robot_.pose());
+  const auto renewPlan = [&] { controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0)); };
+  for (int i = 0; i < 20; ++i) {
+    renewPlan();
+    EXPECT_TRUE(computeAt(robot_.pose()));
+  }
   for (int i = 0; i < 20; ++i) {  // an LDS-01, at 5 Hz
     robot_.wait(0.1);
     robot_.publishOdometry();
     robot_.moveTo(robot_.pose(), 0.1);
-    controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
+    renewPlan();
     EXPECT_TRUE(eventually([&] { return controller_->computeVelocityCommands(velocity_); }));
   }
   robot_.wait(0.45);
