@@ -22,9 +22,9 @@ Content contentOf(Content message, int field) {
       {{Content::kGraph, 5}, Content::kTensor},     {{Content::kGraph, 11}, Content::kValue},
       {{Content::kGraph, 12}, Content::kValue},     {{Content::kNode, 5}, Content::kAttribute},
       {{Content::kAttribute, 5}, Content::kTensor}, {{Content::kAttribute, 8}, Content::kIntegers},
-      {{Content::kTensor, 1}, Content::kIntegers},  {{Content::kTensor, 7}, Content::kIntegers},
-      {{Content::kValue, 2}, Content::kType},       {{Content::kType, 1}, Content::kTensorType},
-      {{Content::kTensorType, 2}, Content::kShape},
+      {{Content::kTensor, 1}, Content::kIntegers},  {{Content::kTensor, 5}, Content::kIntegers},
+      {{Content::kTensor, 7}, Content::kIntegers},  {{Content::kValue, 2}, Content::kType},
+      {{Content::kType, 1}, Content::kTensorType},  {{Content::kTensorType, 2}, Content::kShape},
   };
   const auto found = kContents.find({message, field});
   return found == kContents.end() ? Content::kLeaf : found->second;

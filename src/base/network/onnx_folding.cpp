@@ -91,18 +91,48 @@ TensorProto expanded(Node& node) {
   return uniformTensor(node, to, uniformValue(node, tensor));
 }
 
-/// What changes nothing but the number of axes, of a single extent or a list of them.
+bool isFloat(const TensorProto& tensor) { return tensor.data_type() == kFloat; }
+
+/// What changes nothing but the number of axes, of a state, a single extent or a list of them.
 TensorProto reshaped(Node& node) {
+  const TensorProto& tensor = node.requiredConstant(0, "data");
+  const bool squeezes = node.operatorName() == "Squeeze";
+  if (isFloat(tensor) && node.operatorName() != "Identity") {
+    const Shape shape = shapeOf(tensor);
+    return uniformTensor(node, squeezes ? shapeAfterSqueeze(node, shape) : shapeAfterUnsqueeze(node, shape),
+                         uniformValue(node, tensor));
+  }
   node.integers("axes");
   const std::vector<std::int64_t> values = extents(node, 0);
-  return integerTensor(values, node.operatorName() == "Squeeze" && values.size() == 1);
+  return integerTensor(values, squeezes && values.size() == 1);
+}
+
+/// Extents of another integer type.
+TensorProto cast(Node& node) {
+  const std::int64_t type = node.integer("to", 0);
+  if (type != kInt32 && type != kInt64) {
+    throw ModelFileError(node.name() + " casts to the data type " + std::to_string(type) +
+                         ", expected an integer type");
+  }
+  return integerTensor(extents(node, 0), node.requiredConstant(0, "data").dims_size() == 0);
+}
+
+TensorProto sliced(Node& node, std::int64_t opset) {
+  const TensorProto& tensor = node.requiredConstant(0, "data");
+  const Part part = partOfSlice(node, shapeOf(tensor), opset);
+  if (isFloat(tensor)) return uniformTensor(node, part.shape, uniformValue(node, tensor));
+  const std::vector<std::int64_t> values = extents(node, 0);
+  if (part.shape.size() != 1)
+    throw ModelFileError(node.name() + " takes a part of a table, expected a list of extents");
+  const auto first = values.begin() + static_cast<std::ptrdiff_t>(part.first);
+  return integerTensor({first, first + static_cast<std::ptrdiff_t>(part.shape[0])});
 }
 
 }  // namespace
 
 bool isFoldable(const std::string& operator_name) {
-  static const std::set<std::string> kFoldable = {"Concat",   "ConstantOfShape", "Expand",  "Gather",
-                                                  "Identity", "Slice",           "Squeeze", "Unsqueeze"};
+  static const std::set<std::string> kFoldable = {"Cast",     "Concat", "ConstantOfShape", "Expand",   "Gather",
+                                                  "Identity", "Slice",  "Squeeze",         "Unsqueeze"};
   return kFoldable.count(operator_name) > 0;
 }
 
@@ -112,9 +142,8 @@ TensorProto folded(Node& node, std::int64_t opset) {
   if (name == "Gather") return gathered(node);
   if (name == "ConstantOfShape") return filled(node);
   if (name == "Expand") return expanded(node);
-  if (name != "Slice") return reshaped(node);
-  const TensorProto& tensor = node.requiredConstant(0, "data");
-  return uniformTensor(node, partOfSlice(node, shapeOf(tensor), opset).shape, uniformValue(node, tensor));
+  if (name == "Cast") return cast(node);
+  return name == "Slice" ? sliced(node, opset) : reshaped(node);
 }
 
 TensorProto integerTensor(const std::vector<std::int64_t>& values, bool is_scalar) {

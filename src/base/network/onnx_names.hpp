@@ -15,6 +15,7 @@ constexpr std::int64_t kNewestOpset = 22;
 
 // TensorProto.DataType
 constexpr std::int32_t kFloat = 1;
+constexpr std::int32_t kInt32 = 6;
 constexpr std::int32_t kInt64 = 7;
 
 // AttributeProto.AttributeType

@@ -91,6 +91,10 @@ std::vector<float> floatValues(const TensorProto& tensor) {
 }
 
 std::vector<std::int64_t> integerValues(const TensorProto& tensor) {
+  if (tensor.data_type() == kInt32) {
+    const std::vector<std::int32_t> values = storedValues<std::int32_t>(tensor, tensor.int32_data(), kInt32, "int32");
+    return {values.begin(), values.end()};
+  }
   return storedValues<std::int64_t>(tensor, tensor.int64_data(), kInt64, "int64");
 }
 

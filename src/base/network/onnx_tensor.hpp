@@ -29,7 +29,7 @@ Shape shapeOf(const onnx_subset::TensorProto& tensor);
 /// fit its shape, are stored in another file or not finite.
 std::vector<float> floatValues(const onnx_subset::TensorProto& tensor);
 
-/// All values of an int64 tensor (axes, a target shape); the same rules.
+/// All values of an int64 or int32 tensor (axes, a target shape); the same rules.
 std::vector<std::int64_t> integerValues(const onnx_subset::TensorProto& tensor);
 
 /// Values `first` to `first + rows * columns` as a matrix.

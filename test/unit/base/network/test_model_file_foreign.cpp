@@ -7,7 +7,8 @@
 #include "lstm_planner/base/network/network.hpp"
 #include "unit/base/network/model_file_fixtures.hpp"
 
-// Files that PyTorch exported, and what it answered: test/models/export_pytorch.py makes both.
+// Files that PyTorch exported, and files in the forms that tf2onnx gives to Keras models, with the answers that they
+// must give: test/models/export_pytorch.py and keras_forms.py make both.
 
 namespace lstm_planner {
 namespace {
@@ -17,7 +18,7 @@ const std::string kModels = LSTM_PLANNER_SOURCE_DIR "/test/models/";
 
 /// Step by step.
 std::vector<std::vector<float>> answersOf(const std::string& name) {
-  std::ifstream file(kModels + "pytorch_outputs.csv");
+  std::ifstream file(kModels + name.substr(0, name.find('_')) + "_outputs.csv");
   std::vector<std::vector<float>> answers;
   for (std::string line; std::getline(file, line);) {
     std::istringstream fields(line);
@@ -31,9 +32,9 @@ std::vector<std::vector<float>> answersOf(const std::string& name) {
   return answers;
 }
 
-class PytorchModel : public ::testing::TestWithParam<const char*> {};
+class ForeignModel : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(PytorchModel, AnswersHereAsItDoesThere) {
+TEST_P(ForeignModel, AnswersHereAsItDoesThere) {
   const std::string name = GetParam();
   const std::vector<std::vector<float>> answers = answersOf(name);
   ASSERT_EQ(answers.size(), 6u);
@@ -51,10 +52,11 @@ TEST_P(PytorchModel, AnswersHereAsItDoesThere) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Exports, PytorchModel,
+INSTANTIATE_TEST_SUITE_P(Exports, ForeignModel,
                          ::testing::Values("pytorch_states.onnx", "pytorch_opset_9.onnx", "pytorch_opset_11.onnx",
                                            "pytorch_opset_13.onnx", "pytorch_dynamic.onnx", "pytorch_sequence.onnx",
-                                           "pytorch_two_inputs.onnx"),
+                                           "pytorch_two_inputs.onnx", "keras_sequence.onnx", "keras_any_batch.onnx",
+                                           "keras_stacked.onnx"),
                          [](const auto& instance) {
                            const std::string name = instance.param;
                            return name.substr(0, name.find('.'));
