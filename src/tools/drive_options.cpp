@@ -46,7 +46,8 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
   visitHokuyoParameters(options->drive.robot.scanner, line->parameters({{"noise", "noise"}, {"dropout", "dropout"}}));
   visitCreate2Parameters(options->drive.robot.base,
                          line->parameters({{"odometry_error", "drift"}, {"slip", "slip"}, {"drift", "wheel-error"}}));
-  visitSimulatedRobotParameters(options->drive.robot, line->parameters({{"latency", "latency"}}));
+  visitSimulatedRobotParameters(options->drive.robot,
+                                line->parameters({{"latency", "latency"}, {"localisation_jump", "localisation"}}));
   line->addText(
       "leader", nameOfLeader(agent.leader), [&](const std::string& name) { agent.leader = leaderNamed(name); },
       "network; route: the path through what is remembered; none: the allowed angle nearest to the goal's bearing");

@@ -136,6 +136,7 @@ std::string driveJson(const DriveOptions& options, const DriveCourse& course, co
   json["slip"] = robot.base.slip;
   json["wheel_error"] = robot.base.drift;
   json["latency_s"] = robot.latency;
+  json["localisation_jump_m"] = robot.localisation_jump;
   json["time_limit_s"] = course.rules.time_limit;
   json["worlds"] = nlohmann::json::array();
   for (std::size_t i = 0; i < course.worlds.size(); ++i) {

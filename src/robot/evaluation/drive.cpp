@@ -124,7 +124,7 @@ class Run {
     const double beside = distanceBetween(agent_.decision().destination, controlled_.goal());
     double error = parameters_.robot.base.odometry_error * robot_.pathLength();
     if (robot_.contacts() == 0) {
-      const Point2 believed = toParentFrame(task_.start, {robot_.odometry().x, robot_.odometry().y});
+      const Pose2 believed = compose(task_.start, robot_.believedPose());
       error = std::max(error, distanceBetween(robot_.truePose(), believed));
     }
     return parameters_.goal_radius + error + std::min(beside, error);

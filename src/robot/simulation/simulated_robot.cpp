@@ -19,7 +19,11 @@ double approachSpeed(const Point2& position, const Point2& velocity, const Point
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
-    : world_(world), parameters_(parameters), base_(parameters.base, start, seed), scanner_(parameters.scanner, ~seed) {
+    : world_(world),
+      parameters_(parameters),
+      base_(parameters.base, start, seed),
+      scanner_(parameters.scanner, ~seed),
+      localiser_(start, parameters.localisation_jump) {
   visitSimulatedRobotParameters(parameters, RangeCheck());
 }
 
@@ -82,6 +86,7 @@ void SimulatedRobot::advance(double seconds) {
     obeyCommands();
     const Point2 velocity = move(period);
     if (crowd_ != nullptr) letWalk(period, velocity);
+    localiser_.localise(base_.truePose(), base_.odometry());
     time_ += period;
     left -= period;
   }
@@ -93,7 +98,7 @@ void SimulatedRobot::sense(double range_cap, Situation* situation) {
   scan(&scan_);
   perceive(scan_, parameters_.scanner.mount, Hokuyo::rules(), range_cap, situation);
   situation->time = time_;
-  situation->pose = base_.odometry();
+  situation->pose = believedPose();
 }
 
 }  // namespace lstm_planner

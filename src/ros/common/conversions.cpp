@@ -68,11 +68,6 @@ SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner) 
   return mount;
 }
 
-Pose2 compose(const Pose2& parent, const Pose2& child) {
-  const Point2 position = toParentFrame(parent, {child.x, child.y});
-  return {position.x, position.y, normalizeAngle(parent.yaw + child.yaw)};
-}
-
 void compose(const Pose2& parent, const std::vector<Pose2>& children, std::vector<Pose2>* poses) {
   const double c = std::cos(parent.yaw);
   const double s = std::sin(parent.yaw);
@@ -89,23 +84,20 @@ void compose(const Pose2& parent, const std::vector<Pose2>& children, std::vecto
   }
 }
 
-void compose(const Pose2& parent, const std::vector<Pose2>& children, const std_msgs::Header& header,
-             std::vector<geometry_msgs::PoseStamped>* messages) {
-  const double c = std::cos(parent.yaw);
-  const double s = std::sin(parent.yaw);
-  messages->resize(children.size());
-  double child_yaw = std::numeric_limits<double>::quiet_NaN();
-  geometry_msgs::Pose pose;
-  for (std::size_t i = 0; i < children.size(); ++i) {
-    const Pose2& child = children[i];
-    if (child.yaw != child_yaw) {
-      child_yaw = child.yaw;
-      pose = toMessage({0.0, 0.0, normalizeAngle(parent.yaw + child_yaw)});
+void toMessages(const std::vector<Pose2>& poses, const std_msgs::Header& header,
+                std::vector<geometry_msgs::PoseStamped>* messages) {
+  messages->resize(poses.size());
+  double yaw = std::numeric_limits<double>::quiet_NaN();
+  geometry_msgs::Pose message;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (poses[i].yaw != yaw) {
+      yaw = poses[i].yaw;
+      message = toMessage(poses[i]);
     }
-    pose.position.x = parent.x + c * child.x - s * child.y;
-    pose.position.y = parent.y + s * child.x + c * child.y;
+    message.position.x = poses[i].x;
+    message.position.y = poses[i].y;
     (*messages)[i].header = header;
-    (*messages)[i].pose = pose;
+    (*messages)[i].pose = message;
   }
 }
 

@@ -52,6 +52,7 @@ Create2Stub::Create2Stub(const Create2StubParameters& parameters)
       robot_(world_, parameters.robot, parameters.start, parameters.seed),
       laser_(parameters.laser, parameters.seed + 1),
       driver_(parameters, &robot_, [this] { return driverTime(); }),
+      localiser_(parameters.start, parameters.localisation_jump),
       scans_(parameters.laser.rate),
       driver_loop_(parameters.loop_hz),
       encoders_(kEncoderRate),
@@ -178,7 +179,10 @@ void Create2Stub::advance() {
     publishScan();
     publishGroundTruth();
   }
-  if (driver_loop_.due(time_)) driver_.update(simulatedTime());
+  if (driver_loop_.due(time_)) {
+    driver_.update(simulatedTime());
+    if (isLocalised()) publishLocalisation();
+  }
 }
 
 void Create2Stub::publishScan() {
@@ -219,10 +223,17 @@ void Create2Stub::publishStaticTransforms() {
     transforms.push_back(transform(base_link, parameters_.laser_frame, now, parameters_.laser.mount.pose,
                                    parameters_.laser_height, parameters_.laser.mount.upside_down));
   }
-  if (parameters_.publish_map) {
+  if (parameters_.publish_map && !isLocalised()) {
     transforms.push_back(transform(parameters_.map_frame, parameters_.odom_frame, now, parameters_.start, 0.0));
   }
   static_broadcaster_.sendTransform(transforms);
+}
+
+void Create2Stub::publishLocalisation() {
+  localiser_.localise(robot_.robot().truePose(), driver_.odometry());
+  const Pose2 map_from_odometry = compose(parameters_.start, localiser_.correction());
+  broadcaster_.sendTransform(
+      transform(parameters_.map_frame, parameters_.odom_frame, driverTime(), map_from_odometry, 0.0));
 }
 
 void Create2Stub::publishMap() {

@@ -66,21 +66,20 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   const SensorReading reading = sensors_.read(now_);
   global_from_odometry_ = frames_.transform(global_frame_, reading.odometry_frame, now_);
   checkStart(start, compose(global_from_odometry_, reading.newest_pose));
+  corrections_.note(global_from_odometry_, reading.newest_pose);
   perceive(reading);
 
-  Pose2 goal_in_global_frame =
+  Pose2 global_goal =
       compose(frames_.transformAt(global_frame_, goal.frame, goal_message.header.stamp, now_), goal.pose);
-  const GoalTracker::Verdict verdict = ask(goal, &goal_in_global_frame);
-  const Point2 position = toLocalFrame(global_from_odometry_, {goal_in_global_frame.x, goal_in_global_frame.y});
-  const Pose2 odometry_goal{position.x, position.y, goal_in_global_frame.yaw - global_from_odometry_.yaw};
+  const GoalTracker::Verdict verdict = ask(goal, &global_goal);
   const bool driven = verdict != GoalTracker::Verdict::kQuestion;
   const Decision& decision =
-      driven ? drive(odometry_goal, reading, verdict == GoalTracker::Verdict::kNewGoal) : preview(odometry_goal);
-  rollOut(agent_.situation(), decision, agent_.shield(), odometry_goal, parameters_.agent, parameters_.rollout, &plan_);
-  toGlobalFrame(decision, goal_in_global_frame, plan);
+      driven ? drive(global_goal, reading, verdict == GoalTracker::Verdict::kNewGoal) : preview(global_goal);
+  rollOut(agent_.situation(), decision, agent_.shield(), global_goal, parameters_.agent, parameters_.rollout, &plan_);
+  toMessages(plan_, header(), plan);
   if (driven) {
     sayWhoLeads(decision);
-    publish(reading, decision, odometry_goal, *plan);
+    publish(decision, global_goal, *plan);
   }
   if (decision.source == Decision::Source::kNoPath) {
     throw PlanRefused("there is no path to the goal: the boundary of what is in the way was followed to its end");
@@ -101,10 +100,8 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
 
 void PlanMaker::perceive(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
-  agent_.perceive(scan_, reading.mount, reading.scan_pose, reading.scan_stamp);
-  if (costmap_.isUsed()) {
-    agent_.mark(costmap_.read(compose(global_from_odometry_, reading.scan_pose), agent_.situation().obstacles));
-  }
+  agent_.perceive(scan_, reading.mount, compose(global_from_odometry_, reading.scan_pose), reading.scan_stamp);
+  if (costmap_.isUsed()) agent_.mark(costmap_.read(agent_.situation().pose, agent_.situation().obstacles));
 }
 
 GoalTracker::Verdict PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
@@ -123,18 +120,20 @@ GoalTracker::Verdict PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_glob
 
 const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading, bool is_new) {
   const Point2 last_goal = agent_.goal();
-  switch (agent_.drive({goal.x, goal.y}, is_new, reading.jumps)) {
+  switch (agent_.drive({goal.x, goal.y}, is_new, reading.jumps + corrections_.jumps())) {
     case NavigationAgent::Fresh::kNewGoal:
       ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
       markers_.clearTrace();
       break;
     case NavigationAgent::Fresh::kJump:
-      ROS_WARN("the odometry jumped, the path so far and what was seen are forgotten; the goal stays");
+      ROS_WARN(
+          "the odometry jumped, or the localisation found the robot elsewhere: the path so far and what was seen "
+          "are forgotten; the goal stays");
       markers_.clearTrace();
       break;
     case NavigationAgent::Fresh::kGoalMoved:
-      ROS_WARN("the goal moved by %.2f m in the odometry frame, the path so far is forgotten",
-               distanceBetween(last_goal, goal));
+      ROS_WARN("the goal moved by %.2f m in %s, the path so far is forgotten", distanceBetween(last_goal, goal),
+               global_frame_.c_str());
       break;
     case NavigationAgent::Fresh::kNo:
       break;
@@ -153,29 +152,20 @@ const Decision& PlanMaker::preview(const Pose2& goal) {
   return preview_;
 }
 
-void PlanMaker::toGlobalFrame(const Decision& decision, const Pose2& goal,
-                              std::vector<geometry_msgs::PoseStamped>* plan) const {
+std_msgs::Header PlanMaker::header() const {
   std_msgs::Header header;
   header.frame_id = global_frame_;
   header.stamp = now_;
-  compose(global_from_odometry_, plan_, header, plan);
-  const Point2 position = toLocalFrame(global_from_odometry_, {goal.x, goal.y});
-  if (distanceBetween(decision.destination, position) < 1e-6) {
-    // Free of the rounding of there and back again.
-    plan->back().pose = toMessage(goal);
-  }
+  return header;
 }
 
-void PlanMaker::publish(const SensorReading& reading, const Decision& decision, const Pose2& goal,
+void PlanMaker::publish(const Decision& decision, const Pose2& goal,
                         const std::vector<geometry_msgs::PoseStamped>& plan) {
-  std_msgs::Header header;
-  header.frame_id = reading.odometry_frame;
-  header.stamp = now_;
-  markers_.publish(header, agent_.situation(), decision, goal);
-  decisions_.publish(header, agent_.situation(), decision, goal);
+  markers_.publish(header(), agent_.situation(), decision, goal);
+  decisions_.publish(header(), agent_.situation(), decision, goal);
   if (plan_publisher_.getNumSubscribers() > 0) {
     nav_msgs::Path path;
-    path.header = plan.front().header;
+    path.header = header();
     path.poses = plan;
     plan_publisher_.publish(path);
   }

@@ -19,11 +19,6 @@ constexpr double kWarnPeriod = 5.0;  // s
 constexpr Twist2 kStanding{0.0, 1e-9};
 const ros::WallDuration kPoll(0.05);
 
-Pose2 inverse(const Pose2& pose) {
-  const Point2 origin = toLocalFrame(pose, Point2());
-  return {origin.x, origin.y, -pose.yaw};
-}
-
 }  // namespace
 
 ScriptedTeleoperator::ScriptedTeleoperator(const TeleoperatorParameters& parameters)

@@ -65,6 +65,18 @@ inline Point2 toLocalFrame(const Pose2& pose, const Point2& point) {
   return {c * dx + s * dy, -s * dx + c * dy};
 }
 
+/// A pose given in the frame of `parent`, in the frame that `parent` is given in.
+inline Pose2 compose(const Pose2& parent, const Pose2& child) {
+  const Point2 position = toParentFrame(parent, {child.x, child.y});
+  return {position.x, position.y, normalizeAngle(parent.yaw + child.yaw)};
+}
+
+/// The frame in which `pose` is given, as a pose in the frame of `pose`.
+inline Pose2 inverse(const Pose2& pose) {
+  const Point2 origin = toLocalFrame(pose, {0.0, 0.0});
+  return {origin.x, origin.y, normalizeAngle(-pose.yaw)};
+}
+
 inline bool isFinite(const Pose2& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw);
 }

@@ -30,14 +30,15 @@ namespace lstm_planner {
 /// AgentParameters::leader puts the route, or nothing but the goal's bearing, in the network's place.
 ///
 /// The hidden state advances once a step (StepClock) and at no other time: asking twice gives the same answer. Not
-/// thread safe. All poses and goals are in the odometry frame.
+/// thread safe. All poses and goals are in one frame, in which the robot moves without jumps: the odometry frame, or
+/// one in which a localisation corrects it a little at a time.
 class NavigationAgent {
  public:
   /// Why the drive so far was forgotten.
   enum class Fresh {
     kNo,        ///< it was not
     kNewGoal,   ///< the goal was given anew
-    kJump,      ///< the odometry jumped: what was seen is forgotten, too
+    kJump,      ///< odometry or localisation jumped: what was seen is forgotten, too
     kGoalMoved  ///< the goal moved farther than localisation corrects while the odometry is sound
   };
 
@@ -58,7 +59,8 @@ class NavigationAgent {
   void mark(const std::vector<Point2>& obstacles);
 
   /// Decides about what was perceived last: decision(). `is_new`: the goal was given since the last call. `jumps`: how
-  /// often the odometry has jumped so far. Throws std::invalid_argument for a goal out of reach (checkGoal).
+  /// often odometry or localisation has jumped so far. Throws std::invalid_argument for a goal out of reach
+  /// (checkGoal).
   Fresh drive(const Point2& goal, bool is_new, long jumps);
 
   /// What drive() would decide for a goal that has just been set, and throw; changes nothing that it depends on.
@@ -67,7 +69,8 @@ class NavigationAgent {
   /// A new goal: forgets the hidden state, the step and the escape, but not what was seen on the way.
   void setGoal(const Point2& goal);
 
-  /// The same goal lies a little elsewhere in the odometry frame, because localisation was corrected: forgets nothing.
+  /// The same goal lies a little elsewhere in the frame of the poses, because localisation was corrected: forgets
+  /// nothing.
   void moveGoal(const Point2& goal);
 
   /// The odometry jumped: what was seen is somewhere else now. Forgets it, and all that setGoal() forgets.

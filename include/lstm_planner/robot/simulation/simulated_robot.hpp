@@ -8,6 +8,7 @@
 #include "lstm_planner/robot/simulation/create2.hpp"
 #include "lstm_planner/robot/simulation/crowd.hpp"
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
+#include "lstm_planner/robot/simulation/localiser.hpp"
 #include "lstm_planner/robot/simulation/world.hpp"
 
 namespace lstm_planner {
@@ -24,6 +25,7 @@ class SimulatedRobot {
     HokuyoParameters scanner;
     double physics_period = 0.02;
     double latency = 0.0;
+    double localisation_jump = 0.0;
   };
 
   /// `world` must outlive the robot.
@@ -37,7 +39,7 @@ class SimulatedRobot {
   /// Lets that much time pass, s.
   void advance(double seconds);
 
-  /// Scans from where the robot stands; `situation` is in the odometry frame.
+  /// Scans from where the robot stands; the pose of `situation` is believedPose().
   void sense(double range_cap, Situation* situation);
 
   /// The scan from where the robot stands, as the driver would publish it; `scan` is overwritten and its memory reused.
@@ -46,6 +48,8 @@ class SimulatedRobot {
   double time() const { return time_; }  ///< s since the start
   const Pose2& truePose() const { return base_.truePose(); }
   const Pose2& odometry() const { return base_.odometry(); }
+  /// Odometry, or as a localisation last corrected it; in the frame of odometry, which starts at the start.
+  Pose2 believedPose() const { return localiser_.correct(base_.odometry()); }
   const Twist2& measuredTwist() const { return base_.measuredTwist(); }
   /// How often the footprint started to touch something; not a walker that runs into it, unless it drives towards him.
   int contacts() const { return contacts_.contacts(); }
@@ -67,6 +71,7 @@ class SimulatedRobot {
   Parameters parameters_;
   Create2 base_;
   Hokuyo scanner_;
+  Localiser localiser_;
   LaserScan scan_;
   std::deque<Command> commands_;
   double time_ = 0.0;
@@ -82,6 +87,8 @@ template <typename Parameters, typename Visitor>
 void visitSimulatedRobotParameters(Parameters& robot, const Visitor& visit) {
   visit("physics_period", robot.physics_period, {1e-4, 1.0}, "s", "from one calculated motion to the next");
   visit("latency", robot.latency, {0.0, 10.0}, "s", "from a command to the wheels, to a whole physics period");
+  visit("localisation_jump", robot.localisation_jump, {0.0, 10.0}, "m",
+        "a localisation corrects odometry by a jump as soon as it is wrong by so much; 0: nothing localises");
 }
 
 }  // namespace lstm_planner

@@ -33,16 +33,14 @@ geometry_msgs::Pose toMessage(const Pose2& pose);
 /// tilted by more than 15 degrees: such a scan does not show the floor plan.
 SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner);
 
-/// A pose given in the frame of `parent`, in the frame that `parent` is given in.
-Pose2 compose(const Pose2& parent, const Pose2& child);
-
-/// The same for many poses, as in a plan; quick where neighbours have the same yaw. Overwrites `poses`, reusing its
-/// memory.
+/// compose() of base/common/geometry.hpp for many poses, as in a plan; quick where neighbours have the same yaw.
+/// Overwrites `poses`, reusing its memory.
 void compose(const Pose2& parent, const std::vector<Pose2>& children, std::vector<Pose2>* poses);
 
-/// The same as messages, all with that header.
-void compose(const Pose2& parent, const std::vector<Pose2>& children, const std_msgs::Header& header,
-             std::vector<geometry_msgs::PoseStamped>* messages);
+/// Many poses, as in a plan, all with that header; quick where neighbours have the same yaw. Overwrites `messages`,
+/// reusing its memory.
+void toMessages(const std::vector<Pose2>& poses, const std_msgs::Header& header,
+                std::vector<geometry_msgs::PoseStamped>* messages);
 
 /// Frame without the leading slash that old drivers put there and tf2 refuses.
 std::string frameName(const std::string& frame_id);

@@ -8,12 +8,14 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
+#include "lstm_planner/robot/simulation/localiser.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_driver.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_world.hpp"
@@ -61,6 +63,8 @@ class Create2Stub {
   void advance();
   void watchOthers();
   void publishStaticTransforms();
+  bool isLocalised() const { return parameters_.publish_map && parameters_.localisation_jump > 0.0; }
+  void publishLocalisation();
   void publishMap();
   void publishScan();
   void publishGroundTruth();
@@ -76,6 +80,7 @@ class Create2Stub {
   RobotInWorld robot_;
   Hokuyo laser_;
   Create2StubDriver driver_;
+  Localiser localiser_;
   std::uint64_t time_ = 0;  ///< ns, end of the last physics step
   Schedule scans_;
   Schedule driver_loop_;
@@ -90,6 +95,7 @@ class Create2Stub {
 
   ros::NodeHandle node_;
   ros::NodeHandle private_node_{"~"};
+  tf2_ros::TransformBroadcaster broadcaster_;
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   ros::Subscriber command_subscriber_;
   std::vector<ros::Subscriber> other_subscribers_;

@@ -34,6 +34,9 @@ class Create2StubDriver {
   /// Moves the odometry (not the robot) by `jump`, given in the base frame.
   void jumpOdometry(const Pose2& jump);
 
+  /// What it publishes.
+  Pose2 odometry() const;
+
  private:
   void onCommand(const geometry_msgs::Twist::ConstPtr& message);
   void drive(const Twist2& twist);
@@ -42,7 +45,6 @@ class Create2StubDriver {
   void publishBattery();
   void publishSensors();
   void publishDiagnostics();
-  Pose2 odometry() const;
 
   Create2StubParameters parameters_;
   RobotInWorld* robot_;

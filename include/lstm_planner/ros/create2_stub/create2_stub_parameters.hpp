@@ -30,6 +30,7 @@ struct Create2StubParameters {
   int circle_world = 1;
   std::string map_frame = "map";
   bool publish_map = false;
+  double localisation_jump = 0.0;
   Pose2 start;
   std::string others;
 
@@ -67,8 +68,9 @@ void visitCreate2StubParameters(Parameters& stub, const Visitor& visit) {
   visit("circle_radius", stub.circle_radius, {0.001, 100.0}, "m", "of circles without a column radius");
   visit("circle_world", stub.circle_world, {}, "", "which circles are meant where there is a column world");
   visit("map_frame", stub.map_frame, {}, "", "of the map and of ~ground_truth");
-  visit("publish_map", stub.publish_map, {}, "",
-        "the map, and the fixed transform map_frame -> odom_frame; for viewing");
+  visit("publish_map", stub.publish_map, {}, "", "the map, and the transform map_frame -> odom_frame; for viewing");
+  visit("localisation_jump", stub.localisation_jump, {0.0, 10.0}, "m",
+        "with publish_map: that transform is corrected as soon as odometry is wrong by so much; 0: it is fixed");
   visit("start", stub.start, {}, "m, m, rad", "of the robot, in the map frame");
 
   visit("others", stub.others, {}, "",

@@ -10,6 +10,7 @@
 
 #include "lstm_planner/robot/driving/goal_tracker.hpp"
 #include "lstm_planner/robot/driving/navigation_agent.hpp"
+#include "lstm_planner/robot/perception/correction_watch.hpp"
 #include "lstm_planner/ros/common/costmap_reader.hpp"
 #include "lstm_planner/ros/common/frame_transformer.hpp"
 #include "lstm_planner/ros/common/goal_listener.hpp"
@@ -29,6 +30,9 @@ class PlanRefused : public std::runtime_error {
 };
 
 /// Turns sensor readings and a goal into a plan: what LstmGlobalPlanner does once it is initialised. Not thread safe.
+///
+/// It thinks in the global frame. Where that is one in which a localisation corrects odometry, obstacles are remembered
+/// where they truly are, and the goal stays where it is.
 class PlanMaker {
  public:
   /// `name`: of the plugin; its topics live in "~/" + name. `global_frame`: the frame of the plans. `base_frame`: the
@@ -59,9 +63,8 @@ class PlanMaker {
   const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
   const Decision& preview(const Pose2& goal);
   void sayWhoLeads(const Decision& decision);
-  void toGlobalFrame(const Decision& decision, const Pose2& goal, std::vector<geometry_msgs::PoseStamped>* plan) const;
-  void publish(const SensorReading& reading, const Decision& decision, const Pose2& goal,
-               const std::vector<geometry_msgs::PoseStamped>& plan);
+  std_msgs::Header header() const;
+  void publish(const Decision& decision, const Pose2& goal, const std::vector<geometry_msgs::PoseStamped>& plan);
 
   GlobalPlannerParameters parameters_;
   std::string global_frame_;
@@ -79,11 +82,12 @@ class PlanMaker {
   DecisionPublisher decisions_;
   ros::Publisher plan_publisher_;
 
-  ros::Time now_;                                         ///< of the current call
+  ros::Time now_;  ///< of the current call
+  CorrectionWatch corrections_;
   Pose2 global_from_odometry_;                            ///< of the current call
   LaserScan scan_;                                        ///< of the current call
   Decision preview_;                                      ///< of the last question
-  std::vector<Pose2> plan_;                               ///< of the current call, odometry frame
+  std::vector<Pose2> plan_;                               ///< of the current call, global frame
   Pose2 driven_goal_;                                     ///< global frame
   Decision::Source leader_ = Decision::Source::kArrived;  ///< that was said last; none of the leaders at first
 };
