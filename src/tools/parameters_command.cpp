@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lstm_planner/ros/advice/drive_advice.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
 #include "lstm_planner/ros/demo/demo_runner.hpp"
@@ -68,6 +69,7 @@ std::vector<Node> nodes() {
   const Create2StubParameters stub;
   const TeleoperatorParameters driver;
   const BagReplayParameters replay;
+  const DriveAdviceParameters advice;
   const DemoParameters demo;
   std::vector<Node> all = {
       {"planner", "LstmGlobalPlanner", "config/lstm_planner.yaml", {}, changeableGlobalPlannerParameters()},
@@ -80,6 +82,7 @@ std::vector<Node> nodes() {
       {"stub", "create2_stub", "config/create2_stub.yaml", {}, {}},
       {"driver", "scripted_teleoperator", "config/scripted_teleoperator.yaml", {}, {}},
       {"replay", "bag_replay", "launch/replay.launch", {}, {}},
+      {"advice", "drive_advice", "launch/advice.launch", {}, {}},
       {"demo", "demo_runner", "launch/demo.launch", {}, {}}};
   visitGlobalPlannerParameters(planner, collectIn(&all[0].table));
   visitSteeringControllerParameters(controller, collectIn(&all[1].table));
@@ -87,7 +90,8 @@ std::vector<Node> nodes() {
   visitCreate2StubParameters(stub, collectIn(&all[3].table));
   visitTeleoperatorParameters(driver, collectIn(&all[4].table));
   visitBagReplayParameters(replay, collectIn(&all[5].table));
-  visitDemoParameters(demo, collectIn(&all[6].table));
+  visitDriveAdviceParameters(advice, collectIn(&all[6].table));
+  visitDemoParameters(demo, collectIn(&all[7].table));
   return all;
 }
 
@@ -128,8 +132,9 @@ int runParameters(const std::vector<std::string>& arguments) {
   std::string wanted;
   bool markdown = false;
   CommandLine line("parameters", "prints the parameters of plugins and nodes: default, range, unit and meaning");
-  line.addChoice("of", &wanted, names,
-                 "planner, controller, recorder, stub, driver, replay or demo; --of may be left out (default: all)")
+  line.addChoice(
+          "of", &wanted, names,
+          "planner, controller, recorder, stub, driver, replay, advice or demo; --of may be left out (default: all)")
       .standsAlone();
   line.addFlag("markdown", &markdown, true, "print tables in Markdown, as in config/parameters.md");
   if (!line.parse(arguments)) return 0;

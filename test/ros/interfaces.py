@@ -15,7 +15,7 @@ from tf2_msgs.msg import TFMessage
 
 PATIENCE = 30.0  # s
 NAMESPACES = {"bag_replay": "/replay"}  # of the nodes; what is global for them is remapped into it
-NODES = ("bag_replay", "create2_stub", "dataset_recorder", "demo_runner", "move_base", "scripted_teleoperator")
+NODES = ("bag_replay", "create2_stub", "dataset_recorder", "demo_runner", "drive_advice", "move_base", "scripted_teleoperator")
 ALL_NODES_HAVE = re.compile(r"/rosout|/(get_loggers|set_logger_level)$")
 BY_CLIENT = {"goal": "publishes", "cancel": "publishes", "status": "subscribes", "feedback": "subscribes",
              "result": "subscribes"}

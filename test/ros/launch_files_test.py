@@ -169,6 +169,30 @@ class LaunchFiles(unittest.TestCase):
                       "tf:=false")
         self.assertEqual({node.type for node in config.nodes}, {"dataset_recorder"})
 
+    def test_advice_takes_the_place_of_the_recorder_beside_the_same_robot_and_driver(self):
+        config = load("advice.launch", "teleop:=scripted", "rviz:=true", "map:=/m.yaml", "model:=/m.onnx",
+                      "waypoints:=[[6.5, 1.25]]", "decisions:=/d.csv", "start:=[2.0, 1.0, 0.5]")
+        self.check(config)
+        self.assertEqual({node.type for node in config.nodes},
+                         {"create2_stub", "drive_advice", "scripted_teleoperator", "rviz"})
+        self.assertEqual(self.parameter(config, "/drive_advice/LstmGlobalPlanner/model"), "/m.onnx")
+        self.assertEqual(self.parameter(config, "/drive_advice/LstmGlobalPlanner/leader"), "network")
+        self.assertEqual(self.parameter(config, "/drive_advice/decisions"), "/d.csv")
+        self.assertEqual(self.parameter(config, "/scripted_teleoperator/waypoints"), [[6.5, 1.25]])
+        self.assertEqual(self.parameter(config, "/create2_stub/start"), [2.0, 1.0, 0.5])
+        self.assertTrue(self.parameter(config, "/use_sim_time"))
+
+    def test_advice_for_another_robot_that_runs_already(self):
+        config = load("advice.launch", "teleop:=none", "rviz:=false", "base:=false", "laser:=false", "tf:=false",
+                      "robot:=turtlebot3_burger", "scan:=front", "odom:=wheels")
+        self.assertEqual([node.type for node in config.nodes], ["drive_advice"])
+        self.assertEqual(self.parameter(config, "/drive_advice/LstmGlobalPlanner/shield/footprint_radius"), 0.149)
+        self.assertEqual(self.parameter(config, "/drive_advice/LstmGlobalPlanner/scan_topic"), "front")
+        self.assertEqual(self.parameter(config, "/drive_advice/LstmGlobalPlanner/odom_topic"), "wheels")
+        self.assertNotIn("/use_sim_time", config.params)
+        real = {node.type for node in load("advice.launch", "teleop:=none", "rviz:=false").nodes}
+        self.assertEqual(real, {"drive_advice", "create_driver", "urg_node", "static_transform_publisher"})
+
     def test_a_replay_hands_its_arguments_on_and_decides_as_the_planner(self):
         config = load("replay.launch", "bag:=/drive.bag", "rviz:=true", "rate:=0", "model:=/m.onnx",
                       "mount:=[0.1, 0.0, 0.5]", "hindsight:=true", "goal_topic:=/goal")

@@ -220,6 +220,7 @@ void DriveRecorder::beginStep(const ScanHeard& scan) {
   step.geometry = geometryOf(scan);
   if (parameters_.keep_scans) step.ranges = scan.scan.ranges;
   step_ = std::move(step);
+  sink_->beginStep(*step_);
 }
 
 void DriveRecorder::labelStep() {

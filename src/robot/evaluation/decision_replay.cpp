@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -20,6 +22,15 @@ LaserScan scanOf(const DriveStep& step) {
           geometry.range_min, geometry.range_max, step.ranges};
 }
 
+std::string joined(const std::map<std::string, long>& counts, bool name_first) {
+  std::string text;
+  for (const auto& [name, count] : counts) {
+    const std::string number = std::to_string(count);
+    text += (text.empty() ? "" : ", ") + (name_first ? name + " " + number : number + " " + name);
+  }
+  return text;
+}
+
 bool isJump(EpisodeEnd end) { return end == EpisodeEnd::kTimeJump || end == EpisodeEnd::kOdometryJump; }
 
 }  // namespace
@@ -34,14 +45,27 @@ void DecisionReplay::beginEpisode(const Episode& episode) {
   ++episodes_;
 }
 
+void DecisionReplay::beginStep(const DriveStep& step) { advice_ = decideAbout(step); }
+
 void DecisionReplay::addStep(const DriveStep& step) {
+  ReplayedDecision replayed = advice_ && advice_->stamp == step.stamp ? std::move(*advice_) : decideAbout(step);
+  advice_.reset();
+  replayed.next_stamp = step.next_stamp;
+  replayed.next_pose = step.next_pose;
+  replayed.driven_angle = step.driven_angle;
+  replayed.driven_action = description().actions.nearest(step.driven_angle);
+  decisions_.push_back(std::move(replayed));
+}
+
+ReplayedDecision DecisionReplay::decideAbout(const DriveStep& step) {
   if (step.ranges.empty()) {
     throw std::invalid_argument("the step at " + std::to_string(step.stamp) +
                                 " s has no scan, without which nothing can be decided");
   }
-  if (!decisions_.empty() && step.stamp < decisions_.back().stamp) {
+  if (newest_ && step.stamp < *newest_) {
     ++jumps_;  // of the clock; OdometryHistory counts them, too
   }
+  newest_ = step.stamp;
   agent_.perceive(scanOf(step), step.geometry.mount, step.pose, step.stamp);
   agent_.drive(step.goal, is_new_goal_, jumps_);
   is_new_goal_ = false;
@@ -49,17 +73,13 @@ void DecisionReplay::addStep(const DriveStep& step) {
   ReplayedDecision replayed;
   replayed.episode = episodes_ - 1;
   replayed.stamp = step.stamp;
-  replayed.next_stamp = step.next_stamp;
   replayed.pose = step.pose;
-  replayed.next_pose = step.next_pose;
   replayed.goal = {step.goal.x, step.goal.y, episode_ ? episode_->goal.pose.yaw : 0.0};
   replayed.sectors = agent_.situation().sectors;
   replayed.decision = agent_.decision();
   replayed.steering_angle = normalizeAngle(replayed.decision.direction - step.pose.yaw);
   replayed.action = description().actions.nearest(replayed.steering_angle);
-  replayed.driven_angle = step.driven_angle;
-  replayed.driven_action = description().actions.nearest(step.driven_angle);
-  decisions_.push_back(std::move(replayed));
+  return replayed;
 }
 
 void DecisionReplay::endEpisode(double, EpisodeEnd end) {
@@ -93,6 +113,8 @@ Agreement agreementOf(const std::vector<ReplayedDecision>& decisions) {
     ++agreement.decisions;
     ++taken(replayed.driven_action, replayed.action);
     agreement.same_action += replayed.action == replayed.driven_action;
+    agreement.asked += replayed.decision.preferred >= 0;
+    agreement.preferred += replayed.decision.preferred >= 0 && replayed.decision.preferred == replayed.driven_action;
     agreement.mean_difference += std::abs(normalizeAngle(replayed.steering_angle - replayed.driven_angle));
   }
   if (agreement.decisions > 0) {
@@ -102,6 +124,38 @@ Agreement agreementOf(const std::vector<ReplayedDecision>& decisions) {
     agreement.majority_balanced = balancedAccuracy(constantAnswer(taken));
   }
   return agreement;
+}
+
+std::string describeReplay(const DecisionReplay& replay) {
+  std::map<std::string, long> sources;
+  for (const ReplayedDecision& replayed : replay.decisions()) {
+    ++sources[toString(replayed.decision.source)];
+  }
+  std::map<std::string, long> rejections;
+  for (int i = 0; i < kRejectionCount; ++i) {
+    const long count = replay.rejections()[static_cast<std::size_t>(i)];
+    if (count > 0) rejections[toString(static_cast<Rejection>(i))] = count;
+  }
+  const Agreement agreement = agreementOf(replay.decisions());
+  const auto percent = [](double share) { return std::to_string(std::lround(100.0 * share)) + " %"; };
+  std::ostringstream text;
+  text << agreement.decisions << " decisions";
+  if (agreement.decisions > 0) {
+    const long episodes = replay.decisions().back().episode + 1;
+    text << " in " << episodes << (episodes == 1 ? " episode (" : " episodes (") << joined(sources, true)
+         << "): the planner took the driver's steering angle at " << agreement.same_action << " ("
+         << percent(static_cast<double>(agreement.same_action) / static_cast<double>(agreement.decisions))
+         << ", balanced " << percent(agreement.balanced)
+         << "; always the driver's most frequent angle: " << percent(agreement.majority) << ", balanced "
+         << percent(agreement.majority_balanced) << "), their angles differ by "
+         << std::lround(agreement.mean_difference * 180.0 / M_PI) << " degrees on average";
+    if (agreement.asked > 0)
+      text << "; the network preferred it at " << agreement.preferred << " of " << agreement.asked;
+  }
+  if (!rejections.empty()) {
+    text << "; not decided about: " << joined(rejections, false);
+  }
+  return text.str();
 }
 
 void writeDecisions(const std::vector<ReplayedDecision>& decisions, std::ostream* out) {

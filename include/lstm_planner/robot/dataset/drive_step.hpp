@@ -114,6 +114,9 @@ class StepSink {
  public:
   virtual ~StepSink() = default;
   virtual void beginEpisode(const Episode& episode) = 0;
+  /// A step of the episode that was started last has begun: what will be driven is not known yet. When it is, addStep()
+  /// or reject() tells.
+  virtual void beginStep(const DriveStep& /*step*/) {}
   virtual void addStep(const DriveStep& step) = 0;  ///< of the episode that was started last
   virtual void endEpisode(double stamp, EpisodeEnd end) = 0;
   virtual void reject(Rejection rejection) = 0;

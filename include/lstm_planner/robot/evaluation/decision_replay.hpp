@@ -2,6 +2,7 @@
 
 #include <iosfwd>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lstm_planner/robot/dataset/drive_step.hpp"
@@ -26,9 +27,9 @@ struct ReplayedDecision {
   int driven_action = 0;        ///< index of the steering angle that is nearest to it
 };
 
-/// Asks the planner's agent at every step of a drive what it would do there. The steps come from a DriveRecorder, or
-/// from a dataset that has scans: nothing else is heard and no clock is read, so the same recording gives the same
-/// decisions.
+/// Asks the planner's agent at every step of a drive what it would do there. The steps come from a DriveRecorder, while
+/// somebody drives or from a recording, or from a dataset that has scans: nothing else is heard and no clock is read,
+/// so the same recording gives the same decisions.
 ///
 /// As in the robot the agent remembers what it has seen; a new episode is a new goal to it unless only the clock or the
 /// odometry has jumped.
@@ -38,17 +39,26 @@ class DecisionReplay : public StepSink {
   DecisionReplay(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules);
 
   void beginEpisode(const Episode& episode) override;
-  /// Throws std::invalid_argument when the step has no scan, or one that the model was not made for.
+  /// Decides: advice(). Throws as addStep().
+  void beginStep(const DriveStep& step) override;
+  /// Decides, unless that was done when the step began, and notes what the driver did: decisions(). Throws
+  /// std::invalid_argument when the step has no scan, or one that the model was not made for.
   void addStep(const DriveStep& step) override;
   void endEpisode(double stamp, EpisodeEnd end) override;
   void reject(Rejection rejection) override { ++rejections_[static_cast<std::size_t>(rejection)]; }
 
   const std::vector<ReplayedDecision>& decisions() const { return decisions_; }
+  /// What was decided about the step that has begun; all but what the driver does. Empty once that is known.
+  const std::optional<ReplayedDecision>& advice() const { return advice_; }
   const RejectionCounts& rejections() const { return rejections_; }
   const PolicyDescription& description() const { return agent_.policy().description(); }
 
  private:
+  ReplayedDecision decideAbout(const DriveStep& step);
+
   NavigationAgent agent_;
+  std::optional<ReplayedDecision> advice_;
+  std::optional<double> newest_;  ///< s, the stamp that was decided about last
   std::vector<ReplayedDecision> decisions_;
   RejectionCounts rejections_{};
   long episodes_ = 0;
@@ -61,7 +71,7 @@ class DecisionReplay : public StepSink {
 RecorderParameters replayParameters(const PolicyDescription& description, const AgentParameters& agent,
                                     const ScanRules& rules);
 
-/// How often planner and driver did the same.
+/// How often planner and driver did the same. All shares are 0 without decisions.
 struct Agreement {
   long decisions = 0;
   long same_action = 0;            ///< the same steering angle
@@ -69,8 +79,15 @@ struct Agreement {
   double balanced = 0.0;           ///< share of the same, the mean over the angles that the driver took
   double majority = 0.0;           ///< the share of the same that always taking the driver's most frequent angle has
   double majority_balanced = 0.0;  ///< and its balanced share
+  long asked = 0;                  ///< decisions for which the network was asked
+  long preferred = 0;              ///< of these, where it preferred the driver's angle of all (thesis Eq. 4.3)
 };
 Agreement agreementOf(const std::vector<ReplayedDecision>& decisions);
+
+/// "71 decisions in 2 episodes (network 60, goal in sight 11): the planner took the driver's steering angle at 52 (73
+/// %, balanced 61 %; always the driver's most frequent angle: ...), their angles differ by 14 degrees on average; the
+/// network preferred it at 40 of 60; not decided about: 5 standing".
+std::string describeReplay(const DecisionReplay& replay);
 
 /// CSV: one row a decision with episode, stamp, source, action, steering_angle, driven_action, driven_angle, and the
 /// network's preferences, separated by spaces. Angles in rad.

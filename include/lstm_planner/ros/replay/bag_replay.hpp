@@ -8,11 +8,9 @@
 
 #include "lstm_planner/robot/evaluation/decision_replay.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
-#include "lstm_planner/ros/planner/decision_publisher.hpp"
-#include "lstm_planner/ros/planner/marker_publisher.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
-#include "lstm_planner/ros/replay/bag_replay_driver.hpp"
 #include "lstm_planner/ros/replay/bag_replay_player.hpp"
+#include "lstm_planner/ros/replay/decision_display.hpp"
 
 namespace lstm_planner {
 
@@ -54,8 +52,7 @@ BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node)
 /// decided at each step beside what the driver did.
 ///
 /// All is decided before anything is played, from the stamps of the recording, so neither the rate nor the load of the
-/// computer has a say in it. Topics: ~LstmGlobalPlanner/markers and ~LstmGlobalPlanner/decision, stamped as the scan
-/// that was decided about; ~driver (BagReplayDriver).
+/// computer has a say in it. Topics: those of DecisionDisplay.
 class BagReplay {
  public:
   /// Reads the recording and decides. Throws std::invalid_argument when that cannot be done.
@@ -68,7 +65,6 @@ class BagReplay {
   void writeDecisionsFile() const;
   void waitForListeners() const;
   void showDecisionsUntil(const ros::Time& time);
-  void show(const ReplayedDecision& replayed);
 
   BagReplayParameters parameters_;
   DecisionReplay replay_;
@@ -76,13 +72,7 @@ class BagReplay {
   BagReplayPlayer player_;
   std::size_t shown_ = 0;  ///< decisions
 
-  MarkerPublisher markers_;
-  DecisionPublisher decisions_;
-  BagReplayDriver driver_;
+  DecisionDisplay display_;
 };
-
-/// "71 decisions in 2 episodes (network 60, goal in sight 11): the planner took the driver's steering angle at 52 (73
-/// %), their angles differ by 14 degrees on average; not decided about: 5 standing".
-std::string describeReplay(const DecisionReplay& replay);
 
 }  // namespace lstm_planner

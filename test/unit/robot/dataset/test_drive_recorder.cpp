@@ -105,6 +105,22 @@ TEST_F(DriveRecorderTest, MakesAStepEveryPeriodOfADrive) {
   }
 }
 
+TEST_F(DriveRecorderTest, TellsOfAStepWhenItBegins) {
+  /// The stamps of steps that have begun and, negative, of those that were labelled.
+  struct Order : public StepList {
+    void beginStep(const DriveStep& step) override { stamps.push_back(step.stamp); }
+    void addStep(const DriveStep& step) override { stamps.push_back(-step.stamp); }
+    std::vector<double> stamps;
+  } order;
+  DrivenRobot robot;
+  robot.events.push_back(goalAt(robot.time(), 10.0, 0.0));
+  robot.drive(1.2, {0.3, 0.0});
+  DriveRecorder recorder(parameters_, &order, odometryFrameOnly);
+  for (const DriveEvent& event : robot.events) recorder.add(event);
+  recorder.finish();
+  EXPECT_EQ(order.stamps, (std::vector<double>{100.0, -100.0, 100.5, -100.5, 101.0}));
+}
+
 TEST_F(DriveRecorderTest, TakesThePoseAtTheScansStampFromTheOdometryAroundIt) {
   DrivenRobot robot(100.04);
   robot.events.push_back(goalAt(robot.time(), 10.0, 0.0));

@@ -61,6 +61,34 @@ TEST(DecisionReplayTest, TellsWhatPlannerAndDriverDidAtEachStep) {
   EXPECT_EQ(second.driven_angle, 0.0);
 }
 
+TEST(DecisionReplayTest, AdvisesWhenAStepBeginsAndTellsWhatWasDrivenAfterwards) {
+  DecisionReplay replay = leftwards();
+  replay.beginEpisode(episodeTo(20.0));
+  for (int n = 0; n < 10; ++n) {
+    replay.beginStep(step(n));
+    ASSERT_TRUE(replay.advice());
+    EXPECT_EQ(replay.advice()->action, 3);
+    EXPECT_EQ(replay.decisions().size(), static_cast<std::size_t>(n));
+    replay.addStep(step(n));
+    EXPECT_FALSE(replay.advice());
+  }
+  DecisionReplay afterwards = leftwards();
+  afterwards.beginEpisode(episodeTo(20.0));
+  drive(0, 10, &afterwards);
+  EXPECT_EQ(asText(replay), asText(afterwards)) << "it was asked twice about a step";
+}
+
+TEST(DecisionReplayTest, AStepWhoseLabelDoesNotBecomeKnownIsNotCounted) {
+  DecisionReplay replay = leftwards();
+  replay.beginEpisode(episodeTo(20.0));
+  replay.beginStep(step(0));
+  replay.reject(Rejection::kNoAllowedAngle);
+  replay.beginStep(step(1));
+  replay.addStep(step(1));
+  ASSERT_EQ(replay.decisions().size(), 1u);
+  EXPECT_EQ(replay.decisions()[0].stamp, step(1).stamp);
+}
+
 TEST(DecisionReplayTest, TheSameStepsGiveTheSameDecisionsWhateverElseIsReplayedBefore) {
   DecisionReplay once = leftwards();
   once.beginEpisode(episodeTo(20.0));
@@ -86,6 +114,13 @@ TEST(DecisionReplayTest, CountsHowOftenPlannerAndDriverAgree) {
   EXPECT_EQ(agreement.balanced, (0.0 + 1.0) / 2.0) << "none of the steps straight on, the one to the left";
   EXPECT_EQ(agreement.majority, 3.0 / 4.0);
   EXPECT_EQ(agreement.majority_balanced, 1.0 / 2.0);
+  EXPECT_EQ(agreement.asked, 4);
+  EXPECT_EQ(agreement.preferred, 1);
+  EXPECT_EQ(
+      describeReplay(replay),
+      "4 decisions in 1 episode (network 4): the planner took the driver's steering angle at 1 (25 %, balanced 50 %; "
+      "always the driver's most frequent angle: 75 %, balanced 50 %), their angles differ by 35 degrees on average; "
+      "the network preferred it at 1 of 4");
   EXPECT_EQ(agreementOf({}).decisions, 0);
   EXPECT_EQ(agreementOf({}).mean_difference, 0.0);
 }

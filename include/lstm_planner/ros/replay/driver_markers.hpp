@@ -14,12 +14,16 @@ namespace lstm_planner {
 ///
 /// Namespaces: path (blue), driven (blue: an arrow for the driver's angle at each step), planned (an arrow for the
 /// planner's, green where it is the same steering angle, red where it is not), agreement (how often it was so far).
-class BagReplayDriver {
+class DriverMarkers {
  public:
-  explicit BagReplayDriver(ros::NodeHandle node_handle);
+  explicit DriverMarkers(ros::NodeHandle node_handle);
 
   /// `frame`: the odometry's.
   void add(const ReplayedDecision& replayed, const std::string& frame);
+
+  /// Forgets path and arrows, so that a long drive does not fill messages without end; they leave the screen when the
+  /// next step is shown. What was agreed on counts on.
+  void clear();
 
   bool isListenedTo() const { return publisher_.getNumSubscribers() > 0; }
 

@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/replay/bag_replay_driver.hpp"
+#include "lstm_planner/ros/replay/driver_markers.hpp"
 
 #include <cstdio>
 
@@ -47,7 +47,7 @@ void addArrow(const Pose2& pose, double angle, double length, double height, con
 
 }  // namespace
 
-BagReplayDriver::BagReplayDriver(ros::NodeHandle node_handle)
+DriverMarkers::DriverMarkers(ros::NodeHandle node_handle)
     // Latched: whoever looks later sees all of the path, too.
     : publisher_(node_handle.advertise<visualization_msgs::MarkerArray>("driver", 1, true)) {
   markers_.markers = {markerOfWidth("path", Marker::LINE_LIST, 0.05, kDriverColor),
@@ -56,7 +56,14 @@ BagReplayDriver::BagReplayDriver(ros::NodeHandle node_handle)
                       markerOfWidth("agreement", Marker::TEXT_VIEW_FACING, 0.3, makeColor(0.1, 0.1, 0.1))};
 }
 
-void BagReplayDriver::add(const ReplayedDecision& replayed, const std::string& frame) {
+void DriverMarkers::clear() {
+  for (Marker& each : markers_.markers) {
+    each.points.clear();
+    each.colors.clear();
+  }
+}
+
+void DriverMarkers::add(const ReplayedDecision& replayed, const std::string& frame) {
   const bool same = replayed.action == replayed.driven_action;
   ++steps_;
   agreed_ += same;

@@ -1,0 +1,147 @@
+#include "lstm_planner/ros/advice/drive_advice.hpp"
+
+#include <diagnostic_msgs/DiagnosticStatus.h>
+#include <ros/callback_queue.h>
+
+#include <exception>
+
+#include "lstm_planner/base/common/output_file.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+// Five seconds of a fast scanner, and more of odometry.
+constexpr int kScanQueue = 200;
+constexpr int kOdometryQueue = 1000;
+constexpr int kGoalQueue = 20;
+
+RecorderParameters stepParameters(const PolicyDescription& description, const DriveAdviceParameters& parameters) {
+  const SensorParameters& sensors = parameters.planner.sensors;
+  RecorderParameters steps = replayParameters(description, parameters.planner.agent, sensors.scan_rules);
+  steps.delay = parameters.delay;
+  steps.max_speed = sensors.max_speed;
+  return steps;
+}
+
+void add(const std::string& key, double value, DiagnosticStatus* status) {
+  diagnostic_msgs::KeyValue entry;
+  entry.key = key;
+  entry.value = std::to_string(value);
+  status->values.push_back(entry);
+}
+
+}  // namespace
+
+DriveAdvice::DriveAdvice(const DriveAdviceParameters& parameters)
+    : parameters_(parameters),
+      replay_(DrivePolicy::fromFile(resolvePackagePath(parameters.planner.model)), parameters.planner.agent,
+              parameters.planner.sensors.scan_rules),
+      tf_listener_(&tf_),
+      messages_(tf_, parameters.base_frame, std::nullopt, stepParameters(replay_.description(), parameters), this),
+      display_(replay_.description()),
+      agreement_(ros::NodeHandle("~").advertise<DiagnosticStatus>("agreement", 1, true)) {
+  subscribe<sensor_msgs::LaserScan>(parameters.planner.sensors.scan_topic, kScanQueue,
+                                    [this](const auto& scan, const ros::Time& now) { messages_.hear(scan, now); });
+  subscribe<nav_msgs::Odometry>(parameters.planner.sensors.odom_topic, kOdometryQueue,
+                                [this](const auto& odometry, const ros::Time& now) { messages_.hear(odometry, now); });
+  for (const std::string& topic : {std::string("move_base_simple/goal"), parameters.goal_topic}) {
+    subscribe<geometry_msgs::PoseStamped>(
+        topic, kGoalQueue, [=](const auto& goal, const ros::Time& now) { messages_.hearGoal(goal, topic, now); });
+  }
+  subscribe<move_base_msgs::MoveBaseActionGoal>(
+      "move_base/goal", kGoalQueue,
+      [this](const auto& goal, const ros::Time& now) { messages_.hear(goal, "move_base/goal", now); });
+  subscribe<actionlib_msgs::GoalID>("move_base/cancel", kGoalQueue,
+                                    [this](const auto& cancel, const ros::Time& now) { messages_.hear(cancel, now); });
+  subscribe<move_base_msgs::MoveBaseActionResult>(
+      "move_base/result", kGoalQueue,
+      [this](const auto& result, const ros::Time& now) { messages_.hear(result, now); });
+}
+
+template <typename Message>
+void DriveAdvice::subscribe(const std::string& topic, int queue,
+                            const std::function<void(const Message&, const ros::Time&)>& hear) {
+  const auto guarded = [hear](const boost::shared_ptr<const Message>& message) {
+    try {
+      hear(*message, ros::Time::now());
+    } catch (const std::exception& error) {
+      ROS_ERROR_THROTTLE(10.0, "%s", error.what());
+    }
+  };
+  // Without tcpNoDelay a scan is held back until the one before is acknowledged: up to 40 ms.
+  subscribers_.push_back(node_.subscribe<Message>(topic, static_cast<std::uint32_t>(queue), guarded,
+                                                  ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+}
+
+int DriveAdvice::run(const volatile std::sig_atomic_t& stop) {
+  while (ros::ok() && stop == 0) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
+  }
+  messages_.recorder().finish();
+  ROS_INFO("in all: %s", describeReplay(replay_).c_str());
+  if (parameters_.decisions.empty()) return 0;
+  try {
+    writeOutputFile("file", parameters_.decisions,
+                    [this](std::ostream& file) { writeDecisions(replay_.decisions(), &file); });
+  } catch (const std::exception& error) {
+    ROS_ERROR("%s", error.what());
+    return 1;
+  }
+  return 0;
+}
+
+void DriveAdvice::beginEpisode(const Episode& episode) {
+  replay_.beginEpisode(episode);
+  display_.clearPath();
+}
+
+void DriveAdvice::beginStep(const DriveStep& step) {
+  replay_.beginStep(step);
+  display_.showAdvice(*replay_.advice(), messages_.odometryFrame());
+}
+
+void DriveAdvice::addStep(const DriveStep& step) {
+  replay_.addStep(step);
+  display_.showDriver(replay_.decisions().back(), messages_.odometryFrame());
+  publishAgreement();
+}
+
+void DriveAdvice::endEpisode(double stamp, EpisodeEnd end) {
+  replay_.endEpisode(stamp, end);
+  ROS_INFO("the drive has ended (%s); so far %s", toString(end), describeReplay(replay_).c_str());
+}
+
+void DriveAdvice::reject(Rejection rejection) {
+  replay_.reject(rejection);
+  const bool is_unusable = rejection == Rejection::kNoOdometry || rejection == Rejection::kNoTransform ||
+                           rejection == Rejection::kUnusableScan || rejection == Rejection::kNotFinite ||
+                           rejection == Rejection::kLate;
+  if (is_unusable && !messages_.odometryFrame().empty()) {
+    ROS_WARN_THROTTLE(10.0, "what was heard last was not decided about: %s", toString(rejection));
+  }
+}
+
+void DriveAdvice::publishAgreement() {
+  const Agreement agreement = agreementOf(replay_.decisions());
+  const auto share = [](long count, long all) {
+    return all > 0 ? static_cast<double>(count) / static_cast<double>(all) : 0.0;
+  };
+  DiagnosticStatus status;
+  status.name = "drive_advice: agreement";
+  status.message = describeReplay(replay_);
+  add("decisions", static_cast<double>(agreement.decisions), &status);
+  add("same", static_cast<double>(agreement.same_action), &status);
+  add("accuracy", share(agreement.same_action, agreement.decisions), &status);
+  add("balanced", agreement.balanced, &status);
+  add("majority", agreement.majority, &status);
+  add("majority_balanced", agreement.majority_balanced, &status);
+  add("mean_difference", agreement.mean_difference, &status);
+  add("network", share(agreement.preferred, agreement.asked), &status);
+  agreement_.publish(status);
+}
+
+}  // namespace lstm_planner
