@@ -25,6 +25,7 @@ void finish(GridOptions* options) {
   }
   selection.maps = selectionNamed(options->maps);
   options->agent.corner_cutting = options->evaluation.rules.corner_cutting;
+  options->agent.costs = moveCosts(options->straight_cost, options->diagonal_cost);
 }
 
 }  // namespace
@@ -59,6 +60,10 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
   line->add("scale", &agent.heuristic.scale, {0.0, kLargestEuclideanScale}, "of scaled_euclidean");
   line->addFlag("keep-closed", &agent.keep_closed, true,
                 "A* expands no cell twice, also where a heuristic that overestimates led to it by a detour");
+  line->addFlag("four-moves", &agent.diagonal_moves, false, "A* makes no diagonal moves");
+  line->add("straight-cost", &options->straight_cost, {0.01, 100.0}, "of A*: c of the thesis (Eq. 1.3)");
+  line->add("diagonal-cost", &options->diagonal_cost, {0.01, 200.0},
+            "of A*: d of the thesis (Eq. 1.4), from c to 2 c; paths are measured as they are long all the same");
   line->add("threads", &options->evaluation.threads, kAnyThreads, "episodes at a time; does not change the result");
   line->whenParsed([options] { finish(options); });
 }

@@ -17,6 +17,8 @@ struct GridOptions {
   GridEvaluationOptions evaluation;
   GridAgentOptions agent;
 
+  double straight_cost = 1.0;
+  double diagonal_cost = moveLength(1);
   std::string maps = "all";  ///< train, validation or all, as `selection` says it
 };
 

@@ -29,6 +29,8 @@ GridAgentMaker aStarMaker(const GridAgentOptions& options) {
   checkHeuristic(options.heuristic);
   AStarParameters parameters{options.heuristic, options.corner_cutting};
   if (options.keep_closed) parameters.closed_cells = ClosedCells::kStayClosed;
+  parameters.costs = options.costs;
+  parameters.diagonal_moves = options.diagonal_moves;
   return [parameters](const PassableGrid& grid) { return std::make_unique<AStarAgent>(grid, parameters); };
 }
 

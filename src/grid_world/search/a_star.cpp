@@ -51,7 +51,7 @@ void AStar::beginSearch() {
 
 void AStar::open(CellIndex cell, int direction, MoveCost cost, CellIndex goal) {
   node(cell) = {cost, search_, static_cast<std::uint8_t>(direction), false};
-  open_.push_back({cost + estimateCost(parameters_.heuristic, cell, goal), cost, cell});
+  open_.push_back({cost + estimateCost(parameters_.heuristic, cell, goal, parameters_.costs), cost, cell});
   std::push_heap(open_.begin(), open_.end(), Later{});
   most_open_ = std::max(most_open_, open_.size());
 }
@@ -61,10 +61,10 @@ void AStar::expand(CellIndex cell, CellIndex goal) {
   const bool stays_closed = parameters_.closed_cells == ClosedCells::kStayClosed;
   const std::array<bool, kGridMoveCount> possible =
       possibleMoves(passableAround(*grid_, cell), parameters_.corner_cutting);
-  for (int direction = 0; direction < kGridMoveCount; ++direction) {
+  for (int direction = 0; direction < kGridMoveCount; direction += parameters_.diagonal_moves ? 1 : 2) {
     if (!possible[static_cast<std::size_t>(direction)]) continue;
     const CellIndex beside = cellBeside(cell, direction);
-    const MoveCost cost_beside = cost + moveCost(direction);
+    const MoveCost cost_beside = cost + (direction % 2 == 0 ? parameters_.costs.straight : parameters_.costs.diagonal);
     const Node& known = node(beside);
     const bool reached = known.search == search_;
     if (reached && (known.cost <= cost_beside || (known.closed && stays_closed))) continue;

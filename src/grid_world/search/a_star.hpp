@@ -21,10 +21,12 @@ struct AStarParameters {
   HeuristicParameters heuristic;
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   ClosedCells closed_cells = ClosedCells::kReopen;
+  MoveCosts costs = {};
+  bool diagonal_moves = true;  ///< false: the thesis's first variant, four moves
 };
 
 struct AStarResult {
-  GridPath path;               ///< a shortest one if the heuristic is admissible; empty when there is no path
+  GridPath path;               ///< a cheapest one if the heuristic never overestimates; empty when there is no path
   std::size_t expanded = 0;    ///< cells taken from the open list; a cell that was opened again counts again
   std::size_t peak_bytes = 0;  ///< of the search, without the grid
 };

@@ -1,10 +1,20 @@
 #include "lstm_planner/grid_world/search/grid_path.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "lstm_planner/base/common/parameter_check.hpp"
+
 namespace lstm_planner {
+
+MoveCosts moveCosts(double straight, double diagonal) {
+  checkRange("the cost of a straight move", straight, 0.01, 100.0);
+  checkRange("the cost of a diagonal move", diagonal, straight, 2.0 * straight);
+  const auto cost = [](double cells) { return std::llround(cells * static_cast<double>(kStraightCost)); };
+  return {cost(straight), cost(diagonal)};
+}
 
 int directionBetween(CellIndex from, CellIndex to) {
   const int direction = rayBetween(from, to);

@@ -36,16 +36,16 @@ bool isAdmissible(const HeuristicParameters& heuristic) {
   }
 }
 
-MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, CellIndex to) {
+MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, CellIndex to, const MoveCosts& costs) {
   const MoveCost columns = std::abs(from.column - to.column);
   const MoveCost rows = std::abs(from.row - to.row);
   switch (heuristic.kind) {
     case Heuristic::kManhattan:
-      return kStraightCost * (columns + rows);
+      return costs.straight * (columns + rows);
     case Heuristic::kChebyshev:
-      return kStraightCost * std::max(columns, rows);
+      return costs.straight * std::max(columns, rows);
     case Heuristic::kOctile:
-      return kStraightCost * (columns + rows) + (kDiagonalCost - 2 * kStraightCost) * std::min(columns, rows);
+      return costs.straight * (columns + rows) + (costs.diagonal - 2 * costs.straight) * std::min(columns, rows);
     case Heuristic::kEuclidean:
       return straightLine(columns, rows, 1.0);
     case Heuristic::kScaledEuclidean:

@@ -17,6 +17,8 @@ struct GridAgentOptions {
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   HeuristicParameters heuristic;                   ///< of A*
   bool keep_closed = false;                        ///< of A*: cells are expanded once, however reached later
+  MoveCosts costs;                                 ///< of A*
+  bool diagonal_moves = true;                      ///< of A*; false: it has four moves
   bool shield = true;                              ///< of a network: moves into something sensed are not chosen
   bool escape = true;                              ///< of a network: boundary following when it gets nowhere
   int patience = GridEscapeParameters().patience;  ///< steps without progress before an escape

@@ -19,6 +19,16 @@ constexpr MoveCost kStraightCost = 93222358;
 constexpr MoveCost kDiagonalCost = 131836323;
 static_assert(kDiagonalCost * kDiagonalCost - 2 * kStraightCost * kStraightCost == 1, "a convergent from above");
 
+/// What a search takes moves to cost: c and d of thesis Eq. 1.2-1.4. The lengths of paths do not depend on it.
+struct MoveCosts {
+  MoveCost straight = kStraightCost;
+  MoveCost diagonal = kDiagonalCost;
+};
+
+/// From numbers of cells. Throws std::invalid_argument unless 0.01 <= straight <= 100 and straight <= diagonal <= 2
+/// straight: of more no diagonal would be worth it, of less every detour over diagonals.
+MoveCosts moveCosts(double straight, double diagonal);
+
 constexpr MoveCost moveCost(int direction) { return direction % 2 == 0 ? kStraightCost : kDiagonalCost; }
 
 /// A path through a grid, from its first cell to its last.

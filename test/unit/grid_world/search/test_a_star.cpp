@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "grid_world/search/a_star.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
@@ -96,6 +98,79 @@ TEST(AStar, FindsAShortestPathWithEveryAdmissibleHeuristic) {
       }
     }
   }
+}
+
+/// The cost of the cheapest path, cells; infinite without one. Bellman and Ford's, which needs no heuristic.
+double cheapest(const PassableGrid& grid, CellIndex start, CellIndex goal, double straight, double diagonal, int step) {
+  std::vector<double> cost(grid.size(), std::numeric_limits<double>::infinity());
+  cost[grid.offset(start)] = 0.0;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (CellIndex cell{0, 0}; cell.row < grid.rows(); ++cell.row) {
+      for (cell.column = 0; cell.column < grid.columns(); ++cell.column) {
+        for (int direction = 0; direction < kGridMoveCount; direction += step) {
+          if (!movePossible(grid, cell, direction, CornerCutting::kForbidden)) continue;
+          const double through = cost[grid.offset(cell)] + (direction % 2 == 0 ? straight : diagonal);
+          double& beside = cost[grid.offset(cellBeside(cell, direction))];
+          if (through < beside - 1e-9) {
+            beside = through;
+            changed = true;
+          }
+        }
+      }
+    }
+  }
+  return cost[grid.offset(goal)];
+}
+
+TEST(AStar, FindsACheapestPathWhateverMovesThereAreAndWhatTheyCost) {
+  struct Variant {
+    double straight, diagonal;
+    bool diagonal_moves;
+    Heuristic heuristic;
+  };
+  std::mt19937 random(4);
+  const CellIndex start{1, 1};
+  const CellIndex goal{28, 17};
+  for (int round = 0; round < 20; ++round) {
+    const PassableGrid grid = randomGrid(30, 20, 30, random, {start, goal});
+    for (const Variant& v : {Variant{1.0, 1.5, false, Heuristic::kManhattan},
+                             {3.0, 3.0, true, Heuristic::kOctile},
+                             {3.0, 3.0, true, Heuristic::kChebyshev},
+                             {1.0, 1.9, true, Heuristic::kOctile}}) {
+      AStarParameters parameters{{v.heuristic}};
+      parameters.costs = moveCosts(v.straight, v.diagonal);
+      parameters.diagonal_moves = v.diagonal_moves;
+      const GridPath path = AStar(grid, parameters).find(start, goal).path;
+      const double expected = cheapest(grid, start, goal, v.straight, v.diagonal, v.diagonal_moves ? 1 : 2);
+      ASSERT_EQ(path.found(), std::isfinite(expected));
+      if (!path.found()) continue;
+      expectPossible(grid, path, start, goal, CornerCutting::kForbidden);
+      EXPECT_NEAR(
+          v.straight * static_cast<double>(path.straight_moves) + v.diagonal * static_cast<double>(path.diagonal_moves),
+          expected, 1e-6);
+      EXPECT_TRUE(v.diagonal_moves || path.diagonal_moves == 0);
+    }
+  }
+}
+
+TEST(AStar, ExpandsOnlyAPathWhereNothingIsInTheWayAndCostsMatchTheHeuristic) {
+  const PassableGrid grid(60, 60, true);
+  AStarParameters four{{Heuristic::kManhattan}};
+  four.diagonal_moves = false;
+  EXPECT_EQ(AStar(grid, four).find({5, 5}, {25, 15}).expanded, 31u);  // 30 moves, thesis Figure 1.7
+  AStarParameters chebyshev{{Heuristic::kOctile}};
+  chebyshev.costs = moveCosts(1.0, 1.0);
+  EXPECT_EQ(AStar(grid, chebyshev).find({5, 5}, {25, 15}).expanded, 21u);
+}
+
+TEST(MoveCosts, AreRefusedWhereDiagonalsAreNeverOrAlwaysWorthIt) {
+  EXPECT_EQ(moveCosts(1.0, std::sqrt(2.0)).straight, kStraightCost);
+  EXPECT_EQ(moveCosts(1.0, std::sqrt(2.0)).diagonal, kDiagonalCost);
+  EXPECT_THROW(moveCosts(1.0, 2.1), std::invalid_argument);
+  EXPECT_THROW(moveCosts(1.0, 0.9), std::invalid_argument);
+  EXPECT_THROW(moveCosts(0.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(moveCosts(std::nan(""), 1.0), std::invalid_argument);
 }
 
 /// Sums over random grids from corner to corner.

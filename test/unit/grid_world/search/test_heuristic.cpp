@@ -25,6 +25,17 @@ TEST(Heuristic, FollowsTheThesisEquations) {
   EXPECT_NEAR(cells({Heuristic::kScaledEuclidean, 0.5}, from, to), 2.5, kUnit);
 }
 
+TEST(Heuristic, CountsMovesAsTheyCost) {
+  const MoveCosts costs = moveCosts(2.0, 3.0);
+  const auto cells = [&](const HeuristicParameters& heuristic) {
+    return static_cast<double>(estimateCost(heuristic, {10, 3}, {7, 7}, costs)) / static_cast<double>(kStraightCost);
+  };
+  EXPECT_EQ(cells({Heuristic::kManhattan}), 2.0 * 7.0) << "Eq. 1.3";
+  EXPECT_EQ(cells({Heuristic::kOctile}), 2.0 * 7.0 + (3.0 - 2.0 * 2.0) * 3.0) << "Eq. 1.4";
+  EXPECT_EQ(cells({Heuristic::kChebyshev}), 2.0 * 4.0) << "Eq. 1.4 with d = c";
+  EXPECT_NEAR(cells({Heuristic::kEuclidean}), 5.0, 1e-6);
+}
+
 TEST(Heuristic, IsAdmissibleExactlyIfNeverLongerThanThePath) {
   for (const Heuristic kind : kHeuristics) {
     for (const double scale : {0.0, 0.5, 1.0, 1.001, kThesisEuclideanScale}) {
