@@ -125,6 +125,8 @@ void addRobotOptions(Conversion* conversion, CommandLine* line) {
   line->add("angle-scale", &encoder.angle_scale, {0.001, 1e6}, "rad; by which goal_bearing and heading are divided");
   line->add("action-scale", &encoder.action_scale, {0.001, 1e6}, "rad; by which previous_action is divided");
   line->add("position-cell", &encoder.position_cell, {0.0, 1e6}, "m, to which the odometry is rounded; 0: not at all");
+  line->add("heading-cell", &encoder.heading_cell, {0.0, M_PI},
+            "rad, to which the odometry's heading is rounded; 0: not at all");
   line->add("event-range", &encoder.event_range, {0.001, 1e6}, "m; nearer is an event");
   line->add("actions", &conversion->angles, {-180.0, 180.0},
             "degrees, steering angles by output, from right to left (default: -90 -45 0 45 90)");

@@ -24,16 +24,27 @@ void fitInputsToViews(EncoderParameters* encoder) {
   validate(*encoder);
 }
 
+/// One number in place of sine and cosine.
+void useAnglesAlone(std::vector<std::string>* layout) {
+  for (const std::string angle : {"goal_bearing", "heading"}) {
+    std::replace(layout->begin(), layout->end(), angle + "_sin", angle);
+    layout->erase(std::remove(layout->begin(), layout->end(), angle + "_cos"), layout->end());
+  }
+}
+
 }  // namespace
 
 void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder, CommandLine* line) {
   line->add("inputs", &options->inputs,
-            "beside the thesis's: events (a sector below --event-range), events-alone (in place of the ranges), visits "
+            "beside the thesis's: events (a sector below --event-range), events-alone (in place of the ranges), angles "
+            "(bearing and heading as one number each, the thesis's twelve, in place of sine and cosine), visits "
             "(how often it was at the places a step away), trace (the same on three scales, how long ago, and its "
             "progress), motion (since the last step)");
   line->add("event-range", &encoder->event_range, {0.0, 1000.0}, "m; nearer is an event");
   line->add("position-cell", &encoder->position_cell, {0.0, 1000.0},
             "m, to which the odometry is rounded; 0: not at all");
+  line->add("heading-cell", &encoder->heading_cell, {0.0, M_PI},
+            "rad, to which the odometry's heading is rounded; 0: not at all");
   line->add(
       "views", &encoder->views, {1, 8},
       "1: an output an angle; 8: the network looks into each of eight directions, with an output and a memory each "
@@ -47,7 +58,7 @@ void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* enc
 
 void checkModelDecides(const CommandLine& line) {
   for (const char* decided :
-       {"inputs", "event-range", "position-cell", "views", "network", "cells", "deep-in", "deep-out"}) {
+       {"inputs", "event-range", "position-cell", "heading-cell", "views", "network", "cells", "deep-in", "deep-out"}) {
     if (line.given(decided))
       throw std::invalid_argument(std::string("--") + decided + " is decided by the model of --init");
   }
@@ -106,6 +117,8 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
       for (std::string& name : layout) {
         if (name.rfind("sector_", 0) == 0) name.replace(0, 7, "event_");
       }
+    } else if (group == "angles") {
+      useAnglesAlone(&layout);
     } else if (group == "trace") {
       for (const char* name :
            {"step_visits_", "step_freshness_", "room_visits_", "room_freshness_", "hall_visits_", "hall_freshness_"}) {
@@ -116,7 +129,7 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
       layout.insert(layout.end(), {"motion_forward", "motion_left", "motion_turn"});
     } else {
       throw std::invalid_argument("--inputs names '" + group +
-                                  "', expected some of events, events-alone, visits, trace, motion");
+                                  "', expected some of events, events-alone, angles, visits, trace, motion");
     }
   }
   validate(*encoder);

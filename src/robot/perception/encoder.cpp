@@ -87,6 +87,14 @@ void validate(const EncoderParameters& parameters) {
     throw std::invalid_argument("position_cell is " + metadataText(parameters.position_cell) +
                                 ", expected a number in [0, 1000000]");
   }
+  if (!(parameters.heading_cell >= 0.0 && parameters.heading_cell <= M_PI)) {
+    throw std::invalid_argument("heading_cell is " + metadataText(parameters.heading_cell) +
+                                ", expected a number in [0, pi]");
+  }
+  if (parameters.heading_cell > 0.0 && parameters.views != 1) {
+    throw std::invalid_argument("heading_cell is " + metadataText(parameters.heading_cell) +
+                                ", expected 0 with eight views, which do not depend on the odometry frame");
+  }
   checkScale("event_range", parameters.event_range);
   if (parameters.views != 1 && parameters.views != kDriveViews) {
     throw std::invalid_argument("views is " + std::to_string(parameters.views) + ", expected 1 or 8");
@@ -105,6 +113,7 @@ void writeMetadata(const EncoderParameters& parameters, std::map<std::string, st
   (*metadata)["angle_scale"] = metadataText(parameters.angle_scale);
   (*metadata)["action_scale"] = metadataText(parameters.action_scale);
   (*metadata)["position_cell"] = metadataText(parameters.position_cell);
+  if (parameters.heading_cell > 0.0) (*metadata)["heading_cell"] = metadataText(parameters.heading_cell);
   if (hasEvents(parameters.input_layout)) (*metadata)["event_range"] = metadataText(parameters.event_range);
   if (parameters.views != 1) (*metadata)["views"] = std::to_string(parameters.views);
 }
@@ -126,6 +135,7 @@ EncoderParameters readEncoderParameters(MetadataReader* metadata) {
   parameters.angle_scale = scale("angle_scale");
   parameters.action_scale = scale("action_scale");
   parameters.position_cell = metadata->number("position_cell", 0.0, kLargestScale);
+  if (metadata->has("heading_cell")) parameters.heading_cell = metadata->number("heading_cell", 0.0, M_PI);
   if (hasEvents(parameters.input_layout)) parameters.event_range = scale("event_range");
   if (metadata->has("views")) parameters.views = metadata->whole("views", 1, kDriveViews);
   if (!metadata->has("input_layout")) return parameters;
@@ -210,6 +220,12 @@ void Encoder::encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf>
   }
 }
 
+/// By how much rounding turns a heading.
+double Encoder::roundedBy(double heading) const {
+  const double cell = parameters_->heading_cell;
+  return cell > 0.0 ? std::round(heading / cell) * cell - heading : 0.0;
+}
+
 double Encoder::value(const Input& input, const Observation& observation) const {
   switch (input.feature) {
     case Feature::kSector: {
@@ -221,17 +237,17 @@ double Encoder::value(const Input& input, const Observation& observation) const 
       return distance / (distance + parameters_->distance_scale);
     }
     case Feature::kGoalBearing:
-      return normalizeAngle(observation.goal_bearing) / parameters_->angle_scale;
+      return normalizeAngle(observation.goal_bearing - roundedBy(observation.heading)) / parameters_->angle_scale;
     case Feature::kGoalBearingSin:
-      return std::sin(observation.goal_bearing);
+      return std::sin(observation.goal_bearing - roundedBy(observation.heading));
     case Feature::kGoalBearingCos:
-      return std::cos(observation.goal_bearing);
+      return std::cos(observation.goal_bearing - roundedBy(observation.heading));
     case Feature::kHeading:
-      return normalizeAngle(observation.heading) / parameters_->angle_scale;
+      return normalizeAngle(observation.heading + roundedBy(observation.heading)) / parameters_->angle_scale;
     case Feature::kHeadingSin:
-      return std::sin(observation.heading);
+      return std::sin(observation.heading + roundedBy(observation.heading));
     case Feature::kHeadingCos:
-      return std::cos(observation.heading);
+      return std::cos(observation.heading + roundedBy(observation.heading));
     case Feature::kPreviousAction:
       return normalizeAngle(observation.previous_action) / parameters_->action_scale;
     case Feature::kEvent:

@@ -54,6 +54,20 @@ TEST_F(TrainDatasetTool, WritesAModelThatThePlannerTakesAndSaysWhatItCan) {
   EXPECT_NE(model.metadata.at("score").find("recorded validation steps: accuracy"), std::string::npos);
 }
 
+TEST_F(TrainDatasetTool, TakesTheThesissTwelveInputsAndRoundsWhatOdometrySays) {
+  const test::Outcome outcome = train(
+      "--dataset drives.dataset --output model.onnx --inputs events-alone angles --position-cell 0.35 --heading-cell "
+      "0.39 "
+      "--cells 4 --epochs 1 --threads 1");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const EncoderParameters encoder = DrivePolicy::fromFile(in("model.onnx")).description().encoder;
+  EXPECT_EQ(encoder.input_layout,
+            (std::vector<std::string>{"event_0", "event_1", "event_2", "event_3", "event_4", "event_5", "event_6",
+                                      "event_7", "goal_distance", "goal_bearing", "heading", "previous_action"}));
+  EXPECT_EQ(encoder.position_cell, 0.35);
+  EXPECT_EQ(encoder.heading_cell, 0.39);
+}
+
 TEST_F(TrainDatasetTool, TheSameCommandGivesTheSameModelForAnyNumberOfThreads) {
   const std::string command = "--dataset drives.dataset --cells 4 --epochs 2 --output model.onnx --threads ";
   const auto layers = [&](const char* threads) {

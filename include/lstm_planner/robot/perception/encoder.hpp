@@ -36,6 +36,7 @@ struct EncoderParameters {
   double angle_scale = M_PI;     ///< rad; bearing and heading are encoded as angle / angle_scale
   double action_scale = M_PI_2;  ///< rad; the previous action is encoded as angle / action_scale
   double position_cell = 0.0;    ///< m; see observe(); 0 = odometry as it is
+  double heading_cell = 0.0;     ///< rad; the heading is rounded to a multiple, and the goal's bearing is from there
   double event_range = 1.0;      ///< m; a sector with less is an event
 
   /// 1: one network with an output an action, and everything relative to the heading. 8: the same network, with one
@@ -53,8 +54,8 @@ constexpr double kViewAngle = 2.0 * M_PI / kDriveViews;
 void validate(const EncoderParameters& parameters);
 
 /// To and from the metadata of a model file (keys: input_layout, sector_count, angle_span, range_cap, distance_scale,
-/// angle_scale, action_scale, position_cell, event_range where there are events, views where there are eight). The
-/// reader notes what is missing or malformed.
+/// angle_scale, action_scale, position_cell, heading_cell where it is not 0, event_range where there are events, views
+/// where there are eight). The reader notes what is missing or malformed.
 void writeMetadata(const EncoderParameters& parameters, std::map<std::string, std::string>* metadata);
 EncoderParameters readEncoderParameters(MetadataReader* metadata);
 
@@ -131,6 +132,7 @@ class Encoder {
   void findSources();
   Source sourceOf(const Input& input, int view) const;
   double value(const Input& input, const Observation& observation) const;
+  double roundedBy(double heading) const;
   double valueOfBearing(Feature feature, const ViewBearings& bearings, int view) const;
 
   std::shared_ptr<const EncoderParameters> parameters_;

@@ -116,6 +116,23 @@ TEST(Encoder, EncodesTheDriveSoFar) {
   EXPECT_FLOAT_EQ(input[7], 1.0f);
 }
 
+TEST(Encoder, RoundsTheHeadingAndTellsTheBearingFromThere) {
+  EncoderParameters parameters;
+  parameters.input_layout = {"goal_bearing", "heading", "goal_bearing_sin", "heading_cos"};
+  parameters.heading_cell = M_PI / 8.0;
+  Observation observation;
+  observation.heading = 0.9 * M_PI / 8.0;
+  observation.goal_bearing = 0.2;
+  const Eigen::VectorXf input = encode(parameters, observation);
+  EXPECT_NEAR(input[1], 1.0 / 8.0, 1e-6) << "of pi";
+  EXPECT_NEAR(input[0] + input[1], (observation.goal_bearing + observation.heading) / M_PI, 1e-6)
+      << "the goal lies where it was in the odometry frame";
+  EXPECT_NEAR(input[2], std::sin(M_PI * input[0]), 1e-6);
+  EXPECT_NEAR(input[3], std::cos(M_PI * input[1]), 1e-6);
+  observation.heading = 1.1 * M_PI / 8.0;
+  EXPECT_NEAR(encode(parameters, observation)[1], input[1], 1e-6) << "a little turn is not told";
+}
+
 TEST(Encoder, RefusesAnInputOfAnotherSize) {
   const Encoder encoder{EncoderParameters()};
   Eigen::VectorXf input(3);
@@ -134,6 +151,7 @@ TEST(EncoderParameters, SurviveTheMetadataBitForBit) {
   written.input_layout = {"sector_3", "goal_distance"};
   written.range_cap = 0.1 + 0.2;  // has no short decimal form
   written.position_cell = 0.35;
+  written.heading_cell = 0.1 + 0.2;
   std::map<std::string, std::string> metadata;
   writeMetadata(written, &metadata);
   const EncoderParameters read = readBack(metadata);
@@ -141,12 +159,14 @@ TEST(EncoderParameters, SurviveTheMetadataBitForBit) {
   EXPECT_EQ(read.range_cap, written.range_cap);
   EXPECT_EQ(read.angle_span, written.angle_span);
   EXPECT_EQ(read.position_cell, written.position_cell);
+  EXPECT_EQ(read.heading_cell, written.heading_cell);
 }
 
 TEST(EncoderParameters, TellTheEventRangeOnlyWhereThereAreEvents) {
   std::map<std::string, std::string> metadata;
   writeMetadata({}, &metadata);
   EXPECT_EQ(metadata.count("event_range"), 0u) << "a model without events is written as ever";
+  EXPECT_EQ(metadata.count("heading_cell"), 0u);
   EncoderParameters written;
   written.input_layout.push_back("event_0");
   written.event_range = 0.6;
