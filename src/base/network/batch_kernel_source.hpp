@@ -2,7 +2,7 @@
 // end may have external linkage (see simd.hpp).
 
 #include "base/network/batch_kernel.hpp"
-#include "lstm_planner/base/network/simd.hpp"
+#include "base/network/network_functions.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -106,8 +106,8 @@ struct Tile {
         cells.of[i] = load<V>(states + (first + i) * kVectorLanes);
       }
       const G output = stepCells<kSigmoidCandidate>(gates, &cells);
-      for (int i = 0; i < kGroup; ++i) store(states + (first + i) * kVectorLanes, cells.of[i]);
-      for (int i = 0; i < kGroup; ++i) store(outputs + (first + i) * kVectorLanes, output.of[i]);
+      for (int i = 0; i < kGroup; ++i) store(cells.of[i], states + (first + i) * kVectorLanes);
+      for (int i = 0; i < kGroup; ++i) store(output.of[i], outputs + (first + i) * kVectorLanes);
     }
   }
 
@@ -130,7 +130,7 @@ struct Tile {
       if (unit >= layer.outputs) return;
       float* const outputs = row(memory, layer.output_row[parity] + unit);
       for (int v = 0; v < kVectors; ++v) {
-        store(outputs + v * kVectorLanes, sums.of[i / kBatchBlock][i % kBatchBlock][v]);
+        store(sums.of[i / kBatchBlock][i % kBatchBlock][v], outputs + v * kVectorLanes);
       }
     }
   }
@@ -158,7 +158,7 @@ struct Tile {
     if (layer.function == BatchFunction::kIdentity) return;
     float* const outputs = row(memory, layer.output_row[parity]);
     for (int i = 0; i < layer.outputs * kLanes; i += kVectorLanes) {
-      store(outputs + i, activation(layer.function, load<V>(outputs + i)));
+      store(activation(layer.function, load<V>(outputs + i)), outputs + i);
     }
   }
 
@@ -173,9 +173,9 @@ struct Tile {
       for (int i = 0; i < layer.inputs; ++i) {
         const V weight = simd::exponential(load<V>(inputs + i * kLanes) - largest);
         sum += weight;
-        store(outputs + i * kLanes, weight);
+        store(weight, outputs + i * kLanes);
       }
-      for (int i = 0; i < layer.inputs; ++i) store(outputs + i * kLanes, load<V>(outputs + i * kLanes) / sum);
+      for (int i = 0; i < layer.inputs; ++i) store(load<V>(outputs + i * kLanes) / sum, outputs + i * kLanes);
     }
   }
 

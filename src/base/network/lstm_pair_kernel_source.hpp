@@ -52,12 +52,12 @@ class LstmPair {
     const Cells second_output = finishLstm(second_sums, values[1], &watched_sums, &watched);
     loadColumn(layers[0].bias.weights, first_sums);
     multiplyAddRecurrent(layers[0].recurrent, values[0].output, first_sums);
-    for (int i = 0; i < kSums; ++i) store(values[0].next_sums + i * kLanesOf<Sums>, first_sums[i]);
+    for (int i = 0; i < kSums; ++i) store(first_sums[i], values[0].next_sums + i * kLanesOf<Sums>);
 
     const LayerShape& dense = layers[2].shape;
     Cells sums[1] = {load<Cells>(layers[2].bias.weights)};
     multiplyAddLanes(layers[2].input, second_output, sums);
-    storeFirst(values[2].output, activated(dense.activation, sums[0]), dense.units);
+    storeFirst(activated(dense.activation, sums[0]), dense.units, values[2].output);
     watch(sums[0], &watched);
     return noneIsNan(watched) && noneIsNan(watched_sums);
   }
@@ -145,8 +145,8 @@ class LstmPair {
     const TanhTerms<Cells> terms = tanhTerms(cells.cell);
     const Cells output =
         (cells.half_output_gate.numerator * terms.limited_x * terms.p) / (cells.half_output_gate.denominator * terms.q);
-    store(values.output, output);
-    store(values.next_cells, cells.cell);
+    store(output, values.output);
+    store(cells.cell, values.next_cells);
     watch(cells.cell, watched);
     for (int i = 0; i < kSums; ++i) watch(sums[i], watched_sums);
     return output;

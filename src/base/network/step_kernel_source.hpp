@@ -1,8 +1,8 @@
 // Included once by each step_kernel_*.cpp, which are compiled for different instruction sets. Everything but the
 // functions at the end, LAYER_KERNEL and NETWORK_KERNEL, has internal linkage, as simd.hpp explains.
 
+#include "base/network/network_functions.hpp"
 #include "base/network/step_kernel.hpp"
-#include "lstm_planner/base/network/simd.hpp"
 
 #if !defined(LAYER_KERNEL) || !defined(NETWORK_KERNEL)
 #error "LAYER_KERNEL and NETWORK_KERNEL name the functions that this file defines"
@@ -103,8 +103,8 @@ LSTM_PLANNER_INLINE void lstmBlocks(const V (&sums)[4 * kBlocks], int first_unit
 #pragma GCC unroll 4
   for (int block = 0; block < kBlocks; ++block) {
     const int unit = first_unit + block * kLanesOf<V>;
-    storeFirst(values.output + unit, output.of[block], units - unit);
-    storeFirst(values.next_cells + unit, cell.of[block], units - unit);
+    storeFirst(output.of[block], units - unit, values.output + unit);
+    storeFirst(cell.of[block], units - unit, values.next_cells + unit);
     watch(cell.of[block], watched);
   }
 #pragma GCC unroll 16
@@ -160,7 +160,7 @@ struct TiledLayer {
     V sums[kGates * kBlocks];
     multiplyAddTile<kBlocks>(layer.recurrent, layer.bias.weights, outputs, units(layer), *place, sums);
 #pragma GCC unroll 16
-    for (int sum = 0; sum < kGates * kBlocks; ++sum) store(all_sums + (place->vector + sum) * kLanesOf<V>, sums[sum]);
+    for (int sum = 0; sum < kGates * kBlocks; ++sum) store(sums[sum], all_sums + (place->vector + sum) * kLanesOf<V>);
     place->unit += kBlocks * kLanesOf<V>;
     place->vector += kBlocks * kGates;
   }
@@ -190,7 +190,7 @@ struct TiledLayer {
         const int unit = place->unit + block * kLanesOf<V>;
         const V output =
             kKind == LayerKind::kRecurrent ? simd::tanh(sums[block]) : activated(layer.shape.activation, sums[block]);
-        storeFirst(values.output + unit, output, units(layer) - unit);
+        storeFirst(output, units(layer) - unit, values.output + unit);
         watch(sums[block], watched);
       }
     }
@@ -224,7 +224,7 @@ bool softmax(const PackedLayer& layer, const LayerValues& values) {
   for (int unit = 1; unit < count; ++unit) largest = values.input[unit] > largest ? values.input[unit] : largest;
   float sum = 0.0f;
   for (int unit = 0; unit < count; unit += kLanesOf<V>) {
-    storeFirst(values.output + unit, exponential(load<V>(values.input + unit) - broadcast<V>(largest)), count - unit);
+    storeFirst(exponential(load<V>(values.input + unit) - broadcast<V>(largest)), count - unit, values.output + unit);
   }
   for (int unit = 0; unit < count; ++unit) sum += values.output[unit];
   for (int unit = 0; unit < count; ++unit) values.output[unit] /= sum;

@@ -63,10 +63,10 @@ void Shield::showGroup(const Point2* obstacles, bool all_near) {
     const Doubles ys{first[1], second[1]};
     store(xs, x + i);
     store(ys, y + i);
-    left = lesser(xs, left);
-    right = greater(xs, right);
-    bottom = lesser(ys, bottom);
-    top = greater(ys, top);
+    left = minimum(xs, left);
+    right = maximum(xs, right);
+    bottom = minimum(ys, bottom);
+    top = maximum(ys, top);
   }
   const Point2 low{std::min(left[0], left[1]), std::min(bottom[0], bottom[1])};
   const Point2 high{std::max(right[0], right[1]), std::max(top[0], top[1])};
@@ -144,7 +144,7 @@ double Shield::freeDistance(const Point2& from, double direction, double limit, 
       const Doubles along = allOf(c) * dx + allOf(s) * dy;
       const Doubles aside = magnitude(allOf(c) * dy - allOf(s) * dx);
       // What the footprint does not reach before or at the end of what is free so far.
-      const Doubles beyond = greater(along - allOf(free), Doubles{});
+      const Doubles beyond = maximum(along - allOf(free), Doubles{});
       const auto matters = (along > Doubles{}) & (beyond * beyond + aside * aside < allOf(square(wanted)));
       if (any(matters)) {
         if (matters[0] != 0) shorten(along[0], aside[0]);

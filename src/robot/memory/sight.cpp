@@ -48,17 +48,17 @@ void Sight::measureBeams(const RangeProfile& profile) {
   for (std::size_t i = 0; i < length; i += kLanes) {
     static_assert(kBlock == kLanes, "a block side by side");
     Floats nearest = loadFloats(ranges + i);
-    for (std::size_t j = 1; j <= 2 * kBeside; ++j) nearest = lesser(nearest, loadFloats(ranges + i + j));
-    const Floats before = greater(lesser(nearest, farthest) - allOf(kBehind), Floats{});
+    for (std::size_t j = 1; j <= 2 * kBeside; ++j) nearest = minimum(nearest, loadFloats(ranges + i + j));
+    const Floats before = maximum(minimum(nearest, farthest) - allOf(kBehind), Floats{});
     store(before * before, limits + i);
-    farthest_[i / kBlock] = mostOf(before) + kBlur;
+    farthest_[i / kBlock] = simd::largestOf(before) + kBlur;
   }
   for (std::size_t level = 1; level < kLevels; ++level) {
     const float* const half = &farthest_[(level - 1) * blocks_];
     float* const whole = &farthest_[level * blocks_];
     const std::size_t other = std::size_t{1} << (level - 1);
     for (std::size_t block = 0; block < blocks; block += kLanes) {
-      store(greater(loadFloats(half + block), loadFloats(half + block + other)), whole + block);
+      store(maximum(loadFloats(half + block), loadFloats(half + block + other)), whole + block);
     }
   }
 }

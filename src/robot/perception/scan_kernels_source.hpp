@@ -1,7 +1,7 @@
 // Included once by each scan_kernels_*.cpp, which are compiled for different instruction sets. Everything but the
 // function at the end, SCAN_KERNELS, has internal linkage, as simd.hpp explains.
 
-#include "lstm_planner/base/network/simd.hpp"
+#include "lstm_planner/base/common/simd.hpp"
 #include "robot/perception/scan_kernels.hpp"
 
 #if !defined(SCAN_KERNELS)
@@ -43,11 +43,6 @@ LSTM_PLANNER_INLINE IntegersOf<V> loadKeys(const std::uint32_t* keys) {
 template <class Integers>
 LSTM_PLANNER_INLINE void storeKeys(std::uint32_t* keys, Integers vector) {
   __builtin_memcpy(keys, &vector, sizeof(vector));
-}
-
-template <class V>
-LSTM_PLANNER_INLINE V magnitude(V values) {
-  return (V)((IntegersOf<V>)values & 0x7fffffff);
 }
 
 /// Numbers at some places.
@@ -146,7 +141,7 @@ void find(const FirstBeam& first, const float* x, const float* y, std::size_t co
   inVectors(
       count, [&](std::size_t i, auto v) __attribute__((always_inline)) {
         using V = decltype(v);
-        store(positions + i, positionOf(first, load<V>(x + i), load<V>(y + i)));
+        store(positionOf(first, load<V>(x + i), load<V>(y + i)), positions + i);
       });
 }
 

@@ -81,22 +81,22 @@ BeamSum sumOf(const float* ranges, long count, double range_cap) {
   Ints uncapped = {};
   for (long beam = 0; beam < count; beam += kLanes) {
     const long left = count - beam;
-    const Floats four = left < kLanes ? loadFloats(ranges + beam, left) : loadFloats(ranges + beam);
+    const Floats four = left < kLanes ? simd::loadFirst<Floats>(ranges + beam, left) : loadFloats(ranges + beam);
     const Ints sees = four > Floats{};
     const Ints is_uncapped = sees & (four < allOf(cap));
     const Floats uncapped_ranges = select(is_uncapped, four, Floats{});
-    sums[0] += firstTwo(uncapped_ranges);
-    sums[1] += lastTwo(uncapped_ranges);
-    nearest = lesser(select(sees, four, allOf(kInfinity)), nearest);
+    sums[0] += simd::firstTwo(uncapped_ranges);
+    sums[1] += simd::lastTwo(uncapped_ranges);
+    nearest = minimum(select(sees, four, allOf(kInfinity)), nearest);
     measured -= sees & (four < allOf(kInfinity));
     known -= sees | (four == allOf(RangeProfile::kSilent));
     uncapped -= is_uncapped;
   }
   BeamSum sum;
   sums[0] += sums[1];
-  sum.known = sumOfLanes(known);
-  sum.range = sums[0][0] + sums[0][1] + static_cast<double>(sum.known - sumOfLanes(uncapped)) * range_cap;
-  sum.measured = sumOfLanes(measured);
+  sum.known = simd::sumOfLanes(known);
+  sum.range = sums[0][0] + sums[0][1] + static_cast<double>(sum.known - simd::sumOfLanes(uncapped)) * range_cap;
+  sum.measured = simd::sumOfLanes(measured);
   for (int lane = 0; lane < kLanes; ++lane) sum.nearest = std::min<float>(sum.nearest, nearest[lane]);
   return sum;
 }

@@ -1,0 +1,278 @@
+#pragma once
+
+// Numbers side by side, on which one instruction works at once: 4, 8 or 16 floats or integers, or 2 doubles. Every
+// x86-64 and ARMv8 processor has the vectors of 16 bytes. The wider ones are for kernels, which are compiled once for
+// each instruction set (*_baseline.cpp, *_avx2.cpp, *_avx512.cpp).
+//
+// All of it has internal linkage, unlike what a header usually holds: were these functions shared between files, the
+// linker might keep the copy that was compiled for AVX-512 and an older machine would stop at it. A kernel must not
+// include Eigen or templates of the standard library for the same reason.
+
+#if defined(__AVX__)
+#include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+// Vectors are handed over between inlined functions only, so that how they are passed does not matter.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
+#define LSTM_PLANNER_INLINE __attribute__((always_inline, unused)) inline
+
+namespace lstm_planner::simd {
+namespace {
+
+template <int kLanes>
+struct VectorOf;
+template <>
+struct VectorOf<4> {
+  typedef float Floats __attribute__((vector_size(16)));
+  typedef int Integers __attribute__((vector_size(16)));
+};
+template <>
+struct VectorOf<8> {
+  typedef float Floats __attribute__((vector_size(32)));
+  typedef int Integers __attribute__((vector_size(32)));
+};
+template <>
+struct VectorOf<16> {
+  typedef float Floats __attribute__((vector_size(64)));
+  typedef int Integers __attribute__((vector_size(64)));
+};
+
+template <int kLanes>
+using Floats = typename VectorOf<kLanes>::Floats;
+/// What comparisons of floats give, too: all bits of a lane, or none.
+template <int kLanes>
+using Integers = typename VectorOf<kLanes>::Integers;
+typedef double Doubles __attribute__((vector_size(16)));  ///< two
+
+/// Vectors that go through the same functions side by side. Written one after the other, their chains of instructions
+/// would be so long that the processor looks no further than the first ones, and waits.
+template <class V, int n>
+struct Group {
+  V of[n];
+};
+
+template <class V>
+struct ElementOf {
+  using Type = decltype(V{}[0] + V{}[0]);
+};
+template <class V, int n>
+struct ElementOf<Group<V, n>> : ElementOf<V> {};
+template <class V>
+using Element = typename ElementOf<V>::Type;
+
+template <class V>
+constexpr int kLanesOf = static_cast<int>(sizeof(V) / sizeof(Element<V>));
+
+template <class V>
+using IntegersOf = Integers<kLanesOf<V>>;
+
+/// The widest vector of the instruction set that this file is compiled for.
+#if defined(__AVX512F__)
+constexpr int kWidest = 16;
+#elif defined(__AVX__)
+constexpr int kWidest = 8;
+#else
+constexpr int kWidest = 4;
+#endif
+
+#define LSTM_PLANNER_FOR_GROUP(expression)                                            \
+  Group<V, n> result;                                                                 \
+  _Pragma("GCC unroll 16") for (int i = 0; i < n; ++i) { result.of[i] = expression; } \
+  return result
+
+/// Numbers that start anywhere in memory.
+template <class V>
+LSTM_PLANNER_INLINE V load(const Element<V>* from) {
+  V vector;
+  __builtin_memcpy(&vector, from, sizeof(V));
+  return vector;
+}
+/// The first of them; the other lanes are 0.
+template <class V>
+LSTM_PLANNER_INLINE V loadFirst(const Element<V>* from, long count) {
+  V vector = {};
+  __builtin_memcpy(&vector, from, sizeof(Element<V>) * static_cast<unsigned long>(count));
+  return vector;
+}
+/// One vector after the other: a compiler keeps in memory what is copied as a whole.
+template <class G>
+LSTM_PLANNER_INLINE G loadGroup(const Element<G>* from) {
+  G group;
+  for (auto& vector : group.of) {
+    __builtin_memcpy(&vector, from, sizeof(vector));
+    from += sizeof(vector) / sizeof(*from);
+  }
+  return group;
+}
+
+template <class V>
+LSTM_PLANNER_INLINE void store(V vector, Element<V>* to) {
+  __builtin_memcpy(to, &vector, sizeof(V));
+}
+template <class V, int n>
+LSTM_PLANNER_INLINE void store(const Group<V, n>& group, Element<V>* to) {
+  for (int i = 0; i < n; ++i) __builtin_memcpy(to + i * kLanesOf<V>, &group.of[i], sizeof(V));
+}
+/// Stores only the first `count` lanes.
+template <class V>
+LSTM_PLANNER_INLINE void storeFirst(V vector, int count, Element<V>* to) {
+  if (count >= kLanesOf<V>) {
+    store(vector, to);
+    return;
+  }
+  Element<V> lanes[kLanesOf<V>];
+  store(vector, lanes);
+  for (int lane = 0; lane < count; ++lane) to[lane] = lanes[lane];
+}
+
+template <class V>
+struct Broadcast {
+  static LSTM_PLANNER_INLINE V of(Element<V> value) {
+    return value - V{};  // not V{} + value: -0 would become 0, and the compiler would have to add
+  }
+};
+template <class V, int n>
+struct Broadcast<Group<V, n>> {
+  static LSTM_PLANNER_INLINE Group<V, n> of(Element<V> value) { LSTM_PLANNER_FOR_GROUP(Broadcast<V>::of(value)); }
+};
+/// One number in all lanes.
+template <class V>
+LSTM_PLANNER_INLINE V broadcast(Element<V> value) {
+  return Broadcast<V>::of(value);
+}
+
+/// a * b + c, in one instruction where there is one.
+template <class V>
+LSTM_PLANNER_INLINE V multiplyAdd(V a, V b, V c) {
+  return a * b + c;
+}
+
+#if defined(__SSE2__)
+LSTM_PLANNER_INLINE bool noneIsNan(Floats<4> v) { return _mm_movemask_ps(_mm_cmpunord_ps(v, v)) == 0; }
+#endif
+#if defined(__AVX__)
+LSTM_PLANNER_INLINE bool noneIsNan(Floats<8> v) { return _mm256_movemask_ps(_mm256_cmp_ps(v, v, _CMP_UNORD_Q)) == 0; }
+#endif
+#if defined(__AVX512F__)
+LSTM_PLANNER_INLINE bool noneIsNan(Floats<16> v) { return _mm512_cmp_ps_mask(v, v, _CMP_UNORD_Q) == 0; }
+#endif
+#if !defined(__SSE2__)
+template <class V>
+LSTM_PLANNER_INLINE bool noneIsNan(V v) {
+  bool none = true;
+  for (int lane = 0; lane < kLanesOf<V>; ++lane) none &= v[lane] == v[lane];
+  return none;
+}
+#endif
+
+/// The second argument where one is NaN.
+template <class V>
+LSTM_PLANNER_INLINE V minimum(V a, V b) {
+  return a < b ? a : b;
+}
+template <class V>
+LSTM_PLANNER_INLINE V maximum(V a, V b) {
+  return a > b ? a : b;
+}
+// The same in one instruction; GCC makes two of a comparison with a constant.
+#if defined(__SSE2__)
+LSTM_PLANNER_INLINE Floats<4> minimum(Floats<4> a, Floats<4> b) { return _mm_min_ps(a, b); }
+LSTM_PLANNER_INLINE Floats<4> maximum(Floats<4> a, Floats<4> b) { return _mm_max_ps(a, b); }
+#endif
+#if defined(__AVX__)
+LSTM_PLANNER_INLINE Floats<8> minimum(Floats<8> a, Floats<8> b) { return _mm256_min_ps(a, b); }
+LSTM_PLANNER_INLINE Floats<8> maximum(Floats<8> a, Floats<8> b) { return _mm256_max_ps(a, b); }
+#endif
+#if defined(__AVX512F__)
+// With a mask of all lanes, as GCC warns about what it does itself inside the forms without one.
+LSTM_PLANNER_INLINE Floats<16> minimum(Floats<16> a, Floats<16> b) { return _mm512_maskz_min_ps(0xffff, a, b); }
+LSTM_PLANNER_INLINE Floats<16> maximum(Floats<16> a, Floats<16> b) { return _mm512_maskz_max_ps(0xffff, a, b); }
+#endif
+
+#define LSTM_PLANNER_OPERATOR(sign)                                                           \
+  template <class V, int n>                                                                   \
+  LSTM_PLANNER_INLINE Group<V, n> operator sign(const Group<V, n>& a, const Group<V, n>& b) { \
+    LSTM_PLANNER_FOR_GROUP(a.of[i] sign b.of[i]);                                             \
+  }                                                                                           \
+  template <class V, int n>                                                                   \
+  LSTM_PLANNER_INLINE Group<V, n> operator sign(const Group<V, n>& a, Element<V> b) {         \
+    LSTM_PLANNER_FOR_GROUP(a.of[i] sign b);                                                   \
+  }                                                                                           \
+  template <class V, int n>                                                                   \
+  LSTM_PLANNER_INLINE Group<V, n> operator sign(Element<V> a, const Group<V, n>& b) {         \
+    LSTM_PLANNER_FOR_GROUP(a sign b.of[i]);                                                   \
+  }
+LSTM_PLANNER_OPERATOR(+)
+LSTM_PLANNER_OPERATOR(-)
+LSTM_PLANNER_OPERATOR(*)
+LSTM_PLANNER_OPERATOR(/)
+#undef LSTM_PLANNER_OPERATOR
+
+template <class V, int n>
+LSTM_PLANNER_INLINE Group<V, n> multiplyAdd(const Group<V, n>& a, const Group<V, n>& b, const Group<V, n>& c) {
+  LSTM_PLANNER_FOR_GROUP(multiplyAdd(a.of[i], b.of[i], c.of[i]));
+}
+template <class V, int n>
+LSTM_PLANNER_INLINE Group<V, n> minimum(const Group<V, n>& a, const Group<V, n>& b) {
+  LSTM_PLANNER_FOR_GROUP(minimum(a.of[i], b.of[i]));
+}
+template <class V, int n>
+LSTM_PLANNER_INLINE Group<V, n> maximum(const Group<V, n>& a, const Group<V, n>& b) {
+  LSTM_PLANNER_FOR_GROUP(maximum(a.of[i], b.of[i]));
+}
+
+#undef LSTM_PLANNER_FOR_GROUP
+
+template <class V>
+LSTM_PLANNER_INLINE V clamp(V value, float limit) {
+  return maximum(minimum(value, broadcast<V>(limit)), broadcast<V>(-limit));
+}
+
+template <class V>
+LSTM_PLANNER_INLINE V magnitude(V values) {
+  return (V)((IntegersOf<V>)values & 0x7fffffff);
+}
+LSTM_PLANNER_INLINE Doubles magnitude(Doubles values) {
+  typedef long long Longs __attribute__((vector_size(16)));
+  return (Doubles)((Longs)values & 0x7fffffffffffffff);
+}
+
+/// By the lanes of a mask.
+template <class V>
+LSTM_PLANNER_INLINE V select(IntegersOf<V> mask, V yes, V no) {
+  return (V)(((IntegersOf<V>)yes & mask) | ((IntegersOf<V>)no & ~mask));
+}
+
+/// Whether a mask has any lane.
+template <class Mask>
+LSTM_PLANNER_INLINE bool any(Mask mask) {
+  long long halves[2];
+  static_assert(sizeof(mask) == sizeof(halves), "16 bytes");
+  __builtin_memcpy(halves, &mask, sizeof(halves));
+  return (halves[0] | halves[1]) != 0;
+}
+
+LSTM_PLANNER_INLINE int sumOfLanes(Integers<4> values) { return values[0] + values[1] + values[2] + values[3]; }
+
+LSTM_PLANNER_INLINE float largestOf(Floats<4> values) {
+  const Floats<4> two = maximum(values, Floats<4>{values[2], values[3], values[2], values[3]});
+  return two[0] > two[1] ? two[0] : two[1];
+}
+
+typedef float TwoFloats __attribute__((vector_size(8)));
+LSTM_PLANNER_INLINE Doubles firstTwo(Floats<4> values) {
+  TwoFloats two;
+  __builtin_memcpy(&two, &values, sizeof(two));
+  return __builtin_convertvector(two, Doubles);
+}
+LSTM_PLANNER_INLINE Doubles lastTwo(Floats<4> values) {
+  return firstTwo(Floats<4>{values[2], values[3], values[2], values[3]});
+}
+
+}  // namespace
+}  // namespace lstm_planner::simd
