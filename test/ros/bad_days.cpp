@@ -315,7 +315,7 @@ const Fault kFaults[] = {
     {"ScansWithoutFrame", scans([](auto* scan) { scan->header.frame_id.clear(); }),
      "the robot stands: the scan on /scan names no frame"},
     {"ScansInAnotherFrame", scans([](auto* scan) { scan->header.frame_id = "elsewhere"; }),
-     "the robot stands: where the scanner sits is not known"},
+     "the robot stands: the pose of the scanner is not known"},
     {"OdometryStops", noOdometry(), "the robot stands: the newest message on /odom is"},
     {"OdometryNan", odometry([](auto* odometry) { odometry->pose.pose.position.y = kNan; }),
      "the robot stands: the odometry on /odom has a pose or twist that is not finite"},

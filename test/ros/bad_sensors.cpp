@@ -87,7 +87,7 @@ const ScanLie kScanLies[] = {
     {"AllTooNear", [](auto* scan) { setAll(scan, -kInf); }, "the scan has 0 of"},
     {"AllNegative", [](auto* scan) { setAll(scan, -1.0F); }, "the scan has 0 of"},
     {"NoFrame", [](auto* scan) { scan->header.frame_id.clear(); }, "the scan on /scan names no frame"},
-    {"UnknownFrame", [](auto* scan) { scan->header.frame_id = "lost"; }, "where the scanner sits is not known"},
+    {"UnknownFrame", [](auto* scan) { scan->header.frame_id = "lost"; }, "the pose of the scanner is not known"},
     {"InTheFuture", [](auto* scan) { scan->header.stamp += ros::Duration(10.0); },
      "the newest message on /scan is stamped"},
     {"AtTheEndOfTime", [](auto* scan) { scan->header.stamp = kEndOfTime; }, "the newest message on /scan is stamped"},

@@ -57,7 +57,7 @@ TEST_F(RecorderTest, ARobotThatIsNotThereIsSaidAndLeavesNoFile) {
   const auto warned = [this] { return count("level") == kWarning; };
   ASSERT_TRUE(eventually(warned) || eventually(warned));
   EXPECT_EQ(value("message"), "no odometry on /odom yet");
-  EXPECT_TRUE(contains(trigger("finish").message, "no odometry was heard on /odom"));
+  EXPECT_TRUE(contains(trigger("finish").message, "no odometry was received on /odom"));
   EXPECT_EQ(recorder_->wait(), 0);
   EXPECT_FALSE(std::filesystem::exists(file()));
 }

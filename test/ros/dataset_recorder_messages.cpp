@@ -99,7 +99,7 @@ TEST_F(DriveMessagesTest, AScannerThatIsNowhereIsSaidAndFoundLater) {
   messages_.hear(message, now_);
   messages_.hear(scan(), now_);
   EXPECT_EQ(sink_.count(Rejection::kNoTransform), 1);
-  EXPECT_NE(messages_.problem().find("where the scanner sits is not known"), std::string::npos) << messages_.problem();
+  EXPECT_NE(messages_.problem().find("the pose of the scanner is not known"), std::string::npos) << messages_.problem();
 
   messages_.hearGoal(goal(5.0), "test", now_);
   drive(2.0);

@@ -192,8 +192,8 @@ TEST(RecordedBagTest, WhatIsMissingOrAmbiguousIsRefusedInASentence) {
   DriveBagContent content;
   content.goals = false;
   EXPECT_EQ(refusalOf(written("no_goals.bag", content)),
-            "names no goals: expected some on move_base/goal, move_base_simple/goal or another --goal-topic; with "
-            "--hindsight they are the places that were driven to");
+            "has no goals: expected some on move_base/goal, move_base_simple/goal or another --goal-topic; with "
+            "--hindsight places that the robot reached are the goals");
   content.odometry = false;
   content.transforms = false;
   content.mount = false;
@@ -337,7 +337,7 @@ TEST_P(RealRecordedBagTest, ConvertsWithHindsight) {
   const RealBag& bag = GetParam();
   const std::string path = realData(std::string("bags/") + bag.file);
   SKIP_WITHOUT_REAL_DATA(path);
-  EXPECT_EQ(refusalOf(path).find("names no goals"), 0u);
+  EXPECT_EQ(refusalOf(path).find("has no goals"), 0u);
   BagDriveOptions options;
   options.hindsight = true;
   RecorderParameters parameters;

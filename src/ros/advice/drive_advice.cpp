@@ -121,7 +121,7 @@ void DriveAdvice::reject(Rejection rejection) {
                            rejection == Rejection::kUnusableScan || rejection == Rejection::kNotFinite ||
                            rejection == Rejection::kLate;
   if (is_unusable && !messages_.odometryFrame().empty()) {
-    ROS_WARN_THROTTLE(10.0, "what was heard last was not decided about: %s", toString(rejection));
+    ROS_WARN_THROTTLE(10.0, "no decision about the newest messages: %s", toString(rejection));
   }
 }
 

@@ -20,7 +20,7 @@ const SensorMount& ScannerMounts::at(const std::string& frame) {
   try {
     mount = mountFromMessage(tf_.lookupTransform(base_frame_, frame, ros::Time(0)).transform);
   } catch (const tf2::TransformException& error) {
-    throw MountUnknown("where the scanner sits is not known: " + std::string(error.what()));
+    throw MountUnknown("the pose of the scanner is not known: " + std::string(error.what()));
   } catch (const std::invalid_argument& error) {
     throw MountUnknown(error.what());
   }

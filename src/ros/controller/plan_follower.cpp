@@ -41,9 +41,9 @@ PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const
 
 void PlanFollower::change(const SteeringControllerParameters& parameters) {
   if (reachOf(parameters) > reach_) {
-    throw std::invalid_argument("that needs a restart: obstacles would have to be looked at within " +
-                                std::to_string(reachOf(parameters)) + " m, they are within " + std::to_string(reach_) +
-                                " m");
+    throw std::invalid_argument("that needs a restart: the controller would have to check obstacles within " +
+                                std::to_string(reachOf(parameters)) + " m, and it checks them within " +
+                                std::to_string(reach_) + " m");
   }
   tracker_.change(parameters.motion);
   shield_ = Shield(parameters.footprint_radius, parameters.motion.safety_margin, reach_);
@@ -101,7 +101,7 @@ void PlanFollower::checkPlanAge(const ros::Time& now) const {
   const double age = secondsBetween(plan_time_, now);
   if (age < 0.0) {
     throw OutdatedPlan("the clock was set back by at least " + std::to_string(-age) +
-                       " s since the plan was made: how old it is is not known");
+                       " s since the plan was made: the age of the plan is not known");
   }
   if (age > parameters_.plan_timeout) {
     throw OutdatedPlan("the plan is " + std::to_string(age) + " s old, allowed are plan_timeout = " +

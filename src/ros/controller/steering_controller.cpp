@@ -128,9 +128,9 @@ bool SteeringController::isGoalReached() {
   try {
     return plan_follower_ && plan_follower_->goalReached();
   } catch (const std::exception& error) {
-    ROS_WARN_THROTTLE(kLogPeriod, "whether the goal is reached is not known: %s", error.what());
+    ROS_WARN_THROTTLE(kLogPeriod, "it is not known whether the goal is reached: %s", error.what());
   } catch (...) {
-    ROS_ERROR_THROTTLE(kLogPeriod, "whether the goal is reached is not known");
+    ROS_ERROR_THROTTLE(kLogPeriod, "it is not known whether the goal is reached");
   }
   return false;
 }

@@ -143,7 +143,7 @@ void Create2Stub::runGivenClock() {
       restartAt(ros::Time::now());
       started = true;
     } else if (now > time_ + kLongestGap) {
-      ROS_WARN_THROTTLE(kStaleReport, "%.2f s passed without the stub: the robot did not move in them",
+      ROS_WARN_THROTTLE(kStaleReport, "the simulation was interrupted for %.2f s: the robot did not move in this time",
                         1e-9 * static_cast<double>(now - time_));
       time_ = now;
     }

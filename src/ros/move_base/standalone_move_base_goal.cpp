@@ -19,7 +19,7 @@ geometry_msgs::Quaternion uprightRotation(const geometry_msgs::Quaternion& messa
   tf2::Quaternion rotation(message.x, message.y, message.z, message.w);
   const double squared_length = rotation.length2();
   if (!std::isfinite(squared_length) || squared_length < kSmallestQuaternion) {
-    throw std::invalid_argument("the goal's orientation is no quaternion of a rotation");
+    throw std::invalid_argument("the goal's orientation is a zero quaternion, or not finite");
   }
   rotation.normalize();
   if (std::abs(1.0 - tf2::Matrix3x3(rotation)[2][2]) > kLargestTilt) {

@@ -28,8 +28,8 @@ void warnOfPlanningOnce() {
   const double frequency = ros::NodeHandle("~").param("planner_frequency", 0.0);
   if (frequency <= 0.0) {
     ROS_WARN(
-        "%s/planner_frequency is 0: one plan a goal. This planner sees no farther than its scanner and needs to "
-        "plan again while it drives; set it to 5",
+        "%s/planner_frequency is 0: move_base asks for one plan per goal only. This planner must plan again while the "
+        "robot drives; set it to 5",
         ros::this_node::getName().c_str());
   }
 }

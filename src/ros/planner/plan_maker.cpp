@@ -82,7 +82,7 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
     publish(decision, global_goal, *plan);
   }
   if (decision.source == Decision::Source::kNoPath) {
-    throw PlanRefused("there is no path to the goal: the boundary of what is in the way was followed to its end");
+    throw PlanRefused("there is no path to the goal: obstacles enclose the goal or the robot");
   }
 }
 
@@ -127,8 +127,8 @@ const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading
       break;
     case NavigationAgent::Fresh::kJump:
       ROS_WARN(
-          "the odometry jumped, or the localisation found the robot elsewhere: the path so far and what was seen "
-          "are forgotten; the goal stays");
+          "the odometry jumped, or the localisation moved the robot: the path so far and the remembered obstacles are "
+          "deleted; the goal stays");
       markers_.clearTrace();
       break;
     case NavigationAgent::Fresh::kGoalMoved:

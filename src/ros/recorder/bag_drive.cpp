@@ -262,8 +262,8 @@ void checkContent(const BagDriveResult& result, const BagDriveOptions& options) 
   }
   if (!options.hindsight && result.goals == 0) {
     throw std::invalid_argument(
-        "names no goals: expected some on move_base/goal, move_base_simple/goal or another --goal-topic; with "
-        "--hindsight they are the places that were driven to");
+        "has no goals: expected some on move_base/goal, move_base_simple/goal or another --goal-topic; with "
+        "--hindsight places that the robot reached are the goals");
   }
 }
 

@@ -30,7 +30,7 @@ RecorderFile::RecorderFile(const RecorderNodeParameters& parameters)
   std::filesystem::create_directories(folder, error);
   if (error) throw DatasetError("cannot make the folder of " + path_ + ": " + error.message());
   if (access(folder.c_str(), W_OK) != 0) {
-    throw DatasetError("cannot write " + path_ + ": its folder is not to be written in");
+    throw DatasetError("cannot write " + path_ + ": its folder is not writable");
   }
 }
 

@@ -33,7 +33,7 @@ bool DatasetRecorder::Implementation::discardEpisode(std_srvs::Trigger::Request&
     progress_.discardEpisode();
     response.success = 1;
     response.message = "an episode of " + std::to_string(progress_.newest()->poses.size()) +
-                       " steps is not to be learned from; " + std::to_string(progress_.steps()) + " steps are left";
+                       " steps will not be used for training; " + std::to_string(progress_.steps()) + " steps are left";
   });
   ROS_INFO("%s", response.message.c_str());
   publishStatus();
@@ -57,7 +57,7 @@ std::string DatasetRecorder::Implementation::finish() {
       sentence << progress_.steps() << " steps in " << progress_.episodes() - progress_.discarded()
                << " episodes are in " << file_.path();
     } else {
-      sentence << "no odometry was heard on " << subscribers_.at(1).getTopic() << ", so there is no file";
+      sentence << "no odometry was received on " << subscribers_.at(1).getTopic() << ", so there is no file";
     }
     ROS_INFO("finished: %s", sentence.str().c_str());
     // ROS's log is silent once it is shut down, as by rosnode kill.

@@ -58,7 +58,7 @@ std::optional<std::string> uselessness(const RecordingStatus& status) {
   }
   const auto most = std::max_element(troubles.begin(), troubles.end());
   if (*most == 0) return std::nullopt;
-  return "nothing becomes a step: " +
+  return "no steps are recorded: " +
          describeRejection(static_cast<Rejection>(std::distance(troubles.begin(), most)), status);
 }
 

@@ -47,7 +47,7 @@ void DriveMessages::hear(const sensor_msgs::LaserScan& scan, const ros::Time& re
   fromMessage(scan, &heard.scan);
   heard.scan.stamp = heard.stamp;
   // Only odometry says in which frame the robot moves, and so where the scanner sits in it.
-  if (!odometry_heard_) return reject(Rejection::kNoOdometry, "no odometry has been heard yet");
+  if (!odometry_heard_) return reject(Rejection::kNoOdometry, "no odometry has been received yet");
   const SensorMount* mount = mountOf(heard.frame);
   if (mount == nullptr) return;
   heard.mount = *mount;

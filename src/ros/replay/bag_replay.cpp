@@ -25,11 +25,11 @@ BagReplay::BagReplay(const BagReplayParameters& parameters)
       player_(parameters.bag, {drive_.scan_topic, drive_.odometry_source == "tf" ? "" : drive_.odometry_source}),
       display_(replay_.description()) {
   if (replay_.decisions().empty()) {
-    throw std::invalid_argument("there is nothing to decide about in '" + parameters_.bag +
+    throw std::invalid_argument("there is no step to decide about in '" + parameters_.bag +
                                 "': " + describeReplay(replay_));
   }
   if (!drive_.mount_known) {
-    ROS_WARN("'%s' does not tell where the scanner sits; it is taken to sit at the robot's centre and look ahead",
+    ROS_WARN("'%s' has no pose of the scanner: it is assumed at the robot's centre, looking ahead",
              parameters_.bag.c_str());
   }
   if (parameters_.drive.mount || !drive_.mount_known) {
