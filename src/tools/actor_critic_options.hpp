@@ -14,15 +14,15 @@ namespace lstm_planner {
 template <typename Parameters>
 void addActorCriticOptions(const std::string& unit, Parameters* parameters, CommandLine* line) {
   Parameters& p = *parameters;
-  line->add("critic", &p.critic_units, kAnyLayer, "units of each of the critic's layers");
-  line->add("discount", &p.discount, kAnyShare, "a step");
-  line->add("advantage-decay", &p.advantage_decay, kAnyShare, "lambda");
-  line->add("entropy-start", &p.entropy_start, kAnyWeight, "weight of the entropy at first");
-  line->add("entropy-end", &p.entropy_end, kAnyWeight, "and at last");
+  line->add("critic", &p.critic_units, kAnyLayer, "units of each layer of the critic");
+  line->add("discount", &p.discount, kAnyShare, "discount factor per step (gamma)");
+  line->add("advantage-decay", &p.advantage_decay, kAnyShare, "decay of the advantage estimate (lambda)");
+  line->add("entropy-start", &p.entropy_start, kAnyWeight, "weight of the entropy at the start");
+  line->add("entropy-end", &p.entropy_end, kAnyWeight, "weight of the entropy at the end");
   line->add("step-cost", &p.step_cost, kAnyReward, unit);
   line->add("arrival-bonus", &p.arrival_bonus, kAnyReward, unit);
   line->add("rate", &p.learning_rate, kAnyRate, "learning rate");
-  line->add("critic-rate", &p.critic_learning_rate, kAnyRate, "of the critic");
+  line->add("critic-rate", &p.critic_learning_rate, kAnyRate, "learning rate of the critic");
 }
 
 /// What was given, by the options' names.

@@ -8,14 +8,14 @@ namespace {
 /// In the order of --help.
 const std::vector<Command>& actions() {
   static const std::vector<Command> all = {
-      {"info", "say what a dataset holds, and draw it", datasetInfo},
-      {"check", "look for what is wrong with a dataset", datasetCheck},
-      {"merge", "put several datasets into one", datasetMerge},
-      {"split", "divide a dataset into one to train and one to validate", datasetSplit},
+      {"info", "print what a dataset contains, and draw it", datasetInfo},
+      {"check", "check a dataset for errors", datasetCheck},
+      {"merge", "join several datasets", datasetMerge},
+      {"split", "divide a dataset into a training set and a validation set", datasetSplit},
       {"export", "write a dataset as CSV or for NumPy", datasetExport},
-      {"from-bag", "make a dataset of bags", datasetFromBag},
-      {"from-log", "make a dataset of CARMEN logs", datasetFromLog},
-      {"simulate", "record somebody who drives a simulated robot", datasetSimulate},
+      {"from-bag", "make a dataset from bags", datasetFromBag},
+      {"from-log", "make a dataset from CARMEN logs", datasetFromLog},
+      {"simulate", "let a program drive a simulated robot, and record it", datasetSimulate},
   };
   return all;
 }

@@ -26,7 +26,7 @@ const std::vector<double> kLabelDistances = {0.0, 0.2, 0.4, 0.6, 0.8, 1.0};  // 
 int datasetInfo(const std::vector<std::string>& arguments) {
   std::string file;
   std::string picture;
-  CommandLine line("dataset info", "says what a dataset holds; it may be being recorded");
+  CommandLine line("dataset info", "prints what a dataset contains; also during a recording");
   line.addFile("file", &file, "the dataset").required().standsAlone();
   line.addOutput("picture", &picture, "draw labels, ranges and driven paths into this PNG file");
   if (!line.parse(arguments)) return 0;
@@ -39,9 +39,9 @@ int datasetInfo(const std::vector<std::string>& arguments) {
 int datasetCheck(const std::vector<std::string>& arguments) {
   std::string file;
   std::size_t most = 20;
-  CommandLine line("dataset check", "looks for what is wrong with a dataset; the status is 1 where something is");
+  CommandLine line("dataset check", "checks a dataset for errors; the exit status is 1 if there are any");
   line.addFile("file", &file, "the dataset").required().standsAlone();
-  line.add("most", &most, {0, 1e9}, "sentences to print");
+  line.add("most", &most, {0, 1e9}, "number of errors to print at most");
   if (!line.parse(arguments)) return 0;
   const std::vector<std::string> sentences = checkDatasetFile(file);
   for (std::size_t i = 0; i < std::min(most, sentences.size()); ++i) std::cout << sentences[i] << "\n";
@@ -53,9 +53,9 @@ int datasetCheck(const std::vector<std::string>& arguments) {
 int datasetMerge(const std::vector<std::string>& arguments) {
   std::vector<std::string> files;
   std::string output;
-  CommandLine line("dataset merge", "puts the recordings of several datasets into a new one");
+  CommandLine line("dataset merge", "joins the recordings of several datasets in a new one");
   line.addFiles("files", &files, "the datasets").required().standsAlone();
-  line.addNewFile("output", &output, "the new dataset; there must be no such file").required();
+  line.addNewFile("output", &output, "the new dataset; the file must not exist").required();
   if (!line.parse(arguments)) return 0;
   const Dataset merged = mergeDatasets(files);
   writeDataset(output, merged);
@@ -80,12 +80,12 @@ int datasetSplit(const std::vector<std::string>& arguments) {
   std::string validation;
   double share = 0.25;
   std::uint64_t seed = 1;
-  CommandLine line("dataset split", "divides a dataset by whole episodes");
+  CommandLine line("dataset split", "divides a dataset into a training set and a validation set, by whole episodes");
   line.addFile("file", &file, "the dataset").required().standsAlone();
-  line.add("share", &share, kAnyShare, "of the steps, for the validation set");
-  line.addSeed(&seed, "of the episodes that are drawn");
-  line.addNewFile("training", &training, "new dataset of the other episodes").required();
-  line.addNewFile("validation", &validation, "new dataset of the episodes that are drawn").required();
+  line.add("share", &share, kAnyShare, "share of the steps for the validation set");
+  line.addSeed(&seed, "seed of the random choice of episodes");
+  line.addNewFile("training", &training, "new dataset with the training set").required();
+  line.addNewFile("validation", &validation, "new dataset with the validation set").required();
   if (!line.parse(arguments)) return 0;
   const DatasetSplit split = splitDataset(readDataset(file, true), share, seed);
   writeDataset(training, split.training);
@@ -107,17 +107,17 @@ int datasetExport(const std::vector<std::string>& arguments) {
   bool encoded = false;
   CommandLine line("dataset export", "writes a dataset for other programs; discarded episodes are left out");
   line.addFile("file", &file, "the dataset").required().standsAlone();
-  line.addFile("output", &output, "FILE.csv: a row a step; FILE.npz: arrays for NumPy").required();
-  line.addFlag("scans", &with_scans, true, "whole scans, too");
+  line.addFile("output", &output, "FILE.csv: one row per step; FILE.npz: arrays for NumPy").required();
+  line.addFlag("scans", &with_scans, true, "also write the whole scans");
   line.addFlag("encoded", &encoded, true,
-               "what a network is told at each step, and the labels 0 to 1 m ahead, in place of what was measured");
+               "write the encoded inputs of a network, and the labels 0 to 1 m ahead, instead of the measured values");
   if (!line.parse(arguments)) return 0;
   const std::string extension = std::filesystem::path(output).extension().string();
   if (extension != ".csv" && extension != ".npz") {
     throw std::invalid_argument("--output is '" + output + "', expected a name that ends in .csv or .npz");
   }
   if (encoded && (with_scans || extension != ".csv")) {
-    throw std::invalid_argument("--encoded writes no scans and a name that ends in .csv, not '" + output + "'");
+    throw std::invalid_argument("--encoded writes no scans, and needs a name that ends in .csv, not '" + output + "'");
   }
   const Dataset dataset = readDataset(file, with_scans);
   std::error_code unknown;

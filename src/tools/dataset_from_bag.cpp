@@ -20,23 +20,23 @@ struct FromBagOptions {
 bool readOptions(const std::vector<std::string>& arguments, FromBagOptions* options) {
   BagDriveOptions& drive = options->drive;
   CommandLine line("dataset from-bag",
-                   "makes a dataset of bags, as dataset_recorder would have made it of their messages");
-  line.addFiles("bag", &options->bags, "bags; --bag may be left out").required().standsAlone();
-  line.addNewFile("output", &options->output, "the new dataset; there must be no such file").required();
+                   "makes a dataset from bags, as dataset_recorder would have made it from their messages");
+  line.addFiles("bag", &options->bags, "the bags; the word --bag may be left out").required().standsAlone();
+  line.addNewFile("output", &options->output, "the new dataset; the file must not exist").required();
   line.add("scan-topic", &drive.scan_topic, "sensor_msgs/LaserScan; default: the bag's only one");
   line.add("odometry-topic", &drive.odometry_topic,
-           "nav_msgs/Odometry; default: the bag's only one, or tf where there is none");
-  line.add("odometry-frame", &drive.odometry_frame, "for odometry from tf");
-  line.add("base-frame", &drive.base_frame, "the robot's, where the odometry does not name it");
+           "nav_msgs/Odometry; default: the bag's only one, or tf if there is none");
+  line.add("odometry-frame", &drive.odometry_frame, "frame of the odometry, if it comes from tf");
+  line.add("base-frame", &drive.base_frame, "the robot's frame, if the odometry does not name it");
   addMountOption(&drive.mount, "from tf", &line);
   line.add("goal-topic", &drive.goal_topics,
            "geometry_msgs/PoseStamped or move_base_msgs/MoveBaseActionGoal, may be given several times; default: "
            "move_base/goal, move_base_simple/goal and dataset_recorder/goal")
       .oneAtATime();
-  line.addFlag("hindsight", &drive.hindsight, true, "goals are the places that were driven to");
+  line.addFlag("hindsight", &drive.hindsight, true, "the goals are places that the robot reached");
   line.section("with --hindsight");
   addHindsightOptions(&drive.hindsight_parameters, &line);
-  line.section("steps, as the parameters of dataset_recorder");
+  line.section("steps: the parameters of dataset_recorder");
   addRecorderOptions(&options->recorder, &line);
   return line.parse(arguments);
 }
@@ -56,7 +56,7 @@ void print(const BagDriveResult& result, const BagDriveOptions& options) {
               << "\n";
   }
   if (!result.mount_known) {
-    std::cout << "  where the scanner sits is not in the bag: taken as the base's origin, looking ahead (--mount)\n";
+    std::cout << "  the bag has no pose of the scanner: the base's origin is used, looking ahead (--mount)\n";
   }
 }
 

@@ -24,12 +24,12 @@ bool readOptions(const std::vector<std::string>& arguments, FromLogOptions* opti
   options->recorder.max_gap = 10.0;
   options->recorder.scan_rules = carmenLogRules();
   CommandLine line("dataset from-log", "makes a dataset of CARMEN logs (FLASER or ROBOTLASER1, plain or .gz)");
-  line.addFiles("log", &options->logs, "logs; --log may be left out").required().standsAlone();
-  line.addNewFile("output", &options->output, "the new dataset; there must be no such file").required();
+  line.addFiles("log", &options->logs, "the logs; the word --log may be left out").required().standsAlone();
+  line.addNewFile("output", &options->output, "the new dataset; the file must not exist").required();
   addMountOption(&options->mount, "from the log", &line);
-  line.section("goals: the places that were driven to, for logs name none");
+  line.section("goals: places that the robot reached, because logs have no goals");
   addHindsightOptions(&options->hindsight, &line);
-  line.section("steps, as the parameters of dataset_recorder");
+  line.section("steps: the parameters of dataset_recorder");
   addRecorderOptions(&options->recorder, &line);
   return line.parse(arguments);
 }
@@ -37,9 +37,8 @@ bool readOptions(const std::vector<std::string>& arguments, FromLogOptions* opti
 void print(const CarmenLog& log) {
   std::cout << "  " << log.duration << " s: " << log.scans << " scans " << log.scan_kind << ", " << log.odometry
             << " lines ODOM\n";
-  if (!log.mount_known)
-    std::cout << "  where the scanner sits is not in the log: taken as the robot's origin (--mount)\n";
-  if (log.late > 0) std::cout << "  " << log.late << " lines were stamped late: they got the time in between\n";
+  if (!log.mount_known) std::cout << "  the log has no pose of the scanner: the robot's origin is used (--mount)\n";
+  if (log.late > 0) std::cout << "  " << log.late << " lines had late stamps: their times were interpolated\n";
   if (log.repeated > 0) std::cout << "  " << log.repeated << " lines ODOM repeat the scan before them: left out\n";
   if (log.malformed > 0) {
     std::cout << "  " << log.malformed << " lines are malformed, the first: " << log.first_malformed << "\n";

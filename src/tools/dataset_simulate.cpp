@@ -46,24 +46,22 @@ bool readOptions(const std::vector<std::string>& arguments, SimulateOptions* opt
   drives.robot.base.odometry_error = 0.02;
   drives.recorder.scan_rules = Hokuyo::rules();
   CommandLine line("dataset simulate",
-                   "somebody drives a simulated Create 2 between waypoints: a dataset without a robot");
+                   "makes a dataset without a robot: a program drives a simulated Create 2 between waypoints");
   line.addFiles("map", &options->maps,
-                "map_server yaml files, each gets its share of the steps; FILE=0.19 replaces the free_thresh of one of "
-                "them")
+                "map_server yaml files; the steps are divided among them; FILE=0.19 replaces the free_thresh of a map")
       .required();
   line.add("free-threshold", &options->free_threshold, {-1.0, 1.0},
-           "replaces the free_thresh of all maps; -1: it does not");
-  line.add(
-      "waypoints", &options->waypoints,
-      "how many are drawn in each map, or a yaml file with a list of [x, y] or {x: , y: } (m, map frame), e.g. the "
-      "demo's goals");
+           "replaces the free_thresh of all maps; -1: keeps it");
+  line.add("waypoints", &options->waypoints,
+           "number of random waypoints in each map, or a yaml file with a list of [x, y] or {x: , y: } (m, map frame), "
+           "e.g. the demo's goals");
   line.add("steps", &drives.steps, kAnySteps, "labelled steps to record");
-  line.addSeed(&options->seed, "of waypoints, goals, driver and noise");
+  line.addSeed(&options->seed, "seed of waypoints, goals, driver and noise");
   visitCreate2Parameters(drives.robot.base, line.parameters({{"odometry_error", "drift"}}));
   visitDriverParameters(drives.driver,
                         line.parameters({{"speed", "speed"}, {"turn_speed", "turn-speed"}, {"wander", "wander"}}));
-  line.addFlag("arcs", &drives.driver.drives_arcs, true, "turn keys are pressed while driving, too");
-  line.addNewFile("output", &options->output, "the new dataset; there must be no such file").required();
+  line.addFlag("arcs", &drives.driver.drives_arcs, true, "the driver also presses turn keys while driving forward");
+  line.addNewFile("output", &options->output, "the new dataset; the file must not exist").required();
   addRecorderOptions(&drives.recorder, &line);
   line.whenParsed([&] { check(*options); });
   return line.parse(arguments);

@@ -17,22 +17,24 @@ constexpr double kLatency = 0.1;           // s
 constexpr double kPatienceDistance = 0.2;  // m a step
 
 void addWorldOptions(DriveOptions* options, CommandLine* line) {
-  line->section("where (without any of the first three: a walled room of 10 m x 10 m)");
-  line->addFiles("map", &options->maps, "map_server yaml files; FILE=0.19 replaces the free_thresh of one of them");
+  line->section("the world (default: a walled room of 10 m x 10 m)");
+  line->addFiles("map", &options->maps, "map_server yaml files; FILE=0.19 replaces the free_thresh of a map");
   line->addFile("barn", &options->barn, "barn_cylinders.csv: the BARN worlds, by BARN's rules");
   line->add("worlds", &options->kind, "generated worlds: mazes, offices, corridors, forest, open or rooms");
   visitCrowdParameters(options->crowd, line->parameters({{"walkers", "walkers"}}));
   line->add("free-threshold", &options->free_threshold, {-1.0, 1.0},
-            "replaces the free_thresh of all maps; -1: it does not");
+            "replaces the free_thresh of all maps; -1: keeps it");
   line->addFlag("open-unknown", &options->open_unknown, true,
-                "what a map does not know can be seen and driven through; it is solid otherwise");
-  line->add("goals", &options->goals, kAnyCount,
-            "starts and goals in each map or in the room (100), or number of worlds with one each (100; all of BARN)");
-  line->add("only", &options->only, {0, 1e6}, "drive only the goals, or worlds, of these numbers");
-  line->add("shortest", &options->shortest, kAnyLength, "m, shortest path from start to goal (maps: 2, others: 5)");
+                "unknown cells of a map are free; otherwise they are solid");
+  line->add(
+      "goals", &options->goals, kAnyCount,
+      "number of drives in each map or in the room (100), or number of worlds with one drive each (100; all of BARN)");
+  line->add("only", &options->only, {0, 1e6}, "drive only to the goals, or in the worlds, with these numbers");
+  line->add("shortest", &options->shortest, kAnyLength,
+            "m; smallest length of the path from start to goal (maps: 2, others: 5)");
   line->add("time-limit", &options->time_limit, kAnyTime,
-            "s of simulated time a goal (BARN: 100, room: 120, others: 1800)");
-  line->addSeed(&options->seed, "of worlds, goals, walkers and noise");
+            "s of simulated time per goal (BARN: 100, room: 120, others: 1800)");
+  line->addSeed(&options->seed, "seed of worlds, goals, walkers and noise");
 }
 
 void addRobotOptions(DriveOptions* options, CommandLine* line) {
@@ -41,8 +43,8 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
   line->addText(
       "robot", "create2_hokuyo",
       [options](const std::string& name) { readRobotFile(name, &options->drive, &options->agent); },
-      "a file of config/robots by its name, or another one of that form; options set together with it count more");
-  line->addFile("model", &options->model, "ONNX file that drives");
+      "name of a file in config/robots, or path of a file of the same form; other options override its values");
+  line->addFile("model", &options->model, "ONNX file of the network");
   visitHokuyoParameters(options->drive.robot.scanner, line->parameters({{"noise", "noise"}, {"dropout", "dropout"}}));
   visitCreate2Parameters(options->drive.robot.base,
                          line->parameters({{"odometry_error", "drift"}, {"slip", "slip"}, {"drift", "wheel-error"}}));
@@ -50,25 +52,26 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
                                 line->parameters({{"latency", "latency"}, {"localisation_jump", "localisation"}}));
   line->addText(
       "leader", nameOfLeader(agent.leader), [&](const std::string& name) { agent.leader = leaderNamed(name); },
-      "network; route: the path through what is remembered; none: the allowed angle nearest to the goal's bearing");
+      "network; route: the path through the remembered obstacles; none: the allowed angle nearest to the goal's "
+      "bearing");
   line->add("patience", &agent.escape.patience_steps, kAnyCount,
-            "steps without progress after which the rescue leads; likewise so many times 0.2 m");
-  line->addFlag("no-escape", &agent.escape.enabled, false, "switch the rescue off: whoever leads has no help");
+            "steps without progress after which the rescue leads; also after this number times 0.2 m");
+  line->addFlag("no-escape", &agent.escape.enabled, false, "switch the rescue off");
   line->addFlag("no-memory", &agent.memory.enabled, false, "remember no obstacles: the rescue follows boundaries");
   line->addFlag("no-shield", &agent.shield_enabled, false, "switch the shield off");
 }
 
 void addOutputOptions(DriveOptions* options, CommandLine* line) {
-  line->section("what comes out");
-  line->add("threads", &options->threads, kAnyThreads, "drives at a time");
+  line->section("output");
+  line->add("threads", &options->threads, kAnyThreads, "number of drives at the same time");
   line->addOutput("json", &options->json, "write the result to this file");
-  line->addOutput("details", &options->details, "write a CSV line a goal to this file");
+  line->addOutput("details", &options->details, "write one CSV line per goal to this file");
   line->addFolder("pictures", &options->pictures,
-                  "draw the drives that went wrong, the best, the middle and the worst into this folder");
+                  "draw the failed drives, and the best, the median and the worst one, into this folder");
   line->addOutput("states", &options->states,
-                  "PNG file: the one drive of --only, with the network's preferences and hidden state step by step");
+                  "PNG file for the drive of --only, with the network's preferences and hidden state step by step");
   line->addFolder("film", &options->film,
-                  "draw the one drive of --only as the robot knows it, frame by frame, into this folder");
+                  "draw what the robot knows in the drive of --only, frame by frame, into this folder");
   line->add("film-period", &options->film_parameters.period, {0.1, 1000.0}, "s of simulated time from frame to frame");
   line->add("film-size", &options->film_parameters.longest_side, {100, 4000}, "pixels of a frame's longer side");
 }
@@ -102,7 +105,7 @@ bool readDriveOptions(const std::vector<std::string>& arguments, DriveOptions* o
   options->agent.leader = kDefaultLeader;
   options->crowd.walkers = 0;
   CommandLine line("drive",
-                   "drives a simulated robot, a Create 2 unless told otherwise, to random goals and judges it");
+                   "drives a simulated robot (default: a Create 2) to random goals, and prints how well it does");
   addWorldOptions(options, &line);
   addRobotOptions(options, &line);
   addOutputOptions(options, &line);

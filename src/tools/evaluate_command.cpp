@@ -35,16 +35,16 @@ std::string agentNames() {
 
 bool readOptions(const std::vector<std::string>& arguments, EvaluateOptions* options) {
   GridAgentOptions& agent = options->grid.agent;
-  CommandLine line("evaluate", "judges an agent in scenarios of grid maps");
+  CommandLine line("evaluate", "prints how well an agent does in scenarios of grid maps");
   line.addChoice("agent", &agent.agent, gridAgentNames(), agentNames());
-  line.addFile("model", &agent.model, "ONNX file of an agent that is a network (default: the shipped one)");
+  line.addFile("model", &agent.model, "ONNX file, if the agent is a network (default: the file in the package)");
   addGridOptions(&options->grid, &line);
   line.addOutput("json", &options->json,
                  "write the result to this file; success, collisions and timeouts are shares of the scenarios, means "
                  "are over the scenarios with success");
-  line.addOutput("details", &options->details, "write a CSV line a scenario to this file");
+  line.addOutput("details", &options->details, "write one CSV line per scenario to this file");
   line.addFolder("pictures", &options->pictures,
-                 "draw some misses and the longest detour of each set into this folder");
+                 "draw some failed scenarios, and the longest detour, of each set into this folder");
   line.whenParsed([&] {
     if (isNetworkAgent(agent.agent)) {
       agent.model = findSharedFile(line.given("model") ? agent.model : shippedModelOf(agent.agent));

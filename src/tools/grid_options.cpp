@@ -42,29 +42,34 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
       .required();
   line->addChoice("maps", &options->maps, {"train", "validation", "all"},
                   "train (maps 0-5 of a set, or the first half of more than 20 maps), validation (the others) or all");
-  line->add("min-length", &selection.min_length, kAnyLength, "cells, of the shortest path");
-  line->add("max-length", &selection.max_length, kAnyLength, "cells, of the shortest path (default: no limit)");
+  line->add("min-length", &selection.min_length, kAnyLength, "cells; smallest length of the shortest path");
+  line->add("max-length", &selection.max_length, kAnyLength,
+            "cells; largest length of the shortest path (default: no limit)");
   line->add("count", &selection.count, {0, 1e9}, "scenarios of each set; 0 = all");
-  line->addSeed(&selection.seed, "of the choice of scenarios");
+  line->addSeed(&selection.seed, "seed of the random choice of scenarios");
   line->add("max-steps", &rules.max_steps, {0, 1e12},
-            "of an episode; 0 = no limit, but walks in circles among known cells end as timeouts");
+            "largest number of steps of an episode; 0 = no limit, but walking in circles among known cells counts as a "
+            "timeout");
   line->addFlag("corner-cutting", &rules.corner_cutting, CornerCutting::kAllowed,
                 "diagonal moves may pass blocked cells at their sides");
   line->addFlag("thesis-terrain", &selection.rule, PassableRule::kThesis, "only '.' is passable, not 'G' and 'S'");
   line->addFlag("no-shield", &agent.shield, false, "a network may choose moves into obstacles, which end the episode");
-  line->addFlag("no-escape", &agent.escape, false, "no boundary following when a network gets nowhere");
-  line->add("patience", &agent.patience, kAnySteps, "steps without getting nearer before the escape");
+  line->addFlag("no-escape", &agent.escape, false, "no boundary following if a network makes no progress");
+  line->add("patience", &agent.patience, kAnySteps, "steps without progress after which the escape leads");
   line->addText(
       "heuristic", "octile", [&](const std::string& name) { agent.heuristic.kind = heuristicNamed(name); },
-      "of A*: manhattan, chebyshev, octile, euclidean or scaled_euclidean");
-  line->add("scale", &agent.heuristic.scale, {0.0, kLargestEuclideanScale}, "of scaled_euclidean");
+      "heuristic of A*: manhattan, chebyshev, octile, euclidean or scaled_euclidean");
+  line->add("scale", &agent.heuristic.scale, {0.0, kLargestEuclideanScale}, "scale of scaled_euclidean");
   line->addFlag("keep-closed", &agent.keep_closed, true,
-                "A* expands no cell twice, also where a heuristic that overestimates led to it by a detour");
+                "A* expands no cell twice, even if an overestimating heuristic first found it by a detour");
   line->addFlag("four-moves", &agent.diagonal_moves, false, "A* makes no diagonal moves");
-  line->add("straight-cost", &options->straight_cost, {0.01, 100.0}, "of A*: c of the thesis (Eq. 1.3)");
-  line->add("diagonal-cost", &options->diagonal_cost, {0.01, 200.0},
-            "of A*: d of the thesis (Eq. 1.4), from c to 2 c; paths are measured as they are long all the same");
-  line->add("threads", &options->evaluation.threads, kAnyThreads, "episodes at a time; does not change the result");
+  line->add("straight-cost", &options->straight_cost, {0.01, 100.0},
+            "cost of a straight move in A*: c of the thesis (Eq. 1.3)");
+  line->add(
+      "diagonal-cost", &options->diagonal_cost, {0.01, 200.0},
+      "cost of a diagonal move in A*: d of the thesis (Eq. 1.4), from c to 2 c; the printed lengths are true lengths");
+  line->add("threads", &options->evaluation.threads, kAnyThreads,
+            "number of episodes at the same time; does not change the result");
   line->whenParsed([options] { finish(options); });
 }
 

@@ -38,7 +38,7 @@ void check(const JudgeOptions& options) {
   validate(options.course);
   const Decision::Source leader = leaderNamed(options.leader);
   if (leader == Decision::Source::kNetwork && options.model.empty()) {
-    throw std::invalid_argument("--model is needed where the network leads");
+    throw std::invalid_argument("--model is needed if the network leads");
   }
   if (!options.recordings.empty() && leader != Decision::Source::kNetwork) {
     throw std::invalid_argument("--recordings judges a network, --leader is '" + options.leader + "'");
@@ -49,19 +49,19 @@ bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* option
   JudgeOptions& o = *options;
   o.course.shortest = 5.0;
   CommandLine line("judge",
-                   "judges who leads the robot, alone: no rescue, four drives a world, random conditions of sensors, "
-                   "wheels and speed; the worlds are those of lstm_planner drive, never trained in");
-  line.addFile("model", &o.model, "ONNX file, where the network leads");
-  line.addChoice("leader", &o.leader, {"network", "route", "none"}, "network, route or none");
-  line.add("kinds", &o.kinds, "of generated worlds, in turn (default: all)");
-  line.add("worlds", &o.worlds, kAnyCount, "of all kinds together");
-  line.add("max-steps", &o.max_steps, kAnyCount, "of a drive");
-  line.add("shortest", &o.course.shortest, kAnyLength, "m of path to the goal at the least");
-  line.addSeed(&o.seed, "of worlds, drives and conditions");
-  line.add("threads", &o.threads, kAnyThreads, "does not change the result");
-  line.addFiles("recordings", &o.recordings,
-                "datasets of somebody's drives: says how often the network prefers what the driver did, in place of "
-                "driving");
+                   "prints how well a leader of the robot does alone: no rescue, four drives per world, random "
+                   "conditions of sensors, wheels and speed, in worlds that were not used in training");
+  line.addFile("model", &o.model, "ONNX file, if the network leads");
+  line.addChoice("leader", &o.leader, {"network", "route", "none"}, "who leads: network, route or none");
+  line.add("kinds", &o.kinds, "kinds of generated worlds (default: all)");
+  line.add("worlds", &o.worlds, kAnyCount, "number of worlds of all kinds together");
+  line.add("max-steps", &o.max_steps, kAnyCount, "largest number of steps of a drive");
+  line.add("shortest", &o.course.shortest, kAnyLength, "m; smallest length of the path to the goal");
+  line.addSeed(&o.seed, "seed of worlds, drives and conditions");
+  line.add("threads", &o.threads, kAnyThreads, "number of threads; does not change the result");
+  line.addFiles(
+      "recordings", &o.recordings,
+      "datasets of recorded drives: prints how often the network prefers the driver's angle, instead of driving");
   line.addOutput("json", &o.json, "write the result to this file");
   line.whenParsed([&] {
     if (!o.kinds.empty()) o.course.worlds.clear();

@@ -17,13 +17,14 @@ namespace {
 
 const std::vector<lstm_planner::Command>& commands() {
   static const std::vector<lstm_planner::Command> all = {
-      {"drive", "drive a simulated Create 2 to random goals and judge it", lstm_planner::runDrive},
-      {"judge", "judge a network of the robot in many short practice drives", lstm_planner::runJudge},
+      {"drive", "drive a simulated robot to random goals and judge it", lstm_planner::runDrive},
+      {"judge", "judge a network of the robot in many short drives", lstm_planner::runJudge},
       {"train", "train a network for the robot or for the grid world", lstm_planner::runTrain, true},
       {"evaluate", "judge an agent in scenarios of grid maps", lstm_planner::runEvaluate, true},
       {"report", "compare agents with each other and with the thesis", lstm_planner::runReport, true},
       {"maps", "generate floor plans, or maps and scenarios of the grid world", lstm_planner::runMaps},
-      {"model", "look at a model file, check it, or fit one that was exported elsewhere", lstm_planner::runModel},
+      {"model", "look at a model file, check it, or add the metadata to one that was exported elsewhere",
+       lstm_planner::runModel},
       {"dataset", "look at, check, merge, split and export recorded drives", lstm_planner::runDataset},
       {"parameters", "print the parameters of plugins and nodes, with ranges and meanings",
        lstm_planner::runParameters},

@@ -69,7 +69,7 @@ void checkKind(const std::string& name, const CommandLine& line) {
   for (const Kind& other : kinds()) {
     for (const std::string& option : other.options) {
       if (!line.given(option) || hasOption(*kind, option)) continue;
-      throw std::invalid_argument("option --" + option + " does not go with --kind " + name + ", expected --kind " +
+      throw std::invalid_argument("option --" + option + " cannot be used with --kind " + name + ", expected --kind " +
                                   kindsWith(option));
     }
   }
@@ -103,19 +103,21 @@ void addBuildingOptions(FloorPlanParameters* plan, CommandLine* line) {
 
 void addGridMapOptions(MapsOptions* options, CommandLine* line) {
   line->section("--kind maze, random, rooms or caves");
-  line->add("count", &options->set.count, {1, 1e5}, "maps, of seeds that follow each other");
-  line->add("name", &options->set.name, "of the maps, number and .map are added; default by kind and size");
-  line->add("per-bucket", &options->set.scenarios.per_bucket, {1, 1e4}, "scenarios for every 4 cells of length");
+  line->add("count", &options->set.count, {1, 1e5}, "number of maps, with consecutive seeds");
+  line->add("name", &options->set.name,
+            "name of the maps; a number and .map are added; the default depends on kind and size");
+  line->add("per-bucket", &options->set.scenarios.per_bucket, {1, 1e4}, "scenarios for each 4 cells of path length");
   line->add("columns", &options->columns, kMapSide, "cells");
   line->add("rows", &options->rows, kMapSide, "cells");
-  line->add("corridor-width", &options->maze.corridor_width, kMapSide, "maze: cells");
+  line->add("corridor-width", &options->maze.corridor_width, kMapSide, "maze: width of the corridors, cells");
   line->add("branching", &options->maze.branching, kAnyShare,
             "maze: 0 for long winding paths, 1 for short ones with many dead ends");
-  line->add("share", &options->share, kAnyShare, "of blocked cells, random: 0.25, caves: 0.45 (before smoothing)");
-  line->addFlag("keep-pockets", &options->random.fill_pockets, false, "random: do not fill what cannot be reached");
-  line->add("room-size", &options->rooms.room_size, kMapSide, "rooms: cells");
+  line->add("share", &options->share, kAnyShare,
+            "share of blocked cells (default: random 0.25, caves 0.45, before smoothing)");
+  line->addFlag("keep-pockets", &options->random.fill_pockets, false, "random: keep free cells that cannot be reached");
+  line->add("room-size", &options->rooms.room_size, kMapSide, "rooms: size of a room, cells");
   line->add("door-cells", &options->rooms.door_cells, kMapSide, "rooms: width of a door, cells");
-  line->add("rounds", &options->caves.rounds, {0, 100}, "caves: of smoothing");
+  line->add("rounds", &options->caves.rounds, {0, 100}, "caves: rounds of smoothing");
 }
 
 /// What several kinds share is written by the user once.
@@ -129,18 +131,15 @@ void shareAmongKinds(MapsOptions* options) {
 bool readOptions(const std::vector<std::string>& arguments, MapsOptions* options) {
   CommandLine line("maps", "generates floor plans, or maps and scenarios of the grid world");
   line.addChoice("kind", &options->kind, kindNames(),
-                 "building: a floor plan in metres as a map_server map; maze, random, rooms, caves: maps and scenarios "
-                 "in cells in the layout of the grid benchmark (movingai.com)");
+                 "building: a floor plan in metres, as a map for map_server; maze, random, rooms, caves: maps and "
+                 "scenarios in cells, in the format of the MovingAI benchmark (movingai.com)");
   line.addFile(
           "output", &options->output,
-          "building: path without extension, .yaml and .pgm are written; other kinds: folder, Maps/ and Scenarios/ "
-          "in it are written")
+          "building: path without extension, .yaml and .pgm are added; other kinds: folder for Maps/ and Scenarios/")
       .required();
-  line.addSeed(&options->set.seed, "of the floor plan or of the first map");
-  line.add(
-      "extra-doors", &options->extra_doors, kAnyShare,
-      "probability of a second passage through a wall (building: 0.3), of a door in a wall that needs none (rooms: "
-      "0.5)");
+  line.addSeed(&options->set.seed, "seed of the floor plan, or of the first map");
+  line.add("extra-doors", &options->extra_doors, kAnyShare,
+           "probability of an additional door in a wall (default: building 0.3, rooms 0.5)");
   addBuildingOptions(&options->plan, &line);
   addGridMapOptions(options, &line);
   line.whenParsed([&] {

@@ -83,14 +83,14 @@ std::string fileOf(const std::string& action, const std::string& summary, const 
 }
 
 int modelInfo(const std::vector<std::string>& arguments) {
-  const std::string file = fileOf("info", "says what a model file holds", arguments);
+  const std::string file = fileOf("info", "prints what a model file contains", arguments);
   if (!file.empty()) printModel(readModelFile(file));
   return 0;
 }
 
 int modelCheck(const std::vector<std::string>& arguments) {
-  const std::string file =
-      fileOf("check", "says whether a model can be used, and all that is wrong otherwise", arguments);
+  const std::string file = fileOf(
+      "check", "checks whether a model can be used; if not, prints everything that is missing or wrong", arguments);
   if (file.empty()) return 0;
   const Model model = readModelFile(file);
   try {
@@ -117,33 +117,35 @@ struct Conversion {
 
 void addRobotOptions(Conversion* conversion, CommandLine* line) {
   EncoderParameters& encoder = conversion->policy.encoder;
-  line->section("what the robot's network is told and asked; see models/onnx.md");
+  line->section("inputs and outputs of the robot's network; see models/onnx.md");
   line->add("layout", &conversion->layout, "names of the inputs, in their order (default: the thesis's fourteen)");
-  line->add("range-cap", &encoder.range_cap, {0.001, 1e6}, "m; a sector is told as range / range-cap");
+  line->add("range-cap", &encoder.range_cap, {0.001, 1e6}, "m; the input of a sector is range / range-cap");
   line->add("distance-scale", &encoder.distance_scale, {0.001, 1e6},
-            "m; the goal's distance d is told as d / (d + it)");
-  line->add("angle-scale", &encoder.angle_scale, {0.001, 1e6}, "rad; by which goal_bearing and heading are divided");
-  line->add("action-scale", &encoder.action_scale, {0.001, 1e6}, "rad; by which previous_action is divided");
-  line->add("position-cell", &encoder.position_cell, {0.0, 1e6}, "m, to which the odometry is rounded; 0: not at all");
+            "m; the input of the goal's distance d is d / (d + distance-scale)");
+  line->add("angle-scale", &encoder.angle_scale, {0.001, 1e6}, "rad; goal_bearing and heading are divided by it");
+  line->add("action-scale", &encoder.action_scale, {0.001, 1e6}, "rad; previous_action is divided by it");
+  line->add("position-cell", &encoder.position_cell, {0.0, 1e6},
+            "m; the position is rounded to multiples of this; 0: it is not rounded");
   line->add("heading-cell", &encoder.heading_cell, {0.0, M_PI},
-            "rad, to which the odometry's heading is rounded; 0: not at all");
-  line->add("event-range", &encoder.event_range, {0.001, 1e6}, "m; nearer is an event");
+            "rad; the heading is rounded to multiples of this; 0: it is not rounded");
+  line->add("event-range", &encoder.event_range, {0.001, 1e6}, "m; a sector with a smaller mean range is an event");
   line->add("actions", &conversion->angles, {-180.0, 180.0},
-            "degrees, steering angles by output, from right to left (default: -90 -45 0 45 90)");
+            "degrees; steering angle of each output, from right to left (default: -90 -45 0 45 90)");
   line->add("step-length", &conversion->policy.step_length, {0.001, 1000.0}, "m from decision to decision");
-  line->add("robot-radius", &conversion->policy.footprint_radius, {0.001, 1000.0}, "m, of the largest robot");
+  line->add("robot-radius", &conversion->policy.footprint_radius, {0.001, 1000.0},
+            "m; radius of the largest robot that the network was trained for");
 }
 
 bool readConversion(const std::vector<std::string>& arguments, Conversion* conversion) {
-  CommandLine line("model convert", "writes a network that was exported elsewhere with the metadata that it needs");
+  CommandLine line("model convert", "adds the metadata to a network that was exported elsewhere");
   line.addFile("file", &conversion->file, "the ONNX file").required().standsAlone();
   line.addOutput("output", &conversion->output, "ONNX file to write").required();
-  line.addChoice("task", &conversion->task, {"robot", "grid"}, "what it was made for");
+  line.addChoice("task", &conversion->task, {"robot", "grid"}, "what the network was made for: robot or grid");
   line.add("views", &conversion->views, {1, 8},
-           "1: an output an action; 8: one output, asked in each of eight directions");
+           "1: one output per action; 8: one output, evaluated for each of eight directions");
   line.addChoice("grid-inputs", &conversion->grid_inputs, {"thesis", "trace", "map"},
-                 "of a network for the grid world");
-  line.add("made-by", &conversion->made_by, "how it was trained; stands in the file as training_command");
+                 "inputs of a network for the grid world: thesis, trace or map");
+  line.add("made-by", &conversion->made_by, "how the network was trained; is stored in the file as training_command");
   addRobotOptions(conversion, &line);
   line.whenParsed([conversion] {
     Conversion& c = *conversion;
@@ -182,9 +184,9 @@ int modelConvert(const std::vector<std::string>& arguments) {
 
 const std::vector<Command>& actions() {
   static const std::vector<Command> all = {
-      {"info", "say what a model file holds", modelInfo},
-      {"check", "say whether a model can be used, and all that is wrong otherwise", modelCheck},
-      {"convert", "write a network that was exported elsewhere with the metadata that it needs", modelConvert},
+      {"info", "print what a model file contains", modelInfo},
+      {"check", "check whether a model can be used", modelCheck},
+      {"convert", "add the metadata to a network that was exported elsewhere", modelConvert},
   };
   return all;
 }

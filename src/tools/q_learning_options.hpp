@@ -17,29 +17,30 @@ void addQLearningOptions(const std::string& unit, const std::string& update, Par
                          CommandLine* line) {
   using Reward = typename Parameters::Reward;
   Parameters& p = *parameters;
-  line->add("discount", &p.discount, kAnyShare, "a step (gamma)");
-  line->add("trace-decay", &p.trace_decay, kAnyShare,
-            "of returns that look further than one step (lambda); 0: one step");
+  line->add("discount", &p.discount, kAnyShare, "discount factor per step (gamma)");
+  line->add("trace-decay", &p.trace_decay, kAnyShare, "decay of the returns over several steps (lambda); 0: one step");
   line->add("double-q", &p.double_q,
-            "1: the network that learns chooses the next action whose value the target network says; 0: the target "
-            "network");
+            "1: double Q-learning: the learning network chooses the next action, and the target network gives its "
+            "value; 0: the target network does both");
   line->add("target-interval", &p.target_interval, kAnySteps,
             update + " between copies of the weights into the target network");
-  line->add("exploration-start", &p.exploration_start, kAnyShare, "share of actions at random (epsilon) at first");
-  line->add("exploration-end", &p.exploration_end, kAnyShare, "and at last");
+  line->add("exploration-start", &p.exploration_start, kAnyShare, "share of random actions (epsilon) at the start");
+  line->add("exploration-end", &p.exploration_end, kAnyShare, "share of random actions at the end");
   line->add("exploration-share", &p.exploration_share, kAnyShare,
-            "of the " + update + ", after which it has sunk that far");
-  line->addChoice("reward", &p.reward, {{"progress", Reward::kProgress}, {"thesis", Reward::kThesis}},
-                  "progress (nearer to the goal by the true shortest path, less a cost) or thesis (Eq. 2.36)");
-  line->add("step-cost", &p.step_cost, kAnyReward, unit + "; reward progress");
-  line->add("arrival-bonus", &p.arrival_bonus, kAnyReward, unit + "; reward progress");
+            "share of the " + update + " after which epsilon has its last value");
+  line->addChoice(
+      "reward", &p.reward, {{"progress", Reward::kProgress}, {"thesis", Reward::kThesis}},
+      "progress (how much shorter the true shortest path to the goal has become, minus a cost) or thesis (Eq. 2.36)");
+  line->add("step-cost", &p.step_cost, kAnyReward, unit + "; for --reward progress");
+  line->add("arrival-bonus", &p.arrival_bonus, kAnyReward, unit + "; for --reward progress");
   line->add("tau-range", &p.thesis_reward.range, kAnyReward,
-            "cost of each range, times 1 " + unit + " / range; reward thesis");
+            "cost of each range, times 1 " + unit + " / range; for --reward thesis");
   line->add("tau-distance", &p.thesis_reward.distance, kAnyReward,
-            "cost of the distance from the goal, for each " + unit + "; reward thesis");
-  line->add("tau-angle", &p.thesis_reward.angle, kAnyReward, "cost of the angle to the goal, a rad; reward thesis");
-  line->add("value-scale", &p.value_scale, kAnyScale, "value that an output of 1 stands for");
-  line->add("huber", &p.huber, kAnyScale, "errors of values beyond it count by size, not square");
+            "cost of the distance from the goal, for each " + unit + "; for --reward thesis");
+  line->add("tau-angle", &p.thesis_reward.angle, kAnyReward,
+            "cost of the angle to the goal, for each rad; for --reward thesis");
+  line->add("value-scale", &p.value_scale, kAnyScale, "factor from an output of the network to a value");
+  line->add("huber", &p.huber, kAnyScale, "limit of the Huber loss: larger errors count linearly, not by their square");
   line->add("rate", &p.learning_rate, kAnyRate, "learning rate");
 }
 

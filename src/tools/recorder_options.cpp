@@ -36,7 +36,7 @@ void addRecorderOptions(RecorderParameters* parameters, CommandLine* line) {
       "no-return", noReturnText(p.scan_rules), [&](const std::string& text) { setNoReturn(text, &p.scan_rules); },
       "readings that mean no return besides +inf: \"nan\", \"zero\", \"below\" (range_min), \"beyond\" (range_max), a "
       "number (m); for urg_node: \"nan zero beyond 65.53\"");
-  line->addFlag("no-scans", &p.keep_scans, false, "keep the sectors only");
+  line->addFlag("no-scans", &p.keep_scans, false, "store only the sectors, not the whole scans");
 }
 
 void addHindsightOptions(HindsightParameters* parameters, CommandLine* line) {
@@ -50,7 +50,7 @@ void addMountOption(std::optional<SensorMount>* mount, const std::string& otherw
       [=](const std::string& text) {
         if (!text.empty()) *mount = mountNamed(text);
       },
-      "\"x y yaw\" (m, m, rad): where the scanner sits in the robot's frame; default: " + otherwise);
+      "\"x y yaw\" (m, m, rad): pose of the scanner in the robot's frame; default: " + otherwise);
 }
 
 }  // namespace lstm_planner

@@ -25,16 +25,14 @@ struct ReportOptions {
 };
 
 bool readOptions(const std::vector<std::string>& arguments, ReportOptions* options) {
-  CommandLine line(
-      "report",
-      "compares agents in the same scenarios, with the thesis's tables and figures; report --thesis --help: the thesis "
-      "under its own rules");
+  CommandLine line("report",
+                   "compares agents in the same scenarios, and with the thesis's tables and figures; report --thesis "
+                   "--help: the thesis's own protocol");
   line.addFolder("output", &options->output, "folder for report.md, CSV files and pictures").required();
-  line.add(
-          "agents", &options->agents,
-          "each NAME or NAME=MODEL, with ,no-shield and ,no-escape behind it where wanted: astar dstar rolling "
-          "rolling_escape greedy boundary lstm rnn mlp qlearning network; without =MODEL a network is the shipped one; "
-          "pictures are about the first that does not search")
+  line.add("agents", &options->agents,
+           "agents: NAME or NAME=MODEL, each with ,no-shield or ,no-escape after it if you want; NAME is astar, dstar, "
+           "rolling, rolling_escape, greedy, boundary, lstm, rnn, mlp, qlearning or network; without =MODEL the "
+           "network of the package is used; the pictures show the first agent that does not search")
       .required();
   addGridOptions(&options->grid, &line);
   return line.parse(arguments);

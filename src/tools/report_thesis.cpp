@@ -42,21 +42,22 @@ bool readOptions(const std::vector<std::string>& arguments, ThesisOptions* optio
   bool thesis = true;
   CommandLine line(
       "report --thesis",
-      "the thesis's chapter 3 under its own rules: trains its networks on five maps (Tables 3.1 and 3.2), "
-      "tests them in ten maps of each set without shield and escape, corners may be cut, only '.' is free");
+      "repeats the thesis's chapter 3 with its own protocol: trains its networks on five maps (Tables 3.1 and 3.2), "
+      "and tests them in ten maps of each set; without shield and escape, corners may be cut, only '.' is free");
   line.addFlag("thesis", &thesis, true, "this");
   line.addFiles("scenarios", &options->folders,
-                "folders with the MovingAI benchmark's sets: mazes of width 2 and 4, random fill of 25 and 40 % to "
-                "train on; Dragon Age, mazes of width 8 and random fill of 25 % to test in")
+                "folders with the MovingAI benchmark's sets; for training: mazes of width 2 and 4, random fill of 25 "
+                "and 40 %; for tests: Dragon Age, mazes of width 8, random fill of 25 %")
       .required();
   line.addFolder("output", &options->output, "folder for thesis.md, networks, CSV files and pictures").required();
   line.add("count", &selection.count, {1, 1e9}, "tasks of each set");
-  line.add("max-steps", &rules.max_steps, {1, 1e12}, "of a task");
-  line.add("steps", &options->training.dataset.steps, kAnySteps, "to learn from");
-  line.add("validation-steps", &options->training.validation_steps, kAnySteps, "to choose the best epoch by");
-  line.add("epochs", &options->training.trainer.epochs, kAnyCount, "of the training");
-  line.addSeed(&options->training.seed, "of maps, tasks, weights and training");
-  line.add("threads", &options->training.threads, kAnyThreads, "do not change the result");
+  line.add("max-steps", &rules.max_steps, {1, 1e12}, "largest number of steps of a task");
+  line.add("steps", &options->training.dataset.steps, kAnySteps, "number of steps for training");
+  line.add("validation-steps", &options->training.validation_steps, kAnySteps,
+           "number of steps to choose the best epoch");
+  line.add("epochs", &options->training.trainer.epochs, kAnyCount, "number of epochs");
+  line.addSeed(&options->training.seed, "seed of maps, tasks, weights and training");
+  line.add("threads", &options->training.threads, kAnyThreads, "number of threads; does not change the result");
   if (!line.parse(arguments)) return false;
   selection.seed = options->training.seed;
   options->evaluation.threads = options->training.threads;

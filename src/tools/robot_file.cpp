@@ -46,7 +46,7 @@ class GroupReader {
     try {
       *value = node.as<Value>();
     } catch (const YAML::Exception&) {
-      throw std::invalid_argument(place_ + "/" + name + " is not what is expected of it");
+      throw std::invalid_argument(place_ + "/" + name + " has the wrong type");
     }
   }
 

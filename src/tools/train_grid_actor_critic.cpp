@@ -10,7 +10,8 @@ namespace lstm_planner {
 int trainGridByActorCritic(const std::vector<std::string>& arguments) {
   GridReinforcementPlan plan;
   GridActorCriticParameters parameters;
-  CommandLine line("train --task grid --method actor-critic", "a network for the grid world, by actor-critic learning");
+  CommandLine line("train --task grid --method actor-critic",
+                   "trains a network for the grid world by actor-critic learning");
   addGridReinforcementOptions("actor-critic", arguments, &plan, &parameters, &line);
   addActorCriticOptions("cells", &parameters, &line);
   if (!line.parse(arguments)) return 0;

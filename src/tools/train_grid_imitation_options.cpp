@@ -19,9 +19,9 @@ const Choices<LearningRateSchedule> kSchedules = {{"constant", LearningRateSched
 void addOptimiserOptions(OptimiserParameters* optimiser, CommandLine* line) {
   line->addChoice("optimiser", &optimiser->kind, kOptimisers, "adam or momentum");
   line->add("rate", &optimiser->learning_rate, kAnyRate, "learning rate");
-  line->addChoice("schedule", &optimiser->schedule, kSchedules, "of the rate: constant or cosine");
+  line->addChoice("schedule", &optimiser->schedule, kSchedules, "schedule of the rate: constant or cosine");
   line->add("momentum", &optimiser->momentum, kAnyShare, "rate");
-  line->addChoice("decay", &optimiser->decay, kDecays, "of the weights: none, l1, l2 or l2-squared");
+  line->addChoice("decay", &optimiser->decay, kDecays, "decay of the weights: none, l1, l2 or l2-squared");
   line->add("decay-rate", &optimiser->decay_rate, kAnyWeight, "beta");
 }
 
@@ -52,26 +52,28 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   setDefaults(dagger, thesis, options, parameters);
   bool known = false;
   CommandLine line("train --task grid --method " + method,
-                   "a network for the grid world, by imitation of the shortest path");
+                   "trains a network for the grid world by imitation of the shortest path");
   addGridTrainingOptions(arguments, options, &line);
-  line.addFlag("thesis", &known, true,
-               "defaults of the thesis's training, Tables 3.1 and 3.2: its inputs, momentum, L1 decay, 500 epochs");
-  line.add("steps", &dataset.steps, kAnySteps, "to learn from, each round");
-  line.add("validation-steps", &p.validation_steps, kAnySteps, "on the validation maps, to choose the best epoch by");
+  line.addFlag(
+      "thesis", &known, true,
+      "use the thesis's training as defaults (Tables 3.1 and 3.2): its inputs, momentum, L1 decay, 500 epochs");
+  line.add("steps", &dataset.steps, kAnySteps, "number of steps for training, each round");
+  line.add("validation-steps", &p.validation_steps, kAnySteps,
+           "number of steps on the validation maps, to choose the best epoch");
   line.add("sequence", &dataset.sequence_steps, kAnyWindow,
-           "steps that errors go back at most: the thesis's time sequence");
+           "largest number of steps of backpropagation through time: the thesis's time sequence");
   line.add("burn-in", &dataset.burn_in_steps, {0, kAnyWindow.most},
-           "steps that begin a sequence in the middle of a path and only bring the hidden state up to date");
-  line.add("batch-steps", &p.batch_steps, kAnySteps, "steps an update");
-  line.add("goals", &p.course.goals, {1, 1e5}, "of the paths of a round");
+           "if a sequence starts in the middle of a path: steps before it that only set the hidden state");
+  line.add("batch-steps", &p.batch_steps, kAnySteps, "steps per update");
+  line.add("goals", &p.course.goals, {1, 1e5}, "seed of the paths of a round");
   line.addFlag("corner-cutting", &options->corner_cutting, CornerCutting::kAllowed,
                "diagonal moves may pass blocked cells at their sides");
   line.addChoice("supervisor", &dataset.supervisor, kSupervisors,
-                 "whose paths are learned: shortest, or thesis (A* with 25 times the Euclidean distance)");
+                 "paths to learn: shortest, or thesis (A* with 25 times the Euclidean distance)");
   addOptimiserOptions(&optimiser, &line);
   if (dagger) {
-    line.add("rounds", &p.rounds, kAnyCount, "of collecting and training for --epochs");
-    line.add("learner-share", &p.learner_share, kAnyShare, "of the paths, led by the network");
+    line.add("rounds", &p.rounds, kAnyCount, "rounds of collecting paths and training for --epochs");
+    line.add("learner-share", &p.learner_share, kAnyShare, "share of the paths that the network leads");
   }
   if (!line.parse(arguments)) return false;
   if (thesis && !line.given("batch-steps")) p.batch_steps = dataset.sequence_steps;

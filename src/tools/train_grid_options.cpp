@@ -25,15 +25,15 @@ void addGridMapOptions(GridTrainingOptions* options, CommandLine* line) {
   line->addChoice("task", &o.task, {"grid", "robot"}, "grid (this) or robot");
   line->addFiles("maps", &o.maps,
                  "folders of the MovingAI benchmark's sets (with Maps and Scenarios in them), each DIR or DIR=WEIGHT; "
-                 "their maps 0-5 (of more than 20 maps the first half) train, the others validate (default: generated "
-                 "caves, mazes and random fill)");
-  line->add("map-size", &o.map_size, {16, 4096}, "cells, of generated maps");
+                 "maps 0-5 of a set (of more than 20 maps the first half) are for training, the others for validation "
+                 "(default: generated caves, mazes and random fill)");
+  line->add("map-size", &o.map_size, {16, 4096}, "cells; size of the generated maps");
   line->add("min-length", &o.min_length, kAnyLength, "cells, of the shortest path");
   line->add("max-length", &o.max_length, kAnyLength, "cells, of the shortest path");
   line->addFlag("thesis-terrain", &o.rule, PassableRule::kThesis, "only '.' is passable, not 'G' and 'S'");
-  line->add("epochs", &o.epochs, kAnyCount, "of the training; of each round of dagger");
-  line->addSeed(&o.seed, "of everything");
-  line->add("threads", &o.threads, kAnyThreads, "does not change the result");
+  line->add("epochs", &o.epochs, kAnyCount, "number of epochs; with dagger: of each round");
+  line->addSeed(&o.seed, "seed of all random numbers");
+  line->add("threads", &o.threads, kAnyThreads, "number of threads; does not change the result");
 }
 
 void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrainingOptions* options,
@@ -44,18 +44,18 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
   line->add("method", &o.method, "imitation, dagger, actor-critic or q-learning");
   line->add("network", &o.network, "lstm, rnn or mlp");
   line->add("cells", &o.shape.cells, kAnyLayer,
-            "of each recurrent layer, or units of each layer of an mlp (of which there are 64 64 64 64 by default)");
+            "cells of each recurrent layer, or units of each layer of an mlp (default of an mlp: 64 64 64 64)");
   line->add("deep-in", &o.shape.deep_in, kAnyLayer, "units of each dense layer before the recurrent ones");
-  line->add("deep-out", &o.shape.deep_out, kAnyLayer, "units of each dense layer behind the recurrent ones");
+  line->add("deep-out", &o.shape.deep_out, kAnyLayer, "units of each dense layer after the recurrent ones");
   line->add("inputs", &o.inputs,
-            "thesis (ranges, distance, angle, previous action), trace (and where the agent has been) or map (and where "
-            "the walls it remembers leave a path)");
-  line->add("views", &o.encoder.views, {1, 8}, "1, or 8: the same network looks into each direction in turn");
-  line->addFile("from", &o.from, "ONNX file to start from, instead of random weights; has its own shape and inputs");
+            "inputs: thesis (ranges, distance, angle, previous action), trace (also where the agent has been) or map "
+            "(also the direction of the path between the remembered walls)");
+  line->add("views", &o.encoder.views, {1, 8}, "1, or 8: the same network is evaluated for each of eight directions");
+  line->addFile("from", &o.from, "ONNX file to start from, instead of random weights; it determines layers and inputs");
   line->addOutput("output", &o.output, "ONNX file to write: the best so far on the validation maps").required();
   line->addOutput("curve", &o.curve, "PNG file for the learning curve; a CSV file is written beside it");
-  line->addOutput("checkpoint", &o.checkpoint, "file to resume from where it exists, and to write for that");
-  line->add("validation", &o.validation, {1, 1e6}, "scenarios of each set");
+  line->addOutput("checkpoint", &o.checkpoint, "checkpoint file: is written, and continued from if it exists");
+  line->add("validation", &o.validation, {1, 1e6}, "scenarios of each set, to judge the network");
   line->whenParsed([options, line] { finish(*line, options); });
 }
 

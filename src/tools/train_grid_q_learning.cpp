@@ -10,7 +10,8 @@ namespace lstm_planner {
 int trainGridByQLearning(const std::vector<std::string>& arguments) {
   GridReinforcementPlan plan;
   GridQLearningParameters parameters;
-  CommandLine line("train --task grid --method q-learning", "a network for the grid world, by recurrent Q-learning");
+  CommandLine line("train --task grid --method q-learning",
+                   "trains a network for the grid world by recurrent Q-learning");
   addGridReinforcementOptions("q-learning", arguments, &plan, &parameters, &line);
   addQLearningOptions("cell", "updates", &parameters, &line);
   if (!line.parse(arguments)) return 0;

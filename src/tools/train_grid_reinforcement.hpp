@@ -29,13 +29,15 @@ void addGridReinforcementOptions(const std::string& method, const std::vector<st
   plan->options.epochs = plan->training.epochs;
   plan->options.encoder = p.encoder;
   addGridTrainingOptions(arguments, &plan->options, line);
-  line->add("updates", &p.updates, kAnySteps, "of the weights, over all epochs");
-  line->add("goals", &course.goals, {1, 1e5}, "kept at a time; each takes 4 bytes a cell of its map");
+  line->add("updates", &p.updates, kAnySteps, "number of updates of the weights, in all epochs together");
+  line->add("goals", &course.goals, {1, 1e5},
+            "goals in memory at the same time; each needs 4 bytes per cell of its map");
   line->add("short-share", &course.short_share, kAnyShare,
-            "of the training episodes whose length is drawn in proportion to 1 / length, not uniformly");
-  line->add("agents", &p.agents, kAnyAgents, "at a time");
-  line->add("window", &p.window, kAnyWindow, "steps of each agent an update");
-  line->add("max-steps", &p.max_steps, kAnySteps, "of a training episode");
+            "share of the training episodes whose length is drawn with a probability proportional to 1 / length; the "
+            "others uniformly");
+  line->add("agents", &p.agents, kAnyAgents, "number of agents at the same time");
+  line->add("window", &p.window, kAnyWindow, "steps of each agent per update");
+  line->add("max-steps", &p.max_steps, kAnySteps, "largest number of steps of a training episode");
 }
 
 /// Hands what was parsed to the training and to the learner's parameters, and notes it in the plan's settings. Throws

@@ -33,15 +33,15 @@ bool readOptions(const std::vector<std::string>& arguments, SearchOptions* optio
   bool search = true;
   CommandLine line(
       "train --search",
-      "the structures of the thesis's Tables 3.3 to 3.5, each trained as in Tables 3.1 and 3.2 but for the "
-      "epochs");
+      "trains the structures of the thesis's Tables 3.3 to 3.5, each as in Tables 3.1 and 3.2 except for the epochs");
   line.addFlag("search", &search, true, "this");
   addGridMapOptions(&options->grid, &line);
-  line.add("steps", &dataset.steps, kAnySteps, "to learn from");
-  line.add("validation-steps", &imitation.validation_steps, kAnySteps, "to judge by, on the validation maps");
-  line.add("goals", &imitation.course.goals, {1, 1e5}, "of the paths");
+  line.add("steps", &dataset.steps, kAnySteps, "number of steps for training");
+  line.add("validation-steps", &imitation.validation_steps, kAnySteps,
+           "number of steps on the validation maps, to judge by");
+  line.add("goals", &imitation.course.goals, {1, 1e5}, "seed of the paths");
   line.add("rate", &imitation.trainer.optimiser.learning_rate, kAnyRate, "learning rate");
-  line.addFile("output", &options->output, "path without extension; .md and .csv are written");
+  line.addFile("output", &options->output, "path without extension; .md and .csv are added");
   if (!line.parse(arguments)) return false;
   options->grid.command = trainCommandLine(arguments);
   imitation.trainer.epochs = options->grid.epochs;

@@ -41,14 +41,15 @@ bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPl
                  DriveActorCriticParameters* parameters, FollowedDrives* followed) {
   DriveActorCriticParameters& p = *parameters;
   CommandLine line("train --method actor-critic",
-                   "the robot, by reinforcement: of a network that drives already, or of a new one");
+                   "trains a network for the robot by reinforcement: one that already drives (--init), or a new one");
   addRobotReinforcementOptions(arguments, plan, &p, &line);
-  line.add("sharpness", &p.sharpness, kAnyScale, "times the first network's preferences");
-  line.add("clip", &p.clip, kAnyScale, "how far a probability may change at once");
+  line.add("sharpness", &p.sharpness, kAnyScale, "factor on the preferences of the network of --init");
+  line.add("clip", &p.clip, kAnyScale, "largest change of a probability in an update (PPO's clip)");
   line.addFiles("recordings", &followed->recordings,
-                "datasets of somebody's drives: learns to steer as they do, too, without forgetting how to arrive");
-  line.add("recordings-weight", &followed->weight, {1e-6, 1e6}, "of a mean recorded step beside a mean practised one");
-  line.addFiles("validation-recordings", &followed->validation, "drives of theirs to judge it by");
+                "datasets of recorded drives: the network also learns to steer as their driver does");
+  line.add("recordings-weight", &followed->weight, {1e-6, 1e6},
+           "weight of a recorded step; a practised step has the weight 1");
+  line.addFiles("validation-recordings", &followed->validation, "recorded drives for validation");
   addActorCriticOptions("m", &p, &line);
   if (!line.parse(arguments)) return false;
   if (plan->init.empty() && !line.given("sharpness")) p.sharpness = 1.0;  // there is nothing to sharpen yet

@@ -26,51 +26,54 @@ void readPreset(const std::vector<std::string>& arguments, DatasetTrainingOption
 
 void addDataOptions(DatasetTrainingOptions* o, CommandLine* line) {
   DatasetSequenceParameters& sequences = o->training.sequences;
-  line->section("what is learned from");
+  line->section("training data");
   line->addFiles("dataset", &o->datasets, "recorded drives, one file or more").required();
-  line->addFiles("validation-dataset", &o->validation_datasets, "drives that judge what was learned");
+  line->addFiles("validation-dataset", &o->validation_datasets, "recorded drives for validation");
   line->add("validation-share", &o->validation_share, kAnyShare,
-            "of the steps, in whole episodes, without such a file");
+            "share of the steps for validation, in whole episodes, without --validation-dataset");
   line->add("label-distance", &sequences.label_distance, {0.0, 1000.0},
-            "m; a label is the direction to where the driver was so far on; 0: to the next step, as recorded");
-  line->add("sequence", &sequences.sequence_steps, {0, kAnyWindow.most}, "steps learned at once; 0: whole episodes");
+            "m; a label is the direction to the place that the driver reached after this distance; 0: at the next "
+            "step, as recorded");
+  line->add("sequence", &sequences.sequence_steps, {0, kAnyWindow.most},
+            "steps of a training sequence; 0: whole episodes");
   line->add("burn-in", &sequences.burn_in_steps, {0, kAnyWindow.most},
-            "steps before them that only bring the memory up to date");
+            "steps before a sequence that only set the hidden state");
   line->addText(
       "balance", toString(o->training.balance),
       [=](const std::string& name) { o->training.balance = labelBalanceNamed(name); },
       "weight of rare labels: none, sqrt or inverse");
   line->add("variants", &o->training.variants, {0, 1e4},
-            "of each drive that are learned from, too: with another first heading, and every other one mirrored");
+            "additional copies of each drive for training: turned, and every second one mirrored");
 }
 
 void addNetworkOptions(DatasetTrainingOptions* o, CommandLine* line) {
   line->section("the network");
-  line->addFile("init", &o->init, "model file to start from; decides inputs and shape");
+  line->addFile("init", &o->init, "model file to start from; it determines layers and inputs");
   line->addOutput("output", &o->output, "ONNX file to write").required();
   addRobotNetworkOptions(&o->network, &o->encoder, line);
 }
 
 void addTrainingOptions(DatasetTrainingOptions* o, CommandLine* line) {
   TrainerParameters& trainer = o->training.trainer;
-  line->section("how");
+  line->section("training");
   line->add("task", &o->task, "robot");
-  line->add("method", &o->method, "dataset; --dataset says it, too");
-  line->add("preset", &o->preset, "stable, or thesis: table 4.2; decides the defaults");
+  line->add("method", &o->method, "dataset; not needed with --dataset");
+  line->add("preset", &o->preset, "stable, or thesis (Table 4.2); determines the defaults");
   line->add("epochs", &trainer.epochs, kAnyCount, "passes over the training set");
   line->add("rate", &trainer.optimiser.learning_rate, kAnyRate, "learning rate");
-  line->add("batch", &trainer.batch_size, kAnyCount, "sequences an update");
+  line->add("batch", &trainer.batch_size, kAnyCount, "sequences per update");
   line->add("clip", &trainer.optimiser.max_gradient_norm, {0.0, 1e9}, "longer gradients are shortened; 0: never");
-  line->add("averaging", &trainer.averaging, kAnyShare, "share of the averaged weights that an update leaves; 0: none");
-  line->addSeed(&o->seed, "of everything");
-  line->add("threads", &trainer.threads, kAnyThreads, "does not change the result");
+  line->add("averaging", &trainer.averaging, kAnyShare,
+            "weights are averaged: share of the old average that an update keeps; 0: no averaging");
+  line->addSeed(&o->seed, "seed of all random numbers");
+  line->add("threads", &trainer.threads, kAnyThreads, "number of threads; does not change the result");
 }
 
 void addPictureOptions(DatasetTrainingOptions* o, CommandLine* line) {
   line->section("pictures (PNG); a CSV file is written beside each");
   line->addOutput("curve", &o->curve, "accuracy and loss by epoch");
-  line->addOutput("confusion", &o->confusion, "labels and answers");
-  line->addOutput("instability", &o->stability, "thesis figure 4.10: what an epoch's accuracy can mean");
+  line->addOutput("confusion", &o->confusion, "confusion matrix of labels and answers");
+  line->addOutput("instability", &o->stability, "three measures of the accuracy of an epoch (thesis Figure 4.10)");
 }
 
 void check(const CommandLine& line, const DatasetTrainingOptions& o) {
@@ -92,7 +95,7 @@ void check(const CommandLine& line, const DatasetTrainingOptions& o) {
 bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, DatasetTrainingOptions* options) {
   readPreset(arguments, options);
   options->command = trainCommandLine(arguments);
-  CommandLine line("train", "the robot, from recorded drives");
+  CommandLine line("train", "trains a network for the robot from recorded drives");
   addDataOptions(options, &line);
   addNetworkOptions(options, &line);
   addTrainingOptions(options, &line);

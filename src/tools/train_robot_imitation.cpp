@@ -24,17 +24,19 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   imitation.trainer.epochs = 12;
   imitation.trainer.optimiser.learning_rate = 0.01;
   CommandLine line("train",
-                   "the robot, by imitation in generated worlds; --method actor-critic learns on by reinforcement");
+                   "trains a network for the robot by imitation in generated worlds; --method actor-critic --init FILE "
+                   "then improves it by reinforcement");
   addRobotTrainingOptions(arguments, options, &line);
   addRobotNetworkOptions(&options->network, &imitation.policy.encoder, &line);
   line.addOutput("curve", &options->curve, "PNG file for the accuracy curve; a CSV file is written beside it");
-  line.add("rounds", &imitation.rounds, kAnyCount, "of collecting and training");
-  line.add("worlds", &imitation.worlds, {1, 1e5}, "a round");
-  line.add("goals", &imitation.goals, {1, 1e4}, "a world");
-  line.add("starts", &imitation.starts, {1, 1e4}, "drives to a goal");
-  line.add("epochs", &imitation.trainer.epochs, kAnyCount, "a round");
+  line.add("rounds", &imitation.rounds, kAnyCount, "rounds of collecting drives and training");
+  line.add("worlds", &imitation.worlds, {1, 1e5}, "worlds per round");
+  line.add("goals", &imitation.goals, {1, 1e4}, "goals per world");
+  line.add("starts", &imitation.starts, {1, 1e4}, "drives per goal");
+  line.add("epochs", &imitation.trainer.epochs, kAnyCount, "epochs per round");
   line.add("rate", &imitation.trainer.optimiser.learning_rate, kAnyRate, "learning rate");
-  line.add("learner-share", &imitation.learner_share, kAnyShare, "share of drives with the learner at the wheel");
+  line.add("learner-share", &imitation.learner_share, kAnyShare,
+           "share of the drives in which the learning network steers");
   if (!line.parse(arguments)) return false;
   finishRobotNetworkOptions(line, &options->network, &imitation.policy.encoder);
   imitation.shape = options->network.shape;

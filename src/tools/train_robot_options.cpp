@@ -36,31 +36,30 @@ void useAnglesAlone(std::vector<std::string>* layout) {
 
 void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder, CommandLine* line) {
   line->add("inputs", &options->inputs,
-            "beside the thesis's: events (a sector below --event-range), events-alone (in place of the ranges), angles "
-            "(bearing and heading as one number each, the thesis's twelve, in place of sine and cosine), visits "
-            "(how often it was at the places a step away), trace (the same on three scales, how long ago, and its "
-            "progress), motion (since the last step)");
-  line->add("event-range", &encoder->event_range, {0.0, 1000.0}, "m; nearer is an event");
+            "inputs in addition to the thesis's: events (a sector below --event-range), events-alone (instead of the "
+            "ranges), angles (bearing and heading as angles instead of sine and cosine: the thesis's twelve inputs), "
+            "visits (how often the robot was at the places a step away), trace (the same on three scales, how long "
+            "ago, and the progress), motion (since the last step)");
+  line->add("event-range", &encoder->event_range, {0.0, 1000.0}, "m; a sector with a smaller mean range is an event");
   line->add("position-cell", &encoder->position_cell, {0.0, 1000.0},
-            "m, to which the odometry is rounded; 0: not at all");
+            "m; the position is rounded to multiples of this; 0: it is not rounded");
   line->add("heading-cell", &encoder->heading_cell, {0.0, M_PI},
-            "rad, to which the odometry's heading is rounded; 0: not at all");
-  line->add(
-      "views", &encoder->views, {1, 8},
-      "1: an output an angle; 8: the network looks into each of eight directions, with an output and a memory each "
-      "(by reinforcement only)");
+            "rad; the heading is rounded to multiples of this; 0: it is not rounded");
+  line->add("views", &encoder->views, {1, 8},
+            "1: one output per angle; 8: the network is evaluated for each of eight directions, each with an output "
+            "and a hidden state (only with reinforcement)");
   line->add("network", &options->network, "lstm, rnn or mlp");
   line->add("cells", &options->shape.cells, kAnyLayer,
-            "of each recurrent layer, or units of each layer of an mlp (of which there are 64 64 by default)");
+            "cells of each recurrent layer, or units of each layer of an mlp (default of an mlp: 64 64)");
   line->add("deep-in", &options->shape.deep_in, kAnyLayer, "units of each dense layer before the recurrent ones");
-  line->add("deep-out", &options->shape.deep_out, kAnyLayer, "units of each dense layer behind the recurrent ones");
+  line->add("deep-out", &options->shape.deep_out, kAnyLayer, "units of each dense layer after the recurrent ones");
 }
 
 void checkModelDecides(const CommandLine& line) {
   for (const char* decided :
        {"inputs", "event-range", "position-cell", "heading-cell", "views", "network", "cells", "deep-in", "deep-out"}) {
     if (line.given(decided))
-      throw std::invalid_argument(std::string("--") + decided + " is decided by the model of --init");
+      throw std::invalid_argument(std::string("--") + decided + " is determined by the model of --init");
   }
 }
 
@@ -80,13 +79,13 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   line->add("method", &o.method,
             "dagger (default), actor-critic, q-learning or dataset; --method NAME --help explains it");
   line->addOutput("output", &o.output, "ONNX file to write");
-  line->add("kinds", &o.kinds, "of generated worlds: mazes offices corridors forest open rooms (default: all)");
+  line->add("kinds", &o.kinds, "kinds of generated worlds: mazes offices corridors forest open rooms (default: all)");
   line->add("dead-ends", &o.course.dead_end_share, kAnyShare, "share of the drives that start in a dead end");
-  line->add("shortest", &o.course.shortest, {0.01, 1e4}, "m of path from start to goal at the least");
-  line->add("max-steps", &o.max_steps, kAnyCount, "of a drive");
-  line->add("validation", &o.validation, kAnyCount, "worlds that are never trained on");
-  line->addSeed(&o.seed, "of everything");
-  line->add("threads", &o.threads, kAnyThreads, "does not change the result");
+  line->add("shortest", &o.course.shortest, {0.01, 1e4}, "m; smallest length of the path from start to goal");
+  line->add("max-steps", &o.max_steps, kAnyCount, "largest number of steps of a drive");
+  line->add("validation", &o.validation, kAnyCount, "number of worlds for validation");
+  line->addSeed(&o.seed, "seed of all random numbers");
+  line->add("threads", &o.threads, kAnyThreads, "number of threads; does not change the result");
   line->whenParsed([options] {
     if (!options->kinds.empty()) options->course.worlds.clear();
     for (const std::string& kind : options->kinds) options->course.worlds.push_back(worldKindOf(kind));

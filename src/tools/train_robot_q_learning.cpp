@@ -25,10 +25,11 @@ std::string lineOf(const ReinforcementReport& report) {
 bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan,
                  DriveQLearningParameters* parameters) {
   DriveQLearningParameters& p = *parameters;
-  CommandLine line("train --method q-learning", "the robot, by recurrent Q-learning in generated worlds");
+  CommandLine line("train --method q-learning",
+                   "trains a network for the robot by recurrent Q-learning in generated worlds");
   addRobotReinforcementOptions(arguments, plan, &p, &line);
   addQLearningOptions("m", "iterations", &p, &line);
-  line.add("contact-cost", &p.contact_cost, {0.0, 1e6}, "m; reward progress");
+  line.add("contact-cost", &p.contact_cost, {0.0, 1e6}, "m; for --reward progress");
   if (!line.parse(arguments)) return false;
   finishRobotReinforcement("q-learning", plan, &p);
   plan->settings.update(qLearningSettings(p));

@@ -42,16 +42,16 @@ void addRobotReinforcementOptions(const std::vector<std::string>& arguments, Rob
                                   Parameters* parameters, CommandLine* line) {
   Parameters& p = *parameters;
   addRobotTrainingOptions(arguments, &plan->options, line);
-  line->addFile("init", &plan->init, "model file to start from; decides inputs and shape");
-  line->addOutput("checkpoint", &plan->checkpoint, "file to resume from and to write to");
+  line->addFile("init", &plan->init, "model file to start from; it determines layers and inputs");
+  line->addOutput("checkpoint", &plan->checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->addChoice("keep", &plan->keep, {"best", "last"},
-                  "best: the most efficient of the networks judged so far; last: the last one");
-  line->add("iterations", &p.iterations, kAnyCount, "of collecting and learning");
-  line->add("worlds", &p.worlds, {1, 1e5}, "an iteration");
-  line->add("goals", &p.goals, {1, 1e4}, "a world");
-  line->add("starts", &p.starts, {1, 1e4}, "drives to a goal");
-  line->add("window", &p.window, kAnyWindow, "steps that errors go back at most");
-  line->add("passes", &p.passes, {1, 1e4}, "over what was collected");
+                  "which network to write: best (the most efficient of the networks judged so far) or last");
+  line->add("iterations", &p.iterations, kAnyCount, "iterations of collecting drives and learning");
+  line->add("worlds", &p.worlds, {1, 1e5}, "worlds per iteration");
+  line->add("goals", &p.goals, {1, 1e4}, "goals per world");
+  line->add("starts", &p.starts, {1, 1e4}, "drives per goal");
+  line->add("window", &p.window, kAnyWindow, "largest number of steps of backpropagation through time");
+  line->add("passes", &p.passes, {1, 1e4}, "passes over the collected drives");
   addRobotNetworkOptions(&plan->network, &p.policy.encoder, line);
   line->whenParsed([=] { finishRobotNetwork(*line, plan, &parameters->policy.encoder); });
 }

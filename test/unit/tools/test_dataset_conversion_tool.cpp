@@ -89,7 +89,7 @@ TEST_F(DatasetConversionTool, BagsWithoutGoalsNameHindsight) {
   EXPECT_NE(refused.output.find("--hindsight"), std::string::npos) << refused.output;
   const test::Outcome outcome = convert(arguments + " --hindsight");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_NE(outcome.output.find("where the scanner sits is not in the bag"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("the bag has no pose of the scanner"), std::string::npos) << outcome.output;
   const Dataset dataset = readDataset(in("out.sqlite"));
   EXPECT_GE(stepCount(dataset), 7);  // two looks a second of 7 s, less standing and the last 0.3 m
   EXPECT_EQ(dataset.recordings.at(0).description.begun, "2022-03-29T23:23:29Z");

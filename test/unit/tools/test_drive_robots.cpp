@@ -72,8 +72,7 @@ TEST_F(DriveRobots, AFileThatMakesNoSenseIsRefusedWithASentence) {
   EXPECT_TRUE(contains(complaint("robby"), "there is no robot 'robby'"));
   EXPECT_TRUE(
       contains(complaint(fileWith("SteeringController: {max_linaer: 1.0}")), "max_linaer: there is no parameter"));
-  EXPECT_TRUE(
-      contains(complaint(fileWith("SteeringController: {max_linear: fast}")), "max_linear is not what is expected"));
+  EXPECT_TRUE(contains(complaint(fileWith("SteeringController: {max_linear: fast}")), "max_linear has the wrong type"));
   EXPECT_TRUE(contains(complaint(fileWith("SteeringController: {max_linear: -1.0}")), "max_linear is -1"));
   EXPECT_TRUE(contains(complaint(fileWith("LstmGlobalPlanner: 3")), "LstmGlobalPlanner is not a group"));
   EXPECT_TRUE(contains(complaint(fileWith("just a text")), "expected groups of parameters"));

@@ -89,7 +89,7 @@ TEST_F(TrainDatasetTool, FineTuningKeepsInputsAndShapeAndSaysWhatTheModelCouldBe
   EXPECT_EQ(policy.description().encoder.input_layout.back(), "steps_since_best");
   fs::remove(in("model.onnx"));
   expectRefusal("--dataset drives.dataset --init first.onnx --output model.onnx --cells 8",
-                "--cells is decided by the model of --init");
+                "--cells is determined by the model of --init");
 }
 
 TEST_F(TrainDatasetTool, ANetworkWithViewsFollowsADriverWhileItPractises) {

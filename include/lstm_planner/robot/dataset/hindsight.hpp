@@ -21,9 +21,9 @@ struct HindsightParameters {
 /// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitHindsightParameters(Parameters& hindsight, const Visitor& visit) {
-  visit("stop", hindsight.stop, {0.01, 86400.0}, "s", "where the robot stood this long it had arrived");
-  visit("longest", hindsight.longest, {0.01, 1e5}, "m", "of path, after which there was a goal at the latest");
-  visit("shortest", hindsight.shortest, {0.01, 1e5}, "m", "of path; nearer places are not goals");
+  visit("stop", hindsight.stop, {0.01, 86400.0}, "s", "a place is a goal if the robot stood there for this time");
+  visit("longest", hindsight.longest, {0.01, 1e5}, "m", "longest path to a goal; after it a goal is set");
+  visit("shortest", hindsight.shortest, {0.01, 1e5}, "m", "shortest path to a goal; nearer places are not goals");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

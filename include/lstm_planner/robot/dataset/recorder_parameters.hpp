@@ -32,21 +32,22 @@ template <typename Parameters, typename Visitor>
 void visitRecorderParameters(Parameters& recorder, const Visitor& visit) {
   visit("period", recorder.period, {1e-4, 3600.0}, "s", "from step to step (thesis 4.2: 2 Hz)");
   visit("min_step_distance", recorder.min_step_distance, {1e-4, 100.0}, "m",
-        "a step is made only when the robot went this far since the last one");
+        "a step is recorded only if the robot has moved this far since the last one");
   visit("min_step_turn", recorder.min_step_turn, {0.0, M_PI}, "rad",
-        "or turned this far in place; 0: turning in place makes no steps");
+        "or has turned this far in place; 0: turning in place gives no steps");
   visit("max_gap", recorder.max_gap, {0.001, 86400.0}, "s",
-        "silence of scan or odometry for longer, or a clock that jumps by more, ends an episode");
+        "an episode ends if scan or odometry are missing for longer, or if the clock jumps by more");
   visit("max_label_error", recorder.max_label_error, {1e-4, M_PI}, "rad",
-        "a step whose driven angle is farther than this from the nearest allowed angle is not labelled (half the "
+        "a step is not labelled if its driven angle differs by more than this from all allowed angles (half the "
         "distance between the thesis's angles)");
-  visit("range_cap", recorder.range_cap, {0.01, 1000.0}, "m", "farther ranges count as this when sectors are averaged");
-  visit("max_speed", recorder.max_speed, {0.01, 1000.0}, "m/s", "odometry that moves faster has jumped");
-  visit("goal_tolerance", recorder.goal_tolerance, {0.001, 100.0}, "m", "nearer to the goal than this is arrived");
+  visit("range_cap", recorder.range_cap, {0.01, 1000.0}, "m", "farther ranges count as this in the mean of a sector");
+  visit("max_speed", recorder.max_speed, {0.01, 1000.0}, "m/s", "if odometry moves faster, it has jumped");
+  visit("goal_tolerance", recorder.goal_tolerance, {0.001, 100.0}, "m",
+        "nearer to the goal than this, the driver has arrived");
   visit("delay", recorder.delay, {0.0, 3600.0}, "s",
-        "how long messages are waited for before those with later stamps are worked on");
-  visit("keep_scans", recorder.keep_scans, {}, "", "whether whole scans are stored, too");
-  visit("action_angles", recorder.action_angles, {}, "rad", "angles that a step can be labelled with");
+        "how long to wait for late messages before messages with later stamps are processed");
+  visit("keep_scans", recorder.keep_scans, {}, "", "also stores the whole scans");
+  visit("action_angles", recorder.action_angles, {}, "rad", "the possible labels of a step");
   visitScanRules(recorder.scan_rules, visit);
   visitAgentParameters(recorder.agent,
                        onlyNamed({"step/length", "shield/footprint_radius", "goal_drift", "memory/enabled",

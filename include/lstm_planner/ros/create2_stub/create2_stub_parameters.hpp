@@ -56,42 +56,46 @@ template <typename Parameters, typename Visitor>
 void visitCreate2StubParameters(Parameters& stub, const Visitor& visit) {
   visit("base_frame", stub.base_frame, {}, "", "of the robot");
   visit("odom_frame", stub.odom_frame, {}, "", "of the odometry");
-  visit("robot_model", stub.robot_model, {}, "", "CREATE_2, the only one that is simulated");
+  visit("robot_model", stub.robot_model, {}, "", "CREATE_2, the only simulated model");
   visit("latch_cmd_duration", stub.latch_cmd_duration, {0.0, 60.0}, "s",
-        "without a command after which the robot is stopped");
+        "time without a command after which the robot is stopped");
   visit("loop_hz", stub.loop_hz, {0.1, 100.0}, "Hz", "of odometry, tf and everything else the driver publishes");
   visit("publish_tf", stub.publish_tf, {}, "", "odom_frame -> base_frame");
 
   visit("map", stub.map, {}, "", "path of a map_server yaml; this or circles");
-  visit("free_threshold", stub.free_threshold, {-1.0, 1.0}, "", "replaces the map's free_thresh when not negative");
+  visit("free_threshold", stub.free_threshold, {-1.0, 1.0}, "", "replaces the map's free_thresh if it is not negative");
   visit("circles", stub.circles, {}, "", "path of a csv with the columns x, y and optionally radius and world");
-  visit("circle_radius", stub.circle_radius, {0.001, 100.0}, "m", "of circles without a column radius");
-  visit("circle_world", stub.circle_world, {}, "", "which circles are meant where there is a column world");
+  visit("circle_radius", stub.circle_radius, {0.001, 100.0}, "m",
+        "radius of the circles, if there is no column radius");
+  visit("circle_world", stub.circle_world, {}, "", "the world to load, if there is a column world");
   visit("map_frame", stub.map_frame, {}, "", "of the map and of ~ground_truth");
-  visit("publish_map", stub.publish_map, {}, "", "the map, and the transform map_frame -> odom_frame; for viewing");
+  visit("publish_map", stub.publish_map, {}, "", "publishes the map, and the transform map_frame -> odom_frame");
   visit("localisation_jump", stub.localisation_jump, {0.0, 10.0}, "m",
-        "with publish_map: that transform is corrected as soon as odometry is wrong by so much; 0: it is fixed");
+        "with publish_map: that transform is corrected when the error of odometry reaches this; 0: it is constant");
   visit("start", stub.start, {}, "m, m, rad", "of the robot, in the map frame");
 
   visit("others", stub.others, {}, "",
-        "~ground_truth topics of other robots, as large as this one, which it sees and can touch; spaces between them");
+        "~ground_truth topics of other robots, separated by spaces; they are as large as this one, which sees them and "
+        "can touch them");
 
   visitCreate2Parameters(stub.robot, withPrefix("robot/", visit));
   visit("base_link_height", stub.base_link_height, {-100.0, 100.0}, "m", "above base_frame");
-  visit("odometry_jump", stub.odometry_jump, {}, "m, m, rad", "what ~jump_odometry adds, in the base frame");
+  visit("odometry_jump", stub.odometry_jump, {}, "m, m, rad",
+        "the service ~jump_odometry adds this, in the base frame");
   visitHokuyoParameters(stub.laser, withPrefix("laser/", visit));
-  visit("laser/frame", stub.laser_frame, {}, "", "of the scans");
+  visit("laser/frame", stub.laser_frame, {}, "", "frame of the scans");
   visit("laser/z", stub.laser_height, {-100.0, 100.0}, "m", "above base_link");
   visit("laser/upside_down", stub.laser.mount.upside_down, {}, "", "mirrors the order of the beams");
   visit("publish_static_tf", stub.publish_static_tf, {}, "", "base_frame -> base_link -> laser");
 
   visit("seed", stub.seed, {}, "", "of noise, drop-outs and slip");
-  visit("publish_clock", stub.publish_clock, {}, "", "the stub drives /clock");
+  visit("publish_clock", stub.publish_clock, {}, "", "the stub publishes /clock");
   visit("real_time_factor", stub.real_time_factor, {0.001, 100.0}, "",
-        "simulated seconds a second while it does; the other nodes must keep up");
+        "simulated seconds per second, with publish_clock; the other nodes must be fast enough");
   visit("command_period", stub.command_period, {0.0, 60.0}, "s",
-        "of simulated time after which the clock waits for a controller at work; 0: it never does");
-  visit("command_patience", stub.command_patience, {0.0, 60.0}, "s", "of the computer's time that it waits at most");
+        "simulated time without a command after which the clock waits for the controller; 0: it never waits");
+  visit("command_patience", stub.command_patience, {0.0, 60.0}, "s",
+        "longest wait for the controller, in the computer's time");
 }
 
 /// Reads all parameters from the node's private namespace; what is not set keeps its default. Throws

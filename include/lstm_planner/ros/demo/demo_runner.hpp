@@ -42,13 +42,14 @@ struct DemoParameters {
 template <typename Parameters, typename Visitor>
 void visitDemoParameters(Parameters& demo, const Visitor& visit) {
   visit("map", demo.map, {}, "", "path of the map_server yaml");
-  visit("free_threshold", demo.free_threshold, {-1.0, 1.0}, "", "replaces the map's free_thresh when not negative");
-  visit("odom_frame", demo.odom_frame, {}, "", "what the goals are sent in");
-  visit("action", demo.action, {}, "", "the server's name");
-  visit("robot_radius", demo.robot_radius, {0.02, 5.0}, "m", "of the footprint, for the shortest paths");
+  visit("free_threshold", demo.free_threshold, {-1.0, 1.0}, "", "replaces the map's free_thresh if it is not negative");
+  visit("odom_frame", demo.odom_frame, {}, "", "frame in which the goals are sent");
+  visit("action", demo.action, {}, "", "name of the action server");
+  visit("robot_radius", demo.robot_radius, {0.02, 5.0}, "m", "radius of the footprint, to compute the shortest paths");
   visit("arrival_radius", demo.arrival_radius, {0.01, 100.0}, "m",
-        "between true position and goal to believe an arrival");
-  visit("patience", demo.patience, {0.1, 86400.0}, "s", "of the computer's time without action server or ground truth");
+        "largest distance between true position and goal at an arrival");
+  visit("patience", demo.patience, {0.1, 86400.0}, "s",
+        "longest wait for action server or ground truth, in the computer's time");
   visit("picture", demo.picture, {}, "", "path of the picture; empty: none");
   visit("result", demo.result, {}, "", "path of the result file; empty: none");
 }

@@ -28,14 +28,14 @@ struct RecorderNodeParameters {
 template <typename Parameters, typename Visitor>
 void visitRecorderNodeParameters(Parameters& node, const Visitor& visit) {
   visit("output", node.output, {}, "",
-        "the file; ~/ and package://NAME/ may start it, %Y and the like are replaced by the time");
+        "path of the file; may start with ~/ or package://NAME/; %Y and the like are replaced by the time");
   visit("scan_topic", node.scan_topic, {}, "", "sensor_msgs/LaserScan");
   visit("odom_topic", node.odom_topic, {}, "", "nav_msgs/Odometry");
-  visit("base_frame", node.base_frame, {}, "", "the robot's, where the odometry does not name it");
-  visit("disk_low", node.disk_low, {0.0, 1e9}, "MB", "with less than this left on the disk a warning is given");
-  visit("waypoints", node.waypoints, {}, "m", "the goals, in random order; none: goals come from elsewhere only");
-  visit("waypoint_frame", node.waypoint_frame, {}, "", "the frame that they are given in");
-  visit("seed", node.seed, {}, "", "of their order");
+  visit("base_frame", node.base_frame, {}, "", "the robot's frame, if the odometry does not name it");
+  visit("disk_low", node.disk_low, {0.0, 1e9}, "MB", "a warning is given if less than this is free on the disk");
+  visit("waypoints", node.waypoints, {}, "m", "the goals, in random order; none: goals come only from topics");
+  visit("waypoint_frame", node.waypoint_frame, {}, "", "the frame of the waypoints");
+  visit("seed", node.seed, {}, "", "of the order of the waypoints");
   visitRecorderParameters(node.recorder, visit);
 }
 

@@ -30,17 +30,17 @@ struct TeleoperatorParameters {
 /// Visits every parameter but `map`; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitTeleoperatorParameters(Parameters& node, const Visitor& visit) {
-  visit("free_threshold", node.free_threshold, {-1.0, 1.0}, "", "replaces the map's free_thresh when not negative");
+  visit("free_threshold", node.free_threshold, {-1.0, 1.0}, "", "replaces the map's free_thresh if it is not negative");
   visit("map_frame", node.map_frame, {}, "", "frame of the map");
   visit("base_frame", node.base_frame, {}, "",
-        "the robot's; where nobody publishes ground_truth, its pose comes from tf");
+        "the robot's frame; its pose comes from tf if nobody publishes ground_truth");
   visit("goal_topic", node.goal_topic, {}, "", "geometry_msgs/PoseStamped");
   visit("waypoints", node.waypoints, {}, "m",
-        "in the map frame; with any the topic is not listened to, and they are driven to one after another");
-  visit("goals", node.goals, {0, 1000000}, "", "after which the node ends; 0: never");
+        "in the map frame; if there are any, the topic is not used, and the node drives to them one after another");
+  visit("goals", node.goals, {0, 1000000}, "", "number of goals after which the node ends; 0: never");
   visit("rate", node.rate, {10.0, 100.0}, "Hz", "of commands");
   visit("patience", node.patience, {0.01, 60.0}, "s", "the robot stands while its pose is older than this");
-  visit("seed", node.seed, {}, "", "of everything below that is random");
+  visit("seed", node.seed, {}, "", "of all random numbers");
   visitDriverParameters(node.driver, withPrefix("driver/", visit));
 }
 
