@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "ros/diagnostics_listener.hpp"
 #include "ros/planner_fixture.hpp"
 #include "ros/plugin_loader.hpp"
 #include "ros/process_figures.hpp"
@@ -84,6 +85,25 @@ TEST_F(PluginThreads, PlanAndFollowWhileMessagesArriveInOthers) {
   questions.join();
   // A computer that is too busy for its messages makes scans too old, not plans wrong.
   EXPECT_GT(driven, 0);
+}
+
+TEST_F(PluginThreads, SayHowTheyAreWhilePlansAndMessagesAreMade) {
+  DiagnosticsListener of_planner("LstmGlobalPlanner");
+  DiagnosticsListener of_controller("SteeringController");
+  const Traffic traffic(&robot_);
+  // Unloaded at any moment of the threads that make the diagnostics.
+  for (int i = 0; i < 3; ++i) {
+    const auto planner = loadPlanner("LstmGlobalPlanner");
+    const auto controller = loadController();
+    const std::string before =
+        DiagnosticsListener::valueOf("age (s)", of_controller.task("SteeringController odometry"));
+    EXPECT_TRUE(eventually([&] {
+      planAndFollow(planner.get(), controller.get(), {6.0, 1.0, 0.0});
+      return !of_planner.latched().message.empty() && !of_controller.latched().message.empty() &&
+             !of_planner.task("LstmGlobalPlanner model").message.empty() &&
+             DiagnosticsListener::valueOf("age (s)", of_controller.task("SteeringController odometry")) != before;
+    }));
+  }
 }
 
 TEST_F(PluginThreads, LoadAndUnloadUnderTraffic) {

@@ -31,13 +31,14 @@ SteeringController::SteeringController() = default;
 SteeringController::~SteeringController() = default;
 
 void SteeringController::initialize(std::string name, tf2_ros::Buffer* tf, costmap_2d::Costmap2DROS* costmap_ros) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  std::unique_lock<std::mutex> lock(mutex_);
   if (plan_follower_) {
     ROS_WARN("%s is already initialised, the second call is ignored", name.c_str());
     return;
   }
   if (tf == nullptr || costmap_ros == nullptr) {
     refuse(name, "it was initialised without tf or a costmap");
+    lock.unlock();
     startDiagnostics(name);
     return;
   }
@@ -53,6 +54,7 @@ void SteeringController::initialize(std::string name, tf2_ros::Buffer* tf, costm
   } catch (...) {
     refuse(name, "the reason is not known");
   }
+  lock.unlock();
   startDiagnostics(name);
 }
 

@@ -42,13 +42,14 @@ LstmGlobalPlanner::LstmGlobalPlanner() = default;
 LstmGlobalPlanner::~LstmGlobalPlanner() = default;
 
 void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* costmap_ros) {
-  const std::lock_guard<std::mutex> lock(mutex_);
+  std::unique_lock<std::mutex> lock(mutex_);
   if (plan_maker_) {
     ROS_WARN("%s is already initialised, the second call is ignored", name.c_str());
     return;
   }
   if (costmap_ros == nullptr) {
     refuse(name, "it was initialised without a costmap");
+    lock.unlock();
     startDiagnostics(name);
     return;
   }
@@ -70,6 +71,7 @@ void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* c
   } catch (...) {
     refuse(name, "the reason is not known");
   }
+  lock.unlock();
   startDiagnostics(name);
 }
 

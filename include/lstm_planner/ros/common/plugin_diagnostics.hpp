@@ -22,8 +22,8 @@ class PluginDiagnostics {
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
   using Report = std::function<void(Status&)>;
 
-  /// `mutex` is held while a report is made. `status`: the report that is latched, too. Not to be destroyed under the
-  /// mutex.
+  /// `mutex` is held while a report is made. `status`: the report that is latched, too. Construct, call and
+  /// destroy this without holding the mutex: diagnostic_updater has a lock of its own, which is taken before it.
   PluginDiagnostics(const std::string& name, std::mutex* mutex, const Report& status);
   ~PluginDiagnostics();
   PluginDiagnostics(const PluginDiagnostics&) = delete;
