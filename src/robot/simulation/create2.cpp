@@ -16,7 +16,14 @@ constexpr double kHeadingMemory = 20.0;
 
 }  // namespace
 
-void validate(const Create2Parameters& parameters) { visitCreate2Parameters(parameters, RangeCheck()); }
+void validate(const Create2Parameters& parameters) {
+  visitCreate2Parameters(parameters, RangeCheck());
+  footprintOf(parameters);
+}
+
+Footprint footprintOf(const Create2Parameters& parameters) {
+  return footprintOf("footprint", 0.5 * parameters.base_diameter, parameters.footprint);
+}
 
 Create2::Create2(const Create2Parameters& parameters, const Pose2& true_pose, std::uint64_t seed)
     : parameters_(parameters), true_pose_(true_pose), random_(seed) {

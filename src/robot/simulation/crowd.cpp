@@ -68,15 +68,21 @@ bool Crowd::touches(const Point2& center, double radius) const {
   return std::any_of(walkers_.begin(), walkers_.end(), isTouched) || surroundings_.touches(center, radius);
 }
 
-std::vector<Circle> Crowd::advance(double seconds, const Circle& robot) {
+bool Crowd::touchesPolygon(const Footprint& polygon, const Pose2& pose) const {
+  const auto isTouched = [&](const Walker& walker) { return airBetween(polygon, pose, walker.body) < 0.0; };
+  return std::any_of(walkers_.begin(), walkers_.end(), isTouched) || surroundings_.touches(polygon, pose);
+}
+
+std::vector<Circle> Crowd::advance(double seconds, const Footprint& robot, const Pose2& pose) {
   std::vector<Circle> meetings;
-  for (Walker& walker : walkers_) step(seconds, robot, &walker, &meetings);
+  for (Walker& walker : walkers_) step(seconds, robot, pose, &walker, &meetings);
   return meetings;
 }
 
-void Crowd::step(double seconds, const Circle& robot, Walker* walker, std::vector<Circle>* meetings) {
-  const double touching = walker->body.radius + robot.radius;
-  if (distanceBetween(walker->body.center, robot.center) > touching + kMeetingEnds) walker->beside_robot = false;
+void Crowd::step(double seconds, const Footprint& robot, const Pose2& pose, Walker* walker,
+                 std::vector<Circle>* meetings) {
+  const double air = airBetween(robot, pose, walker->body);
+  if (air > kMeetingEnds) walker->beside_robot = false;
   if (walker->standing > 0.0) {
     walker->standing -= seconds;
     if (walker->standing <= 0.0) walker->destination = drawPlace(walker->body.radius);
@@ -86,8 +92,8 @@ void Crowd::step(double seconds, const Circle& robot, Walker* walker, std::vecto
   const double path = std::min(left, walker->speed * seconds);
   const Point2 next = pointAlong(walker->body.center, directionTo(walker->body.center, walker->destination), path);
   // One that the robot has pushed against may still walk away from it.
-  const double distance = distanceBetween(next, robot.center);
-  if (distance < touching && distance < distanceBetween(walker->body.center, robot.center)) {
+  const double next_air = airBetween(robot, pose, {next, walker->body.radius});
+  if (next_air < 0.0 && next_air < air) {
     if (!walker->beside_robot) meetings->push_back(walker->body);
     walker->beside_robot = true;
     walker->standing = uniform(random_, parameters_.shortest_stand, parameters_.longest_stand);

@@ -22,6 +22,7 @@ SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters,
     : world_(world),
       parameters_(parameters),
       base_(parameters.base, start, seed),
+      footprint_(footprintOf(parameters.base)),
       scanner_(parameters.scanner, ~seed),
       localiser_(start, parameters.localisation_jump) {
   visitSimulatedRobotParameters(parameters, RangeCheck());
@@ -39,13 +40,13 @@ void SimulatedRobot::obeyCommands() {
   }
 }
 
-/// Whether the robot at `position` touches nobody but walkers that have run into it (counted then) and lets them pass.
-bool SimulatedRobot::isBrushedBy(const Point2& position, const Point2& velocity) const {
-  const double radius = 0.5 * parameters_.base.base_diameter;
-  if (crowd_ == nullptr || crowd_->surroundings().touches(position, radius)) return false;
+/// Whether the robot at `pose` touches nobody but walkers that have run into it (counted then) and lets them pass.
+bool SimulatedRobot::isBrushedBy(const Pose2& pose, const Point2& velocity) const {
+  if (crowd_ == nullptr || crowd_->surroundings().touches(footprint_, pose)) return false;
+  const Point2 position{pose.x, pose.y};
   const std::vector<Crowd::Walker>& walkers = crowd_->walkers();
   return std::all_of(walkers.begin(), walkers.end(), [&](const Crowd::Walker& walker) {
-    const bool touches = distanceBetween(position, walker.body.center) < radius + walker.body.radius;
+    const bool touches = airBetween(footprint_, pose, walker.body) < 0.0;
     return !touches || (walker.beside_robot && approachSpeed(position, velocity, walker.body.center) <= kStanding);
   });
 }
@@ -56,17 +57,16 @@ Point2 SimulatedRobot::move(double seconds) {
   base_.step(seconds);
   const Pose2 after = base_.truePose();
   const Point2 velocity{(after.x - before.x) / seconds, (after.y - before.y) / seconds};
-  const Point2 position{after.x, after.y};
-  const bool blocked = world_.touches(position, 0.5 * parameters_.base.base_diameter);
-  if (blocked) base_.holdPosition({before.x, before.y, after.yaw});
-  contacts_.note(blocked && !isBrushedBy(position, velocity));
+  const bool blocked = world_.touches(footprint_, after);
+  if (blocked) base_.holdPosition({before.x, before.y, footprint_.isCircle() ? after.yaw : before.yaw});
+  contacts_.note(blocked && !isBrushedBy(after, velocity));
   path_length_ += distanceBetween(before, base_.truePose());
   return velocity;
 }
 
 void SimulatedRobot::letWalk(double seconds, const Point2& velocity) {
   const Point2 here{base_.truePose().x, base_.truePose().y};
-  for (const Circle& walker : crowd_->advance(seconds, {here, 0.5 * parameters_.base.base_diameter})) {
+  for (const Circle& walker : crowd_->advance(seconds, footprint_, base_.truePose())) {
     if (contacts_.isTouching()) continue;  // counted already
     const double approach = approachSpeed(here, velocity, walker.center);
     const bool moves = std::hypot(velocity.x, velocity.y) > kStanding;

@@ -29,7 +29,30 @@ void clip(double start, double slope, double size, double* enter, double* leave)
   *leave = std::min(*leave, std::max(a, b));
 }
 
+/// m^2 of how far a cell at (x, y) reaches beyond each side of a polygon at most: negative where a side parts them.
+double leastReach(const std::vector<Point2>& corners, double x, double y) {
+  double least = kNothing;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point2& from = corners[i];
+    const Point2& to = corners[(i + 1) % corners.size()];
+    double most = -kNothing;
+    for (const Point2& corner : {Point2{x, y}, {x + 1.0, y}, {x, y + 1.0}, {x + 1.0, y + 1.0}}) {
+      most = std::max(most, (to.x - from.x) * (corner.y - from.y) - (to.y - from.y) * (corner.x - from.x));
+    }
+    least = std::min(least, most);
+  }
+  return least;
+}
+
 }  // namespace
+
+bool World::touches(const Footprint& footprint, const Pose2& pose) const {
+  if (footprint.isCircle()) return touches(Point2{pose.x, pose.y}, footprint.circumscribedRadius());
+  if (!isFinite(pose)) throw std::invalid_argument("a footprint at a pose that is not finite cannot touch anything");
+  // Most are far from everything.
+  if (!touches(Point2{pose.x, pose.y}, footprint.circumscribedRadius())) return false;
+  return touchesPolygon(footprint, pose);
+}
 
 GridWorld::GridWorld(OccupancyGrid grid) : grid_(std::move(grid)), distances_(grid_, false) {
   const std::size_t cells = static_cast<std::size_t>(grid_.columns()) * static_cast<std::size_t>(grid_.rows());
@@ -150,6 +173,26 @@ bool GridWorld::touches(const Point2& center, double radius) const {
   return false;
 }
 
+bool GridWorld::touchesPolygon(const Footprint& polygon, const Pose2& pose) const {
+  std::vector<Point2> in_cells;
+  Point2 low{kNothing, kNothing};
+  Point2 high{-kNothing, -kNothing};
+  for (const Point2& corner : polygon.corners()) {
+    const Point2 local = toLocalFrame(grid_.origin(), toParentFrame(pose, corner));
+    in_cells.push_back({local.x / grid_.resolution(), local.y / grid_.resolution()});
+    low = {std::min(low.x, in_cells.back().x), std::min(low.y, in_cells.back().y)};
+    high = {std::max(high.x, in_cells.back().x), std::max(high.y, in_cells.back().y)};
+  }
+  const int last_row = std::min(grid_.rows() - 1, static_cast<int>(std::ceil(high.y)) - 1);
+  const int last_column = std::min(grid_.columns() - 1, static_cast<int>(std::ceil(high.x)) - 1);
+  for (int y = std::max(0, static_cast<int>(std::floor(low.y))); y <= last_row; ++y) {
+    for (int x = std::max(0, static_cast<int>(std::floor(low.x))); x <= last_column; ++x) {
+      if (grid_.at({x, y}) == Cell::kOccupied && leastReach(in_cells, x, y) > 0.0) return true;
+    }
+  }
+  return false;
+}
+
 CircleWorld::CircleWorld(std::vector<Circle> circles) : circles_(std::move(circles)) {
   for (const Circle& circle : circles_) {
     if (std::isfinite(circle.center.x + circle.center.y + circle.radius) && circle.radius >= 0.0) continue;
@@ -197,6 +240,11 @@ void CircleWorld::castRays(const Point2& origin, double first_direction, double 
   for (const Circle& circle : circles_) {
     castRaysAtCircle(circle, origin, first_direction, increment, max_range, ranges);
   }
+}
+
+bool CircleWorld::touchesPolygon(const Footprint& polygon, const Pose2& pose) const {
+  return std::any_of(circles_.begin(), circles_.end(),
+                     [&](const Circle& circle) { return airBetween(polygon, pose, circle) < 0.0; });
 }
 
 bool CircleWorld::touches(const Point2& center, double radius) const {

@@ -48,7 +48,7 @@ geometry_msgs::TransformStamped transform(const std::string& parent, const std::
 Create2Stub::Create2Stub(const Create2StubParameters& parameters)
     : parameters_(parameters),
       building_(makeWorld(parameters)),
-      world_(*building_, parameters.robot.base_diameter / 2.0),
+      world_(*building_, footprintOf(parameters.robot).circumscribedRadius()),
       robot_(world_, parameters.robot, parameters.start, parameters.seed),
       laser_(parameters.laser, parameters.seed + 1),
       driver_(parameters, &robot_, [this] { return driverTime(); }),

@@ -49,11 +49,15 @@ std::unique_ptr<World> makeWorld(const Create2StubParameters& parameters) {
     world = std::make_unique<CircleWorld>(
         readCircles(parameters.circles, parameters.circle_radius, parameters.circle_world));
   }
-  const Point2 start{parameters.start.x, parameters.start.y};
-  if (world->touches(start, parameters.robot.base_diameter / 2.0)) {
+  const Footprint footprint = footprintOf(parameters.robot);
+  if (world->touches(footprint, parameters.start)) {
     std::ostringstream text;
-    text << "the robot cannot start at (" << start.x << ", " << start.y << "): something is nearer than its radius of "
-         << parameters.robot.base_diameter / 2.0 << " m";
+    text << "the robot cannot start at (" << parameters.start.x << ", " << parameters.start.y << "): something is ";
+    if (footprint.isCircle()) {
+      text << "nearer than its radius of " << footprint.circumscribedRadius() << " m";
+    } else {
+      text << "inside its footprint " << parameters.robot.footprint;
+    }
     throw std::invalid_argument(text.str());
   }
   return world;
@@ -75,20 +79,26 @@ bool WorldWithRobots::touches(const Point2& center, double radius) const {
          });
 }
 
+bool WorldWithRobots::touchesPolygon(const Footprint& polygon, const Pose2& pose) const {
+  return building_.touches(polygon, pose) || std::any_of(robots_.begin(), robots_.end(), [&](const auto& robot) {
+           return airBetween(polygon, pose, {robot.second, radius_}) < 0.0;
+         });
+}
+
 RobotInWorld::RobotInWorld(const World& world, const Create2Parameters& parameters, const Pose2& start,
                            std::uint64_t seed)
-    : world_(world), robot_(parameters, start, seed), radius_(parameters.base_diameter / 2.0) {}
+    : world_(world), robot_(parameters, start, seed), footprint_(footprintOf(parameters)) {}
 
 void RobotInWorld::step(double seconds) {
   const Pose2 before = robot_.truePose();
   robot_.step(seconds);
   const Pose2 after = robot_.truePose();
-  if (world_.touches(Point2{after.x, after.y}, radius_)) {
-    // The footprint is a disc: turning on the spot never makes it touch.
-    robot_.holdPosition({before.x, before.y, after.yaw});
+  if (world_.touches(footprint_, after)) {
+    // A disc that turns in place never touches more than before.
+    robot_.holdPosition({before.x, before.y, footprint_.isCircle() ? after.yaw : before.yaw});
     if (!in_contact_) ++contacts_;
     in_contact_ = true;
-  } else if (in_contact_ && !world_.touches(Point2{after.x, after.y}, radius_ + kContactEnds)) {
+  } else if (in_contact_ && !world_.touches(footprint_.grown(kContactEnds), after)) {
     in_contact_ = false;
   }
 }
@@ -96,7 +106,8 @@ void RobotInWorld::step(double seconds) {
 bool RobotInWorld::pressed(bool left) const {
   const Pose2& pose = robot_.truePose();
   const double bearing = left ? kBumperBearing : -kBumperBearing;
-  return in_contact_ && world_.touches(pointAlong(pose, pose.yaw + bearing, kBumperTravel), radius_);
+  const Point2 there = pointAlong(pose, pose.yaw + bearing, kBumperTravel);
+  return in_contact_ && world_.touches(footprint_, {there.x, there.y, pose.yaw});
 }
 
 }  // namespace lstm_planner

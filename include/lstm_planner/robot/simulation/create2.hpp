@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
+#include "lstm_planner/base/common/footprint.hpp"
 #include "lstm_planner/base/common/geometry.hpp"
 #include "lstm_planner/base/common/random.hpp"
 
@@ -14,6 +16,7 @@ struct Create2Parameters {
   double ticks_per_revolution = 508.8;
   double max_wheel_speed = 0.5;
   double base_diameter = 0.3485;
+  std::string footprint = "";
   double max_wheel_acceleration = 2.0;
   double slip = 0.0;
   double drift = 0.0;
@@ -34,6 +37,8 @@ void visitCreate2Parameters(Parameters& robot, const Visitor& visit) {
   visit("max_wheel_speed", robot.max_wheel_speed, {0.01, 20.0}, "m/s",
         "each wheel is clipped on its own, so the curvature changes");
   visit("base_diameter", robot.base_diameter, {0.01, 10.0}, "m", "of the footprint that contacts are counted with");
+  visit("footprint", robot.footprint, {}, "m",
+        "corners [[x, y], ...] of a robot that is not round, in place of base_diameter; empty: it is round");
   visit("max_wheel_acceleration", robot.max_wheel_acceleration, {0.01, 1e9}, "m/s^2", "of each wheel");
   visit("slip", robot.slip, {0.0, 1.0}, "",
         "standard deviation of each wheel's true travel relative to what its encoder counts, per step");
@@ -45,6 +50,9 @@ void visitCreate2Parameters(Parameters& robot, const Visitor& visit) {
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const Create2Parameters& parameters);
+
+/// That contacts are counted with. Throws as validate().
+Footprint footprintOf(const Create2Parameters& parameters);
 
 /// Differential drive with encoders. A step moves the true pose exactly along the arc given by what the two wheels
 /// travelled; the odometry adds whole encoder ticks up as create_robot does: the mean of the wheels along the middle

@@ -60,18 +60,22 @@ class Crowd : public World {
 
   void castRays(const Point2& origin, double first_direction, double increment, double max_range,
                 std::vector<double>* ranges) const override;
+  using World::touches;
   bool touches(const Point2& center, double radius) const override;
 
   /// Lets that much time pass, s: no longer than a tenth of a second, or walkers jump. Returns the walkers that ran
-  /// into the robot, each once a meeting.
-  std::vector<Circle> advance(double seconds, const Circle& robot);
+  /// into the robot, which is at `pose`, each once a meeting.
+  std::vector<Circle> advance(double seconds, const Footprint& robot, const Pose2& pose);
 
   const std::vector<Walker>& walkers() const { return walkers_; }
   const World& surroundings() const { return surroundings_; }
 
+ protected:
+  bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override;
+
  private:
   Point2 drawPlace(double radius);
-  void step(double seconds, const Circle& robot, Walker* walker, std::vector<Circle>* meetings);
+  void step(double seconds, const Footprint& robot, const Pose2& pose, Walker* walker, std::vector<Circle>* meetings);
 
   const World& surroundings_;
   const std::vector<Point2>& places_;

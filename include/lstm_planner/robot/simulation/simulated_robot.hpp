@@ -64,12 +64,13 @@ class SimulatedRobot {
   };
   void obeyCommands();
   Point2 move(double seconds);
-  bool isBrushedBy(const Point2& position, const Point2& velocity) const;
+  bool isBrushedBy(const Pose2& pose, const Point2& velocity) const;
   void letWalk(double seconds, const Point2& velocity);
 
   const World& world_;
   Parameters parameters_;
   Create2 base_;
+  Footprint footprint_;
   Hokuyo scanner_;
   Localiser localiser_;
   LaserScan scan_;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lstm_planner/base/common/footprint.hpp"
 #include "lstm_planner/base/common/geometry.hpp"
 #include "lstm_planner/base/grid/distance_field.hpp"
 #include "lstm_planner/base/grid/occupancy_grid.hpp"
@@ -22,6 +23,12 @@ class World {
   /// True when a disc of that radius (m) overlaps an obstacle: exact, cells are squares and circles are circles; one
   /// that only meets it at a point does not overlap. Throws std::invalid_argument for a disc that is not finite.
   virtual bool touches(const Point2& center, double radius) const = 0;
+
+  /// The same for a footprint at a pose, which must be finite.
+  bool touches(const Footprint& footprint, const Pose2& pose) const;
+
+ protected:
+  virtual bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const = 0;
 };
 
 /// The occupied cells of a map_server map (unknown cells are neither seen nor touched). Rays are exact at the borders
@@ -32,9 +39,13 @@ class GridWorld : public World {
   explicit GridWorld(OccupancyGrid grid);
   void castRays(const Point2& origin, double first_direction, double increment, double max_range,
                 std::vector<double>* ranges) const override;
+  using World::touches;
   bool touches(const Point2& center, double radius) const override;
   const OccupancyGrid& grid() const { return grid_; }
   const DistanceField& distances() const { return distances_; }
+
+ protected:
+  bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override;
 
  private:
   /// All in cells from the lower left corner; (dx, dy) is the unit vector along the ray.
@@ -51,6 +62,11 @@ struct Circle {
   double radius = 0.0;
 };
 
+/// m between a footprint at a pose and a circle; negative where they overlap.
+inline double airBetween(const Footprint& footprint, const Pose2& pose, const Circle& circle) {
+  return footprint.distanceTo(toLocalFrame(pose, circle.center)) - circle.radius;
+}
+
 /// Lowers those ranges, of beams as in World::castRays(), that the circle cuts short.
 void castRaysAtCircle(const Circle& circle, const Point2& origin, double first_direction, double increment,
                       double max_range, std::vector<double>* ranges);
@@ -62,7 +78,11 @@ class CircleWorld : public World {
   explicit CircleWorld(std::vector<Circle> circles);
   void castRays(const Point2& origin, double first_direction, double increment, double max_range,
                 std::vector<double>* ranges) const override;
+  using World::touches;
   bool touches(const Point2& center, double radius) const override;
+
+ protected:
+  bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override;
 
  private:
   std::vector<Circle> circles_;

@@ -22,7 +22,7 @@ std::vector<Circle> readCircles(const std::string& path, double default_radius, 
 /// read, or when the robot would touch something at the start pose.
 std::unique_ptr<World> makeWorld(const Create2StubParameters& parameters);
 
-/// A building with other robots in it: discs that move.
+/// A building with other robots in it: discs that move, as large as the robots' circumscribed circles.
 class WorldWithRobots : public World {
  public:
   /// `radius`: of each robot, m. `building` must outlive the object.
@@ -33,7 +33,11 @@ class WorldWithRobots : public World {
 
   void castRays(const Point2& origin, double first_direction, double increment, double max_range,
                 std::vector<double>* ranges) const override;
+  using World::touches;
   bool touches(const Point2& center, double radius) const override;
+
+ protected:
+  bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override;
 
  private:
   const World& building_;
@@ -41,8 +45,9 @@ class WorldWithRobots : public World {
   std::map<std::size_t, Point2> robots_;
 };
 
-/// A robot in a world. It cannot drive into anything: what it runs against holds it (it may turn, its wheels go on and
-/// the encoders count). A contact is counted when touching starts; it has ended when the robot is 1 cm away.
+/// A robot in a world. It cannot drive into anything: what it runs against holds it (its wheels go on and the encoders
+/// count; one that is round may still turn). A contact is counted when touching starts; it has ended when the robot is
+/// 1 cm away.
 class RobotInWorld {
  public:
   RobotInWorld(const World& world, const Create2Parameters& parameters, const Pose2& start, std::uint64_t seed);
@@ -59,7 +64,7 @@ class RobotInWorld {
  private:
   const World& world_;
   Create2 robot_;
-  double radius_;
+  Footprint footprint_;
   unsigned contacts_ = 0;
   bool in_contact_ = false;
 };

@@ -66,6 +66,11 @@ class HallWithPerson : public World {
   }
   Circle person;
 
+ protected:
+  bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override {
+    return hall_.touches(polygon, pose) || airBetween(polygon, pose, person) < 0.0;
+  }
+
  private:
   GridWorld hall_{test::emptyHall(12.0, 8.0)};
 };

@@ -56,6 +56,11 @@ class MovingReturnsTest : public ::testing::Test {
       return walls_.touches(center, radius) || persons_.touches(center, radius);
     }
 
+   protected:
+    bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override {
+      return walls_.touches(polygon, pose) || persons_.touches(polygon, pose);
+    }
+
    private:
     const World& walls_;
     CircleWorld persons_;

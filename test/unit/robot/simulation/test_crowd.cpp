@@ -9,8 +9,8 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kPeriod = 0.02;                  // s
-const Circle kNobody{{-100.0, -100.0}, 0.17425};  // a robot far away
+constexpr double kPeriod = 0.02;  // s
+constexpr Pose2 kNowhere{1e6, 1e6, 0.0};
 
 class InAHall : public ::testing::Test {
  protected:
@@ -45,7 +45,7 @@ TEST_F(CrowdTest, WalksAtItsSpeedAndNeverThroughAWall) {
   std::vector<double> walked(people.walkers().size(), 0.0);
   for (int i = 0; i < 3000; ++i) {
     const std::vector<Crowd::Walker> before = people.walkers();
-    people.advance(kPeriod, kNobody);
+    people.advance(kPeriod, Footprint(0.01), kNowhere);
     for (std::size_t k = 0; k < before.size(); ++k) {
       const Crowd::Walker& walker = people.walkers()[k];
       const double path = distanceBetween(before[k].body.center, walker.body.center);
@@ -67,13 +67,14 @@ TEST_F(CrowdTest, StandsBeforeTheRobotAndThenGoesElsewhere) {
   const double distance = walker.body.radius + 0.17425 + 0.5;
   const Point2 ahead = pointAlong(walker.body.center, directionTo(walker.body.center, walker.destination), distance);
   ASSERT_GT(distanceBetween(walker.body.center, walker.destination), distance);
-  const Circle robot{ahead, 0.17425};
+  const Footprint robot({{0.1, 0.17}, {0.1, -0.17}, {-0.1, -0.17}, {-0.1, 0.17}});
+  const Pose2 pose{ahead.x, ahead.y, 0.3};
   double stood = 0.0;
   int meetings = 0;
   for (double time = 0.0; time < 60.0; time += kPeriod) {
-    meetings += static_cast<int>(people.advance(kPeriod, robot).size());
+    meetings += static_cast<int>(people.advance(kPeriod, robot, pose).size());
     const Crowd::Walker& now = people.walkers()[0];
-    ASSERT_GE(distanceBetween(now.body.center, robot.center), now.body.radius + robot.radius);
+    ASSERT_GE(airBetween(robot, pose, now.body), 0.0);
     stood += now.standing > 0.0 ? kPeriod : 0.0;
     if (meetings == 1 && !now.beside_robot) break;
   }
@@ -99,8 +100,8 @@ TEST_F(CrowdTest, IsTheSameForTheSameSeed) {
   Crowd a = crowd(9);
   Crowd b = crowd(9);
   for (int i = 0; i < 500; ++i) {
-    a.advance(kPeriod, kNobody);
-    b.advance(kPeriod, kNobody);
+    a.advance(kPeriod, Footprint(0.01), kNowhere);
+    b.advance(kPeriod, Footprint(0.01), kNowhere);
   }
   EXPECT_EQ(a.walkers()[4].body.center.x, b.walkers()[4].body.center.x);
   EXPECT_NE(a.walkers()[4].body.center.x, crowd(10).walkers()[4].body.center.x);

@@ -34,6 +34,23 @@ TEST(SimulatedRobot, CountsASecondRunAgainstTheSameThing) {
   EXPECT_EQ(robot.contacts(), 2);
 }
 
+TEST(SimulatedRobot, ACornerThatTurnsIntoSomethingTouchesIt) {
+  const CircleWorld world({{{0.0, 0.35}, 0.05}});  // 0.3 m to the left of its middle
+  SimulatedRobot::Parameters parameters;
+  parameters.base.footprint = "[[0.3, 0.2], [0.3, -0.2], [-0.3, -0.2], [-0.3, 0.2]]";
+  SimulatedRobot robot(world, parameters, {}, 1);
+  robot.command({0.0, 1.0});
+  robot.advance(3.0);
+  EXPECT_EQ(robot.contacts(), 1);
+  EXPECT_LT(robot.truePose().yaw, M_PI_2) << "it is held as it stands";
+  EXPECT_GT(robot.odometry().yaw, M_PI_2) << "the wheels spin on";
+
+  SimulatedRobot round(world, {}, {}, 1);
+  round.command({0.0, 1.0});
+  round.advance(3.0);
+  EXPECT_EQ(round.contacts(), 0);
+}
+
 TEST(SimulatedRobot, SensesInTheOdometryFrame) {
   const CircleWorld world({{{2.0, 5.0}, 0.5}});
   SimulatedRobot::Parameters parameters;

@@ -173,5 +173,38 @@ TEST(CircleWorld, TouchesExactlyAtTheTangent) {
   EXPECT_THROW(CircleWorld({{{0.0, 0.0}, -1.0}}), std::invalid_argument);
 }
 
+const Footprint& rectangle() {
+  static const Footprint footprint({{0.3, 0.2}, {0.3, -0.2}, {-0.1, -0.2}, {-0.1, 0.2}});
+  return footprint;
+}
+
+TEST(GridWorld, APolygonTouchesExactlyWhereItOverlapsACell) {
+  OccupancyGrid grid(40, 40, 0.05);
+  grid.set({20, 20}, Cell::kOccupied);  // from (1.0, 1.0) to (1.05, 1.05)
+  const GridWorld world(grid);
+  EXPECT_TRUE(world.touches(rectangle(), {0.7 + 1e-6, 1.0, 0.0})) << "its front";
+  EXPECT_FALSE(world.touches(rectangle(), {0.7 - 1e-6, 1.0, 0.0}));
+  EXPECT_TRUE(world.touches(rectangle(), {1.15 - 1e-6, 1.0, 0.0})) << "its back";
+  EXPECT_FALSE(world.touches(rectangle(), {1.15 + 1e-6, 1.0, 0.0}));
+  // Turned by 45 degrees the corner (0.3, 0.2) points to (0.1, 0.5) / sqrt(2) from its middle.
+  const Point2 corner{0.1 * M_SQRT1_2, 0.5 * M_SQRT1_2};
+  EXPECT_TRUE(world.touches(rectangle(), {1.025 - corner.x, 1.0 + 1e-6 - corner.y, M_PI_4}));
+  EXPECT_FALSE(world.touches(rectangle(), {1.025 - corner.x, 1.0 - 1e-6 - corner.y, M_PI_4}));
+  EXPECT_TRUE(world.touches(rectangle(), {1.025, 1.025, 0.2})) << "the cell lies inside it";
+  EXPECT_TRUE(world.touches(Footprint(0.2), {0.8 + 1e-6, 1.02, 0.5})) << "a circle, as by its radius";
+  EXPECT_FALSE(world.touches(Footprint(0.2), {0.8 - 1e-6, 1.02, 0.5}));
+  EXPECT_THROW(world.touches(rectangle(), {HUGE_VAL, 0.0, 0.0}), std::invalid_argument);
+}
+
+TEST(CircleWorld, APolygonTouchesExactlyAtTheTangent) {
+  const CircleWorld world({{{1.0, 0.0}, 0.1}});
+  EXPECT_TRUE(world.touches(rectangle(), {0.6 + 1e-6, 0.0, 0.0}));
+  EXPECT_FALSE(world.touches(rectangle(), {0.6 - 1e-6, 0.0, 0.0}));
+  // Beside the corner (0.3, -0.2), 45 degrees off.
+  const double aside = 0.1 * M_SQRT1_2;
+  EXPECT_TRUE(world.touches(rectangle(), {0.7 - aside + 1e-6, 0.2 + aside, 0.0}));
+  EXPECT_FALSE(world.touches(rectangle(), {0.7 - aside - 1e-6, 0.2 + aside, 0.0}));
+}
+
 }  // namespace
 }  // namespace lstm_planner
