@@ -38,8 +38,8 @@ DriveWorld gridWorld(const std::string& name, OccupancyGrid grid, const DriveOpt
 std::vector<DriveTask> draw(const DriveWorld& world, int count, double shortest, std::uint64_t seed,
                             const DriveOptions& options) {
   const ShieldParameters& shield = options.agent.shield;
-  return drawTasks(static_cast<const GridWorld&>(*world.world), count, shield.footprint_radius, shield.clearance,
-                   options.shortest.value_or(shortest), seed);
+  return drawTasks(static_cast<const GridWorld&>(*world.world), count, footprintOf(shield).circumscribedRadius(),
+                   shield.clearance, options.shortest.value_or(shortest), seed);
 }
 
 /// Many goals in one world.

@@ -44,10 +44,21 @@ class GroupReader {
       node.reset(inner);
     }
     try {
-      *value = node.as<Value>();
+      assign(node, value);
     } catch (const YAML::Exception&) {
       throw std::invalid_argument(place_ + "/" + name + " has the wrong type");
     }
+  }
+
+  template <typename Value>
+  static void assign(const YAML::Node& node, Value* value) {
+    *value = node.as<Value>();
+  }
+  /// A footprint is a list, and the text of it.
+  static void assign(const YAML::Node& node, std::string* value) {
+    YAML::Emitter text;
+    text << YAML::Flow << node;
+    *value = node.IsSequence() ? text.c_str() : node.as<std::string>();
   }
 
   void refuseUnknown(const YAML::Node& node, const std::string& prefix) const {
@@ -105,10 +116,15 @@ void readRobotFile(const std::string& name, DriveParameters* drive, AgentParamet
   SteeringControllerParameters controller;
   controller.motion = drive->motion;
   controller.footprint_radius = agent->shield.footprint_radius;
+  controller.footprint = agent->shield.footprint;
   GroupReader controller_group(path, root, "SteeringController");
   visitSteeringControllerParameters(controller, controller_group.visitor());
   controller_group.refuseUnknown();
   drive->motion = controller.motion;
+  if (controller.footprint != agent->shield.footprint) {
+    throw std::invalid_argument(path + ": SteeringController/footprint is '" + controller.footprint +
+                                "', expected the one of LstmGlobalPlanner/shield, '" + agent->shield.footprint + "'");
+  }
   // Both look at the same shield here: the larger one is safe for both.
   agent->shield.footprint_radius = std::max(agent->shield.footprint_radius, controller.footprint_radius);
 

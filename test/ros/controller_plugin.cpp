@@ -198,24 +198,25 @@ TEST_F(ControllerTest, SeesTheCostmapInItsOwnFrame) {
   EXPECT_EQ(velocity_.linear.x, 0.0);
 }
 
-TEST_F(ControllerTest, KeepsTheFarthestCornerOfTheCostmapsFootprintAway) {
-  // 0.25 m to the wall: 0.08 m before the circle of the parameter, and within the margin before a corner 0.25 m away.
+TEST_F(ControllerTest, KeepsTheCostmapsFootprintAway) {
+  // 0.25 m to the wall: 0.08 m before the circle of the parameter, and within the margin before a front at 0.23 m.
   robot_.range = [](double angle) { return static_cast<float>(0.15 / std::max(0.1, std::cos(angle))); };
   ASSERT_TRUE(computeAt({}));
   EXPECT_GT(velocity_.linear.x, 0.0);
-  useFootprint({-0.2, -0.15}, {0.05, 0.15});
+  useFootprint({-0.05, -0.15}, {0.23, 0.15});
   initialise();
   ASSERT_TRUE(computeAt({}));
   EXPECT_EQ(velocity_.linear.x, 0.0);
   log_.flush();
-  EXPECT_EQ(log_.count("reaches 0.250 m from the robot's middle, SteeringController/footprint_radius is 0.174 m"), 1);
+  EXPECT_EQ(log_.count("SteeringController/footprint_radius is a circle of 0.17425 m, the footprint of the costmap"),
+            1);
 }
 
 TEST_F(ControllerTest, AFootprintThatTheCircleHoldsChangesNothing) {
   useFootprint({-0.1, -0.1}, {0.1, 0.1});
   initialise();
   log_.flush();
-  EXPECT_EQ(log_.count("the larger one counts"), 0);
+  EXPECT_EQ(log_.count("the footprint of the costmap"), 0);
 }
 
 TEST_F(ControllerTest, TheCostmapCountsForNothingWhereItIsNotToBeUsed) {

@@ -93,12 +93,18 @@ class LaunchFiles(unittest.TestCase):
         for name in names:
             config = load("navigation.launch", "robot:=" + name)
             self.check(config)
-            radius = self.parameter(config, "/move_base/SteeringController/footprint_radius")
-            for other in ("LstmGlobalPlanner/shield/footprint_radius", "global_costmap/robot_radius",
-                          "local_costmap/robot_radius"):
-                self.assertEqual(self.parameter(config, "/move_base/" + other), radius, name)
-            diameter = self.parameter(config, "/move_base/create2_stub/robot/base_diameter")
-            self.assertAlmostEqual(diameter, 2.0 * radius, msg=name)
+            has_corners = "/move_base/SteeringController/footprint" in config.params
+            shape = "footprint" if has_corners else "footprint_radius"
+            own = self.parameter(config, "/move_base/SteeringController/" + shape)
+            self.assertEqual(self.parameter(config, "/move_base/LstmGlobalPlanner/shield/" + shape), own, name)
+            for costmap in ("global_costmap", "local_costmap"):
+                other = self.parameter(config, "/move_base/%s/%s" % (costmap, shape.replace("footprint_", "robot_")))
+                self.assertEqual(other, own, name)
+            if has_corners:
+                self.assertEqual(self.parameter(config, "/move_base/create2_stub/robot/footprint"), own, name)
+            else:
+                diameter = self.parameter(config, "/move_base/create2_stub/robot/base_diameter")
+                self.assertAlmostEqual(diameter, 2.0 * own, msg=name)
             margin = self.parameter(config, "/move_base/SteeringController/safety_margin")
             self.assertGreaterEqual(self.parameter(config, "/move_base/LstmGlobalPlanner/shield/tight_clearance"), margin)
 

@@ -262,12 +262,34 @@ TEST_F(PlannerTest, PlansAroundWhatOnlyTheCostmapShows) {
   EXPECT_LT(nearest({1.5, 0.15}), 0.1) << "cleared: straight to the goal";
 }
 
-TEST_F(PlannerTest, TheFarthestCornerOfTheCostmapsFootprintIsItsRadius) {
+TEST_F(PlannerTest, TheFootprintOfTheCostmapCountsWhereItReachesFarther) {
   useFootprint({-0.4, -0.3}, {0.1, 0.3});
   EXPECT_NE(makePlanner(), nullptr);
   log_.flush();
-  EXPECT_EQ(log_.count("reaches 0.500 m from the robot's middle, LstmGlobalPlanner/shield/footprint_radius is 0.174 m"),
-            1);
+  EXPECT_EQ(
+      log_.count("LstmGlobalPlanner/shield/footprint_radius is a circle of 0.17425 m, the footprint of the costmap"),
+      1);
+  EXPECT_EQ(log_.count("reaches 0.326 m beyond that: [["), 1);  // the corner at (-0.4, -0.3)
+}
+
+TEST_F(PlannerTest, AFootprintMayBeAListOfCorners) {
+  ros::NodeHandle node("~/LstmGlobalPlanner/shield");
+  XmlRpc::XmlRpcValue corners;
+  const double list[4][2] = {{0.25, 0.2}, {0.25, -0.2}, {-0.25, -0.2}, {-0.25, 0.2}};
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 0; k < 2; ++k) corners[i][k] = list[i][k];
+  }
+  node.setParam("footprint", corners);
+  auto planner = makePlanner();
+  const auto goal = stampedPose("odom", kGoal);
+  std::vector<geometry_msgs::PoseStamped> plan;
+  robot_.again();
+  EXPECT_TRUE(planner->makePlan(stampedPose("odom", {}), goal, plan));
+}
+
+TEST_F(PlannerTest, AFootprintThatIsNoneIsRefused) {
+  ros::param::set("~/LstmGlobalPlanner/shield/footprint", "[[0.25, 0.2], [0.25, -0.2]]");
+  expectUnusable("parameter shield/footprint is '[[0.25, 0.2], [0.25, -0.2]]': expected at least three corners");
 }
 
 TEST_F(PlannerTest, ModelForASmallerRobotIsUsedWithAWarning) {

@@ -18,6 +18,15 @@ const char* const kNoLeader = "none";
 /// Of the footprint radius: a coarser memory would have paths that lead through walls.
 constexpr double kCoarsest = 0.29;
 
+constexpr double kSameRadius = 1e-6;  // m
+
+/// m from the middle of the robot within which obstacles matter to its paths.
+double widestRadius(const AgentParameters& parameters) {
+  const ShieldParameters& shield = parameters.shield;
+  return std::max(shield.footprint_radius + std::max(parameters.memory.comfort, shield.clearance),
+                  footprintOf(shield).circumscribedRadius() + shield.tight_clearance);
+}
+
 }  // namespace
 
 std::string nameOfLeader(Source leader) { return leader == Source::kGreedy ? kNoLeader : toString(leader); }
@@ -29,11 +38,16 @@ Source leaderNamed(const std::string& name) {
   throw std::invalid_argument("leader is '" + name + "', expected network, route or none");
 }
 
+Footprint footprintOf(const ShieldParameters& shield) {
+  return footprintOf("shield/footprint", shield.footprint_radius, shield.footprint);
+}
+
 AgentParameters fittedToFootprint(AgentParameters parameters) {
   constexpr double kMillimetres = 1000.0;
-  const ShieldParameters& shield = parameters.shield;
+  ShieldParameters& shield = parameters.shield;
+  if (!shield.footprint.empty()) shield.footprint_radius = footprintOf(shield).passingRadius();
   MemoryParameters& memory = parameters.memory;
-  const double around = shield.footprint_radius + std::max(memory.comfort, shield.clearance);
+  const double around = widestRadius(parameters);
   const double finest = std::ceil(kMillimetres * around / kMostNearSquares) / kMillimetres;
   const double coarsest = std::floor(kMillimetres * kCoarsest * shield.footprint_radius) / kMillimetres;
   if (finest > coarsest || !(memory.resolution > 0.0)) return parameters;
@@ -60,7 +74,11 @@ void validate(const AgentParameters& parameters) {
                  "at most step/length = " + std::to_string(parameters.step.length));
   checkParameter(parameters.step.reached < shield.shortest_step, "step/reached", parameters.step.reached,
                  "less than shield/shortest_step = " + std::to_string(shield.shortest_step));
-  const double needed_reach = parameters.step.length + shield.footprint_radius + shield.clearance;
+  const Footprint footprint = footprintOf(shield);
+  checkParameter(footprint.isCircle() || std::abs(footprint.passingRadius() - shield.footprint_radius) < kSameRadius,
+                 "shield/footprint_radius", shield.footprint_radius,
+                 "as far as shield/footprint reaches to the side = " + std::to_string(footprint.passingRadius()));
+  const double needed_reach = parameters.step.length + footprint.circumscribedRadius() + shield.clearance;
   checkParameter(shield.reach >= needed_reach, "shield/reach", shield.reach,
                  "at least step, footprint radius and clearance together = " + std::to_string(needed_reach));
 
@@ -76,6 +94,9 @@ void validate(const AgentParameters& parameters) {
                  "with shield/footprint_radius at most 16 memory/resolution = " + std::to_string(farthest));
   checkParameter(shield.footprint_radius + shield.clearance <= farthest, "shield/clearance", shield.clearance,
                  "with shield/footprint_radius at most 16 memory/resolution = " + std::to_string(farthest));
+  checkParameter(
+      widestRadius(parameters) <= farthest, "shield/tight_clearance", shield.tight_clearance,
+      "with the farthest corner of shield/footprint at most 16 memory/resolution = " + std::to_string(farthest));
 
   checkParameter(parameters.step.reached < parameters.goal_tolerance, "step/reached", parameters.step.reached,
                  "less than goal_tolerance = " + std::to_string(parameters.goal_tolerance));

@@ -12,7 +12,10 @@ constexpr int kMostRounds = 5;
 }  // namespace
 
 Escape::Escape(const EscapeParameters& parameters, const ShieldParameters& shield)
-    : parameters_(parameters), shield_parameters_(shield) {}
+    : parameters_(parameters),
+      roomy_clearance_(shield.clearance),
+      tight_clearance_(shield.tight_clearance),
+      sight_(shield.reach - footprintOf(shield).circumscribedRadius()) {}
 
 void Escape::start() {
   leave_below_ = std::numeric_limits<double>::infinity();
@@ -63,13 +66,10 @@ std::optional<Decision::Source> Escape::decide(const Situation& situation, const
 double Escape::openTowardsGoal(const Situation& situation, const Shield& shield, const Point2& goal,
                                double distance) const {
   const double direction = directionTo(situation.pose, goal) - situation.pose.yaw;
-  const double seen = std::min(distance, shield_parameters_.reach - shield_parameters_.footprint_radius);
-  return shield.freeDistance({}, direction, seen, clearance());
+  return shield.freeDistance({}, direction, std::min(distance, sight_), clearance());
 }
 
-double Escape::clearance() const {
-  return following_ && tight_ ? shield_parameters_.tight_clearance : shield_parameters_.clearance;
-}
+double Escape::clearance() const { return following_ && tight_ ? tight_clearance_ : roomy_clearance_; }
 
 void Escape::followTight(const Pose2& pose, const Point2& goal) {
   // Noise makes doors look narrower than they are: once more around, as close as the robot can.
@@ -159,8 +159,7 @@ bool Escape::loopClosed(const Pose2& pose) const {
 Heading Escape::follow(const Situation& situation, const Shield& shield) {
   const double start = travel_direction_ + side_ * parameters_.wall_turn;
   Heading move;
-  if (probe(situation, shield, start, clearance(), &move) ||
-      probe(situation, shield, start, shield_parameters_.tight_clearance, &move)) {
+  if (probe(situation, shield, start, clearance(), &move) || probe(situation, shield, start, tight_clearance_, &move)) {
     return move;
   }
   // Boxed in as far as can be seen: turn towards where nothing has been seen.

@@ -5,6 +5,7 @@
 
 #include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/base/common/parameter_visitors.hpp"
+#include "robot/driving/motion_parts.hpp"
 
 namespace lstm_planner {
 
@@ -12,24 +13,7 @@ namespace {
 
 constexpr double kBehind = 2.7;  // rad of heading error
 
-/// m/s that the robot may be faster than it measures: encoders count whole ticks.
-constexpr double kSpeedError = 0.02;
-
-double clamp(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
-
 }  // namespace
-
-/// What moves, and what has moved and stands.
-struct MotionController::Persons {
-  Persons(double footprint_radius, double reach, const std::vector<Point2>& moving_points,
-          const std::vector<Point2>& resting_points)
-      : moving(footprint_radius, 0.0, reach), resting(footprint_radius, 0.0, reach) {
-    moving.show(moving_points);
-    resting.show(resting_points);
-  }
-  Shield moving;
-  Shield resting;
-};
 
 void validate(const MotionParameters& parameters) {
   visitMotionParameters(parameters, RangeCheck());
@@ -41,16 +25,20 @@ MotionController::MotionController(const MotionParameters& parameters)
 
 MotionCommand MotionController::compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current,
                                         const Shield& shield, double period, const std::vector<Point2>& moving,
-                                        const std::vector<Point2>& resting) const {
+                                        const std::vector<Point2>& resting, const MotionHistory& history) const {
   if (plan.empty()) return {{}, StopReason::kNoPlan};
   if (!isFinite(pose)) return {{}, StopReason::kUnusableData};
+  const bool has_corners = !shield.footprint().isCircle();
+  const Persons persons(shield.footprint(), yieldingReach(shield.footprintRadius()), moving, resting);
+  const Moment now{shield, persons, current, period, history};
   const Pose2& goal = plan.back();
   const double to_goal = distanceBetween(pose, goal);
   if (to_goal <= parameters_.position_tolerance) {
     const double error = normalizeAngle(goal.yaw - pose.yaw);
     const bool aligned = std::abs(error) <= parameters_.heading_tolerance;
     if (aligned) return {{}, StopReason::kArrived};
-    return {{0.0, clamp(parameters_.heading_gain * error, parameters_.max_angular)}, StopReason::kNone};
+    if (has_corners) return turnWithCorners(error, now);
+    return {{0.0, clampMagnitude(parameters_.heading_gain * error, parameters_.max_angular)}, StopReason::kNone};
   }
 
   const Pose2 ahead = target(plan, pose, shield);
@@ -64,18 +52,19 @@ MotionCommand MotionController::compute(const std::vector<Pose2>& plan, const Po
   if (std::abs(error) > kBehind && turns && error * current.angular < 0.0) {
     error -= std::copysign(2.0 * M_PI, error);
   }
-  Twist2 twist{0.0, clamp(parameters_.heading_gain * error, parameters_.max_angular)};
+  Twist2 twist{0.0, clampMagnitude(parameters_.heading_gain * error, parameters_.max_angular)};
   StopReason stop = StopReason::kNone;
   if (std::abs(error) < parameters_.turn_in_place) {
     const double brakes = std::sqrt(2.0 * parameters_.linear_acceleration * to_goal);
     const double reachable = std::max(0.0, current.linear) + parameters_.linear_acceleration * period;
     twist.linear = std::min({parameters_.max_linear * std::cos(error), brakes, reachable});
     twist = withinWheelLimits(twist);
-    const Persons persons(shield.footprintRadius(), yieldingReach(shield.footprintRadius()), moving, resting);
+    if (has_corners) return driveWithCorners(twist, error, now);
     const SafeSpeed safe = safeSpeed(twist, current, shield, persons, period);
     twist.linear = safe.speed;
     stop = safe.stop;
   }
+  if (has_corners) return turnWithCorners(error, now);
   // Wheels that turn the robot brake it later: before somebody it stands first, then it turns.
   if (twist.linear == 0.0 && current.linear > kSpeedError && !moving.empty()) {
     return {{}, stop == StopReason::kNone ? StopReason::kPerson : stop};

@@ -29,13 +29,19 @@ const char* const kNoProgress = "no progress";
 const char* const kNoProgressForLong = "no progress for very long";
 const char* const kMemoryWrong = "what is remembered was wrong too often";
 
+std::optional<OutOfView> outOfViewOf(const Shield& shield) {
+  if (shield.footprint().isCircle()) return std::nullopt;
+  return OutOfView(shield.footprint());
+}
+
 }  // namespace
 
 NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules)
     : policy_(std::move(policy)),
       parameters_((validate(parameters), parameters)),
       rules_((validate(rules), rules)),
-      shield_(parameters.shield.footprint_radius, parameters.shield.tight_clearance, parameters.shield.reach),
+      shield_(footprintOf(parameters.shield), parameters.shield.tight_clearance, parameters.shield.reach),
+      out_of_view_(outOfViewOf(shield_)),
       actions_(parameters),
       escape_(parameters.escape, parameters.shield),
       guide_(parameters.memory.enabled ? std::optional<RouteGuide>(parameters) : std::nullopt),
@@ -68,7 +74,14 @@ void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, 
   lstm_planner::perceive(scan, mount, rules_, policy_.description().encoder.range_cap, &situation_);
   situation_.pose = pose;
   situation_.time = time;
-  shield_.show(situation_.obstacles);
+  show(situation_);
+}
+
+void NavigationAgent::show(const Situation& situation) {
+  shield_.show(situation.obstacles);
+  if (!out_of_view_) return;
+  out_of_view_->show(situation);
+  shield_.add(out_of_view_->points());
 }
 
 void NavigationAgent::mark(const std::vector<Point2>& obstacles) {
@@ -142,11 +155,12 @@ void NavigationAgent::moveGoal(const Point2& goal) {
 
 void NavigationAgent::restart() {
   if (guide_) guide_->forget();
+  if (out_of_view_) out_of_view_->forget();
   setGoal(goal_);
 }
 
 const Decision& NavigationAgent::update(const Situation& situation) {
-  shield_.show(situation.obstacles);
+  show(situation);
   shield_.add(situation.marked);
   return decideAbout(situation);
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "robot/driving/footprint_sweep.hpp"
 #include "robot/driving/shield_groups.hpp"
 
 namespace lstm_planner {
@@ -20,9 +21,15 @@ double square(double value) { return value * value; }
 }  // namespace
 
 Shield::Shield(double footprint_radius, double hard_margin, double reach)
-    : footprint_radius_(footprint_radius), hard_margin_(hard_margin), reach_(reach) {
-  if (!(footprint_radius > 0.0) || !(hard_margin >= 0.0) || !(reach > footprint_radius + hard_margin)) {
-    throw std::invalid_argument("the footprint radius is " + std::to_string(footprint_radius) + ", the hard margin " +
+    : Shield(Footprint(footprint_radius), hard_margin, reach) {}
+
+Shield::Shield(const Footprint& footprint, double hard_margin, double reach)
+    : footprint_(footprint),
+      footprint_radius_(footprint.circumscribedRadius()),
+      hard_margin_(hard_margin),
+      reach_(reach) {
+  if (!(hard_margin >= 0.0) || !(reach > footprint_radius_ + hard_margin)) {
+    throw std::invalid_argument("the footprint radius is " + std::to_string(footprint_radius_) + ", the hard margin " +
                                 std::to_string(hard_margin) + " and the reach " + std::to_string(reach) +
                                 ", expected 0 < radius, 0 <= margin, radius + margin < reach");
   }
@@ -100,6 +107,9 @@ void Shield::showNear(const Point2* obstacles, std::size_t count) {
 double Shield::blur(const Point2& from) const { return 1e-6 * (1.0 + reach_ + std::abs(from.x) + std::abs(from.y)); }
 
 double Shield::freeDistance(const Point2& from, double direction, double limit, double clearance) const {
+  if (!footprint_.isCircle()) {
+    return sweep(FootprintSweep::straight(footprint_, false), {from.x, from.y, direction}, limit, clearance);
+  }
   const double c = std::cos(direction);
   const double s = std::sin(direction);
   const double wanted = footprint_radius_ + clearance;
@@ -156,7 +166,12 @@ double Shield::freeDistance(const Point2& from, double direction, double limit, 
   return free;
 }
 
-double Shield::gap(const Point2& from) const { return nearest(from) - footprint_radius_; }
+double Shield::gap(const Point2& from) const {
+  if (!footprint_.isCircle()) {
+    return sweepGap(FootprintSweep::straight(footprint_, false), {from.x, from.y, 0.0}, 0.0);
+  }
+  return nearest(from) - footprint_radius_;
+}
 
 double Shield::nearest(const Point2& from) const {
   constexpr double kWider = 4.0;

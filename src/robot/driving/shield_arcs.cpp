@@ -3,6 +3,7 @@
 
 #include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
+#include "robot/driving/footprint_sweep.hpp"
 #include "robot/driving/shield_groups.hpp"
 
 namespace lstm_planner {
@@ -39,6 +40,9 @@ struct Arc {
 }  // namespace
 
 double Shield::freeArc(const Pose2& from, double curvature, double limit, double clearance) const {
+  if (!footprint_.isCircle()) {
+    return sweep(FootprintSweep::arc(footprint_, curvature, false), from, limit, clearance);
+  }
   if (std::abs(curvature) < kStraight) {
     return freeDistance({from.x, from.y}, from.yaw, limit, clearance);
   }
@@ -78,6 +82,9 @@ double Shield::freeArc(const Pose2& from, double curvature, double limit, double
 }
 
 double Shield::arcGap(const Pose2& from, double curvature, double length) const {
+  if (!footprint_.isCircle()) {
+    return sweepGap(FootprintSweep::arc(footprint_, curvature, false), from, length);
+  }
   const Pose2 end = alongArc(from, curvature, length);
   const bool straight = std::abs(curvature) < kStraight;
   const Arc arc(straight ? 1.0 : curvature);

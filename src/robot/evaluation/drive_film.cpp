@@ -93,9 +93,22 @@ class DriveFilm::Screen {
     drawPlan();
     const double radius = moment_->agent.parameters().shield.footprint_radius;
     canvas_.circle(task_.goal, radius, kGoal, cv::FILLED);
-    canvas_.circle({moment_->pose.x, moment_->pose.y}, radius, kRobot, cv::FILLED);
+    drawRobot();
     canvas_.polyline({{moment_->pose.x, moment_->pose.y}, pointAlong(moment_->pose, moment_->pose.yaw, 2.0 * radius)},
                      kRobot, kRobotWidth);
+  }
+
+  void drawRobot() {
+    const Footprint& footprint = moment_->agent.shield().footprint();
+    if (footprint.isCircle()) {
+      canvas_.circle({moment_->pose.x, moment_->pose.y}, footprint.circumscribedRadius(), kRobot, cv::FILLED);
+      return;
+    }
+    std::vector<cv::Point> corners;
+    for (const Point2& corner : footprint.corners()) {
+      corners.push_back(canvas_.pixelAt(toParentFrame(moment_->pose, corner)));
+    }
+    cv::fillConvexPoly(canvas_.image(), corners, kRobot);
   }
 
   void drawMemory() {

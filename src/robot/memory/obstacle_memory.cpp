@@ -18,7 +18,7 @@ constexpr double kUnderneath = 0.9;
 }  // namespace
 
 ObstacleMemory::ObstacleMemory(const MemoryParameters& parameters, const ShieldParameters& shield)
-    : footprint_radius_(shield.footprint_radius),
+    : footprint_radius_(footprintOf(shield).inscribedRadius()),
       window_(parameters.width, parameters.resolution),
       scan_changes_(parameters.reach, parameters.resolution),
       passability_(parameters, shield, window_),

@@ -25,6 +25,12 @@ constexpr int kMostNearCells = 3;
 /// Paths from one best place to the next lead over so many rows or columns of squares at most.
 constexpr int kLongestLine = 2 * ObstacleWindow::kSide - 1;
 
+/// m from the middle of the robot to an obstacle beside which it drives as it likes: also turns, if it has corners.
+double narrowRadius(const ShieldParameters& shield) {
+  return std::max(shield.footprint_radius + shield.clearance,
+                  footprintOf(shield).circumscribedRadius() + shield.tight_clearance);
+}
+
 }  // namespace
 
 Passability::Passability(const MemoryParameters& parameters, const ShieldParameters& shield,
@@ -34,7 +40,7 @@ Passability::Passability(const MemoryParameters& parameters, const ShieldParamet
       cell_size_(window.cellSize()),
       footprint_radius_(shield.footprint_radius),
       tight_clearance_(shield.tight_clearance),
-      narrow_radius_(shield.footprint_radius + shield.clearance + 0.5 * resolution_),
+      narrow_radius_(narrowRadius(shield) + 0.5 * resolution_),
       roomy_radius_(std::max(shield.footprint_radius + parameters.comfort, narrow_radius_)),
       near_cells_(static_cast<int>(std::ceil(roomy_radius_ / cell_size_))),
       line_masks_(kLongestLine) {

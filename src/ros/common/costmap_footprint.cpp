@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <vector>
 
 namespace lstm_planner {
 
 namespace {
 
 constexpr double kSame = 0.002;  // m
+constexpr double kRound = 0.05;  // costmap_2d has 16 corners in place of a circle, whose sides are 2 % nearer
 
 /// Somewhere where costmap_2d looks for it; its default is no robot's.
 bool isFootprintSet(const std::string& costmap) {
@@ -19,19 +22,30 @@ bool isFootprintSet(const std::string& costmap) {
   return node_handle.searchParam("footprint", found) || node_handle.searchParam("robot_radius", found);
 }
 
+std::string nameOf(const Footprint& footprint) {
+  if (!footprint.isCircle()) return textOf(footprint);
+  std::ostringstream text;
+  text << "a circle of " << footprint.circumscribedRadius() << " m";
+  return text.str();
+}
+
 }  // namespace
 
-double safeFootprintRadius(const costmap_2d::Costmap2DROS& costmap, double radius, const std::string& parameter) {
-  if (!isFootprintSet(costmap.getName())) return radius;
-  double farthest = 0.0;
+Footprint safeFootprint(const costmap_2d::Costmap2DROS& costmap, const Footprint& own, const std::string& parameter) {
+  if (!isFootprintSet(costmap.getName())) return own;
+  std::vector<Point2> corners;
+  double beyond = -1.0;
   for (const geometry_msgs::Point& corner : costmap.getUnpaddedRobotFootprint()) {
-    farthest = std::max(farthest, std::hypot(corner.x, corner.y));
+    corners.push_back({corner.x, corner.y});
+    beyond = std::max(beyond, own.distanceTo(corners.back()));
   }
-  if (!std::isfinite(farthest) || farthest <= radius + kSame) return radius;
-  ROS_WARN(
-      "the footprint of the costmap %s reaches %.3f m from the robot's middle, %s is %.3f m: the larger one counts",
-      costmap.getName().c_str(), farthest, parameter.c_str(), radius);
-  return farthest;
+  if (!std::isfinite(beyond) || beyond <= kSame) return own;
+  const Footprint found(corners);
+  const bool is_round = found.circumscribedRadius() - found.inscribedRadius() <= kRound * found.circumscribedRadius();
+  const Footprint safe = is_round ? Footprint(found.circumscribedRadius()) : found;
+  ROS_WARN("%s is %s, the footprint of the costmap %s reaches %.3f m beyond that: %s counts", parameter.c_str(),
+           nameOf(own).c_str(), costmap.getName().c_str(), beyond, nameOf(safe).c_str());
+  return safe;
 }
 
 }  // namespace lstm_planner

@@ -3,11 +3,32 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 #include "lstm_planner/base/common/nearest_name.hpp"
 
 namespace lstm_planner {
+
+namespace {
+
+/// A list as yaml has it: [[1, 2], [3, 4]].
+std::string textOf(XmlRpc::XmlRpcValue list) {
+  std::ostringstream text;
+  text << '[';
+  for (int i = 0; i < list.size(); ++i) {
+    text << (i > 0 ? ", " : "");
+    if (list[i].getType() == XmlRpc::XmlRpcValue::TypeArray) {
+      text << textOf(list[i]);
+    } else {
+      list[i].write(text);
+    }
+  }
+  text << ']';
+  return text.str();
+}
+
+}  // namespace
 
 bool ParameterReader::isSet(const std::string& name) {
   const std::string full_name = node_handle_.resolveName(name);
@@ -45,7 +66,16 @@ void ParameterReader::read(const std::string& name, int* value) { readAs(name, "
 
 void ParameterReader::read(const std::string& name, bool* value) { readAs(name, "true or false", value); }
 
-void ParameterReader::read(const std::string& name, std::string* value) { readAs(name, "a text", value); }
+void ParameterReader::read(const std::string& name, std::string* value) {
+  XmlRpc::XmlRpcValue list;
+  if (node_handle_.getParam(name, list) && list.getType() == XmlRpc::XmlRpcValue::TypeArray) {
+    if (!isSet(name)) return;
+    *value = textOf(list);
+    changed_.insert(node_handle_.resolveName(name));
+    return;
+  }
+  readAs(name, "a text", value);
+}
 
 void ParameterReader::read(const std::string& name, std::vector<double>* value) {
   readAs(name, "a list of numbers", value);

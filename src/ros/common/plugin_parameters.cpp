@@ -46,7 +46,12 @@ void validate(const SteeringControllerParameters& parameters) {
   visitSteeringControllerParameters(parameters, RangeCheck());
   validate(parameters.sensors.scan_rules);
   validate(parameters.motion);
+  footprintOf(parameters);
   checkRange("controller_frequency", parameters.controller_frequency, 0.1, 1000.0);
+}
+
+Footprint footprintOf(const SteeringControllerParameters& parameters) {
+  return footprintOf("footprint", parameters.footprint_radius, parameters.footprint);
 }
 
 std::vector<std::string> changeableGlobalPlannerParameters() {

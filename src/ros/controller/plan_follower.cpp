@@ -24,7 +24,7 @@ double reachOf(const SteeringControllerParameters& parameters) {
   const double stopping =
       motion.max_linear * kSlowestReaction + motion.max_linear * motion.max_linear / (2.0 * motion.linear_acceleration);
   return std::max(kLeastReach, stopping + motion.lookahead + motion.slow_gap +
-                                   2.0 * (parameters.footprint_radius + motion.safety_margin));
+                                   2.0 * (footprintOf(parameters).circumscribedRadius() + motion.safety_margin));
 }
 
 }  // namespace
@@ -37,7 +37,8 @@ PlanFollower::PlanFollower(const SteeringControllerParameters& parameters, const
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf),
       costmap_(parameters.use_costmap ? costmap : nullptr, reach_),
       tracker_(parameters.motion),
-      shield_(parameters.footprint_radius, parameters.motion.safety_margin, reach_) {}
+      shield_(footprintOf(parameters), parameters.motion.safety_margin, reach_),
+      out_of_view_(shield_.footprint()) {}
 
 void PlanFollower::change(const SteeringControllerParameters& parameters) {
   if (reachOf(parameters) > reach_) {
@@ -46,7 +47,7 @@ void PlanFollower::change(const SteeringControllerParameters& parameters) {
                                 std::to_string(reach_) + " m");
   }
   tracker_.change(parameters.motion);
-  shield_ = Shield(parameters.footprint_radius, parameters.motion.safety_margin, reach_);
+  shield_ = Shield(footprintOf(parameters), parameters.motion.safety_margin, reach_);
   parameters_ = parameters;
 }
 
@@ -118,14 +119,20 @@ void PlanFollower::perceive(const SensorReading& reading, const ros::Time& now) 
   lstm_planner::perceive(scan_, reading.mount, parameters_.sensors.scan_rules, kLeastReach, &seen_);
   seen_.pose = reading.scan_pose;
   seen_.time = reading.scan_stamp;
+  const bool jumped = reading.jumps != jumps_;
+  jumps_ = reading.jumps;
+  if (jumped) {
+    tracker_.forget();
+    out_of_view_.forget();
+  }
   shield_.show(seen_.obstacles);
+  if (!shield_.footprint().isCircle()) {
+    out_of_view_.show(seen_);
+    shield_.add(out_of_view_.points());
+  }
   if (costmap_.isUsed()) {
     const Pose2 costmap_from_odometry = frames_.transform(costmap_.frame(), reading.odometry_frame, now);
     shield_.add(costmap_.read(compose(costmap_from_odometry, reading.scan_pose), seen_.obstacles));
-  }
-  if (reading.jumps != jumps_) {
-    tracker_.forget();
-    jumps_ = reading.jumps;
   }
 }
 

@@ -44,8 +44,11 @@ void SteeringController::initialize(std::string name, tf2_ros::Buffer* tf, costm
   }
   try {
     SteeringControllerParameters parameters = loadSteeringControllerParameters(ros::NodeHandle("~/" + name));
-    parameters.footprint_radius =
-        safeFootprintRadius(*costmap_ros, parameters.footprint_radius, name + "/footprint_radius");
+    const bool is_round = parameters.footprint.empty();
+    const Footprint footprint =
+        safeFootprint(*costmap_ros, footprintOf(parameters), name + (is_round ? "/footprint_radius" : "/footprint"));
+    parameters.footprint_radius = footprint.circumscribedRadius();
+    parameters.footprint = textOf(footprint);
     plan_follower_ = std::make_unique<PlanFollower>(parameters, costmap_ros->getBaseFrameID(), *tf, costmap_ros);
     costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
     startReconfigure(name);

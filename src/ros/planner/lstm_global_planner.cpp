@@ -55,8 +55,11 @@ void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* c
   }
   try {
     GlobalPlannerParameters parameters = loadGlobalPlannerParameters(ros::NodeHandle("~/" + name));
-    double& radius = parameters.agent.shield.footprint_radius;
-    radius = safeFootprintRadius(*costmap_ros, radius, name + "/shield/footprint_radius");
+    ShieldParameters& shield = parameters.agent.shield;
+    const std::string parameter = name + (shield.footprint.empty() ? "/shield/footprint_radius" : "/shield/footprint");
+    const Footprint footprint = safeFootprint(*costmap_ros, footprintOf(shield), parameter);
+    shield.footprint_radius = footprint.circumscribedRadius();
+    shield.footprint = textOf(footprint);
     parameters.agent = fittedToFootprint(parameters.agent);
     warnOfPlanningOnce();
     model_ = resolvePackagePath(parameters.model);

@@ -4,6 +4,7 @@
 #include <string>
 #include <type_traits>
 
+#include "lstm_planner/base/common/footprint.hpp"
 #include "lstm_planner/robot/driving/decision.hpp"
 
 namespace lstm_planner {
@@ -24,6 +25,7 @@ struct StepParameters {
 /// What the shield lets through.
 struct ShieldParameters {
   double footprint_radius = 0.17425;
+  std::string footprint = "";
   double clearance = 0.07;
   double tight_clearance = 0.03;
   double shortest_step = 0.15;
@@ -117,8 +119,11 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   visit("shield/enabled", agent.shield_enabled, {}, "",
         "removes the actions that would hit something seen; false only in simulation");
   auto& shield = agent.shield;
-  visit("shield/footprint_radius", shield.footprint_radius, {0.02, 5.0}, "m",
-        "of the circle around everything that can touch (half the Create 2's diameter)");
+  visit(
+      "shield/footprint_radius", shield.footprint_radius, {0.02, 5.0}, "m",
+      "of the circle around everything that can touch (half the Create 2's diameter); not used with shield/footprint");
+  visit("shield/footprint", shield.footprint, {}, "m",
+        "corners [[x, y], ...] of a robot that is not round, around the origin of its base frame; empty: it is round");
   visit("shield/clearance", shield.clearance, {0.0, 5.0}, "m",
         "kept between the footprint and every return where there is room; more is calmer, less fits through narrower "
         "doors");
@@ -170,8 +175,12 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   visit("escape/loop_length", escape.loop_length, {0.1, 1e5}, "m", "a shorter loop does not count");
 }
 
+/// Of the shield. Throws std::invalid_argument as footprintOf() for two parameters.
+Footprint footprintOf(const ShieldParameters& shield);
+
 /// The same with a memory that is as fine as the footprint needs, and no wider than can be kept so fine: for robots of
-/// other sizes than the defaults are made for. Where nothing fits they stay as they are.
+/// other sizes than the defaults are made for. Where nothing fits they stay as they are. The radius of a polygon is
+/// then what it needs to pass (Footprint::passingRadius()). Throws as footprintOf().
 AgentParameters fittedToFootprint(AgentParameters parameters);
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -52,7 +52,9 @@ class Escape {
   bool loopClosed(const Pose2& pose) const;
 
   EscapeParameters parameters_;
-  ShieldParameters shield_parameters_;
+  double roomy_clearance_;  ///< m
+  double tight_clearance_;  ///< m
+  double sight_;            ///< m, that a straight path is known to be free
   bool following_ = false;
   int side_ = -1;                  ///< side of the wall: -1 right, +1 left
   double travel_direction_ = 0.0;  ///< rad, odometry frame: how the boundary was followed last

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "lstm_planner/base/common/geometry.hpp"
@@ -80,12 +81,21 @@ void validate(const MotionParameters& parameters);
 /// What the controller commands, and why it is not to drive: a robot that is stopped may still turn.
 struct MotionCommand : Twist2 {
   StopReason stop = StopReason::kNone;
+  bool goes_back = false;  ///< it retraces the way that it came
+};
+
+/// The way that a robot with corners came (Trail).
+struct MotionHistory {
+  std::optional<Pose2> back;  ///< the next pose back, base frame
+  bool goes_back = false;     ///< it was told to, last
 };
 
 /// Turns and drives along a plan; never commands a motion which, braking included, comes nearer to a return than the
 /// safety margin. What is looked at is the path that the robot really takes: on with the present twist until the
-/// command acts, which may be at once or after the reaction time, then along the commanded arc until it stands. Only
-/// turning in place is always allowed.
+/// command acts, which may be at once or after the reaction time, then along the commanded arc until it stands.
+///
+/// A circle may always turn in place. A polygon turns where its corners have room; else it drives on along a wider arc,
+/// or back the way it came until it can turn.
 ///
 /// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
 /// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves
@@ -98,8 +108,8 @@ class MotionController {
   /// shown the latest scan, `period` is the time to the next command, s; `moving` are points of things that move, base
   /// frame, `resting` of things that have moved and stand (MovingReturns). Zero for an empty plan.
   MotionCommand compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current, const Shield& shield,
-                        double period, const std::vector<Point2>& moving = {},
-                        const std::vector<Point2>& resting = {}) const;
+                        double period, const std::vector<Point2>& moving = {}, const std::vector<Point2>& resting = {},
+                        const MotionHistory& history = {}) const;
 
   /// From now on it takes at least so long from a measurement to the wheels, s: the scanner is slow.
   void expectReactionTime(double least) { reaction_time_ = std::max(parameters_.reaction_time, least); }
@@ -125,6 +135,18 @@ class MotionController {
   double yieldingSpeed(const Twist2& twist, const Shield& persons) const;
   double yieldingSpeed(const Twist2& twist, const Persons& persons) const;
   double yieldingReach(double footprint_radius) const;
+
+  // Of a robot with corners.
+  struct Moment;
+  MotionCommand driveWithCorners(const Twist2& wanted, double error, const Moment& now) const;
+  MotionCommand turnWithCorners(double error, const Moment& now) const;
+  MotionCommand makeRoom(double error, const Moment& now) const;
+  std::optional<MotionCommand> goBack(const Moment& now) const;
+  double turningSpeed(double angle, const Moment& now) const;
+  double fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const;
+  bool isSafe(const Twist2& twist, double margin, const Moment& now) const;
+  bool isFree(const Pose2& from, const Twist2& twist, double time, double margin, const Moment& now) const;
+  double brakingTime(const Twist2& twist) const;
   double stoppingDistance(double speed) const;
 
   MotionParameters parameters_;

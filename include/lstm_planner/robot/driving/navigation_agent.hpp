@@ -15,6 +15,7 @@
 #include "lstm_planner/robot/driving/step_clock.hpp"
 #include "lstm_planner/robot/memory/route_guide.hpp"
 #include "lstm_planner/robot/perception/laser_scan.hpp"
+#include "lstm_planner/robot/perception/out_of_view.hpp"
 #include "lstm_planner/robot/perception/scan_rules.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 
@@ -107,6 +108,7 @@ class NavigationAgent {
   using Source = Decision::Source;
 
   const Decision& decideAbout(const Situation& situation);
+  void show(const Situation& situation);
 
   // A step.
   bool stepIsOver(const Situation& situation) const;
@@ -143,6 +145,7 @@ class NavigationAgent {
   Point2 goal_;
   Decision decision_;
   Shield shield_;
+  std::optional<OutOfView> out_of_view_;  ///< none of a circle: what it turns away from it does not hit
   ActionChoice actions_;
   Escape escape_;
   std::optional<RouteGuide> guide_;  ///< none where nothing is to be remembered

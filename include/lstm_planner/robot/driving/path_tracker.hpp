@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "lstm_planner/robot/driving/trail.hpp"
 #include "lstm_planner/robot/perception/moving_returns.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 
@@ -20,7 +21,12 @@ class PathTracker {
   MotionCommand compute(const std::vector<Pose2>& plan, const Situation& situation, const Twist2& twist,
                         const Shield& shield, double period) {
     moving_.show(situation.profile, situation.pose, situation.time);
-    return controller_.compute(plan, situation.pose, twist, shield, period, moving_.points(), moving_.resting());
+    trail_.note(situation.pose, history_.goes_back);
+    history_.back = trail_.back(situation.pose);
+    const MotionCommand command =
+        controller_.compute(plan, situation.pose, twist, shield, period, moving_.points(), moving_.resting(), history_);
+    history_.goes_back = command.goes_back;
+    return command;
   }
 
   /// From the next command on; what moves is found as before. Throws as MotionController, and changes nothing.
@@ -30,13 +36,19 @@ class PathTracker {
   void expectReactionTime(double least) { controller_.expectReactionTime(least); }
 
   /// The odometry jumped: what was seen is somewhere else now.
-  void forget() { moving_.reset(); }
+  void forget() {
+    moving_.reset();
+    trail_.clear();
+    history_ = {};
+  }
 
   /// At the plan's last pose within the tolerances.
   bool goalReached(const Pose2& pose, const Pose2& goal) const { return controller_.goalReached(pose, goal); }
 
  private:
   MotionController controller_;
+  Trail trail_;
+  MotionHistory history_;
   MovingReturns moving_;
 };
 

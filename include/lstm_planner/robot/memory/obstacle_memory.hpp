@@ -95,7 +95,7 @@ class ObstacleMemory {
   void noteChange(const Point2& place, bool occupied);
   void outdateAll();
 
-  double footprint_radius_;  ///< m
+  double footprint_radius_;  ///< m, inscribed
   ObstacleWindow window_;
   ScanChanges scan_changes_;
   Passability passability_;

@@ -4,11 +4,13 @@
 
 #include <string>
 
+#include "lstm_planner/base/common/footprint.hpp"
+
 namespace lstm_planner {
 
-/// Radius of the circle about the robot's middle that is safe to drive with, m: `radius`, or as far as the footprint
-/// reaches that is set for a costmap (`footprint`, `robot_radius`), whichever is larger; a warning says so.
-/// `parameter`: what the radius is called.
-double safeFootprintRadius(const costmap_2d::Costmap2DROS& costmap, double radius, const std::string& parameter);
+/// The footprint that is safe to drive with: `own`, or the one that is set for a costmap (`footprint`, `robot_radius`)
+/// where that reaches beyond; a warning says so. A costmap's footprint that is around many corners of a circle counts
+/// as the circle. `parameter`: where the own one is set.
+Footprint safeFootprint(const costmap_2d::Costmap2DROS& costmap, const Footprint& own, const std::string& parameter);
 
 }  // namespace lstm_planner

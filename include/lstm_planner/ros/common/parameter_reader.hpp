@@ -27,7 +27,7 @@ class ParameterReader {
   void read(const std::string& name, double* value);
   void read(const std::string& name, int* value);
   void read(const std::string& name, bool* value);
-  void read(const std::string& name, std::string* value);
+  void read(const std::string& name, std::string* value);  ///< a text, or a list, as its text
   void read(const std::string& name, std::vector<double>* value);
   void read(const std::string& name, std::uint64_t* seed);  ///< a whole number
   void read(const std::string& name, Pose2* pose);          ///< see poseFromParameter()

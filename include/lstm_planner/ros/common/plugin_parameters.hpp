@@ -44,6 +44,7 @@ struct SteeringControllerParameters {
   MotionParameters motion;
   double plan_timeout = 2.0;
   double footprint_radius = 0.17425;
+  std::string footprint = "";
   bool use_costmap = true;
   double controller_frequency = 20.0;  ///< Hz, how often move_base asks for a command
 };
@@ -86,6 +87,8 @@ void visitSteeringControllerParameters(Parameters& controller, const Visitor& vi
         "the robot stops when the plan is older; several periods of the planner; 0: never");
   visit("footprint_radius", controller.footprint_radius, {0.02, 5.0}, "m",
         "of the circle around everything that can touch; larger keeps farther off and fits through less");
+  visit("footprint", controller.footprint, {}, "m",
+        "corners [[x, y], ...] of a robot that is not round, in place of footprint_radius; empty: it is round");
   visit("use_costmap", controller.use_costmap, {}, "",
         "whether obstacles of move_base's costmap that the scan does not show count, too");
 }
@@ -98,6 +101,9 @@ SteeringControllerParameters loadSteeringControllerParameters(const ros::NodeHan
 /// Throw std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GlobalPlannerParameters& parameters);
 void validate(const SteeringControllerParameters& parameters);
+
+/// Of the controller's shield. Throws std::invalid_argument as footprintOf() for two parameters.
+Footprint footprintOf(const SteeringControllerParameters& parameters);
 
 /// Names of those that may change while the robot drives.
 std::vector<std::string> changeableGlobalPlannerParameters();

@@ -10,6 +10,7 @@
 
 #include "lstm_planner/robot/driving/path_tracker.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
+#include "lstm_planner/robot/perception/out_of_view.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 #include "lstm_planner/ros/common/costmap_reader.hpp"
 #include "lstm_planner/ros/common/frame_transformer.hpp"
@@ -65,6 +66,7 @@ class PlanFollower {
   CostmapReader costmap_;
   PathTracker tracker_;
   Shield shield_;
+  OutOfView out_of_view_;  ///< of a robot with corners
 
   ros::Time plan_time_;  ///< when the plan was set
   std::string plan_frame_;

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "lstm_planner/base/common/footprint.hpp"
+#include "lstm_planner/robot/perception/situation.hpp"
+
+namespace lstm_planner {
+
+/// Remembers returns near the robot that its scanner saw and does not see any more, because they left its field of view
+/// or something else hides them: corners that turn, and a robot that drives back, would hit them.
+///
+/// Exact as odometry is over the few metres in question. What is in view is never remembered: there the scan counts. A
+/// place is forgotten when the robot has gone away from it.
+class OutOfView {
+ public:
+  /// Of a robot of that footprint.
+  explicit OutOfView(const Footprint& footprint) : near_(footprint.circumscribedRadius() + kAround) {}
+
+  /// What is seen now.
+  void show(const Situation& situation);
+
+  /// As of the last situation shown, in its base frame, m.
+  const std::vector<Point2>& points() const { return points_; }
+
+  /// The odometry jumped: nothing is where it was.
+  void forget();
+
+ private:
+  static constexpr double kAround = 0.5;  // m
+
+  bool isInView(const RangeProfile& profile, const Point2& place) const;
+
+  double near_;                    ///< m from the robot's middle within which returns matter
+  Pose2 pose_;                     ///< odometry frame, of the last situation
+  std::vector<Point2> points_;     ///< base frame
+  std::vector<Point2> seen_last_;  ///< returns of the last situation within near_, base frame
+  std::vector<Point2> old_;        ///< memory that is used again
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lstm_planner/base/common/arc.hpp"
+#include "robot/driving/motion_parts.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr double kCreep = 0.005;     // m/s; slower is standing
+constexpr double kTurning = 0.01;    // m/s; who is slower turns in place
+constexpr double kSlowest = 0.05;    // m/s; a robot that may only go slower than this rather turns in place
+constexpr double kTurnSlack = 0.02;  // rad of an angle to turn by that need not be free
+constexpr double kLeastTurn = 0.05;  // rad that are worth a turn
+constexpr double kEnough = 0.5;      // rad of a turn for which the robot need not go farther back
+constexpr double kTurnsOnly = 0.01;  // m; a way back that is shorter is a turn in place
+constexpr double kWhereItWas = 0.5;  // of the safety margin: it was there already
+constexpr double kShares[] = {1.0, 0.75, 0.5, 0.35, 0.2, 0.1, 0.05};
+constexpr double kNarrower[] = {0.7, 0.45, 0.2, 0.0};
+
+double slowSpeed(const MotionParameters& parameters) { return std::min(parameters.slow_speed, parameters.max_linear); }
+
+}  // namespace
+
+MotionCommand MotionController::driveWithCorners(const Twist2& wanted, double error, const Moment& now) const {
+  StopReason stop = StopReason::kNone;
+  const bool goes_back = now.history.goes_back;
+  if (goes_back) return makeRoom(error, now);
+  const double speed = fastest(wanted, now, &stop);
+  if (speed >= kSlowest || speed >= wanted.linear - kCreep) return {withinWheelLimits({speed, wanted.angular}), stop};
+  const bool heads_there = std::abs(error) < kLeastTurn;
+  if (stop == StopReason::kPerson || heads_there) return {{}, stop};
+  return turnWithCorners(error, now);
+}
+
+MotionCommand MotionController::turnWithCorners(double error, const Moment& now) const {
+  const bool goes_back = now.history.goes_back;
+  const double room = now.shield.freeTurn({}, error, parameters_.safety_margin);
+  if (room >= std::abs(error) - kTurnSlack) return {{0.0, turningSpeed(error, now)}, StopReason::kNone};
+  const double other = error - std::copysign(2.0 * M_PI, error);
+  if (now.shield.freeTurn({}, other, parameters_.safety_margin) >= std::abs(other) - kTurnSlack) {
+    return {{0.0, turningSpeed(other, now)}, StopReason::kNone};
+  }
+  if (!goes_back && std::abs(error) < M_PI_2) {
+    const double angular = clampMagnitude(parameters_.heading_gain * error, parameters_.max_angular);
+    for (const double share : kNarrower) {
+      StopReason stop = StopReason::kNone;
+      const Twist2 arc{slowSpeed(parameters_), share * angular};
+      const double speed = fastest(arc, now, &stop);
+      if (stop == StopReason::kPerson) return {{}, stop};
+      if (speed >= kSlowest) return {withinWheelLimits({speed, arc.angular}), stop};
+    }
+  }
+  return makeRoom(error, now);
+}
+
+MotionCommand MotionController::makeRoom(double error, const Moment& now) const {
+  const double room = now.shield.freeTurn({}, error, parameters_.safety_margin);
+  const bool can_turn = room >= std::min(std::abs(error), kEnough) - kTurnSlack;
+  if (!now.history.goes_back || !can_turn) {
+    if (const std::optional<MotionCommand> back = goBack(now)) return *back;
+  }
+  if (room >= kLeastTurn) return {{0.0, turningSpeed(std::copysign(room, error), now)}, StopReason::kNone};
+  for (const double share : kShares) {
+    const Twist2 out{share * slowSpeed(parameters_), 0.0};
+    const bool waits = yieldingSpeed(out, now.persons) < out.linear;
+    if (!waits && isSafe(out, parameters_.safety_margin, now)) return {out, StopReason::kNone};
+  }
+  return {{}, StopReason::kObstacle};
+}
+
+std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
+  if (!now.history.back) return std::nullopt;
+  const Pose2& back = *now.history.back;
+  const double turn = normalizeAngle(back.yaw);
+  const double away = std::hypot(back.x, back.y);
+  Twist2 wanted{0.0, clampMagnitude(parameters_.heading_gain * turn, 0.5 * parameters_.max_angular)};
+  if (away >= kTurnsOnly) {
+    // The arc that leads there ends with about the heading that the robot had there.
+    wanted = {-slowSpeed(parameters_), 0.0};
+    wanted.angular = clampMagnitude(wanted.linear * 2.0 * back.y / (away * away), parameters_.max_angular);
+  }
+  for (const double share : kShares) {
+    const Twist2 twist = withinWheelLimits({share * wanted.linear, share * wanted.angular});
+    // Not beyond that place: it came there from elsewhere.
+    const double length = std::abs(twist.linear) * (reaction_time_ + 0.5 * brakingTime(twist));
+    if (length <= away + kTurnsOnly && isSafe(twist, kWhereItWas * parameters_.safety_margin, now))
+      return MotionCommand{twist, StopReason::kNone, true};
+  }
+  return std::nullopt;
+}
+
+double MotionController::turningSpeed(double angle, const Moment& now) const {
+  const double wanted = clampMagnitude(parameters_.heading_gain * angle, parameters_.max_angular);
+  for (const double share : kShares) {
+    if (isSafe({0.0, share * wanted}, parameters_.safety_margin, now)) return share * wanted;
+  }
+  return 0.0;
+}
+
+double MotionController::fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const {
+  const double cautious = std::min(wanted.linear, cautiousSpeed(wanted, now.shield));
+  *stop = cautious < wanted.linear ? StopReason::kObstacle : StopReason::kNone;
+  for (const double share : kShares) {
+    const Twist2 twist{share * cautious, wanted.angular};
+    if (twist.linear < kCreep) break;
+    const double before_persons = yieldingSpeed(twist, now.persons);
+    if (before_persons < twist.linear) {
+      *stop = StopReason::kPerson;
+    } else if (isSafe(withinWheelLimits(twist), parameters_.safety_margin, now)) {
+      return twist.linear;
+    } else {
+      *stop = StopReason::kObstacle;
+    }
+  }
+  return 0.0;
+}
+
+double MotionController::brakingTime(const Twist2& twist) const {
+  const double rim = std::abs(twist.linear) + 0.5 * parameters_.axle_length * std::abs(twist.angular);
+  return rim / parameters_.linear_acceleration;
+}
+
+bool MotionController::isSafe(const Twist2& twist, double margin, const Moment& now) const {
+  // The command may act at once: a higher present speed is then braked away along the new arc.
+  const double faster = std::max(0.0, std::abs(now.current.linear) + kSpeedError - std::abs(twist.linear));
+  const double longer = twist.linear == 0.0 ? 0.0 : faster / std::abs(twist.linear);
+  if (!isFree({}, twist, (1.0 + longer) * reaction_time_ + 0.5 * brakingTime(twist), margin, now)) return false;
+  // Or the robot goes on as it does now until the last moment.
+  const double delay = std::max(0.0, reaction_time_ - now.period);
+  if (!isFree({}, now.current, delay, margin, now)) return false;
+  const Pose2 later = alongTurn({}, now.current.linear * delay, now.current.angular * delay);
+  return isFree(later, twist, reaction_time_ - delay + 0.5 * brakingTime(twist), margin, now);
+}
+
+bool MotionController::isFree(const Pose2& from, const Twist2& twist, double time, double margin,
+                              const Moment& now) const {
+  constexpr double kSlack = 1e-9;
+  const double length = std::abs(twist.linear) * time;
+  const double angle = twist.angular * time;
+  if (length < kSlack || std::abs(twist.linear) < kTurning) {
+    return std::abs(angle) < kSlack || now.shield.freeTurn(from, angle, margin) >= std::abs(angle) - kSlack;
+  }
+  const double curvature = twist.angular / twist.linear;
+  const double free = twist.linear < 0.0 ? now.shield.freeBack(from, curvature, length, margin)
+                                         : now.shield.freeArc(from, curvature, length, margin);
+  return free >= length - kSlack;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "lstm_planner/base/common/arc.hpp"
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "unit/robot/driving/plan_along.hpp"
+
+namespace lstm_planner {
+namespace {
+
+using test::planAlong;
+
+constexpr double kPeriod = 0.1;
+constexpr double kMargin = 0.03;
+
+const Footprint& jackal() {
+  static const Footprint footprint({{0.254, 0.215}, {0.254, -0.215}, {-0.254, -0.215}, {-0.254, 0.215}});
+  return footprint;
+}
+
+MotionParameters jackalMotion() {
+  MotionParameters motion;
+  motion.max_linear = 2.0;
+  motion.max_wheel_speed = 2.4;
+  motion.axle_length = 0.376;
+  motion.linear_acceleration = 2.0;
+  motion.lookahead = 0.6;
+  motion.slow_speed = 0.5;
+  motion.slow_gap = 0.2;
+  return motion;
+}
+
+class MotionWithCorners : public ::testing::Test {
+ protected:
+  MotionCommand compute(const std::vector<Pose2>& plan, const Twist2& current = {},
+                        const MotionHistory& history = {}) const {
+    return controller_.compute(plan, {}, current, shield_, kPeriod, {}, {}, history);
+  }
+
+  MotionController controller_{jackalMotion()};
+  Shield shield_{jackal(), kMargin, 4.0};
+};
+
+TEST_F(MotionWithCorners, TurnsInPlaceWhereThereIsRoom) {
+  const MotionCommand command = compute(planAlong({{0.0, 0.0}, {-3.0, 0.5}}));
+  EXPECT_EQ(command.linear, 0.0);
+  EXPECT_GT(command.angular, 0.5);
+}
+
+TEST_F(MotionWithCorners, TurnsTheOtherWayRoundWhereACornerWouldHitSomething) {
+  // Beside its left front corner: it may turn to the right, all the way round to the plan at the left.
+  shield_.show({{0.15, 0.28}});
+  const double room = shield_.freeTurn({}, 2.5, kMargin);
+  ASSERT_LT(room, 2.0);
+  const MotionCommand command = compute(planAlong({{0.0, 0.0}, {-3.0, 2.2}}));
+  EXPECT_EQ(command.linear, 0.0);
+  const double other = shield_.freeTurn({}, -4.0, kMargin);
+  EXPECT_EQ(command.angular < 0.0, other >= 2.0 * M_PI - 2.5 - 0.1);
+}
+
+/// Posts so near to both sides that no corner gets past them.
+std::vector<Point2> lane() {
+  std::vector<Point2> posts;
+  for (double x = -1.0; x <= 1.0; x += 0.02) {
+    posts.push_back({x, 0.26});
+    posts.push_back({x, -0.26});
+  }
+  return posts;
+}
+
+TEST_F(MotionWithCorners, DoesNotTurnInALaneThatItsCornersDoNotFit) {
+  shield_.show(lane());
+  const MotionCommand stands = compute(planAlong({{0.0, 0.0}, {-3.0, 0.1}}));
+  EXPECT_LT(std::abs(stands.angular), 0.3);
+}
+
+TEST_F(MotionWithCorners, GoesBackTheWayItCameWhereItCannotTurn) {
+  std::vector<Point2> posts = lane();
+  posts.push_back({0.3, 0.0});  // and not on
+  shield_.show(posts);
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {-3.0, 0.1}});
+  const MotionCommand command = compute(plan, {}, {Pose2{-0.06, 0.0, 0.0}, false});
+  EXPECT_LT(command.linear, 0.0);
+  EXPECT_NEAR(command.angular, 0.0, 1e-9);
+  EXPECT_TRUE(command.goes_back);
+  // Not farther than it came, braking included.
+  EXPECT_LE(-command.linear * 0.25 + command.linear * command.linear / (2.0 * 2.0), 0.08);
+  const MotionCommand nowhere = compute(plan);
+  EXPECT_GE(nowhere.linear, 0.0) << "where it never was it does not back into";
+  EXPECT_FALSE(nowhere.goes_back);
+}
+
+TEST_F(MotionWithCorners, GoesOnBackUntilItCanTurn) {
+  shield_.show(lane());
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {-3.0, 0.1}});
+  EXPECT_LT(compute(plan, {-0.2, 0.0}, {Pose2{-0.06, 0.0, 0.0}, true}).linear, 0.0);
+  shield_.show({});
+  const MotionCommand turn = compute(plan, {-0.2, 0.0}, {Pose2{-0.06, 0.0, 0.0}, true});
+  EXPECT_FALSE(turn.goes_back);
+  EXPECT_NE(turn.angular, 0.0);
+}
+
+/// Whatever is around: neither the command at once nor after the reaction time touches anything before it stands.
+TEST_F(MotionWithCorners, NoCommandEndsInWhatIsSeen) {
+  Random random(5);
+  const MotionParameters& motion = controller_.parameters();
+  int drove = 0;
+  for (int i = 0; i < 400; ++i) {
+    std::vector<Point2> posts;
+    for (int k = 0; k < 30; ++k) {
+      const Point2 post{uniform(random, -1.5, 1.5), uniform(random, -1.5, 1.5)};
+      if (jackal().distanceTo(post) > kMargin + 1e-3) posts.push_back(post);
+    }
+    shield_.show(posts);
+    const double far = uniform(random, -M_PI, M_PI);
+    const MotionCommand command = compute(planAlong({{0.0, 0.0}, pointAlong(Point2{}, far, 3.0)}));
+    drove += command.linear > 0.1;
+    // From standing: the reaction time at the commanded twist, then both wheels brake.
+    const double rim = std::abs(command.linear) + 0.5 * motion.axle_length * std::abs(command.angular);
+    const double time = motion.reaction_time + 0.5 * rim / motion.linear_acceleration;
+    for (double share = 0.0; share <= 1.0; share += 0.02) {
+      const Pose2 pose = alongTurn({}, share * time * command.linear, share * time * command.angular);
+      for (const Point2& post : posts) {
+        ASSERT_GE(jackal().distanceTo(toLocalFrame(pose, post)), kMargin - 2e-3) << i;
+      }
+    }
+  }
+  EXPECT_GT(drove, 50) << "it does not only stand";
+}
+
+}  // namespace
+}  // namespace lstm_planner
