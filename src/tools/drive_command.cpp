@@ -27,9 +27,13 @@ DriveResult driveOnce(const DriveOptions& options, const DriveWorld& world, cons
     film.emplace(floorOf(world, exercise.task), exercise.task, options.film, options.film_parameters);
     listener = [&](const DriveMoment& moment) { film->show(moment); };
   }
-  if (options.crowd.walkers == 0) return drive(*world.world, exercise.task, rules, exercise.seed, &agent, listener);
   const Point2 start{exercise.task.start.x, exercise.task.start.y};
   const std::uint64_t seed = Random(exercise.seed)();
+  if (world.cylinders) {
+    MovingCylinders cylinders(*world.world, *world.cylinders, start, seed);
+    return drive(&cylinders, exercise.task, rules, exercise.seed, &agent, listener);
+  }
+  if (options.crowd.walkers == 0) return drive(*world.world, exercise.task, rules, exercise.seed, &agent, listener);
   Crowd crowd(*world.world, world.walker_places, options.crowd, start, seed);
   return drive(&crowd, exercise.task, rules, exercise.seed, &agent, listener);
 }

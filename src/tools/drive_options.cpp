@@ -20,7 +20,8 @@ void addWorldOptions(DriveOptions* options, CommandLine* line) {
   line->section("the world (default: a walled room of 10 m x 10 m)");
   line->addFiles("map", &options->maps, "map_server yaml files; FILE=0.19 replaces the free_thresh of a map");
   line->addFile("barn", &options->barn, "barn_cylinders.csv: the BARN worlds, by BARN's rules");
-  line->add("worlds", &options->kind, "generated worlds: mazes, offices, corridors, forest, open or rooms");
+  line->add("worlds", &options->kind,
+            "generated worlds: mazes, offices, corridors, forest, open or rooms; or dynabarn: cylinders that move");
   visitCrowdParameters(options->crowd, line->parameters({{"walkers", "walkers"}}));
   line->add("free-threshold", &options->free_threshold, {-1.0, 1.0},
             "replaces the free_thresh of all maps; -1: keeps it");
@@ -82,7 +83,7 @@ void check(const DriveOptions& options) {
   if (sources == 0 && options.crowd.walkers == 0) {
     throw std::invalid_argument("one of --map, --barn, --worlds and --walkers is needed");
   }
-  if (!options.kind.empty()) worldKindOf(options.kind);
+  if (!options.kind.empty() && options.kind != kDynaBarn) worldKindOf(options.kind);
   validate(options.crowd);
   validate(options.drive.robot.base);
   validate(options.drive.robot.scanner);

@@ -7,8 +7,12 @@
 
 #include "lstm_planner/robot/evaluation/drive.hpp"
 #include "lstm_planner/robot/evaluation/drive_film.hpp"
+#include "lstm_planner/robot/simulation/crowd.hpp"
 
 namespace lstm_planner {
+
+/// Among the kinds of worlds, the one whose obstacles move.
+constexpr const char* kDynaBarn = "dynabarn";
 
 /// What `lstm_planner drive` is asked to do.
 struct DriveOptions {

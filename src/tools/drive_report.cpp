@@ -96,6 +96,8 @@ const char* toString(DriveResult::End end) {
       return "no path";
     case DriveResult::End::kElsewhere:
       return "elsewhere";
+    case DriveResult::End::kTouched:
+      return "touched";
   }
   return "";
 }
@@ -116,6 +118,11 @@ void printDriveSummary(std::ostream& out, const DriveCourse& course, const Drive
   if (course.is_barn) {
     out << std::setprecision(4) << "BARN score: " << meanBarnScore(all, 4.0) << " (k = 4), " << meanBarnScore(all, 2.0)
         << " (k = 2)\n";
+  }
+  if (course.is_dynabarn) {
+    const DriveSummary summary = summarize(all);
+    out << "ended by touching a cylinder: " << summary.touched << " (the robot drove into " << summary.contacts
+        << ", ran into the robot: " << summary.bumped << ")\n";
   }
 }
 

@@ -20,6 +20,8 @@ constexpr double kShortestInMap = 2.0;    // m
 constexpr double kTimeLimit = 1800.0;     // s
 constexpr double kRoomTimeLimit = 120.0;  // s
 constexpr double kRoomSize = 10.0;        // m
+constexpr int kDynaBarnWorlds = 60;
+constexpr double kDynaBarnStart = 8.5;  // m from the middle
 
 bool isWanted(const DriveOptions& options, int number) {
   return options.only.empty() || std::find(options.only.begin(), options.only.end(), number) != options.only.end();
@@ -109,6 +111,24 @@ void addGeneratedWorlds(const DriveOptions& options, DriveCourse* course) {
   }
 }
 
+/// Across the square among cylinders that move, by the rules of DynaBARN.
+void addDynaBarn(const DriveOptions& options, DriveCourse* course) {
+  course->source = kDynaBarn;
+  course->is_dynabarn = true;
+  course->rules = barnRules(course->rules);
+  course->rules.ends_at_touch = true;
+  for (int number = 0; number < options.goals.value_or(kDynaBarnWorlds); ++number) {
+    if (!isWanted(options, number)) continue;
+    const std::uint64_t seed = worldSeed(WorldUse::kJudging, options.seed, static_cast<std::uint64_t>(number));
+    const std::string name = std::string(kDynaBarn) + "-" + std::to_string(number);
+    course->worlds.push_back(gridWorld(name, cylindersFloor(), options));
+    DriveWorld& world = course->worlds.back();
+    world.cylinders = drawMovingCylinders(number, seed);
+    const DriveTask task{{kDynaBarnStart, 0.0, M_PI}, {-kDynaBarnStart, 0.0}, 2.0 * kDynaBarnStart - 1.0};
+    world.exercises.push_back({name, number, task, seed});
+  }
+}
+
 void addBarn(const DriveOptions& options, DriveCourse* course) {
   course->source = options.barn;
   course->is_barn = true;
@@ -164,6 +184,8 @@ DriveCourse makeDriveCourse(const DriveOptions& options) {
     addMaps(options, &course);
   } else if (!options.barn.empty()) {
     addBarn(options, &course);
+  } else if (options.kind == kDynaBarn) {
+    addDynaBarn(options, &course);
   } else if (!options.kind.empty()) {
     addGeneratedWorlds(options, &course);
   } else {

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/robot/simulation/moving_cylinders.hpp"
 #include "lstm_planner/robot/simulation/world.hpp"
 #include "tools/drive_options.hpp"
 
@@ -26,6 +28,7 @@ struct DriveWorld {
   const OccupancyGrid* map = nullptr;  ///< of `world`; nullptr where it consists of circles
   std::vector<Circle> circles;
   std::vector<Point2> walker_places;
+  std::optional<MovingCylindersParameters> cylinders;  ///< that move in it
   std::vector<NumberedDrive> exercises;
 };
 
@@ -35,6 +38,7 @@ struct DriveCourse {
   std::vector<DriveWorld> worlds;
   DriveParameters rules;
   bool is_barn = false;
+  bool is_dynabarn = false;
 };
 
 /// The map that `text` names as --map does: FILE, or FILE=FREE_THRESHOLD. What it does not know is solid.

@@ -65,16 +65,16 @@ class ControlledRobot : public LoopRobot {
 /// One drive as it goes on, and what is noted of it.
 class Run {
  public:
-  Run(SimulatedRobot* robot, const Crowd* crowd, const DriveTask& task, const DriveParameters& parameters,
+  Run(SimulatedRobot* robot, const Traffic* traffic, const DriveTask& task, const DriveParameters& parameters,
       NavigationAgent* agent, const DriveListener& listener)
       : robot_(*robot),
         controlled_(robot, task, parameters, listener),
-        crowd_(crowd),
+        traffic_(traffic),
         task_(task),
         parameters_(parameters),
         agent_(*agent) {
     result_.shortest = task.shortest;
-    if (crowd != nullptr) result_.walker_traces.resize(crowd->walkers().size());
+    if (traffic != nullptr) result_.walker_traces.resize(traffic->bodies().size());
   }
 
   DriveResult run() {
@@ -98,12 +98,14 @@ class Run {
     return parameters_.arrival == Arrival::kTruePosition && isAtGoal(parameters_.goal_radius);
   }
 
+  bool isEndedByTouch() const { return parameters_.ends_at_touch && robot_.contacts() + robot_.bumped() > 0; }
+
   bool goesOn() {
     if (robot_.contacts() > contacts_seen_) {
       contacts_seen_ = robot_.contacts();
       result_.contact_places.push_back({robot_.truePose().x, robot_.truePose().y});
     }
-    return robot_.time() < parameters_.time_limit && !refereeSaysArrived();
+    return robot_.time() < parameters_.time_limit && !refereeSaysArrived() && !isEndedByTouch();
   }
 
   DriveResult::End judge(ClosedLoop::End end) const {
@@ -115,6 +117,7 @@ class Run {
       case ClosedLoop::End::kStopped:
         break;
     }
+    if (isEndedByTouch()) return DriveResult::End::kTouched;
     const bool in_time = robot_.time() < parameters_.time_limit;
     return in_time && refereeSaysArrived() ? DriveResult::End::kReached : DriveResult::End::kTimeout;
   }
@@ -138,14 +141,14 @@ class Run {
     result_.steps = decision.step;
     result_.trace.push_back(robot_.truePose());
     result_.led.push_back(decision.source);
-    for (std::size_t i = 0; i < result_.walker_traces.size(); ++i) {
-      result_.walker_traces[i].push_back(crowd_->walkers()[i].body.center);
-    }
+    if (traffic_ == nullptr) return;
+    const std::vector<Traffic::Body> bodies = traffic_->bodies();
+    for (std::size_t i = 0; i < bodies.size(); ++i) result_.walker_traces[i].push_back(bodies[i].circle.center);
   }
 
   SimulatedRobot& robot_;
   ControlledRobot controlled_;
-  const Crowd* crowd_;
+  const Traffic* traffic_;
   const DriveTask& task_;
   const DriveParameters& parameters_;
   NavigationAgent& agent_;
@@ -190,11 +193,11 @@ DriveResult drive(const World& world, const DriveTask& task, const DriveParamete
   return Run(&robot, nullptr, task, parameters, agent, listener).run();
 }
 
-DriveResult drive(Crowd* crowd, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
+DriveResult drive(Traffic* traffic, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
                   NavigationAgent* agent, const DriveListener& listener) {
   validate(parameters);
-  SimulatedRobot robot(crowd, parameters.robot, task.start, seed);
-  return Run(&robot, crowd, task, parameters, agent, listener).run();
+  SimulatedRobot robot(traffic, parameters.robot, task.start, seed);
+  return Run(&robot, traffic, task, parameters, agent, listener).run();
 }
 
 DriveSummary summarize(const std::vector<DriveResult>& results) {
@@ -223,6 +226,9 @@ DriveSummary summarize(const std::vector<DriveResult>& results) {
         break;
       case DriveResult::End::kElsewhere:
         ++summary.elsewhere;
+        break;
+      case DriveResult::End::kTouched:
+        ++summary.touched;
         break;
     }
   }

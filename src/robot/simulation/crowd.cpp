@@ -28,7 +28,7 @@ void validate(const CrowdParameters& parameters) {
 
 Crowd::Crowd(const World& surroundings, const std::vector<Point2>& places, const CrowdParameters& parameters,
              const Point2& robot, std::uint64_t seed)
-    : surroundings_(surroundings), places_(places), parameters_(parameters), random_(seed) {
+    : Traffic(surroundings), places_(places), parameters_(parameters), random_(seed) {
   validate(parameters_);
   for (int i = 0; i < parameters_.walkers; ++i) {
     Walker walker;
@@ -48,29 +48,15 @@ Crowd::Crowd(const World& surroundings, const std::vector<Point2>& places, const
 Point2 Crowd::drawPlace(double radius) {
   for (int i = 0; i < kTries && !places_.empty(); ++i) {
     const Point2& place = places_[uniformIndex(random_, places_.size())];
-    if (!surroundings_.touches(place, radius)) return place;
+    if (!surroundings().touches(place, radius)) return place;
   }
   throw std::invalid_argument("there is no place for a walker of radius " + std::to_string(radius) + " m");
 }
 
-void Crowd::castRays(const Point2& origin, double first_direction, double increment, double max_range,
-                     std::vector<double>* ranges) const {
-  surroundings_.castRays(origin, first_direction, increment, max_range, ranges);
-  for (const Walker& walker : walkers_) {
-    castRaysAtCircle(walker.body, origin, first_direction, increment, max_range, ranges);
-  }
-}
-
-bool Crowd::touches(const Point2& center, double radius) const {
-  const auto isTouched = [&](const Walker& walker) {
-    return distanceBetween(center, walker.body.center) < radius + walker.body.radius;
-  };
-  return std::any_of(walkers_.begin(), walkers_.end(), isTouched) || surroundings_.touches(center, radius);
-}
-
-bool Crowd::touchesPolygon(const Footprint& polygon, const Pose2& pose) const {
-  const auto isTouched = [&](const Walker& walker) { return airBetween(polygon, pose, walker.body) < 0.0; };
-  return std::any_of(walkers_.begin(), walkers_.end(), isTouched) || surroundings_.touches(polygon, pose);
+std::vector<Traffic::Body> Crowd::bodies() const {
+  std::vector<Body> bodies;
+  for (const Walker& walker : walkers_) bodies.push_back({walker.body, walker.beside_robot});
+  return bodies;
 }
 
 std::vector<Circle> Crowd::advance(double seconds, const Footprint& robot, const Pose2& pose) {
@@ -99,7 +85,7 @@ void Crowd::step(double seconds, const Footprint& robot, const Pose2& pose, Walk
     walker->standing = uniform(random_, parameters_.shortest_stand, parameters_.longest_stand);
     return;
   }
-  const bool walled = surroundings_.touches(next, walker->body.radius);
+  const bool walled = surroundings().touches(next, walker->body.radius);
   if (!walled) walker->body.center = next;
   if (walled || path >= left) walker->destination = drawPlace(walker->body.radius);
 }

@@ -28,9 +28,9 @@ SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters,
   visitSimulatedRobotParameters(parameters, RangeCheck());
 }
 
-SimulatedRobot::SimulatedRobot(Crowd* crowd, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
-    : SimulatedRobot(*crowd, parameters, start, seed) {
-  crowd_ = crowd;
+SimulatedRobot::SimulatedRobot(Traffic* traffic, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
+    : SimulatedRobot(*traffic, parameters, start, seed) {
+  traffic_ = traffic;
 }
 
 void SimulatedRobot::obeyCommands() {
@@ -42,12 +42,12 @@ void SimulatedRobot::obeyCommands() {
 
 /// Whether the robot at `pose` touches nobody but walkers that have run into it (counted then) and lets them pass.
 bool SimulatedRobot::isBrushedBy(const Pose2& pose, const Point2& velocity) const {
-  if (crowd_ == nullptr || crowd_->surroundings().touches(footprint_, pose)) return false;
+  if (traffic_ == nullptr || traffic_->surroundings().touches(footprint_, pose)) return false;
   const Point2 position{pose.x, pose.y};
-  const std::vector<Crowd::Walker>& walkers = crowd_->walkers();
-  return std::all_of(walkers.begin(), walkers.end(), [&](const Crowd::Walker& walker) {
-    const bool touches = airBetween(footprint_, pose, walker.body) < 0.0;
-    return !touches || (walker.beside_robot && approachSpeed(position, velocity, walker.body.center) <= kStanding);
+  const std::vector<Traffic::Body> bodies = traffic_->bodies();
+  return std::all_of(bodies.begin(), bodies.end(), [&](const Traffic::Body& body) {
+    const bool touches = airBetween(footprint_, pose, body.circle) < 0.0;
+    return !touches || (body.beside_robot && approachSpeed(position, velocity, body.circle.center) <= kStanding);
   });
 }
 
@@ -66,7 +66,7 @@ Point2 SimulatedRobot::move(double seconds) {
 
 void SimulatedRobot::letWalk(double seconds, const Point2& velocity) {
   const Point2 here{base_.truePose().x, base_.truePose().y};
-  for (const Circle& walker : crowd_->advance(seconds, footprint_, base_.truePose())) {
+  for (const Circle& walker : traffic_->advance(seconds, footprint_, base_.truePose())) {
     if (contacts_.isTouching()) continue;  // counted already
     const double approach = approachSpeed(here, velocity, walker.center);
     const bool moves = std::hypot(velocity.x, velocity.y) > kStanding;
@@ -85,7 +85,7 @@ void SimulatedRobot::advance(double seconds) {
     const double period = std::min(left, parameters_.physics_period);
     obeyCommands();
     const Point2 velocity = move(period);
-    if (crowd_ != nullptr) letWalk(period, velocity);
+    if (traffic_ != nullptr) letWalk(period, velocity);
     localiser_.localise(base_.truePose(), base_.odometry());
     time_ += period;
     left -= period;

@@ -41,6 +41,7 @@ struct DriveParameters {
   double time_limit = 1800.0;   ///< s
   double goal_radius = 0.3;     ///< m between true position and goal to count as arrival
   Arrival arrival = Arrival::kRobotSays;
+  bool ends_at_touch = false;  ///< with the first contact, or the first body that runs into the robot
 };
 
 /// A moment of a drive: a command was given, and nothing has moved since.
@@ -58,8 +59,9 @@ struct DriveResult {
   enum class End {
     kReached,
     kTimeout,
-    kNoPath,    ///< the robot said that there is none
-    kElsewhere  ///< the robot said that it had arrived, and had not
+    kNoPath,     ///< the robot said that there is none
+    kElsewhere,  ///< the robot said that it had arrived, and had not
+    kTouched     ///< it touched something, or was run into, where that ends the drive
   };
   End end = End::kTimeout;
   int contacts = 0;          ///< the robot's own doing, see SimulatedRobot
@@ -87,8 +89,8 @@ double overruledShare(const std::vector<DriveResult>& results);
 /// if there is one, is shown every moment.
 DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
                   NavigationAgent* agent, const DriveListener& listener = {});
-/// Among people, who walk on from where they are.
-DriveResult drive(Crowd* crowd, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
+/// Among bodies that move, from where they are.
+DriveResult drive(Traffic* traffic, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
                   NavigationAgent* agent, const DriveListener& listener = {});
 
 /// Totals over many drives; ratios are path / shortest of those that arrived.
@@ -101,6 +103,7 @@ struct DriveSummary {
   int no_path = 0;
   int timeouts = 0;
   int elsewhere = 0;
+  int touched = 0;  ///< drives that ended so
   double mean_ratio = 0.0;
   double p95_ratio = 0.0;
   double mean_time = 0.0;        ///< s, of those that arrived

@@ -5,7 +5,7 @@
 
 #include "lstm_planner/base/common/geometry.hpp"
 #include "lstm_planner/base/common/random.hpp"
-#include "lstm_planner/robot/simulation/world.hpp"
+#include "lstm_planner/robot/simulation/traffic.hpp"
 
 namespace lstm_planner {
 
@@ -42,7 +42,7 @@ void validate(const CrowdParameters& parameters);
 /// A world with people in it. Each walks straight to a random place, then to another, at a speed of its own; a wall in
 /// its path makes it choose another place, too. Walkers pass through each other. They ignore the robot until the
 /// next step would touch it: then they stand for a while and go elsewhere. Deterministic for a seed.
-class Crowd : public World {
+class Crowd : public Traffic {
  public:
   struct Walker {
     Circle body;
@@ -58,26 +58,15 @@ class Crowd : public World {
   Crowd(const World& surroundings, const std::vector<Point2>& places, const CrowdParameters& parameters,
         const Point2& robot, std::uint64_t seed);
 
-  void castRays(const Point2& origin, double first_direction, double increment, double max_range,
-                std::vector<double>* ranges) const override;
-  using World::touches;
-  bool touches(const Point2& center, double radius) const override;
-
-  /// Lets that much time pass, s: no longer than a tenth of a second, or walkers jump. Returns the walkers that ran
-  /// into the robot, which is at `pose`, each once a meeting.
-  std::vector<Circle> advance(double seconds, const Footprint& robot, const Pose2& pose);
+  std::vector<Circle> advance(double seconds, const Footprint& robot, const Pose2& pose) override;
+  std::vector<Body> bodies() const override;
 
   const std::vector<Walker>& walkers() const { return walkers_; }
-  const World& surroundings() const { return surroundings_; }
-
- protected:
-  bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override;
 
  private:
   Point2 drawPlace(double radius);
   void step(double seconds, const Footprint& robot, const Pose2& pose, Walker* walker, std::vector<Circle>* meetings);
 
-  const World& surroundings_;
   const std::vector<Point2>& places_;
   CrowdParameters parameters_;
   Random random_;

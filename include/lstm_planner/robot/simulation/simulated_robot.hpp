@@ -6,9 +6,9 @@
 #include "lstm_planner/robot/perception/situation.hpp"
 #include "lstm_planner/robot/simulation/contact_count.hpp"
 #include "lstm_planner/robot/simulation/create2.hpp"
-#include "lstm_planner/robot/simulation/crowd.hpp"
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "lstm_planner/robot/simulation/localiser.hpp"
+#include "lstm_planner/robot/simulation/traffic.hpp"
 #include "lstm_planner/robot/simulation/world.hpp"
 
 namespace lstm_planner {
@@ -30,8 +30,8 @@ class SimulatedRobot {
 
   /// `world` must outlive the robot.
   SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
-  /// Among people, who must outlive the robot.
-  SimulatedRobot(Crowd* crowd, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
+  /// Among bodies that move, which must outlive the robot.
+  SimulatedRobot(Traffic* traffic, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
 
   /// Takes effect when the latency has passed.
   void command(const Twist2& twist) { commands_.push_back({time_ + parameters_.latency, twist}); }
@@ -76,7 +76,7 @@ class SimulatedRobot {
   LaserScan scan_;
   std::deque<Command> commands_;
   double time_ = 0.0;
-  Crowd* crowd_ = nullptr;
+  Traffic* traffic_ = nullptr;
   ContactCount contacts_;
   int bumped_ = 0;
   int bumped_moving_ = 0;

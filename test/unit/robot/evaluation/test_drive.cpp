@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/robot/simulation/crowd.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
 namespace lstm_planner {
@@ -188,6 +189,19 @@ TEST(Drive, DoesNotBelieveARobotWhoseWheelsSpin) {
   EXPECT_EQ(result.contacts, 1);
   ASSERT_EQ(result.contact_places.size(), 1u);
   EXPECT_NEAR(result.contact_places[0].x, 3.0 - 0.3 - 0.17425, 0.01);
+}
+
+TEST(Drive, EndsAtTheFirstTouchWhereTheRulesSaySo) {
+  const CircleWorld pillar({{{3.0, 0.0}, 0.3}});
+  NavigationAgent agent(test::straightAheadPolicy(), {});
+  DriveParameters blind = test::quickDrive(120.0);
+  blind.robot.scanner.dropout = 1.0;
+  blind.ends_at_touch = true;
+  const DriveResult result = drive(pillar, {{}, {8.0, 0.0}, 8.0}, blind, 1, &agent);
+  EXPECT_EQ(result.end, DriveResult::End::kTouched);
+  EXPECT_EQ(result.contacts, 1);
+  EXPECT_LT(result.path_length, 3.0);
+  EXPECT_EQ(summarize({result}).touched, 1);
 }
 
 TEST(Drive, KeepsThePathsOfThePeopleAround) {

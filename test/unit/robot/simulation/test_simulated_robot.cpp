@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "lstm_planner/robot/simulation/crowd.hpp"
 #include "lstm_planner/robot/simulation/simulated_robot.hpp"
 
 namespace lstm_planner {

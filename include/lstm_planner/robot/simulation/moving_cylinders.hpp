@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/base/grid/occupancy_grid.hpp"
+#include "lstm_planner/robot/simulation/traffic.hpp"
+
+namespace lstm_planner {
+
+/// How cylinders move in a DynaBARN world.
+struct MovingCylindersParameters {
+  int cylinders = 6;
+  int order = 2;         ///< of the polynomials that they move along
+  double slowest = 0.4;  ///< m/s
+  double fastest = 1.0;  ///< m/s
+  double spread = 0.2;   ///< m/s, standard deviation of a cylinder's speed from one stretch to the next
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const MovingCylindersParameters& parameters);
+
+/// Of one of 60 worlds, the first 20 easy, the last 20 hard; drawn from a seed.
+MovingCylindersParameters drawMovingCylinders(int number, std::uint64_t seed);
+
+/// Half a side of the square that they move in, around the origin, m.
+constexpr double kCylindersArea = 10.0;
+
+/// The floor of DynaBARN: walls on three sides of the square, the fourth, at the largest x, is open.
+OccupancyGrid cylindersFloor();
+
+/// Cylinders 1 m wide that move without regard to anything: each along a polynomial through random points, from one
+/// border of the square to the other, stretch by stretch at a speed of its own; at the end it starts anew at its
+/// start. After the published generator of DynaBARN (Nair et al., "DynaBARN: Benchmarking Metric Ground Navigation in
+/// Dynamic Environments", SSRR 2022). Deterministic for a seed.
+class MovingCylinders : public Traffic {
+ public:
+  /// `robot` is where the robot starts: no cylinder starts within 3 m of it. Throws as validate().
+  MovingCylinders(const World& surroundings, const MovingCylindersParameters& parameters, const Point2& robot,
+                  std::uint64_t seed);
+
+  std::vector<Circle> advance(double seconds, const Footprint& robot, const Pose2& pose) override;
+  std::vector<Body> bodies() const override { return bodies_; }
+
+ private:
+  struct Route {
+    std::vector<Point2> corners;
+    std::vector<double> speeds;  ///< m/s, of the stretch behind each corner
+    std::size_t stretch = 0;
+    double along = 0.0;  ///< m of the stretch
+  };
+  Route drawRoute(const Point2& robot);
+  std::vector<Point2> drawPath();
+  double drawSpeed(double mean);
+  static Point2 advance(double seconds, Route* route);
+
+  MovingCylindersParameters parameters_;
+  Random random_;
+  std::vector<Route> routes_;
+  std::vector<Body> bodies_;
+};
+
+}  // namespace lstm_planner
