@@ -58,7 +58,8 @@ required_packages() {
 # with, MPI for several processes, Google Benchmark, and rviz with its headers, for the panel, where somebody can see it.
 optional_packages() {
   printf '%s\n' libbenchmark-dev libopenmpi-dev openmpi-bin python3-onnx "${more_optional_packages[@]}"
-  [ "$1" = noetic ] || printf '%s\n' libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure
+  # Debian packages static_transform_publisher, which navigation.launch starts, with tf2's tools.
+  [ "$1" = noetic ] || printf '%s\n' libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure tf2-tools
   [ "$1" = noetic ] && printf 'ros-noetic-%s\n' create-msgs dwa-local-planner dynamic-reconfigure global-planner
   if [ -n "$wants_rviz" ]; then
     if [ "$1" = noetic ]; then echo ros-noetic-rviz; else printf '%s\n' rviz librviz-dev; fi
