@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tools/network_options.hpp"
 #include "tools/ranges.hpp"
 
 namespace lstm_planner {
@@ -70,6 +71,7 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
                "diagonal moves may pass blocked cells at their sides");
   line.addChoice("supervisor", &dataset.supervisor, kSupervisors,
                  "paths to learn: shortest, or thesis (A* with 25 times the Euclidean distance)");
+  addLossOption(&p.trainer.loss, &line);
   addOptimiserOptions(&optimiser, &line);
   if (dagger) {
     line.add("rounds", &p.rounds, kAnyCount, "rounds of collecting paths and training for --epochs");
@@ -101,6 +103,7 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
                     {"rounds", p.rounds},
                     {"learner-share", p.learner_share}});
   if (dataset.supervisor != GridSupervisor::kShortestPath) (*settings)["supervisor"] = "thesis";
+  if (p.trainer.loss != Loss::kCrossEntropy) (*settings)["loss"] = nameOf(p.trainer.loss, losses());
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/base/network/model_file.hpp"
+#include "tools/network_options.hpp"
 #include "tools/ranges.hpp"
 #include "tools/train_commands.hpp"
 
@@ -47,6 +48,7 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
             "cells of each recurrent layer, or units of each layer of an mlp (default of an mlp: 64 64 64 64)");
   line->add("deep-in", &o.shape.deep_in, kAnyLayer, "units of each dense layer before the recurrent ones");
   line->add("deep-out", &o.shape.deep_out, kAnyLayer, "units of each dense layer after the recurrent ones");
+  addActivationOptions(&o.shape, line);
   line->add("inputs", &o.inputs,
             "inputs: thesis (ranges, distance, angle, previous action), trace (also where the agent has been) or map "
             "(also the direction of the path between the remembered walls)");
@@ -78,6 +80,11 @@ nlohmann::json settingsOf(const GridTrainingOptions& options) {
   // Named where they are not the default: checkpoints that were written before there was a choice stay readable.
   if (options.rule == PassableRule::kThesis) settings["thesis-terrain"] = true;
   if (options.corner_cutting == CornerCutting::kAllowed) settings["corner-cutting"] = true;
+  if (options.shape.activation != Activation::kTanh) {
+    settings["activation"] = nameOf(options.shape.activation, activations());
+  }
+  if (options.shape.candidate != Activation::kTanh)
+    settings["candidate"] = nameOf(options.shape.candidate, candidates());
   return settings;
 }
 

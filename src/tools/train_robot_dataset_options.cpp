@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "tools/command_line.hpp"
+#include "tools/network_options.hpp"
 #include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
@@ -60,6 +61,7 @@ void addTrainingOptions(DatasetTrainingOptions* o, CommandLine* line) {
   line->add("method", &o->method, "dataset; not needed with --dataset");
   line->add("preset", &o->preset, "stable, or thesis (Table 4.2); determines the defaults");
   line->add("epochs", &trainer.epochs, kAnyCount, "passes over the training set");
+  addLossOption(&trainer.loss, line);
   line->add("rate", &trainer.optimiser.learning_rate, kAnyRate, "learning rate");
   line->add("batch", &trainer.batch_size, kAnyCount, "sequences per update");
   line->add("clip", &trainer.optimiser.max_gradient_norm, {0.0, 1e9}, "longer gradients are shortened; 0: never");

@@ -3,6 +3,7 @@
 
 #include "lstm_planner/base/learning/learning_curve.hpp"
 #include "lstm_planner/robot/learning/imitation.hpp"
+#include "tools/network_options.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
@@ -35,6 +36,7 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   line.add("starts", &imitation.starts, {1, 1e4}, "drives per goal");
   line.add("epochs", &imitation.trainer.epochs, kAnyCount, "epochs per round");
   line.add("rate", &imitation.trainer.optimiser.learning_rate, kAnyRate, "learning rate");
+  addLossOption(&imitation.trainer.loss, &line);
   line.add("learner-share", &imitation.learner_share, kAnyShare,
            "share of the drives in which the learning network steers");
   if (!line.parse(arguments)) return false;

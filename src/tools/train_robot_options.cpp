@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tools/network_options.hpp"
 #include "tools/ranges.hpp"
 #include "tools/train_commands.hpp"
 
@@ -53,11 +54,12 @@ void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* enc
             "cells of each recurrent layer, or units of each layer of an mlp (default of an mlp: 64 64)");
   line->add("deep-in", &options->shape.deep_in, kAnyLayer, "units of each dense layer before the recurrent ones");
   line->add("deep-out", &options->shape.deep_out, kAnyLayer, "units of each dense layer after the recurrent ones");
+  addActivationOptions(&options->shape, line);
 }
 
 void checkModelDecides(const CommandLine& line) {
-  for (const char* decided :
-       {"inputs", "event-range", "position-cell", "heading-cell", "views", "network", "cells", "deep-in", "deep-out"}) {
+  for (const char* decided : {"inputs", "event-range", "position-cell", "heading-cell", "views", "network", "cells",
+                              "deep-in", "deep-out", "activation", "candidate"}) {
     if (line.given(decided))
       throw std::invalid_argument(std::string("--") + decided + " is determined by the model of --init");
   }

@@ -35,7 +35,7 @@ class SequenceGradient<Scalar>::Implementation {
  public:
   using Matrix = typename LayerGradient<Scalar>::Matrix;
 
-  explicit Implementation(const LayerStack& layers) {
+  Implementation(const LayerStack& layers, Loss loss) : loss_(loss) {
     validateLayers(layers);
     for (std::size_t index = 0; index < layers.size(); ++index) {
       auto layer = makeLayerGradient<Scalar>(layers[index]);
@@ -45,6 +45,8 @@ class SequenceGradient<Scalar>::Implementation {
       } else if (index + 1 != layers.size() || index == 0) {
         throw std::invalid_argument("layer " + std::to_string(index) +
                                     " is a softmax, which can only be trained as the last of several layers");
+      } else if (loss == Loss::kEuclidean) {
+        throw std::invalid_argument("the last layer is a softmax, which the Euclidean loss has no use for");
       }
     }
     inputs_.resize(inputSize(layers), 0);
@@ -58,7 +60,8 @@ class SequenceGradient<Scalar>::Implementation {
     if (batch.empty()) return sum;
     pack(batch);
     forward(parameters);
-    sum = loss();
+    sum = countAnswers();
+    loss_ == Loss::kEuclidean ? addEuclidean(&sum) : addCrossEntropy(&sum);
     if (gradient != nullptr) backward(parameters, *gradient);
     return sum;
   }
@@ -100,20 +103,25 @@ class SequenceGradient<Scalar>::Implementation {
     }
   }
 
-  /// Softmax and cross-entropy; leaves the derivative by the preferences in output_gradient_.
-  LossSum loss() {
+  LossSum countAnswers() {
     const Matrix& preferences = layers_.back()->outputs();
     const Index outputs = preferences.rows();
     LossSum sum;
     sum.confusion.setZero(outputs, outputs);
-    reserveColumns(outputs, layout_.columns, output_gradient_);
-    auto gradient = output_gradient_.leftCols(layout_.columns);
     largest_.resize(layout_.columns);
     for (Index column = 0; column < layout_.columns; ++column) {
       Index answer = 0;
       largest_[column] = preferences.col(column).maxCoeff(&answer);
       if (weights_[column] > 0.0f) ++sum.confusion(labels_[column], answer);
     }
+    reserveColumns(outputs, layout_.columns, output_gradient_);
+    return sum;
+  }
+
+  /// With the softmax; leaves the derivative by the preferences in output_gradient_, as addEuclidean() does.
+  void addCrossEntropy(LossSum* sum) {
+    const Matrix& preferences = layers_.back()->outputs();
+    auto gradient = output_gradient_.leftCols(layout_.columns);
     gradient = preferences.leftCols(layout_.columns).rowwise() - largest_.transpose();
     gradient.array() = gradient.array().exp();
     for (Index column = 0; column < layout_.columns; ++column) {
@@ -124,13 +132,28 @@ class SequenceGradient<Scalar>::Implementation {
       }
       const Index label = labels_[column];
       const Scalar total = gradient.col(column).sum();
-      sum.loss += static_cast<double>(weight) * (std::log(static_cast<double>(total)) -
-                                                 static_cast<double>(preferences(label, column) - largest_[column]));
-      sum.weight += static_cast<double>(weight);
+      sum->loss += static_cast<double>(weight) * (std::log(static_cast<double>(total)) -
+                                                  static_cast<double>(preferences(label, column) - largest_[column]));
+      sum->weight += static_cast<double>(weight);
       gradient.col(column) *= weight / total;
       gradient(label, column) -= weight;
     }
-    return sum;
+  }
+
+  void addEuclidean(LossSum* sum) {
+    auto gradient = output_gradient_.leftCols(layout_.columns);
+    gradient = layers_.back()->outputs().leftCols(layout_.columns);
+    for (Index column = 0; column < layout_.columns; ++column) {
+      const Scalar weight = static_cast<Scalar>(weights_[column]);
+      if (!(weight > Scalar(0))) {
+        gradient.col(column).setZero();
+        continue;
+      }
+      gradient(labels_[column], column) -= Scalar(1);
+      sum->loss += static_cast<double>(weight) * 0.5 * static_cast<double>(gradient.col(column).squaredNorm());
+      sum->weight += static_cast<double>(weight);
+      gradient.col(column) *= weight;
+    }
   }
 
   void backward(const Vector& parameters, Vector& gradient) {
@@ -143,6 +166,7 @@ class SequenceGradient<Scalar>::Implementation {
     }
   }
 
+  Loss loss_;
   std::vector<std::unique_ptr<LayerGradient<Scalar>>> layers_;
   Index parameter_count_ = 0;
   StepLayout layout_;
@@ -165,8 +189,8 @@ void checkParameterCount(Index given, Index expected) {
 }  // namespace
 
 template <typename Scalar>
-SequenceGradient<Scalar>::SequenceGradient(const LayerStack& layers)
-    : implementation_(std::make_unique<Implementation>(layers)) {}
+SequenceGradient<Scalar>::SequenceGradient(const LayerStack& layers, Loss loss)
+    : implementation_(std::make_unique<Implementation>(layers, loss)) {}
 template <typename Scalar>
 SequenceGradient<Scalar>::SequenceGradient(SequenceGradient&&) noexcept = default;
 template <typename Scalar>

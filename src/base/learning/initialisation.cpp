@@ -40,6 +40,26 @@ void requireSizes(int inputs, const std::vector<int>& hidden, int outputs) {
   }
 }
 
+void requireLayersOf(const NetworkShape& shape) {
+  const bool perceptron = shape.kind == NetworkShape::Kind::kMlp;
+  const bool deep = !(shape.deep_in.empty() && shape.deep_out.empty());
+  if (shape.cells.empty()) throw std::invalid_argument("a network has no cells, expected at least one layer of them");
+  if (perceptron && deep) {
+    throw std::invalid_argument(
+        "an mlp has deep-in or deep-out layers, expected none: it has no recurrent layer that they are before or "
+        "behind");
+  }
+  if (shape.activation == Activation::kIdentity) {
+    throw std::invalid_argument("a network's dense layers have no activation, expected tanh, sigmoid or relu");
+  }
+  if (shape.activation != Activation::kTanh && !perceptron && !deep) {
+    throw std::invalid_argument("a network has an activation of dense layers, but no dense layer besides the last");
+  }
+  if (shape.candidate != Activation::kTanh && shape.kind != NetworkShape::Kind::kLstm) {
+    throw std::invalid_argument("a network has a candidate that is not tanh, but no LSTM layer");
+  }
+}
+
 DenseLayer zeroDenseLayer(int inputs, int units, Activation activation) {
   return {Eigen::MatrixXf::Zero(units, inputs), Eigen::VectorXf::Zero(units), activation};
 }
@@ -116,13 +136,7 @@ NetworkShape::Kind networkKindNamed(const std::string& name) {
 }
 
 LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs) {
-  const bool recurrent = shape.kind != NetworkShape::Kind::kMlp;
-  if (shape.cells.empty()) throw std::invalid_argument("a network has no cells, expected at least one layer of them");
-  if (!recurrent && !(shape.deep_in.empty() && shape.deep_out.empty())) {
-    throw std::invalid_argument(
-        "an mlp has deep-in or deep-out layers, expected none: it has no recurrent layer that they are before or "
-        "behind");
-  }
+  requireLayersOf(shape);
   std::vector<int> sizes = shape.deep_in;
   sizes.insert(sizes.end(), shape.cells.begin(), shape.cells.end());
   sizes.insert(sizes.end(), shape.deep_out.begin(), shape.deep_out.end());
@@ -130,7 +144,7 @@ LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs) {
   LayerStack layers;
   const auto addDense = [&](const std::vector<int>& units) {
     for (const int count : units) {
-      layers.push_back(zeroDenseLayer(inputs, count, Activation::kTanh));
+      layers.push_back(zeroDenseLayer(inputs, count, shape.activation));
       inputs = count;
     }
   };
@@ -140,9 +154,9 @@ LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs) {
     const Eigen::MatrixXf input = Eigen::MatrixXf::Zero(rows, inputs);
     const Eigen::MatrixXf state = Eigen::MatrixXf::Zero(rows, count);
     const Eigen::VectorXf bias = Eigen::VectorXf::Zero(rows);
-    if (shape.kind == NetworkShape::Kind::kLstm) layers.push_back(LstmLayer{input, state, bias, Activation::kTanh});
+    if (shape.kind == NetworkShape::Kind::kLstm) layers.push_back(LstmLayer{input, state, bias, shape.candidate});
     if (shape.kind == NetworkShape::Kind::kRnn) layers.push_back(RecurrentLayer{input, state, bias});
-    if (shape.kind == NetworkShape::Kind::kMlp) layers.push_back(zeroDenseLayer(inputs, count, Activation::kTanh));
+    if (shape.kind == NetworkShape::Kind::kMlp) layers.push_back(zeroDenseLayer(inputs, count, shape.activation));
     inputs = count;
   }
   addDense(shape.deep_out);

@@ -20,13 +20,13 @@ using Batch = std::vector<const Sequence*>;
 /// which thread of which rank did which shard.
 class ShardedGradient {
  public:
-  ShardedGradient(const LayerStack& layers, int shards, int threads, Communicator* ranks)
+  ShardedGradient(const LayerStack& layers, Loss loss, int shards, int threads, Communicator* ranks)
       : shards_(static_cast<std::size_t>(shards)),
         threads_(std::min(shards, threads)),
         ranks_(ranks),
         own_(shareOf(shards, ranks->rank(), ranks->size())),
         classes_(outputSize(layers)) {
-    for (int thread = 0; thread < threads_; ++thread) workers_.emplace_back(layers);
+    for (int thread = 0; thread < threads_; ++thread) workers_.emplace_back(layers, loss);
   }
 
   LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch) { return evaluate(parameters, batch, nullptr); }
@@ -189,7 +189,7 @@ class Trainer::Implementation {
       : parameters_(parameters),
         layers_(checked(layers, training, validation, parameters)),
         state_(*state),
-        gradient_(layers, parameters.shards, parameters.threads, parameters.communicator),
+        gradient_(layers, parameters.loss, parameters.shards, parameters.threads, parameters.communicator),
         optimiser_(parameters.optimiser, weightMask(layers)),
         order_(pointersTo(training)),
         validation_(cut(pointersTo(validation), parameters.batch_size)),
@@ -318,7 +318,7 @@ LossSum evaluate(const LayerStack& layers, const std::vector<Sequence>& sequence
   validateLayers(layers);
   validateSequences(sequences, inputSize(layers), outputSize(layers), "evaluation");
   const TrainerParameters defaults;
-  ShardedGradient gradient(layers, defaults.shards, threads, oneProcess());
+  ShardedGradient gradient(layers, defaults.loss, defaults.shards, threads, oneProcess());
   return sumOfLosses(parameterVector(layers), cut(pointersTo(sequences), defaults.batch_size), gradient);
 }
 

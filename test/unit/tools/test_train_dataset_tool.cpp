@@ -68,6 +68,20 @@ TEST_F(TrainDatasetTool, TakesTheThesissTwelveInputsAndRoundsWhatOdometrySays) {
   EXPECT_EQ(encoder.heading_cell, 0.39);
 }
 
+TEST_F(TrainDatasetTool, TakesTheThesissAlternativesInsideTheLayersAndItsEuclideanLoss) {
+  const std::string data = "--dataset drives.dataset --output model.onnx --epochs 1 --threads 1 ";
+  const test::Outcome outcome =
+      train(data + "--cells 4 --deep-out 3 --activation sigmoid --candidate sigmoid --loss euclidean");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const LayerStack layers = readModelFile(in("model.onnx")).layers;
+  EXPECT_EQ(std::get<LstmLayer>(layers[0]).candidate, Activation::kSigmoid);
+  EXPECT_EQ(std::get<DenseLayer>(layers[1]).activation, Activation::kSigmoid);
+  fs::remove(in("model.onnx"));
+  expectRefusal(data + "--cells 4 --activation relu", "no dense layer");
+  expectRefusal(data + "--network rnn --candidate sigmoid", "no LSTM layer");
+  expectRefusal(data + "--loss hinge", "--loss");
+}
+
 TEST_F(TrainDatasetTool, TheSameCommandGivesTheSameModelForAnyNumberOfThreads) {
   const std::string command = "--dataset drives.dataset --cells 4 --epochs 2 --output model.onnx --threads ";
   const auto layers = [&](const char* threads) {

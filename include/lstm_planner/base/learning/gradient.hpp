@@ -13,9 +13,15 @@ namespace lstm_planner {
 /// How often a label (row) was answered with a class (column).
 using ConfusionMatrix = Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Cross-entropy (thesis Eq. 2.31) and answers, summed over the steps whose weight is not 0.
+/// What a step's error is.
+enum class Loss {
+  kCrossEntropy,  ///< -ln(probability of the label), thesis Eq. 2.31
+  kEuclidean,     ///< half the squared distance of the preferences to 1 for the label and 0 for the others, Eq. 2.6
+};
+
+/// Errors and answers, summed over the steps whose weight is not 0.
 struct LossSum {
-  double loss = 0.0;          ///< sum of weight * -ln(probability of the label)
+  double loss = 0.0;          ///< sum of weight * error
   double weight = 0.0;        ///< sum of the weights
   ConfusionMatrix confusion;  ///< steps, not weighted
 
@@ -31,7 +37,8 @@ struct LossSum {
 /// The error of a sequence's step is the cross-entropy of the softmax of the last layer's outputs; a SoftmaxLayer at
 /// the end is the same softmax and not applied twice. Its derivative by the preference k is weight * (probability_k -
 /// target_k), so that a linear last layer with inputs z gets the gradient sum_n (phi_nk - t_nk) z_n; thesis Eq. 2.32
-/// prints phi_n for z_n. Errors go back to the first step of every sequence.
+/// prints phi_n for z_n. With the Euclidean loss the preferences y take the place of the probabilities (Eq. 2.7, 2.10),
+/// and there is no softmax. Errors go back to the first step of every sequence.
 ///
 /// An object holds the layers' shapes and the memory for one batch at a time: one object a thread.
 /// Scalar is float for training and double for checking the gradient.
@@ -40,8 +47,9 @@ class SequenceGradient {
  public:
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  /// Throws std::invalid_argument when the layers do not fit together or a softmax is not the last layer.
-  explicit SequenceGradient(const LayerStack& layers);
+  /// Throws std::invalid_argument when the layers do not fit together, a softmax is not the last layer, or there is one
+  /// and the loss is Euclidean.
+  explicit SequenceGradient(const LayerStack& layers, Loss loss = Loss::kCrossEntropy);
   SequenceGradient(SequenceGradient&&) noexcept;
   SequenceGradient& operator=(SequenceGradient&&) noexcept;
   ~SequenceGradient();

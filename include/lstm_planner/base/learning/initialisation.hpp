@@ -37,7 +37,7 @@ LayerStack makeDenseStack(int inputs, const std::vector<int>& units, int outputs
 
 /// The shape of a network that decides step by step (thesis Fig. 2.10): dense layers before the recurrent ones
 /// ("deep-in"), recurrent layers one on the other ("stacked"), dense layers behind them ("deep-out"), and one linear
-/// layer with the preferences. Dense layers have tanh.
+/// layer with the preferences.
 struct NetworkShape {
   enum class Kind {
     kLstm,
@@ -45,9 +45,11 @@ struct NetworkShape {
     kMlp,  ///< no memory: a multilayer perceptron
   };
   Kind kind = Kind::kLstm;
-  std::vector<int> cells = {8, 8};  ///< of each recurrent layer; of a perceptron the units of each layer
-  std::vector<int> deep_in;         ///< units of each layer before; none for a perceptron
-  std::vector<int> deep_out;        ///< units of each layer behind; none for a perceptron
+  std::vector<int> cells = {8, 8};            ///< of each recurrent layer; of a perceptron the units of each layer
+  std::vector<int> deep_in;                   ///< units of each layer before; none for a perceptron
+  std::vector<int> deep_out;                  ///< units of each layer behind; none for a perceptron
+  Activation activation = Activation::kTanh;  ///< of the dense layers but the last (thesis Fig. 2.2); not kIdentity
+  Activation candidate = Activation::kTanh;   ///< of LSTM layers; thesis Eq. 2.21 prints kSigmoid
 };
 
 /// "lstm", "rnn", "mlp".
@@ -55,8 +57,8 @@ std::string networkKindName(NetworkShape::Kind kind);
 /// Throws std::invalid_argument for another name.
 NetworkShape::Kind networkKindNamed(const std::string& name);
 
-/// Such a network, all zero. Throws std::invalid_argument when a size is not positive, there are no cells, or a
-/// perceptron has deep-in or deep-out layers.
+/// Such a network, all zero. Throws std::invalid_argument when a size is not positive, there are no cells, a perceptron
+/// has deep-in or deep-out layers, or an activation is not tanh and of layers that the network does not have.
 LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs);
 
 }  // namespace lstm_planner

@@ -21,6 +21,7 @@ struct TrainerParameters {
   Communicator* communicator = oneProcess();  ///< ranks that share the shards; does not change the result
   std::uint64_t seed = 1;                     ///< of the order of the sequences
   OptimiserParameters optimiser;
+  Loss loss = Loss::kCrossEntropy;  ///< that is made small; also of the reports
 
   /// In [0, 1): share of the averaged weights that an update leaves; the rest is the weights after it (Polyak and
   /// Juditsky, "Acceleration of stochastic approximation by averaging", 1992, in its exponential form). The average

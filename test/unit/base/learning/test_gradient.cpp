@@ -92,31 +92,62 @@ std::vector<NamedStack> stacksOfEachKind() {
   return stacks;
 }
 
+/// Holds the gradient to central differences of the loss.
+void expectDifferences(Eigen::VectorXd parameters, const std::vector<const Sequence*>& batch,
+                       SequenceGradient<double>* computer) {
+  Eigen::VectorXd gradient;
+  computer->lossAndGradient(parameters, batch, gradient);
+  ASSERT_EQ(gradient.size(), parameters.size());
+  // Truncation grows with step^2 (1e-10), rounding with 1e-16 * loss / step (1e-10 for a loss of some tens).
+  const double kStep = 1e-5;
+  for (Eigen::Index index = 0; index < parameters.size(); ++index) {
+    const double kept = parameters[index];
+    parameters[index] = kept + kStep;
+    const double above = computer->loss(parameters, batch).loss;
+    parameters[index] = kept - kStep;
+    const double below = computer->loss(parameters, batch).loss;
+    parameters[index] = kept;
+    const double difference = (above - below) / (2.0 * kStep);
+    EXPECT_NEAR(gradient[index], difference, 1e-6 * std::abs(difference) + 2e-9) << "parameter " << index;
+  }
+  // A gradient of zeros would agree with a loss that looks at nothing.
+  EXPECT_GT(gradient.norm(), 0.1);
+}
+
 TEST(SequenceGradient, AgreesWithCentralFiniteDifferencesForEachKindOfLayer) {
   const std::vector<Sequence> sequences = raggedSequences();
   const auto batch = pointersTo(sequences);
   for (const NamedStack& stack : stacksOfEachKind()) {
     SCOPED_TRACE(stack.name);
     SequenceGradient<double> computer(stack.layers);
-    Eigen::VectorXd parameters = parameterVector(stack.layers).cast<double>();
-    Eigen::VectorXd gradient;
-    computer.lossAndGradient(parameters, batch, gradient);
-    ASSERT_EQ(gradient.size(), parameters.size());
-    // Truncation grows with step^2 (1e-10), rounding with 1e-16 * loss / step (1e-10 for a loss of some tens).
-    const double kStep = 1e-5;
-    for (Eigen::Index index = 0; index < parameters.size(); ++index) {
-      const double kept = parameters[index];
-      parameters[index] = kept + kStep;
-      const double above = computer.loss(parameters, batch).loss;
-      parameters[index] = kept - kStep;
-      const double below = computer.loss(parameters, batch).loss;
-      parameters[index] = kept;
-      const double difference = (above - below) / (2.0 * kStep);
-      EXPECT_NEAR(gradient[index], difference, 1e-6 * std::abs(difference) + 2e-9) << "parameter " << index;
-    }
-    // A gradient of zeros would agree with a loss that looks at nothing.
-    EXPECT_GT(gradient.norm(), 0.1);
+    expectDifferences(parameterVector(stack.layers).cast<double>(), batch, &computer);
   }
+}
+
+TEST(SequenceGradient, TheEuclideanLossAgreesWithFiniteDifferencesToo) {
+  const std::vector<Sequence> sequences = raggedSequences();
+  for (const NamedStack& stack : stacksOfEachKind()) {
+    if (std::holds_alternative<SoftmaxLayer>(stack.layers.back())) continue;  // refused
+    SCOPED_TRACE(stack.name);
+    SequenceGradient<double> computer(stack.layers, Loss::kEuclidean);
+    expectDifferences(parameterVector(stack.layers).cast<double>(), pointersTo(sequences), &computer);
+  }
+}
+
+/// Thesis Eq. 2.6 and 2.7, by hand: y = (0.5, -0.25), label 1.
+TEST(SequenceGradient, TheEuclideanLossIsHalfTheSquaredDistanceToTheTarget) {
+  DenseLayer layer{Eigen::MatrixXf::Zero(2, 1), Eigen::VectorXf::Zero(2), Activation::kIdentity};
+  layer.weights << 0.25f, -0.125f;
+  const Sequence sequence{Eigen::MatrixXf::Constant(1, 1, 2.0f), Eigen::VectorXi::Constant(1, 1),
+                          Eigen::VectorXf::Constant(1, 3.0f)};
+  SequenceGradient<double> computer({layer}, Loss::kEuclidean);
+  Eigen::VectorXd gradient;
+  const LossSum sum = computer.lossAndGradient(parameterVector({layer}).cast<double>(), {&sequence}, gradient);
+  EXPECT_DOUBLE_EQ(sum.loss, 3.0 * 0.5 * (0.5 * 0.5 + 1.25 * 1.25));
+  EXPECT_EQ(sum.weight, 3.0);
+  EXPECT_EQ(sum.confusion(1, 0), 1);  // the answer is the higher preference
+  const Eigen::Vector4d expected(3.0 * 0.5 * 2.0, 3.0 * -1.25 * 2.0, 3.0 * 0.5, 3.0 * -1.25);
+  EXPECT_LT((gradient - expected).norm(), 1e-12) << gradient.transpose();
 }
 
 TEST(SequenceGradient, ForwardPassAgreesWithTheNetworkThatDrives) {
@@ -199,6 +230,9 @@ TEST(SequenceGradient, RefusesWhatItCannotTrain) {
   softmax_inside.insert(softmax_inside.begin() + 1, SoftmaxLayer{});
   EXPECT_THROW(SequenceGradient<float>{softmax_inside}, std::invalid_argument);
   EXPECT_THROW(SequenceGradient<float>{LayerStack{}}, std::invalid_argument);
+  const LayerStack softmax_last = {makeDenseStack(kInputs, {}, kOutputs)[0], SoftmaxLayer{}};
+  EXPECT_NO_THROW(SequenceGradient<float>{softmax_last});
+  EXPECT_THROW(SequenceGradient<float>(softmax_last, Loss::kEuclidean), std::invalid_argument);
   const LayerStack layers = makeDenseStack(kInputs, {4}, kOutputs);
   Random random(1);
   const Sequence sequence = randomSequence(2, random);

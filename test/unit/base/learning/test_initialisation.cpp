@@ -90,6 +90,33 @@ TEST(NetworkShape, DeepInIsBeforeTheRecurrentLayersAndDeepOutBehind) {
   EXPECT_EQ(outputSize(layers), 2);
 }
 
+TEST(NetworkShape, ActivationsAreThoseOfTheHiddenLayers) {
+  NetworkShape shape;
+  shape.deep_out = {7};
+  shape.activation = Activation::kRelu;
+  shape.candidate = Activation::kSigmoid;
+  const LayerStack layers = makeNetwork(3, shape, 2);
+  EXPECT_EQ(std::get<LstmLayer>(layers[0]).candidate, Activation::kSigmoid);
+  EXPECT_EQ(std::get<LstmLayer>(layers[1]).candidate, Activation::kSigmoid);
+  EXPECT_EQ(std::get<DenseLayer>(layers[2]).activation, Activation::kRelu);
+  EXPECT_EQ(std::get<DenseLayer>(layers[3]).activation, Activation::kIdentity);
+}
+
+TEST(NetworkShape, RefusesActivationsOfLayersThatItDoesNotHave) {
+  NetworkShape lstm;
+  lstm.activation = Activation::kRelu;
+  EXPECT_THROW(makeNetwork(3, lstm, 2), std::invalid_argument);
+  NetworkShape perceptron;
+  perceptron.kind = NetworkShape::Kind::kMlp;
+  perceptron.activation = Activation::kRelu;
+  EXPECT_NO_THROW(makeNetwork(3, perceptron, 2));
+  perceptron.candidate = Activation::kSigmoid;
+  EXPECT_THROW(makeNetwork(3, perceptron, 2), std::invalid_argument);
+  perceptron.candidate = Activation::kTanh;
+  perceptron.activation = Activation::kIdentity;  // layers without one are a single layer
+  EXPECT_THROW(makeNetwork(3, perceptron, 2), std::invalid_argument);
+}
+
 TEST(NetworkShape, RefusesWhatIsNoNetwork) {
   NetworkShape shape;
   shape.cells = {};

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "lstm_planner/base/learning/gradient.hpp"
+#include "lstm_planner/base/learning/initialisation.hpp"
+#include "tools/command_line.hpp"
+
+namespace lstm_planner {
+
+const Choices<Activation>& activations();  ///< of dense layers
+const Choices<Activation>& candidates();   ///< of LSTM layers
+const Choices<Loss>& losses();
+
+/// The thesis's alternatives inside a layer, as options of each way of training.
+void addActivationOptions(NetworkShape* shape, CommandLine* line);
+void addLossOption(Loss* loss, CommandLine* line);
+
+}  // namespace lstm_planner
