@@ -42,6 +42,9 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
   GridTrainingOptions& o = *options;
   o.command = trainCommandLine(arguments);
   addGridMapOptions(options, line);
+  line->add("dead-ends", &o.dead_ends, kAnyShare,
+            "share of the training episodes that start in a dead end, where there is one between the start and the "
+            "goal: the blind spots of thesis ch. 5");
   line->add("method", &o.method, "imitation, dagger, actor-critic or q-learning");
   line->add("network", &o.network, "lstm, rnn or mlp");
   line->add("cells", &o.shape.cells, kAnyLayer,
@@ -79,6 +82,7 @@ nlohmann::json settingsOf(const GridTrainingOptions& options) {
                              {"seed", options.seed}};
   // Named where they are not the default: checkpoints that were written before there was a choice stay readable.
   if (options.rule == PassableRule::kThesis) settings["thesis-terrain"] = true;
+  if (options.dead_ends > 0.0) settings["dead-ends"] = options.dead_ends;
   if (options.corner_cutting == CornerCutting::kAllowed) settings["corner-cutting"] = true;
   if (options.shape.activation != Activation::kTanh) {
     settings["activation"] = nameOf(options.shape.activation, activations());

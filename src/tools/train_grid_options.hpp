@@ -22,6 +22,7 @@ struct GridTrainingOptions {
   int map_size = 256;             ///< cells, of generated maps
   double min_length = 10.0;       ///< cells, of the shortest path
   double max_length = 300.0;
+  double dead_ends = 0.0;  ///< share of the training episodes that start in one
   PassableRule rule = PassableRule::kBenchmark;
   CornerCutting corner_cutting = CornerCutting::kForbidden;  ///< in training and judging
   GridEncoderParameters encoder;

@@ -49,6 +49,7 @@ void finishGridReinforcement(GridReinforcementPlan* plan, Parameters* parameters
   GridReinforcementParameters& training = plan->training;
   training.course.min_length = options.min_length;
   training.course.max_length = options.max_length;
+  training.course.dead_end_share = options.dead_ends;
   training.updates = p.updates;
   training.epochs = options.epochs;
   training.seed = p.seed = options.seed;

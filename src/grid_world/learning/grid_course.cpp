@@ -14,6 +14,13 @@ namespace {
 constexpr double kBucketWidth = 10.0;  ///< cells
 constexpr std::size_t kStartsABucket = 12;
 
+/// Cells; a start this near to the goal as the crow flies is no dead end.
+constexpr double kNearGoal = 3.0;
+
+double straightDistance(CellIndex a, CellIndex b) {
+  return std::hypot(static_cast<double>(a.column - b.column), static_cast<double>(a.row - b.row));
+}
+
 PassableGrid mirrored(const PassableGrid& grid) {
   PassableGrid result(grid.rows(), grid.columns(), false);
   for (int row = 0; row < grid.rows(); ++row) {
@@ -69,7 +76,27 @@ void validate(const GridCourseParameters& parameters) {
   checkParameter(parameters.longest <= 1e5, "longest", parameters.longest, "at most 100000 cells");
   checkParameter(parameters.short_share >= 0.0 && parameters.short_share <= 1.0, "short_share", parameters.short_share,
                  "a number in [0, 1]");
+  checkParameter(parameters.dead_end_share >= 0.0 && parameters.dead_end_share <= 1.0, "dead_end_share",
+                 parameters.dead_end_share, "a number in [0, 1]");
   checkParameter(parameters.goals >= 1, "goals", parameters.goals, "at least 1");
+}
+
+CellIndex deadEndBelow(const PassableGrid& grid, CellIndex start, CellIndex goal, CornerCutting corner_cutting) {
+  CellIndex cell = start;
+  double nearest = straightDistance(start, goal);
+  for (bool nearer = true; nearer;) {
+    nearer = false;
+    const CellIndex from = cell;
+    for (int direction = 0; direction < kGridMoveCount; ++direction) {
+      const CellIndex beside = cellBeside(from, direction);
+      const double distance = straightDistance(beside, goal);
+      if (distance >= nearest || !movePossible(grid, from, direction, corner_cutting)) continue;
+      nearest = distance;
+      cell = beside;
+      nearer = true;
+    }
+  }
+  return cell;
 }
 
 GridCourse::GridCourse(const GridCourseParameters& parameters, const std::vector<Set>& sets, std::uint64_t seed,
@@ -157,7 +184,13 @@ GridCourse::Episode GridCourse::draw(Random& random) const {
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     const auto& goal = set.goals[uniformIndex(random, set.goals.size())];
     const auto& starts = goal->starts[bucket];
-    if (!starts.empty()) return {goal, starts[uniformIndex(random, starts.size())], drawn};
+    if (starts.empty()) continue;
+    CellIndex start = starts[uniformIndex(random, starts.size())];
+    if (parameters_.dead_end_share > 0.0 && uniform(random) < parameters_.dead_end_share) {
+      const CellIndex end = deadEndBelow(goal->map->grid, start, goal->goal, parameters_.corner_cutting);
+      if (straightDistance(end, goal->goal) > kNearGoal) start = end;
+    }
+    return {goal, start, drawn};
   }
   return draw(random);
 }

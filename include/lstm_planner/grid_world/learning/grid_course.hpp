@@ -36,11 +36,18 @@ struct GridCourseParameters {
   double longest = 1500.0;    ///< cells; of those
   int goals = 600;            ///< kept at a time, over all maps
   bool mirrored = true;       ///< every map also mirrored at its diagonal
+  /// Share of the episodes that start where deadEndBelow() the drawn start is, far from the goal: in a blind spot
+  /// (thesis ch. 5), from which the path leads away from the goal at first.
+  double dead_end_share = 0.0;
   CornerCutting corner_cutting = CornerCutting::kForbidden;
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridCourseParameters& parameters);
+
+/// Where an agent ends that moves from `start` to the neighbour nearest to the goal as the crow flies, as long as one
+/// is nearer than where it is: the goal, or a dead end.
+CellIndex deadEndBelow(const PassableGrid& grid, CellIndex start, CellIndex goal, CornerCutting corner_cutting);
 
 /// Draws the episodes to learn from: maps by weight, and lengths of the shortest path uniformly in their range or, for
 /// a share of the episodes, in proportion to 1 / length: what counts in the mean of length / optimum are short paths. A

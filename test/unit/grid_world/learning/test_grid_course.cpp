@@ -56,6 +56,43 @@ TEST(GridCourse, AShareOfThePathsIsShortMoreOften) {
   EXPECT_NEAR(shareBelow20(1.0), std::log(2.0) / std::log(5.0), 0.032);
 }
 
+/// A square with a pocket that is open to the left, and the goal to the right of it.
+TEST(GridCourse, AgentsThatOnlyComeNearerEndInDeadEnds) {
+  PassableGrid grid(20, 11, true);
+  for (int row = 3; row <= 7; ++row) grid.set({12, row}, false);
+  for (int column = 8; column <= 12; ++column) {
+    grid.set({column, 3}, false);
+    grid.set({column, 7}, false);
+  }
+  const CellIndex goal{18, 5};
+  EXPECT_EQ(deadEndBelow(grid, {1, 5}, goal, CornerCutting::kForbidden), (CellIndex{11, 5}));
+  EXPECT_EQ(deadEndBelow(grid, {14, 10}, goal, CornerCutting::kForbidden), goal);
+  EXPECT_EQ(deadEndBelow(grid, goal, goal, CornerCutting::kForbidden), goal);
+}
+
+TEST(GridCourse, AShareOfTheEpisodesStartsInDeadEnds) {
+  PassableGrid comb(60, 60, true);  // walls with a gap in turn above and below
+  for (int column = 10; column < 60; column += 10) {
+    for (int row = 0; row < 60; ++row) comb.set({column, row}, (column / 10) % 2 == 0 ? row < 2 : row > 57);
+  }
+  const auto shareInDeadEnds = [&](double share) {
+    GridCourseParameters parameters = parametersFor(10, 150, 0.0);
+    parameters.dead_end_share = share;
+    const GridCourse course(parameters, {{{comb}, 1.0}}, 3, 1);
+    Random random(1);
+    int ends = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const GridCourse::Episode episode = course.draw(random);
+      const PassableGrid& grid = episode.goal->map->grid;
+      EXPECT_TRUE(std::isfinite(episode.goal->distances.at(episode.start)));
+      ends += deadEndBelow(grid, episode.start, episode.goal->goal, CornerCutting::kForbidden) == episode.start ? 1 : 0;
+    }
+    return ends / 1000.0;
+  };
+  EXPECT_LT(shareInDeadEnds(0.0), 0.1);  // a cell of a wall's side that is as near as none beside it
+  EXPECT_GT(shareInDeadEnds(1.0), 0.6);  // the others can go straight to the goal
+}
+
 TEST(GridCourse, AFewPathsAreLonger) {
   GridCourseParameters parameters = parametersFor(10, 50, 0.5);
   parameters.long_share = 0.1;
