@@ -8,6 +8,7 @@
 #include "lstm_planner/base/learning/confusion.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/learning_curve.hpp"
+#include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/learning/training_stability.hpp"
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/robot/dataset/dataset.hpp"
@@ -65,6 +66,7 @@ class DatasetTraining {
     while (!trainer.done() && !interrupted) {
       const EpochReport& report = trainer.runEpoch();
       printEpoch(report);
+      if (options_.snapshots > 0 && report.epoch % options_.snapshots == 0) writeSnapshot(state);
       bar_.show(static_cast<double>(report.epoch) / options_.training.trainer.epochs);
       if (!options_.stability.empty()) {
         stability_.push_back(measureEpoch(layers_, state, sets_.training, options_.training.trainer.threads));
@@ -145,7 +147,7 @@ class DatasetTraining {
     warnNearChance(best.kept());
     if (!stability_.empty()) std::cout << stabilityText(stability_);
     if (!isFirstRank()) return;
-    writeModel(result, best.kept());
+    writeModel(options_.output, result.layers, best.kept());
     std::cout << "wrote " << options_.output << ": " << accuracyText(best.kept().confusion) << std::endl;
     if (!options_.confusion.empty()) writeConfusion(options_.confusion, best.kept().confusion, names);
     if (!options_.stability.empty()) writeStability(options_.stability, stability_);
@@ -165,16 +167,29 @@ class DatasetTraining {
               << " of always giving the same answer: the network has not learned to steer" << std::endl;
   }
 
-  void writeModel(const TrainingResult& result, const LossSum& validation) const {
+  /// The weights of the epoch that ended last, not the averaged ones.
+  void writeSnapshot(const TrainingState& state) const {
+    if (!isFirstRank()) return;
+    const EpochReport& report = state.curve.back();
+    LayerStack layers = layers_;
+    setParameterVector(state.weights, layers);
+    const std::string epochs = std::to_string(options_.training.trainer.epochs);
+    std::ostringstream path;
+    path << options_.output.substr(0, options_.output.rfind(".onnx")) << "_epoch_" << std::setfill('0')
+         << std::setw(static_cast<int>(epochs.size())) << report.epoch << ".onnx";
+    writeModel(path.str(), layers, report.validation);
+  }
+
+  void writeModel(const std::string& path, const LayerStack& layers, const LossSum& validation) const {
     Model model;
-    model.layers = result.layers;
+    model.layers = layers;
     writeMetadata(options_.training.sequences.policy, &model.metadata);
     model.metadata["training_command"] = options_.command;
     model.metadata["score"] =
         std::to_string(stepsOf(sets_.validation_labels)) +
         " recorded validation steps: " + accuracyText(validation.confusion) +
         "; always the most frequent label: " + percentText(constantAnswerAccuracy(sets_.validation_labels));
-    writeModelFile(options_.output, model);
+    writeModelFile(path, model);
   }
 
   DatasetTrainingOptions options_;

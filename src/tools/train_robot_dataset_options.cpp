@@ -50,7 +50,10 @@ void addDataOptions(DatasetTrainingOptions* o, CommandLine* line) {
 void addNetworkOptions(DatasetTrainingOptions* o, CommandLine* line) {
   line->section("the network");
   line->addFile("init", &o->init, "model file to start from; it determines layers and inputs");
-  line->addOutput("output", &o->output, "ONNX file to write").required();
+  line->addOutput("output", &o->output, "ONNX file to write: the best epoch").required();
+  line->add("snapshots", &o->snapshots, {0, kAnyCount.most},
+            "epochs between snapshots of the weights (thesis 4.2); each is a file named after --output and the epoch; "
+            "0: no snapshots");
   addRobotNetworkOptions(&o->network, &o->encoder, line);
 }
 

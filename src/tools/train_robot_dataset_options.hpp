@@ -22,6 +22,7 @@ struct DatasetTrainingOptions {
   RobotNetworkOptions network;
   EncoderParameters encoder;  ///< of a new network; the range cap is the recordings'
   std::string output;
+  int snapshots = 0;  ///< epochs from one to the next; 0: none
   std::string curve;  ///< PNG files; empty: none
   std::string confusion;
   std::string stability;

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 
+#include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "support/picture_check.hpp"
 #include "support/tool_test.hpp"
@@ -80,6 +81,20 @@ TEST_F(TrainDatasetTool, TakesTheThesissAlternativesInsideTheLayersAndItsEuclide
   expectRefusal(data + "--cells 4 --activation relu", "no dense layer");
   expectRefusal(data + "--network rnn --candidate sigmoid", "no LSTM layer");
   expectRefusal(data + "--loss hinge", "--loss");
+}
+
+TEST_F(TrainDatasetTool, SnapshotsHoldTheWeightsOfTheirEpochs) {
+  const std::string data = "--dataset drives.dataset --cells 4 --threads 1 --snapshots 2 --averaging 0 --output ";
+  ASSERT_EQ(train(data + "model.onnx --epochs 10 --preset thesis").status, 0);
+  for (const char* name : {"model_epoch_02", "model_epoch_04", "model_epoch_10"}) {
+    EXPECT_NO_THROW(DrivePolicy::fromFile(in(std::string(name) + ".onnx"))) << name;
+  }
+  EXPECT_FALSE(exists("model_epoch_03.onnx"));
+  const auto weights = [&](const std::string& name) { return parameterVector(readModelFile(in(name)).layers); };
+  EXPECT_NE(weights("model_epoch_02.onnx"), weights("model_epoch_04.onnx"));
+  // With a constant rate a shorter training is the beginning of a longer one.
+  ASSERT_EQ(train(data + "short.onnx --epochs 4 --preset thesis").status, 0);
+  EXPECT_EQ(weights("short_epoch_4.onnx"), weights("model_epoch_04.onnx"));
 }
 
 TEST_F(TrainDatasetTool, TheSameCommandGivesTheSameModelForAnyNumberOfThreads) {
