@@ -12,6 +12,7 @@
 #include "tools/output_file.hpp"
 #include "tools/ranks.hpp"
 #include "tools/report_files.hpp"
+#include "tools/report_memory.hpp"
 #include "tools/report_thesis.hpp"
 
 namespace lstm_planner {
@@ -27,7 +28,7 @@ struct ReportOptions {
 bool readOptions(const std::vector<std::string>& arguments, ReportOptions* options) {
   CommandLine line("report",
                    "compares agents in the same scenarios, and with the thesis's tables and figures; report --thesis "
-                   "--help: the thesis's own protocol");
+                   "--help: the thesis's own protocol; report --memory-task --help: how long its networks remember");
   line.addFolder("output", &options->output, "folder for report.md, CSV files and pictures").required();
   line.add("agents", &options->agents,
            "agents: NAME or NAME=MODEL, each with ,no-shield or ,no-escape after it if you want; NAME is astar, dstar, "
@@ -74,7 +75,11 @@ void drawTrainingPicture(const ReportOptions& options, const GridComparison& com
 }  // namespace
 
 int runReport(const std::vector<std::string>& arguments) {
-  if (std::find(arguments.begin(), arguments.end(), "--thesis") != arguments.end()) return runThesisReport(arguments);
+  const auto names = [&](const char* flag) {
+    return std::find(arguments.begin(), arguments.end(), flag) != arguments.end();
+  };
+  if (names("--thesis")) return runThesisReport(arguments);
+  if (names("--memory-task")) return runMemoryReport(arguments);
   ReportOptions options;
   if (!readOptions(arguments, &options)) return 0;
   makeOutputFolder(options.output);

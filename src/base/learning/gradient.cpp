@@ -62,8 +62,24 @@ class SequenceGradient<Scalar>::Implementation {
     forward(parameters);
     sum = countAnswers();
     loss_ == Loss::kEuclidean ? addEuclidean(&sum) : addCrossEntropy(&sum);
-    if (gradient != nullptr) backward(parameters, *gradient);
+    if (gradient != nullptr) backward(parameters, nullptr, *gradient);
     return sum;
+  }
+
+  Matrix inputGradient(const Vector& parameters, const Sequence& sequence, const Matrix& factors) {
+    pack({&sequence});
+    forward(parameters);
+    if (factors.rows() != preferences().rows() || factors.cols() != layout_.columns) {
+      throw std::invalid_argument("factors are " + std::to_string(factors.rows()) + " x " +
+                                  std::to_string(factors.cols()) + ", expected " +
+                                  std::to_string(preferences().rows()) + " x " + std::to_string(layout_.columns));
+    }
+    reserveColumns(factors.rows(), layout_.columns, output_gradient_);
+    output_gradient_.leftCols(layout_.columns) = factors;
+    Vector unused = Vector::Zero(parameter_count_);
+    Matrix by_inputs;
+    backward(parameters, &by_inputs, unused);
+    return by_inputs.leftCols(layout_.columns);
   }
 
   const Matrix& preferences() const { return layers_.back()->outputs(); }
@@ -156,12 +172,13 @@ class SequenceGradient<Scalar>::Implementation {
     }
   }
 
-  void backward(const Vector& parameters, Vector& gradient) {
+  /// From output_gradient_ down; `by_inputs` are not wanted when null.
+  void backward(const Vector& parameters, Matrix* by_inputs, Vector& gradient) {
     Index own = parameter_count_;
     for (std::size_t layer = layers_.size(); layer-- > 0;) {
       own -= layers_[layer]->parameterCount();
       layers_[layer]->backward(parameters.data() + own, layout_, inputsOf(layer), output_gradient_,
-                               gradient.data() + own, layer > 0 ? &input_gradient_ : nullptr);
+                               gradient.data() + own, layer > 0 ? &input_gradient_ : by_inputs);
       output_gradient_.swap(input_gradient_);
     }
   }
@@ -221,6 +238,14 @@ Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> SequenceGradient<Scalar>::
                                                                                             const Sequence& sequence) {
   loss(parameters, {&sequence});
   return implementation_->preferences().leftCols(sequence.steps());
+}
+
+template <typename Scalar>
+Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> SequenceGradient<Scalar>::inputGradient(
+    const Vector& parameters, const Sequence& sequence,
+    const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& factors) {
+  checkParameterCount(parameters.size(), parameterCount());
+  return implementation_->inputGradient(parameters, sequence, factors);
 }
 
 template class SequenceGradient<float>;

@@ -60,6 +60,21 @@ TEST_F(MapsTool, AnUnknownKindIsRefused) {
   EXPECT_NE(outcome.output.find("caves"), std::string::npos) << "what would have been accepted: " << outcome.output;
 }
 
+TEST_F(MapsTool, ReportShowsHowLongNetworksRemember) {
+  success("report --memory-task --delays 3 5 --shown-delay 5 --sequences 64 --epochs 2 --seeds 1 --output " +
+          in("memory"));
+  const std::string report = textOf("memory/memory.md");
+  for (const char* said : {"| RNN 8 | 114 |", "| LSTM 8, bias 1 | 402 |", "spectral radius"}) {
+    EXPECT_NE(report.find(said), std::string::npos) << said << "\n" << report;
+  }
+  test::expectPicture(in("memory/sensitivity.png"), 1100, 600);
+  for (const char* name : {"figure_2_06", "figure_2_09"}) {
+    const cv::Mat picture = cv::imread(in("memory/") + name + ".png", cv::IMREAD_GRAYSCALE);
+    ASSERT_FALSE(picture.empty()) << name;
+    EXPECT_GT(cv::countNonZero(picture < 60), 1000) << name;  // at least one shade is nearly black
+  }
+}
+
 TEST_F(MapsTool, ReportComparesAgentsInTablesAndPictures) {
   success("maps --kind maze --corridor-width 4 --columns 48 --rows 48 --name it --output " + in("mazes"));
   success("report --output " + in("report") + " --scenarios " + in("mazes") +

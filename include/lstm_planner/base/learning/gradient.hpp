@@ -67,6 +67,12 @@ class SequenceGradient {
   /// Preferences before the softmax, outputs x steps, for one sequence.
   Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> preferences(const Vector& parameters, const Sequence& sequence);
 
+  /// Derivative by the inputs, inputs x steps, of the sum of the preferences times `factors` (outputs x steps), for one
+  /// sequence, whose labels are not looked at. Throws std::invalid_argument for factors of another size.
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> inputGradient(
+      const Vector& parameters, const Sequence& sequence,
+      const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& factors);
+
  private:
   class Implementation;
   std::unique_ptr<Implementation> implementation_;
