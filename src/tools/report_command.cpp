@@ -13,6 +13,7 @@
 #include "tools/ranks.hpp"
 #include "tools/report_files.hpp"
 #include "tools/report_memory.hpp"
+#include "tools/report_q_table.hpp"
 #include "tools/report_thesis.hpp"
 
 namespace lstm_planner {
@@ -28,7 +29,8 @@ struct ReportOptions {
 bool readOptions(const std::vector<std::string>& arguments, ReportOptions* options) {
   CommandLine line("report",
                    "compares agents in the same scenarios, and with the thesis's tables and figures; report --thesis "
-                   "--help: the thesis's own protocol; report --memory-task --help: how long its networks remember");
+                   "--help: the thesis's own protocol; report --memory-task --help: how long its networks remember; "
+                   "report --q-table --help: Q-learning with a table");
   line.addFolder("output", &options->output, "folder for report.md, CSV files and pictures").required();
   line.add("agents", &options->agents,
            "agents: NAME or NAME=MODEL, each with ,no-shield or ,no-escape after it if you want; NAME is astar, dstar, "
@@ -80,6 +82,7 @@ int runReport(const std::vector<std::string>& arguments) {
   };
   if (names("--thesis")) return runThesisReport(arguments);
   if (names("--memory-task")) return runMemoryReport(arguments);
+  if (names("--q-table")) return runQTableReport(arguments);
   ReportOptions options;
   if (!readOptions(arguments, &options)) return 0;
   makeOutputFolder(options.output);

@@ -75,6 +75,14 @@ TEST_F(MapsTool, ReportShowsHowLongNetworksRemember) {
   }
 }
 
+TEST_F(MapsTool, ReportComparesTablesOfValuesWithAgents) {
+  success("report --q-table --size 16 --maps 1 --starts 5 --episodes 1 50 --agents greedy --output " + in("table.md"));
+  const std::string report = textOf("table.md");
+  for (const char* said : {"| mazes | table, 50 episodes |", "| caves | greedy | - |"}) {
+    EXPECT_NE(report.find(said), std::string::npos) << said << "\n" << report;
+  }
+}
+
 TEST_F(MapsTool, ReportComparesAgentsInTablesAndPictures) {
   success("maps --kind maze --corridor-width 4 --columns 48 --rows 48 --name it --output " + in("mazes"));
   success("report --output " + in("report") + " --scenarios " + in("mazes") +
