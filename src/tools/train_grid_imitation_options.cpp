@@ -9,7 +9,8 @@ namespace lstm_planner {
 
 namespace {
 
-const Choices<OptimiserKind> kOptimisers = {{"adam", OptimiserKind::kAdam}, {"momentum", OptimiserKind::kMomentum}};
+const Choices<OptimiserKind> kOptimisers = {
+    {"adam", OptimiserKind::kAdam}, {"momentum", OptimiserKind::kMomentum}, {"adadelta", OptimiserKind::kAdaDelta}};
 const Choices<Decay> kDecays = {
     {"none", Decay::kNone}, {"l1", Decay::kL1}, {"l2", Decay::kL2Norm}, {"l2-squared", Decay::kL2Squared}};
 const Choices<GridSupervisor> kSupervisors = {{"shortest", GridSupervisor::kShortestPath},
@@ -18,10 +19,10 @@ const Choices<LearningRateSchedule> kSchedules = {{"constant", LearningRateSched
                                                   {"cosine", LearningRateSchedule::kCosine}};
 
 void addOptimiserOptions(OptimiserParameters* optimiser, CommandLine* line) {
-  line->addChoice("optimiser", &optimiser->kind, kOptimisers, "adam or momentum");
+  line->addChoice("optimiser", &optimiser->kind, kOptimisers, "adam, momentum or adadelta");
   line->add("rate", &optimiser->learning_rate, kAnyRate, "learning rate");
   line->addChoice("schedule", &optimiser->schedule, kSchedules, "schedule of the rate: constant or cosine");
-  line->add("momentum", &optimiser->momentum, kAnyShare, "rate");
+  line->add("momentum", &optimiser->momentum, kAnyShare, "momentum; of adadelta the decay of its means");
   line->addChoice("decay", &optimiser->decay, kDecays, "decay of the weights: none, l1, l2 or l2-squared");
   line->add("decay-rate", &optimiser->decay_rate, kAnyWeight, "beta");
 }

@@ -31,6 +31,8 @@ void validate(const OptimiserParameters& parameters) {
   require(isShareBelowOne(parameters.adam_beta2), "adam_beta2", parameters.adam_beta2, "a number in [0, 1)");
   require(std::isfinite(parameters.adam_epsilon) && parameters.adam_epsilon > 0.0, "adam_epsilon",
           parameters.adam_epsilon, "a positive number");
+  require(std::isfinite(parameters.adadelta_epsilon) && parameters.adadelta_epsilon > 0.0, "adadelta_epsilon",
+          parameters.adadelta_epsilon, "a positive number");
   require(isFiniteAtLeastZero(parameters.decay_rate), "decay_rate", parameters.decay_rate, "a number of at least 0");
   require(isFiniteAtLeastZero(parameters.max_gradient_norm), "max_gradient_norm", parameters.max_gradient_norm,
           "a number of at least 0");
@@ -79,10 +81,13 @@ void Optimiser::update(Eigen::VectorXf gradient, double learning_rate, Eigen::Ve
   clipToNorm(parameters_.max_gradient_norm, gradient);
   gradient += decayGradient(parameters_.decay, parameters_.decay_rate, parameters, mask_);
   ++state_.updates;
-  if (parameters_.kind == OptimiserKind::kMomentum) {
-    updateByMomentum(gradient, learning_rate, parameters);
-  } else {
-    updateByAdam(gradient, learning_rate, parameters);
+  switch (parameters_.kind) {
+    case OptimiserKind::kMomentum:
+      return updateByMomentum(gradient, learning_rate, parameters);
+    case OptimiserKind::kAdam:
+      return updateByAdam(gradient, learning_rate, parameters);
+    case OptimiserKind::kAdaDelta:
+      return updateByAdaDelta(gradient, learning_rate, parameters);
   }
 }
 
@@ -115,6 +120,18 @@ void Optimiser::updateByAdam(const Eigen::VectorXf& gradient, double learning_ra
   parameters.array() -=
       static_cast<float>(learning_rate) * mean_correction * state_.velocity.array() /
       ((square_correction * state_.squared_average.array()).sqrt() + static_cast<float>(parameters_.adam_epsilon));
+}
+
+void Optimiser::updateByAdaDelta(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters) {
+  const float rho = static_cast<float>(parameters_.momentum);
+  const float share = static_cast<float>(1.0 - parameters_.momentum);
+  const float epsilon = static_cast<float>(parameters_.adadelta_epsilon);
+  state_.squared_average = rho * state_.squared_average + share * gradient.cwiseAbs2();
+  const Eigen::VectorXf update =
+      (gradient.array() * ((state_.velocity.array() + epsilon) / (state_.squared_average.array() + epsilon)).sqrt())
+          .matrix();
+  state_.velocity = rho * state_.velocity + share * update.cwiseAbs2();
+  parameters -= static_cast<float>(learning_rate) * update;
 }
 
 }  // namespace lstm_planner

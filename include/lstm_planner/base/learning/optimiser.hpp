@@ -16,6 +16,9 @@ enum class Decay {
 enum class OptimiserKind {
   kMomentum,  ///< gradient descent with momentum (thesis Eq. 3.13-3.14)
   kAdam,      ///< Kingma and Ba, "Adam: A Method for Stochastic Optimization", ICLR 2015, algorithm 1
+  /// Zeiler, "ADADELTA: An Adaptive Learning Rate Method", 2012, algorithm 1, its updates times the learning rate as in
+  /// Caffe: what the thesis's own program learned by.
+  kAdaDelta,
 };
 
 enum class LearningRateSchedule {
@@ -27,10 +30,11 @@ struct OptimiserParameters {
   OptimiserKind kind = OptimiserKind::kAdam;
   double learning_rate = 0.005;  ///< alpha, > 0
   LearningRateSchedule schedule = LearningRateSchedule::kCosine;
-  double momentum = 0.95;      ///< mu, in [0, 1); kMomentum only
-  double adam_beta1 = 0.9;     ///< decay of the mean of gradients, in [0, 1)
-  double adam_beta2 = 0.999;   ///< decay of the mean of squared gradients, in [0, 1)
-  double adam_epsilon = 1e-8;  ///< > 0
+  double momentum = 0.95;          ///< in [0, 1); kMomentum: mu; kAdaDelta: rho, decay of its two means
+  double adam_beta1 = 0.9;         ///< decay of the mean of gradients, in [0, 1)
+  double adam_beta2 = 0.999;       ///< decay of the mean of squared gradients, in [0, 1)
+  double adam_epsilon = 1e-8;      ///< > 0
+  double adadelta_epsilon = 1e-6;  ///< > 0
   Decay decay = Decay::kNone;
   double decay_rate = 1e-5;      ///< beta, >= 0
   double max_gradient_norm = 1;  ///< gradients of the error (without decay) longer than this are shortened; 0: never
@@ -62,8 +66,8 @@ class Optimiser {
 
   /// What the next update depends on besides its arguments.
   struct State {
-    Eigen::VectorXf velocity;         ///< kMomentum: v; kAdam: mean of gradients
-    Eigen::VectorXf squared_average;  ///< kAdam
+    Eigen::VectorXf velocity;         ///< kMomentum: v; kAdam: mean of gradients; kAdaDelta: mean of squared updates
+    Eigen::VectorXf squared_average;  ///< kAdam, kAdaDelta: mean of squared gradients
     long updates = 0;
   };
   const State& state() const { return state_; }
@@ -73,6 +77,7 @@ class Optimiser {
  private:
   void updateByMomentum(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters);
   void updateByAdam(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters);
+  void updateByAdaDelta(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters);
 
   OptimiserParameters parameters_;
   Eigen::VectorXf mask_;

@@ -48,6 +48,22 @@ TEST(Optimiser, AdamFollowsTheHandCalculation) {
   EXPECT_NEAR(weights[1], 1.2, 1e-6);
 }
 
+TEST(Optimiser, AdaDeltaFollowsTheHandCalculation) {
+  OptimiserParameters parameters;
+  parameters.kind = OptimiserKind::kAdaDelta;
+  parameters.momentum = 0.75;
+  parameters.adadelta_epsilon = 1.0;
+  parameters.max_gradient_norm = 0.0;
+  Optimiser optimiser(parameters, vector({1}));
+  Eigen::VectorXf weights = vector({1});
+  optimiser.update(vector({2}), 0.5, weights);
+  // Squared gradients 0.25 * 4 = 1; update 2 sqrt(1 / 2) = 1.41421; squared updates 0.25 * 2 = 0.5.
+  EXPECT_NEAR(weights[0], 1.0 - 0.5 * std::sqrt(2.0), 1e-6);
+  optimiser.update(vector({-2}), 0.5, weights);
+  // Squared gradients 0.75 + 1 = 1.75; update -2 sqrt(1.5 / 2.75).
+  EXPECT_NEAR(weights[0], 1.0 - 0.5 * std::sqrt(2.0) + std::sqrt(1.5 / 2.75), 1e-6);
+}
+
 TEST(Optimiser, DecayPullsWeightsTowardsZeroAndLeavesBiasesAlone) {
   const Eigen::VectorXf weights = vector({3, -4, 0, 7});
   const Eigen::VectorXf mask = vector({1, 1, 1, 0});

@@ -209,7 +209,7 @@ TEST(Trainer, AccuracyOfAnEpochIsTheMeanOverItsBatches) {
 }
 
 TEST(Trainer, GoesOnAfterABreakAsIfThereHadBeenNone) {
-  for (const OptimiserKind kind : {OptimiserKind::kMomentum, OptimiserKind::kAdam}) {
+  for (const OptimiserKind kind : {OptimiserKind::kMomentum, OptimiserKind::kAdam, OptimiserKind::kAdaDelta}) {
     TrainerParameters parameters;
     parameters.epochs = 6;
     parameters.batch_size = 40;
