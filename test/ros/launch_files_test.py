@@ -93,7 +93,7 @@ class LaunchFiles(unittest.TestCase):
         for name in names:
             config = load("navigation.launch", "robot:=" + name)
             self.check(config)
-            has_corners = "/move_base/SteeringController/footprint" in config.params
+            has_corners = self.parameter(config, "/move_base/SteeringController/footprint") != ""
             shape = "footprint" if has_corners else "footprint_radius"
             own = self.parameter(config, "/move_base/SteeringController/" + shape)
             self.assertEqual(self.parameter(config, "/move_base/LstmGlobalPlanner/shield/" + shape), own, name)
