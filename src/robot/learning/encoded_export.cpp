@@ -24,7 +24,7 @@ void writeRows(const std::vector<std::vector<Sequence>>& episodes, std::ostream&
     const Sequence& told = episodes.front()[episode];
     for (Eigen::Index step = 0; step < told.steps(); ++step) {
       out << episode << ',' << step;
-      for (const float input : told.inputs.col(step)) out << ',' << input;
+      for (Eigen::Index row = 0; row < told.inputs.rows(); ++row) out << ',' << told.inputs(row, step);
       for (const std::vector<Sequence>& labelled : episodes) out << ',' << labelled[episode].labels[step];
       out << '\n';
     }

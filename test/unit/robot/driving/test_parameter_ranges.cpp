@@ -44,12 +44,13 @@ void expectRanges(const VisitAll& visit_all) {
   EXPECT_EQ(complaintAbout(Parameters{}), "");
   std::vector<Number> numbers;
   Parameters defaults;
-  visit_all(defaults, [&](const std::string& name, auto& value, Range range, const char*, const char*) {
-    if constexpr (kIsNumber<std::decay_t<decltype(value)>>) {
-      EXPECT_TRUE(range.contains(value)) << name;
-      numbers.push_back({name, range.least, range.most});
-    }
-  });
+  visit_all(defaults,
+            [&](const std::string& name, auto& value, [[maybe_unused]] Range range, const char*, const char*) {
+              if constexpr (kIsNumber<std::decay_t<decltype(value)>>) {
+                EXPECT_TRUE(range.contains(value)) << name;
+                numbers.push_back({name, range.least, range.most});
+              }
+            });
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const Number& number : numbers) {
     for (const double wrong : {std::nan(""), kInfinity, -kInfinity, 1e300, -1e300, number.least - 1.0,
