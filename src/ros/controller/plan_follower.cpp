@@ -132,7 +132,12 @@ void PlanFollower::perceive(const SensorReading& reading, const ros::Time& now) 
   }
   if (costmap_.isUsed()) {
     const Pose2 costmap_from_odometry = frames_.transform(costmap_.frame(), reading.odometry_frame, now);
-    shield_.add(costmap_.read(compose(costmap_from_odometry, reading.scan_pose), seen_.obstacles));
+    // Cells around what is known to the centimetre would only make it larger.
+    known_ = seen_.obstacles;
+    if (!shield_.footprint().isCircle()) {
+      known_.insert(known_.end(), out_of_view_.points().begin(), out_of_view_.points().end());
+    }
+    shield_.add(costmap_.read(compose(costmap_from_odometry, reading.scan_pose), known_));
   }
 }
 

@@ -101,7 +101,11 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
 void PlanMaker::perceive(const SensorReading& reading) {
   fromMessage(*reading.scan, &scan_);
   agent_.perceive(scan_, reading.mount, compose(global_from_odometry_, reading.scan_pose), reading.scan_stamp);
-  if (costmap_.isUsed()) agent_.mark(costmap_.read(agent_.situation().pose, agent_.situation().obstacles));
+  if (!costmap_.isUsed()) return;
+  // Cells around what is known to the centimetre would only make it larger.
+  known_ = agent_.outOfView();
+  known_.insert(known_.end(), agent_.situation().obstacles.begin(), agent_.situation().obstacles.end());
+  agent_.mark(costmap_.read(agent_.situation().pose, known_));
 }
 
 GoalTracker::Verdict PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {

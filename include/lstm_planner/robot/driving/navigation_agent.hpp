@@ -92,6 +92,8 @@ class NavigationAgent {
   /// What was decided last.
   const Decision& decision() const { return decision_; }
   const Situation& situation() const { return situation_; }  ///< that was perceived last
+  /// What left the field of view near a robot with corners, base frame, m (OutOfView); none of a round one.
+  std::vector<Point2> outOfView() const { return out_of_view_ ? out_of_view_->points() : std::vector<Point2>(); }
   const Point2& goal() const { return goal_; }
   const Shield& shield() const { return shield_; }  ///< shows what was perceived, or decided about, last
   /// Where obstacles are remembered; none where nothing is to be remembered. To be drawn: this is slow.

@@ -66,7 +66,8 @@ class PlanFollower {
   CostmapReader costmap_;
   PathTracker tracker_;
   Shield shield_;
-  OutOfView out_of_view_;  ///< of a robot with corners
+  OutOfView out_of_view_;      ///< of a robot with corners
+  std::vector<Point2> known_;  ///< returns of this scan and of earlier ones, base frame, m
 
   ros::Time plan_time_;  ///< when the plan was set
   std::string plan_frame_;

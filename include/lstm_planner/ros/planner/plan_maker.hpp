@@ -76,6 +76,7 @@ class PlanMaker {
   FrameTransformer frames_;
   SensorListener sensors_;
   CostmapReader costmap_;
+  std::vector<Point2> known_;  ///< returns of this scan and of earlier ones, base frame, m
   GoalListener goals_;
   GoalTracker tracker_;
   MarkerPublisher markers_;
