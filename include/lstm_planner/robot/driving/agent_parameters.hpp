@@ -99,56 +99,56 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   visit("goal_tolerance", agent.goal_tolerance, {0.01, 10.0}, "m",
         "nearer to the goal than this the robot has arrived; not more than the controller's position_tolerance");
   visit("goal_in_sight", agent.goal_in_sight, {0.0, 100.0}, "m",
-        "a goal that is nearer than this is driven to directly when the straight path is free");
+        "the robot drives straight to a goal that is nearer than this, if the straight path is free");
   visit("goal_drift", agent.goal_drift, {0.0, 0.9}, "",
         "share of the distance driven by which odometry may be wrong: a goal that turns out to lie in, or behind, an "
         "obstacle counts as reached from that far away; 0 where something localises the robot");
   auto& step = agent.step;
   visit("step/length", step.length, {0.05, 5.0}, "m",
-        "to the waypoint; a step is over when the robot has moved that far; the model's");
-  visit("step/turn", step.turn, {0.01, 2.0 * M_PI}, "rad", "a step is over when the robot has turned that far");
+        "distance to the waypoint; a step ends when the robot has moved this far; must be that of the model");
+  visit("step/turn", step.turn, {0.01, 2.0 * M_PI}, "rad", "a step ends when the robot has turned this far");
   visit("step/period", step.period, {0.01, 60.0}, "s",
-        "a step is over after this time if the robot has moved at all (thesis: 2 Hz)");
-  visit("step/reached", step.reached, {0.001, 1.0}, "m", "a step is over when the robot is this near to the waypoint");
+        "a step ends after this time if the robot has moved at all (thesis: 2 Hz)");
+  visit("step/reached", step.reached, {0.001, 1.0}, "m", "a step ends when the robot is this near to the waypoint");
   visit("step/stall", step.stall, {0.01, 600.0}, "s",
-        "a robot that stands still for longer looks around; shorter gives up tight passages sooner");
+        "a robot that stands still for longer than this looks around; a smaller value gives up tight passages sooner");
   visit("step/still_distance", step.still_distance, {1e-4, 1.0}, "m",
         "a robot that moves less than this, and turns less than step/still_turn, stands still");
   visit("step/still_turn", step.still_turn, {1e-4, M_PI}, "rad",
-        "see step/still_distance; above the noise of the odometry");
+        "see step/still_distance; must be larger than the noise of the odometry");
   visit("shield/enabled", agent.shield_enabled, {}, "",
-        "removes the actions that would hit something seen; false only in simulation");
+        "remove the actions that would hit something seen; set false only in simulation");
   auto& shield = agent.shield;
-  visit(
-      "shield/footprint_radius", shield.footprint_radius, {0.02, 5.0}, "m",
-      "of the circle around everything that can touch (half the Create 2's diameter); not used with shield/footprint");
+  visit("shield/footprint_radius", shield.footprint_radius, {0.02, 5.0}, "m",
+        "radius of the circle around all parts of the robot (half the Create 2's diameter); not used if "
+        "shield/footprint is set");
   visit("shield/footprint", shield.footprint, {}, "m",
         "corners [[x, y], ...] of a robot that is not round, around the origin of its base frame; empty: it is round");
   visit("shield/clearance", shield.clearance, {0.0, 5.0}, "m",
-        "kept between the footprint and every return where there is room; more is calmer, less fits through narrower "
-        "doors");
+        "distance kept between the footprint and every return where there is room; more is calmer, less passes "
+        "narrower doors");
   visit("shield/tight_clearance", shield.tight_clearance, {0.0, 5.0}, "m",
-        "kept where there is no path with shield/clearance; not less than the controller's safety_margin");
+        "distance kept where no path has shield/clearance; at least the controller's safety_margin");
   visit("shield/shortest_step", shield.shortest_step, {0.002, 5.0}, "m",
         "an action with less free space than this is removed");
-  visit("shield/reach", shield.reach, {0.1, 100.0}, "m",
-        "returns farther away are not looked at; longer takes more time, shorter follows boundaries for longer");
+  visit(
+      "shield/reach", shield.reach, {0.1, 100.0}, "m",
+      "returns farther away are ignored; a larger value takes more time, a smaller one follows boundaries for longer");
   auto& memory = agent.memory;
   visit("memory/enabled", memory.enabled, {}, "",
         "false: nothing is remembered, and without progress boundaries are followed");
   visit("memory/resolution", memory.resolution, {0.01, 1.0}, "m",
-        "of the memory; finer for small robots (0.29 footprint radii), or paths would lead through walls");
+        "side of a square of the memory; at most 0.29 footprint radii, or paths would lead through walls");
   visit("memory/width", memory.width, {4.0, 1000.0}, "m",
         "side of the square around the robot in which obstacles are remembered; larger finds longer paths, and takes "
         "more memory and time; at most 2000 times the resolution");
   visit("memory/reach", memory.reach, {0.1, 100.0}, "m",
         "returns farther away are not remembered: they are too far apart to be walls");
-  visit(
-      "memory/comfort", memory.comfort, {0.0, 5.0}, "m",
-      "kept between the footprint and obstacles by paths where there is room; more suits controllers that follow less "
-      "exactly, and takes more time");
+  visit("memory/comfort", memory.comfort, {0.0, 5.0}, "m",
+        "distance that paths keep between the footprint and obstacles where there is room; more suits controllers that "
+        "follow paths less exactly, and takes more time");
   visit("memory/tightness", memory.tightness, {1.0, 100.0}, "",
-        "how many times its length a path counts where there is less room than shield/clearance; more makes longer "
+        "factor on the length of a path where there is less room than shield/clearance; a larger value prefers longer "
         "paths around tight places");
   auto& escape = agent.escape;
   visit("escape/enabled", escape.enabled, {}, "", "false: the robot may stay in a dead end forever");
@@ -156,23 +156,26 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
         "steps without a new best distance to the goal before the path through what is remembered leads instead of "
         "the network; fewer leaves dead ends sooner, and gives the network less freedom");
   visit("escape/patience_distance", escape.patience_distance, {0.1, 1e5}, "m",
-        "driven without a new best distance, with the same effect");
+        "distance driven without a new best distance, with the same effect");
   visit("escape/last_resort", escape.last_resort, {1.0, 1e6}, "",
-        "times that patience before boundaries are followed instead");
+        "after this many times that patience boundaries are followed instead");
   visit("escape/progress", escape.progress, {0.01, 100.0}, "m",
-        "a distance to the goal that is shorter than ever by this much is a new best");
+        "a distance to the goal is a new best if it is shorter by this much than all before");
   visit("escape/follow_step", escape.follow_step, {0.05, 5.0}, "m",
-        "to the waypoint while following a boundary; shorter follows corners more closely, and slower");
-  visit("escape/probe_angle", escape.probe_angle, {0.01, 0.78}, "rad", "between probed directions (5 degrees)");
+        "distance to the waypoint while a boundary is followed; shorter follows corners more closely, and slower");
+  visit("escape/probe_angle", escape.probe_angle, {0.01, 0.78}, "rad",
+        "angle between two probed directions (5 degrees)");
   visit("escape/wall_turn", escape.wall_turn, {0.01, 3.14}, "rad",
-        "how far back towards the boundary the probing starts (100 degrees)");
+        "angle back towards the boundary at which the probing starts (100 degrees)");
   visit("escape/leave_margin", escape.leave_margin, {0.01, 100.0}, "m",
-        "the boundary is left when the robot is nearer to the goal by this much than where it met the boundary");
+        "the robot leaves the boundary when it is nearer to the goal by this much than where it met the boundary");
   visit("escape/first_leg", escape.first_leg, {0.1, 1e5}, "m",
-        "of boundary before the robot turns back for the first time; doubles each time; longer suits large obstacles");
+        "length of boundary after which the robot turns back for the first time; doubles each time; longer suits large "
+        "obstacles");
   visit("escape/loop_tolerance", escape.loop_tolerance, {0.01, 100.0}, "m",
-        "nearer than this to where the boundary was met the loop is closed; more than the drift of the odometry");
-  visit("escape/loop_length", escape.loop_length, {0.1, 1e5}, "m", "a shorter loop does not count");
+        "a loop is closed when the robot is nearer than this to where it met the boundary; must be more than the drift "
+        "of the odometry");
+  visit("escape/loop_length", escape.loop_length, {0.1, 1e5}, "m", "a loop that is shorter than this does not count");
 }
 
 /// Of the shield. Throws std::invalid_argument as footprintOf() for two parameters.

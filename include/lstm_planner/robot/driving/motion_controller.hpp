@@ -41,38 +41,39 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
         "largest forward speed (a Create 2 really reaches 0.33); a slower robot stops in less space");
   visit("max_angular", motion.max_angular, {0.01, 20.0}, "rad/s", "largest turning speed");
   visit("max_wheel_speed", motion.max_wheel_speed, {0.01, 20.0}, "m/s",
-        "the base limits each wheel to it by itself, which bends the path: commands stay below");
+        "largest speed of a wheel; commands stay below it, because a base that limits each wheel by itself bends the "
+        "path");
   visit("axle_length", motion.axle_length, {0.01, 5.0}, "m", "between the wheels");
   visit("linear_acceleration", motion.linear_acceleration, {0.01, 50.0}, "m/s^2",
-        "of speeding up and braking; not more than the robot can brake with");
+        "acceleration and deceleration; at most what the robot can brake with");
   visit("lookahead", motion.lookahead, {0.01, 20.0}, "m",
-        "along the plan to the point that the robot steers to; longer is smoother and cuts corners");
+        "distance along the plan to the point that the robot steers to; longer is smoother and cuts corners");
   visit("nearest_target", motion.nearest_target, {0.001, 5.0}, "m",
         "points of the plan that are nearer than this are not steered to");
   visit("turn_in_place", motion.turn_in_place, {0.01, 4.0}, "rad",
         "with a larger heading error the robot turns in place; smaller follows the plan more exactly and stops more "
         "often");
   visit("heading_gain", motion.heading_gain, {0.01, 100.0}, "rad/s",
-        "of turning for each rad of heading error; larger turns faster and overshoots with a slow odometry");
+        "turning speed for each rad of heading error; larger turns faster and overshoots with a slow odometry");
   visit("reaction_time", motion.reaction_time, {0.001, 10.0}, "s",
-        "from a measurement to the motion of the wheels, the driver's loop included; longer stops earlier");
+        "time from a measurement to the motion of the wheels, with the driver's loop; longer stops earlier");
   visit("safety_margin", motion.safety_margin, {0.001, 5.0}, "m",
-        "kept between the footprint and every return; at least three times the noise of the scanner");
+        "distance kept between the footprint and every return; at least three times the noise of the scanner");
   visit("slow_gap", motion.slow_gap, {0.001, 20.0}, "m",
         "the robot slows down where its path leads nearer to an obstacle than this; larger is calmer and slower");
   visit("slow_speed", motion.slow_speed, {0.001, 10.0}, "m/s",
-        "towards an obstacle that it nearly touches; max_linear: it never slows down");
+        "speed towards an obstacle that the robot nearly touches; max_linear: it never slows down");
   visitMovingParameters(motion.moving, visit);
   visit("person_speed", motion.person_speed, {0.01, 20.0}, "m/s",
-        "at which what moves may come towards the robot; faster stops earlier and waits longer");
+        "speed at which something that moves may come towards the robot; faster stops earlier and waits longer");
   visit("person_margin", motion.person_margin, {0.001, 10.0}, "m",
-        "between what moves and the footprint: the robot stands before it is nearer");
+        "distance between something that moves and the footprint: the robot stands before it is nearer");
   visit("person_slow_speed", motion.person_slow_speed, {0.0, 10.0}, "m/s",
-        "at most beside somebody who walked and stands now; larger passes sooner, 0 waits for moving/remember");
+        "largest speed beside somebody who walked and stands now; larger passes sooner, 0 waits for moving/remember");
   visit("position_tolerance", motion.position_tolerance, {0.001, 10.0}, "m",
         "nearer to the goal than this the robot has arrived; not less than the planner's goal_tolerance");
   visit("heading_tolerance", motion.heading_tolerance, {0.001, 10.0}, "rad",
-        "from the goal's heading; pi or more: every heading is accepted");
+        "difference from the goal's heading; pi or more: every heading is accepted");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

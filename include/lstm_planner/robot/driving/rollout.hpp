@@ -21,9 +21,9 @@ struct RolloutParameters {
 template <typename Parameters, typename Visitor>
 void visitRolloutParameters(Parameters& rollout, const Visitor& visit) {
   visit("rollout/spacing", rollout.spacing, {0.01, 0.5}, "m",
-        "between poses; about the costmap's resolution: move_base drops the start of a sparse plan");
+        "distance between poses; about the costmap's resolution, because move_base drops the start of a sparse plan");
   visit("rollout/steps", rollout.steps, {0, 100}, "",
-        "steps beyond the waypoint, through free space that the scan shows; more makes the plan smoother");
+        "number of steps beyond the waypoint, through free space that the scan shows; more makes the plan smoother");
 }
 
 /// A plan has no more poses than this, however far away the goal is: 1.5 MB as messages.

@@ -28,24 +28,24 @@ struct MovingReturnsParameters {
 /// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitMovingParameters(Parameters& moving, const Visitor& visit) {
-  visit("moving/range", moving.range, {0.1, 100.0}, "m", "farther returns are not looked at");
+  visit("moving/range", moving.range, {0.1, 100.0}, "m", "returns farther away are ignored");
   visit("moving/youngest", moving.youngest, {0.001, 10.0}, "s",
-        "age of the newest scan that is compared with: it takes so long to notice the fastest motion");
+        "age of the newest scan for the comparison: the fastest motion is noticed after this time");
   visit("moving/oldest", moving.oldest, {0.001, 10.0}, "s",
-        "age of the oldest scan that is compared with; longer notices slower motion and keeps more scans");
-  visit(
-      "moving/range_margin", moving.range_margin, {0.001, 10.0}, "m",
-      "behind a return that an earlier scan must have seen free; larger notices later, smaller takes noise for motion");
+        "age of the oldest scan for the comparison; longer notices slower motion and keeps more scans");
+  visit("moving/range_margin", moving.range_margin, {0.001, 10.0}, "m",
+        "distance behind a return that an earlier scan must have seen free; larger notices later, smaller takes noise "
+        "for motion");
   visit("moving/lateral_margin", moving.lateral_margin, {0.001, 10.0}, "m",
-        "beside a return that must have been seen free");
+        "distance beside a return that must have been seen free");
   visit("moving/angle_margin", moving.angle_margin, {1e-4, 1.0}, "rad",
-        "beside a return that must have been seen free; larger for an odometry that turns badly");
+        "angle beside a return that must have been seen free; larger for an odometry with wrong turns");
   visit("moving/fewest_beams", moving.fewest_beams, {1, 10000}, "",
-        "neighbouring beams that must agree; fewer notice thinner things, and take more noise for motion");
+        "number of neighbouring beams that must agree; fewer notice thinner things, and take more noise for motion");
   visit("moving/hold", moving.hold, {0.0, 600.0}, "s",
-        "that a thing counts as moving after its last motion; then it counts as resting");
+        "time for which a thing counts as moving after its last motion; then it counts as resting");
   visit("moving/remember", moving.remember, {0.0, 600.0}, "s",
-        "that a thing counts as resting after its last motion; then it counts as a wall");
+        "time for which a thing counts as resting after its last motion; then it counts as a wall");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

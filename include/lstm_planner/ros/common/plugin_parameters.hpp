@@ -75,8 +75,8 @@ void visitGlobalPlannerParameters(Parameters& planner, const Visitor& visit) {
   visitAgentParameters(planner.agent, visit);
   visitRolloutParameters(planner.rollout, visit);
   visit("use_costmap", planner.use_costmap, {}, "",
-        "whether obstacles of move_base's costmap that the scan does not show count, too");
-  visit("trace_length", planner.trace_length, {0, 100000}, "", "poses of the trace that the markers show");
+        "use obstacles of move_base's costmap that the scan does not show, too");
+  visit("trace_length", planner.trace_length, {0, 100000}, "", "number of poses of the trace in the markers");
 }
 
 template <typename Parameters, typename Visitor>
@@ -86,11 +86,11 @@ void visitSteeringControllerParameters(Parameters& controller, const Visitor& vi
   visit("plan_timeout", controller.plan_timeout, {0.0, 3600.0}, "s",
         "the robot stops when the plan is older; several periods of the planner; 0: never");
   visit("footprint_radius", controller.footprint_radius, {0.02, 5.0}, "m",
-        "of the circle around everything that can touch; larger keeps farther off and fits through less");
+        "radius of the circle around all parts of the robot; larger keeps farther off and passes fewer gaps");
   visit("footprint", controller.footprint, {}, "m",
         "corners [[x, y], ...] of a robot that is not round, in place of footprint_radius; empty: it is round");
   visit("use_costmap", controller.use_costmap, {}, "",
-        "whether obstacles of move_base's costmap that the scan does not show count, too");
+        "use obstacles of move_base's costmap that the scan does not show, too");
 }
 
 /// Both read the namespace of `node_handle`, warn of parameters there that are not known, and throw
