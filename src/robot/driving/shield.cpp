@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "robot/driving/footprint_sweep.hpp"
 #include "robot/driving/shield_groups.hpp"
 
 namespace lstm_planner {
@@ -107,9 +106,7 @@ void Shield::showNear(const Point2* obstacles, std::size_t count) {
 double Shield::blur(const Point2& from) const { return 1e-6 * (1.0 + reach_ + std::abs(from.x) + std::abs(from.y)); }
 
 double Shield::freeDistance(const Point2& from, double direction, double limit, double clearance) const {
-  if (!footprint_.isCircle()) {
-    return sweep(FootprintSweep::straight(footprint_, false), {from.x, from.y, direction}, limit, clearance);
-  }
+  if (!footprint_.isCircle()) return freeArc({from.x, from.y, direction}, 0.0, limit, clearance);
   const double c = std::cos(direction);
   const double s = std::sin(direction);
   const double wanted = footprint_radius_ + clearance;
@@ -167,9 +164,7 @@ double Shield::freeDistance(const Point2& from, double direction, double limit, 
 }
 
 double Shield::gap(const Point2& from) const {
-  if (!footprint_.isCircle()) {
-    return sweepGap(FootprintSweep::straight(footprint_, false), {from.x, from.y, 0.0}, 0.0);
-  }
+  if (!footprint_.isCircle()) return arcGap({from.x, from.y, 0.0}, 0.0, 0.0);
   return nearest(from) - footprint_radius_;
 }
 
