@@ -51,14 +51,17 @@ TEST_F(MotionWithCorners, TurnsInPlaceWhereThereIsRoom) {
 }
 
 TEST_F(MotionWithCorners, TurnsTheOtherWayRoundWhereACornerWouldHitSomething) {
-  // Beside its left front corner: it may turn to the right, all the way round to the plan at the left.
-  shield_.show({{0.15, 0.28}});
-  const double room = shield_.freeTurn({}, 2.5, kMargin);
-  ASSERT_LT(room, 2.0);
-  const MotionCommand command = compute(planAlong({{0.0, 0.0}, {-3.0, 2.2}}));
+  // Behind a Waffle's axle are its farthest corners, 0.251 m away at +-2.53 rad; the post is 0.23 m away at 2.18 rad.
+  // To the right one of them is there within 0.35 rad, to the left the other one only after 4.71 rad: both less the
+  // width of the post with the margin. The plan lies 2 rad to the right, or 4.28 rad to the left.
+  shield_ = Shield(Footprint({{-0.205, -0.145}, {-0.205, 0.145}, {0.077, 0.145}, {0.077, -0.145}}), kMargin, 4.0);
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, pointAlong(Point2{}, -2.0, 3.0)});
+  EXPECT_LT(compute(plan).angular, 0.0);
+  shield_.show({pointAlong(Point2{}, 2.18, 0.23)});
+  ASSERT_LT(shield_.freeTurn({}, -2.0, kMargin), 0.35);
+  const MotionCommand command = compute(plan);
   EXPECT_EQ(command.linear, 0.0);
-  const double other = shield_.freeTurn({}, -4.0, kMargin);
-  EXPECT_EQ(command.angular < 0.0, other >= 2.0 * M_PI - 2.5 - 0.1);
+  EXPECT_GT(command.angular, 0.0);
 }
 
 /// Posts so near to both sides that no corner gets past them.
