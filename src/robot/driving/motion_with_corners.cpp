@@ -21,12 +21,21 @@ constexpr double kNarrower[] = {0.7, 0.45, 0.2, 0.0};
 
 double slowSpeed(const MotionParameters& parameters) { return std::min(parameters.slow_speed, parameters.max_linear); }
 
+/// The fastest share of a motion that `isFine(twist)`, none where not even the slowest is.
+template <typename IsFine>
+std::optional<Twist2> fastestShare(const Twist2& wanted, const IsFine& isFine) {
+  for (const double share : kShares) {
+    const Twist2 twist{share * wanted.linear, share * wanted.angular};
+    if (isFine(twist)) return twist;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 MotionCommand MotionController::driveWithCorners(const Twist2& wanted, double error, const Moment& now) const {
   StopReason stop = StopReason::kNone;
-  const bool goes_back = now.history.goes_back;
-  if (goes_back) return makeRoom(error, now);
+  if (now.history.goes_back) return makeRoom(error, now);
   const double speed = fastest(wanted, now, &stop);
   if (speed >= kSlowest || speed >= wanted.linear - kCreep) return {withinWheelLimits({speed, wanted.angular}), stop};
   const bool heads_there = std::abs(error) < kLeastTurn;
@@ -35,14 +44,13 @@ MotionCommand MotionController::driveWithCorners(const Twist2& wanted, double er
 }
 
 MotionCommand MotionController::turnWithCorners(double error, const Moment& now) const {
-  const bool goes_back = now.history.goes_back;
   const double room = now.shield.freeTurn({}, error, parameters_.safety_margin);
   if (room >= std::abs(error) - kTurnSlack) return {{0.0, turningSpeed(error, now)}, StopReason::kNone};
   const double other = error - std::copysign(2.0 * M_PI, error);
   if (now.shield.freeTurn({}, other, parameters_.safety_margin) >= std::abs(other) - kTurnSlack) {
     return {{0.0, turningSpeed(other, now)}, StopReason::kNone};
   }
-  if (!goes_back && std::abs(error) < M_PI_2) {
+  if (!now.history.goes_back && std::abs(error) < M_PI_2) {
     const double angular = clampMagnitude(parameters_.heading_gain * error, parameters_.max_angular);
     for (const double share : kNarrower) {
       StopReason stop = StopReason::kNone;
@@ -62,12 +70,10 @@ MotionCommand MotionController::makeRoom(double error, const Moment& now) const 
     if (const std::optional<MotionCommand> back = goBack(now)) return *back;
   }
   if (room >= kLeastTurn) return {{0.0, turningSpeed(std::copysign(room, error), now)}, StopReason::kNone};
-  for (const double share : kShares) {
-    const Twist2 out{share * slowSpeed(parameters_), 0.0};
-    const bool waits = yieldingSpeed(out, now.persons) < out.linear;
-    if (!waits && isSafe(out, parameters_.safety_margin, now)) return {out, StopReason::kNone};
-  }
-  return {{}, StopReason::kObstacle};
+  const auto out = fastestShare({slowSpeed(parameters_), 0.0}, [&](const Twist2& twist) {
+    return yieldingSpeed(twist, now.persons) >= twist.linear && isSafe(twist, parameters_.safety_margin, now);
+  });
+  return out ? MotionCommand{*out, StopReason::kNone} : MotionCommand{{}, StopReason::kObstacle};
 }
 
 std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
@@ -81,22 +87,21 @@ std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
     wanted = {-slowSpeed(parameters_), 0.0};
     wanted.angular = clampMagnitude(wanted.linear * 2.0 * back.y / (away * away), parameters_.max_angular);
   }
-  for (const double share : kShares) {
-    const Twist2 twist = withinWheelLimits({share * wanted.linear, share * wanted.angular});
+  const auto twist = fastestShare(wanted, [&](const Twist2& share) {
+    const Twist2 limited = withinWheelLimits(share);
     // Not beyond that place: it came there from elsewhere.
-    const double length = std::abs(twist.linear) * (reaction_time_ + 0.5 * brakingTime(twist));
-    if (length <= away + kTurnsOnly && isSafe(twist, kWhereItWas * parameters_.safety_margin, now))
-      return MotionCommand{twist, StopReason::kNone, true};
-  }
-  return std::nullopt;
+    const double length = std::abs(limited.linear) * (reaction_time_ + 0.5 * brakingTime(limited));
+    return length <= away + kTurnsOnly && isSafe(limited, kWhereItWas * parameters_.safety_margin, now);
+  });
+  if (!twist) return std::nullopt;
+  return MotionCommand{withinWheelLimits(*twist), StopReason::kNone, true};
 }
 
 double MotionController::turningSpeed(double angle, const Moment& now) const {
   const double wanted = clampMagnitude(parameters_.heading_gain * angle, parameters_.max_angular);
-  for (const double share : kShares) {
-    if (isSafe({0.0, share * wanted}, parameters_.safety_margin, now)) return share * wanted;
-  }
-  return 0.0;
+  const auto twist =
+      fastestShare({0.0, wanted}, [&](const Twist2& share) { return isSafe(share, parameters_.safety_margin, now); });
+  return twist ? twist->angular : 0.0;
 }
 
 double MotionController::fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const {
