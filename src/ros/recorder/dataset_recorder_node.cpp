@@ -1,27 +1,10 @@
-#include <ros/ros.h>
-
-#include <csignal>
-#include <exception>
-
 #include "lstm_planner/ros/recorder/dataset_recorder.hpp"
-
-namespace {
-
-volatile std::sig_atomic_t stop = 0;
-
-void requestStop(int /*signal*/) { stop = 1; }
-
-}  // namespace
+#include "ros/common/stoppable_node.hpp"
 
 int main(int argc, char** argv) {
-  // ROS would be shut down by its own handler before what was heard is written and said.
-  ros::init(argc, argv, "dataset_recorder", ros::init_options::NoSigintHandler);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, requestStop);
-  ros::NodeHandle private_node("~");  // out here, since nothing is logged any more when the last one has gone
-  try {
-    return lstm_planner::DatasetRecorder(lstm_planner::loadRecorderNodeParameters(private_node)).run(stop);
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
+  using namespace lstm_planner;
+  // What was heard is written and said at the end.
+  return runUntilStopped(argc, argv, "dataset_recorder", [](const ros::NodeHandle& node, const auto& stop) {
+    return DatasetRecorder(loadRecorderNodeParameters(node)).run(stop);
+  });
 }
