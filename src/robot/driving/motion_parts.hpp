@@ -16,12 +16,15 @@ inline double clampMagnitude(double value, double limit) { return std::max(-limi
 struct MotionController::Persons {
   Persons(const Footprint& footprint, double reach, const std::vector<Point2>& moving_points,
           const std::vector<Point2>& resting_points)
-      : moving(footprint, 0.0, reach), resting(footprint, 0.0, reach) {
+      : moving(footprint, 0.0, reach),
+        resting(footprint, 0.0, reach),
+        near(!moving_points.empty() || !resting_points.empty()) {
     moving.show(moving_points);
     resting.show(resting_points);
   }
   Shield moving;
   Shield resting;
+  bool near;  ///< there is somebody
 };
 
 /// What a robot with corners has to know of the moment.

@@ -8,14 +8,15 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kCreep = 0.005;     // m/s; slower is standing
-constexpr double kTurning = 0.01;    // m/s; who is slower turns in place
-constexpr double kSlowest = 0.05;    // m/s; a robot that may only go slower than this rather turns in place
-constexpr double kTurnSlack = 0.02;  // rad of an angle to turn by that need not be free
-constexpr double kLeastTurn = 0.05;  // rad that are worth a turn
-constexpr double kEnough = 0.5;      // rad of a turn for which the robot need not go farther back
-constexpr double kTurnsOnly = 0.01;  // m; a way back that is shorter is a turn in place
-constexpr double kWhereItWas = 0.5;  // of the safety margin: it was there already
+constexpr double kCreep = 0.005;      // m/s; slower is standing
+constexpr double kTurning = 0.01;     // m/s; who is slower turns in place
+constexpr double kSlowest = 0.05;     // m/s; a robot that may only go slower than this rather turns in place
+constexpr double kTurnSlack = 0.02;   // rad of an angle to turn by that need not be free
+constexpr double kLeastTurn = 0.05;   // rad that are worth a turn
+constexpr double kSlowestTurn = 0.1;  // rad/s; slower is standing
+constexpr double kEnough = 0.5;       // rad of a turn for which the robot need not go farther back
+constexpr double kTurnsOnly = 0.01;   // m; a way back that is shorter is a turn in place
+constexpr double kWhereItWas = 0.5;   // of the safety margin: it was there already
 constexpr double kShares[] = {1.0, 0.75, 0.5, 0.35, 0.2, 0.1, 0.05};
 constexpr double kNarrower[] = {0.7, 0.45, 0.2, 0.0};
 
@@ -44,6 +45,8 @@ MotionCommand MotionController::driveWithCorners(const Twist2& wanted, double er
 }
 
 MotionCommand MotionController::turnWithCorners(double error, const Moment& now) const {
+  const double turning = yieldingTurn(now.persons);
+  if (turning < kSlowestTurn) return {{}, StopReason::kPerson};
   const double room = now.shield.freeTurn({}, error, parameters_.safety_margin);
   if (room >= std::abs(error) - kTurnSlack) return {{0.0, turningSpeed(error, now)}, StopReason::kNone};
   const double other = error - std::copysign(2.0 * M_PI, error);
@@ -66,6 +69,8 @@ MotionCommand MotionController::turnWithCorners(double error, const Moment& now)
 MotionCommand MotionController::makeRoom(double error, const Moment& now) const {
   const double room = now.shield.freeTurn({}, error, parameters_.safety_margin);
   const bool can_turn = room >= std::min(std::abs(error), kEnough) - kTurnSlack;
+  // Behind it somebody may have come to where the robot was.
+  if (now.persons.near) return {{}, StopReason::kPerson};
   if (!now.history.goes_back || !can_turn) {
     if (const std::optional<MotionCommand> back = goBack(now)) return *back;
   }
@@ -98,10 +103,20 @@ std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
 }
 
 double MotionController::turningSpeed(double angle, const Moment& now) const {
-  const double wanted = clampMagnitude(parameters_.heading_gain * angle, parameters_.max_angular);
+  const double most = std::min(parameters_.max_angular, yieldingTurn(now.persons));
+  const double wanted = clampMagnitude(parameters_.heading_gain * angle, most);
   const auto twist =
       fastestShare({0.0, wanted}, [&](const Twist2& share) { return isSafe(share, parameters_.safety_margin, now); });
   return twist ? twist->angular : 0.0;
+}
+
+/// Its corners must stand before somebody can reach them.
+double MotionController::yieldingTurn(const Persons& persons) const {
+  const Footprint& footprint = persons.moving.footprint();
+  const double sweep = footprint.circumscribedRadius() - footprint.inscribedRadius();
+  const double gap = persons.moving.gap({}) - sweep - parameters_.person_margin;
+  const double time = gap / parameters_.person_speed - reaction_time_;
+  return std::max(0.0, time * parameters_.linear_acceleration / (0.5 * parameters_.axle_length));
 }
 
 double MotionController::fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const {

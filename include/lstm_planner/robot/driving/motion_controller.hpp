@@ -143,6 +143,7 @@ class MotionController {
   MotionCommand turnWithCorners(double error, const Moment& now) const;
   MotionCommand makeRoom(double error, const Moment& now) const;
   std::optional<MotionCommand> goBack(const Moment& now) const;
+  double yieldingTurn(const Persons& persons) const;
   double turningSpeed(double angle, const Moment& now) const;
   double fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const;
   bool isSafe(const Twist2& twist, double margin, const Moment& now) const;

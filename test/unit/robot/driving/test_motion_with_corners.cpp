@@ -106,6 +106,25 @@ TEST_F(MotionWithCorners, GoesOnBackUntilItCanTurn) {
   EXPECT_NE(turn.angular, 0.0);
 }
 
+TEST_F(MotionWithCorners, DoesNotBackNorTurnItsCornersWhereSomebodyMoves) {
+  std::vector<Point2> posts = lane();
+  posts.push_back({0.3, 0.0});
+  shield_.show(posts);
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {-3.0, 0.1}});
+  const std::vector<Point2> far_off{{2.5, 0.0}};
+  const MotionHistory came{Pose2{-0.06, 0.0, 0.0}, false};
+  const MotionCommand among = controller_.compute(plan, {}, {}, shield_, kPeriod, far_off, {}, came);
+  EXPECT_EQ(among.linear, 0.0);
+  EXPECT_EQ(among.stop, StopReason::kPerson);
+  // A corner reaches 0.12 m farther than the sides. Somebody who is 1 m off is there before it would stand; who is 2.5
+  // m off is not.
+  shield_.show({});
+  EXPECT_NE(controller_.compute(plan, {}, {}, shield_, kPeriod, far_off).angular, 0.0);
+  const MotionCommand beside = controller_.compute(plan, {}, {}, shield_, kPeriod, {{0.0, 0.6}});
+  EXPECT_EQ(beside.angular, 0.0);
+  EXPECT_EQ(beside.stop, StopReason::kPerson);
+}
+
 /// Whatever is around: neither the command at once nor after the reaction time touches anything before it stands.
 TEST_F(MotionWithCorners, NoCommandEndsInWhatIsSeen) {
   Random random(5);
