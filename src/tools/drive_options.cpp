@@ -51,6 +51,7 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
                          line->parameters({{"odometry_error", "drift"}, {"slip", "slip"}, {"drift", "wheel-error"}}));
   visitSimulatedRobotParameters(options->drive.robot,
                                 line->parameters({{"latency", "latency"}, {"localisation_jump", "localisation"}}));
+  visitMotionParameters(options->drive.motion, line->parameters({{"evade_time", "evade"}}));
   line->addText(
       "leader", nameOfLeader(agent.leader), [&](const std::string& name) { agent.leader = leaderNamed(name); },
       "network; route: the path through the remembered obstacles; none: the allowed angle nearest to the goal's "

@@ -12,7 +12,8 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kViewSpacing = 0.05;   // s between the scans that are kept
-constexpr double kFastestRobot = 2.0;   // m/s; odometry that is faster has jumped
+constexpr double kLeastJump = 2.0;      // m/s; odometry that is faster than a slow robot can be has jumped
+constexpr double kJump = 2.0;           // of the robot's speed, likewise
 constexpr double kPlaceSpacing = 0.08;  // m between remembered places
 constexpr double kSameThing = 0.15;     // m; a return this near to a place, or to the next return, belongs to it
 constexpr double kRestingReach = 1.5;   // m from the robot; what rests farther away does not matter yet
@@ -32,13 +33,17 @@ void validate(const MovingReturnsParameters& parameters) {
 }
 
 MovingReturns::MovingReturns(const MovingReturnsParameters& parameters)
-    : parameters_((validate(parameters), parameters)) {}
+    : parameters_((validate(parameters), parameters)), fastest_odometry_(kLeastJump) {}
+
+void MovingReturns::expectSpeed(double fastest) { fastest_odometry_ = std::max(kLeastJump, kJump * fastest); }
 
 void MovingReturns::reset() {
   view_count_ = 0;
   places_.clear();
   points_.clear();
   resting_.clear();
+  returns_.clear();
+  moves_.clear();
 }
 
 void MovingReturns::show(const RangeProfile& profile, const Pose2& pose, double time) {
@@ -48,7 +53,7 @@ void MovingReturns::show(const RangeProfile& profile, const Pose2& pose, double 
   if (view_count_ > 0) {
     const View& last = views_[view_count_ - 1];
     const double elapsed = time - last.time;
-    if (elapsed < 0.0 || distanceBetween(last.pose, pose) > kFastestRobot * std::max(elapsed, kViewSpacing)) {
+    if (elapsed < 0.0 || distanceBetween(last.pose, pose) > fastest_odometry_ * std::max(elapsed, kViewSpacing)) {
       reset();
     }
   }
@@ -234,19 +239,23 @@ void MovingReturns::collectPoints() {
       resting_places_.push_back(place.point);
     }
   }
-  collectNear(moving_places_, &points_);
-  collectNear(resting_places_, &resting_);
+  moves_.assign(returns_.size(), 0);
+  collectNear(moving_places_, &points_, &moves_);
+  collectNear(resting_places_, &resting_, nullptr);
 }
 
-void MovingReturns::collectNear(const std::vector<Point2>& places, std::vector<Point2>* points) const {
+void MovingReturns::collectNear(const std::vector<Point2>& places, std::vector<Point2>* points,
+                                std::vector<std::uint8_t>* is_near) const {
   points->clear();
   if (places.empty()) {
     return;
   }
-  for (const Point2& point : returns_) {
+  for (std::size_t i = 0; i < returns_.size(); ++i) {
+    const Point2& point = returns_[i];
     const auto near = [&](const Point2& place) { return squaredDistance(place, point) < kSameThing * kSameThing; };
     if (std::any_of(places.begin(), places.end(), near)) {
       points->push_back(view_.toBase(point));
+      if (is_near != nullptr) (*is_near)[i] = 1;
     }
   }
   for (const Point2& place : places) {

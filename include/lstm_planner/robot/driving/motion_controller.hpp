@@ -8,6 +8,7 @@
 #include "lstm_planner/robot/driving/shield.hpp"
 #include "lstm_planner/robot/driving/stop_reason.hpp"
 #include "lstm_planner/robot/perception/moving_returns.hpp"
+#include "lstm_planner/robot/perception/moving_things.hpp"
 
 namespace lstm_planner {
 
@@ -30,6 +31,8 @@ struct MotionParameters {
   double person_speed = 1.0;
   double person_margin = 0.15;
   double person_slow_speed = 0.08;
+  double evade_time = 0.0;
+  double evade_margin = 0.6;
   double position_tolerance = 0.2;
   double heading_tolerance = 3.15;
 };
@@ -70,6 +73,11 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
         "distance between something that moves and the footprint: the robot stands before it is nearer");
   visit("person_slow_speed", motion.person_slow_speed, {0.0, 10.0}, "m/s",
         "largest speed beside somebody who walked and stands now; larger passes sooner, 0 waits for moving/remember");
+  visit("evade_time", motion.evade_time, {0.0, 10.0}, "s",
+        "time for which the motion of things is predicted: the robot gets out of the way of what would come too near; "
+        "larger does so sooner; 0: it stands and waits, which is right among people and for slow robots");
+  visit("evade_margin", motion.evade_margin, {0.001, 10.0}, "m",
+        "nearer than this is too near for evade_time; larger gets out of the way sooner");
   visit("position_tolerance", motion.position_tolerance, {0.001, 10.0}, "m",
         "nearer to the goal than this the robot has arrived; not less than the planner's goal_tolerance");
   visit("heading_tolerance", motion.heading_tolerance, {0.001, 10.0}, "rad",
@@ -100,7 +108,7 @@ struct MotionHistory {
 ///
 /// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
 /// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves
-/// near it.
+/// near it. A fast robot can also get out of the way (evade()).
 class MotionController {
  public:
   explicit MotionController(const MotionParameters& parameters);
@@ -111,6 +119,12 @@ class MotionController {
   MotionCommand compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current, const Shield& shield,
                         double period, const std::vector<Point2>& moving = {}, const std::vector<Point2>& resting = {},
                         const MotionHistory& history = {}) const;
+
+  /// That command, or one that gets out of the way of `things` (base frame) where they would come too near if they and
+  /// the robot went on so; the rest as for compute(). If there is no way out it does not drive towards a touch.
+  MotionCommand evade(const MotionCommand& command, const std::vector<Pose2>& plan, const Pose2& pose,
+                      const Twist2& current, const Shield& shield, double period,
+                      const std::vector<MovingThing>& things) const;
 
   /// From now on it takes at least so long from a measurement to the wheels, s: the scanner is slow.
   void expectReactionTime(double least) { reaction_time_ = std::max(parameters_.reaction_time, least); }
@@ -150,6 +164,7 @@ class MotionController {
   bool isFree(const Pose2& from, const Twist2& twist, double time, double margin, const Moment& now) const;
   double brakingTime(const Twist2& twist) const;
   double stoppingDistance(double speed) const;
+  bool keepsFromObstacles(const Twist2& twist, const Twist2& current, const Shield& shield, double period) const;
 
   MotionParameters parameters_;
   double reaction_time_;  ///< s

@@ -5,6 +5,7 @@
 #include "lstm_planner/robot/driving/motion_controller.hpp"
 #include "lstm_planner/robot/driving/trail.hpp"
 #include "lstm_planner/robot/perception/moving_returns.hpp"
+#include "lstm_planner/robot/perception/moving_things.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 
 namespace lstm_planner {
@@ -14,7 +15,9 @@ namespace lstm_planner {
 class PathTracker {
  public:
   /// Throws as MotionController.
-  explicit PathTracker(const MotionParameters& parameters) : controller_(parameters), moving_(parameters.moving) {}
+  explicit PathTracker(const MotionParameters& parameters) : controller_(parameters), moving_(parameters.moving) {
+    moving_.expectSpeed(parameters.max_linear);
+  }
 
   /// The next command along a plan in the odometry frame, `period` s before the one after it. `shield` shows the
   /// situation's obstacles, `twist` is the measured one. Zero for an empty plan.
@@ -23,14 +26,21 @@ class PathTracker {
     moving_.show(situation.profile, situation.pose, situation.time);
     trail_.note(situation.pose, history_.goes_back);
     history_.back = trail_.back(situation.pose);
-    const MotionCommand command =
+    MotionCommand command =
         controller_.compute(plan, situation.pose, twist, shield, period, moving_.points(), moving_.resting(), history_);
+    if (controller_.parameters().evade_time > 0.0) {
+      things_.show(moving_.returns(), moving_.moves(), situation.time);
+      command = controller_.evade(command, plan, situation.pose, twist, shield, period, things_.around(situation.pose));
+    }
     history_.goes_back = command.goes_back;
     return command;
   }
 
   /// From the next command on; what moves is found as before. Throws as MotionController, and changes nothing.
-  void change(const MotionParameters& parameters) { controller_ = MotionController(parameters); }
+  void change(const MotionParameters& parameters) {
+    controller_ = MotionController(parameters);
+    moving_.expectSpeed(parameters.max_linear);
+  }
 
   /// See MotionController.
   void expectReactionTime(double least) { controller_.expectReactionTime(least); }
@@ -38,6 +48,7 @@ class PathTracker {
   /// The odometry jumped: what was seen is somewhere else now.
   void forget() {
     moving_.reset();
+    things_.reset();
     trail_.clear();
     history_ = {};
   }
@@ -50,6 +61,7 @@ class PathTracker {
   Trail trail_;
   MotionHistory history_;
   MovingReturns moving_;
+  MovingThings things_;
 };
 
 }  // namespace lstm_planner

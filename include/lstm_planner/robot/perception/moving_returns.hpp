@@ -58,6 +58,9 @@ class MovingReturns {
  public:
   explicit MovingReturns(const MovingReturnsParameters& parameters);
 
+  /// The robot is at most that fast, m/s: odometry that is much faster has jumped.
+  void expectSpeed(double fastest);
+
   /// Takes in a scan from `pose` (base in the odometry frame) at `time`, s. A time that goes back forgets all.
   void show(const RangeProfile& profile, const Pose2& pose, double time);
 
@@ -66,6 +69,11 @@ class MovingReturns {
 
   /// The same near the robot, of what has moved before and stands now.
   const std::vector<Point2>& resting() const { return resting_; }
+
+  /// All returns of the last scan within moving/range, in the order of the beams; odometry frame, m.
+  const std::vector<Point2>& returns() const { return returns_; }
+  /// For each of them, whether it moves.
+  const std::vector<std::uint8_t>& moves() const { return moves_; }
 
   /// Forgets all: after a jump of the odometry, for instance.
   void reset();
@@ -107,9 +115,11 @@ class MovingReturns {
   void notePlace(const Point2& point);
   void forgetPlaces();
   void collectPoints();
-  void collectNear(const std::vector<Point2>& places, std::vector<Point2>* points) const;
+  void collectNear(const std::vector<Point2>& places, std::vector<Point2>* points,
+                   std::vector<std::uint8_t>* is_near) const;
 
   MovingReturnsParameters parameters_;
+  double fastest_odometry_;     ///< m/s
   View view_;                   ///< the last scan
   std::vector<View> views_;     ///< the oldest first; beyond the first view_count_ only memory to be used again
   std::size_t view_count_ = 0;  ///< of views_
@@ -119,7 +129,8 @@ class MovingReturns {
   std::vector<std::uint8_t> is_free_;  ///< a return each: an earlier scan saw free space there
   std::vector<float> x_, y_;           ///< m, the returns relative to an earlier view's scanner
   std::vector<float> positions_;       ///< among that view's beams
-  std::vector<Point2> group_;          ///< returns beside one another that may be moving
+  std::vector<std::uint8_t> moves_;
+  std::vector<Point2> group_;  ///< returns beside one another that may be moving
   std::vector<Place> places_;
   std::vector<Point2> moving_places_, resting_places_;  ///< odometry frame
   std::vector<Point2> points_, resting_;

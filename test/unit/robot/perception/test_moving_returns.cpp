@@ -85,6 +85,22 @@ TEST_F(MovingReturnsTest, AWallThatComesIntoTheScannersSightDoesNotMove) {
   }
 }
 
+TEST_F(MovingReturnsTest, ARobotAtFullSpeedFindsPeopleAsOneThatStandsDoes) {
+  // At 2.1 m/s in noisy odometry: what is twice the robot's speed has jumped, and no less.
+  for (const double fastest : {0.3, 2.0}) {
+    moving_.reset();
+    moving_.expectSpeed(fastest);
+    Pose2 pose{5.0, 1.0, M_PI_2};
+    Circle person{{4.0, 6.0}, 0.25};
+    for (int i = 0; i < 10; ++i) {
+      look(pose, {person});
+      pose.y += 2.1 * kPeriod;
+      person.center.x += 1.0 * kPeriod;
+    }
+    EXPECT_EQ(moving_.points().empty(), fastest < 1.0) << fastest;
+  }
+}
+
 TEST_F(MovingReturnsTest, FindsAPersonWhoCrosses) {
   const Pose2 pose{5.0, 2.0, M_PI_2};
   for (int i = 0; i < 10; ++i) {

@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <cmath>
+
+#include "robot/driving/evasion.hpp"
+#include "robot/driving/motion_parts.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr int kDirections = 24;
+constexpr double kSpeeds[] = {1.0, 0.5};  // of the largest
+constexpr double kRoomWeight = 10.0;      // of progress; a touch weighs more, and the later it is, the less
+constexpr double kTouchWeight = 20.0;
+
+/// The first pose of the plan that is so far from the robot (m), or its last one; base frame.
+Point2 farOn(const std::vector<Pose2>& plan, const Pose2& pose, double distance) {
+  const auto isFar = [&](const Pose2& place) { return distanceBetween(place, pose) >= distance; };
+  const auto far = std::find_if(plan.begin(), plan.end(), isFar);
+  const Pose2& place = far == plan.end() ? plan.back() : *far;
+  return toLocalFrame(pose, {place.x, place.y});
+}
+
+}  // namespace
+
+MotionCommand MotionController::evade(const MotionCommand& command, const std::vector<Pose2>& plan, const Pose2& pose,
+                                      const Twist2& current, const Shield& shield, double period,
+                                      const std::vector<MovingThing>& things) const {
+  if (parameters_.evade_time <= 0.0 || things.empty() || plan.empty()) return command;
+  if (command.stop == StopReason::kUnusableData) return command;
+  const Evasion evasion(parameters_, reaction_time_, shield, things, current);
+  const Outlook wanted = evasion.withCommand(command);
+  if (wanted.room >= parameters_.evade_margin) return command;
+  const double distance = parameters_.max_linear * parameters_.evade_time;
+  const Point2 target = farOn(plan, pose, distance);
+  const auto worth = [&](const Outlook& outlook) {
+    return kRoomWeight * std::min(1.0, outlook.room / parameters_.evade_margin) +
+           kTouchWeight * outlook.touch / parameters_.evade_time - distanceBetween(outlook.end, target) / distance;
+  };
+  MotionCommand best = command;
+  double most = worth(wanted);
+  const auto consider = [&](const Outlook& outlook) {
+    const double value = worth(outlook);
+    // Where it would be touched in any case it is better to stand.
+    const bool is_hopeless = outlook.touch < parameters_.evade_time && outlook.first.linear > 0.0;
+    const Twist2 twist = withinWheelLimits(outlook.first);
+    if (value <= most || is_hopeless || !keepsFromObstacles(twist, current, shield, period)) return;
+    most = value;
+    best = {twist, StopReason::kNone};
+  };
+  consider(evasion.withCommand({}));
+  for (int i = 0; i < kDirections; ++i) {
+    for (const double share : kSpeeds) {
+      consider(evasion.towards(2.0 * M_PI * i / kDirections - M_PI, share * parameters_.max_linear));
+    }
+  }
+  return best;
+}
+
+bool MotionController::keepsFromObstacles(const Twist2& twist, const Twist2& current, const Shield& shield,
+                                          double period) const {
+  if (shield.footprint().isCircle()) {
+    return twist.linear <= 0.0 || allowedSpeed(twist, current, shield, period) >= twist.linear;
+  }
+  const Persons nobody(shield.footprint(), yieldingReach(shield.footprintRadius()), {}, {});
+  const MotionHistory none;
+  return isSafe(twist, parameters_.safety_margin, {shield, nobody, current, period, none});
+}
+
+}  // namespace lstm_planner
