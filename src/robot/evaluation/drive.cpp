@@ -7,6 +7,7 @@
 #include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/common/quantile.hpp"
 #include "lstm_planner/robot/driving/closed_loop.hpp"
+#include "lstm_planner/robot/driving/elastic_band.hpp"
 #include "lstm_planner/robot/driving/path_tracker.hpp"
 
 namespace lstm_planner {
@@ -39,7 +40,8 @@ class ControlledRobot : public LoopRobot {
 
   void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) override {
     if (tick_++ % parameters_.plan_every == 0) {
-      rollOut(situation, decision, agent.shield(), goal_, agent.parameters(), parameters_.rollout, &plan_);
+      const Decision& bent = band_.bend(agent, situation.pose, decision, parameters_.rollout.clearance);
+      rollOut(situation, bent, agent.shield(), goal_, agent.parameters(), parameters_.rollout, &plan_);
     }
     robot_.command(
         tracker_.compute(plan_, situation, robot_.measuredTwist(), agent.shield(), parameters_.control_period));
@@ -56,6 +58,7 @@ class ControlledRobot : public LoopRobot {
   const DriveParameters& parameters_;
   const DriveListener& listener_;
   PathTracker tracker_;
+  ElasticBand band_;
   Pose2 goal_;
   std::vector<Pose2> plan_;
   int tick_ = 0;

@@ -75,7 +75,8 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   const bool driven = verdict != GoalTracker::Verdict::kQuestion;
   const Decision& decision =
       driven ? drive(global_goal, reading, verdict == GoalTracker::Verdict::kNewGoal) : preview(global_goal);
-  rollOut(agent_.situation(), decision, agent_.shield(), global_goal, parameters_.agent, parameters_.rollout, &plan_);
+  const Decision& bent = band_.bend(agent_, agent_.situation().pose, decision, parameters_.rollout.clearance);
+  rollOut(agent_.situation(), bent, agent_.shield(), global_goal, parameters_.agent, parameters_.rollout, &plan_);
   toMessages(plan_, header(), plan);
   if (driven) {
     sayWhoLeads(decision);

@@ -230,9 +230,10 @@ def parse(argv=None):
     parser.add_argument("--runs", default=os.path.join(FOLDER, "runs.yaml"), help="default: runs.yaml beside this file")
     parser.add_argument("--only", nargs="+", metavar="GROUP", help="these of its groups")
     parser.add_argument("--jobs", type=int, default=1, help="runs at a time")
+    parser.add_argument("--seed", type=int, default=1, help="of the simulated noise and slip; default 1")
     parser.add_argument("--real-time-factor", type=float, default=4.0,
                         help="simulated seconds in a second at most; default 4")
-    parser.add_argument("--results", help="file to which results are added; runs that it holds are not run again")
+    parser.add_argument("--results", help="file to which results are added; runs that it holds are not run again; one a seed")
     parser.add_argument("--logs", default=os.path.join(tempfile.gettempdir(), "lstm_planner_compare"),
                         help="folder of the runs' output")
     parser.add_argument("--model", help="ONNX file of our planner's network; default: the planner's own")
@@ -250,7 +251,8 @@ def main():
     runs = load_runs(arguments.runs)
     if arguments.only:
         runs = [run for run in runs if run["group"] in arguments.only]
-    extra = ["model:=" + os.path.abspath(arguments.model)] if arguments.model else []
+    extra = ["seed:=%d" % arguments.seed]
+    extra += ["model:=" + os.path.abspath(arguments.model)] if arguments.model else []
     results = run_all([] if arguments.print_only else runs, arguments.combinations, arguments, extra)
     groups = list(dict.fromkeys(run["group"] for run in runs))
     print(table(results, groups, arguments.combinations))

@@ -100,6 +100,8 @@ class NavigationAgent {
   std::vector<Point2> rememberedObstacles() const {
     return guide_ ? guide_->memory().obstacles() : std::vector<Point2>();
   }
+  /// What is remembered; null where nothing is to be remembered.
+  const ObstacleMemory* memory() const { return guide_ ? &guide_->memory() : nullptr; }
   /// Searches for paths through what is remembered, so far.
   long searches() const { return guide_ ? guide_->searches() : 0; }
   const AgentParameters& parameters() const { return parameters_; }

@@ -14,6 +14,7 @@ namespace lstm_planner {
 struct RolloutParameters {
   double spacing = 0.05;
   int steps = 8;
+  double clearance = 0.0;
 };
 
 /// Visits every parameter; see parameter_visitors.hpp: move_base drops the start of a plan whose poses are a metre
@@ -24,6 +25,10 @@ void visitRolloutParameters(Parameters& rollout, const Visitor& visit) {
         "distance between poses; about the costmap's resolution, because move_base drops the start of a sparse plan");
   visit("rollout/steps", rollout.steps, {0, 100}, "",
         "number of steps beyond the waypoint, through free space that the scan shows; more makes the plan smoother");
+  visit(
+      "rollout/clearance", rollout.clearance, {0.0, 2.0}, "m",
+      "distance between footprint and obstacles to which the plan is bent where there is room: round corners in arcs, "
+      "and through the middle of doors; for local planners that cut corners; 0: the plan is the shortest path");
 }
 
 /// A plan has no more poses than this, however far away the goal is: 1.5 MB as messages.

@@ -74,6 +74,12 @@ class ObstacleMemory {
   /// counter-clockwise from the neighbour along x. 0 at the border of the window.
   std::uint8_t exits(int cell) { return passability_.exits(window_, cell); }
 
+  /// Visits the middles of the occupied squares in the square of twice that `reach` (m) round a place.
+  template <typename Visit>
+  void visitObstaclesNear(const Point2& place, double reach, const Visit& visit) const {
+    window_.visitOccupiedNear(place, reach, visit);
+  }
+
   /// True when the straight path from one place to the other is a passage at least that good; ends outside the window
   /// are never free.
   bool isFree(const Point2& from, const Point2& to, Passage passage) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -56,6 +58,9 @@ class ObstacleWindow {
 
   /// The middles of all squares where something stands.
   std::vector<Point2> occupied() const;
+  /// Visits the middles of the occupied squares in the square of twice that `reach` (m) round a place.
+  template <typename Visit>
+  void visitOccupiedNear(const Point2& place, double reach, const Visit& visit) const;
   bool isOccupied(const Square& square) const { return squares_.test(square.column, square.row); }
   /// Whether something stands there from now on; the square's cell.
   int set(const Square& square, bool occupied);
@@ -72,5 +77,22 @@ class ObstacleWindow {
   BitRows squares_;
   BitRows cells_;
 };
+
+template <typename Visit>
+void ObstacleWindow::visitOccupiedNear(const Point2& place, double reach, const Visit& visit) const {
+  constexpr int kWord = 64;
+  const Square middle = squareAt(place);
+  const int around = static_cast<int>(std::ceil(reach / resolution_));
+  const int left = std::max(0, middle.column - originColumn() * kSide - around);
+  const int right = std::min(squares_.columns(), middle.column - originColumn() * kSide + around + 1);
+  const int first = std::max(0, middle.row - originRow() * kSide - around);
+  const int last = std::min(squares_.rows() - 1, middle.row - originRow() * kSide + around);
+  for (int row = first; row <= last; ++row) {
+    for (int column = left; column < right; column += kWord) {
+      std::uint64_t bits = squares_.from(column, row) & lowestBits(std::min(kWord, right - column));
+      for (; bits != 0; bits &= bits - 1) visit(centerOf(Square{column + lowestBit(bits), row}));
+    }
+  }
+}
 
 }  // namespace lstm_planner

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/robot/driving/elastic_band.hpp"
 #include "lstm_planner/robot/driving/goal_tracker.hpp"
 #include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/perception/correction_watch.hpp"
@@ -69,6 +70,7 @@ class PlanMaker {
   GlobalPlannerParameters parameters_;
   std::string global_frame_;
   NavigationAgent agent_;
+  ElasticBand band_;
 
   MessageQueue messages_;
   tf2_ros::Buffer tf_;

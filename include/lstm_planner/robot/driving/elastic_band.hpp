@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lstm_planner/robot/driving/decision.hpp"
+#include "lstm_planner/robot/driving/navigation_agent.hpp"
+#include "lstm_planner/robot/memory/obstacle_memory.hpp"
+
+namespace lstm_planner {
+
+/// Bends the start of a path away from the remembered obstacles (S. Quinlan and O. Khatib, "Elastic bands: connecting
+/// path planning and control", 1993): a chain of points along the path, each drawn to the middle between its
+/// neighbours, and pushed aside by the nearest obstacle on either side. The shortest path touches corners and door
+/// posts; the bent one goes round a corner in an arc, and through the middle of a door. For controllers that cut
+/// corners.
+class ElasticBand {
+ public:
+  /// The decision of an agent, its path from the robot on bent such that the footprint keeps that `clearance` (m) where
+  /// there is room; valid until the next call. What neither follows the remembered path nor goes to a goal in sight
+  /// comes back as it is; so does a path that would not be passable any more, and with clearance 0 everything.
+  const Decision& bend(const NavigationAgent& agent, const Pose2& robot, const Decision& decision, double clearance);
+
+ private:
+  void layChain(const Point2& robot, const Decision& decision);
+  void addPiece(const Point2& corner);
+  double relax(const ObstacleMemory& memory);
+  Point2 push(const ObstacleMemory& memory, std::size_t i) const;
+  bool isPassable(const ObstacleMemory& memory) const;
+
+  double distance_ = 0.0;      ///< m from the middle of the footprint to obstacles that is wanted
+  double left_ = 0.0;          ///< m of the path for which there is no chain yet
+  std::vector<Point2> chain_;  ///< from the robot on
+  std::vector<Point2> rest_;   ///< corners of the path behind the chain
+  Decision bent_;
+};
+
+}  // namespace lstm_planner
