@@ -108,6 +108,16 @@ class LaunchFiles(unittest.TestCase):
             margin = self.parameter(config, "/move_base/SteeringController/safety_margin")
             self.assertGreaterEqual(self.parameter(config, "/move_base/LstmGlobalPlanner/shield/tight_clearance"), margin)
 
+    def test_no_costmap_has_an_obstacle_where_the_scanner_sees_none(self):
+        # costmap_2d takes +inf for a return just before range_max (inf_is_valid), and marks those before obstacle_range.
+        folder = os.path.join(rospkg.RosPack().get_path("lstm_planner"), "config", "robots")
+        for name in sorted(os.path.splitext(name)[0] for name in os.listdir(folder)):
+            config = load("navigation.launch", "robot:=" + name)
+            sight = self.parameter(config, "/move_base/create2_stub/laser/range_max")
+            for costmap in ("global_costmap", "local_costmap"):
+                marked = self.parameter(config, "/move_base/%s/obstacle_layer/scan/obstacle_range" % costmap)
+                self.assertLess(marked, sight, name)
+
     def test_several_robots_have_namespaces_and_frames_of_their_own(self):
         config = load("two_robots.launch", "move_base:=standalone", "rviz:=true", "start2:=[3.0, 3.0, 0.0]")
         self.check(config)

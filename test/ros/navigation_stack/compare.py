@@ -233,10 +233,12 @@ def parse(argv=None):
     parser.add_argument("--seed", type=int, default=1, help="of the simulated noise and slip; default 1")
     parser.add_argument("--real-time-factor", type=float, default=4.0,
                         help="simulated seconds in a second at most; default 4")
-    parser.add_argument("--results", help="file to which results are added; runs that it holds are not run again; one a seed")
+    parser.add_argument("--results", help="file to which results are added; runs that it holds are not run again")
     parser.add_argument("--logs", default=os.path.join(tempfile.gettempdir(), "lstm_planner_compare"),
                         help="folder of the runs' output")
     parser.add_argument("--model", help="ONNX file of our planner's network; default: the planner's own")
+    parser.add_argument("--robot",
+                        help="a file of config/robots (without .yaml), for SteeringController; default: Create 2 with a Hokuyo")
     parser.add_argument("--print-only", action="store_true", help="only the table of what the results file holds")
     arguments = parser.parse_args(argv)
     for combination in arguments.combinations:
@@ -253,6 +255,7 @@ def main():
         runs = [run for run in runs if run["group"] in arguments.only]
     extra = ["seed:=%d" % arguments.seed]
     extra += ["model:=" + os.path.abspath(arguments.model)] if arguments.model else []
+    extra += ["robot:=" + arguments.robot] if arguments.robot else []
     results = run_all([] if arguments.print_only else runs, arguments.combinations, arguments, extra)
     groups = list(dict.fromkeys(run["group"] for run in runs))
     print(table(results, groups, arguments.combinations))
