@@ -54,8 +54,8 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
                 "diagonal moves may pass blocked cells at their sides");
   line->addFlag("thesis-terrain", &selection.rule, PassableRule::kThesis, "only '.' is passable, not 'G' and 'S'");
   line->addFlag("no-shield", &agent.shield, false, "a network may choose moves into obstacles, which end the episode");
-  line->addFlag("no-escape", &agent.escape, false, "no boundary following if a network makes no progress");
-  line->add("patience", &agent.patience, kAnySteps, "steps without progress after which the escape leads");
+  line->addFlag("no-escape", &agent.escape, false, "no rescue if a network gets into difficulties");
+  line->add("patience", &agent.patience, kAnySteps, "steps without progress after which the rescue leads");
   line->addText(
       "heuristic", "octile", [&](const std::string& name) { agent.heuristic.kind = heuristicNamed(name); },
       "heuristic of A*: manhattan, chebyshev, octile, euclidean or scaled_euclidean");

@@ -14,30 +14,27 @@ GridEscape::GridEscape(const GridEscapeParameters& parameters)
 }
 
 void GridEscape::start() {
-  started_ = false;
+  watch_.start();
   active_ = false;
   activations_ = 0;
 }
 
 void GridEscape::observe(const GridObservation& observation, bool new_place) {
-  const OctileDistance distance = octileDistance(observation.cell, observation.goal);
-  steps_in_known_places_ = new_place ? 0 : steps_in_known_places_ + 1;
-  if (!started_ || distance < best_) {
-    started_ = true;
-    best_ = distance;
-    steps_since_best_ = 0;
-    steps_in_known_places_ = 0;
-    if (active_ && distance.length() <= hand_back_below_) active_ = false;
-  } else {
-    ++steps_since_best_;
+  const bool is_best = watch_.observe(observation, new_place);
+  if (is_best && watch_.best().length() <= hand_back_below_) active_ = false;
+  if (active_) {
+    follower_.observe(observation);
+  } else if (watch_.isExhausted(parameters_.patience, parameters_.long_patience)) {
+    takeOver(observation);
   }
-  if (!active_ && (steps_in_known_places_ >= parameters_.patience || steps_since_best_ >= parameters_.long_patience)) {
-    active_ = true;
-    ++activations_;
-    hand_back_below_ = std::max(0.0, best_.length() - parameters_.margin);
-    follower_.start();
-  }
-  if (active_) follower_.observe(observation);
+}
+
+void GridEscape::takeOver(const GridObservation& observation) {
+  active_ = true;
+  ++activations_;
+  hand_back_below_ = std::max(0.0, watch_.best().length() - parameters_.margin);
+  follower_.start();
+  follower_.observe(observation);
 }
 
 }  // namespace lstm_planner

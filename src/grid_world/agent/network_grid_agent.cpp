@@ -1,5 +1,6 @@
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 
@@ -8,7 +9,6 @@ namespace lstm_planner {
 NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
     : options_(options),
       encoder_(readGridEncoderParameters(model.metadata)),
-      memory_(makeGridMemory(encoder_.parameters(), options.corner_cutting)),
       inputs_(encoder_.size(), encoder_.parameters().views),
       preferences_(kGridMoveCount) {
   const int inputs = inputSize(model.layers);
@@ -24,28 +24,44 @@ NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
     views_.emplace(model.layers, encoder_.parameters().views);
   }
   if (options.escape) {
-    GridEscapeParameters escape = options.escape_parameters;
-    escape.boundary.corner_cutting = options.corner_cutting;
-    escape_.emplace(escape);
+    GridRescueParameters rescue = options.rescue;
+    rescue.corner_cutting = options.corner_cutting;
+    rescue_.emplace(rescue);
   }
 }
 
-void NetworkGridAgent::start(CellIndex /*start*/, CellIndex /*goal*/) {
-  memory_.start();
-  if (escape_) escape_->start();
+void NetworkGridAgent::start(CellIndex start, CellIndex /*goal*/) {
+  if (!memory_) memory_.emplace(makeGridMemory(encoder_.parameters(), options_.corner_cutting));
+  memory_->start();
+  peak_bytes_ = memory_->bytes();
+  if (rescue_) rescue_->start(start);
   if (network_) network_->reset();
   if (views_) views_->reset();
 }
 
 void NetworkGridAgent::observe(const GridObservation& observation) {
-  memory_.observe(observation);
-  if (escape_) escape_->observe(observation, memory_.inNewPlace());
-  // The hidden state waits while the escape leads: what it was made of is where the network was going.
-  if (!isEscaping()) judgeMoves();
+  if (memory_) {
+    memory_->observe(observation);
+    const double detour = memory_->planner() != nullptr ? memory_->planner()->detour(observation) : 0.0;
+    if (rescue_ && rescue_->isNeeded(observation, memory_->inNewPlace(), detour)) takeOver(observation);
+  }
+  if (memory_) {
+    judgeMoves();
+    return;
+  }
+  rescue_->observe(observation);
+  peak_bytes_ = std::max(peak_bytes_, rescue_->bytes());
+}
+
+void NetworkGridAgent::takeOver(const GridObservation& observation) {
+  std::optional<RollingGrid> walls;
+  if (memory_->planner() != nullptr) walls = memory_->planner()->walls();
+  memory_.reset();
+  rescue_->takeOver(observation, walls ? &*walls : nullptr);
 }
 
 void NetworkGridAgent::judgeMoves() {
-  encoder_.look(memory_);
+  encoder_.look(*memory_);
   const int views = encoder_.parameters().views;
   for (int view = 0; view < views; ++view) encoder_.encode(view, inputs_.data() + view, views);
   if (network_) preferences_ = network_->forward(Eigen::Map<const Eigen::VectorXf>(inputs_.data(), inputs_.rows()));
@@ -53,11 +69,11 @@ void NetworkGridAgent::judgeMoves() {
 }
 
 int NetworkGridAgent::decide() {
-  if (isEscaping()) return escape_->decide();
+  if (isRescued()) return rescue_->decide();
   int best = kNoPath;
   float largest = -std::numeric_limits<float>::infinity();
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    if (options_.shield && !movePossible(memory_.observation().ranges, direction, options_.corner_cutting)) continue;
+    if (options_.shield && !movePossible(memory_->observation().ranges, direction, options_.corner_cutting)) continue;
     if (preferences_[direction] > largest) {
       largest = preferences_[direction];
       best = direction;
@@ -67,22 +83,21 @@ int NetworkGridAgent::decide() {
 }
 
 int NetworkGridAgent::searchedDirection() const {
-  return memory_.planner() == nullptr ? kNoPath : memory_.planner()->direction();
+  return memory_ && memory_->planner() != nullptr ? memory_->planner()->direction() : kNoPath;
 }
 
 void NetworkGridAgent::step(int direction, bool moved) {
-  if (moved) memory_.step(direction);
+  if (moved && memory_) memory_->step(direction);
 }
 
 std::size_t NetworkGridAgent::peakBytes() const {
-  const std::size_t escape = escape_ ? escape_->peakBytes() - sizeof(*escape_) : 0;
   std::size_t network = 0;
   if (views_) network = views_->bytes();
   if (network_) {
     const auto state = 3 * static_cast<std::size_t>(network_->hiddenState().size());
     network = (network_->weights() + state) * sizeof(float);
   }
-  return sizeof(*this) + memory_.bytes() + escape + network;
+  return sizeof(*this) + peak_bytes_ + network;
 }
 
 }  // namespace lstm_planner

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
+
+#include "lstm_planner/grid_world/search/exact_octile.hpp"
 
 namespace lstm_planner {
 
@@ -44,6 +47,14 @@ void RollingPlanner::observe(const GridObservation& observation) {
   if (path_step_ >= path_.size()) return;
   direction_ = path_[path_step_++];
   expected_ = cellBeside(observation.cell, direction_);
+}
+
+double RollingPlanner::detour(const GridObservation& observation) const {
+  if (direction_ == kNoPath) return std::numeric_limits<double>::infinity();
+  int walked = 0;
+  for (std::size_t step = 0; step + 1 < path_step_; ++step) walked += path_[step] % 2 != 0 ? kDiagonal : kStraight;
+  const double left = length_ - static_cast<double>(walked) / kStraight;
+  return left - octileDistance(observation.cell, observation.goal).length();
 }
 
 bool RollingPlanner::isPathFree(const GridObservation& observation) const {

@@ -46,12 +46,10 @@ GridAgentMaker rollingMaker(const GridAgentOptions& options) {
 }
 
 GridAgentMaker rollingEscapeMaker(const GridAgentOptions& options) {
-  const CornerCutting corner_cutting = options.corner_cutting;
-  GridEscapeParameters escape;
-  escape.patience = options.patience;
-  return [corner_cutting, escape](const PassableGrid& /*grid*/) {
-    return std::make_unique<RollingEscapeAgent>(corner_cutting, escape);
-  };
+  GridRescueParameters rescue;
+  rescue.corner_cutting = options.corner_cutting;
+  rescue.patience = options.patience;
+  return [rescue](const PassableGrid& /*grid*/) { return std::make_unique<RollingEscapeAgent>(rescue); };
 }
 
 GridAgentMaker greedyMaker(const GridAgentOptions& options) {
@@ -73,7 +71,7 @@ GridAgentMaker networkMaker(const GridAgentOptions& options) {
   NetworkGridAgent::Options settings;
   settings.shield = options.shield;
   settings.escape = options.escape;
-  settings.escape_parameters.patience = options.patience;
+  settings.rescue.patience = options.patience;
   settings.corner_cutting = options.corner_cutting;
   const auto model = std::make_shared<const Model>(readModelFile(options.model));
   try {

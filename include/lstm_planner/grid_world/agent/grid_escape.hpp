@@ -4,7 +4,7 @@
 
 #include "lstm_planner/grid_world/agent/boundary_follower.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
-#include "lstm_planner/grid_world/search/exact_octile.hpp"
+#include "lstm_planner/grid_world/agent/progress_watch.hpp"
 
 namespace lstm_planner {
 
@@ -38,6 +38,9 @@ class GridEscape {
   /// `new_place`: the agent has not been here before, as far as it can tell.
   void observe(const GridObservation& observation, bool new_place = false);
 
+  /// Without waiting any longer, after observe().
+  void takeOver(const GridObservation& observation);
+
   bool active() const { return active_; }
 
   /// The direction to move in, or kNoPath when the goal cannot be reached. Only while active.
@@ -51,12 +54,9 @@ class GridEscape {
  private:
   GridEscapeParameters parameters_;
   BoundaryFollower follower_;
-  bool started_ = false;
+  ProgressWatch watch_;
   bool active_ = false;
-  OctileDistance best_;
   double hand_back_below_ = 0.0;  ///< cells to the goal
-  int steps_since_best_ = 0;
-  int steps_in_known_places_ = 0;
   std::size_t activations_ = 0;
 };
 

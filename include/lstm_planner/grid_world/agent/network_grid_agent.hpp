@@ -7,18 +7,19 @@
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/base/network/network.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
-#include "lstm_planner/grid_world/agent/grid_escape.hpp"
+#include "lstm_planner/grid_world/agent/grid_rescue.hpp"
 
 namespace lstm_planner {
 
-/// An agent whose decisions a network makes: LSTM, RNN, MLP or Q-network, whatever the model holds. The escape takes
-/// over when it gets nowhere, and makes it certain that it arrives.
+/// An agent whose decisions a network makes: LSTM, RNN, MLP or Q-network, whatever the model holds. The rescue takes
+/// over when it gets into difficulties, and makes it certain that it arrives. From then on the network and what it
+/// remembers are not needed any more.
 class NetworkGridAgent : public GridAgent {
  public:
   struct Options {
     bool shield = true;  ///< off: the preferred move is tried even where it was sensed to be blocked
     bool escape = true;
-    GridEscapeParameters escape_parameters;
+    GridRescueParameters rescue;
     CornerCutting corner_cutting = CornerCutting::kForbidden;
   };
 
@@ -28,22 +29,24 @@ class NetworkGridAgent : public GridAgent {
   void start(CellIndex start, CellIndex goal) override;
   void observe(const GridObservation& observation) override;
   int decide() override;
-  GridLeader leader() const override { return isEscaping() ? GridLeader::kBoundary : GridLeader::kNetwork; }
+  GridLeader leader() const override { return isRescued() ? rescue_->leader() : GridLeader::kNetwork; }
   int searchedDirection() const override;
   void step(int direction, bool moved) override;
   std::size_t peakBytes() const override;
 
-  bool isEscaping() const { return escape_ && escape_->active(); }
+  bool isRescued() const { return rescue_ && rescue_->active(); }
 
  private:
   void judgeMoves();
+  void takeOver(const GridObservation& observation);
 
   Options options_;
   GridEncoder encoder_;
   std::optional<Network> network_;     ///< of the only view
   std::optional<BatchNetwork> views_;  ///< or of several, which go through it side by side
-  GridMemory memory_;
-  std::optional<GridEscape> escape_;
+  std::optional<GridMemory> memory_;   ///< until the rescue takes over
+  std::optional<GridRescue> rescue_;
+  std::size_t peak_bytes_ = 0;   ///< of what is not needed at the same time
   BatchNetwork::Values inputs_;  ///< a column a view
   Eigen::VectorXf preferences_;
 };

@@ -21,7 +21,7 @@ struct GridAgentOptions {
   bool diagonal_moves = true;                      ///< of A*; false: it has four moves
   bool shield = true;                              ///< of a network: moves into something sensed are not chosen
   bool escape = true;                              ///< of a network: boundary following when it gets nowhere
-  int patience = GridEscapeParameters().patience;  ///< steps without progress before an escape
+  int patience = GridRescueParameters().patience;  ///< steps without progress before the rescue leads
 };
 
 /// "astar", "dstar", "rolling", "rolling_escape", "greedy", "boundary" and the networks: "lstm", "rnn", "mlp",

@@ -57,7 +57,7 @@ TEST(NetworkGridAgent, NeverRunsIntoWhatItSensedHoweverBadTheNetworkIs) {
 
 TEST(NetworkGridAgent, ArrivesByTheEscapeHoweverBadTheNetworkIs) {
   NetworkGridAgent::Options options;
-  options.escape_parameters.patience = 50;
+  options.rescue.patience = 50;
   NetworkGridAgent agent(randomModel(8), options);
   const int steps = stepsToArrive(agent, cup(), {20, 20}, {35, 20}, 100000);
   EXPECT_GT(steps, 0);
@@ -72,7 +72,7 @@ TEST(NetworkGridAgent, SaysThatThereIsNoPathToAnEnclosedGoal) {
     }
   }
   NetworkGridAgent::Options options;
-  options.escape_parameters.patience = 50;
+  options.rescue.patience = 50;
   NetworkGridAgent agent(randomModel(8), options);
   EXPECT_EQ(stepsToArrive(agent, grid, {3, 3}, {15, 15}, 100000), -1);
 }
@@ -113,7 +113,7 @@ TEST(NetworkGridAgent, RefusesAModelThatWasNotMadeForTheGridWorldOrDoesNotFit) {
 
 TEST(NetworkGridAgent, NeedsAtMost64KiBWhateverItMeets) {
   NetworkGridAgent::Options options;
-  options.escape_parameters.patience = 20;
+  options.rescue.patience = 20;
   NetworkGridAgent agent(randomModel(8), options);
   stepsToArrive(agent, cup(), {20, 20}, {35, 20}, 100000);
   EXPECT_LE(agent.peakBytes(), 64u * 1024u);

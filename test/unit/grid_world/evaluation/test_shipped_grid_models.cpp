@@ -111,9 +111,9 @@ TEST(ShippedGridModels, TheMainOneNeedsAtMost64KiBInAMazeThatTheTrailHasNoRoomFo
     for (int row = 2; row < 7; ++row) maze.set({column, row}, row == (column % 4 == 1 ? 6 : 2));
   }
   NetworkGridAgent::Options options;
-  options.escape_parameters.patience = 20;
-  options.escape_parameters.boundary.first_leg = 4000.0;
-  options.escape_parameters.boundary.goal_weight = 0.0;
+  options.rescue.patience = 20;
+  options.rescue.last_resort.boundary.first_leg = 4000.0;
+  options.rescue.last_resort.boundary.goal_weight = 0.0;
   NetworkGridAgent agent(readModelFile(shippedModel("grid_lstm")), options);
   CellIndex cell{0, 2};
   const CellIndex goal{0, 0};

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+
+#include "lstm_planner/grid_world/agent/rolling_window.hpp"
+#include "lstm_planner/grid_world/agent/seen_grid.hpp"
+
+namespace lstm_planner {
+
+/// What is remembered of a whole area: not its cells but whether one can get from each block of 4 x 4 cells to the
+/// next, two bits for each pair of neighbours. That is an eighth of the memory that two bits a cell would need, and yet
+/// a wall one cell thick separates what lies on its two sides.
+///
+/// A block stands for the largest piece of it that hangs together, or for the piece with the goal in it. What walls cut
+/// off from that piece belongs to no block, so corridors of fewer than 7 cells may look closed.
+///
+/// When the agent comes back to a block whose cells it has forgotten, what it sees there may close passages, but opens
+/// none that were closed, unless the agent stands in them.
+class BlockGraph {
+ public:
+  enum class Passage {
+    kUnknown,   ///< no wall is known between the two
+    kFree,      ///< and cells on both sides have been seen free
+    kDoubtful,  ///< only through a cell that is doubtful
+    kClosed
+  };
+
+  static constexpr int kSide = 160;   ///< of the window, blocks
+  static constexpr int kMargin = 16;  ///< blocks between the agent and the window's edges
+  static constexpr unsigned kWholeBlock = 0xffff;
+
+  /// Forgets everything.
+  void restart(CellIndex agent);
+
+  /// Learns all that is in `seen`.
+  void learn(const SeenGrid& seen);
+
+  /// Learns what has changed in `seen`, and where the agent and the goal are.
+  void update(const SeenGrid& seen, CellIndex agent, CellIndex goal);
+
+  /// From a block to the next one in a straight direction (even).
+  Passage passage(CellIndex block, std::size_t direction) const;
+
+  /// From the piece of a block where the agent is, as it is now seen.
+  Passage passageFrom(const SeenGrid& seen, CellIndex agent, std::size_t direction) const;
+
+  /// The block's cells that are not cut off from the largest piece, or from `inside`, a cell of it, where given; bit
+  /// 4 row + column from its first cell.
+  unsigned pieceOf(const SeenGrid& seen, CellIndex block, bool through_doubtful,
+                   const CellIndex* inside = nullptr) const;
+
+  /// First block of the window.
+  CellIndex origin() const { return passages_.origin(); }
+  bool contains(CellIndex block) const { return passages_.contains(block); }
+
+  static constexpr std::size_t bytes() { return RollingWindow<kSide, 4>::bytes() + RollingWindow<kSide, 1>::bytes(); }
+
+ private:
+  void updateBlock(const SeenGrid& seen, CellIndex block);
+  void updatePassage(const SeenGrid& seen, CellIndex block, std::size_t direction);
+  Passage judge(const SeenGrid& seen, CellIndex block, std::size_t direction, const CellIndex* inside) const;
+  bool isSeen(const SeenGrid& seen, CellIndex block) const;
+  void noteForgotten(CellIndex old_origin, const SeenGrid& seen);
+
+  RollingWindow<kSide, 4> passages_;   ///< two bits to the east and two to the north
+  RollingWindow<kSide, 1> forgotten_;  ///< blocks whose cells have left the window of the cells since they were judged
+  CellIndex seen_origin_;
+  CellIndex agent_;
+  CellIndex goal_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lstm_planner/grid_world/agent/grid_agent.hpp"
+#include "lstm_planner/grid_world/agent/grid_block.hpp"
+#include "lstm_planner/grid_world/agent/rolling_grid.hpp"
+#include "lstm_planner/grid_world/agent/rolling_window.hpp"
+
+namespace lstm_planner {
+
+/// What an agent has seen of the cells near it: two bits a cell of a square window that rolls along with it.
+class SeenGrid {
+ public:
+  enum class Cell {
+    kUnknown,
+    kFree,      ///< a ray went through it, or the agent stood there
+    kDoubtful,  ///< never seen, but in a gap of at most kWidestGap cells between two walls of a row or column
+    kWall
+  };
+
+  static constexpr int kSide = 160;     ///< of the window, cells
+  static constexpr int kWidestGap = 6;  ///< cells
+  static constexpr int kMargin = 64;    ///< cells between the agent and the window's edges; no ray reaches that far
+
+  /// Forgets everything.
+  void restart(CellIndex agent);
+
+  /// Takes over what lies inside the window; changedBlocks() does not tell.
+  void takeWalls(const RollingGrid& walls);
+
+  /// Marks what the rays show.
+  void observe(const GridObservation& observation);
+
+  /// The blocks in which the latest observation has changed something; some stand there twice.
+  const std::vector<CellIndex>& changedBlocks() const { return changed_blocks_; }
+
+  CellIndex origin() const { return cells_.origin(); }
+  bool contains(CellIndex cell) const { return cells_.contains(cell); }
+  /// kUnknown outside.
+  Cell at(CellIndex cell) const { return static_cast<Cell>(cells_.at(cell)); }
+
+  std::size_t bytes() const { return cells_.bytes() + changed_blocks_.capacity() * sizeof(CellIndex); }
+
+ private:
+  static constexpr std::size_t kMostChanges = 192;  ///< 13 blocks a ray, and those with gaps at its end
+
+  void set(CellIndex cell, Cell value);
+  void markWall(CellIndex cell);
+  bool isInGap(CellIndex cell) const;
+  int wallWithin(CellIndex cell, CellIndex step) const;
+
+  RollingWindow<kSide, 2> cells_;
+  std::vector<CellIndex> changed_blocks_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,312 @@
+#include "lstm_planner/grid_world/agent/area_planner.hpp"
+
+#include <algorithm>
+#include <bitset>
+#include <cmath>
+#include <cstdlib>
+
+#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/grid_world/search/exact_octile.hpp"
+
+namespace lstm_planner {
+namespace {
+
+using Passage = BlockGraph::Passage;
+
+constexpr int kSide = BoundedSearch::kSide;
+constexpr int kStraight = 5;  ///< costs in fifths of a block, or of a cell
+constexpr int kDiagonal = 7;
+constexpr int kClosedCost = 100;    ///< what looks closed is tried last
+constexpr double kShortWay = 40.0;  ///< cells; a shorter way from start to goal counts as one of this length
+constexpr int kSight = 48;          ///< cells ahead that are planned from cell to cell
+constexpr int kStepsOfPlan = 24;    ///< after which it is made anew
+constexpr std::size_t kLongestPath = 64;
+constexpr std::size_t kMostBlocks = 64;
+constexpr std::size_t kBlocksBehind = 12;  ///< that are tried where the nearest cannot be reached
+
+int octile(int columns, int rows) {
+  columns = std::abs(columns);
+  rows = std::abs(rows);
+  return kStraight * std::max(columns, rows) + (kDiagonal - kStraight) * std::min(columns, rows);
+}
+
+int nodeOf(CellIndex place, CellIndex origin) {
+  return (place.row - origin.row) * kSide + place.column - origin.column;
+}
+CellIndex placeOf(int node, CellIndex origin) { return {origin.column + node % kSide, origin.row + node / kSide}; }
+
+double crowFlight(CellIndex a, CellIndex b) { return octileDistance(a, b).length(); }
+
+CellIndex middleOf(CellIndex block) {
+  const CellIndex first = firstCellOf(block);
+  return {first.column + kBlockSide / 2, first.row + kBlockSide / 2};
+}
+
+}  // namespace
+
+static_assert(SeenGrid::kSide == kSide && BlockGraph::kSide == kSide, "one search serves both");
+
+/// From block to block.
+struct AreaPlanner::BlockWorld {
+  const BlockGraph& graph;
+  const AreaPlannerParameters& parameters;
+  std::array<Passage, kGridRayCount> from_agent;  ///< in the straight directions
+  CellIndex agent_block;
+  CellIndex start;
+  CellIndex goal;
+  bool through_closed;
+  double straight_way = std::max(kShortWay, crowFlight(start, goal));
+  CellIndex goal_block = blockOf(goal);
+  bool goal_inside = graph.contains(goal_block);
+
+  int estimate(int node) const {
+    const CellIndex block = placeOf(node, graph.origin());
+    return octile(goal_block.column - block.column, goal_block.row - block.row);
+  }
+  bool isTarget(int node) const {
+    return goal_inside ? node == nodeOf(goal_block, graph.origin()) : BoundedSearch::atEdge(node);
+  }
+  Passage leaving(CellIndex block, std::size_t direction) const {
+    return block == agent_block ? from_agent[direction] : graph.passage(block, direction);
+  }
+  /// Of a block that was never seen, against one that was.
+  double weightOf(CellIndex block) const {
+    const CellIndex cell = middleOf(block);
+    const double detour = (crowFlight(start, cell) + crowFlight(cell, goal)) / straight_way - 1.0;
+    return 1.0 + std::clamp(parameters.far_weight * detour, 0.0, parameters.most_far_weight);
+  }
+  int costOf(Passage passage, int length, double weight) const {
+    if (passage == Passage::kFree) return length;
+    if (passage == Passage::kUnknown) return static_cast<int>(length * weight);
+    if (passage == Passage::kClosed) return length + kClosedCost;
+    return length + static_cast<int>(parameters.doubtful_cost * kStraight / kBlockSide);
+  }
+  /// Of the passages around the corner, all of which have to be open.
+  Passage passageOnDiagonal(CellIndex block, std::size_t direction) const {
+    const std::size_t side = direction - 1;
+    const std::size_t other = (direction + 1) % kGridRayCount;
+    const Passage first = leaving(block, side);
+    const Passage then = graph.passage(cellBeside(block, static_cast<int>(side)), other);
+    const Passage instead = leaving(block, other);
+    const Passage afterwards = graph.passage(cellBeside(block, static_cast<int>(other)), side);
+    const Passage worst = std::max({first, then, instead, afterwards});
+    if (worst > Passage::kFree) return Passage::kClosed;
+    const bool free = (first == Passage::kFree && then == Passage::kFree) ||
+                      (instead == Passage::kFree && afterwards == Passage::kFree);
+    return free ? Passage::kFree : Passage::kUnknown;
+  }
+  template <typename Move>
+  void expand(int node, const Move& move) const {
+    const CellIndex block = placeOf(node, graph.origin());
+    const double weight = weightOf(block);
+    for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
+      const CellIndex next = cellBeside(block, static_cast<int>(direction));
+      // Rows and columns of maps count from 0.
+      if (next.column < 0 || next.row < 0) continue;
+      const bool diagonal = direction % 2 != 0;
+      const Passage passage = diagonal ? passageOnDiagonal(block, direction) : leaving(block, direction);
+      if (passage == Passage::kClosed && (diagonal || !through_closed)) continue;
+      move(direction, costOf(passage, diagonal ? kDiagonal : kStraight, weight));
+    }
+  }
+};
+
+/// From cell to cell, into a piece of a block.
+struct AreaPlanner::CellWorld {
+  static constexpr int kBlocks = SeenGrid::kSide / kBlockSide + 1;
+  using Blocks = std::bitset<static_cast<std::size_t>(kBlocks* kBlocks)>;
+
+  const SeenGrid& seen;
+  CornerCutting corner_cutting;
+  bool through_doubtful;
+  CellIndex block;
+  unsigned piece;
+  bool anywhere = false;
+  Blocks along{};  ///< the blocks that it keeps to, unless anywhere
+
+  std::size_t indexOf(CellIndex place) const {
+    const CellIndex first = blockOf(seen.origin());
+    return static_cast<std::size_t>((place.row - first.row) * kBlocks + place.column - first.column);
+  }
+  void allowAround(CellIndex middle) {
+    const CellIndex first = blockOf(seen.origin());
+    for (int row = middle.row - 1; row <= middle.row + 1; ++row) {
+      for (int column = middle.column - 1; column <= middle.column + 1; ++column) {
+        const bool inside =
+            column >= first.column && row >= first.row && column < first.column + kBlocks && row < first.row + kBlocks;
+        if (inside) along.set(indexOf({column, row}));
+      }
+    }
+  }
+  int estimate(int node) const {
+    const CellIndex cell = placeOf(node, seen.origin());
+    const CellIndex first = firstCellOf(block);
+    const auto beside = [](int x, int low) { return std::max({0, low - x, x - low - (kBlockSide - 1)}); };
+    return octile(beside(cell.column, first.column), beside(cell.row, first.row));
+  }
+  bool isTarget(int node) const {
+    const CellIndex cell = placeOf(node, seen.origin());
+    const CellIndex first = firstCellOf(block);
+    if (blockOf(cell) != block) return false;
+    return (piece >> ((cell.row - first.row) * kBlockSide + cell.column - first.column) & 1u) != 0;
+  }
+  bool isOpen(CellIndex cell) const {
+    const SeenGrid::Cell is = seen.at(cell);
+    return is != SeenGrid::Cell::kWall && (through_doubtful || is != SeenGrid::Cell::kDoubtful);
+  }
+  template <typename Move>
+  void expand(int node, const Move& move) const {
+    const CellIndex cell = placeOf(node, seen.origin());
+    std::array<bool, kGridRayCount> open{};
+    for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
+      open[direction] = isOpen(cellBeside(cell, static_cast<int>(direction)));
+    }
+    for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
+      if (!open[direction]) continue;
+      const bool diagonal = direction % 2 != 0;
+      const bool past_corner = diagonal && !(open[direction - 1] && open[(direction + 1) % kGridRayCount]);
+      if (past_corner && corner_cutting == CornerCutting::kForbidden) continue;
+      if (!anywhere && !along[indexOf(blockOf(cellBeside(cell, static_cast<int>(direction))))]) continue;
+      move(direction, diagonal ? kDiagonal : kStraight);
+    }
+  }
+};
+
+AreaPlanner::AreaPlanner(const AreaPlannerParameters& parameters) : parameters_(parameters) {
+  const auto checkNotNegative = [](const char* name, double value) {
+    checkParameter(value >= 0.0, name, value, "a number that is not negative");
+  };
+  checkNotNegative("far_weight", parameters.far_weight);
+  checkParameter(parameters.most_far_weight >= 0.0 && parameters.most_far_weight <= 30.0, "most_far_weight",
+                 parameters.most_far_weight, "a number from 0 to 30");
+  checkParameter(parameters.doubtful_cost >= 0.0 && parameters.doubtful_cost <= 150.0, "doubtful_cost",
+                 parameters.doubtful_cost, "a number from 0 to 150");
+  path_.reserve(kLongestPath);
+  blocks_.reserve(kMostBlocks);
+}
+
+void AreaPlanner::restart(CellIndex agent, CellIndex start) {
+  seen_.restart(agent);
+  graph_.restart(agent);
+  search_.resetCounter();
+  start_ = start;
+  path_.clear();
+  path_step_ = 0;
+}
+
+void AreaPlanner::takeWalls(const RollingGrid& walls) {
+  seen_.takeWalls(walls);
+  graph_.learn(seen_);
+}
+
+void AreaPlanner::observe(const GridObservation& observation) {
+  now_ = observation;
+  seen_.observe(observation);
+  graph_.update(seen_, observation.cell, observation.goal);
+}
+
+int AreaPlanner::plan() {
+  ++steps_since_plan_;
+  const bool follows = path_step_ < path_.size() && expected_ == now_.cell && steps_since_plan_ < kStepsOfPlan;
+  if (!follows || !isPathFree()) planAnew();
+  if (path_step_ >= path_.size()) return kNoPath;
+  const int direction = path_[path_step_++];
+  expected_ = cellBeside(now_.cell, direction);
+  return direction;
+}
+
+bool AreaPlanner::isBlocked(CellIndex cell) const {
+  const SeenGrid::Cell is = seen_.at(cell);
+  return is == SeenGrid::Cell::kWall || (is == SeenGrid::Cell::kDoubtful && !path_is_doubtful_);
+}
+
+bool AreaPlanner::isPathFree() const {
+  CellIndex cell = now_.cell;
+  for (std::size_t step = path_step_; step < path_.size(); ++step) {
+    const CellIndex next = cellBeside(cell, path_[step]);
+    if (isBlocked(next)) return false;
+    if (parameters_.corner_cutting == CornerCutting::kForbidden &&
+        (isBlocked({next.column, cell.row}) || isBlocked({cell.column, next.row}))) {
+      return false;
+    }
+    cell = next;
+  }
+  return true;
+}
+
+void AreaPlanner::planAnew() {
+  path_.clear();
+  path_step_ = 0;
+  steps_since_plan_ = 0;
+  for (std::size_t direction = 0; direction < kGridRayCount; direction += 2) {
+    from_agent_[direction] = graph_.passageFrom(seen_, now_.cell, direction);
+  }
+  if (planBlocks(false) || planBlocks(true)) planCells();
+}
+
+bool AreaPlanner::planBlocks(bool through_closed) {
+  const BlockWorld world{graph_, parameters_, from_agent_, blockOf(now_.cell), start_, now_.goal, through_closed};
+  const int target = search_.find(world, nodeOf(blockOf(now_.cell), graph_.origin()));
+  if (target < 0) return false;
+  length_ = static_cast<double>(search_.cost()) * kBlockSide / kStraight;
+  search_.pathTo(target, kMostBlocks, &blocks_);
+  return true;
+}
+
+void AreaPlanner::planCells() {
+  // Up to the first passage that is not certainly open; where that is the very first one, through it.
+  CellIndex block = blockOf(now_.cell);
+  std::size_t count = 0;
+  bool through_doubtful = false;
+  for (; count < blocks_.size(); ++count) {
+    const std::size_t direction = blocks_[count];
+    const CellIndex next = cellBeside(block, static_cast<int>(direction));
+    const CellIndex middle = middleOf(next);
+    if (std::max(std::abs(middle.column - now_.cell.column), std::abs(middle.row - now_.cell.row)) > kSight) break;
+    const BlockGraph::Passage passage = count == 0 ? from_agent_[direction] : graph_.passage(block, direction);
+    const bool open = direction % 2 != 0 || passage <= Passage::kFree;
+    through_doubtful = !open;
+    if (!open && count > 0) break;
+    block = next;
+    if (!open) {
+      ++count;
+      break;
+    }
+  }
+  through_doubtful = through_doubtful && count == 1;
+  if (planCellsTo(block, through_doubtful, count)) return;
+  if (!through_doubtful && planCellsTo(block, true, count)) return;
+  if (planCellsTo(block, true, 0)) return;
+  const std::size_t last = std::min(blocks_.size(), count + kBlocksBehind);
+  for (std::size_t i = count; i < last; ++i) {
+    block = cellBeside(block, blocks_[i]);
+    if (planCellsTo(block, true, 0)) return;
+  }
+}
+
+/// `along`: so many of the blocks are not to be left; 0 where it may go anywhere.
+bool AreaPlanner::planCellsTo(CellIndex block, bool through_doubtful, std::size_t along) {
+  const bool at_goal = block == blockOf(now_.goal);
+  const CellIndex first = firstCellOf(block);
+  unsigned piece = graph_.pieceOf(seen_, block, through_doubtful);
+  if (at_goal) piece = 1u << ((now_.goal.row - first.row) * kBlockSide + now_.goal.column - first.column);
+  CellWorld world{seen_, parameters_.corner_cutting, through_doubtful, block, piece == 0 ? 0xffffu : piece};
+  world.anywhere = along == 0;
+  CellIndex allowed = blockOf(now_.cell);
+  world.allowAround(allowed);
+  for (std::size_t i = 0; i < along; ++i) {
+    allowed = cellBeside(allowed, blocks_[i]);
+    world.allowAround(allowed);
+  }
+  const int target = search_.find(world, nodeOf(now_.cell, seen_.origin()));
+  if (target < 0) return false;
+  search_.pathTo(target, kLongestPath, &path_);
+  path_is_doubtful_ = through_doubtful;
+  return !path_.empty();
+}
+
+std::size_t AreaPlanner::bytes() const {
+  return sizeof(*this) + seen_.bytes() + BlockGraph::bytes() + BoundedSearch::bytes() + kLongestPath + kMostBlocks;
+}
+
+}  // namespace lstm_planner

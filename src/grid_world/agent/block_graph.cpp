@@ -1,0 +1,177 @@
+#include "lstm_planner/grid_world/agent/block_graph.hpp"
+
+#include <algorithm>
+
+namespace lstm_planner {
+namespace {
+
+constexpr std::size_t kEast = 0;
+constexpr std::size_t kNorth = 2;
+
+bool isIn(CellIndex cell, CellIndex block) { return blockOf(cell) == block; }
+
+unsigned bitOf(CellIndex cell, CellIndex block) {
+  const CellIndex first = firstCellOf(block);
+  return 1u << ((cell.row - first.row) * kBlockSide + cell.column - first.column);
+}
+
+bool isOpen(SeenGrid::Cell cell, bool through_doubtful) {
+  return cell != SeenGrid::Cell::kWall && (through_doubtful || cell != SeenGrid::Cell::kDoubtful);
+}
+
+/// The cells of `open` that can be reached from `from` by straight moves.
+unsigned filled(unsigned from, unsigned open) {
+  constexpr unsigned kNotFirstColumn = 0xeeee;
+  constexpr unsigned kNotLastColumn = 0x7777;
+  for (;;) {
+    const unsigned wider = (from | (from << 1 & kNotFirstColumn) | (from >> 1 & kNotLastColumn) | from << kBlockSide |
+                            from >> kBlockSide) &
+                           open;
+    if (wider == from) return from;
+    from = wider;
+  }
+}
+
+int countOf(unsigned cells) {
+  int count = 0;
+  for (; cells != 0; cells &= cells - 1) ++count;
+  return count;
+}
+
+unsigned largestPiece(unsigned open) {
+  unsigned best = 0;
+  for (unsigned left = open; left != 0;) {
+    const unsigned piece = filled(left & (~left + 1), open);
+    if (countOf(piece) > countOf(best)) best = piece;
+    left &= ~piece;
+  }
+  return best;
+}
+
+/// Number `i` of the cells at a block's side.
+CellIndex lastCell(CellIndex first, int i, std::size_t direction) {
+  constexpr int kLast = kBlockSide - 1;
+  if (direction == 0) return {first.column + kLast, first.row + i};
+  if (direction == 2) return {first.column + i, first.row + kLast};
+  return direction == 4 ? CellIndex{first.column, first.row + i} : CellIndex{first.column + i, first.row};
+}
+
+}  // namespace
+
+void BlockGraph::restart(CellIndex agent) {
+  passages_.restart(blockOf(agent));
+  forgotten_.restart(blockOf(agent));
+  agent_ = agent;
+  goal_ = agent;
+}
+
+void BlockGraph::update(const SeenGrid& seen, CellIndex agent, CellIndex goal) {
+  passages_.keepInside(blockOf(agent), kMargin);
+  forgotten_.keepInside(blockOf(agent), kMargin);
+  if (seen.origin() != seen_origin_) noteForgotten(seen_origin_, seen);
+  agent_ = agent;
+  if (goal != goal_) {
+    const CellIndex old_goal = goal_;
+    goal_ = goal;
+    updateBlock(seen, blockOf(old_goal));
+    updateBlock(seen, blockOf(goal));
+  }
+  for (const CellIndex block : seen.changedBlocks()) updateBlock(seen, block);
+}
+
+bool BlockGraph::isSeen(const SeenGrid& seen, CellIndex block) const {
+  return seen.contains(firstCellOf({block.column - 1, block.row - 1})) &&
+         seen.contains(firstCellOf({block.column + 2, block.row + 2}));
+}
+
+void BlockGraph::noteForgotten(CellIndex old_origin, const SeenGrid& seen) {
+  const CellIndex first = blockOf(old_origin);
+  for (int row = 0; row <= SeenGrid::kSide / kBlockSide; ++row) {
+    for (int column = 0; column <= SeenGrid::kSide / kBlockSide; ++column) {
+      const CellIndex block = {first.column + column, first.row + row};
+      if (!isSeen(seen, block)) forgotten_.set(block, 1);
+    }
+  }
+  seen_origin_ = seen.origin();
+}
+
+void BlockGraph::learn(const SeenGrid& seen) {
+  seen_origin_ = seen.origin();
+  const CellIndex first = blockOf(seen.origin());
+  for (int row = 0; row < SeenGrid::kSide / kBlockSide; ++row) {
+    for (int column = 0; column < SeenGrid::kSide / kBlockSide; ++column) {
+      updateBlock(seen, {first.column + column, first.row + row});
+    }
+  }
+}
+
+BlockGraph::Passage BlockGraph::passage(CellIndex block, std::size_t direction) const {
+  const bool forward = direction == kEast || direction == kNorth;
+  const CellIndex first = forward ? block : cellBeside(block, static_cast<int>(direction));
+  const unsigned both = passages_.at(first);
+  return static_cast<Passage>(direction % 4 == kEast ? both & 3u : both >> 2);
+}
+
+BlockGraph::Passage BlockGraph::passageFrom(const SeenGrid& seen, CellIndex agent, std::size_t direction) const {
+  return judge(seen, blockOf(agent), direction, &agent);
+}
+
+unsigned BlockGraph::pieceOf(const SeenGrid& seen, CellIndex block, bool through_doubtful,
+                             const CellIndex* inside) const {
+  const CellIndex first = firstCellOf(block);
+  unsigned open = 0;
+  for (int i = 0; i < kBlockSide * kBlockSide; ++i) {
+    if (isOpen(seen.at({first.column + i % kBlockSide, first.row + i / kBlockSide}), through_doubtful)) open |= 1u << i;
+  }
+  if (open == kWholeBlock) return open;
+  unsigned from = 0;
+  // Through doubtful cells it grows, but stays the same piece.
+  if (through_doubtful) from = pieceOf(seen, block, false, inside);
+  if (from == 0 && inside != nullptr) from = bitOf(*inside, block) & open;
+  if (from == 0 && isIn(goal_, block)) from = bitOf(goal_, block) & open;
+  return from != 0 ? filled(from, open) : largestPiece(open);
+}
+
+void BlockGraph::updateBlock(const SeenGrid& seen, CellIndex block) {
+  // What the window of the cells has forgotten is not judged anew.
+  if (!isSeen(seen, block)) return;
+  for (std::size_t direction = 0; direction < kGridRayCount; direction += 2) updatePassage(seen, block, direction);
+}
+
+void BlockGraph::updatePassage(const SeenGrid& seen, CellIndex block, std::size_t direction) {
+  const bool forward = direction == kEast || direction == kNorth;
+  const CellIndex first = forward ? block : cellBeside(block, static_cast<int>(direction));
+  const std::size_t axis = direction % 4;
+  const CellIndex second = cellBeside(first, static_cast<int>(axis));
+  const unsigned both = passages_.at(first);
+  const Passage known = static_cast<Passage>(axis == kEast ? both & 3u : both >> 2);
+  Passage judged = judge(seen, first, axis, nullptr);
+  const bool was_forgotten = forgotten_.at(first) != 0 || forgotten_.at(second) != 0;
+  const bool walked = judged == Passage::kFree && (isIn(agent_, first) || isIn(agent_, second));
+  if (was_forgotten && !walked) judged = std::max(known, judged);
+  const unsigned value = static_cast<unsigned>(judged);
+  passages_.set(first, axis == kEast ? (both & ~3u) | value : (both & 3u) | value << 2);
+}
+
+BlockGraph::Passage BlockGraph::judge(const SeenGrid& seen, CellIndex block, std::size_t direction,
+                                      const CellIndex* inside) const {
+  const CellIndex next = cellBeside(block, static_cast<int>(direction));
+  const CellIndex first = firstCellOf(block);
+  for (const bool through_doubtful : {false, true}) {
+    const unsigned here = pieceOf(seen, block, through_doubtful, inside);
+    const unsigned there = pieceOf(seen, next, through_doubtful);
+    bool open = false;
+    for (int i = 0; i < kBlockSide; ++i) {
+      const CellIndex last = lastCell(first, i, direction);
+      const CellIndex beyond = cellBeside(last, static_cast<int>(direction));
+      if ((here & bitOf(last, block)) == 0 || (there & bitOf(beyond, next)) == 0) continue;
+      if (through_doubtful) return Passage::kDoubtful;
+      if (seen.at(last) == SeenGrid::Cell::kFree && seen.at(beyond) == SeenGrid::Cell::kFree) return Passage::kFree;
+      open = true;
+    }
+    if (open) return Passage::kUnknown;
+  }
+  return Passage::kClosed;
+}
+
+}  // namespace lstm_planner
