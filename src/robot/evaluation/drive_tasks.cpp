@@ -1,4 +1,5 @@
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,7 +25,9 @@ std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footp
     }
   }
   if (standing.empty()) {
-    throw std::invalid_argument("the map has no place for a disc of radius " + std::to_string(needed) + " m");
+    std::ostringstream message;
+    message << "the map has no place for a disc with a radius of " << needed << " m";
+    throw std::invalid_argument(message.str());
   }
   Random random(seed);
   std::vector<DriveTask> tasks;
@@ -34,8 +37,10 @@ std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footp
   const int most_draws = 1000 + 100 * count;
   for (int draws = 0; static_cast<int>(tasks.size()) < count; ++draws) {
     if (draws > most_draws) {
-      throw std::invalid_argument("the map has no two places at least " + std::to_string(shortest) +
-                                  " m apart that can be reached from one another");
+      std::ostringstream message;
+      message << "the map has no two places at least " << shortest << " m apart that a disc with a radius of " << needed
+              << " m can get to from one another";
+      throw std::invalid_argument(message.str());
     }
     const CellIndex goal = standing[uniformIndex(random, standing.size())];
     const CellIndex start = standing[uniformIndex(random, standing.size())];
