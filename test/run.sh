@@ -13,8 +13,8 @@ usage() {
 Usage: bash test/run.sh [--build-only] [FILTER]
 
 Installs what is missing, builds the package and its tests in a workspace outside the source tree, and runs them: the
-unit tests in as many processes as there are processors, and beside each other the rostests, each under a ROS master of
-its own; without FILTER also the linters (test/lint.sh). The last line counts the test cases. A test that is skipped
+unit tests in as many processes as there are processors, then the rostests, twice as many at a time, each under a ROS
+master of its own; without FILTER also the linters (test/lint.sh). The last line counts the test cases. A test that is skipped
 counts as a failure, unless test/skips.txt allows it.
 
 Arguments:
@@ -71,7 +71,8 @@ run_tests() {
   fi
   if [ -n "$ros_tests" ]; then
     cd "$workspace/build" || exit 1
-    ctest --output-on-failure --parallel "$(parallel_jobs)" -R "_rostest_test_ros_($ros_tests)\.test\$" </dev/null ||
+    # Two a processor: they mostly wait for clocks and for processes to start.
+    ctest --output-on-failure --parallel "$((2 * $(parallel_jobs)))" -R "_rostest_test_ros_($ros_tests)\.test\$" </dev/null ||
       status=1
   fi
   return "$status"
