@@ -119,6 +119,8 @@ void printDriveSummary(std::ostream& out, const DriveCourse& course, const Drive
     out << std::setprecision(4) << "BARN score: " << meanBarnScore(all, 4.0) << " (k = 4), " << meanBarnScore(all, 2.0)
         << " (k = 2)\n";
   }
+  if (course.left_out > 0)
+    out << "worlds left out, because the robot does not fit into them: " << course.left_out << '\n';
   if (course.is_dynabarn) {
     const DriveSummary summary = summarize(all);
     out << "ended by touching a cylinder: " << summary.touched << " (the robot drove into " << summary.contacts
@@ -130,6 +132,7 @@ std::string driveJson(const DriveOptions& options, const DriveCourse& course, co
   nlohmann::json json = toJson(together(results), course.is_barn);
   const SimulatedRobot::Parameters& robot = course.rules.robot;
   json["map"] = course.source;
+  json["left_out"] = course.left_out;
   json["leader"] = nameOfLeader(options.agent.leader);
   json["memory"] = options.agent.memory.enabled;
   json["escape"] = options.agent.escape.enabled;

@@ -98,17 +98,26 @@ void addRoom(const DriveOptions& options, DriveCourse* course) {
   addGoals(kShortest, options, &course->worlds.back());
 }
 
+/// Without those that the robot is too large for.
 void addGeneratedWorlds(const DriveOptions& options, DriveCourse* course) {
   const WorldKind kind = worldKindOf(options.kind);
   course->source = options.kind;
+  std::string reason;
   for (int number = 0; number < options.goals.value_or(kGoals); ++number) {
     if (!isWanted(options, number)) continue;
     const std::uint64_t seed = worldSeed(WorldUse::kJudging, options.seed, static_cast<std::uint64_t>(number));
     const std::string name = options.kind + "-" + std::to_string(number);
-    course->worlds.push_back(gridWorld(name, generateWorld(kind, seed), options));
-    DriveWorld& world = course->worlds.back();
-    world.exercises.push_back({name, number, draw(world, 1, kShortest, seed, options)[0], seed});
+    DriveWorld world = gridWorld(name, generateWorld(kind, seed), options);
+    try {
+      world.exercises.push_back({name, number, draw(world, 1, kShortest, seed, options)[0], seed});
+    } catch (const std::invalid_argument& error) {
+      ++course->left_out;
+      reason = error.what();
+      continue;
+    }
+    course->worlds.push_back(std::move(world));
   }
+  if (course->worlds.empty() && course->left_out > 0) throw std::invalid_argument(reason);
 }
 
 /// Across the square among cylinders that move, by the rules of DynaBARN.

@@ -39,6 +39,7 @@ struct DriveCourse {
   DriveParameters rules;
   bool is_barn = false;
   bool is_dynabarn = false;
+  int left_out = 0;  ///< worlds, because the robot does not fit into them
 };
 
 /// The map that `text` names as --map does: FILE, or FILE=FREE_THRESHOLD. What it does not know is solid.

@@ -16,6 +16,7 @@ constexpr double kLeastTurn = 0.05;   // rad that are worth a turn
 constexpr double kSlowestTurn = 0.1;  // rad/s; slower is standing
 constexpr double kEnough = 0.5;       // rad of a turn for which the robot need not go farther back
 constexpr double kTurnsOnly = 0.01;   // m; a way back that is shorter is a turn in place
+constexpr double kFastestBack = 0.2;  // m/s; faster it would leave the way that it came before it sees that
 constexpr double kWhereItWas = 0.5;   // of the safety margin: it was there already
 constexpr double kShares[] = {1.0, 0.75, 0.5, 0.35, 0.2, 0.1, 0.05};
 constexpr double kNarrower[] = {0.7, 0.45, 0.2, 0.0};
@@ -89,7 +90,7 @@ std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
   Twist2 wanted{0.0, clampMagnitude(parameters_.heading_gain * turn, 0.5 * parameters_.max_angular)};
   if (away >= kTurnsOnly) {
     // The arc that leads there ends with about the heading that the robot had there.
-    wanted = {-slowSpeed(parameters_), 0.0};
+    wanted = {-std::min(slowSpeed(parameters_), kFastestBack), 0.0};
     wanted.angular = clampMagnitude(wanted.linear * 2.0 * back.y / (away * away), parameters_.max_angular);
   }
   const auto twist = fastestShare(wanted, [&](const Twist2& share) {

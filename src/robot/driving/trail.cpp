@@ -1,5 +1,6 @@
 #include "lstm_planner/robot/driving/trail.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lstm_planner {
@@ -10,7 +11,8 @@ constexpr double kSpacing = 0.02;   // m between poses, at the least
 constexpr double kTurn = 0.05;      // rad, likewise
 constexpr double kSpacings = 60.0;  // that are remembered: 1.2 m, or half a turn in place
 constexpr double kThere = 0.5;      // spacings; nearer than that the robot is there
-constexpr double kAhead = 3.0;      // spacings to the pose that it goes back to
+constexpr double kAhead = 7.0;      // spacings to the pose that it goes back to
+constexpr double kOff = 1.0;        // spacings; farther from where it was it does not know what is behind it
 
 /// In spacings.
 double apart(const Pose2& a, const Pose2& b) {
@@ -36,6 +38,8 @@ void Trail::note(const Pose2& pose, bool goes_back) {
 }
 
 std::optional<Pose2> Trail::back(const Pose2& pose) const {
+  const auto isNear = [&](const Place& place) { return apart(pose, place.pose) <= kOff; };
+  if (std::none_of(places_.begin(), places_.end(), isNear)) return std::nullopt;
   // Not the very next one: over so short a way the direction is noise.
   for (auto place = places_.rbegin(); place != places_.rend(); ++place) {
     if (apart(pose, place->pose) >= kAhead) return compose(inverse(pose), place->pose);

@@ -14,7 +14,8 @@ class Trail {
   /// The robot is here now. `goes_back`: it retraces the trail, which becomes shorter instead of longer.
   void note(const Pose2& pose, bool goes_back);
 
-  /// The next pose back, in the robot's frame; none at the trail's end.
+  /// The next pose back, in the robot's frame; none at the trail's end, nor where the robot is farther than 2 cm or
+  /// 0.05 rad from each pose of the trail. A robot that stops there, and is noted, may go on back from there.
   std::optional<Pose2> back(const Pose2& pose) const;
 
   /// The odometry jumped.
