@@ -12,6 +12,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kBehind = 2.7;  // rad of heading error
+constexpr double kSlack = 1e-9;  // m
 
 }  // namespace
 
@@ -69,7 +70,7 @@ MotionCommand MotionController::compute(const std::vector<Pose2>& plan, const Po
   if (twist.linear == 0.0 && current.linear > kSpeedError && !moving.empty()) {
     return {{}, stop == StopReason::kNone ? StopReason::kPerson : stop};
   }
-  return {withinWheelLimits(twist), stop};
+  return {steadied(withinWheelLimits(twist), now), stop};
 }
 
 bool MotionController::goalReached(const Pose2& pose, const Pose2& goal) const {
@@ -186,13 +187,12 @@ double MotionController::allowedSpeed(const Twist2& twist, const Twist2& current
   const double acceleration = parameters_.linear_acceleration;
   const double curvature = twist.angular / twist.linear;
   const double present = std::max(0.0, current.linear) + kSpeedError;
-  const double slack = 1e-9;  // m
   // The command may act at once: the present speed, if that is higher, is then braked away along the new arc.
   const double length =
       std::max(twist.linear, present) * reaction_time_ + twist.linear * twist.linear / (2.0 * acceleration);
   double allowed = twist.linear;
   double free = shield.freeArc({}, curvature, length, margin);
-  if (free < length - slack) {
+  if (free < length - kSlack) {
     const double reaction = reaction_time_;
     allowed = acceleration * (std::sqrt(reaction * reaction + 2.0 * free / acceleration) - reaction);
     if (allowed < present) {
@@ -202,14 +202,14 @@ double MotionController::allowedSpeed(const Twist2& twist, const Twist2& current
   // Or the robot goes on as it does now until the last moment.
   const double delay = std::max(0.0, reaction_time_ - period);
   const double present_curvature = current.angular / present;
-  if (shield.freeArc({}, present_curvature, present * delay, margin) < present * delay - slack) {
+  if (shield.freeArc({}, present_curvature, present * delay, margin) < present * delay - kSlack) {
     return 0.0;
   }
   const Pose2 later = alongArc({}, present_curvature, present * delay);
   const double hold = reaction_time_ - delay;
   const double rest = twist.linear * hold + twist.linear * twist.linear / (2.0 * acceleration);
   free = shield.freeArc(later, curvature, rest, margin);
-  if (free < rest - slack) {
+  if (free < rest - kSlack) {
     allowed = std::min(allowed, acceleration * (std::sqrt(hold * hold + 2.0 * free / acceleration) - hold));
   }
   return allowed;

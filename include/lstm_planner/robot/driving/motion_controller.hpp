@@ -93,17 +93,19 @@ struct MotionCommand : Twist2 {
   bool goes_back = false;  ///< it retraces the way that it came
 };
 
-/// The way that a robot with corners came (Trail).
+/// What was commanded before, and the way that a robot with corners came (Trail).
 struct MotionHistory {
-  std::optional<Pose2> back;  ///< the next pose back, base frame
-  bool goes_back = false;     ///< it was told to, last
+  std::optional<Pose2> back;                       ///< the next pose back, base frame
+  bool goes_back = false;                          ///< it was told to, last
+  std::optional<Twist2> commanded = std::nullopt;  ///< last; it may not have reached the wheels yet
 };
 
 /// Turns and drives along a plan; never commands a motion which, braking included, comes nearer to a return than the
 /// safety margin. What is looked at is the path that the robot really takes: on with the present twist until the
 /// command acts, which may be at once or after the reaction time, then along the commanded arc until it stands.
 ///
-/// A circle may always turn in place. A polygon turns where its corners have room; else it drives on along a wider arc,
+/// A circle may always turn in place. While it still drives, it turns only as its wheels can without carrying it on into
+/// something: a wheel that speeds up for the turn makes up for one that brakes. A polygon turns where its corners have room; else it drives on along a wider arc,
 /// or back the way it came until it can turn.
 ///
 /// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
@@ -151,8 +153,13 @@ class MotionController {
   double yieldingSpeed(const Twist2& twist, const Persons& persons) const;
   double yieldingReach(double footprint_radius) const;
 
-  // Of a robot with corners.
   struct Moment;
+
+  // What wheels do that change their speed.
+  Twist2 steadied(const Twist2& twist, const Moment& now) const;
+  double freeOnWheels(const Twist2& twist, double delay, const Moment& now) const;
+
+  // Of a robot with corners.
   MotionCommand driveWithCorners(const Twist2& wanted, double error, const Moment& now) const;
   MotionCommand turnWithCorners(double error, const Moment& now) const;
   MotionCommand makeRoom(double error, const Moment& now) const;

@@ -33,6 +33,7 @@ class PathTracker {
       command = controller_.evade(command, plan, situation.pose, twist, shield, period, things_.around(situation.pose));
     }
     history_.goes_back = command.goes_back;
+    history_.commanded = command;
     return command;
   }
 

@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lstm_planner/robot/driving/path_tracker.hpp"
+#include "lstm_planner/robot/simulation/simulated_robot.hpp"
+#include "unit/robot/driving/agent_fixtures.hpp"
+#include "unit/robot/driving/plan_along.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kPeriod = 0.1;  // s
+constexpr double kRadius = 0.5;  // m
+constexpr double kWall = 4.0;    // m, where it starts
+
+/// A large, fast robot. Its wheels brake only as well as the controller is told that the robot does.
+SimulatedRobot::Parameters largeRobot() {
+  SimulatedRobot::Parameters parameters;
+  parameters.base.base_diameter = 2.0 * kRadius;
+  parameters.base.axle_length = 0.8;
+  parameters.base.max_wheel_speed = 2.2;
+  parameters.base.max_wheel_acceleration = 1.5;
+  parameters.scanner.noise = 0.0;
+  parameters.scanner.mount.pose = {};
+  return parameters;
+}
+
+MotionParameters limitsOfLargeRobot() {
+  MotionParameters limits;
+  limits.max_linear = 1.5;
+  limits.max_angular = 1.2;
+  limits.max_wheel_speed = 2.2;
+  limits.axle_length = 0.8;
+  limits.linear_acceleration = 1.5;
+  return limits;
+}
+
+/// Drives towards a wall, turning to the right; after `ticks` periods the plan leads to the left. Returns the contacts.
+int contactsAfterATurn(int ticks, const World& world) {
+  PathTracker tracker(limitsOfLargeRobot());
+  SimulatedRobot robot(world, largeRobot(), {1.0, 6.0, 0.6}, 1);
+  Shield shield(kRadius, 0.03, 6.0);
+  Situation situation;
+  for (int tick = 0; tick < ticks + 30; ++tick) {
+    robot.sense(6.0, &situation);
+    shield.show(situation.obstacles);
+    const double side = tick < ticks ? -1.0 : 1.0;
+    const Point2 begin{situation.pose.x, situation.pose.y};
+    const std::vector<Pose2> plan =
+        test::planAlong({begin, pointAlong(situation.pose, situation.pose.yaw + side, 3.0)});
+    robot.command(tracker.compute(plan, situation, robot.measuredTwist(), shield, kPeriod));
+    robot.advance(kPeriod);
+  }
+  return robot.contacts();
+}
+
+TEST(MotionOnWheels, ALargeRobotThatTurnsTheOtherWayBeforeAWallBrakesFirst) {
+  // While one wheel brakes and the other speeds up, the robot turns the other way but does not become slower.
+  OccupancyGrid grid = test::emptyHall(12.0, 12.0);
+  test::fillBox(kWall, 0.0, kWall + 0.1, 12.0, &grid);
+  const GridWorld world(grid);
+  for (int ticks = 5; ticks <= 40; ++ticks) EXPECT_EQ(contactsAfterATurn(ticks, world), 0) << ticks;
+}
+
+}  // namespace
+}  // namespace lstm_planner
