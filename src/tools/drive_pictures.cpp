@@ -95,8 +95,9 @@ std::string titleOf(const Drive& drive) {
   return title;
 }
 
-void draw(const std::string& path, const Drive& drive) {
+void draw(const std::string& path, const DriveCourse& course, const Drive& drive) {
   TracePicture picture;
+  picture.robot_radius = footprintOf(course.rules.robot.base).circumscribedRadius();
   picture.title = titleOf(drive);
   picture.legend = true;
   picture.starts = {drive.exercise.task.start};
@@ -131,7 +132,7 @@ void drawDrives(const std::string& folder, const DriveCourse& course, const Driv
       if (wentWell(drive)) {
         good.push_back(drive);
       } else if (misses++ < kMostMisses) {
-        draw(nameOf(drive.result.contacts > 0 ? "contact" : "missed", drive), drive);
+        draw(nameOf(drive.result.contacts > 0 ? "contact" : "missed", drive), course, drive);
       }
     }
   }
@@ -139,15 +140,15 @@ void drawDrives(const std::string& folder, const DriveCourse& course, const Driv
   std::vector<const Drive*> order;
   for (const Drive& drive : good) order.push_back(&drive);
   std::stable_sort(order.begin(), order.end(), [](const Drive* a, const Drive* b) { return detour(*a) < detour(*b); });
-  draw(nameOf("best", *order.front()), *order.front());
-  draw(nameOf("median", *order[order.size() / 2]), *order[order.size() / 2]);
-  draw(nameOf("worst", *order.back()), *order.back());
+  draw(nameOf("best", *order.front()), course, *order.front());
+  draw(nameOf("median", *order[order.size() / 2]), course, *order[order.size() / 2]);
+  draw(nameOf("worst", *order.back()), course, *order.back());
 }
 
 void drawDrive(const std::string& file, const DriveCourse& course, const DriveResults& results) {
   for (std::size_t i = 0; i < course.worlds.size(); ++i) {
     if (results[i].empty()) continue;
-    return draw(file, {course.worlds[i], course.worlds[i].exercises.front(), results[i].front()});
+    return draw(file, course, {course.worlds[i], course.worlds[i].exercises.front(), results[i].front()});
   }
   throw std::invalid_argument("there is no drive to draw");
 }
