@@ -133,7 +133,11 @@ void addRobotOptions(Conversion* conversion, CommandLine* line) {
             "degrees; steering angle of each output, from right to left (default: -90 -45 0 45 90)");
   line->add("step-length", &conversion->policy.step_length, {0.001, 1000.0}, "m from decision to decision");
   line->add("robot-radius", &conversion->policy.footprint_radius, {0.001, 1000.0},
-            "m; radius of the largest robot that the network was trained for");
+            "m; radius of the robot that the network was trained with");
+  line->add("smallest-robot", &conversion->policy.smallest_radius, {0.0, 1000.0},
+            "m; smallest radius of a robot that the network was tried with; 0: not known");
+  line->add("largest-robot", &conversion->policy.largest_radius, {0.0, 1000.0},
+            "m; largest radius of a robot that the network was tried with; 0: not known");
 }
 
 bool readConversion(const std::vector<std::string>& arguments, Conversion* conversion) {
@@ -162,10 +166,23 @@ bool readConversion(const std::vector<std::string>& arguments, Conversion* conve
   return line.parse(arguments);
 }
 
+/// What a model for the robot says already stays, unless an option says otherwise.
+bool startFrom(const Model& model, Conversion* conversion) {
+  if (conversion->task != "robot" || model.metadata.count("input_layout") == 0) return false;
+  try {
+    conversion->policy = readPolicyDescription(model.metadata);
+  } catch (const std::invalid_argument&) {
+    return false;  // the options say all of it
+  }
+  conversion->views = conversion->policy.encoder.views;
+  return true;
+}
+
 int modelConvert(const std::vector<std::string>& arguments) {
   Conversion conversion;
   if (!readConversion(arguments, &conversion)) return 0;
   Model model = readModelFile(conversion.file);
+  if (startFrom(model, &conversion)) readConversion(arguments, &conversion);
   if (conversion.task == "grid") {
     writeMetadata(conversion.grid, &model.metadata);
   } else {

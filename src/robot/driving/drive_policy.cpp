@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kSameAngle = 1e-4;  ///< rad
 
+const char* const kSmallest = "smallest_robot";
+const char* const kLargest = "largest_robot";
+
 constexpr double kShortest = 1e-3;   ///< m
 constexpr double kLongest = 1000.0;  ///< m
 
@@ -36,6 +39,8 @@ void writeMetadata(const PolicyDescription& description, std::map<std::string, s
   (*metadata)["action_angles"] = angles;
   (*metadata)["step_length"] = metadataText(description.step_length);
   (*metadata)["robot_radius"] = metadataText(description.footprint_radius);
+  if (description.smallest_radius > 0.0) (*metadata)[kSmallest] = metadataText(description.smallest_radius);
+  if (description.largest_radius > 0.0) (*metadata)[kLargest] = metadataText(description.largest_radius);
 }
 
 PolicyDescription readPolicyDescription(const std::map<std::string, std::string>& metadata) {
@@ -45,6 +50,8 @@ PolicyDescription readPolicyDescription(const std::map<std::string, std::string>
   description.actions = readActions(&reader);
   description.step_length = reader.number("step_length", kShortest, kLongest);
   description.footprint_radius = reader.number("robot_radius", kShortest, kLongest);
+  if (reader.has(kSmallest)) description.smallest_radius = reader.number(kSmallest, kShortest, kLongest);
+  if (reader.has(kLargest)) description.largest_radius = reader.number(kLargest, kShortest, kLongest);
   reader.finish();
   return description;
 }
@@ -152,11 +159,13 @@ void checkFits(const PolicyDescription& description, double step_length, double 
 }
 
 std::string sizeWarning(const PolicyDescription& description, double footprint_radius) {
-  if (footprint_radius <= description.footprint_radius + 0.05) return "";
-  return "the model was trained for a robot of radius " + std::to_string(description.footprint_radius) +
-         " m, shield/footprint_radius is " + std::to_string(footprint_radius) +
-         " m: the network leads towards gaps that are too narrow, the shield takes those steps away, and the path "
-         "through the remembered obstacles leads more often; leader: route is made for any size";
+  const bool is_known = description.largest_radius > 0.0;
+  const double largest = is_known ? description.largest_radius : description.footprint_radius + 0.05;
+  if (footprint_radius >= description.smallest_radius && footprint_radius <= largest) return "";
+  return "the network was tried with robots of radius " + std::to_string(description.smallest_radius) + " to " +
+         std::to_string(largest) + " m, shield/footprint_radius is " + std::to_string(footprint_radius) +
+         " m: it may lead worse, and the path through the remembered obstacles leads more often; leader: route is made "
+         "for any size";
 }
 
 }  // namespace lstm_planner

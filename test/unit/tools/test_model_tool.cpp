@@ -53,6 +53,18 @@ TEST_F(ModelTool, FitsAnExportedNetworkWithWhatItNeeds) {
   EXPECT_EQ(readModelFile(in("own.onnx")).metadata.at("training_command"), "my script");
 }
 
+TEST_F(ModelTool, KeepsWhatTheModelSaysUnlessAnOptionSaysOtherwise) {
+  expectSays("model convert " + kExported + " --output " + in("own.onnx") + " --step-length 0.5 --range-cap 5", 0,
+             "for      the robot");
+  expectSays("model convert " + in("own.onnx") + " --output " + in("tried.onnx") +
+                 " --range-cap 4 --smallest-robot 0.1 --largest-robot 0.5",
+             0, "largest_robot    0.5");
+  const PolicyDescription& description = DrivePolicy::fromFile(in("tried.onnx")).description();
+  EXPECT_EQ(description.step_length, 0.5);
+  EXPECT_EQ(description.encoder.range_cap, 4.0);
+  EXPECT_EQ(description.smallest_radius, 0.1);
+}
+
 TEST_F(ModelTool, RefusesWhatDoesNotFitAndWritesNothing) {
   expectSays("model convert " + kExported + " --output " + in("own.onnx") + " --actions -90 0 90", 2,
              "the network has 5 outputs, its action set has 3");

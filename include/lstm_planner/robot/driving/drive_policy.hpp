@@ -20,10 +20,13 @@ struct PolicyDescription {
   EncoderParameters encoder;
   ActionSet actions;
   double step_length = 0.4;           ///< m
-  double footprint_radius = 0.17425;  ///< m
+  double footprint_radius = 0.17425;  ///< m, of the robot that it was trained with
+  double smallest_radius = 0.0;       ///< m, of the robots that it was tried with; 0 = not known
+  double largest_radius = 0.0;        ///< m, likewise
 };
 
-/// To and from the metadata of a model file (keys of the encoder, and: action_angles, step_length, robot_radius).
+/// To and from the metadata of a model file (keys of the encoder, and: action_angles, step_length, robot_radius,
+/// smallest_robot and largest_robot where they are known).
 /// Reading throws std::invalid_argument, which names all missing and malformed keys.
 void writeMetadata(const PolicyDescription& description, std::map<std::string, std::string>* metadata);
 PolicyDescription readPolicyDescription(const std::map<std::string, std::string>& metadata);
@@ -80,8 +83,9 @@ DrivePolicy noPolicy();
 /// the model's range cap.
 void checkFits(const PolicyDescription& description, double step_length, double range_max = 0.0);
 
-/// What is to be expected of a model that was made for a robot more than 0.05 m smaller, in one sentence; empty
-/// otherwise. The shield keeps such a robot safe.
+/// What is to be expected where a robot is smaller or larger than all that the model was tried with, in one sentence;
+/// empty otherwise. The shield keeps such a robot safe. Without known limits 0.05 m more than the model's own radius
+/// are allowed, and any less.
 std::string sizeWarning(const PolicyDescription& description, double footprint_radius);
 
 }  // namespace lstm_planner

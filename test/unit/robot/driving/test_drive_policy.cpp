@@ -29,6 +29,8 @@ TEST(DrivePolicy, DescriptionSurvivesItsMetadata) {
   description.actions = ActionSet({-1.0 / 3.0, 0.1, 1.7});
   description.step_length = 0.1 + 0.2;  // has no short decimal form
   description.footprint_radius = 0.23;
+  description.smallest_radius = 0.1;
+  description.largest_radius = 0.3;
   Metadata metadata;
   writeMetadata(description, &metadata);
   const PolicyDescription read = readPolicyDescription(metadata);
@@ -37,6 +39,8 @@ TEST(DrivePolicy, DescriptionSurvivesItsMetadata) {
   EXPECT_TRUE(read.actions == description.actions);
   EXPECT_EQ(read.step_length, description.step_length);
   EXPECT_EQ(read.footprint_radius, description.footprint_radius);
+  EXPECT_EQ(read.smallest_radius, description.smallest_radius);
+  EXPECT_EQ(read.largest_radius, description.largest_radius);
 }
 
 TEST(DrivePolicy, EveryKeyOfTheMetadataIsMissedByName) {
@@ -83,6 +87,18 @@ TEST(DrivePolicy, FitsItsOwnRobotStepAndScanner) {
   EXPECT_NO_THROW(checkFits(description, 0.4, 3.0));  // half the range cap of 6 m
   EXPECT_EQ(sizeWarning(description, 0.17425), "");
   EXPECT_EQ(sizeWarning(description, 0.1), "");  // a smaller robot passes wherever the larger one did
+}
+
+TEST(DrivePolicy, WarnsOfRobotsThatTheModelWasNeverTriedWith) {
+  PolicyDescription description;
+  description.smallest_radius = 0.1;
+  description.largest_radius = 0.5;
+  EXPECT_EQ(sizeWarning(description, 0.1), "");
+  EXPECT_EQ(sizeWarning(description, 0.5), "");
+  for (const double radius : {0.09, 0.51}) {
+    const std::string warning = sizeWarning(description, radius);
+    EXPECT_TRUE(contains(warning, "0.100000 to 0.500000 m") && contains(warning, std::to_string(radius))) << warning;
+  }
 }
 
 TEST(DrivePolicy, SaysWhatDoesNotFit) {
