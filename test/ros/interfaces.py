@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The tables of topics, services, actions and frames in launch/README.md say what the running nodes have."""
+"""The tables of topics, services, actions and frames in launch/README.md say what the running nodes have, and
+config/diagnostics.yaml sorts what they publish on /diagnostics."""
 import collections
 import os
 import re
@@ -11,6 +12,8 @@ import rospkg
 import rospy
 import rosservice
 import rostest
+import yaml
+from diagnostic_msgs.msg import DiagnosticArray
 from tf2_msgs.msg import TFMessage
 
 PATIENCE = 30.0  # s
@@ -23,10 +26,14 @@ BY_CLIENT = {"goal": "publishes", "cancel": "publishes", "status": "subscribes",
 Entry = collections.namedtuple("Entry", "verb name type")
 
 
+def open_in_package(*names):
+    return open(os.path.join(rospkg.RosPack().get_path("lstm_planner"), *names), encoding="utf-8")
+
+
 def tables_of_the_page():
     """(cells of the head, rows of cells) of each table."""
     tables, rows = [], []
-    with open(os.path.join(rospkg.RosPack().get_path("lstm_planner"), "launch", "README.md"), encoding="utf-8") as page:
+    with open_in_package("launch", "README.md") as page:
         for line in [*page, ""]:
             if line.startswith("|"):
                 rows.append([cell.strip() for cell in line.strip().strip("|").split("|")])
@@ -83,6 +90,16 @@ def running(node):
             yield Entry(verb, name, rosservice.get_service_type(name) if verb == "serves" else types[name])
 
 
+def parts_of_names(analyzers):
+    """For each group of diagnostics: the parts, one of which the name of each of its statuses contains."""
+    for analyzer in analyzers.values():
+        if "analyzers" in analyzer:
+            yield from parts_of_names(analyzer["analyzers"])
+        else:
+            parts = analyzer["contains"]
+            yield [parts] if isinstance(parts, str) else parts
+
+
 class Interfaces(unittest.TestCase):
     def check(self, node):
         expected = set(told(node))
@@ -110,6 +127,22 @@ class Interfaces(unittest.TestCase):
         for subscriber in subscribers:
             subscriber.unregister()
         self.assertEqual(published, expected)
+
+    def test_each_diagnostic_status_has_one_group(self):
+        names = set()
+        nodes = {"create2_stub", "dataset_recorder", "move_base"}
+        rospy.init_node("interfaces")
+        subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray,
+                                      lambda message: names.update(status.name for status in message.status))
+        deadline = time.monotonic() + PATIENCE
+        while not nodes <= {name.split(":")[0] for name in set(names)} and time.monotonic() < deadline:
+            time.sleep(0.1)
+        subscriber.unregister()
+        self.assertEqual({name.split(":")[0] for name in names}, nodes)
+        with open_in_package("config", "diagnostics.yaml") as file:
+            groups = list(parts_of_names(yaml.safe_load(file)["analyzers"]))
+        for name in names:
+            self.assertEqual(sum(any(part in name for part in parts) for parts in groups), 1, name)
 
 
 for one in NODES:
