@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 """Every launch file loads, and starts only what exists, as far as its packages are installed here."""
+import glob
 import os
 import unittest
 
+import roslaunch.arg_dump
 import roslaunch.config
 import roslaunch.core
 import roslib.packages
@@ -45,6 +47,22 @@ class LaunchFiles(unittest.TestCase):
     def parameter(self, config, name):
         self.assertIn(name, config.params)
         return config.params[name].value
+
+    def test_explains_each_argument_and_requires_only_what_has_no_default(self):
+        folder = os.path.join(rospkg.RosPack().get_path("lstm_planner"), "launch")
+        required = {}
+        for path in glob.glob(os.path.join(folder, "*.launch")):
+            with open(path, encoding="utf-8") as file:
+                self.assertNotIn('default=""', file.read(), path)
+            try:
+                arguments = roslaunch.arg_dump.get_args([path])
+            except rospkg.ResourceNotFound:  # a package for teleoperation; the file says how to get it
+                continue
+            for name, (doc, default) in arguments.items():
+                self.assertTrue(doc, "%s, %s" % (path, name))
+                if not default:  # roslaunch --ros-args lists it as required
+                    required.setdefault(os.path.basename(path), set()).add(name)
+        self.assertEqual(required, {"replay.launch": {"bag"}, "two_machines.launch": {"on"}})
 
     def test_demo_starts_only_what_exists(self):
         self.check(load("demo.launch", "rviz:=false"))
