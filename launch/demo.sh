@@ -9,8 +9,8 @@ usage() {
 Usage: bash launch/demo.sh [--build-only] [NAME:=VALUE ...]
 
 Installs what is missing, builds the package in a workspace outside the source tree, and drives the simulated Create 2
-to a list of goals in a building: a laser scan in, the trained LSTM as move_base's global planner, velocities out.
-Prints a line a goal and a summary, and draws the map with the path that was driven. Opens rviz when there is a display.
+to a list of goals in a building, with both plugins in move_base. Prints a line for each goal and a summary, and draws
+the map with the driven path. Opens rviz if there is a display.
 
 Options:
   --build-only   install and build, do not drive
@@ -25,16 +25,16 @@ Arguments of launch/demo.launch, among them:
 Environment:
   LSTM_PLANNER_WS   the workspace; default ~/.cache/lstm_planner
 
-Exit status: 0 when every goal was reached and nothing was touched.
+Exit status: 0 if every goal was reached and nothing was touched.
 USAGE
 }
 
-# The package has a host for its plugins where it was built without the navigation stack.
+# The package has its own host for the plugins if it was built without the navigation stack.
 move_base_to_launch() {
   if [ -x "$workspace/devel/lib/lstm_planner/standalone_move_base" ]; then echo standalone; else echo real; fi
 }
 
-# roslaunch ends with 0 whatever its nodes end with, so the demo runner leaves its exit status in a file.
+# roslaunch always ends with 0, so the demo runner writes its exit status to a file.
 drive() {
   local result status
   result="$(mktemp "${TMPDIR:-/tmp}/lstm_planner_demo.XXXXXX")"
@@ -43,7 +43,7 @@ drive() {
   PYTHONUNBUFFERED=1 roslaunch lstm_planner demo.launch "result:=$result" "move_base:=$(move_base_to_launch)" "$@" \
     </dev/null
   status="$(head -n 1 "$result" | grep -oE '^[0-9]+$')" || fail "the demo ended before it had a result."
-  # roslaunch's last words are of processes that died, also when all went well.
+  # roslaunch's last lines name processes that ended, also after success.
   [ "$status" -eq 0 ] || fail "the demo did not succeed; the lines 'demo:' and errors above say why."
   say "every goal was reached and nothing was touched"
   say "to use the package in this shell: source $workspace/devel/setup.bash"
@@ -75,10 +75,10 @@ PYTHON
 checked_argument() {
   local name="${1%%:=*}" value="${1#*:=}"
   grep -qF "<arg name=\"$name\" default" "$source_dir/launch/demo.launch" ||
-    fail "demo.launch has no argument '$name'; expected one of those that --help tells of."
+    fail "demo.launch has no argument '$name'; expected one of those that --help names."
   case "$name" in
     map | goals | model | picture)
-      case "$value" in '' | /* | *://*) ;; *) value="$PWD/$value" ;; esac ;;
+      case "$value" in '' | default | /* | *://*) ;; *) value="$PWD/$value" ;; esac ;;
   esac
   echo "$name:=$value"
 }

@@ -143,10 +143,32 @@ check_installable() {
     "from packages.ros.org (see wiki.ros.org/noetic/Installation/Ubuntu), for Ubuntu 20.04."
 }
 
+# Whether this user becomes root without a password.
+is_root_at_once() { [ "$(id -u)" -eq 0 ] || sudo -n true 2>/dev/null; }
+
+# The optional packages, where all others are installed. The build goes on without them.
+install_optional_packages() {
+  local extra
+  extra="$(optional_packages "$1" | not_installed | installable)"
+  [ -n "$extra" ] || return 0
+  if is_root_at_once; then
+    say "installing optional packages with apt-get, log in $workspace/apt.log: ${extra//$'\n'/ }"
+    # shellcheck disable=SC2086  # one word a package
+    if apt_install $extra; then
+      rm -f "$workspace/build/Makefile"  # or catkin_make does not configure again, which finds them
+      return
+    fi
+  fi
+  say "parts that need optional packages are left out; to get them: sudo apt-get install --no-install-recommends ${extra//$'\n'/ }"
+}
+
 install_missing_packages() {
   local flavour="$1" missing extra
   missing="$(required_packages "$flavour" | not_installed)"
-  [ -n "$missing" ] || return 0
+  if [ -z "$missing" ]; then
+    install_optional_packages "$flavour"
+    return
+  fi
   command -v apt-get >/dev/null || fail "missing packages: ${missing//$'\n'/ }; no apt-get here to install them with."
   check_can_become_root "${missing//$'\n'/ }"
   install_with_rosdep "$flavour"
@@ -166,7 +188,7 @@ install_missing_packages() {
 
 # ---------------------------------------------------------------------- environment and build
 
-# Sources a setup file of ROS, none of which bears `set -u`.
+# Sources a setup file of ROS: with `set -u` they fail.
 source_setup() {
   set +u
   # shellcheck disable=SC1090
@@ -193,7 +215,7 @@ prepare_workspace() {
     "$source_dir"/*) fail "the workspace $workspace lies inside the source tree; set LSTM_PLANNER_WS." ;;
   esac
   case "$workspace" in
-    *[[:space:]]*) fail "the workspace '$workspace' has a space in its path, which ROS's tools do not bear;" \
+    *[[:space:]]*) fail "the workspace '$workspace' has a space in its path: ROS's tools fail with one;" \
       "set LSTM_PLANNER_WS." ;;
   esac
   mkdir -p "$workspace/src" "$workspace/ros_home" 2>/dev/null || fail "cannot create the workspace $workspace."
@@ -204,7 +226,7 @@ prepare_workspace() {
 link_checkout() {
   local link="$workspace/src/lstm_planner"
   if [ -L "$link" ] && [ "$(readlink -f "$link")" != "$source_dir" ]; then
-    say "the workspace $workspace was built from another checkout; building it anew"
+    say "the workspace $workspace was built from another checkout; building everything again"
     rm -rf "$workspace/build" "$workspace/devel"
   fi
   if [ -e "$link" ] && [ ! -L "$link" ]; then

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Makes the pictures of rviz in launch/ anew, without a screen; see --help.
+# Makes the pictures of rviz in launch/ again, without a screen; see --help.
 set -uo pipefail
 
 usage() {
   cat <<'USAGE'
 Usage: bash test/pictures.sh [NAME...]
 
-Makes launch/NAME.png anew: rviz, panel, record_dataset, replay; all of them without arguments. Needs a sourced workspace in
+Makes launch/NAME.png again; NAME is rviz, panel, record_dataset or replay; without NAME all of them. Needs a sourced workspace in
 which the package is built, and the programs rviz, Xvfb and scrot. Look at the pictures before you commit them.
 
 Exit status: 0 when all were made.
