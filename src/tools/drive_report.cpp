@@ -25,6 +25,20 @@ double meanBarnScore(const std::vector<DriveResult>& results, double k) {
   return sum;
 }
 
+bool hasReferencePaths(const std::vector<DriveResult>& results) {
+  return std::all_of(results.begin(), results.end(), [](const DriveResult& result) { return result.shortest > 0.0; });
+}
+
+void printBarnScore(std::ostream& out, const std::vector<DriveResult>& results) {
+  if (!hasReferencePaths(results)) {
+    out << "no BARN score: the lengths of the reference paths are not known; models/README.md says how to make "
+           "barn_reference_paths.csv\n";
+    return;
+  }
+  out << std::setprecision(4) << "BARN score: " << meanBarnScore(results, 4.0) << " (k = 4), "
+      << meanBarnScore(results, 2.0) << " (k = 2)\n";
+}
+
 void printHead(std::ostream& out, int width) {
   out << std::left << std::setw(width) << "world" << std::right
       << "  goals  reached  contacts  bumped  no path  timeouts  elsewhere  path / shortest: mean    p95  mean time\n";
@@ -77,7 +91,7 @@ nlohmann::json toJson(const std::vector<DriveResult>& results, bool is_barn) {
     json["led"][toString(source)] = shareOf(source, results);
   }
   json["overruled"] = overruledShare(results);
-  if (is_barn) {
+  if (is_barn && hasReferencePaths(results)) {
     json["barn_score_k4"] = meanBarnScore(results, 4.0);
     json["barn_score_k2"] = meanBarnScore(results, 2.0);
   }
@@ -115,10 +129,7 @@ void printDriveSummary(std::ostream& out, const DriveCourse& course, const Drive
   const std::vector<DriveResult> all = together(results);
   printLeaders(out, all);
   printLine(out, columns, course.worlds.size() == 1 ? course.worlds[0].name : "all", summarize(all));
-  if (course.is_barn) {
-    out << std::setprecision(4) << "BARN score: " << meanBarnScore(all, 4.0) << " (k = 4), " << meanBarnScore(all, 2.0)
-        << " (k = 2)\n";
-  }
+  if (course.is_barn) printBarnScore(out, all);
   if (course.left_out > 0)
     out << "worlds left out, because the robot does not fit into them: " << course.left_out << '\n';
   if (course.is_dynabarn) {

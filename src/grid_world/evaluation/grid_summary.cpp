@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <ostream>
 
@@ -25,6 +26,15 @@ void printLeaders(std::ostream& out, const GridSetSummary& summary) {
     percent(summary.as_searched, 13);
   } else {
     out << std::setw(13) << '-';
+  }
+}
+
+/// A mean over the scenarios with success, of which there may be none.
+void printMean(std::ostream& out, double mean, int decimals, int columns) {
+  if (std::isfinite(mean)) {
+    out << std::setprecision(decimals) << std::setw(columns) << mean;
+  } else {
+    out << std::setw(columns) << '-';
   }
 }
 
@@ -68,11 +78,15 @@ void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& su
     percent(summary.collisions, 10);
     percent(summary.timeouts, 9);
     percent(summary.no_path, 8);
-    out << std::setprecision(3) << std::setw(22) << summary.mean_ratio << std::setw(8) << summary.median_ratio
-        << std::setw(8) << summary.p95_ratio << std::setprecision(1) << std::setw(8) << summary.mean_length
-        << std::setw(9) << summary.mean_optimal << std::setprecision(4) << std::setw(12) << 1e3 * summary.mean_time
-        << std::setprecision(1) << std::setw(10) << summary.mean_expanded << std::setw(9) << summary.ns_per_step
-        << std::setw(12) << static_cast<double>(summary.peak_bytes) / 1024.0;
+    printMean(out, summary.mean_ratio, 3, 22);
+    printMean(out, summary.median_ratio, 3, 8);
+    printMean(out, summary.p95_ratio, 3, 8);
+    printMean(out, summary.mean_length, 1, 8);
+    printMean(out, summary.mean_optimal, 1, 9);
+    printMean(out, 1e3 * summary.mean_time, 4, 12);
+    printMean(out, summary.mean_expanded, 1, 10);
+    out << std::setprecision(1) << std::setw(9) << summary.ns_per_step << std::setw(12)
+        << static_cast<double>(summary.peak_bytes) / 1024.0;
     printLeaders(out, summary);
     out << '\n';
   }

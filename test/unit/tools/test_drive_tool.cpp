@@ -72,6 +72,15 @@ TEST_F(DriveTool, ScoresBarnWorlds) {
   EXPECT_EQ(json["barn_score_k4"], json["barn_score_k2"]) << "too slow for the difference";
 }
 
+TEST_F(DriveTool, GivesNoBarnScoreWithoutReferencePaths) {
+  std::ofstream(in("cylinders.csv")) << "world,x,y\n3,-2.25,7\n5,-4,7\n5,-0.5,7\n";
+  const test::Outcome outcome = drive("--barn " + in("cylinders.csv") + " --only 5 --json " + in("result.json"));
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("barn_reference_paths.csv"), std::string::npos) << outcome.output;
+  EXPECT_EQ(outcome.output.find("k = 4"), std::string::npos) << outcome.output;
+  EXPECT_FALSE(nlohmann::json::parse(std::ifstream(in("result.json"))).contains("barn_score_k4"));
+}
+
 TEST_F(DriveTool, DrawsPicturesOfGeneratedWorlds) {
   const nlohmann::json json = result("--worlds open --goals 3 --time-limit 5 --pictures " + in("pictures"));
   EXPECT_EQ(json["timeouts"], 3) << "5 m in 5 s";
