@@ -17,7 +17,7 @@ int ToolTrainingHost::end(const TrainingOutcome& outcome) const {
   }
   if (!outcome.stopped) return 0;
   std::cout << "interrupted; "
-            << (options_.checkpoint.empty() ? "without --checkpoint the training cannot be gone on with" : resumption())
+            << (options_.checkpoint.empty() ? "without --checkpoint the training cannot be continued" : resumption())
             << std::endl;
   return interruption_.exitStatus();
 }

@@ -27,7 +27,7 @@ class ToolTrainingHost : public TrainingHost {
   virtual std::string scoreName() const = 0;
   virtual void printHeader() const = 0;  ///< of the table of steps
   /// How a stopped training with a checkpoint is gone on with.
-  virtual std::string resumption() const { return "the same command goes on from here"; }
+  virtual std::string resumption() const { return "the same command continues from here"; }
 
  private:
   const TrainingLoopOptions& options_;

@@ -46,7 +46,7 @@ class SequenceGradient<Scalar>::Implementation {
         throw std::invalid_argument("layer " + std::to_string(index) +
                                     " is a softmax, which can only be trained as the last of several layers");
       } else if (loss == Loss::kEuclidean) {
-        throw std::invalid_argument("the last layer is a softmax, which the Euclidean loss has no use for");
+        throw std::invalid_argument("the last layer is a softmax, which cannot be trained with the Euclidean loss");
       }
     }
     inputs_.resize(inputSize(layers), 0);

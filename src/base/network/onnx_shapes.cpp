@@ -44,8 +44,9 @@ void requireVector(const Shape& shape, const std::string& what) {
   elementCount(shape, what);
   const auto wide = std::count_if(shape.begin(), shape.end(), [](std::int64_t extent) { return extent > 1; });
   if (wide > 1 || shape.size() > kMaximumRank) {
-    throw ModelFileError(what + " has the shape " + shapeText(shape) +
-                         ", expected one step of one robot: a single extent larger than 1");
+    throw ModelFileError(
+        what + " has the shape " + shapeText(shape) +
+        ", expected one step of one robot (a batch and a sequence of 1): a single extent larger than 1");
   }
 }
 

@@ -94,7 +94,7 @@ TEST_F(TrainRobotTool, GoesOnAfterCtrlCAsIfNothingHadBeen) {
                          " & process=$!; until [ -s model.checkpoint ]; do kill -0 $process || break; done; "
                          "kill -INT $process; wait $process");
   EXPECT_EQ(stopped.status, 130) << stopped.output;
-  EXPECT_NE(stopped.output.find("interrupted; the same command goes on from here"), std::string::npos)
+  EXPECT_NE(stopped.output.find("interrupted; the same command continues from here"), std::string::npos)
       << stopped.output;
   const test::Outcome resumed = runIn("parts", training);
   ASSERT_EQ(resumed.status, 0) << resumed.output;

@@ -93,16 +93,16 @@ template <typename Parameters, typename Visitor>
 void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   std::string leader = nameOfLeader(agent.leader);
   visit("leader", leader, {}, "",
-        "who chooses the steps: network, as long as there is progress (searches nothing on the way); route, the path "
-        "through what is remembered (shorter paths); none, the allowed angle nearest to the goal's bearing");
+        "who chooses the steps: network (while the robot makes progress, no path is searched), route (the path through "
+        "the remembered obstacles; it is shorter) or none (the allowed angle nearest to the goal's bearing)");
   if constexpr (!std::is_const_v<Parameters>) agent.leader = leaderNamed(leader);
   visit("goal_tolerance", agent.goal_tolerance, {0.01, 10.0}, "m",
         "nearer to the goal than this the robot has arrived; not more than the controller's position_tolerance");
   visit("goal_in_sight", agent.goal_in_sight, {0.0, 100.0}, "m",
         "the robot drives straight to a goal that is nearer than this, if the straight path is free");
   visit("goal_drift", agent.goal_drift, {0.0, 0.9}, "",
-        "share of the distance driven by which odometry may be wrong: a goal that turns out to lie in, or behind, an "
-        "obstacle counts as reached from that far away; 0 where something localises the robot");
+        "possible error of odometry, as a share of the driven distance: a goal that turns out to lie in or behind an "
+        "obstacle counts as reached from that distance; 0 if odometry is corrected by a localisation");
   auto& step = agent.step;
   visit("step/length", step.length, {0.05, 5.0}, "m",
         "distance to the waypoint; a step ends when the robot has moved this far; must be that of the model");
@@ -117,7 +117,7 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   visit("step/still_turn", step.still_turn, {1e-4, M_PI}, "rad",
         "see step/still_distance; must be larger than the noise of the odometry");
   visit("shield/enabled", agent.shield_enabled, {}, "",
-        "remove the actions that would hit something seen; set false only in simulation");
+        "removes the actions that would hit a sensed obstacle; set false only in simulation");
   auto& shield = agent.shield;
   visit("shield/footprint_radius", shield.footprint_radius, {0.02, 5.0}, "m",
         "radius of the circle around all parts of the robot (half the Create 2's diameter); not used if "
@@ -125,10 +125,10 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   visit("shield/footprint", shield.footprint, {}, "m",
         "corners [[x, y], ...] of a robot that is not round, around the origin of its base frame; empty: it is round");
   visit("shield/clearance", shield.clearance, {0.0, 5.0}, "m",
-        "distance kept between the footprint and every return where there is room; more is calmer, less passes "
-        "narrower doors");
+        "distance kept between the footprint and every return if there is room; more drives more smoothly, less fits "
+        "through narrower doors");
   visit("shield/tight_clearance", shield.tight_clearance, {0.0, 5.0}, "m",
-        "distance kept where no path has shield/clearance; at least the controller's safety_margin");
+        "distance kept if no path has shield/clearance; at least the controller's safety_margin");
   visit("shield/shortest_step", shield.shortest_step, {0.002, 5.0}, "m",
         "an action with less free space than this is removed");
   visit(
@@ -136,7 +136,7 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
       "returns farther away are ignored; a larger value takes more time, a smaller one follows boundaries for longer");
   auto& memory = agent.memory;
   visit("memory/enabled", memory.enabled, {}, "",
-        "false: nothing is remembered, and without progress boundaries are followed");
+        "false: no obstacles are remembered, and without progress the robot follows boundaries");
   visit("memory/resolution", memory.resolution, {0.01, 1.0}, "m",
         "side of a square of the memory; at most 0.29 footprint radii, or paths would lead through walls");
   visit("memory/width", memory.width, {4.0, 1000.0}, "m",
@@ -153,14 +153,14 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   auto& escape = agent.escape;
   visit("escape/enabled", escape.enabled, {}, "", "false: the robot may stay in a dead end forever");
   visit("escape/patience_steps", escape.patience_steps, {1, 1000000}, "",
-        "steps without a new best distance to the goal before the path through what is remembered leads instead of "
-        "the network; fewer leaves dead ends sooner, and gives the network less freedom");
+        "steps without a new best distance to the goal, after which the path through the remembered obstacles leads "
+        "instead of the network; fewer leaves dead ends sooner, but also interrupts detours of the network");
   visit("escape/patience_distance", escape.patience_distance, {0.1, 1e5}, "m",
         "distance driven without a new best distance, with the same effect");
   visit("escape/last_resort", escape.last_resort, {1.0, 1e6}, "",
-        "after this many times that patience boundaries are followed instead");
+        "after this many times the patience the robot follows boundaries instead");
   visit("escape/progress", escape.progress, {0.01, 100.0}, "m",
-        "a distance to the goal is a new best if it is shorter by this much than all before");
+        "a distance to the goal is a new best one if it is shorter than all earlier ones by at least this");
   visit("escape/follow_step", escape.follow_step, {0.05, 5.0}, "m",
         "distance to the waypoint while a boundary is followed; shorter follows corners more closely, and slower");
   visit("escape/probe_angle", escape.probe_angle, {0.01, 0.78}, "rad",

@@ -48,11 +48,11 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
         "path");
   visit("axle_length", motion.axle_length, {0.01, 5.0}, "m", "between the wheels");
   visit("linear_acceleration", motion.linear_acceleration, {0.01, 50.0}, "m/s^2",
-        "acceleration and deceleration; at most what the robot can brake with");
+        "acceleration and deceleration; not more than the deceleration that the robot reaches");
   visit("lookahead", motion.lookahead, {0.01, 20.0}, "m",
         "distance along the plan to the point that the robot steers to; longer is smoother and cuts corners");
   visit("nearest_target", motion.nearest_target, {0.001, 5.0}, "m",
-        "points of the plan that are nearer than this are not steered to");
+        "the robot does not steer to points of the plan that are nearer than this");
   visit("turn_in_place", motion.turn_in_place, {0.01, 4.0}, "rad",
         "with a larger heading error the robot turns in place; smaller follows the plan more exactly and stops more "
         "often");
@@ -63,21 +63,22 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
   visit("safety_margin", motion.safety_margin, {0.001, 5.0}, "m",
         "distance kept between the footprint and every return; at least three times the noise of the scanner");
   visit("slow_gap", motion.slow_gap, {0.001, 20.0}, "m",
-        "the robot slows down where its path leads nearer to an obstacle than this; larger is calmer and slower");
+        "the robot slows down if its path leads nearer to an obstacle than this; larger is slower");
   visit("slow_speed", motion.slow_speed, {0.001, 10.0}, "m/s",
         "speed towards an obstacle that the robot nearly touches; max_linear: it never slows down");
   visitMovingParameters(motion.moving, visit);
   visit("person_speed", motion.person_speed, {0.01, 20.0}, "m/s",
         "speed at which something that moves may come towards the robot; faster stops earlier and waits longer");
   visit("person_margin", motion.person_margin, {0.001, 10.0}, "m",
-        "distance between something that moves and the footprint: the robot stands before it is nearer");
+        "distance between something that moves and the footprint: the robot stands before the thing is nearer");
   visit("person_slow_speed", motion.person_slow_speed, {0.0, 10.0}, "m/s",
-        "largest speed beside somebody who walked and stands now; larger passes sooner, 0 waits for moving/remember");
+        "largest speed beside a person who walked and now stands; larger passes sooner; 0: the robot waits until "
+        "moving/remember has passed");
   visit("evade_time", motion.evade_time, {0.0, 10.0}, "s",
-        "time for which the motion of things is predicted: the robot gets out of the way of what would come too near; "
-        "larger does so sooner; 0: it stands and waits, which is right among people and for slow robots");
+        "time for which the motion of things is predicted: the robot gets out of the way of things that would come too "
+        "near; larger does so sooner; 0: it stands and waits, which is right among people and for slow robots");
   visit("evade_margin", motion.evade_margin, {0.001, 10.0}, "m",
-        "nearer than this is too near for evade_time; larger gets out of the way sooner");
+        "predicted distances below this are too near, see evade_time; larger gets out of the way sooner");
   visit("position_tolerance", motion.position_tolerance, {0.001, 10.0}, "m",
         "nearer to the goal than this the robot has arrived; not less than the planner's goal_tolerance");
   visit("heading_tolerance", motion.heading_tolerance, {0.001, 10.0}, "rad",

@@ -37,9 +37,10 @@ void visitMovingParameters(Parameters& moving, const Visitor& visit) {
         "distance behind a return that an earlier scan must have seen free; larger notices later, smaller takes noise "
         "for motion");
   visit("moving/lateral_margin", moving.lateral_margin, {0.001, 10.0}, "m",
-        "distance beside a return that must have been seen free");
+        "distance to both sides of a return that an earlier scan must have seen free");
   visit("moving/angle_margin", moving.angle_margin, {1e-4, 1.0}, "rad",
-        "angle beside a return that must have been seen free; larger for an odometry with wrong turns");
+        "angle to both sides of a return that an earlier scan must have seen free; larger if odometry measures turns "
+        "badly");
   visit("moving/fewest_beams", moving.fewest_beams, {1, 10000}, "",
         "number of neighbouring beams that must agree; fewer notice thinner things, and take more noise for motion");
   visit("moving/hold", moving.hold, {0.0, 600.0}, "s",

@@ -39,8 +39,8 @@ void visitScanRules(Rules& rules, const Visitor& visit) {
         "number (m); what is listed counts as free");
   if constexpr (!std::is_const_v<Rules>) setNoReturn(no_return, &rules);
   visit("least_measured", rules.least_measured, {0.01, 1.0}, "",
-        "share of the beams in each sector that must be measured: other scans are not used; less accepts more of the "
-        "scanner to be hidden");
+        "share of the beams in each sector that must be measured: other scans are not used; less only if a part of the "
+        "robot hides the view");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -36,14 +36,15 @@ void visitCreate2Parameters(Parameters& robot, const Visitor& visit) {
   visit("ticks_per_revolution", robot.ticks_per_revolution, {1.0, 1e6}, "", "of a wheel's encoder");
   visit("max_wheel_speed", robot.max_wheel_speed, {0.01, 20.0}, "m/s",
         "each wheel is clipped on its own, so the curvature changes");
-  visit("base_diameter", robot.base_diameter, {0.01, 10.0}, "m", "of the footprint that contacts are counted with");
+  visit("base_diameter", robot.base_diameter, {0.01, 10.0}, "m",
+        "of the footprint; a contact is counted when it touches something");
   visit("footprint", robot.footprint, {}, "m",
         "corners [[x, y], ...] of a robot that is not round, in place of base_diameter; empty: it is round");
   visit("max_wheel_acceleration", robot.max_wheel_acceleration, {0.01, 1e9}, "m/s^2", "of each wheel");
   visit("slip", robot.slip, {0.0, 1.0}, "",
         "standard deviation of each wheel's true travel relative to what its encoder counts, per step");
   visit("drift", robot.drift, {-1.0, 1.0}, "",
-        "constant relative error of the left wheel's travel, -drift for the right wheel");
+        "constant relative error of the left wheel's travel; the right wheel has the opposite one");
   visit("odometry_error", robot.odometry_error, {0.0, 0.5}, "",
         "share of the distance by which odometry errs: 0.02 = 2 %");
 }

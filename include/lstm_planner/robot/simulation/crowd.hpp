@@ -25,15 +25,16 @@ struct CrowdParameters {
 template <typename Parameters, typename Visitor>
 void visitCrowdParameters(Parameters& crowd, const Visitor& visit) {
   visit("walkers", crowd.walkers, {0, 1000}, "", "people who walk about");
-  visit("smallest_radius", crowd.smallest_radius, {0.01, 5.0}, "m", "of the disc that a walker takes up, at the least");
-  visit("largest_radius", crowd.largest_radius, {0.01, 5.0}, "m", "and at the most");
-  visit("slowest", crowd.slowest, {0.01, 20.0}, "m/s", "speed of a walker, at the least");
-  visit("fastest", crowd.fastest, {0.01, 20.0}, "m/s", "and at the most");
+  visit("smallest_radius", crowd.smallest_radius, {0.01, 5.0}, "m", "of the disc of a walker");
+  visit("largest_radius", crowd.largest_radius, {0.01, 5.0}, "m", "of the disc of a walker");
+  visit("slowest", crowd.slowest, {0.01, 20.0}, "m/s", "smallest speed of a walker");
+  visit("fastest", crowd.fastest, {0.01, 20.0}, "m/s", "largest speed of a walker");
   visit("shortest_stand", crowd.shortest_stand, {0.0, 3600.0}, "s",
-        "that a walker stands when the robot is in its way, at the least");
-  visit("longest_stand", crowd.longest_stand, {0.0, 3600.0}, "s", "and at the most");
+        "shortest time that a walker stands when the robot is in its way");
+  visit("longest_stand", crowd.longest_stand, {0.0, 3600.0}, "s",
+        "longest time that a walker stands when the robot is in its way");
   visit("first_distance", crowd.first_distance, {0.0, 1000.0}, "m",
-        "between the robot and every walker at the start, at the least");
+        "smallest distance between the robot and every walker at the start");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -30,10 +30,10 @@ void visitFloorPlanParameters(Parameters& plan, const Visitor& visit) {
   visit("smallest_room", plan.smallest_room, {1.2, 50.0}, "m", "shortest side of a room");
   visit("width", plan.width, {1.2, 500.0}, "m", "of the building");
   visit("height", plan.height, {1.2, 500.0}, "m", "of the building");
-  visit("extra_doors", plan.extra_doors, {0.0, 1.0}, "", "probability of a second path through a wall");
+  visit("extra_doors", plan.extra_doors, {0.0, 1.0}, "", "probability of an additional door in a wall");
   visit("furniture", plan.furniture, {0.0, 0.5}, "", "share of the floor that is covered by boxes and round things");
   visit("smallest_gap", plan.smallest_gap, {0.0, 5.0}, "m",
-        "kept free around furniture, but for the walls that it stands flush against");
+        "free space around furniture, except towards a wall that it touches");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

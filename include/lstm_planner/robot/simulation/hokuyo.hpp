@@ -37,9 +37,9 @@ void visitHokuyoParameters(Parameters& laser, const Visitor& visit) {
   visit("noise", laser.noise, {0.0, 10.0}, "m", "standard deviation of a range up to 10 m; three times that beyond");
   visit("dropout", laser.dropout, {0.0, 1.0}, "", "probability that a beam returns nothing");
   visit("rate", laser.rate, {0.1, 200.0}, "Hz", "of scans");
-  visit("x", laser.mount.pose.x, {-100.0, 100.0}, "m", "where it sits in the base frame");
-  visit("y", laser.mount.pose.y, {-100.0, 100.0}, "m", "where it sits in the base frame");
-  visit("yaw", laser.mount.pose.yaw, {-10.0, 10.0}, "rad", "where it looks in the base frame");
+  visit("x", laser.mount.pose.x, {-100.0, 100.0}, "m", "position of the scanner in the base frame");
+  visit("y", laser.mount.pose.y, {-100.0, 100.0}, "m", "position of the scanner in the base frame");
+  visit("yaw", laser.mount.pose.yaw, {-10.0, 10.0}, "rad", "direction of the scanner in the base frame");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -39,21 +39,24 @@ void visitDriverParameters(Parameters& driver, const Visitor& visit) {
   visit("turn_speed", driver.turn_speed, {0.01, 20.0}, "rad/s", "while a turn key is held");
   visit("footprint_radius", driver.footprint_radius, {0.02, 5.0}, "m", "of the robot");
   visit("clearance", driver.clearance, {0.0, 5.0}, "m",
-        "that the path keeps between the footprint and walls, at the least");
+        "smallest distance that the path keeps between footprint and walls");
   visit("comfort", driver.comfort, {0.0, 10.0}, "m",
-        "between footprint and walls below which the path counts as longer than it is");
+        "with a smaller distance to walls the path counts as longer than it is");
   visit("reluctance", driver.reluctance, {0.0, 100.0}, "", "how much longer: up to 1 + this times");
-  visit("lookahead", driver.lookahead, {0.01, 20.0}, "m", "along the path to the point that is driven at");
-  visit("sharp_turn", driver.sharp_turn, {0.2, 3.1416}, "rad", "who has to turn farther than this stops to turn");
-  visit("drives_arcs", driver.drives_arcs, {}, "", "a turn key is pressed while driving, too; labels hardly see arcs");
+  visit("lookahead", driver.lookahead, {0.01, 20.0}, "m", "along the path to the point that the driver steers to");
+  visit("sharp_turn", driver.sharp_turn, {0.2, 3.1416}, "rad", "before a larger turn the driver stops");
+  visit("drives_arcs", driver.drives_arcs, {}, "",
+        "the driver also presses turn keys while driving forward; labels hardly show arcs");
   visit("shortest_reaction", driver.shortest_reaction, {0.0, 0.5}, "s",
-        "from seeing to pressing or releasing a key, at the least");
-  visit("longest_reaction", driver.longest_reaction, {0.0, 0.5}, "s", "and at the most");
-  visit("shortest_hold", driver.shortest_hold, {0.0, 0.5}, "s", "that a key is held or released, at the least");
-  visit("wander", driver.wander, {0.0, 0.5}, "rad", "standard deviation of where is aimed at");
+        "shortest time from seeing to pressing or releasing a key");
+  visit("longest_reaction", driver.longest_reaction, {0.0, 0.5}, "s",
+        "longest time from seeing to pressing or releasing a key");
+  visit("shortest_hold", driver.shortest_hold, {0.0, 0.5}, "s", "shortest time that a key is held or released");
+  visit("wander", driver.wander, {0.0, 0.5}, "rad", "standard deviation of the direction that the driver aims at");
   visit("pause_interval", driver.pause_interval, {0.0, 86400.0}, "s", "between pauses on average; 0: none");
   visit("longest_pause", driver.longest_pause, {0.0, 3600.0}, "s", "of a pause");
-  visit("arrival_distance", driver.arrival_distance, {0.01, 10.0}, "m", "nearer to the goal than this is arrived");
+  visit("arrival_distance", driver.arrival_distance, {0.01, 10.0}, "m",
+        "nearer to the goal than this, the driver has arrived");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

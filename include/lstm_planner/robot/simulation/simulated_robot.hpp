@@ -87,9 +87,10 @@ class SimulatedRobot {
 template <typename Parameters, typename Visitor>
 void visitSimulatedRobotParameters(Parameters& robot, const Visitor& visit) {
   visit("physics_period", robot.physics_period, {1e-4, 1.0}, "s", "from one calculated motion to the next");
-  visit("latency", robot.latency, {0.0, 10.0}, "s", "from a command to the wheels, to a whole physics period");
+  visit("latency", robot.latency, {0.0, 10.0}, "s",
+        "from a command to the motion of the wheels, rounded to physics periods");
   visit("localisation_jump", robot.localisation_jump, {0.0, 10.0}, "m",
-        "a localisation corrects odometry by a jump as soon as it is wrong by so much; 0: nothing localises");
+        "a localisation corrects odometry by a jump when its error reaches this; 0: there is no localisation");
 }
 
 }  // namespace lstm_planner

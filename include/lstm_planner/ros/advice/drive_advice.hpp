@@ -33,7 +33,7 @@ template <typename Parameters, typename Visitor>
 void visitDriveAdviceParameters(Parameters& advice, const Visitor& visit) {
   visit("base_frame", advice.base_frame, {}, "", "the robot's frame, if the odometry does not name it");
   visit("goal_topic", advice.goal_topic, {}, "",
-        "geometry_msgs/PoseStamped, beside move_base_simple/goal and move_base/goal");
+        "geometry_msgs/PoseStamped, in addition to move_base_simple/goal and move_base/goal");
   visit("delay", advice.delay, {0.0, 10.0}, "s",
         "how long to wait for late messages before messages with later stamps are processed");
   visit("decisions", advice.decisions, {}, "", "path of a CSV file for the decisions, written at the end; empty: none");

@@ -62,7 +62,7 @@ void visitSensorParameters(Parameters& sensors, const Visitor& visit) {
   visit("odom_timeout", sensors.odom_timeout, {0.0, 60.0}, "s",
         "an older odometry is not used; 0: three of its periods, as measured");
   visit("tf_timeout", sensors.tf_timeout, {0.0, 60.0}, "s",
-        "an older transform between odometry, goal and costmap frames is not used; 0: of any age");
+        "an older transform between odometry, goal and costmap frames is not used; 0: any age is accepted");
   visit("max_speed", sensors.max_speed, {0.01, 100.0}, "m/s",
         "odometry that moves faster has jumped; well above the robot's own speed");
   visitScanRules(sensors.scan_rules, visit);
@@ -86,7 +86,7 @@ void visitSteeringControllerParameters(Parameters& controller, const Visitor& vi
   visit("plan_timeout", controller.plan_timeout, {0.0, 3600.0}, "s",
         "the robot stops when the plan is older; several periods of the planner; 0: never");
   visit("footprint_radius", controller.footprint_radius, {0.02, 5.0}, "m",
-        "radius of the circle around all parts of the robot; larger keeps farther off and passes fewer gaps");
+        "radius of the circle around all parts of the robot; larger keeps more distance and fits through fewer gaps");
   visit("footprint", controller.footprint, {}, "m",
         "corners [[x, y], ...] of a robot that is not round, in place of footprint_radius; empty: it is round");
   visit("use_costmap", controller.use_costmap, {}, "",
