@@ -112,19 +112,22 @@ some_of() {
 }
 
 apt_install() {
+  echo "--- apt-get install" >>"$workspace/apt.log"
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "$@" </dev/null \
-    >"$workspace/apt.log" 2>&1
+    >>"$workspace/apt.log" 2>&1
 }
 
 # apt-get takes a server it cannot reach for a warning, unless told otherwise.
 apt_update() {
   say "updating apt's package lists"
-  as_root apt-get -o APT::Update::Error-Mode=any update </dev/null >"$workspace/apt.log" 2>&1
+  echo "--- apt-get update" >>"$workspace/apt.log"
+  as_root apt-get -o APT::Update::Error-Mode=any update </dev/null >>"$workspace/apt.log" 2>&1
 }
 
 # What apt-get's last call complained about.
 apt_complaint() {
-  grep -m 1 -E '^[EW]:' "$workspace/apt.log" || echo "see $workspace/apt.log"
+  awk '/^--- / {line = ""} /^[EW]:/ && line == "" {line = $0} END {if (line == "") exit 1; print line}' \
+    "$workspace/apt.log" || echo "see $workspace/apt.log"
 }
 
 # Fails when apt knows some package ($@) not even after an update of its lists.
