@@ -18,7 +18,7 @@ USAGE
 case "${1:-}" in
   --help | -h) usage; exit 0 ;;
 esac
-tool="$(command -v "${1:-lstm_planner}")" || { echo "two_hosts: there is no program '${1:-lstm_planner}'." >&2; exit 2; }
+tool="$(command -v "${1:-lstm_planner}")" || { echo "two_hosts: there is no program '${1:-lstm_planner}'; source the workspace's setup.bash." >&2; exit 2; }
 tool="$(realpath "$tool")"
 
 missing() { echo "two_hosts: skipped, as $1." >&2; exit 77; }

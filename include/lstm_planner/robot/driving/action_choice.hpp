@@ -9,8 +9,8 @@
 
 namespace lstm_planner {
 
-/// Takes one of the steering angles: of those that the shield allows the one that is preferred. With the clearance that
-/// is wanted, or where that allows none with the tight one.
+/// Chooses one of the steering angles: the preferred one of those that the shield allows with the wanted clearance. If
+/// it allows none of them, of those that it allows with the tight clearance.
 class ActionChoice {
  public:
   struct Action {
@@ -36,7 +36,7 @@ class ActionChoice {
   double step_length_;  ///< m
 };
 
-/// Prefers the actions as they lead to `bearing` (rad, relative to the heading), one preference an action.
+/// One preference for each action: the nearer it is to `bearing` (rad, relative to the heading), the higher.
 void preferBearing(const ActionSet& actions, double bearing, std::vector<float>* preferences);
 
 }  // namespace lstm_planner

@@ -11,7 +11,7 @@ namespace lstm_planner {
 
 // What each parameter means, its unit and its range: visitAgentParameters().
 
-/// When a step of the agent is over and the network decides anew.
+/// When a step of the agent is over and the network decides again.
 struct StepParameters {
   double length = 0.4;
   double turn = 0.7854;
@@ -58,11 +58,11 @@ struct EscapeParameters {
   double loop_length = 3.0;
 };
 
-/// Who may lead as long as there is progress: kNetwork, without progress the path through what is remembered; kRoute,
-/// always that path, and no network is asked; kGreedy, what a network has to be better than.
+/// Who leads. kNetwork: the network while there is progress, otherwise the path through the remembered obstacles.
+/// kRoute: always that path; the network is not used. kGreedy: the allowed action nearest to the goal's bearing.
 ///
-/// The planner's, where nobody says otherwise: as measured, paths are shorter behind the remembered path than behind
-/// the network (models/README.md).
+/// The planner's default is kRoute, because its paths are shorter than those of the network, as measured in
+/// models/README.md.
 constexpr Decision::Source kDefaultLeader = Decision::Source::kRoute;
 /// Their names among the parameters: "network", "route", and "none" for kGreedy.
 std::string nameOfLeader(Decision::Source leader);
@@ -82,13 +82,13 @@ struct AgentParameters {
   double goal_drift = 0.02;
 };
 
-/// Obstacles matter to the memory within so many of its squares of the middle of the footprint: what an update costs
-/// grows with the square of it.
+/// Largest distance, in squares of the memory, at which an obstacle matters to the middle of the footprint: the time
+/// of an update grows with the square of it.
 constexpr double kMostNearSquares = 16.0;
 constexpr double kMostSquaresASide = 2000.0;  ///< of the memory
 
-/// Visits every parameter; see parameter_visitors.hpp. Lengths and times are those of robots from a toy to a car on
-/// floors and yards; what drives the cost of an update is bounded such that it stays in milliseconds.
+/// Visits every parameter; see parameter_visitors.hpp. The ranges fit robots from the size of a toy to that of a car.
+/// Parameters that determine the time of an update are limited so that it takes milliseconds.
 template <typename Parameters, typename Visitor>
 void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   std::string leader = nameOfLeader(agent.leader);
@@ -181,9 +181,9 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
 /// Of the shield. Throws std::invalid_argument as footprintOf() for two parameters.
 Footprint footprintOf(const ShieldParameters& shield);
 
-/// The same with a memory that is as fine as the footprint needs, and no wider than can be kept so fine: for robots of
-/// other sizes than the defaults are made for. Where nothing fits they stay as they are. The radius of a polygon is
-/// then what it needs to pass (Footprint::passingRadius()). Throws as footprintOf().
+/// The same parameters with memory/resolution and memory/width adapted to the footprint, for robots of other sizes than
+/// that of the defaults. If no values fit, they stay as they are. For a polygon the radius is the one that it needs to
+/// pass through a gap (Footprint::passingRadius()). Throws as footprintOf().
 AgentParameters fittedToFootprint(AgentParameters parameters);
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -22,9 +22,9 @@ class LoopRobot {
   virtual bool hasArrived(const Situation& situation, const Decision& decision) const = 0;
 };
 
-/// Sense, decide, drive, sense again: the one loop in which networks practise and in which they are judged. What a
-/// robot does between two looks is its own: a simulated Create 2 obeys the controller's commands (drive()), one that
-/// practises goes where the controller would lead it (StepDrive), many times as fast.
+/// Sense, decide, drive, sense again: the loop in which networks practise and in which they are judged. What happens
+/// between two looks depends on the robot: a simulated Create 2 obeys the controller's commands (drive()); a robot that
+/// practises moves directly to where the controller would lead it, which is many times as fast.
 class ClosedLoop {
  public:
   enum class End {

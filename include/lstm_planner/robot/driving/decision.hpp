@@ -7,8 +7,8 @@
 
 namespace lstm_planner {
 
-/// One decision: who leads and why, what the robot does, and what the plan is made of. This record is all that is known
-/// of the state of a drive to a goal; it is published as it is.
+/// One decision: who leads and why, what the robot does, and what the plan consists of. This record describes the whole
+/// state of a drive to a goal; all of it is published.
 struct Decision {
   /// Who decides. Some can lead for many steps (isLeader()); the others stand in for the leader.
   enum class Source {

@@ -31,7 +31,7 @@ struct PolicyDescription {
 void writeMetadata(const PolicyDescription& description, std::map<std::string, std::string>* metadata);
 PolicyDescription readPolicyDescription(const std::map<std::string, std::string>& metadata);
 
-/// How many outputs a network for it has: one an action, or with eight views one, how good it is to go ahead.
+/// Number of outputs of a network for it: one for each action; with eight views one, how good it is to go ahead.
 int networkOutputs(const PolicyDescription& description);
 
 /// The view that looks where each action steers, in eighths of a turn from the heading. Throws std::invalid_argument
@@ -40,10 +40,10 @@ std::vector<int> viewsOf(const ActionSet& actions);
 
 /// Observation in, preferences over the steering angles out, with a memory in between: encoder and network together.
 ///
-/// With eight views the network looks into eight directions that stay where they are in the odometry frame, such that
-/// one of them is the heading, rounded to 45 degrees; each has a hidden state of its own, and all advance at each step.
-/// An action is worth what the network says in the direction into which it steers. When the robot turns, what was seen
-/// in a direction stays with it. Copies share weights and description.
+/// With eight views the same network is evaluated for each of eight directions, which are constant in the odometry
+/// frame; one of them is the heading, rounded to 45 degrees. Each view has its own hidden state, and all advance at
+/// each step. The preference for an action is the output of the view into whose direction it steers. When the robot
+/// turns, a hidden state stays with its direction. Copies share weights and description.
 class DrivePolicy {
  public:
   /// Throws std::invalid_argument when network, encoder and action set do not fit together.
@@ -83,9 +83,8 @@ DrivePolicy noPolicy();
 /// the model's range cap.
 void checkFits(const PolicyDescription& description, double step_length, double range_max = 0.0);
 
-/// What is to be expected where a robot is smaller or larger than all that the model was tried with, in one sentence;
-/// empty otherwise. The shield keeps such a robot safe. Without known limits 0.05 m more than the model's own radius
-/// are allowed, and any less.
+/// A warning, in one sentence, if a robot is smaller or larger than all that the model was tried with; empty otherwise.
+/// The shield keeps such a robot safe. Without known limits, any radius up to 0.05 m more than the model's own is fine.
 std::string sizeWarning(const PolicyDescription& description, double footprint_radius);
 
 }  // namespace lstm_planner

@@ -7,8 +7,8 @@
 
 namespace lstm_planner {
 
-/// What is remembered of the robot's own drive to a goal: where it was, how near to the goal it came, how it moved
-/// last. Of obstacles it knows nothing. Poses and goals are in the odometry frame. Not thread safe.
+/// Remembers the robot's own drive to a goal: where it was, how near to the goal it came, and its last motion. It does
+/// not know obstacles. Poses and goals are in the odometry frame. Not thread safe.
 class DriveTrace {
  public:
   /// m, how much nearer to the goal than ever counts as progress.
@@ -17,8 +17,8 @@ class DriveTrace {
   /// A new goal: forgets everything.
   void clear();
 
-  /// Once a step: notes that the robot is at `pose`, and fills what an observation says of the drive so far (visits,
-  /// places, progress, motion) from that and from the observation's own sectors and goal distance.
+  /// Once a step: notes that the robot is at `pose`, and fills the fields of an observation that describe the drive so
+  /// far (visits, places, progress, motion). For this it also uses the observation's sectors and goal distance.
   void update(const Pose2& pose, Observation* observation);
 
  private:

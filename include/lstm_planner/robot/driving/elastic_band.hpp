@@ -10,15 +10,15 @@
 namespace lstm_planner {
 
 /// Bends the start of a path away from the remembered obstacles (S. Quinlan and O. Khatib, "Elastic bands: connecting
-/// path planning and control", 1993): a chain of points along the path, each drawn to the middle between its
-/// neighbours, and pushed aside by the nearest obstacle on either side. The shortest path touches corners and door
+/// path planning and control", 1993): a chain of points along the path. Each point is pulled to the middle between its
+/// neighbours, and pushed away from the nearest obstacle on each side. The shortest path touches corners and door
 /// posts; the bent one goes round a corner in an arc, and through the middle of a door. For controllers that cut
 /// corners.
 class ElasticBand {
  public:
-  /// The decision of an agent, its path from the robot on bent such that the footprint keeps that `clearance` (m) where
-  /// there is room; valid until the next call. What neither follows the remembered path nor goes to a goal in sight
-  /// comes back as it is; so does a path that would not be passable any more, and with clearance 0 everything.
+  /// The decision of an agent with its path bent, so that the footprint keeps the distance `clearance` (m) if there is
+  /// room; valid until the next call. It is returned unchanged if it neither follows the remembered path nor leads to a
+  /// goal in sight, if the bent path would not be passable, or if the clearance is 0.
   const Decision& bend(const NavigationAgent& agent, const Pose2& robot, const Decision& decision, double clearance);
 
  private:

@@ -15,12 +15,12 @@ struct Heading {
   double distance = 0.0;
 };
 
-/// Gets the robot nearer to the goal than it has ever been, with bounded memory, wherever there is a path.
+/// Brings the robot nearer to the goal than it has ever been, with bounded memory, if there is a path.
 ///
-/// Goes straight for the goal; follows the boundary of what is in the way, with the wall on one side; leaves the
-/// boundary where the open path leads nearer to the goal than where the boundary was met. Turns back after 24, 48, 96
-/// ... m (the doubling search), so that the shorter way round costs at most a constant factor. Back where it met the
-/// boundary after a full turn, it goes around once more as close as it can, and then knows that there is no path (after
+/// Drives straight to the goal. If an obstacle is in the way, follows its boundary, with the wall on one side, and
+/// leaves it where the open path leads nearer to the goal than the point where it met the boundary. Turns back after
+/// 24, 48, 96 ... m (the doubling search), so that the path is longer than the shorter way by a constant factor at
+/// most. After a full turn around the boundary it goes around once more, closer; then it reports no path (after
 /// Lumelsky and Stepanov, "Path-planning strategies for a point mobile automaton", Algorithmica 1987; Kamon and Rivlin,
 /// "Sensory-based motion planning with global proofs", 1997; Baeza-Yates et al., "Searching in the plane", 1993).
 class Escape {
@@ -30,13 +30,13 @@ class Escape {
   /// Starts from here.
   void start();
 
-  /// The same goal lies a little elsewhere: the distances to it that are remembered change as the one from where the
-  /// boundary was met.
+  /// The same goal has moved a little: the remembered distances to the goal change by as much as the distance from
+  /// where the boundary was met.
   void moveGoal(const Point2& from, const Point2& to);
 
-  /// The next step from the current situation, whose obstacles `shield` shows: kEscape or kLookAround, and `move` says
-  /// where to; kNoPath: went all around, the goal cannot be reached from here. Nothing: no boundary is followed and the
-  /// goal is nearer than `target_distance` (m), the escape is over.
+  /// The next step in the current situation; `shield` knows its obstacles. kEscape or kLookAround: `move` is the path
+  /// to drive. kNoPath: it went all around, the goal cannot be reached from here. No value: the escape is over, because
+  /// no boundary is followed and the goal is nearer than `target_distance` (m).
   std::optional<Decision::Source> decide(const Situation& situation, const Shield& shield, const Point2& goal,
                                          double target_distance, Heading* move);
 

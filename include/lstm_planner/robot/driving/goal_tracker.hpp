@@ -16,11 +16,11 @@ struct GoalInFrame {
 /// True for the same frame and the same pose to within a millimetre and a milliradian.
 bool sameGoal(const GoalInFrame& a, const GoalInFrame& b);
 
-/// Tells the goal that is being driven to from goals that somebody merely asks a plan for.
+/// Distinguishes the goal that the robot drives to from goals for which somebody only asks a plan.
 ///
-/// nav_core has no call for "here is a new goal", and the same makePlan() also serves questions about any number of
-/// other goals (the make_plan service). Only the driven goal may advance the hidden state. It is known from two
-/// sources:
+/// nav_core does not announce a new goal, and makePlan() is also called for other goals (the make_plan service). Only
+/// the goal that the robot drives to may advance the hidden state. There are two ways to
+/// recognise it:
 ///  - an announcement (move_base publishes each goal it accepts). It always starts the goal anew, also at the same
 ///  pose;
 ///  - where none was heard: a goal that is asked for again after `patience` s, while nobody asked for the driven one,

@@ -23,12 +23,12 @@ namespace lstm_planner {
 
 /// Decides, step by step, where the robot goes: network -> shield -> rescue.
 ///
-/// The network is told what is seen and where the robot was. As long as the robot comes nearer to the goal nothing is
-/// searched; what is seen is only remembered. Without progress comes the rescue: the path through what is remembered
-/// leads (RouteGuide) until the robot is nearer to the goal than ever, and if even that leads nowhere boundaries are
-/// followed (Escape). Each time that the network takes over again is strictly nearer to the goal.
+/// The inputs of the network are what the robot senses and where it has been. While the robot comes nearer to the goal,
+/// obstacles are remembered but no path is searched. Without progress the rescue leads: the path through the remembered
+/// obstacles (RouteGuide), until the robot is nearer to the goal than ever before; as the last resort, boundary
+/// following (Escape). Each time that the network takes over again, the robot is nearer to the goal than before.
 ///
-/// AgentParameters::leader puts the route, or nothing but the goal's bearing, in the network's place.
+/// With AgentParameters::leader the route, or only the goal's bearing, leads instead of the network.
 ///
 /// The hidden state advances once a step (StepClock) and at no other time: asking twice gives the same answer. Not
 /// thread safe. All poses and goals are in one frame, in which the robot moves without jumps: the odometry frame, or
@@ -47,45 +47,45 @@ class NavigationAgent {
   /// not fit them.
   NavigationAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules = {});
 
-  /// From the next decision on: leader, goal_tolerance, goal_in_sight and the escape's patience, which may change
-  /// during a drive; the rest of the parameters stays. Throws std::invalid_argument, and changes nothing, for bad ones.
+  /// Changes leader, goal_tolerance, goal_in_sight and the escape's patience, from the next decision on; all other
+  /// parameters stay. Throws std::invalid_argument, and changes nothing, if a value cannot be used.
   void change(const AgentParameters& parameters);
 
   /// What the scanner sees at `time` (s) from `pose`: situation(). Throws UnusableScan, or std::invalid_argument when
   /// the model was made for another scanner or robot or the pose is out of reach (checkPose).
   void perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time);
 
-  /// A costmap has these obstacles, too, which the scan that was perceived last does not show (CostmapObstacles); base
-  /// frame, m. They are as good as returns, but forgotten at the next scan unless they are told again.
+  /// Obstacles of a costmap that the last scan does not show (CostmapObstacles); base frame, m. They count as returns,
+  /// until the next scan: then they must be given again.
   void mark(const std::vector<Point2>& obstacles);
 
-  /// Decides about what was perceived last: decision(). `is_new`: the goal was given since the last call. `jumps`: how
-  /// often odometry or localisation has jumped so far. Throws std::invalid_argument for a goal out of reach
+  /// Decides in the situation that was perceived last: decision(). `is_new`: the goal was set since the last call.
+  /// `jumps`: number of jumps of odometry or localisation so far. Throws std::invalid_argument for a goal out of reach
   /// (checkGoal).
   Fresh drive(const Point2& goal, bool is_new, long jumps);
 
-  /// What drive() would decide for a goal that has just been set, and throw; changes nothing that it depends on.
+  /// What drive() would decide, or throw, for a goal that has just been set. Does not change what drive() depends on.
   Decision preview(const Point2& goal) const;
 
   /// A new goal: forgets the hidden state, the step and the escape, but not what was seen on the way.
   void setGoal(const Point2& goal);
 
-  /// The same goal lies a little elsewhere in the frame of the poses, because localisation was corrected: forgets
-  /// nothing.
+  /// The same goal has moved a little in the frame of the poses, because a localisation was corrected. Nothing is
+  /// forgotten.
   void moveGoal(const Point2& goal);
 
-  /// The odometry jumped: what was seen is somewhere else now. Forgets it, and all that setGoal() forgets.
+  /// The odometry jumped, so remembered obstacles are in wrong places: forgets them, and all that setGoal() forgets.
   void restart();
 
-  /// The decision that holds in a situation that somebody else perceived; makes a new one when the last step is over or
-  /// its path is blocked.
+  /// The decision in a situation that was perceived elsewhere; a new one if the last step is over or its path is
+  /// blocked.
   const Decision& update(const Situation& situation);
 
   /// What update() would answer for a goal that has just been set; changes nothing that update() depends on.
   Decision preview(const Situation& situation, const Point2& goal) const;
 
-  /// Called once a step, after the network has advanced, with what it was told. An action that comes back is taken in
-  /// place of the network's own if the shield allows it: this is how a teacher takes the wheel.
+  /// Called once a step with the network's inputs, after the network has advanced. If it returns an action that the
+  /// shield allows, this action is taken instead of the network's own: so a teacher can steer.
   using StepListener = std::function<std::optional<int>(const Situation&, const Observation&)>;
   void setStepListener(StepListener listener) { step_listener_ = std::move(listener); }
 
@@ -96,13 +96,13 @@ class NavigationAgent {
   std::vector<Point2> outOfView() const { return out_of_view_ ? out_of_view_->points() : std::vector<Point2>(); }
   const Point2& goal() const { return goal_; }
   const Shield& shield() const { return shield_; }  ///< shows what was perceived, or decided about, last
-  /// Where obstacles are remembered; none where nothing is to be remembered. To be drawn: this is slow.
+  /// Places of the remembered obstacles, for drawing; empty if memory/enabled is false. Slow.
   std::vector<Point2> rememberedObstacles() const {
     return guide_ ? guide_->memory().obstacles() : std::vector<Point2>();
   }
-  /// What is remembered; null where nothing is to be remembered.
+  /// The remembered obstacles; null if memory/enabled is false.
   const ObstacleMemory* memory() const { return guide_ ? &guide_->memory() : nullptr; }
-  /// Searches for paths through what is remembered, so far.
+  /// Number of searches for paths through the remembered obstacles so far.
   long searches() const { return guide_ ? guide_->searches() : 0; }
   const AgentParameters& parameters() const { return parameters_; }
   const DrivePolicy& policy() const { return policy_; }

@@ -7,10 +7,10 @@
 
 namespace lstm_planner {
 
-/// Composes what the network is told from what is seen and what is remembered: the one place where this is done, for
-/// the agent that drives and for the recorder that watches somebody drive.
+/// Composes the network's inputs from what the robot senses and remembers. This is done only here, for the agent that
+/// drives and for the recorder.
 ///
-/// `trace`: of the drive so far; the robot is noted to be at the situation's pose. `position_cell`: m, see observe().
+/// `trace`: of the drive so far; the situation's pose is added to it. `position_cell`: m, see observe().
 Observation observe(const Situation& situation, const Point2& goal, double previous_action, double position_cell,
                     DriveTrace* trace);
 
@@ -23,8 +23,8 @@ class Observer {
   void start(const Point2& goal);
   /// The odometry jumped: everything is forgotten.
   void forget();
-  /// What the network would be told at this step; the position is not rounded. In addition, for whoever learns from it
-  /// later: where the path through the obstacles seen so far starts, and how long it is.
+  /// The network's inputs at this step; the position is not rounded. In addition, for training: the direction in which
+  /// the path through the obstacles seen so far starts, and its length.
   Observation observe(const Situation& situation, const Point2& goal, double previous_action);
 
  private:

@@ -18,8 +18,8 @@ struct PlaceVisit {
 
 /// Where the robot was, on three scales: a count and an age for each square of the floor, in the odometry frame.
 ///
-/// The squares of a scale lie over the plane like a torus of fixed size: a square takes the entry of another that lies
-/// a whole window away, which is then forgotten. The memory does not grow: 9 KiB.
+/// Each scale has a fixed number of squares (a torus): a square uses the entry of the square that is a whole window
+/// away, which is then forgotten. So the memory does not grow: 9 KiB.
 class PlaceTrace {
  public:
   enum Scale { kStep = 0, kRoom = 1, kHall = 2 };
@@ -33,8 +33,8 @@ class PlaceTrace {
   /// Forgets everything.
   void clear();
 
-  /// A step later the robot is at `position`, m. Counts for the squares that it was not in before. What is not finite,
-  /// or more than 1,000 km away, is ignored.
+  /// The robot is at `position` (m), one step later. A visit counts for squares that it has just entered. Positions
+  /// that are not finite, or more than 1,000 km away, are ignored.
   void visit(const Point2& position);
 
   /// About the square of `position`.

@@ -33,8 +33,8 @@ void visitRolloutParameters(Parameters& rollout, const Visitor& visit) {
 
 /// A plan has no more poses than this, however far away the goal is: 1.5 MB as messages.
 constexpr std::size_t kMostPlanPoses = 10000;
-/// So many poses from the robot on are spaced as RolloutParameters say, 400 m with 0.05 m. What lies beyond is made
-/// anew long before the robot is there, and gets as many as are left, evenly spaced.
+/// The first poses of a plan, which are as dense as RolloutParameters say: 400 m with a spacing of 0.05 m. The rest of
+/// the plan is replaced long before the robot is there; it gets the remaining poses, evenly spaced.
 constexpr std::size_t kMostDensePlanPoses = 8000;
 
 /// The plan of a decision: from the robot's pose through the waypoint, on towards the goal through what the scan shows

@@ -8,8 +8,8 @@ namespace lstm_planner {
 /// Whether a robot has driven a step: a step's length or turn, or it is at the waypoint. Poses in the odometry frame.
 bool isStepDriven(const StepParameters& step, const Pose2& start, const Pose2& pose, const Point2& waypoint);
 
-/// Tells when a step is over, and when the robot stands still under it. A clock that jumps back (a simulation started
-/// anew) stops neither.
+/// Decides when a step is over, and when the robot stands still during a step. Both also work if the clock jumps back
+/// (a simulation was started again).
 class StepClock {
  public:
   explicit StepClock(const StepParameters& parameters) : parameters_(parameters) {}

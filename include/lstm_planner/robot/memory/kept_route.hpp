@@ -9,8 +9,8 @@
 
 namespace lstm_planner {
 
-/// A route that is followed, and what it costs under what is remembered now. Only the pieces are looked at anew that
-/// something has changed beside since they were looked at last.
+/// The route that the robot follows, and its cost with the obstacles that are remembered now. A piece of it is checked
+/// again only if something has changed beside it since the last check.
 class KeptRoute {
  public:
   explicit KeptRoute(const AgentParameters& parameters);

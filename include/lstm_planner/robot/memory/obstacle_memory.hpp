@@ -11,9 +11,9 @@
 
 namespace lstm_planner {
 
-/// Remembers where obstacles were seen in a window that moves along with the robot (ObstacleWindow), forgets those that
-/// the scanner sees through later (ScanChanges), and knows where the footprint fits through (Passability). Bounded:
-/// about 0.6 MB with the defaults, however large the world and long the path.
+/// Remembers obstacles in a window that moves with the robot (ObstacleWindow), forgets an obstacle if the scanner later
+/// sees through its place (ScanChanges), and knows where the footprint fits through (Passability). Its memory is
+/// bounded: about 0.6 MB with the defaults, for any size of the world and length of the path.
 ///
 /// All positions are in the odometry frame. Obstacles are kept in squares of MemoryParameters::resolution; a cell of
 /// four by four of them is the unit of the route search. What was never seen counts as free.
@@ -39,16 +39,16 @@ class ObstacleMemory {
   /// Takes in what is seen from where the robot is: forgets what the scan sees through, then marks the returns. Does
   /// nothing where the pose is out of reach (isInReach).
   ///
-  /// What a costmap has marked (Situation::marked) stands there, too, whatever the scan sees through, until a situation
-  /// comes without it; but not where, or beside where, the memory has seen something itself.
+  /// Obstacles of a costmap (Situation::marked) are added, also where the scan sees through, and removed when a
+  /// situation does not have them any more; but not in or beside squares where the scan has shown an obstacle.
   void add(const Situation& situation);
 
-  /// A place that turned out not to be passable although nothing is seen there; until forget(), or until so many others
-  /// were blocked.
+  /// Marks a place as not passable although no obstacle was seen there; until forget(), or until many other places were
+  /// marked.
   void block(const Point2& place);
 
-  /// Whether places count as passable that are narrower by the blur of noise and squares than what the shield lets
-  /// through. Seldom right, but where there is no other path it is worth a try.
+  /// Whether places count as passable that seem too narrow by not more than the error of noise and squares. This is
+  /// seldom true, but worth a try if there is no other path.
   void squeeze(bool on);
 
   /// Where obstacles are remembered: the middles of the occupied squares.

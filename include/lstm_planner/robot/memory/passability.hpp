@@ -34,8 +34,8 @@ class Passability {
   /// A place is blocked from now on. Of too many the oldest gives way: that one.
   std::optional<Point2> block(const ObstacleWindow& window, const Point2& place);
 
-  /// Whether places count as passable that are narrower by the blur of noise and squares than what the shield lets
-  /// through. True when that has changed: everything is outdated.
+  /// Whether places count as passable that seem too narrow by not more than the error of noise and squares. Returns
+  /// true if that has changed: then everything is outdated.
   bool squeeze(bool on);
 
   /// Something has changed in a cell.

@@ -26,14 +26,13 @@ class RouteFinder {
   /// quarter of what is above 1.
   explicit RouteFinder(double tightness);
 
-  /// False when there is no path: obstacles that were seen enclose the start, or the goal, all around. A goal that lies
-  /// in something is replaced by the nearest place that the footprint fits on, and one that cannot be reached, or only
-  /// by a long detour from a start that is near it, by the first place on the way: at most `tolerance` (m) from the
-  /// goal.
+  /// False if there is no path: remembered obstacles enclose the start or the goal. A goal in an obstacle is replaced
+  /// by the nearest place where the footprint fits. A goal that cannot be reached, or only by a long detour although
+  /// the start is near it, is replaced by the first place on the way that is at most `tolerance` (m) from the goal.
   bool find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance, Route* route);
 
-  /// A route from elsewhere to the end of the last one that was found at the goal, without a new search; false when
-  /// that search does not tell. Where obstacles have gone since there may be a better one.
+  /// A route from another place to the end of the last route that ended at the goal, without a new search; false if
+  /// that search did not cover the place. If obstacles have gone since then, there may be a better route.
   bool fromLastSearch(ObstacleMemory& memory, const Point2& start, Route* route);
 
   /// Whether the last route found ends at the goal, or at the place nearest to it: costToGo() is then what is left of

@@ -11,8 +11,8 @@
 
 namespace lstm_planner {
 
-/// What a scan adds to a window of obstacles, and what it takes away: the squares of its returns, and the occupied ones
-/// through which it sees. Changes nothing itself.
+/// What a scan adds to a window of obstacles (the squares of its returns), and what it removes (the occupied squares
+/// that it sees through). It does not change the window itself.
 class ScanChanges {
  public:
   /// `reach`: m; returns farther away count for nothing. `resolution`: the window's, m.

@@ -11,10 +11,10 @@ namespace lstm_planner {
 struct SightBeams;
 struct SquareGrid;
 
-/// Tells through which places a scan looks: the beam towards them and two on each side end 0.1 m behind them at least.
-/// For thousands of places a scan: all that can be is done once a scan, or for a whole neighbourhood.
+/// Finds the places that a scan sees through: the beam towards the place and two on each side end at least 0.1 m behind
+/// it. Made for thousands of places per scan: as much as possible is done once per scan, or for a whole neighbourhood.
 ///
-/// Places are relative to the scanner, m, in a frame in which the base has the yaw that show() was told.
+/// Places are relative to the scanner, m, in a frame in which the base has the yaw that was given to show().
 class Sight {
  public:
   /// `neighbourhood`: radius around the middle of a cell in which its squares' middles lie, m.

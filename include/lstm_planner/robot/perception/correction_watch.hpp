@@ -6,8 +6,8 @@
 
 namespace lstm_planner {
 
-/// Tells a localisation that corrects the robot's pose a little, as it does all the time, from one that was lost and
-/// has found the robot elsewhere: after that, what was remembered lies in wrong places.
+/// Distinguishes the usual small corrections of a localisation from a jump after it was lost: after a jump, remembered
+/// obstacles are in wrong places.
 class CorrectionWatch {
  public:
   /// m and rad, by which one correction may move the robot; whatever moves it farther is a jump.

@@ -17,12 +17,12 @@ struct CostGrid {
   double inscribed_radius = 0.0;  ///< m, within which of an obstacle inflation makes cells inscribed
 };
 
-/// Finds the obstacles of a costmap around the robot that a scan does not show: what a depth camera or sonar has seen,
-/// cliffs, zones that are kept out of.
+/// Finds the obstacles of a costmap around the robot that a scan does not show: from a depth camera or sonar, cliffs,
+/// keep-out zones.
 ///
-/// Obstacles are lethal cells, and inscribed cells that no lethal one is the reason of. One that is, or is beside, the
-/// cell of a return is shown by the scan: the return says better where it is. Cells with nothing but such cells around
-/// are left out unless they are near the robot: who keeps out of the rim keeps out of what it surrounds.
+/// Obstacles are lethal cells, and inscribed cells without a lethal cell that explains them. A cell that holds a
+/// return, or is beside such a cell, is left out: the return is more exact. A cell that is surrounded by obstacles is
+/// left out, too, unless it is near the robot: a robot that does not touch the rim does not touch the inside.
 class CostmapObstacles {
  public:
   /// Those within `reach` (m) of the robot, as points of the base frame, 6 cm or a cell apart. `base`: pose of the base

@@ -62,7 +62,7 @@ EncoderParameters readEncoderParameters(MetadataReader* metadata);
 /// The eighth of a turn, 0 .. 7, that is nearest to an angle (rad).
 int viewNearest(double angle);
 
-/// What an encoding does not tell of an observation, and the other views need.
+/// What the other views need of an observation in addition to its encoding.
 struct ViewBearings {
   int ahead = 0;                 ///< the direction in the odometry frame, in eighths of a turn, nearest to the heading
   double goal = 0.0;             ///< rad, relative to the heading

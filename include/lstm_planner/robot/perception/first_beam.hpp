@@ -2,7 +2,7 @@
 
 namespace lstm_planner {
 
-/// Where a scan's beams start, and how they follow one another: what it takes to tell towards which beam a place lies.
+/// Direction of a scan's first beam, and the order of the beams: needed to find the beam that points to a place.
 struct FirstBeam {
   float along_x = 1.0f;  ///< its direction
   float along_y = 0.0f;

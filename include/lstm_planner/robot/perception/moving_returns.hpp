@@ -52,9 +52,9 @@ void visitMovingParameters(Parameters& moving, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const MovingReturnsParameters& parameters);
 
-/// Tells which returns of a scan belong to things that move: those that lie where an earlier scan saw free space. What
-/// was hidden before, such as a wall behind a corner, was not seen free and does not count; nor does what goes away
-/// from the scanner. Remembers such places for a while in the odometry frame: somebody who stands may walk on.
+/// Finds the returns of a scan that belong to things that move: they lie where an earlier scan saw free space. Places
+/// that were hidden before, such as a wall behind a corner, do not count; things that move away from the scanner are
+/// not noticed. Such places are remembered for a while in the odometry frame: a person who stands may walk on.
 class MovingReturns {
  public:
   explicit MovingReturns(const MovingReturnsParameters& parameters);

@@ -16,7 +16,7 @@ struct PlacesAround {
   std::array<double, kPlaceDirections> ages{};    ///< steps since it was there last; means nothing without visits
 };
 
-/// What the network is told at one step, in physical units. The planner, the recorder and the trainer share it.
+/// The network's inputs at one step, in physical units. The planner, the recorder and the trainer share it.
 struct Observation {
   std::array<double, kSectorCount> sector_ranges{};  ///< m, right to left, at most the range cap
   double goal_distance = 0.0;                        ///< m

@@ -18,7 +18,7 @@ class OdometryHistory {
   /// `max_speed`: m/s; what moves faster has jumped.
   explicit OdometryHistory(double max_speed) : max_speed_(max_speed) {}
 
-  /// Takes a finite entry. After a jump, of the pose or of the clock, the history starts anew.
+  /// Adds an entry, which must be finite. After a jump of the pose or of the clock the history is empty.
   void add(const Entry& entry);
 
   /// What comes next is of another frame: counts as a jump, unless there was nothing before.

@@ -7,11 +7,11 @@
 
 namespace lstm_planner {
 
-/// Remembers returns near the robot that its scanner saw and does not see any more, because they left its field of view
-/// or something else hides them: corners that turn, and a robot that drives back, would hit them.
+/// Remembers returns near the robot that its scanner does not see any more, because they left its field of view or are
+/// hidden: the corners of a robot that turns, or a robot that drives back, could hit them.
 ///
-/// Exact as odometry is over the few metres in question. What is in view is never remembered: there the scan counts. A
-/// place is forgotten when the robot has gone away from it.
+/// As exact as odometry over a few metres. Inside the field of view nothing is remembered: there the scan counts. A
+/// place is forgotten when the robot has moved away from it.
 class OutOfView {
  public:
   /// Of a robot of that footprint.

@@ -5,8 +5,8 @@
 
 namespace lstm_planner {
 
-/// Measures how often a sensor's messages come, from their stamps. Messages that are lost do not matter, as long as a
-/// quarter of the neighbours come both; pauses of more than a second are no period.
+/// Measures the period of a sensor's messages from their stamps. Lost messages do not matter, as long as a quarter of
+/// the intervals are complete; pauses of more than a second are ignored.
 class PeriodMeter {
  public:
   /// The stamp of the next message, s.
@@ -26,8 +26,8 @@ class PeriodMeter {
   double period_ = 0.0;
 };
 
-/// How old a message may be, s: `set` where that is more than 0. Otherwise three of the sensor's periods (s, 0: not
-/// known yet), at least `least` and at most one second: whoever is slower has to be waited for on purpose.
+/// Largest age of a message, s: `set` if that is more than 0. Otherwise three of the sensor's periods (s, 0: not known
+/// yet), at least `least` and at most one second: for a slower sensor the limit must be set.
 double timeoutFor(double set, double period, double least);
 
 }  // namespace lstm_planner

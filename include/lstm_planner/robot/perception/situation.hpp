@@ -8,7 +8,7 @@
 
 namespace lstm_planner {
 
-/// All that the agent knows at one moment: where odometry says it is and what the scanner sees from there.
+/// What the agent knows at one moment: its pose according to odometry, and what the scanner sees from there.
 struct Situation {
   double time = 0.0;              ///< s
   Pose2 pose;                     ///< base in the odometry frame
@@ -19,9 +19,9 @@ struct Situation {
   BeamDirections beams;           ///< of the scanner; only perceive() needs them, and only to be fast
 };
 
-/// Fills sectors, obstacles and profile from a scan, reusing the memory of `situation`: the one place where a scan is
-/// checked and understood, for planner, controller, recorder and simulation. Throws UnusableScan as averageSectors();
-/// `situation` must then not be used.
+/// Fills sectors, obstacles and profile from a scan, reusing the memory of `situation`. Planner, controller, recorder
+/// and simulation check and interpret scans only here. Throws UnusableScan as averageSectors(); `situation` must then
+/// not be used.
 void perceive(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, double range_cap,
               Situation* situation);
 
