@@ -13,7 +13,7 @@ namespace {
 
 using Passage = BlockGraph::Passage;
 
-constexpr int kSide = BoundedSearch::kSide;
+constexpr int kSide = SeenGrid::kSide;
 constexpr int kStraight = 5;  ///< costs in fifths of a block, or of a cell
 constexpr int kDiagonal = 7;
 constexpr int kClosedCost = 100;    ///< what looks closed is tried last
@@ -44,8 +44,6 @@ CellIndex middleOf(CellIndex block) {
 
 }  // namespace
 
-static_assert(SeenGrid::kSide == kSide && BlockGraph::kSide == kSide, "one search serves both");
-
 /// From block to block.
 struct AreaPlanner::BlockWorld {
   const BlockGraph& graph;
@@ -64,7 +62,7 @@ struct AreaPlanner::BlockWorld {
     return octile(goal_block.column - block.column, goal_block.row - block.row);
   }
   bool isTarget(int node) const {
-    return goal_inside ? node == nodeOf(goal_block, graph.origin()) : BoundedSearch::atEdge(node);
+    return goal_inside ? node == nodeOf(goal_block, graph.origin()) : Search::atEdge(node);
   }
   Passage leaving(CellIndex block, std::size_t direction) const {
     return block == agent_block ? from_agent[direction] : graph.passage(block, direction);
@@ -173,6 +171,7 @@ struct AreaPlanner::CellWorld {
 };
 
 AreaPlanner::AreaPlanner(const AreaPlannerParameters& parameters) : parameters_(parameters) {
+  static_assert(SeenGrid::kSide == Search::kSide && BlockGraph::kSide == Search::kSide, "one search serves both");
   const auto checkNotNegative = [](const char* name, double value) {
     checkParameter(value >= 0.0, name, value, "a number that is not negative");
   };
@@ -306,7 +305,7 @@ bool AreaPlanner::planCellsTo(CellIndex block, bool through_doubtful, std::size_
 }
 
 std::size_t AreaPlanner::bytes() const {
-  return sizeof(*this) + seen_.bytes() + BlockGraph::bytes() + BoundedSearch::bytes() + kLongestPath + kMostBlocks;
+  return sizeof(*this) + seen_.bytes() + BlockGraph::bytes() + Search::bytes() + kLongestPath + kMostBlocks;
 }
 
 }  // namespace lstm_planner

@@ -10,6 +10,11 @@ namespace lstm_planner {
 
 namespace {
 
+constexpr int kSide = RollingGrid::kSide;
+constexpr int kStraight = 5;  ///< costs in fifths of a cell
+constexpr int kDiagonal = 7;
+constexpr std::size_t kLongestPath = 1024;  ///< steps of the path that are kept
+
 /// The moves that walls beside leave, both with bit d for direction d.
 unsigned movesBetween(unsigned walls, CornerCutting corner_cutting) {
   constexpr unsigned kDiagonals = 0xaa;
@@ -22,8 +27,31 @@ unsigned movesBetween(unsigned walls, CornerCutting corner_cutting) {
 
 }  // namespace
 
-RollingPlanner::RollingPlanner(CornerCutting corner_cutting)
-    : corner_cutting_(corner_cutting), reached_by_(static_cast<std::size_t>(kSide * kSide) / 2), open_(kMostOpen) {
+/// The window, its cells counted from its origin.
+struct RollingPlanner::World {
+  const RollingGrid& walls;
+  CornerCutting corner_cutting;
+  CellIndex goal;
+
+  int estimate(int cell) const {
+    const int columns = std::abs(goal.column - cell % kSide);
+    const int rows = std::abs(goal.row - cell / kSide);
+    return kStraight * std::max(columns, rows) + (kDiagonal - kStraight) * std::min(columns, rows);
+  }
+  bool isTarget(int cell) const {
+    return Search::atEdge(cell) || (cell % kSide == goal.column && cell / kSide == goal.row);
+  }
+  template <typename Move>
+  void expand(int cell, const Move& move) const {
+    const unsigned moves = movesBetween(walls.wallsBeside(cell % kSide, cell / kSide), corner_cutting);
+    for (std::size_t direction = 0; direction < kGridMoveCount; ++direction) {
+      if ((moves >> direction & 1u) != 0) move(direction, direction % 2 != 0 ? kDiagonal : kStraight);
+    }
+  }
+};
+
+RollingPlanner::RollingPlanner(CornerCutting corner_cutting) : corner_cutting_(corner_cutting) {
+  static_assert(RollingGrid::kSide == Search::kSide, "the search covers the window");
   path_.reserve(kLongestPath);
 }
 
@@ -32,12 +60,10 @@ void RollingPlanner::start() {
   path_.clear();
   path_step_ = 0;
   direction_ = kNoPath;
-  expanded_ = 0;
+  search_.resetCounter();
 }
 
-std::size_t RollingPlanner::bytes() const {
-  return sizeof(*this) + walls_.bytes() + reached_by_.size() + kMostOpen * sizeof(OpenCell) + kLongestPath;
-}
+std::size_t RollingPlanner::bytes() const { return sizeof(*this) + walls_.bytes() + Search::bytes() + kLongestPath; }
 
 void RollingPlanner::observe(const GridObservation& observation) {
   const bool is_new = walls_.observe(observation);
@@ -72,110 +98,17 @@ bool RollingPlanner::isPathFree(const GridObservation& observation) const {
   return true;
 }
 
-void RollingPlanner::setReachedBy(int cell, std::uint8_t direction) {
-  std::uint8_t& both = reached_by_[static_cast<std::size_t>(cell / 2)];
-  both = static_cast<std::uint8_t>((both & (cell % 2 == 0 ? 0xf0u : 0x0fu)) | (direction << (cell % 2 * 4)));
-}
-
-int RollingPlanner::estimate(int column, int row) const {
-  const int columns = std::abs(goal_.column - column);
-  const int rows = std::abs(goal_.row - row);
-  return kStraight * std::max(columns, rows) + (kDiagonal - kStraight) * std::min(columns, rows);
-}
-
-void RollingPlanner::push(std::size_t bucket, int cell, int direction) {
-  if (free_ == kNone) return;
-  const std::uint16_t entry = free_;
-  OpenCell& open = open_[entry];
-  free_ = open.next;
-  open.cell = static_cast<std::uint32_t>(cell) & 0x7fffu;
-  open.direction = static_cast<std::uint32_t>(direction) & 0xfu;
-  open.next = buckets_[bucket] & 0xfffu;
-  buckets_[bucket] = entry;
-}
-
-void RollingPlanner::clearPlan() {
-  std::fill(reached_by_.begin(), reached_by_.end(), std::uint8_t{kUnreached << 4 | kUnreached});
-  for (std::size_t entry = 0; entry < kMostOpen; ++entry) {
-    open_[entry].next = (entry + 1 < kMostOpen ? static_cast<std::uint32_t>(entry + 1) : kNone) & 0xfffu;
-  }
-  free_ = 0;
-  buckets_.fill(kNone);
+void RollingPlanner::plan(const GridObservation& observation) {
+  const CellIndex origin = walls_.origin();
+  const CellIndex goal{observation.goal.column - origin.column, observation.goal.row - origin.row};
   path_.clear();
   path_step_ = 0;
   length_ = 0.0;
-}
-
-void RollingPlanner::plan(const GridObservation& observation) {
-  const CellIndex origin = walls_.origin();
-  clearPlan();
-  goal_ = {observation.goal.column - origin.column, observation.goal.row - origin.row};
-  const int column = observation.cell.column - origin.column;
-  const int row = observation.cell.row - origin.row;
-  int total = estimate(column, row);
-  push(static_cast<std::size_t>(total) % kBuckets, row * kSide + column, kRoot);
-  for (std::size_t empty_in_a_row = 0; empty_in_a_row < kBuckets; ++total) {
-    std::uint16_t& bucket = buckets_[static_cast<std::size_t>(total) % kBuckets];
-    empty_in_a_row = bucket == kNone ? empty_in_a_row + 1 : 0;
-    while (bucket != kNone) {
-      const int cell = pop(&bucket);
-      if (cell < 0) continue;
-      if (isTarget(cell)) {
-        length_ = static_cast<double>(total) / kStraight;
-        keepPath(cell);
-        return;
-      }
-      expand(cell, total - estimate(cell % kSide, cell / kSide));
-    }
-  }
-}
-
-int RollingPlanner::pop(std::uint16_t* bucket) {
-  const std::uint16_t entry = *bucket;
-  OpenCell& open = open_[entry];
-  *bucket = static_cast<std::uint16_t>(open.next);
-  open.next = free_ & 0xfffu;
-  free_ = entry;
-  const int cell = static_cast<int>(open.cell);
-  if (reachedBy(cell) != kUnreached) return -1;
-  setReachedBy(cell, static_cast<std::uint8_t>(open.direction));
-  ++expanded_;
-  return cell;
-}
-
-bool RollingPlanner::isTarget(int cell) const {
-  const int column = cell % kSide;
-  const int row = cell / kSide;
-  const bool at_edge = column == 0 || row == 0 || column == kSide - 1 || row == kSide - 1;
-  return at_edge || (column == goal_.column && row == goal_.row);
-}
-
-void RollingPlanner::expand(int cell, int cost) {
-  const int column = cell % kSide;
-  const int row = cell / kSide;
-  const unsigned moves = movesBetween(walls_.wallsBeside(column, row), corner_cutting_);
-  for (std::size_t direction = 0; direction < kGridMoveCount; ++direction) {
-    if ((moves >> direction & 1u) == 0) continue;
-    const CellIndex step = kGridRaySteps[direction];
-    const int next = cell + step.row * kSide + step.column;
-    if (reachedBy(next) != kUnreached) continue;
-    const int length = direction % 2 != 0 ? kDiagonal : kStraight;
-    const int total = cost + length + estimate(column + step.column, row + step.row);
-    push(static_cast<std::size_t>(total) % kBuckets, next, static_cast<int>(direction));
-  }
-}
-
-void RollingPlanner::keepPath(int cell) {
-  const auto before = [&](int later) {
-    const CellIndex step = kGridRaySteps[reachedBy(later)];
-    return later - step.row * kSide - step.column;
-  };
-  std::size_t steps = 0;
-  for (int at = cell; reachedBy(at) != kRoot; at = before(at)) ++steps;
-  for (; reachedBy(cell) != kRoot; cell = before(cell)) {
-    if (--steps < kLongestPath) path_.push_back(reachedBy(cell));
-  }
-  std::reverse(path_.begin(), path_.end());
+  const int start = (observation.cell.row - origin.row) * kSide + observation.cell.column - origin.column;
+  const int target = search_.find(World{walls_, corner_cutting_, goal}, start);
+  if (target < 0) return;
+  length_ = static_cast<double>(search_.cost()) / kStraight;
+  search_.pathTo(target, kLongestPath, &path_);
 }
 
 }  // namespace lstm_planner

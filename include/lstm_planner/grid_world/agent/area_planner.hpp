@@ -51,6 +51,7 @@ class AreaPlanner {
   std::size_t bytes() const;
 
  private:
+  using Search = BoundedSearch<3072, 255>;
   struct BlockWorld;
   struct CellWorld;
 
@@ -64,7 +65,7 @@ class AreaPlanner {
   AreaPlannerParameters parameters_;
   SeenGrid seen_;
   BlockGraph graph_;
-  BoundedSearch search_;
+  Search search_;
   GridObservation now_;
   CellIndex start_;
   CellIndex expected_;  ///< where the agent is when it follows the path

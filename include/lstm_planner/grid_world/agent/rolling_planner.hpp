@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "lstm_planner/grid_world/agent/rolling_grid.hpp"
+#include "lstm_planner/grid_world/search/bounded_search.hpp"
 
 namespace lstm_planner {
 
@@ -33,57 +33,25 @@ class RollingPlanner {
 
   const RollingGrid& walls() const { return walls_; }
 
-  std::size_t expandedCells() const { return expanded_; }
+  std::size_t expandedCells() const { return search_.expandedNodes(); }
   std::size_t bytes() const;
 
  private:
-  static constexpr int kSide = RollingGrid::kSide;
-  static constexpr int kStraight = 5;  ///< costs in fifths of a cell
-  static constexpr int kDiagonal = 7;
-  static constexpr std::size_t kBuckets = 16;        ///< no move raises cost + estimate by more than 14
-  static constexpr std::size_t kMostOpen = 2048;     ///< cells open at a time; more are left out
-  static constexpr std::size_t kLongestPath = 1024;  ///< steps of the path that are kept
-  static constexpr std::uint16_t kNone = 0xfff;
-  static constexpr std::uint8_t kUnreached = 15;
-  static constexpr std::uint8_t kRoot = 14;
-
-  /// A cell, the direction by which it was reached, and the next one on its list.
-  struct OpenCell {
-    std::uint32_t cell : 15;
-    std::uint32_t direction : 4;
-    std::uint32_t next : 12;
-  };
-  static_assert(kSide * kSide <= 1 << 15 && kMostOpen < kNone, "they fit");
+  using Search = BoundedSearch<2048, 15>;  // costs in fifths of a cell: no move raises cost + estimate by more than 14
+  struct World;
 
   bool isPathFree(const GridObservation& observation) const;
-  void clearPlan();
   void plan(const GridObservation& observation);
-  int pop(std::uint16_t* bucket);  ///< -1 for a cell that was reached sooner
-  bool isTarget(int cell) const;
-  int estimate(int column, int row) const;
-  void push(std::size_t bucket, int cell, int direction);
-  void expand(int cell, int cost);
-  void keepPath(int cell);
-  std::uint8_t reachedBy(int cell) const {
-    return (reached_by_[static_cast<std::size_t>(cell / 2)] >> (cell % 2 * 4)) & 15u;
-  }
-  void setReachedBy(int cell, std::uint8_t direction);
 
   CornerCutting corner_cutting_;
   RollingGrid walls_;
+  Search search_;
   int direction_ = kNoPath;
   double length_ = 0.0;
-  std::size_t expanded_ = 0;
 
-  CellIndex goal_;      ///< from the window's origin
   CellIndex expected_;  ///< where the agent is when it follows the path
   std::size_t path_step_ = 0;
   std::vector<std::uint8_t> path_;  ///< directions from where the plan started
-
-  std::vector<std::uint8_t> reached_by_;  ///< two cells a byte
-  std::vector<OpenCell> open_;            ///< on lists: one a bucket and the free ones
-  std::uint16_t free_ = kNone;
-  std::array<std::uint16_t, kBuckets> buckets_{};
 };
 
 }  // namespace lstm_planner

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,11 +17,12 @@ namespace lstm_planner {
 ///
 /// A `World` has `int estimate(int node)` (the least cost to a target; it may fall by no more than a move costs),
 /// `bool isTarget(int node)`, and `expand(int node, move)` that calls `move(int direction, int cost)` for every move
-/// that is possible from a node that does not lie at the square's edge.
+/// that is possible from a node that does not lie at the square's edge. kMostOpen: nodes that are open at a time;
+/// kMostRise: by which a move may raise cost + estimate.
+template <std::size_t kMostOpen, int kMostRise>
 class BoundedSearch {
  public:
   static constexpr int kSide = 160;
-  static constexpr int kMostRise = 255;  ///< that a move may raise cost + estimate
 
   BoundedSearch() : reached_by_(static_cast<std::size_t>(kSide * kSide) / 2), open_(kMostOpen) {}
 
@@ -53,7 +55,6 @@ class BoundedSearch {
 
  private:
   static constexpr std::size_t kBuckets = kMostRise + 1;
-  static constexpr std::size_t kMostOpen = 3072;
   static constexpr std::uint16_t kNone = 0xfff;
   static constexpr std::uint8_t kUnreached = 15;
   static constexpr std::uint8_t kRoot = 14;
@@ -82,8 +83,9 @@ class BoundedSearch {
   int cost_ = 0;
 };
 
+template <std::size_t kMostOpen, int kMostRise>
 template <typename World>
-int BoundedSearch::find(const World& world, int start) {
+int BoundedSearch<kMostOpen, kMostRise>::find(const World& world, int start) {
   clear();
   int total = world.estimate(start);
   push(total, start, kRoot);
@@ -106,6 +108,65 @@ int BoundedSearch::find(const World& world, int start) {
     }
   }
   return -1;
+}
+
+template <std::size_t kMostOpen, int kMostRise>
+void BoundedSearch<kMostOpen, kMostRise>::clear() {
+  std::fill(reached_by_.begin(), reached_by_.end(), std::uint8_t{kUnreached << 4 | kUnreached});
+  for (std::size_t entry = 0; entry < kMostOpen; ++entry) {
+    open_[entry].next = (entry + 1 < kMostOpen ? static_cast<std::uint32_t>(entry + 1) : kNone) & 0xfffu;
+  }
+  free_ = 0;
+  buckets_.fill(kNone);
+}
+
+template <std::size_t kMostOpen, int kMostRise>
+void BoundedSearch<kMostOpen, kMostRise>::setReachedBy(int node, unsigned direction) {
+  std::uint8_t& both = reached_by_[static_cast<std::size_t>(node / 2)];
+  both = static_cast<std::uint8_t>((both & (node % 2 == 0 ? 0xf0u : 0x0fu)) | direction << (node % 2 * 4));
+}
+
+template <std::size_t kMostOpen, int kMostRise>
+void BoundedSearch<kMostOpen, kMostRise>::push(int total, int node, std::size_t direction) {
+  if (free_ == kNone) return;
+  std::uint16_t& bucket = buckets_[static_cast<std::size_t>(total) % kBuckets];
+  const std::uint16_t entry = free_;
+  OpenNode& open = open_[entry];
+  free_ = open.next;
+  open.node = static_cast<std::uint32_t>(node) & 0xffffu;
+  open.direction = static_cast<std::uint32_t>(direction) & 0xfu;
+  open.next = bucket & 0xfffu;
+  bucket = entry;
+}
+
+template <std::size_t kMostOpen, int kMostRise>
+int BoundedSearch<kMostOpen, kMostRise>::pop(std::uint16_t* bucket) {
+  const std::uint16_t entry = *bucket;
+  OpenNode& open = open_[entry];
+  *bucket = static_cast<std::uint16_t>(open.next);
+  open.next = free_ & 0xfffu;
+  free_ = entry;
+  const int node = static_cast<int>(open.node);
+  if (reachedBy(node) != kUnreached) return -1;
+  setReachedBy(node, open.direction);
+  ++expanded_;
+  return node;
+}
+
+template <std::size_t kMostOpen, int kMostRise>
+void BoundedSearch<kMostOpen, kMostRise>::pathTo(int node, std::size_t most,
+                                                 std::vector<std::uint8_t>* directions) const {
+  const auto before = [&](int later) {
+    const CellIndex step = kGridRaySteps[reachedBy(later)];
+    return later - step.row * kSide - step.column;
+  };
+  directions->clear();
+  std::size_t steps = 0;
+  for (int at = node; reachedBy(at) != kRoot; at = before(at)) ++steps;
+  for (; reachedBy(node) != kRoot; node = before(node)) {
+    if (--steps < most) directions->push_back(reachedBy(node));
+  }
+  std::reverse(directions->begin(), directions->end());
 }
 
 }  // namespace lstm_planner
