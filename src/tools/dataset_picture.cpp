@@ -1,37 +1,15 @@
-#include <stdlib.h>
-
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
-#include <system_error>
 
 #include "lstm_planner/base/common/gnuplot.hpp"
+#include "lstm_planner/base/common/scratch_folder.hpp"
 #include "tools/dataset_report.hpp"
 
 namespace lstm_planner {
 
 namespace {
-
-/// A folder for the numbers that are drawn.
-class ScratchFolder {
- public:
-  ScratchFolder() : path_((std::filesystem::temp_directory_path() / "dataset_XXXXXX").string()) {
-    if (::mkdtemp(path_.data()) == nullptr) throw std::runtime_error("cannot make a folder '" + path_ + "'");
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::string file(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-  std::string path_;
-};
 
 template <typename Work>
 void forEachDrive(const Dataset& dataset, Work&& work) {
@@ -80,7 +58,7 @@ void writePaths(const std::string& path, const std::string& ends_path, const Dat
 }
 
 std::string scriptOf(const std::string& path, const ScratchFolder& scratch) {
-  const auto data = [&](const char* name) { return quotedForGnuplot(scratch.file(name)); };
+  const auto data = [&](const char* name) { return quotedForGnuplot(scratch / name); };
   std::ostringstream script;
   script << "set terminal pngcairo size 1400,800; set output " << quotedForGnuplot(path) << "; "
          << "set multiplot; set grid; set style fill solid 0.7; unset key; "
@@ -106,11 +84,11 @@ std::string scriptOf(const std::string& path, const ScratchFolder& scratch) {
 
 void drawDataset(const std::string& path, const Dataset& dataset) {
   if (stepCount(dataset) == 0) throw std::runtime_error("picture '" + path + "': the dataset has no steps to draw");
-  const ScratchFolder scratch;
-  writeLabels(scratch.file("labels"), summarise(dataset));
-  writeRanges(scratch.file("ranges"), dataset);
-  writePaths(scratch.file("paths"), scratch.file("ends"), dataset);
-  runGnuplot("picture", path, scratch.file("paths"),
+  const ScratchFolder scratch("dataset");
+  writeLabels(scratch / "labels", summarise(dataset));
+  writeRanges(scratch / "ranges", dataset);
+  writePaths(scratch / "paths", scratch / "ends", dataset);
+  runGnuplot("picture", path, scratch / "paths",
              [&](const std::string& part_path) { return scriptOf(part_path, scratch); });
 }
 

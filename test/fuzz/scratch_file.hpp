@@ -4,11 +4,11 @@
 #include <unistd.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "fuzz/harness.hpp"
+#include "lstm_planner/base/common/scratch_folder.hpp"
 
 namespace lstm_planner::fuzz {
 
@@ -16,14 +16,12 @@ namespace lstm_planner::fuzz {
 class ScratchFile {
  public:
   /// `suffix`: of the file's name, e.g. ".yaml".
-  explicit ScratchFile(const std::string& suffix = "") : path_(pattern() + suffix) {
-    descriptor_ = ::mkstemps(path_.data(), static_cast<int>(suffix.size()));
+  explicit ScratchFile(const std::string& suffix = "")
+      : folder_("lstm_planner_fuzz", parent()), path_(folder_ / ("input" + suffix)) {
+    descriptor_ = ::open(path_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
     require(descriptor_ >= 0, "a scratch file can be created");
   }
-  ~ScratchFile() {
-    ::close(descriptor_);
-    ::unlink(path_.c_str());
-  }
+  ~ScratchFile() { ::close(descriptor_); }
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
 
@@ -37,12 +35,13 @@ class ScratchFile {
   const std::string& path() const { return path_; }
 
  private:
-  static std::string pattern() {
+  static std::filesystem::path parent() {
     const bool in_memory = ::access("/dev/shm", W_OK) == 0;
-    return (in_memory ? "/dev/shm" : std::filesystem::temp_directory_path().string()) + "/lstm_planner_fuzz_XXXXXX";
+    return in_memory ? "/dev/shm" : std::filesystem::temp_directory_path();
   }
 
-  std::string path_;
+  const ScratchFolder folder_;
+  const std::string path_;
   int descriptor_ = -1;
 };
 
