@@ -1,16 +1,8 @@
-#include <ros/ros.h>
-
-#include <stdexcept>
-
 #include "lstm_planner/ros/demo/demo_runner.hpp"
+#include "ros/common/node_main.hpp"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "demo_runner");
-  ros::NodeHandle private_node("~");
-  try {
-    return lstm_planner::DemoRunner(lstm_planner::loadDemoParameters(private_node)).run();
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
+  using namespace lstm_planner;
+  return runNode(argc, argv, "demo_runner",
+                 [](const ros::NodeHandle& node) { return DemoRunner(loadDemoParameters(node)).run(); });
 }

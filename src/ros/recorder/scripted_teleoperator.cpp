@@ -38,8 +38,8 @@ ScriptedTeleoperator::ScriptedTeleoperator(const TeleoperatorParameters& paramet
   timer_ = node_.createTimer(ros::Duration(1.0 / parameters_.rate), &ScriptedTeleoperator::onTimer, this);
 }
 
-int ScriptedTeleoperator::run(const std::atomic<bool>& stop) {
-  while (ros::ok() && !stop && !isDone()) ros::getGlobalCallbackQueue()->callAvailable(kPoll);
+int ScriptedTeleoperator::run(const volatile std::sig_atomic_t& stop) {
+  while (ros::ok() && stop == 0 && !isDone()) ros::getGlobalCallbackQueue()->callAvailable(kPoll);
   timer_.stop();
   if (ros::ok()) {
     publish({});

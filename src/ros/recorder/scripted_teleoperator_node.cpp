@@ -1,29 +1,10 @@
-#include <ros/ros.h>
-
-#include <atomic>
-#include <csignal>
-#include <stdexcept>
-
 #include "lstm_planner/ros/recorder/scripted_teleoperator.hpp"
-
-namespace {
-
-std::atomic<bool> stop_wanted{false};
-
-void onSignal(int) { stop_wanted = true; }
-
-}  // namespace
+#include "ros/common/node_main.hpp"
 
 int main(int argc, char** argv) {
-  // ROS's own handler ends all communication before the robot could be told to stop.
-  ros::init(argc, argv, "scripted_teleoperator", ros::init_options::NoSigintHandler);
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
-  ros::NodeHandle private_node("~");
-  try {
-    return lstm_planner::ScriptedTeleoperator(lstm_planner::loadTeleoperatorParameters(private_node)).run(stop_wanted);
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
+  using namespace lstm_planner;
+  // The robot is told to stop at the end.
+  return runUntilStopped(argc, argv, "scripted_teleoperator", [](const ros::NodeHandle& node, const auto& stop) {
+    return ScriptedTeleoperator(loadTeleoperatorParameters(node)).run(stop);
+  });
 }

@@ -1,17 +1,10 @@
-#include <ros/ros.h>
-
-#include <exception>
-
 #include "lstm_planner/ros/replay/bag_replay.hpp"
+#include "ros/common/node_main.hpp"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "bag_replay");
-  ros::NodeHandle private_node("~");
-  try {
-    lstm_planner::BagReplay(lstm_planner::loadBagReplayParameters(private_node)).run();
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
-  return 0;
+  using namespace lstm_planner;
+  return runNode(argc, argv, "bag_replay", [](const ros::NodeHandle& node) {
+    BagReplay(loadBagReplayParameters(node)).run();
+    return 0;
+  });
 }

@@ -5,7 +5,7 @@
 #include <ros/ros.h>
 #include <tf2_ros/buffer.h>
 
-#include <atomic>
+#include <csignal>
 #include <optional>
 #include <string>
 
@@ -31,7 +31,7 @@ class ScriptedTeleoperator {
 
   /// Drives until the goals are done, `stop` is set, or ROS shuts down. Returns the exit code: 0, or 1 when there was
   /// no path to one of the goals.
-  int run(const std::atomic<bool>& stop);
+  int run(const volatile std::sig_atomic_t& stop);
 
  private:
   struct Localised {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <ros/ros.h>
+
+#include <csignal>
+#include <exception>
+
+namespace lstm_planner {
+
+/// What a node's main() is: calls run(private node handle) and returns its exit status. 1 where an exception ends it,
+/// which the log then has.
+template <typename Run>
+int runNode(int argc, char** argv, const char* name, const Run& run, unsigned options = 0) {
+  ros::init(argc, argv, name, options);
+  ros::NodeHandle private_node("~");  // out here, since nothing is logged any more when the last one has gone
+  try {
+    return run(private_node);
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
+}
+
+/// The same for a node that has something to finish, which ROS's own handler of signals would leave no time for: calls
+/// run(private node handle, stop). SIGINT, SIGTERM and SIGHUP set `stop`.
+template <typename Run>
+int runUntilStopped(int argc, char** argv, const char* name, const Run& run) {
+  static volatile std::sig_atomic_t stop = 0;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { stop = 1; });
+  const auto run_until_stopped = [&run](const ros::NodeHandle& node) { return run(node, stop); };
+  return runNode(argc, argv, name, run_until_stopped, ros::init_options::NoSigintHandler);
+}
+
+}  // namespace lstm_planner
