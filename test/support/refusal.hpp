@@ -1,6 +1,7 @@
 #pragma once
 
 #include <exception>
+#include <stdexcept>
 #include <string>
 
 namespace lstm_planner::test {
@@ -14,6 +15,13 @@ std::string refusalOf(Work&& work) {
     return error.what();
   }
   return "";
+}
+
+/// Whether validate() refuses these parameters once `change` has made one of them wrong. Refuses nothing unchanged.
+template <typename Parameters>
+bool isRefused(Parameters parameters, void (*change)(Parameters*)) {
+  change(&parameters);
+  return !refusalOf<std::invalid_argument>([&] { validate(parameters); }).empty();
 }
 
 }  // namespace lstm_planner::test

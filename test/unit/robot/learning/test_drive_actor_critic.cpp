@@ -10,6 +10,7 @@
 #include "lstm_planner/robot/learning/drive_actor_critic.hpp"
 #include "lstm_planner/robot/learning/recorded_choices.hpp"
 #include "support/case_name.hpp"
+#include "support/refusal.hpp"
 #include "unit/robot/evaluation/drive_learning_fixtures.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
@@ -112,16 +113,7 @@ TEST(DriveActorCritic, RefusesWhatDoesNotFit) {
   EXPECT_THROW(DriveActorCritic(other, tinyNetwork(other, kNetworkSeed)).restore(learner.checkpoint()),
                std::invalid_argument);
   EXPECT_THROW(DriveActorCritic(parameters, makeLstmStack(3, {4}, 5)), std::invalid_argument);
-  const auto refused = [&](void (*change)(DriveActorCriticParameters*)) {
-    DriveActorCriticParameters changed = parameters;
-    change(&changed);
-    try {
-      validate(changed);
-    } catch (const std::invalid_argument&) {
-      return true;
-    }
-    return false;
-  };
+  const auto refused = [&](void (*change)(DriveActorCriticParameters*)) { return test::isRefused(parameters, change); };
   EXPECT_FALSE(refused([](DriveActorCriticParameters*) {}));
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->iterations = 0; }));
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->window = 0; }));

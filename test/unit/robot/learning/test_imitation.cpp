@@ -6,6 +6,7 @@
 #include "lstm_planner/base/learning/confusion.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/robot/learning/imitation.hpp"
+#include "support/refusal.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -64,16 +65,7 @@ TEST(Imitation, LearnsWhatTheTeacherDoesAtEachLabel) {
 }
 
 TEST(Imitation, RefusesParametersWithWhichNothingIsLearned) {
-  const auto refused = [](void (*change)(ImitationParameters*)) {
-    ImitationParameters parameters = tinyImitation(1);
-    change(&parameters);
-    try {
-      validate(parameters);
-    } catch (const std::invalid_argument&) {
-      return true;
-    }
-    return false;
-  };
+  const auto refused = [](void (*change)(ImitationParameters*)) { return test::isRefused(tinyImitation(1), change); };
   EXPECT_FALSE(refused([](ImitationParameters*) {}));
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->rounds = 0; }));
   EXPECT_TRUE(refused([](ImitationParameters* p) { p->worlds = 0; }));
