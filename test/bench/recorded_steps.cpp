@@ -53,7 +53,7 @@ RecordedDrive recordDrive(const std::string& name, const World& world, const Dri
     agent.perceive(step.scan, drive.mount, step.pose, step.time);
     agent.drive(goal, drive.steps.empty(), 0);
     rollOut(agent.situation(), agent.decision(), agent.shield(), drive.goal, agent_parameters, {}, &plan);
-    robot.command(controller.compute(plan, step.pose, robot.measuredTwist(), agent.shield(), kPeriod));
+    robot.command(controller.compute({plan, step.pose, robot.measuredTwist(), agent.shield(), kPeriod}));
     robot.advance(kPeriod);
     drive.steps.push_back(std::move(step));
   }

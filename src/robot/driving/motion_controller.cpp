@@ -24,14 +24,14 @@ void validate(const MotionParameters& parameters) {
 MotionController::MotionController(const MotionParameters& parameters)
     : parameters_((validate(parameters), parameters)), reaction_time_(parameters.reaction_time) {}
 
-MotionCommand MotionController::compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current,
-                                        const Shield& shield, double period, const std::vector<Point2>& moving,
+MotionCommand MotionController::compute(const MotionSituation& situation, const std::vector<Point2>& moving,
                                         const std::vector<Point2>& resting, const MotionHistory& history) const {
+  const auto& [plan, pose, current, shield, period] = situation;
   if (plan.empty()) return {{}, StopReason::kNoPlan};
   if (!isFinite(pose)) return {{}, StopReason::kUnusableData};
   const bool has_corners = !shield.footprint().isCircle();
   const Persons persons(shield.footprint(), yieldingReach(shield.footprintRadius()), moving, resting);
-  const Moment now{shield, persons, current, period, history};
+  const Moment now{situation, persons, history};
   const Pose2& goal = plan.back();
   const double to_goal = distanceBetween(pose, goal);
   if (to_goal <= parameters_.position_tolerance) {
@@ -42,7 +42,7 @@ MotionCommand MotionController::compute(const std::vector<Pose2>& plan, const Po
     return {{0.0, clampMagnitude(parameters_.heading_gain * error, parameters_.max_angular)}, StopReason::kNone};
   }
 
-  const Pose2 ahead = target(plan, pose, shield);
+  const Pose2 ahead = target(situation);
   double error = normalizeAngle(directionTo(pose, ahead) - pose.yaw);
   if (!std::isfinite(error)) {
     return {{}, StopReason::kUnusableData};  // the plan is not finite
@@ -61,7 +61,7 @@ MotionCommand MotionController::compute(const std::vector<Pose2>& plan, const Po
     twist.linear = std::min({parameters_.max_linear * std::cos(error), brakes, reachable});
     twist = withinWheelLimits(twist);
     if (has_corners) return driveWithCorners(twist, error, now);
-    const SafeSpeed safe = safeSpeed(twist, current, shield, persons, period);
+    const SafeSpeed safe = safeSpeed(twist, situation, persons);
     twist.linear = safe.speed;
     stop = safe.stop;
   }
@@ -79,7 +79,9 @@ bool MotionController::goalReached(const Pose2& pose, const Pose2& goal) const {
           std::abs(normalizeAngle(goal.yaw - pose.yaw)) <= parameters_.heading_tolerance);
 }
 
-Pose2 MotionController::target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const {
+Pose2 MotionController::target(const MotionSituation& situation) const {
+  const std::vector<Pose2>& plan = situation.plan;
+  const Pose2& pose = situation.pose;
   std::size_t nearest = 0;
   double nearest_distance = distanceBetween(plan[0], pose);
   // Only as long as it comes nearer, or nearly: the plan may come by here again later.
@@ -104,7 +106,7 @@ Pose2 MotionController::target(const std::vector<Pose2>& plan, const Pose2& pose
     }
     const double direction = directionTo(pose, plan[i]) - pose.yaw;
     const bool needed = farthest < parameters_.nearest_target;
-    if (!needed && shield.freeDistance({}, direction, distance, parameters_.safety_margin) < distance) {
+    if (!needed && situation.shield.freeDistance({}, direction, distance, parameters_.safety_margin) < distance) {
       break;
     }
     ahead = i;
@@ -122,16 +124,14 @@ Twist2 MotionController::withinWheelLimits(const Twist2& twist) const {
   return fastest > 0.0 ? Twist2{share * twist.linear, share * twist.angular} : twist;
 }
 
-MotionController::SafeSpeed MotionController::safeSpeed(const Twist2& wanted, const Twist2& current,
-                                                        const Shield& shield, const Persons& persons,
-                                                        double period) const {
+MotionController::SafeSpeed MotionController::safeSpeed(const Twist2& wanted, const MotionSituation& situation,
+                                                        const Persons& persons) const {
   constexpr int kTries = 8;
-  constexpr double kCreep = 0.005;  // m/s; slower is standing
-  double speed = std::min(wanted.linear, cautiousSpeed(wanted, shield));
+  double speed = std::min(wanted.linear, cautiousSpeed(wanted, situation.shield));
   StopReason stop = speed < wanted.linear ? StopReason::kObstacle : StopReason::kNone;
   for (int i = 0; i < kTries && speed >= kCreep; ++i) {
     const Twist2 twist{speed, wanted.angular};
-    const double before_obstacles = allowedSpeed(twist, current, shield, period);
+    const double before_obstacles = allowedSpeed(twist, situation);
     const double before_persons = yieldingSpeed(twist, persons);
     const double allowed = std::min(before_obstacles, before_persons);
     if (allowed >= speed) {
@@ -181,12 +181,12 @@ double MotionController::stoppingDistance(double speed) const {
   return speed * reaction_time_ + speed * speed / (2.0 * parameters_.linear_acceleration);
 }
 
-double MotionController::allowedSpeed(const Twist2& twist, const Twist2& current, const Shield& shield,
-                                      double period) const {
+double MotionController::allowedSpeed(const Twist2& twist, const MotionSituation& situation) const {
+  const Shield& shield = situation.shield;
   const double margin = parameters_.safety_margin;
   const double acceleration = parameters_.linear_acceleration;
   const double curvature = twist.angular / twist.linear;
-  const double present = std::max(0.0, current.linear) + kSpeedError;
+  const double present = std::max(0.0, situation.current.linear) + kSpeedError;
   // The command may act at once: the present speed, if that is higher, is then braked away along the new arc.
   const double length =
       std::max(twist.linear, present) * reaction_time_ + twist.linear * twist.linear / (2.0 * acceleration);
@@ -200,8 +200,8 @@ double MotionController::allowedSpeed(const Twist2& twist, const Twist2& current
     }
   }
   // Or the robot goes on as it does now until the last moment.
-  const double delay = std::max(0.0, reaction_time_ - period);
-  const double present_curvature = current.angular / present;
+  const double delay = std::max(0.0, reaction_time_ - situation.period);
+  const double present_curvature = situation.current.angular / present;
   if (shield.freeArc({}, present_curvature, present * delay, margin) < present * delay - kSlack) {
     return 0.0;
   }

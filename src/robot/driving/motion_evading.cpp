@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "robot/driving/evasion.hpp"
 #include "robot/driving/motion_parts.hpp"
@@ -23,9 +24,9 @@ Point2 farOn(const std::vector<Pose2>& plan, const Pose2& pose, double distance)
 
 }  // namespace
 
-MotionCommand MotionController::evade(const MotionCommand& command, const std::vector<Pose2>& plan, const Pose2& pose,
-                                      const Twist2& current, const Shield& shield, double period,
+MotionCommand MotionController::evade(const MotionCommand& command, const MotionSituation& situation,
                                       const std::vector<MovingThing>& things) const {
+  const auto& [plan, pose, current, shield, period] = situation;
   if (parameters_.evade_time <= 0.0 || things.empty() || plan.empty()) return command;
   if (command.stop == StopReason::kUnusableData) return command;
   const Evasion evasion(parameters_, reaction_time_, shield, things, current);
@@ -37,6 +38,12 @@ MotionCommand MotionController::evade(const MotionCommand& command, const std::v
     return kRoomWeight * std::min(1.0, outlook.room / parameters_.evade_margin) +
            kTouchWeight * outlook.touch / parameters_.evade_time - distanceBetween(outlook.end, target) / distance;
   };
+  std::optional<SafeMotion> isSafe;
+  if (!shield.footprint().isCircle()) isSafe.emplace(*this, situation, parameters_.safety_margin);
+  const auto keepsFromObstacles = [&](const Twist2& twist) {
+    if (isSafe) return (*isSafe)(twist);
+    return twist.linear <= 0.0 || allowedSpeed(twist, situation) >= twist.linear;
+  };
   MotionCommand best = command;
   double most = worth(wanted);
   const auto consider = [&](const Outlook& outlook) {
@@ -44,7 +51,7 @@ MotionCommand MotionController::evade(const MotionCommand& command, const std::v
     // Where it would be touched in any case it is better to stand.
     const bool is_hopeless = outlook.touch < parameters_.evade_time && outlook.first.linear > 0.0;
     const Twist2 twist = withinWheelLimits(outlook.first);
-    if (value <= most || is_hopeless || !keepsFromObstacles(twist, current, shield, period)) return;
+    if (value <= most || is_hopeless || !keepsFromObstacles(twist)) return;
     most = value;
     best = {twist, StopReason::kNone};
   };
@@ -55,16 +62,6 @@ MotionCommand MotionController::evade(const MotionCommand& command, const std::v
     }
   }
   return best;
-}
-
-bool MotionController::keepsFromObstacles(const Twist2& twist, const Twist2& current, const Shield& shield,
-                                          double period) const {
-  if (shield.footprint().isCircle()) {
-    return twist.linear <= 0.0 || allowedSpeed(twist, current, shield, period) >= twist.linear;
-  }
-  const Persons nobody(shield.footprint(), yieldingReach(shield.footprintRadius()), {}, {});
-  const MotionHistory none;
-  return isSafe(twist, parameters_.safety_margin, {shield, nobody, current, period, none});
 }
 
 }  // namespace lstm_planner

@@ -10,6 +10,8 @@ namespace lstm_planner {
 /// m/s that the robot may be faster than it measures: encoders count whole ticks.
 constexpr double kSpeedError = 0.02;
 
+constexpr double kCreep = 0.005;  ///< m/s; slower is standing
+
 inline double clampMagnitude(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
 
 /// What moves, and what has moved and stands.
@@ -28,12 +30,27 @@ struct MotionController::Persons {
 };
 
 /// What a robot with corners has to know of the moment.
-struct MotionController::Moment {
-  const Shield& shield;
+struct MotionController::Moment : MotionSituation {
   const Persons& persons;
-  Twist2 current;
-  double period;  ///< s
   const MotionHistory& history;
+};
+
+/// Which motions of a robot with corners, braking included, come no nearer to a return than `margin` (m). Controller
+/// and situation must outlive it.
+class MotionController::SafeMotion {
+ public:
+  SafeMotion(const MotionController& controller, const MotionSituation& situation, double margin);
+  bool operator()(const Twist2& twist) const;
+
+ private:
+  bool isFree(const Pose2& from, const Twist2& twist, double time) const;
+
+  const MotionController& controller_;
+  const MotionSituation& situation_;
+  double margin_;
+  double delay_;    ///< s, for which the robot may go on as it does now
+  Pose2 later_;     ///< where it is then, base frame
+  bool can_go_on_;  ///< until then
 };
 
 }  // namespace lstm_planner

@@ -8,7 +8,6 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kCreep = 0.005;      // m/s; slower is standing
 constexpr double kTurning = 0.01;     // m/s; who is slower turns in place
 constexpr double kSlowest = 0.05;     // m/s; a robot that may only go slower than this rather turns in place
 constexpr double kTurnSlack = 0.02;   // rad of an angle to turn by that need not be free
@@ -76,8 +75,9 @@ MotionCommand MotionController::makeRoom(double error, const Moment& now) const 
     if (const std::optional<MotionCommand> back = goBack(now)) return *back;
   }
   if (room >= kLeastTurn) return {{0.0, turningSpeed(std::copysign(room, error), now)}, StopReason::kNone};
+  const SafeMotion isSafe(*this, now, parameters_.safety_margin);
   const auto out = fastestShare({slowSpeed(parameters_), 0.0}, [&](const Twist2& twist) {
-    return yieldingSpeed(twist, now.persons) >= twist.linear && isSafe(twist, parameters_.safety_margin, now);
+    return yieldingSpeed(twist, now.persons) >= twist.linear && isSafe(twist);
   });
   return out ? MotionCommand{*out, StopReason::kNone} : MotionCommand{{}, StopReason::kObstacle};
 }
@@ -93,11 +93,12 @@ std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
     wanted = {-std::min(slowSpeed(parameters_), kFastestBack), 0.0};
     wanted.angular = clampMagnitude(wanted.linear * 2.0 * back.y / (away * away), parameters_.max_angular);
   }
+  const SafeMotion isSafe(*this, now, kWhereItWas * parameters_.safety_margin);
   const auto twist = fastestShare(wanted, [&](const Twist2& share) {
     const Twist2 limited = withinWheelLimits(share);
     // Not beyond that place: it came there from elsewhere.
     const double length = std::abs(limited.linear) * (reaction_time_ + 0.5 * brakingTime(limited));
-    return length <= away + kTurnsOnly && isSafe(limited, kWhereItWas * parameters_.safety_margin, now);
+    return length <= away + kTurnsOnly && isSafe(limited);
   });
   if (!twist) return std::nullopt;
   return MotionCommand{withinWheelLimits(*twist), StopReason::kNone, true};
@@ -106,8 +107,7 @@ std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
 double MotionController::turningSpeed(double angle, const Moment& now) const {
   const double most = std::min(parameters_.max_angular, yieldingTurn(now.persons));
   const double wanted = clampMagnitude(parameters_.heading_gain * angle, most);
-  const auto twist =
-      fastestShare({0.0, wanted}, [&](const Twist2& share) { return isSafe(share, parameters_.safety_margin, now); });
+  const auto twist = fastestShare({0.0, wanted}, SafeMotion(*this, now, parameters_.safety_margin));
   return twist ? twist->angular : 0.0;
 }
 
@@ -123,13 +123,14 @@ double MotionController::yieldingTurn(const Persons& persons) const {
 double MotionController::fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const {
   const double cautious = std::min(wanted.linear, cautiousSpeed(wanted, now.shield));
   *stop = cautious < wanted.linear ? StopReason::kObstacle : StopReason::kNone;
+  const SafeMotion isSafe(*this, now, parameters_.safety_margin);
   for (const double share : kShares) {
     const Twist2 twist{share * cautious, wanted.angular};
     if (twist.linear < kCreep) break;
     const double before_persons = yieldingSpeed(twist, now.persons);
     if (before_persons < twist.linear) {
       *stop = StopReason::kPerson;
-    } else if (isSafe(withinWheelLimits(twist), parameters_.safety_margin, now)) {
+    } else if (isSafe(withinWheelLimits(twist))) {
       return twist.linear;
     } else {
       *stop = StopReason::kObstacle;
@@ -143,29 +144,37 @@ double MotionController::brakingTime(const Twist2& twist) const {
   return rim / parameters_.linear_acceleration;
 }
 
-bool MotionController::isSafe(const Twist2& twist, double margin, const Moment& now) const {
-  // The command may act at once: a higher present speed is then braked away along the new arc.
-  const double faster = std::max(0.0, std::abs(now.current.linear) + kSpeedError - std::abs(twist.linear));
+MotionController::SafeMotion::SafeMotion(const MotionController& controller, const MotionSituation& situation,
+                                         double margin)
+    : controller_(controller),
+      situation_(situation),
+      margin_(margin),
+      delay_(std::max(0.0, controller.reaction_time_ - situation.period)),
+      later_(alongTurn({}, situation.current.linear * delay_, situation.current.angular * delay_)),
+      can_go_on_(isFree({}, situation.current, delay_)) {}
+
+bool MotionController::SafeMotion::operator()(const Twist2& twist) const {
+  // The robot may go on as it does now until the last moment.
+  if (!can_go_on_) return false;
+  const double reaction_time = controller_.reaction_time_;
+  const double braking_time = 0.5 * controller_.brakingTime(twist);
+  if (!isFree(later_, twist, reaction_time - delay_ + braking_time)) return false;
+  // Or the command acts at once: a higher present speed is then braked away along the new arc.
+  const double faster = std::max(0.0, std::abs(situation_.current.linear) + kSpeedError - std::abs(twist.linear));
   const double longer = twist.linear == 0.0 ? 0.0 : faster / std::abs(twist.linear);
-  if (!isFree({}, twist, (1.0 + longer) * reaction_time_ + 0.5 * brakingTime(twist), margin, now)) return false;
-  // Or the robot goes on as it does now until the last moment.
-  const double delay = std::max(0.0, reaction_time_ - now.period);
-  if (!isFree({}, now.current, delay, margin, now)) return false;
-  const Pose2 later = alongTurn({}, now.current.linear * delay, now.current.angular * delay);
-  return isFree(later, twist, reaction_time_ - delay + 0.5 * brakingTime(twist), margin, now);
+  return isFree({}, twist, (1.0 + longer) * reaction_time + braking_time);
 }
 
-bool MotionController::isFree(const Pose2& from, const Twist2& twist, double time, double margin,
-                              const Moment& now) const {
+bool MotionController::SafeMotion::isFree(const Pose2& from, const Twist2& twist, double time) const {
   constexpr double kSlack = 1e-9;
   const double length = std::abs(twist.linear) * time;
   const double angle = twist.angular * time;
   if (length < kSlack || std::abs(twist.linear) < kTurning) {
-    return std::abs(angle) < kSlack || now.shield.freeTurn(from, angle, margin) >= std::abs(angle) - kSlack;
+    return std::abs(angle) < kSlack || situation_.shield.freeTurn(from, angle, margin_) >= std::abs(angle) - kSlack;
   }
   const double curvature = twist.angular / twist.linear;
-  const double free = twist.linear < 0.0 ? now.shield.freeBack(from, curvature, length, margin)
-                                         : now.shield.freeArc(from, curvature, length, margin);
+  const double free = twist.linear < 0.0 ? situation_.shield.freeBack(from, curvature, length, margin_)
+                                         : situation_.shield.freeArc(from, curvature, length, margin_);
   return free >= length - kSlack;
 }
 

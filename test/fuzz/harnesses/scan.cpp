@@ -68,7 +68,7 @@ void seeAndDrive(const std::uint8_t* data, std::size_t size) {
     checkSituation(situation, scan);
     shield.show(situation.obstacles);
     moving.show(situation.profile, {}, time);
-    const Twist2 command = controller.compute(straight_on, {}, twist, shield, kPeriod, moving.points());
+    const Twist2 command = controller.compute({straight_on, {}, twist, shield, kPeriod}, moving.points());
     require(command.linear >= 0.0 && command.linear <= parameters.max_linear, "the speed is within its limits");
     require(std::abs(command.angular) <= parameters.max_angular, "the rate is within its limits");
   }

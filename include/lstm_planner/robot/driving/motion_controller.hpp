@@ -94,6 +94,15 @@ struct MotionCommand : Twist2 {
   bool goes_back = false;  ///< it retraces the way that it came
 };
 
+/// What a command is for.
+struct MotionSituation {
+  const std::vector<Pose2>& plan;  ///< in the frame of `pose`
+  const Pose2 pose;
+  const Twist2 current;  ///< measured
+  const Shield& shield;  ///< has been shown the latest scan
+  const double period;   ///< s, to the next command
+};
+
 /// What was commanded before, and the way that a robot with corners came (Trail).
 struct MotionHistory {
   std::optional<Pose2> back;                       ///< the next pose back, base frame
@@ -106,8 +115,8 @@ struct MotionHistory {
 /// command acts, which may be at once or after the reaction time, then along the commanded arc until it stands.
 ///
 /// A circle may always turn in place. While it still drives, it turns only as its wheels can without carrying it on into
-/// something: a wheel that speeds up for the turn makes up for one that brakes. A polygon turns where its corners have room; else it drives on along a wider arc,
-/// or back the way it came until it can turn.
+/// something: a wheel that speeds up for the turn makes up for one that brakes. A polygon turns where its corners have
+/// room; else it drives on along a wider arc, or back the way it came until it can turn.
 ///
 /// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
 /// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves
@@ -116,17 +125,14 @@ class MotionController {
  public:
   explicit MotionController(const MotionParameters& parameters);
 
-  /// The next command. `plan` and `pose` are in the same frame, `current` is the measured twist, `shield` has been
-  /// shown the latest scan, `period` is the time to the next command, s; `moving` are points of things that move, base
-  /// frame, `resting` of things that have moved and stand (MovingReturns). Zero for an empty plan.
-  MotionCommand compute(const std::vector<Pose2>& plan, const Pose2& pose, const Twist2& current, const Shield& shield,
-                        double period, const std::vector<Point2>& moving = {}, const std::vector<Point2>& resting = {},
-                        const MotionHistory& history = {}) const;
+  /// The next command. `moving` are points of things that move, base frame, `resting` of things that have moved and
+  /// stand (MovingReturns). Zero for an empty plan.
+  MotionCommand compute(const MotionSituation& situation, const std::vector<Point2>& moving = {},
+                        const std::vector<Point2>& resting = {}, const MotionHistory& history = {}) const;
 
   /// That command, or one that gets out of the way of `things` (base frame) where they would come too near if they and
-  /// the robot went on so; the rest as for compute(). If there is no way out it does not drive towards a touch.
-  MotionCommand evade(const MotionCommand& command, const std::vector<Pose2>& plan, const Pose2& pose,
-                      const Twist2& current, const Shield& shield, double period,
+  /// the robot went on so. If there is no way out it does not drive towards a touch.
+  MotionCommand evade(const MotionCommand& command, const MotionSituation& situation,
                       const std::vector<MovingThing>& things) const;
 
   /// From now on it takes at least so long from a measurement to the wheels, s: the scanner is slow.
@@ -144,12 +150,11 @@ class MotionController {
     StopReason stop;  ///< where that is 0
   };
 
-  Pose2 target(const std::vector<Pose2>& plan, const Pose2& pose, const Shield& shield) const;
+  Pose2 target(const MotionSituation& situation) const;
   Twist2 withinWheelLimits(const Twist2& twist) const;
-  SafeSpeed safeSpeed(const Twist2& wanted, const Twist2& current, const Shield& shield, const Persons& persons,
-                      double period) const;
+  SafeSpeed safeSpeed(const Twist2& wanted, const MotionSituation& situation, const Persons& persons) const;
   double cautiousSpeed(const Twist2& twist, const Shield& shield) const;
-  double allowedSpeed(const Twist2& twist, const Twist2& current, const Shield& shield, double period) const;
+  double allowedSpeed(const Twist2& twist, const MotionSituation& situation) const;
   double yieldingSpeed(const Twist2& twist, const Shield& persons) const;
   double yieldingSpeed(const Twist2& twist, const Persons& persons) const;
   double yieldingReach(double footprint_radius) const;
@@ -161,6 +166,7 @@ class MotionController {
   double freeOnWheels(const Twist2& twist, double delay, const Moment& now) const;
 
   // Of a robot with corners.
+  class SafeMotion;
   MotionCommand driveWithCorners(const Twist2& wanted, double error, const Moment& now) const;
   MotionCommand turnWithCorners(double error, const Moment& now) const;
   MotionCommand makeRoom(double error, const Moment& now) const;
@@ -168,11 +174,8 @@ class MotionController {
   double yieldingTurn(const Persons& persons) const;
   double turningSpeed(double angle, const Moment& now) const;
   double fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const;
-  bool isSafe(const Twist2& twist, double margin, const Moment& now) const;
-  bool isFree(const Pose2& from, const Twist2& twist, double time, double margin, const Moment& now) const;
   double brakingTime(const Twist2& twist) const;
   double stoppingDistance(double speed) const;
-  bool keepsFromObstacles(const Twist2& twist, const Twist2& current, const Shield& shield, double period) const;
 
   MotionParameters parameters_;
   double reaction_time_;  ///< s

@@ -24,13 +24,15 @@ class PathTracker {
   MotionCommand compute(const std::vector<Pose2>& plan, const Situation& situation, const Twist2& twist,
                         const Shield& shield, double period) {
     moving_.show(situation.profile, situation.pose, situation.time);
-    trail_.note(situation.pose, history_.goes_back);
-    history_.back = trail_.back(situation.pose);
-    MotionCommand command =
-        controller_.compute(plan, situation.pose, twist, shield, period, moving_.points(), moving_.resting(), history_);
+    if (!shield.footprint().isCircle()) {
+      trail_.note(situation.pose, history_.goes_back);
+      history_.back = trail_.back(situation.pose);
+    }
+    const MotionSituation motion{plan, situation.pose, twist, shield, period};
+    MotionCommand command = controller_.compute(motion, moving_.points(), moving_.resting(), history_);
     if (controller_.parameters().evade_time > 0.0) {
       things_.show(moving_.returns(), moving_.moves(), situation.time);
-      command = controller_.evade(command, plan, situation.pose, twist, shield, period, things_.around(situation.pose));
+      command = controller_.evade(command, motion, things_.around(situation.pose));
     }
     history_.goes_back = command.goes_back;
     history_.commanded = command;

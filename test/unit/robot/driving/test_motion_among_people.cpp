@@ -29,7 +29,7 @@ class AmongPersons {
     robot_.sense(6.0, &situation_);
     shield_.show(situation_.obstacles);
     moving_.show(situation_.profile, situation_.pose, situation_.time);
-    robot_.command(controller_.compute(plan_, situation_.pose, robot_.measuredTwist(), shield_, kPeriod,
+    robot_.command(controller_.compute({plan_, situation_.pose, robot_.measuredTwist(), shield_, kPeriod},
                                        moving_.points(), moving_.resting()));
     robot_.advance(kPeriod);
   }
@@ -129,7 +129,7 @@ TEST(MotionAmongPeople, GetsAwayFromAPersonWhoHasComeWithinItsMargin) {
       robot.sense(6.0, &situation);
       shield.show(situation.obstacles);
       const std::vector<Pose2> plan = planAlong({{situation.pose.x, situation.pose.y}, goal});
-      robot.command(controller.compute(plan, situation.pose, robot.measuredTwist(), shield, kPeriod));
+      robot.command(controller.compute({plan, situation.pose, robot.measuredTwist(), shield, kPeriod}));
       robot.advance(kPeriod);
       nearest = std::min(nearest, distanceBetween(robot.truePose(), world.person.center) - 0.25 - kRadius);
     }

@@ -24,7 +24,7 @@ class MotionControllerTest : public ::testing::Test {
   MotionControllerTest() : controller_(MotionParameters{}), shield_(kRadius, 0.03, 2.5) {}
 
   Twist2 compute(const std::vector<Pose2>& plan, const Pose2& pose = {}, const Twist2& current = {0.3, 0.0}) const {
-    return controller_.compute(plan, pose, current, shield_, kPeriod);
+    return controller_.compute({plan, pose, current, shield_, kPeriod});
   }
 
   MotionController controller_;
@@ -201,7 +201,7 @@ TEST_F(MotionControllerTest, StopsInTimeFromFullSpeedWithTheWorstReactionTime) {
       robot.sense(6.0, &situation);
       shield_.show(situation.obstacles);
       const std::vector<Pose2> plan = planAlong({{situation.pose.x, situation.pose.y}, {6.0, 0.0}});
-      under_way.push_back(controller_.compute(plan, situation.pose, robot.measuredTwist(), shield_, kPeriod));
+      under_way.push_back(controller_.compute({plan, situation.pose, robot.measuredTwist(), shield_, kPeriod}));
     } else {
       under_way.push_back(under_way.back());
     }
@@ -224,7 +224,7 @@ TEST_F(MotionControllerTest, IsNeverFasterThanLetsItStandBeforeAPersonComes) {
   double before = limits.max_linear;
   for (double gap = 1.5; gap > 0.0; gap -= 0.01) {
     const std::vector<Point2> person = {{kRadius + gap, 0.0}};
-    const double speed = controller_.compute(plan, {}, {0.3, 0.0}, shield_, kPeriod, person).linear;
+    const double speed = controller_.compute({plan, {}, {0.3, 0.0}, shield_, kPeriod}, person).linear;
     const double time = limits.reaction_time + speed / limits.linear_acceleration;
     const double path = speed * limits.reaction_time + speed * speed / (2.0 * limits.linear_acceleration);
     ASSERT_TRUE(speed == 0.0 || gap - path - limits.person_speed * time >= limits.person_margin - 1e-9) << gap;
@@ -232,7 +232,7 @@ TEST_F(MotionControllerTest, IsNeverFasterThanLetsItStandBeforeAPersonComes) {
     before = speed;
   }
   EXPECT_EQ(before, 0.0);
-  EXPECT_DOUBLE_EQ(controller_.compute(plan, {}, {0.3, 0.0}, shield_, kPeriod, {{kRadius + 1.1, 0.0}}).linear,
+  EXPECT_DOUBLE_EQ(controller_.compute({plan, {}, {0.3, 0.0}, shield_, kPeriod}, {{kRadius + 1.1, 0.0}}).linear,
                    limits.max_linear);
 }
 
@@ -241,22 +241,23 @@ TEST_F(MotionControllerTest, IsSlowBesideAPersonWhoStands) {
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {5.0, 0.0}});
   const std::vector<Point2> person = {{0.0, kRadius + 0.09}};
   const Twist2 current{0.3, 0.0};
-  EXPECT_DOUBLE_EQ(controller_.compute(plan, {}, current, shield_, kPeriod, {}, person).linear,
+  EXPECT_DOUBLE_EQ(controller_.compute({plan, {}, current, shield_, kPeriod}, {}, person).linear,
                    limits.person_slow_speed);
-  EXPECT_EQ(controller_.compute(plan, {}, current, shield_, kPeriod, person).linear, 0.0) << "this one moves";
-  EXPECT_DOUBLE_EQ(controller_.compute(plan, {}, current, shield_, kPeriod, {}, {{0.0, kRadius + 1.1}}).linear,
+  EXPECT_EQ(controller_.compute({plan, {}, current, shield_, kPeriod}, person).linear, 0.0) << "this one moves";
+  EXPECT_DOUBLE_EQ(controller_.compute({plan, {}, current, shield_, kPeriod}, {}, {{0.0, kRadius + 1.1}}).linear,
                    limits.max_linear);
 }
 
 TEST_F(MotionControllerTest, StandsBeforeAPersonBeforeItTurns) {
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {3.0, 3.0}});
   const std::vector<Point2> person = {{0.3, 0.0}};
-  EXPECT_EQ(controller_.compute(plan, {}, {0.2, 0.0}, shield_, kPeriod, person).angular, 0.0);
-  EXPECT_GT(controller_.compute(plan, {}, {0.0, 0.0}, shield_, kPeriod, person).angular, 1.0);
+  EXPECT_EQ(controller_.compute({plan, {}, {0.2, 0.0}, shield_, kPeriod}, person).angular, 0.0);
+  EXPECT_GT(controller_.compute({plan, {}, {0.0, 0.0}, shield_, kPeriod}, person).angular, 1.0);
 }
 
 TEST_F(MotionControllerTest, TurnsThoughAPersonIsNear) {
-  const Twist2 twist = controller_.compute(planAlong({{0.0, 0.0}, {0.0, 5.0}}), {}, {}, shield_, kPeriod, {{0.3, 0.0}});
+  const Twist2 twist =
+      controller_.compute({planAlong({{0.0, 0.0}, {0.0, 5.0}}), {}, {}, shield_, kPeriod}, {{0.3, 0.0}});
   EXPECT_EQ(twist.linear, 0.0);
   EXPECT_GT(twist.angular, 1.0);
 }
@@ -264,15 +265,16 @@ TEST_F(MotionControllerTest, TurnsThoughAPersonIsNear) {
 TEST_F(MotionControllerTest, SaysWhyItDoesNotDrive) {
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {5.0, 0.0}});
   const std::vector<Point2> person = {{kRadius + 0.2, 0.0}};
-  EXPECT_EQ(controller_.compute(plan, {}, {}, shield_, kPeriod).stop, StopReason::kNone);
-  EXPECT_EQ(controller_.compute({}, {}, {}, shield_, kPeriod).stop, StopReason::kNoPlan);
-  EXPECT_EQ(controller_.compute(plan, {5.0, 0.0, 0.0}, {}, shield_, kPeriod).stop, StopReason::kArrived);
-  EXPECT_EQ(controller_.compute(plan, {kNan, 0.0, 0.0}, {}, shield_, kPeriod).stop, StopReason::kUnusableData);
-  EXPECT_EQ(controller_.compute(plan, {}, {}, shield_, kPeriod, person).stop, StopReason::kPerson);
-  EXPECT_EQ(controller_.compute(plan, {}, {0.3, 0.0}, shield_, kPeriod, person).stop, StopReason::kPerson);
+  EXPECT_EQ(controller_.compute({plan, {}, {}, shield_, kPeriod}).stop, StopReason::kNone);
+  EXPECT_EQ(controller_.compute({{}, {}, {}, shield_, kPeriod}).stop, StopReason::kNoPlan);
+  EXPECT_EQ(controller_.compute({plan, {5.0, 0.0, 0.0}, {}, shield_, kPeriod}).stop, StopReason::kArrived);
+  EXPECT_EQ(controller_.compute({plan, {kNan, 0.0, 0.0}, {}, shield_, kPeriod}).stop, StopReason::kUnusableData);
+  EXPECT_EQ(controller_.compute({plan, {}, {}, shield_, kPeriod}, person).stop, StopReason::kPerson);
+  EXPECT_EQ(controller_.compute({plan, {}, {0.3, 0.0}, shield_, kPeriod}, person).stop, StopReason::kPerson);
   shield_.show({{kRadius + 0.02, 0.0}});
-  EXPECT_EQ(controller_.compute(plan, {}, {}, shield_, kPeriod).stop, StopReason::kObstacle);
-  EXPECT_EQ(controller_.compute(planAlong({{0.0, 0.0}, {0.0, 5.0}}), {}, {}, shield_, kPeriod).stop, StopReason::kNone)
+  EXPECT_EQ(controller_.compute({plan, {}, {}, shield_, kPeriod}).stop, StopReason::kObstacle);
+  EXPECT_EQ(controller_.compute({planAlong({{0.0, 0.0}, {0.0, 5.0}}), {}, {}, shield_, kPeriod}).stop,
+            StopReason::kNone)
       << "it turns away";
 }
 

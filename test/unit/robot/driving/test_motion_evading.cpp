@@ -36,7 +36,7 @@ class MotionEvading : public ::testing::TestWithParam<bool> {
   }
   MotionCommand evade(const std::vector<MovingThing>& things, const MotionCommand& command = {},
                       const Twist2& current = {}) const {
-    return controller_.evade(command, plan_, {}, current, shield_, kPeriod, things);
+    return controller_.evade(command, {plan_, {}, current, shield_, kPeriod}, things);
   }
   /// Where a robot ends that asks again all the time, with the least distance to the thing on its way; it obeys at
   /// once.
@@ -48,7 +48,7 @@ class MotionEvading : public ::testing::TestWithParam<bool> {
       MovingThing local = thing;
       local.center = toLocalFrame(pose, thing.center);
       local.velocity = toLocalFrame({0.0, 0.0, pose.yaw}, thing.velocity);
-      const MotionCommand command = controller_.evade({}, plan_, pose, twist, shield_, kPeriod, {local});
+      const MotionCommand command = controller_.evade({}, {plan_, pose, twist, shield_, kPeriod}, {local});
       twist.linear += std::max(-0.2, std::min(0.2, command.linear - twist.linear));
       twist.angular = command.angular;
       pose = alongTurn(pose, twist.linear * kPeriod, twist.angular * kPeriod);
@@ -74,7 +74,7 @@ TEST_P(MotionEvading, GetsOutOfTheWayOfWhatComesFromEachSide) {
 
 TEST_P(MotionEvading, WithoutATimeItStandsAndWaits) {
   const MotionController waits(fastMotion(0.0));
-  const MotionCommand command = waits.evade({}, plan_, {}, {}, shield_, kPeriod, {{{2.0, 0.0}, 0.5, {-1.0, 0.0}}});
+  const MotionCommand command = waits.evade({}, {plan_, {}, {}, shield_, kPeriod}, {{{2.0, 0.0}, 0.5, {-1.0, 0.0}}});
   EXPECT_EQ(command.linear, 0.0);
   EXPECT_EQ(command.angular, 0.0);
 }
@@ -106,7 +106,8 @@ TEST_P(MotionEvading, DoesNotFleeIntoAnObstacle) {
   }
   Shield shield(footprint(), kMargin, 6.0);
   shield.show(walls);
-  const MotionCommand command = controller_.evade({}, plan_, {}, {}, shield, kPeriod, {{{-2.5, 0.0}, 0.5, {1.0, 0.0}}});
+  const MotionCommand command =
+      controller_.evade({}, {plan_, {}, {}, shield, kPeriod}, {{{-2.5, 0.0}, 0.5, {1.0, 0.0}}});
   EXPECT_LT(command.linear, 0.3);  // 0.2 m of room ahead less the margin, reaction and braking
 }
 

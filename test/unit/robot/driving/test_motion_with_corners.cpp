@@ -37,7 +37,7 @@ class MotionWithCorners : public ::testing::Test {
  protected:
   MotionCommand compute(const std::vector<Pose2>& plan, const Twist2& current = {},
                         const MotionHistory& history = {}) const {
-    return controller_.compute(plan, {}, current, shield_, kPeriod, {}, {}, history);
+    return controller_.compute({plan, {}, current, shield_, kPeriod}, {}, {}, history);
   }
 
   MotionController controller_{jackalMotion()};
@@ -113,14 +113,14 @@ TEST_F(MotionWithCorners, DoesNotBackNorTurnItsCornersWhereSomebodyMoves) {
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {-3.0, 0.1}});
   const std::vector<Point2> far_off{{2.5, 0.0}};
   const MotionHistory came{Pose2{-0.06, 0.0, 0.0}, false};
-  const MotionCommand among = controller_.compute(plan, {}, {}, shield_, kPeriod, far_off, {}, came);
+  const MotionCommand among = controller_.compute({plan, {}, {}, shield_, kPeriod}, far_off, {}, came);
   EXPECT_EQ(among.linear, 0.0);
   EXPECT_EQ(among.stop, StopReason::kPerson);
   // A corner reaches 0.12 m farther than the sides. Somebody who is 1 m off is there before it would stand; who is 2.5
   // m off is not.
   shield_.show({});
-  EXPECT_NE(controller_.compute(plan, {}, {}, shield_, kPeriod, far_off).angular, 0.0);
-  const MotionCommand beside = controller_.compute(plan, {}, {}, shield_, kPeriod, {{0.0, 0.6}});
+  EXPECT_NE(controller_.compute({plan, {}, {}, shield_, kPeriod}, far_off).angular, 0.0);
+  const MotionCommand beside = controller_.compute({plan, {}, {}, shield_, kPeriod}, {{0.0, 0.6}});
   EXPECT_EQ(beside.angular, 0.0);
   EXPECT_EQ(beside.stop, StopReason::kPerson);
 }
