@@ -89,7 +89,7 @@ int GridEncoder::size() const {
   return kRayFeatures * kGridRayCount + kTraceScalars + map_inputs;
 }
 
-void GridEncoder::look(const GridMemory& memory) {
+void GridEncoder::prepare(const GridMemory& memory) {
   const GridObservation& observation = memory.observation();
   const float columns = static_cast<float>(observation.goal.column - observation.cell.column);
   const float rows = static_cast<float>(observation.goal.row - observation.cell.row);

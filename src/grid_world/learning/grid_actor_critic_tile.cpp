@@ -89,7 +89,7 @@ GridActorCriticSums GridActorCriticTileRunner::run(const Eigen::VectorXf& policy
   policy_.setState(tile->state);
   const int window = parameters_.window;
   for (int step = 0; step < window; ++step) walk(policy_parameters, step, tile);
-  for (int actor = 0; actor < actors(); ++actor) look(window, actor, &tile->actors[static_cast<std::size_t>(actor)]);
+  for (int actor = 0; actor < actors(); ++actor) observe(window, actor, &tile->actors[static_cast<std::size_t>(actor)]);
   const float* values = critic_.forward(critic_parameters, 0);
   for (int actor = 0; actor < actors(); ++actor) judge(values, actor, entropy_weight, advantage_variances);
   std::fill_n(critic_.outputGradient(0) + window * actors(), critic_.lanes() - window * actors(), 0.0f);
@@ -101,9 +101,9 @@ GridActorCriticSums GridActorCriticTileRunner::run(const Eigen::VectorXf& policy
 }
 
 /// Senses and fills the critic's input of that step.
-void GridActorCriticTileRunner::look(int step, int actor, GridActor* walker) {
+void GridActorCriticTileRunner::observe(int step, int actor, GridActor* walker) {
   walker->observe();
-  lanes_.look(*walker);
+  lanes_.prepare(*walker);
   const GridEncoder& encoder = lanes_.encoder();
   float* input = critic_.inputs(0) + step * actors() + actor;
   encoder.encode(0, input, critic_.lanes());
@@ -114,7 +114,7 @@ void GridActorCriticTileRunner::walk(const Eigen::VectorXf& policy_parameters, i
   for (int actor = 0; actor < actors(); ++actor) {
     GridActor& walker = tile->actors[static_cast<std::size_t>(actor)];
     if (walker.atStart()) lanes_.forget(actor, step, &policy_);
-    look(step, actor, &walker);
+    observe(step, actor, &walker);
     lanes_.show(actor, step, &policy_);
   }
   const float* preferences = policy_.forward(policy_parameters, step);

@@ -56,7 +56,7 @@ class GridActorCriticTileRunner {
   };
 
   Step& stepOf(int step, int actor) { return steps_[static_cast<std::size_t>(step * actors() + actor)]; }
-  void look(int step, int actor, GridActor* walker);
+  void observe(int step, int actor, GridActor* walker);
   void walk(const Eigen::VectorXf& policy_parameters, int step, GridActorCriticTile* tile);
   void choose(const float* preferences, int actor, GridActor& walker, Step& done) const;
   void act(const float* preferences, int step, int actor, GridActor* walker);

@@ -86,7 +86,7 @@ class TaughtAgent : public GridAgent {
 
   void observe(const GridObservation& observation) override {
     memory_.observe(observation);
-    encoder_.look(memory_);
+    encoder_.prepare(memory_);
     const auto inputs = static_cast<std::size_t>(encoder_.size());
     walk_.inputs.resize(walk_.inputs.size() + inputs);
     encoder_.encode(0, &walk_.inputs[walk_.inputs.size() - inputs], 1);

@@ -18,7 +18,7 @@ class GridLanes {
   const GridEncoder& encoder() const { return encoder_; }
 
   /// Of an agent that has sensed: what show() and encoder() are about.
-  void look(const GridActor& actor) { encoder_.look(actor.memory()); }
+  void prepare(const GridActor& actor) { encoder_.prepare(actor.memory()); }
 
   /// Shows a network in step `step` what agent number `index` sees.
   void show(int index, int step, LaneNetwork* network) const {

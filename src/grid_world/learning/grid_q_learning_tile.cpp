@@ -52,7 +52,7 @@ QSums QTileRunner::run(const Eigen::VectorXf& weights, const Eigen::VectorXf& ta
   target_network_.setState(tile->target_state);
   // The state after the window is looked at too, for its value; the next window starts with it.
   for (int step = 0; step <= parameters_.window; ++step) {
-    look(step, tile);
+    observe(step, tile);
     network_.forward(weights, step);
     target_network_.forward(target_weights, 0);
     for (int actor = 0; actor < actors(); ++actor) {
@@ -70,7 +70,7 @@ QSums QTileRunner::run(const Eigen::VectorXf& weights, const Eigen::VectorXf& ta
   return sums_;
 }
 
-void QTileRunner::look(int step, QTile* tile) {
+void QTileRunner::observe(int step, QTile* tile) {
   for (int actor = 0; actor < actors(); ++actor) {
     GridActor& walker = tile->actors[static_cast<std::size_t>(actor)];
     if (step > 0 || !tile->observed) walker.observe();
@@ -78,7 +78,7 @@ void QTileRunner::look(int step, QTile* tile) {
       lanes_.forget(actor, step, &network_);
       lanes_.forget(actor, 0, &target_network_);
     }
-    lanes_.look(walker);
+    lanes_.prepare(walker);
     lanes_.show(actor, step, &network_);
   }
   std::copy_n(network_.inputs(step), network_.inputSize() * network_.lanes(), target_network_.inputs(0));

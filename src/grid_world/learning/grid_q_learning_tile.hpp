@@ -37,7 +37,7 @@ class QTileRunner {
   QSums run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon, QTile* tile);
 
  private:
-  void look(int step, QTile* tile);
+  void observe(int step, QTile* tile);
   void valueState(int step, int actor, const GridActor& walker);
   void move(int step, int actor, double epsilon, GridActor* walker);
   void judge(int actor);

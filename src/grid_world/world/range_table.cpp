@@ -8,7 +8,7 @@ RangeTable::RangeTable(const PassableGrid& grid) : columns_(grid.columns()), ran
   // A cell sees one step further than its neighbour in that direction, so the neighbour comes first: row by row those
   // in directions 0 to 3 lie behind the cell, the others before it. Blocked cells hold 0.
   constexpr int kHalf = kGridRayCount / 2;
-  const auto look = [&](CellIndex cell, int first_direction) {
+  const auto fill = [&](CellIndex cell, int first_direction) {
     if (!grid.passable(cell)) return;
     GridRanges& ranges = ranges_[grid.offset(cell)];
     for (int direction = first_direction; direction < first_direction + kHalf; ++direction) {
@@ -19,10 +19,10 @@ RangeTable::RangeTable(const PassableGrid& grid) : columns_(grid.columns()), ran
     }
   };
   for (int row = grid.rows(); row-- > 0;) {
-    for (int column = grid.columns(); column-- > 0;) look({column, row}, 0);
+    for (int column = grid.columns(); column-- > 0;) fill({column, row}, 0);
   }
   for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) look({column, row}, kHalf);
+    for (int column = 0; column < grid.columns(); ++column) fill({column, row}, kHalf);
   }
 }
 

@@ -46,7 +46,7 @@ void DriveRecorder::add(DriveEvent event) {
     workOnWhatIsDue(true);
     endEpisode(EpisodeEnd::kTimeJump);
     waiting_.clear();
-    last_look_.reset();
+    last_sample_.reset();
     last_unusable_.reset();
     order_.clear();
     newest_ = stamp;
@@ -101,7 +101,7 @@ void DriveRecorder::work(const OdometryHeard& odometry) {
     if (has_jumped || elapsed > kLongestInterpolation || scan.stamp < before) {
       sink_->reject(Rejection::kNoOdometry);
     } else {
-      look(scan);
+      sample(scan);
     }
   }
   if (in_episode_ && isAt(goal_position_, odometry.pose)) endEpisode(EpisodeEnd::kArrived);
@@ -119,7 +119,7 @@ void DriveRecorder::work(const GoalGivenUp&) { endEpisode(EpisodeEnd::kAborted);
 void DriveRecorder::work(const ScanHeard& scan) {
   silence_.show(scan.scan, parameters_.scan_rules, scan.stamp);
   if (!history_.empty() && history_.newest().stamp == scan.stamp) {
-    look(scan);
+    sample(scan);
   } else if (waiting_.size() < kMostWaitingScans) {
     waiting_.push_back(scan);
   } else {
@@ -127,17 +127,17 @@ void DriveRecorder::work(const ScanHeard& scan) {
   }
 }
 
-void DriveRecorder::look(const ScanHeard& scan) {
+void DriveRecorder::sample(const ScanHeard& scan) {
   // Counted from the clock's zero rather than from the first scan, so that a bag that starts earlier gives the same.
-  const double look = std::floor(scan.stamp / parameters_.period);
-  if (last_look_ && look <= *last_look_) return;
+  const double number = std::floor(scan.stamp / parameters_.period);
+  if (last_sample_ && number <= *last_sample_) return;
   if (!see(scan)) {
-    // The next scan may do; how many did not, within one look, depends on the scanner's rate alone.
-    if (last_unusable_ != look) sink_->reject(Rejection::kUnusableScan);
-    last_unusable_ = look;
+    // The next scan may do; how many did not, within one sample, depends on the scanner's rate alone.
+    if (last_unusable_ != number) sink_->reject(Rejection::kUnusableScan);
+    last_unusable_ = number;
     return;
   }
-  last_look_ = look;
+  last_sample_ = number;
 
   if (paused_) {
     sink_->reject(Rejection::kPaused);

@@ -144,7 +144,7 @@ double Shield::freeDistance(const Point2& from, double direction, double limit, 
     return (magnitude(aside) - half_aside <= wide) & (along + half_along >= allOf(-small)) &
            (along - half_along <= far);
   };
-  lookIntoGroups(meet, [&](std::size_t group) {
+  visitGroups(meet, [&](std::size_t group) {
     for (std::size_t i = group; i < group + kGroup; i += 2) {
       const Doubles dx = loadDoubles(&x_[i]) - allOf(from.x);
       const Doubles dy = loadDoubles(&y_[i]) - allOf(from.y);
@@ -175,7 +175,7 @@ double Shield::nearest(const Point2& from) const {
   // What is farther need not be looked at when something nearer is found.
   for (double half = std::min(most, 2.0 * footprint_radius_);; half = std::min(most, kWider * half)) {
     double squared = square(nearest);
-    lookAround(from, half, [&](const Point2& obstacle) {
+    visitNear(from, half, [&](const Point2& obstacle) {
       squared = std::min(squared, square(obstacle.x - from.x) + square(obstacle.y - from.y));
       return false;
     });

@@ -52,7 +52,7 @@ double Shield::freeArc(const Pose2& from, double curvature, double limit, double
   const double c = std::cos(from.yaw);
   const double s = std::sin(from.yaw);
   double free = limit;
-  lookAround({from.x, from.y}, wanted + limit, [&](const Point2& obstacle) {
+  visitNear({from.x, from.y}, wanted + limit, [&](const Point2& obstacle) {
     const double dx = obstacle.x - from.x;
     const double dy = obstacle.y - from.y;
     const double squared = square(dx) + square(dy);
@@ -90,7 +90,7 @@ double Shield::arcGap(const Pose2& from, double curvature, double length) const 
   const Arc arc(straight ? 1.0 : curvature);
   const Point2 start{from.x, from.y};
   double nearest_so_far = nearest(start);
-  lookAround(start, length + nearest_so_far, [&](const Point2& obstacle) {
+  visitNear(start, length + nearest_so_far, [&](const Point2& obstacle) {
     const double now = distanceBetween(from, obstacle);
     if (now - length >= nearest_so_far) {
       return false;

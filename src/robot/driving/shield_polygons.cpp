@@ -19,7 +19,7 @@ double Shield::sweep(const FootprintSweep& sweep, const Pose2& from, double limi
   const double s = std::sin(from.yaw);
   const double around = footprint_radius_ + clearance;
   double free = limit;
-  lookAround({from.x, from.y}, around + sweep.pathOf(limit), [&](const Point2& obstacle) {
+  visitNear({from.x, from.y}, around + sweep.pathOf(limit), [&](const Point2& obstacle) {
     const double dx = obstacle.x - from.x;
     const double dy = obstacle.y - from.y;
     const double farthest = around + sweep.pathOf(free);
@@ -49,7 +49,7 @@ double Shield::freeTurn(const Pose2& from, double angle, double clearance) const
 
 double Shield::sweepGap(const FootprintSweep& sweep, const Pose2& from, double length) const {
   double nearest = reach_;
-  lookAround({from.x, from.y}, footprint_radius_ + length + reach_, [&](const Point2& obstacle) {
+  visitNear({from.x, from.y}, footprint_radius_ + length + reach_, [&](const Point2& obstacle) {
     const double farthest = nearest + footprint_radius_ + length;
     const double dx = obstacle.x - from.x;
     const double dy = obstacle.y - from.y;

@@ -28,7 +28,7 @@ void DriveQTile::rewind() {
 }
 
 /// Shows the network step `step` of a window, which is that at `time` of the lanes.
-void DriveQTile::look(int time, int step) {
+void DriveQTile::fillInputs(int time, int step) {
   for (int lane = 0; lane < lanes_.count(); ++lane) {
     const DriveQSlot& slot = lanes_.at(time, lane);
     if (slot.step == 0) views_.forget(step, lane, &network_);
@@ -41,7 +41,7 @@ DriveQSums DriveQTile::judge(const Eigen::VectorXf& weights, const Eigen::Vector
   for (auto& lane : steps_) lane.assign(static_cast<std::size_t>(lanes_.steps() + 1), {});
   for (int time = 0; time < lanes_.steps(); ++time) {
     const int step = time % parameters_.window;
-    look(time, step);
+    fillInputs(time, step);
     for (int lane = 0; lane < lanes_.count(); ++lane) {
       if (lanes_.at(time, lane).step == 0) views_.forget(0, lane, &target_network_);
     }
@@ -110,7 +110,7 @@ double DriveQTile::valueGradient(int window, const Eigen::VectorXf& weights) {
   double learned = 0.0;
   for (int step = 0; step < parameters_.window; ++step) {
     const int time = window * parameters_.window + step;
-    look(time, step);
+    fillInputs(time, step);
     const float* outputs = network_.forward(weights, step);
     float* slopes = network_.outputGradient(step);
     std::fill_n(slopes, network_.outputSize() * network_.lanes(), 0.0f);

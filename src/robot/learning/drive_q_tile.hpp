@@ -41,7 +41,7 @@ class DriveQTile {
 
  private:
   void rewind();
-  void look(int time, int step);
+  void fillInputs(int time, int step);
   int bestAction(const DriveQSlot& slot, int lane, const float* outputs) const;
   void valueStep(int time, int lane, const float* outputs, const float* target_outputs);
   void judgeLane(int lane, DriveQSums* sums);

@@ -87,11 +87,11 @@ class RecordingReader {
 }  // namespace
 
 void forEachRecordedEpisode(const Dataset& dataset, const PolicyDescription& policy, double label_distance,
-                            const std::function<void(const std::vector<RecordedChoice>&)>& look) {
+                            const std::function<void(const std::vector<RecordedChoice>&)>& work) {
   for (const Recording& recording : dataset.recordings) {
     const RecordingReader reader(recording, policy, label_distance);
     for (const RecordedEpisode& recorded : recording.episodes) {
-      if (!recorded.episode.discarded && !recorded.steps.empty()) look(reader.choices(recorded));
+      if (!recorded.episode.discarded && !recorded.steps.empty()) work(reader.choices(recorded));
     }
   }
 }

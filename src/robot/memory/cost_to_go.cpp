@@ -66,7 +66,7 @@ bool CostToGo::searchOnce(ObstacleMemory& memory, const std::vector<End>& ends) 
   return run(memory, start_);
 }
 
-bool CostToGo::searchAgain(ObstacleMemory& memory, int start, int column, int row) {
+bool CostToGo::traceFrom(ObstacleMemory& memory, int start, int column, int row) {
   if (left(start) == kNone) {
     return false;
   }

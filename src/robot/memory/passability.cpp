@@ -7,7 +7,7 @@
 #include "lstm_planner/base/common/segment.hpp"
 #include "lstm_planner/base/grid/grid_rays.hpp"
 #include "robot/memory/bounded_rounding.hpp"
-#include "robot/perception/lanes.hpp"
+#include "robot/perception/baseline_vectors.hpp"
 
 namespace lstm_planner {
 

@@ -102,7 +102,7 @@ bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2
 
 bool RouteFinder::fromLastSearch(ObstacleMemory& memory, const Point2& start, Route* route) {
   const int first = memory.cellAt(start);
-  if (!ends_at_goal_ || first < 0 || !cost_to_go_.searchAgain(memory, first, end_column_, end_row_)) {
+  if (!ends_at_goal_ || first < 0 || !cost_to_go_.traceFrom(memory, first, end_column_, end_row_)) {
     return false;
   }
   follow(memory, start, route);

@@ -111,7 +111,7 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
   }
   // While it looks around, what lies behind the robot is not known and seems free.
   const bool still_looking = looking_ && turned_ < kFullTurn;
-  found = found || (!still_looking && search(here, goal, &found_));
+  found = found || (!still_looking && findRoute(here, goal, &found_));
   memory_.clearChanges();
   if (!found) {
     return lookAround(situation);
@@ -124,7 +124,7 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
 
 double RouteGuide::tolerance() const { return parameters_.goal_tolerance + parameters_.goal_drift * driven_; }
 
-bool RouteGuide::search(const Point2& start, const Point2& goal, Route* route) {
+bool RouteGuide::findRoute(const Point2& start, const Point2& goal, Route* route) {
   ++searches_;
   const bool found = finder_.find(memory_, start, goal, tolerance(), route);
   has_costs_ = found && finder_.endsAtGoal();

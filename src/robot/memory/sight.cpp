@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "robot/perception/lanes.hpp"
+#include "robot/perception/baseline_vectors.hpp"
 #include "robot/perception/scan_kernels.hpp"
 
 namespace lstm_planner {

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "robot/perception/lanes.hpp"
+#include "robot/perception/baseline_vectors.hpp"
 #include "robot/perception/reading_bounds.hpp"
 
 namespace lstm_planner {

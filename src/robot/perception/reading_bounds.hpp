@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "lstm_planner/robot/perception/laser_scan.hpp"
-#include "robot/perception/lanes.hpp"
+#include "robot/perception/baseline_vectors.hpp"
 
 namespace lstm_planner {
 

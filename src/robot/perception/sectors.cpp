@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/perception/lanes.hpp"
+#include "robot/perception/baseline_vectors.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -176,7 +176,7 @@ ScriptedDriver::Keys ScriptedDriver::decide(const Pose2& pose) {
   return steer(pose, normalizeAngle(directionTo(here, pointAhead(here)) + aim_error_ - pose.yaw));
 }
 
-void ScriptedDriver::look(const Pose2& pose, double time) {
+void ScriptedDriver::reconsider(const Pose2& pose, double time) {
   wander(time - last_look_);
   last_look_ = time;
   next_look_ = time + kLookPeriod;
@@ -212,7 +212,7 @@ Twist2 ScriptedDriver::command(const Pose2& pose, double time) {
       decided_.reset();
       next_look_ = time;
     }
-    if (time >= next_look_) look(pose, time);
+    if (time >= next_look_) reconsider(pose, time);
   }
   if (state_ != State::kDriving) {
     keys_ = {};

@@ -87,7 +87,7 @@ class GridEncoder {
   int outputs() const { return parameters_.views == 1 ? kGridMoveCount : 1; }
 
   /// Reads off what does not depend on the view.
-  void look(const GridMemory& memory);
+  void prepare(const GridMemory& memory);
 
   /// Input i of a view goes to input[i * stride].
   void encode(int view, float* input, int stride) const;

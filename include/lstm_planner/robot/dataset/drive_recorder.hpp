@@ -18,7 +18,7 @@ namespace lstm_planner {
 
 /// Cuts a drive into labelled steps (thesis 4.2, Eq. 4.1-4.2).
 ///
-/// A look is taken once in every `period` of the stamps' clock: its first scan is paired with the pose at its stamp,
+/// A sample is taken once in every `period` of the stamps' clock: its first scan is paired with the pose at its stamp,
 /// interpolated between the two odometry messages around it (the nearest one can be half an odometry period away). It
 /// starts a step if the robot has moved since the last one; the pose where the next step starts labels it, and only
 /// then it is given to the sink. The same events give the same steps, in whatever order they arrive within
@@ -49,7 +49,7 @@ class DriveRecorder {
 
   /// The goal that is being driven to, in its frame; empty when there is none.
   const std::optional<GoalInFrame>& goal() const { return goal_; }
-  /// The last look: empty before the first.
+  /// The last sample: empty before the first.
   const std::optional<Situation>& situation() const { return situation_; }
   bool inEpisode() const { return in_episode_; }
 
@@ -59,7 +59,7 @@ class DriveRecorder {
   void work(const GoalGivenUp& given_up);
   void work(const ScanHeard& scan);
   void workOnWhatIsDue(bool all);
-  void look(const ScanHeard& scan);
+  void sample(const ScanHeard& scan);
   bool see(const ScanHeard& scan);
   bool hasMovedSinceStep() const;
   bool isAt(const Point2& goal, const Pose2& pose) const;
@@ -77,15 +77,15 @@ class DriveRecorder {
 
   OdometryHistory history_;
   std::vector<ScanHeard> waiting_;       ///< scans that are newer than the odometry
-  std::optional<double> last_look_;      ///< number of its period
+  std::optional<double> last_sample_;    ///< number of its period
   std::optional<double> last_unusable_;  ///< likewise, of the last one without a usable scan
-  std::optional<Situation> situation_;   ///< at the last look
+  std::optional<Situation> situation_;   ///< at the last sample
   SilenceWatch silence_;
   Observer observer_;
 
   std::optional<GoalInFrame> goal_;
   std::string goal_source_;
-  Point2 goal_position_;  ///< odometry frame, at the last look
+  Point2 goal_position_;  ///< odometry frame, at the last sample
   bool in_episode_ = false;
   bool paused_ = false;
   std::optional<DriveStep> step_;  ///< not labelled yet

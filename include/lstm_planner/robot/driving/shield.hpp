@@ -68,12 +68,12 @@ class Shield {
   void showGroup(const Point2* obstacles, bool all_near);
   /// Those of a group that are within reach.
   void showNear(const Point2* obstacles, std::size_t count);
-  /// Calls look(group) for the groups that meet(boxes) lets through, four boxes at a time, until it answers true.
-  template <typename Meet, typename Look>
-  void lookIntoGroups(const Meet& meet, const Look& look) const;
-  /// Calls look(obstacle) for all that are nearer than `distance`, and some others, until it answers true.
-  template <typename Look>
-  void lookAround(const Point2& from, double distance, const Look& look) const;
+  /// Calls visit(group) for the groups that meet(boxes) lets through, four boxes at a time, until it answers true.
+  template <typename Meet, typename Visit>
+  void visitGroups(const Meet& meet, const Visit& visit) const;
+  /// Calls visit(obstacle) for all that are nearer than `distance`, and some others, until it answers true.
+  template <typename Visit>
+  void visitNear(const Point2& from, double distance, const Visit& visit) const;
   double nearest(const Point2& from) const;
   double sweep(const FootprintSweep& sweep, const Pose2& from, double limit, double clearance) const;
   double sweepGap(const FootprintSweep& sweep, const Pose2& from, double length) const;

@@ -38,7 +38,7 @@ class CostToGo {
 
   /// Finds the cheapest path from elsewhere by the last search alone; false when that does not tell, because it did not
   /// come there or something has changed along the path.
-  bool searchAgain(ObstacleMemory& memory, int start, int column, int row);
+  bool traceFrom(ObstacleMemory& memory, int start, int column, int row);
 
   /// The cells of the path that was found last, from the start to the end.
   const std::vector<int>& path() const { return path_; }

@@ -78,7 +78,7 @@ class RouteGuide {
  private:
   double tolerance() const;
   void noteMotion(const Situation& situation);
-  bool search(const Point2& start, const Point2& goal, Route* route);
+  bool findRoute(const Point2& start, const Point2& goal, Route* route);
   bool costsHold(const Point2& here, const Point2& goal);
   bool goalIsAsBefore(const Point2& goal);
   bool isWorthKeeping(const Point2& here, const Point2& goal, double cost) const;

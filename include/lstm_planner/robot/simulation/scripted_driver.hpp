@@ -102,7 +102,7 @@ class ScriptedDriver {
   bool isOpen(const Point2& from, const Point2& to) const;
   Twist2 twistOf(const Keys& keys) const;
   bool isSafe(const Pose2& pose, const Keys& keys) const;
-  void look(const Pose2& pose, double time);
+  void reconsider(const Pose2& pose, double time);
   Keys decide(const Pose2& pose);
   Keys steer(const Pose2& pose, double error);
   bool pauses(double time);

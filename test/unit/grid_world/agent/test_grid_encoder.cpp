@@ -20,7 +20,7 @@ std::vector<float> encoded(const GridEncoder& encoder, int view) {
 
 GridEncoder looking(const GridMemory& memory, Inputs inputs, int views) {
   GridEncoder encoder({inputs, views});
-  encoder.look(memory);
+  encoder.prepare(memory);
   return encoder;
 }
 

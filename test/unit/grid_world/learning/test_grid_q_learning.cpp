@@ -196,7 +196,7 @@ TEST(GridQLearning, FindsTheValuesOfACorridor) {
     GridMemory memory;
     memory.start();
     memory.observe({{cell, 0}, {11, 0}, senseRanges(PassableGrid(12, 1, true), {cell, 0})});
-    encoder.look(memory);
+    encoder.prepare(memory);
     encoder.encode(0, input.data(), 1);
     const double value = parameters.value_scale * static_cast<double>(network.forward(input)[0]);
     // Nearer than what one step earns.

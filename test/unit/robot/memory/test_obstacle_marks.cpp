@@ -23,7 +23,7 @@ class ObstacleMarksTest : public ::testing::Test {
   ObstacleMarksTest() : hall_(test::emptyHall(8.0, 8.0)), memory_(kDefaults.memory, kDefaults.shield) {}
 
   /// The robot looks around in the empty hall; a costmap has these obstacles (odometry frame), too.
-  void look(const std::vector<Point2>& marks, const Pose2& pose = kRobot) {
+  void sense(const std::vector<Point2>& marks, const Pose2& pose = kRobot) {
     Situation situation = seenFrom(GridWorld(hall_), pose);
     for (const Point2& place : marks) situation.marked.push_back(toLocalFrame(pose, place));
     memory_.add(situation);
@@ -36,59 +36,59 @@ class ObstacleMarksTest : public ::testing::Test {
 
 TEST_F(ObstacleMarksTest, StandWhereTheScanSeesNothing) {
   for (int i = 0; i < 3; ++i) {
-    look({kMark});
+    sense({kMark});
     EXPECT_TRUE(isBlocked(kMark)) << "although the scan sees through";
   }
 }
 
 TEST_F(ObstacleMarksTest, AreGoneAsSoonAsTheCostmapIsCleared) {
-  look({kMark, {5.0, 4.2}});
-  look({{5.0, 4.2}});
+  sense({kMark, {5.0, 4.2}});
+  sense({{5.0, 4.2}});
   EXPECT_FALSE(isBlocked({5.0, 3.9}));
   EXPECT_TRUE(isBlocked({5.0, 4.2}));
-  look({});
+  sense({});
   EXPECT_FALSE(isBlocked({5.0, 4.2}));
 }
 
 TEST_F(ObstacleMarksTest, ChangeNothingAsLongAsTheyStay) {
-  look({kMark});
+  sense({kMark});
   memory_.clearChanges();
-  look({kMark});
+  sense({kMark});
   EXPECT_TRUE(memory_.changes().empty());
-  look({});
+  sense({});
   EXPECT_EQ(memory_.changes().size(), 1u);
 }
 
 TEST_F(ObstacleMarksTest, TakeNothingAwayThatTheScanHasSeen) {
   test::fillBox(5.0, 3.7, 5.3, 4.3, &hall_);
   const Point2 on_the_box{5.02, 4.0};
-  look({});
+  sense({});
   ASSERT_TRUE(isBlocked(on_the_box));
   const Pose2 away{4.0, 4.0, M_PI};
-  look({on_the_box}, away);
-  look({}, away);
+  sense({on_the_box}, away);
+  sense({}, away);
   EXPECT_TRUE(isBlocked(on_the_box));
 }
 
 TEST_F(ObstacleMarksTest, StayWhereTheyAreWhenTheWindowMoves) {
-  look({kMark});
-  look({kMark}, {4.0 + 0.25 * kDefaults.memory.width, 4.0, 0.0});
+  sense({kMark});
+  sense({kMark}, {4.0 + 0.25 * kDefaults.memory.width, 4.0, 0.0});
   EXPECT_FALSE(isBlocked(kMark)) << "now out of reach";
-  look({kMark});
+  sense({kMark});
   EXPECT_TRUE(isBlocked(kMark));
-  look({});
+  sense({});
   EXPECT_FALSE(isBlocked(kMark));
 }
 
 TEST_F(ObstacleMarksTest, UnderTheRobotAreNone) {
-  look({{kRobot.x, kRobot.y}});
+  sense({{kRobot.x, kRobot.y}});
   EXPECT_FALSE(isBlocked({kRobot.x, kRobot.y}));
 }
 
 TEST_F(ObstacleMarksTest, AreForgottenWithEverythingElse) {
-  look({kMark});
+  sense({kMark});
   memory_.forget();
-  look({});
+  sense({});
   EXPECT_FALSE(isBlocked(kMark));
 }
 

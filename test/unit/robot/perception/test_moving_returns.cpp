@@ -23,7 +23,7 @@ class MovingReturnsTest : public ::testing::Test {
 
   /// Shows the scan from `pose` in a hall whose walls are drawn into grid_, with persons; `odometry` is what the robot
   /// believes of its pose.
-  void look(const Pose2& pose, const std::vector<Circle>& persons, const Pose2& odometry) {
+  void sense(const Pose2& pose, const std::vector<Circle>& persons, const Pose2& odometry) {
     const GridWorld walls(grid_);
     const Both world(walls, persons);
     hokuyo_.scan(world, pose, time_, &scan_);
@@ -31,7 +31,7 @@ class MovingReturnsTest : public ::testing::Test {
     moving_.show(profile_, odometry, time_);
     time_ += kPeriod;
   }
-  void look(const Pose2& pose, const std::vector<Circle>& persons = {}) { look(pose, persons, pose); }
+  void sense(const Pose2& pose, const std::vector<Circle>& persons = {}) { sense(pose, persons, pose); }
 
   /// Moving points within `distance` of a place in the world (odometry is the truth).
   int movingNear(const Point2& place, double distance, const Pose2& pose) const {
@@ -80,7 +80,7 @@ TEST_F(MovingReturnsTest, AWallThatComesIntoTheScannersSightDoesNotMove) {
   hokuyo_ = Hokuyo(short_sighted, 1);
   for (int i = 0; i < 30; ++i) {
     const Pose2 pose{5.0, 5.0 + 0.05 * i, M_PI_2};
-    look(pose);
+    sense(pose);
     EXPECT_TRUE(moving_.points().empty()) << pose.y;
   }
 }
@@ -93,7 +93,7 @@ TEST_F(MovingReturnsTest, ARobotAtFullSpeedFindsPeopleAsOneThatStandsDoes) {
     Pose2 pose{5.0, 1.0, M_PI_2};
     Circle person{{4.0, 6.0}, 0.25};
     for (int i = 0; i < 10; ++i) {
-      look(pose, {person});
+      sense(pose, {person});
       pose.y += 2.1 * kPeriod;
       person.center.x += 1.0 * kPeriod;
     }
@@ -105,7 +105,7 @@ TEST_F(MovingReturnsTest, FindsAPersonWhoCrosses) {
   const Pose2 pose{5.0, 2.0, M_PI_2};
   for (int i = 0; i < 10; ++i) {
     const Circle person{{3.5 + 0.1 * i, 4.0}, 0.25};  // 1 m/s to the right
-    look(pose, {person});
+    sense(pose, {person});
     if (i >= 4) {
       EXPECT_GT(movingNear(person.center, 0.35, pose), 5) << "scan " << i;
       EXPECT_EQ(movingNear(person.center, 0.5, pose), static_cast<int>(moving_.points().size())) << "scan " << i;
@@ -120,7 +120,7 @@ TEST_F(MovingReturnsTest, FindsAPersonWhoComesNearerAtAnySpeed) {
     double first_seen = -1.0;
     for (int i = 0; i < 12; ++i) {
       const Circle person{{5.0, 5.0 - speed * kPeriod * i}, 0.25};
-      look(pose, {person});
+      sense(pose, {person});
       if (first_seen < 0.0 && movingNear(person.center, 0.35, pose) > 5) first_seen = kPeriod * i;
     }
     EXPECT_GT(first_seen, 0.0) << speed;
@@ -131,7 +131,7 @@ TEST_F(MovingReturnsTest, FindsAPersonWhoComesNearerAtAnySpeed) {
 TEST_F(MovingReturnsTest, LeavesThePersonAloneWhoGoesAway) {
   const Pose2 pose{5.0, 2.0, M_PI_2};
   for (int i = 0; i < 15; ++i) {
-    look(pose, {{{5.0, 3.5 + 0.1 * i}, 0.25}});
+    sense(pose, {{{5.0, 3.5 + 0.1 * i}, 0.25}});
     EXPECT_TRUE(moving_.points().empty()) << "scan " << i;
   }
 }
@@ -139,30 +139,30 @@ TEST_F(MovingReturnsTest, LeavesThePersonAloneWhoGoesAway) {
 TEST_F(MovingReturnsTest, CountsAPersonWhoStandsStillAsRestingAndThenAsStatic) {
   const Pose2 pose{5.0, 3.0, M_PI_2};
   Circle person{{5.0, 5.0}, 0.25};
-  for (int i = 0; i < 10; ++i, person.center.y -= 0.1) look(pose, {person});
+  for (int i = 0; i < 10; ++i, person.center.y -= 0.1) sense(pose, {person});
   const double stops = time_;
   while (time_ < stops + 0.9) {
-    look(pose, {person});
+    sense(pose, {person});
     EXPECT_GT(movingNear(person.center, 0.35, pose), 5);
   }
   // Where it stands was seen free up to 0.6 s after it came, and is held for 1 s after that.
-  while (time_ < stops + 1.8) look(pose, {person});
+  while (time_ < stops + 1.8) sense(pose, {person});
   EXPECT_TRUE(moving_.points().empty());
   EXPECT_GT(moving_.resting().size(), 5u);
-  while (time_ < stops + 0.6 + MovingReturnsParameters{}.remember + kPeriod) look(pose, {person});
+  while (time_ < stops + 0.6 + MovingReturnsParameters{}.remember + kPeriod) sense(pose, {person});
   EXPECT_TRUE(moving_.resting().empty());
 }
 
 TEST_F(MovingReturnsTest, RemembersForAWhileWhomItHasTurnedItsBackTo) {
   const Pose2 pose{5.0, 5.0, 0.0};
   Circle person{{7.5, 5.0}, 0.25};
-  for (int i = 0; i < 10; ++i, person.center.x -= 0.1) look(pose, {person});
+  for (int i = 0; i < 10; ++i, person.center.x -= 0.1) sense(pose, {person});
   const Pose2 turned{5.0, 5.0, M_PI};  // the scanner sees 135 degrees to either side
   for (int i = 0; i < 8; ++i) {
-    look(turned, {person});
+    sense(turned, {person});
     EXPECT_GT(movingNear(person.center, 0.35, turned), 0) << "scan " << i;
   }
-  for (int i = 0; i < 10; ++i) look(turned, {person});
+  for (int i = 0; i < 10; ++i) sense(turned, {person});
   EXPECT_TRUE(moving_.points().empty());
 }
 
@@ -187,7 +187,7 @@ TEST_F(MovingReturnsTest, FlagsNothingStaticOnAPathThroughRooms) {
       pose = {pose.x + path * std::cos(pose.yaw), pose.y + path * std::sin(pose.yaw), pose.yaw + turn};
       odometry = {odometry.x + 1.02 * path * std::cos(odometry.yaw), odometry.y + 1.02 * path * std::sin(odometry.yaw),
                   odometry.yaw + 1.02 * turn};
-      look(pose, {}, odometry);
+      sense(pose, {}, odometry);
       ASSERT_TRUE(moving_.points().empty()) << "scan " << scans << " at " << pose.x << ", " << pose.y;
       ++scans;
     }
@@ -198,13 +198,13 @@ TEST_F(MovingReturnsTest, FlagsNothingStaticOnAPathThroughRooms) {
 TEST_F(MovingReturnsTest, StartsAnewWhenOdometryOrClockJump) {
   test::fillBox(6.0, 6.5, 6.4, 6.9, &grid_);
   const Pose2 pose{5.0, 5.0, 0.5};
-  for (int i = 0; i < 8; ++i) look(pose);
-  for (int i = 0; i < 8; ++i) look(pose, {}, {9.0, 5.0, 0.5});
+  for (int i = 0; i < 8; ++i) sense(pose);
+  for (int i = 0; i < 8; ++i) sense(pose, {}, {9.0, 5.0, 0.5});
   EXPECT_TRUE(moving_.points().empty());
   time_ = 0.0;
-  for (int i = 0; i < 8; ++i) look(pose, {}, {9.0, 5.0, 0.5});
+  for (int i = 0; i < 8; ++i) sense(pose, {}, {9.0, 5.0, 0.5});
   EXPECT_TRUE(moving_.points().empty());
-  look(pose, {}, {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
+  sense(pose, {}, {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
   EXPECT_TRUE(moving_.points().empty());
 }
 

@@ -19,7 +19,7 @@ class MovingThingsTest : public ::testing::Test {
     double radius;
     bool moves;
   };
-  void look(const std::vector<Disc>& discs) {
+  void sense(const std::vector<Disc>& discs) {
     std::vector<Point2> returns;
     std::vector<std::uint8_t> moves;
     for (const Disc& disc : discs) {
@@ -40,7 +40,7 @@ class MovingThingsTest : public ::testing::Test {
 TEST_F(MovingThingsTest, MeasuresHowFastEachOfTwoThingsIs) {
   for (int i = 0; i < 10; ++i) {
     const double t = kPeriod * i;
-    look({{{4.0 - 1.5 * t, 2.0}, 0.5, true}, {{5.0, -2.0 + 0.4 * t}, 0.25, true}});
+    sense({{{4.0 - 1.5 * t, 2.0}, 0.5, true}, {{5.0, -2.0 + 0.4 * t}, 0.25, true}});
   }
   const std::vector<MovingThing> seen = things_.around({});
   ASSERT_EQ(seen.size(), 2u);
@@ -54,7 +54,7 @@ TEST_F(MovingThingsTest, MeasuresHowFastEachOfTwoThingsIs) {
 }
 
 TEST_F(MovingThingsTest, AnswersInTheFrameOfTheRobot) {
-  for (int i = 0; i < 10; ++i) look({{{4.0, 1.0 * kPeriod * i}, 0.3, true}});
+  for (int i = 0; i < 10; ++i) sense({{{4.0, 1.0 * kPeriod * i}, 0.3, true}});
   const std::vector<MovingThing> seen = things_.around({1.0, 0.0, M_PI_2});
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_NEAR(seen[0].velocity.x, 1.0, 0.1);
@@ -63,29 +63,29 @@ TEST_F(MovingThingsTest, AnswersInTheFrameOfTheRobot) {
 }
 
 TEST_F(MovingThingsTest, WhatStandsIsNoMovingThing) {
-  for (int i = 0; i < 10; ++i) look({{{4.0, 0.0}, 0.3, false}});
+  for (int i = 0; i < 10; ++i) sense({{{4.0, 0.0}, 0.3, false}});
   EXPECT_TRUE(things_.around({}).empty());
 }
 
 TEST_F(MovingThingsTest, OneSightTellsNoVelocity) {
-  look({{{4.0, 0.0}, 0.3, true}});
+  sense({{{4.0, 0.0}, 0.3, true}});
   EXPECT_TRUE(things_.around({}).empty());
 }
 
 TEST_F(MovingThingsTest, WhatGoesOutOfSightGoesOnForAWhileAndIsThenForgotten) {
-  for (int i = 0; i < 10; ++i) look({{{4.0, 1.0 * kPeriod * i}, 0.3, true}});
-  for (int i = 10; i < 30; ++i) look({});
+  for (int i = 0; i < 10; ++i) sense({{{4.0, 1.0 * kPeriod * i}, 0.3, true}});
+  for (int i = 10; i < 30; ++i) sense({});
   const std::vector<MovingThing> seen = things_.around({});
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_NEAR(seen[0].center.y, 1.0 * kPeriod * 29, 0.15);
-  for (int i = 30; i < 45; ++i) look({});  // 1.75 s without it
+  for (int i = 30; i < 45; ++i) sense({});  // 1.75 s without it
   EXPECT_TRUE(things_.around({}).empty());
 }
 
 TEST_F(MovingThingsTest, ATimeThatGoesBackForgetsAll) {
-  for (int i = 0; i < 10; ++i) look({{{4.0, 1.0 * kPeriod * i}, 0.3, true}});
+  for (int i = 0; i < 10; ++i) sense({{{4.0, 1.0 * kPeriod * i}, 0.3, true}});
   time_ = 1.0;
-  look({});
+  sense({});
   EXPECT_TRUE(things_.around({}).empty());
 }
 

@@ -22,7 +22,7 @@ class OutOfViewTest : public ::testing::Test {
     parameters_.range_min = 0.02;
   }
 
-  void look(const Pose2& pose) {
+  void sense(const Pose2& pose) {
     Hokuyo scanner(parameters_, 1);
     scanner.scan(world_, pose, 0.0, &scan_);
     perceive(scan_, parameters_.mount, Hokuyo::rules(), 6.0, &situation_);
@@ -47,39 +47,39 @@ class OutOfViewTest : public ::testing::Test {
 };
 
 TEST_F(OutOfViewTest, RemembersNothingThatIsInView) {
-  look({});
-  look({});
+  sense({});
+  sense({});
   EXPECT_EQ(out_of_view_.points().size(), 0u);
 }
 
 TEST_F(OutOfViewTest, RemembersWhatLeftTheFieldOfViewWhereItIs) {
-  look({});
+  sense({});
   const Pose2 turned{0.05, 0.02, M_PI};
-  look(turned);
+  sense(turned);
   EXPECT_GT(onThePost(turned, kPost), 10u);
   const Pose2 on{0.0, 0.02, M_PI - 0.3};
-  look(on);
+  sense(on);
   EXPECT_GT(onThePost(on, kPost), 10u);
 }
 
 TEST_F(OutOfViewTest, TheScanCountsWhenThePlaceIsInViewAgain) {
-  look({});
-  look({0.0, 0.0, M_PI});
+  sense({});
+  sense({0.0, 0.0, M_PI});
   world_ = CircleWorld({});  // somebody took it away
-  look({0.0, 0.0, M_PI - 0.1});
+  sense({0.0, 0.0, M_PI - 0.1});
   EXPECT_GT(out_of_view_.points().size(), 0u);
-  look({});
+  sense({});
   EXPECT_EQ(out_of_view_.points().size(), 0u);
 }
 
 TEST_F(OutOfViewTest, ForgetsWhatIsFarAwayAndEverythingAfterAJump) {
-  look({});
-  look({0.0, 0.0, M_PI});
-  look({-1.0, 0.0, M_PI});  // 0.86 m around the middle matter
+  sense({});
+  sense({0.0, 0.0, M_PI});
+  sense({-1.0, 0.0, M_PI});  // 0.86 m around the middle matter
   EXPECT_EQ(out_of_view_.points().size(), 0u);
-  look({});
+  sense({});
   out_of_view_.forget();
-  look({0.0, 0.0, M_PI});
+  sense({0.0, 0.0, M_PI});
   EXPECT_EQ(out_of_view_.points().size(), 0u);
 }
 
