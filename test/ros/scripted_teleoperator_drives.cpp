@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
 #include "ros/fake_robot.hpp"
+#include "ros/yaml_differences.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -126,13 +126,11 @@ TEST_F(ScriptedTeleoperator, DrivesToItsOwnWaypointsAndEnds) {
 }
 
 TEST(ScriptedTeleoperatorYaml, ListsEveryParameterWithItsDefault) {
-  ParameterReader reader(ros::NodeHandle("~yaml"));
-  TeleoperatorParameters parameters;
-  visitTeleoperatorParameters(parameters, reader.visitor());
-  EXPECT_EQ(reader.unsetParameters(), std::set<std::string>()) << "missing in the yaml";
-  EXPECT_EQ(reader.changedParameters(), std::set<std::string>()) << "not the default in the yaml";
-  EXPECT_EQ(reader.unknownParameters(), std::vector<std::string>()) << "in the yaml, but not a parameter";
-  EXPECT_TRUE(parameters.waypoints.empty());
+  const auto yaml = yamlDifferences<TeleoperatorParameters>(
+      ros::NodeHandle("~yaml"), [](auto& p, const auto& visit) { visitTeleoperatorParameters(p, visit); });
+  EXPECT_EQ(yaml.missing, std::set<std::string>());
+  EXPECT_EQ(yaml.changed, std::set<std::string>());
+  EXPECT_EQ(yaml.unknown, std::vector<std::string>()) << "in the yaml, but not a parameter";
 }
 
 }  // namespace

@@ -13,19 +13,18 @@
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
+#include "ros/yaml_differences.hpp"
 
 namespace lstm_planner {
 namespace {
 
 template <typename Parameters, typename VisitAll>
 void expectYamlIsTheDefaults(const std::string& name, const VisitAll& visit_all) {
-  ParameterReader reader(ros::NodeHandle("~/" + name));
-  Parameters parameters;
-  visit_all(parameters, reader.visitor());
-  EXPECT_EQ(reader.unsetParameters(), std::set<std::string>()) << "missing in the yaml";
-  EXPECT_EQ(reader.changedParameters(), std::set<std::string>{ros::NodeHandle("~/" + name).resolveName("no_return")})
+  const auto yaml = yamlDifferences<Parameters>(ros::NodeHandle("~/" + name), visit_all);
+  EXPECT_EQ(yaml.missing, std::set<std::string>());
+  EXPECT_EQ(yaml.changed, std::set<std::string>{"no_return"})
       << "only the scanner's readings differ from the defaults in the yaml";
-  EXPECT_EQ(reader.unknownParameters(), std::vector<std::string>()) << "in the yaml, but not a parameter";
+  EXPECT_EQ(yaml.unknown, std::vector<std::string>()) << "in the yaml, but not a parameter";
 }
 
 TEST(ShippedParameters, PlannerYamlListsEveryParameterWithItsDefault) {

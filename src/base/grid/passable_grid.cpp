@@ -28,20 +28,6 @@ bool movePossible(const PassableGrid& grid, CellIndex cell, int direction, Corne
   return grid.passable(cellBeside(cell, before(direction))) && grid.passable(cellBeside(cell, after(direction)));
 }
 
-GridRanges senseRanges(const PassableGrid& grid, CellIndex cell) {
-  GridRanges ranges{};
-  for (int direction = 0; direction < kGridRayCount; ++direction) {
-    CellIndex seen = cell;
-    int steps = 0;
-    do {
-      seen = cellBeside(seen, direction);
-      ++steps;
-    } while (steps < kGridRayCap && grid.passable(seen));
-    ranges[static_cast<std::size_t>(direction)] = static_cast<std::uint8_t>(steps);
-  }
-  return ranges;
-}
-
 bool movePossible(const GridRanges& ranges, int direction, CornerCutting corner_cutting) {
   const auto isFree = [&](int beside) { return ranges[static_cast<std::size_t>(beside)] > 1; };
   if (!isFree(direction)) return false;

@@ -25,17 +25,6 @@ void checkHeuristic(const HeuristicParameters& heuristic) {
                               ", expected a number from 0 to " + std::to_string(kLargestEuclideanScale));
 }
 
-bool isAdmissible(const HeuristicParameters& heuristic) {
-  switch (heuristic.kind) {
-    case Heuristic::kManhattan:
-      return false;
-    case Heuristic::kScaledEuclidean:
-      return heuristic.scale <= 1.0;
-    default:
-      return true;
-  }
-}
-
 MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, CellIndex to, const MoveCosts& costs) {
   const MoveCost columns = std::abs(from.column - to.column);
   const MoveCost rows = std::abs(from.row - to.row);
@@ -53,8 +42,6 @@ MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, Cell
   }
   return 0;
 }
-
-std::string heuristicName(Heuristic heuristic) { return kNames[static_cast<std::size_t>(heuristic)]; }
 
 Heuristic heuristicNamed(const std::string& name) {
   const auto known = std::find(kNames.begin(), kNames.end(), name);

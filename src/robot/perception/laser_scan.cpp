@@ -21,11 +21,6 @@ bool isPositiveAndFinite(float value) {
 
 }  // namespace
 
-bool isMeasuredRange(float range, const LaserScan& scan, const ScanRules& rules) {
-  const float meaning = ReadingBounds(scan, rules).meaning(allOf(range))[0];
-  return meaning > 0.0f && std::isfinite(meaning);
-}
-
 long RangeProfile::beamTowards(double towards) const {
   constexpr double kTurn = 2.0 * M_PI;
   if (ranges.empty() || increment == 0.0) return -1;

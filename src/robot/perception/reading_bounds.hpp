@@ -9,7 +9,8 @@
 
 namespace lstm_planner {
 
-/// What the readings of one scan mean, four at once: isMeasuredRange() and the readings for no return.
+/// What the readings of one scan mean, four at once. Measured is what is finite, positive, in [range_min, range_max]
+/// and no code for no return.
 class ReadingBounds {
  public:
   ReadingBounds(const LaserScan& scan, const ScanRules& rules)

@@ -31,11 +31,8 @@ std::string textOf(XmlRpc::XmlRpcValue list) {
 }  // namespace
 
 bool ParameterReader::isSet(const std::string& name) {
-  const std::string full_name = node_handle_.resolveName(name);
-  known_.insert(full_name);
-  if (node_handle_.hasParam(name)) return true;
-  unset_.insert(full_name);
-  return false;
+  know(name);
+  return node_handle_.hasParam(name);
 }
 
 void ParameterReader::know(const std::string& name) { known_.insert(node_handle_.resolveName(name)); }
@@ -50,13 +47,8 @@ void ParameterReader::knowGroup(const std::string& name) {
 template <typename T>
 void ParameterReader::readAs(const std::string& name, const char* type, T* value) {
   if (!isSet(name)) return;
-  const std::string full_name = node_handle_.resolveName(name);
-  const T default_value = *value;
   if (!node_handle_.getParam(name, *value)) {
-    throw std::invalid_argument("parameter " + full_name + " is not " + type);
-  }
-  if (*value != default_value) {
-    changed_.insert(full_name);
+    throw std::invalid_argument("parameter " + node_handle_.resolveName(name) + " is not " + type);
   }
 }
 
@@ -71,7 +63,6 @@ void ParameterReader::read(const std::string& name, std::string* value) {
   if (node_handle_.getParam(name, list) && list.getType() == XmlRpc::XmlRpcValue::TypeArray) {
     if (!isSet(name)) return;
     *value = textOf(list);
-    changed_.insert(node_handle_.resolveName(name));
     return;
   }
   readAs(name, "a text", value);
@@ -88,22 +79,15 @@ void ParameterReader::read(const std::string& name, std::uint64_t* seed) {
 }
 
 void ParameterReader::read(const std::string& name, Pose2* pose) {
-  if (!isSet(name)) return;
-  const Pose2 before = *pose;
-  readPose(node_handle_, name, pose);
-  if (pose->x != before.x || pose->y != before.y || pose->yaw != before.yaw) {
-    changed_.insert(node_handle_.resolveName(name));
-  }
+  if (isSet(name)) readPose(node_handle_, name, pose);
 }
 
 void ParameterReader::read(const std::string& name, std::vector<NamedPose>* poses) {
   if (!isSet(name)) return;
-  const std::string full_name = node_handle_.resolveName(name);
   XmlRpc::XmlRpcValue list;
   if (!node_handle_.getParam(name, list) || list.getType() != XmlRpc::XmlRpcValue::TypeArray) {
-    throw std::invalid_argument("parameter " + full_name + " is not a list");
+    throw std::invalid_argument("parameter " + node_handle_.resolveName(name) + " is not a list");
   }
-  if (list.size() != static_cast<int>(poses->size())) changed_.insert(full_name);
   poses->clear();
   for (int i = 0; i < list.size(); ++i) poses->push_back(namedPoseFromParameter(list[i], name, i));
 }

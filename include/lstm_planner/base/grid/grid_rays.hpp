@@ -25,10 +25,4 @@ inline int rayBetween(CellIndex from, CellIndex to) {
   return found == kGridRaySteps.end() ? -1 : static_cast<int>(found - kGridRaySteps.begin());
 }
 
-/// The proximity ranges of thesis Eq. 3.1 around a cell, in cells, in the order of kGridRaySteps: the number of steps
-/// to the first cell that is not free (1 when the neighbour is blocked, at most kGridRayCap), times sqrt(2) on
-/// diagonals. Occupied and unknown cells block, and so does the outside of the map. A diagonal ray passes between two
-/// blocked cells that touch at a corner only: it looks at the cells of its own diagonal.
-std::array<double, kGridRayCount> gridRays(const OccupancyGrid& grid, CellIndex cell);
-
 }  // namespace lstm_planner

@@ -62,9 +62,9 @@ inline double moveLength(int direction) { return direction % 2 == 0 ? 1.0 : 1.41
 bool movePossible(const PassableGrid& grid, CellIndex cell, int direction, CornerCutting corner_cutting);
 
 /// What the thesis's agent senses (Eq. 3.1): the number of steps to the first cell that is not passable, in the order
-/// of kGridRaySteps; 1 when the neighbour is blocked, at most kGridRayCap. Without the factor sqrt(2) on diagonals.
+/// of kGridRaySteps; 1 when the neighbour is blocked, at most kGridRayCap. Without the factor sqrt(2) on diagonals. A
+/// diagonal ray passes between two blocked cells that touch at a corner only.
 using GridRanges = std::array<std::uint8_t, kGridRayCount>;
-GridRanges senseRanges(const PassableGrid& grid, CellIndex cell);
 
 /// The same question answered from what was sensed.
 bool movePossible(const GridRanges& ranges, int direction, CornerCutting corner_cutting);

@@ -12,8 +12,6 @@ SeenCell seenCell(const GridObservation& observation, CellIndex cell);
 /// On which side the wall is kept while a boundary is followed.
 enum class WallSide { kRight, kLeft };
 
-inline WallSide otherSide(WallSide side) { return side == WallSide::kRight ? WallSide::kLeft : WallSide::kRight; }
-
 /// A piece of an obstacle's boundary: the side of a free cell where the neighbour is blocked. `wall` is even (east,
 /// north, west, south).
 ///

@@ -31,16 +31,12 @@ struct HeuristicParameters {
 /// Throws std::invalid_argument for a scale that is not from 0 to kLargestEuclideanScale.
 void checkHeuristic(const HeuristicParameters& heuristic);
 
-/// Whether a search with it, eight moves and the default costs always finds a shortest path.
-bool isAdmissible(const HeuristicParameters& heuristic);
-
 /// Estimated cost between two cells where moves cost this: the Euclidean ones take no notice, as Eq. 1.5, Chebyshev's
 /// takes a diagonal for a straight move. `heuristic` must have passed checkHeuristic().
 MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, CellIndex to, const MoveCosts& costs = {});
 
-/// "manhattan", "chebyshev", "octile", "euclidean", "scaled_euclidean".
-std::string heuristicName(Heuristic heuristic);
-/// Throws std::invalid_argument for another name.
+/// Of "manhattan", "chebyshev", "octile", "euclidean", "scaled_euclidean". Throws std::invalid_argument for another
+/// name.
 Heuristic heuristicNamed(const std::string& name);
 
 constexpr std::array<Heuristic, 5> kHeuristics = {Heuristic::kManhattan, Heuristic::kChebyshev, Heuristic::kOctile,

@@ -6,7 +6,7 @@
 
 namespace lstm_planner {
 
-/// senseRanges() of every cell of a grid, computed once: 8 bytes a cell, and one look instead of eight rays.
+/// What the thesis's agent senses in every cell of a grid, computed once: 8 bytes a cell, no rays. 0 in blocked cells.
 class RangeTable {
  public:
   RangeTable() = default;

@@ -10,7 +10,7 @@ namespace lstm_planner {
 /// One decision: who leads and why, what the robot does, and what the plan consists of. This record describes the whole
 /// state of a drive to a goal; all of it is published.
 struct Decision {
-  /// Who decides. Some can lead for many steps (isLeader()); the others stand in for the leader.
+  /// Who decides. Those that lead do so for many steps; the others stand in for the leader.
   enum class Source {
     kNetwork,      ///< leads: the allowed action that the network prefers
     kGreedy,       ///< leads: the allowed action nearest to the goal's bearing
@@ -21,10 +21,6 @@ struct Decision {
     kArrived,      ///< within the goal tolerance
     kNoPath        ///< the goal cannot be reached: no path through what was seen leads there
   };
-  static bool isLeader(Source source) {
-    return source == Source::kNetwork || source == Source::kGreedy || source == Source::kRoute ||
-           source == Source::kEscape;
-  }
 
   Source leader = Source::kNetwork;     ///< who leads; another source decides in its place for the moment
   const char* why = "";                 ///< it leads: a few words

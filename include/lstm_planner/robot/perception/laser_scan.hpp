@@ -30,10 +30,6 @@ struct SensorMount {
   bool upside_down = false;
 };
 
-/// True when the reading is a measured range: finite, positive, inside [range_min, range_max], not a code for no
-/// return.
-bool isMeasuredRange(float range, const LaserScan& scan, const ScanRules& rules = {});
-
 /// The ranges of a scan by direction, in the base frame: what lies between the scanner and a range was seen to be free.
 struct RangeProfile {
   Point2 origin;                 ///< where the scanner is, m

@@ -43,20 +43,13 @@ class ParameterReader {
   std::vector<std::string> warningsOfUnknown() const;
   void warnOfUnknown() const;  ///< those in the log
 
-  /// Full names of parameters that were read and are not set, or set to something else than their default.
-  const std::set<std::string>& unsetParameters() const { return unset_; }
-  const std::set<std::string>& changedParameters() const { return changed_; }
-
  private:
-  /// False, and noted, where the parameter is not set.
   bool isSet(const std::string& name);
   template <typename T>
   void readAs(const std::string& name, const char* type, T* value);
 
   ros::NodeHandle node_handle_;
   std::set<std::string> known_;
-  std::set<std::string> unset_;
-  std::set<std::string> changed_;
 };
 
 }  // namespace lstm_planner

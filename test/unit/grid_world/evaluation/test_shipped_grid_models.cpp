@@ -8,6 +8,7 @@
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+#include "lstm_planner/grid_world/world/range_table.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -42,6 +43,7 @@ int arrivalsAlone(const Model& model) {
   NetworkGridAgent::Options options;
   options.escape = false;
   NetworkGridAgent agent(model, options);
+  const RangeTable ranges(grid);
   Random random(9);
   int arrivals = 0;
   for (int walk = 0; walk < 40; ++walk) {
@@ -53,7 +55,7 @@ int arrivalsAlone(const Model& model) {
         ++arrivals;
         break;
       }
-      agent.observe({cell, goal, senseRanges(grid, cell)});
+      agent.observe({cell, goal, ranges.at(cell)});
       const int direction = agent.decide();
       if (direction == kNoPath) break;
       cell = cellBeside(cell, direction);
@@ -76,6 +78,7 @@ TEST_P(ShippedGridModel, ArrivesEverywhereInAMazeWithoutCollision) {
   parameters.rows = 100;
   parameters.corridor_width = 8;
   const PassableGrid maze = generateMaze(parameters, 5);
+  const RangeTable ranges(maze);
   NetworkGridAgent agent(readModelFile(shippedModel(GetParam().model)), {});
   Random random(9);
   for (int episode = 0; episode < 10; ++episode) {
@@ -85,7 +88,7 @@ TEST_P(ShippedGridModel, ArrivesEverywhereInAMazeWithoutCollision) {
     // Boundary following alone needs at most 1.25 steps a cell in small grids; the patience comes on top of it.
     int steps_left = 50 * 100 * 100;
     while (std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) > 1 && --steps_left > 0) {
-      agent.observe({cell, goal, senseRanges(maze, cell)});
+      agent.observe({cell, goal, ranges.at(cell)});
       const int direction = agent.decide();
       ASSERT_TRUE(direction != kNoPath && movePossible(maze, cell, direction, CornerCutting::kForbidden));
       cell = cellBeside(cell, direction);
@@ -110,6 +113,7 @@ TEST(ShippedGridModels, TheMainOneNeedsAtMost64KiBInAMazeThatTheTrailHasNoRoomFo
     if (column % 2 == 0) continue;
     for (int row = 2; row < 7; ++row) maze.set({column, row}, row == (column % 4 == 1 ? 6 : 2));
   }
+  const RangeTable ranges(maze);
   NetworkGridAgent::Options options;
   options.rescue.patience = 20;
   options.rescue.last_resort.boundary.first_leg = 4000.0;
@@ -119,7 +123,7 @@ TEST(ShippedGridModels, TheMainOneNeedsAtMost64KiBInAMazeThatTheTrailHasNoRoomFo
   const CellIndex goal{0, 0};
   agent.start(cell, goal);
   for (int step = 0; step < 5000; ++step) {
-    agent.observe({cell, goal, senseRanges(maze, cell)});
+    agent.observe({cell, goal, ranges.at(cell)});
     const int direction = agent.decide();
     ASSERT_NE(direction, kNoPath);
     cell = cellBeside(cell, direction);

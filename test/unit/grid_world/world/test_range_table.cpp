@@ -6,6 +6,49 @@
 namespace lstm_planner {
 namespace {
 
+/// Eq. 3.1, ray by ray.
+GridRanges senseRanges(const PassableGrid& grid, CellIndex cell) {
+  GridRanges ranges{};
+  for (int direction = 0; direction < kGridRayCount; ++direction) {
+    CellIndex seen = cell;
+    int steps = 0;
+    do {
+      seen = cellBeside(seen, direction);
+      ++steps;
+    } while (steps < kGridRayCap && grid.passable(seen));
+    ranges[static_cast<std::size_t>(direction)] = static_cast<std::uint8_t>(steps);
+  }
+  return ranges;
+}
+
+TEST(RangeTable, CountsStepsToTheFirstBlockedCellUpToTheCap) {
+  PassableGrid grid(200, 200, true);
+  grid.set({104, 100}, false);
+  grid.set({101, 101}, false);
+  const RangeTable table(grid);
+  EXPECT_EQ(table.at({100, 100}), (GridRanges{4, 1, 50, 50, 50, 50, 50, 50}));
+  EXPECT_EQ(table.at({0, 0}), (GridRanges{50, 50, 50, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(table.at({55, 100})[0], 49);
+  EXPECT_EQ(table.at({54, 100})[0], 50);
+  EXPECT_EQ(table.at({53, 100})[0], 50);
+}
+
+TEST(RangeTable, SaysTheSameAboutMovesAsTheMap) {
+  // All 256 neighbourhoods of a cell.
+  for (int blocked = 0; blocked < 256; ++blocked) {
+    PassableGrid grid(5, 5, true);
+    for (int direction = 0; direction < kGridMoveCount; ++direction) {
+      grid.set(cellBeside({2, 2}, direction), (blocked >> direction) % 2 == 0);
+    }
+    const GridRanges ranges = RangeTable(grid).at({2, 2});
+    for (int direction = 0; direction < kGridMoveCount; ++direction) {
+      for (const CornerCutting rule : {CornerCutting::kForbidden, CornerCutting::kAllowed}) {
+        EXPECT_EQ(movePossible(ranges, direction, rule), movePossible(grid, {2, 2}, direction, rule));
+      }
+    }
+  }
+}
+
 TEST(RangeTable, HoldsWhatTheRaysSense) {
   PassableGrid grid(130, 90, true);
   Random random(5);

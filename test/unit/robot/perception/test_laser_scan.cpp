@@ -12,29 +12,31 @@ namespace {
 constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-TEST(IsMeasuredRange, RefusesEveryFormOfNoReturn) {
+/// The range that a reading becomes in the profile of a scan with these bounds, m.
+float meaningOf(float reading, const ScanRules& rules, double range_min = 0.023, double range_max = 60.0) {
   LaserScan scan = makeHokuyoScan();
-  for (const ScanRules& rules : {ScanRules(), urgNodeRules()}) {
-    for (const float range : {kInf, -kInf, kNan, 0.0f, -1.0f, 0.022f, 60.1f, 65.53f, 65.535f}) {
-      EXPECT_FALSE(isMeasuredRange(range, scan, rules)) << range;
-    }
-  }
-  scan.range_max = 80.0;
-  EXPECT_FALSE(isMeasuredRange(82.0f, scan)) << "above range_max";
-  EXPECT_FALSE(isMeasuredRange(65.53f, scan, urgNodeRules())) << "a counter at its end, although below range_max";
-  EXPECT_TRUE(isMeasuredRange(65.53f, scan)) << "a range like any other, by REP-117";
-  EXPECT_TRUE(isMeasuredRange(65.0f, scan, urgNodeRules()));
-  scan.range_min = 0.0;
-  EXPECT_FALSE(isMeasuredRange(0.0f, scan)) << "0 is no return even where range_min allows it";
-}
-
-/// The range that a reading becomes in the profile of a scan with range_max 60 m.
-float meaningOf(float reading, const ScanRules& rules) {
-  LaserScan scan = makeHokuyoScan();
+  scan.range_min = range_min;
+  scan.range_max = range_max;
   scan.ranges.assign(1, reading);
   RangeProfile profile;
   toProfile(scan, {}, rules, &profile);
   return profile.ranges.front();
+}
+
+TEST(ToProfile, TakesNoFormOfNoReturnForAMeasuredRange) {
+  const ScanRules ros;
+  const ScanRules urg_node = urgNodeRules();
+  for (const ScanRules& rules : {ros, urg_node}) {
+    for (const float reading : {kInf, -kInf, kNan, 0.0f, -1.0f, 0.022f, 60.1f, 65.53f, 65.535f}) {
+      const float meaning = meaningOf(reading, rules);
+      EXPECT_FALSE(meaning > 0.0f && std::isfinite(meaning)) << reading;
+    }
+  }
+  EXPECT_EQ(meaningOf(82.0f, ros, 0.023, 80.0), 0.0f) << "above range_max";
+  EXPECT_EQ(meaningOf(65.53f, urg_node, 0.023, 80.0), kInf) << "a counter at its end, although below range_max";
+  EXPECT_EQ(meaningOf(65.53f, ros, 0.023, 80.0), 65.53f) << "a range like any other, by REP-117";
+  EXPECT_EQ(meaningOf(65.0f, urg_node, 0.023, 80.0), 65.0f);
+  EXPECT_EQ(meaningOf(0.0f, ros, 0.0), 0.0f) << "0 is no return even where range_min allows it";
 }
 
 TEST(ToProfile, TakesOnlyInfinityForNothingThereByRep117) {
@@ -56,11 +58,10 @@ TEST(ToProfile, TakesTheReadingsOfUrgNodeForNoReturn) {
   for (const float reading : {0.01f, -1.0f}) EXPECT_EQ(meaningOf(reading, rules), 0.0f) << reading;
 }
 
-TEST(IsMeasuredRange, CountsTheLimitsAsMeasured) {
-  LaserScan scan = makeHokuyoScan();
-  scan.range_max = 5.6;  // 5.6f is below 5.6, 0.023f above 0.023 or the other way round: neither may matter
-  EXPECT_TRUE(isMeasuredRange(0.023f, scan));
-  EXPECT_TRUE(isMeasuredRange(5.6f, scan));
+TEST(ToProfile, CountsTheLimitsAsMeasured) {
+  // 5.6f is below 5.6, 0.023f above 0.023 or the other way round: neither may matter.
+  EXPECT_EQ(meaningOf(0.023f, {}, 0.023, 5.6), 0.023f);
+  EXPECT_EQ(meaningOf(5.6f, {}, 0.023, 5.6), 5.6f);
 }
 
 TEST(ToProfile, TakesReadingsBelowRangeMinForNoReturnWhereTheDriverSendsThem) {
