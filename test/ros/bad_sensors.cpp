@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/ros/common/message_queue.hpp"
-#include "lstm_planner/ros/common/sensor_listener.hpp"
 #include "lstm_planner/ros/controller/steering_controller.hpp"
+#include "ros/common/message_queue.hpp"
+#include "ros/common/sensor_listener.hpp"
 #include "ros/planner_fixture.hpp"
 
 namespace lstm_planner {

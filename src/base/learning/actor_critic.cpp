@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "lstm_planner/base/learning/optimiser_json.hpp"
+#include "base/learning/optimiser_json.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 
 namespace lstm_planner {

@@ -1,4 +1,4 @@
-#include "lstm_planner/base/learning/checkpoint_json.hpp"
+#include "base/learning/checkpoint_json.hpp"
 
 #include <stdexcept>
 

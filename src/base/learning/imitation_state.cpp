@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/learning/optimiser_json.hpp"
 #include "lstm_planner/base/learning/imitation_rounds.hpp"
-#include "lstm_planner/base/learning/optimiser_json.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,4 +1,4 @@
-#include "lstm_planner/base/learning/input_sensitivity.hpp"
+#include "base/learning/input_sensitivity.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <stdexcept>

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "base/learning/input_sensitivity.hpp"
+#include "base/learning/recall_task.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
-#include "lstm_planner/base/learning/input_sensitivity.hpp"
-#include "lstm_planner/base/learning/recall_task.hpp"
 #include "lstm_planner/base/learning/trainer.hpp"
 
 namespace lstm_planner {

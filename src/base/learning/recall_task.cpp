@@ -1,4 +1,4 @@
-#include "lstm_planner/base/learning/recall_task.hpp"
+#include "base/learning/recall_task.hpp"
 
 #include "lstm_planner/base/common/random.hpp"
 

@@ -1,13 +1,13 @@
-#include "lstm_planner/base/learning/training_checkpoint.hpp"
+#include "base/learning/training_checkpoint.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
 
+#include "base/learning/checkpoint_json.hpp"
 #include "lstm_planner/base/common/input_file.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
-#include "lstm_planner/base/learning/checkpoint_json.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "lstm_planner/base/learning/training_checkpoint.hpp"
+#include "base/learning/training_checkpoint.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -5,9 +5,9 @@
 #include "base/network/onnx_field_count.hpp"
 #include "base/network/onnx_names.hpp"
 #include "base/network/onnx_reader.hpp"
+#include "base/network/onnx_writer.hpp"
 #include "lstm_planner/base/common/input_file.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
-#include "lstm_planner/base/network/onnx_writer.hpp"
 #include "onnx_subset.pb.h"
 
 namespace lstm_planner {

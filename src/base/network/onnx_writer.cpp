@@ -1,4 +1,4 @@
-#include "lstm_planner/base/network/onnx_writer.hpp"
+#include "base/network/onnx_writer.hpp"
 
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/common/costmap_footprint.hpp"
+#include "ros/common/costmap_footprint.hpp"
 
 #include <ros/console.h>
 #include <ros/node_handle.h>

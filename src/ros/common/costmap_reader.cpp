@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/common/costmap_reader.hpp"
+#include "ros/common/costmap_reader.hpp"
 
 #include <ros/console.h>
 

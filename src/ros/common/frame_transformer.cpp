@@ -1,7 +1,7 @@
-#include "lstm_planner/ros/common/frame_transformer.hpp"
+#include "ros/common/frame_transformer.hpp"
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "lstm_planner/ros/common/message_age.hpp"
+#include "ros/common/message_age.hpp"
 
 namespace lstm_planner {
 

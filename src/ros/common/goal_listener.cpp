@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/common/goal_listener.hpp"
+#include "ros/common/goal_listener.hpp"
 
 #include <ros/console.h>
 

@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/common/message_age.hpp"
+#include "ros/common/message_age.hpp"
 
 namespace lstm_planner {
 

@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/common/message_queue.hpp"
+#include "ros/common/message_queue.hpp"
 
 #include <ros/console.h>
 

@@ -1,11 +1,11 @@
-#include "lstm_planner/ros/common/plugin_diagnostics.hpp"
+#include "ros/common/plugin_diagnostics.hpp"
 
 #include <ros/console.h>
 
 #include <chrono>
 #include <exception>
 
-#include "lstm_planner/ros/common/message_age.hpp"
+#include "ros/common/message_age.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/common/reconfigure_server.hpp"
+#include "ros/common/reconfigure_server.hpp"
 
 #ifdef LSTM_PLANNER_HAVE_DYNAMIC_RECONFIGURE
 

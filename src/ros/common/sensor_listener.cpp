@@ -1,11 +1,11 @@
-#include "lstm_planner/ros/common/sensor_listener.hpp"
+#include "ros/common/sensor_listener.hpp"
 
 #include <ros/console.h>
 
 #include <cmath>
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "lstm_planner/ros/common/message_age.hpp"
+#include "ros/common/message_age.hpp"
 
 namespace lstm_planner {
 

@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/controller/plan_follower.hpp"
+#include "ros/controller/plan_follower.hpp"
 
 #include <ros/time.h>
 
@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "lstm_planner/ros/common/message_age.hpp"
+#include "ros/common/message_age.hpp"
 
 namespace lstm_planner {
 

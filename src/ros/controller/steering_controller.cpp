@@ -6,12 +6,12 @@
 #include <exception>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "lstm_planner/ros/common/costmap_footprint.hpp"
-#include "lstm_planner/ros/common/costmap_reader.hpp"
-#include "lstm_planner/ros/common/plugin_diagnostics.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
-#include "lstm_planner/ros/common/reconfigure_server.hpp"
-#include "lstm_planner/ros/controller/plan_follower.hpp"
+#include "ros/common/costmap_footprint.hpp"
+#include "ros/common/costmap_reader.hpp"
+#include "ros/common/plugin_diagnostics.hpp"
+#include "ros/common/reconfigure_server.hpp"
+#include "ros/controller/plan_follower.hpp"
 
 PLUGINLIB_EXPORT_CLASS(lstm_planner::SteeringController, nav_core::BaseLocalPlanner)
 

@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/create2_stub/create2_stub.hpp"
+#include "ros/create2_stub/create2_stub.hpp"
 
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>

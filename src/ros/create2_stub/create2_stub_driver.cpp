@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/create2_stub/create2_stub_driver.hpp"
+#include "ros/create2_stub/create2_stub_driver.hpp"
 
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <std_msgs/Bool.h>

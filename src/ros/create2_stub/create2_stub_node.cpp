@@ -1,5 +1,5 @@
-#include "lstm_planner/ros/create2_stub/create2_stub.hpp"
 #include "ros/common/node_main.hpp"
+#include "ros/create2_stub/create2_stub.hpp"
 
 int main(int argc, char** argv) {
   using namespace lstm_planner;

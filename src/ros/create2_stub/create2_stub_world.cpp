@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/create2_stub/create2_stub_world.hpp"
+#include "ros/create2_stub/create2_stub_world.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/move_base/standalone_move_base.hpp"
+#include "ros/move_base/standalone_move_base.hpp"
 
 #include "ros/move_base/standalone_move_base_goal_server.hpp"
 

@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "lstm_planner/ros/common/transform_listener.hpp"
-#include "lstm_planner/ros/move_base/standalone_move_base.hpp"
+#include "ros/move_base/standalone_move_base.hpp"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "move_base");

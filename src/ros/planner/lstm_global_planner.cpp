@@ -8,12 +8,12 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "lstm_planner/base/common/file_hash.hpp"
-#include "lstm_planner/ros/common/costmap_footprint.hpp"
-#include "lstm_planner/ros/common/costmap_reader.hpp"
-#include "lstm_planner/ros/common/plugin_diagnostics.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
-#include "lstm_planner/ros/common/reconfigure_server.hpp"
-#include "lstm_planner/ros/planner/plan_maker.hpp"
+#include "ros/common/costmap_footprint.hpp"
+#include "ros/common/costmap_reader.hpp"
+#include "ros/common/plugin_diagnostics.hpp"
+#include "ros/common/reconfigure_server.hpp"
+#include "ros/planner/plan_maker.hpp"
 
 PLUGINLIB_EXPORT_CLASS(lstm_planner::LstmGlobalPlanner, nav_core::BaseGlobalPlanner)
 

@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/planner/plan_maker.hpp"
+#include "ros/planner/plan_maker.hpp"
 
 #include <nav_msgs/Path.h>
 #include <ros/console.h>

@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/recorder/dataset_recorder.hpp"
+#include "ros/recorder/dataset_recorder.hpp"
 
 #include <ros/callback_queue.h>
 #include <ros/ros.h>

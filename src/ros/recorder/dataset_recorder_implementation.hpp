@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "lstm_planner/ros/common/transform_listener.hpp"
-#include "lstm_planner/ros/recorder/dataset_recorder.hpp"
 #include "lstm_planner/ros/recorder/drive_messages.hpp"
+#include "ros/recorder/dataset_recorder.hpp"
 #include "ros/recorder/dataset_recorder_file.hpp"
 #include "ros/recorder/dataset_recorder_markers.hpp"
 #include "ros/recorder/dataset_recorder_progress.hpp"

@@ -1,5 +1,5 @@
-#include "lstm_planner/ros/recorder/dataset_recorder.hpp"
 #include "ros/common/node_main.hpp"
+#include "ros/recorder/dataset_recorder.hpp"
 
 int main(int argc, char** argv) {
   using namespace lstm_planner;

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "lstm_planner/ros/common/goal_listener.hpp"
+#include "ros/common/goal_listener.hpp"
 
 namespace lstm_planner {
 

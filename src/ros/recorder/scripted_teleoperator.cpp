@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/recorder/scripted_teleoperator.hpp"
+#include "ros/recorder/scripted_teleoperator.hpp"
 
 #include <geometry_msgs/Twist.h>
 #include <ros/callback_queue.h>

@@ -1,5 +1,5 @@
-#include "lstm_planner/ros/recorder/scripted_teleoperator.hpp"
 #include "ros/common/node_main.hpp"
+#include "ros/recorder/scripted_teleoperator.hpp"
 
 int main(int argc, char** argv) {
   using namespace lstm_planner;

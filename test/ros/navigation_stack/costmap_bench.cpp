@@ -21,8 +21,8 @@
 #include "call_times.hpp"
 #include "costmap_course.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "lstm_planner/ros/planner/plan_maker.hpp"
 #include "recorded_steps.hpp"
+#include "ros/planner/plan_maker.hpp"
 
 namespace lstm_planner {
 namespace {

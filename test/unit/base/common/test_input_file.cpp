@@ -4,10 +4,10 @@
 #include <functional>
 #include <vector>
 
+#include "base/learning/training_checkpoint.hpp"
 #include "lstm_planner/base/common/csv_file.hpp"
 #include "lstm_planner/base/common/input_file.hpp"
 #include "lstm_planner/base/grid/map_server_map.hpp"
-#include "lstm_planner/base/learning/training_checkpoint.hpp"
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
 #include "lstm_planner/robot/dataset/carmen_log.hpp"

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/learning/input_sensitivity.hpp"
+#include "base/learning/recall_task.hpp"
 #include "lstm_planner/base/learning/gradient.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/base/learning/input_sensitivity.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
-#include "lstm_planner/base/learning/recall_task.hpp"
 
 namespace lstm_planner {
 namespace {

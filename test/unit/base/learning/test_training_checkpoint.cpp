@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/base/learning/training_checkpoint.hpp"
+#include "base/learning/training_checkpoint.hpp"
 #include "support/folder_test.hpp"
 #include "support/refusal.hpp"
 

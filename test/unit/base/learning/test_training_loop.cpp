@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/learning/training_checkpoint.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/learning/q_learner.hpp"
-#include "lstm_planner/base/learning/training_checkpoint.hpp"
 #include "lstm_planner/base/learning/training_loop.hpp"
 #include "support/folder_test.hpp"
 #include "support/refusal.hpp"

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "base/learning/recall_task.hpp"
 #include "lstm_planner/base/common/random.hpp"
-#include "lstm_planner/base/learning/recall_task.hpp"
 #include "lstm_planner/base/learning/sequence.hpp"
 
 namespace lstm_planner {

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "lstm_planner/ros/common/sensor_listener.hpp"
+#include "ros/common/sensor_listener.hpp"
 
 namespace lstm_planner {
 

@@ -15,9 +15,9 @@
 #include "lstm_planner/robot/perception/odometry_history.hpp"
 #include "lstm_planner/robot/perception/period_meter.hpp"
 #include "lstm_planner/robot/perception/silence_watch.hpp"
-#include "lstm_planner/ros/common/message_queue.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/common/scanner_mounts.hpp"
+#include "ros/common/message_queue.hpp"
 
 namespace lstm_planner {
 

@@ -16,9 +16,9 @@
 
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "lstm_planner/robot/simulation/localiser.hpp"
-#include "lstm_planner/ros/create2_stub/create2_stub_driver.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
-#include "lstm_planner/ros/create2_stub/create2_stub_world.hpp"
+#include "ros/create2_stub/create2_stub_driver.hpp"
+#include "ros/create2_stub/create2_stub_world.hpp"
 
 namespace lstm_planner {
 

@@ -12,15 +12,15 @@
 #include "lstm_planner/robot/driving/goal_tracker.hpp"
 #include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/perception/correction_watch.hpp"
-#include "lstm_planner/ros/common/costmap_reader.hpp"
-#include "lstm_planner/ros/common/frame_transformer.hpp"
-#include "lstm_planner/ros/common/goal_listener.hpp"
-#include "lstm_planner/ros/common/message_queue.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
-#include "lstm_planner/ros/common/sensor_listener.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/planner/decision_publisher.hpp"
 #include "lstm_planner/ros/planner/marker_publisher.hpp"
+#include "ros/common/costmap_reader.hpp"
+#include "ros/common/frame_transformer.hpp"
+#include "ros/common/goal_listener.hpp"
+#include "ros/common/message_queue.hpp"
+#include "ros/common/sensor_listener.hpp"
 
 namespace lstm_planner {
 

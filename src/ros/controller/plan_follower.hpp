@@ -12,11 +12,11 @@
 #include "lstm_planner/robot/driving/shield.hpp"
 #include "lstm_planner/robot/perception/out_of_view.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
-#include "lstm_planner/ros/common/costmap_reader.hpp"
-#include "lstm_planner/ros/common/frame_transformer.hpp"
-#include "lstm_planner/ros/common/message_queue.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
-#include "lstm_planner/ros/common/sensor_listener.hpp"
+#include "ros/common/costmap_reader.hpp"
+#include "ros/common/frame_transformer.hpp"
+#include "ros/common/message_queue.hpp"
+#include "ros/common/sensor_listener.hpp"
 
 namespace lstm_planner {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
-#include "lstm_planner/ros/create2_stub/create2_stub_world.hpp"
+#include "ros/create2_stub/create2_stub_world.hpp"
 
 namespace lstm_planner {
 

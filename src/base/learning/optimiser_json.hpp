@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "lstm_planner/base/learning/checkpoint_json.hpp"
+#include "base/learning/checkpoint_json.hpp"
 #include "lstm_planner/base/learning/optimiser.hpp"
 
 namespace lstm_planner {
