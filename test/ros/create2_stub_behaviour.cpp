@@ -22,7 +22,11 @@
 #include <thread>
 #include <vector>
 
+#include "ros/waiting.hpp"
+
 namespace {
+
+using lstm_planner::eventually;
 
 constexpr double kDeadline = 30.0;        // s of the computer's clock after which a test has failed
 constexpr double kRobotRadius = 0.17425;  // m
@@ -70,13 +74,10 @@ class Create2Stub : public ::testing::Test {
   }
 
   bool spinUntil(const std::function<bool()>& condition) {
-    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kDeadline);
-    while (ros::ok() && ros::WallTime::now() < deadline) {
+    return eventually(condition, kDeadline, [] {
       ros::spinOnce();
-      if (condition()) return true;
       ros::WallDuration(0.0005).sleep();
-    }
-    return false;
+    });
   }
 
   double time() const { return truths_.back().header.stamp.toSec(); }

@@ -4,9 +4,12 @@
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 
-#include <functional>
+#include "ros/waiting.hpp"
 
 namespace {
+
+using lstm_planner::eventually;
+using lstm_planner::spinBriefly;
 
 constexpr double kDeadline = 30.0;  // s of the computer's clock after which a test has failed
 constexpr double kPeriod = 0.06;    // s, simulated, as in the .test file
@@ -16,7 +19,7 @@ class Create2StubWaits : public ::testing::Test {
   void SetUp() override {
     clock_ = node_.subscribe("/clock", 100, &Create2StubWaits::onClock, this);
     commands_ = node_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
-    ASSERT_TRUE(eventually([this] { return now_ > 0.0 && commands_.getNumSubscribers() > 0; }));
+    ASSERT_TRUE(eventually([this] { return now_ > 0.0 && commands_.getNumSubscribers() > 0; }, kDeadline, spinBriefly));
   }
 
   void onClock(const rosgraph_msgs::Clock::ConstPtr& message) { now_ = message->clock.toSec(); }
@@ -31,22 +34,8 @@ class Create2StubWaits : public ::testing::Test {
   double passIn(double seconds) {
     const double begin = now_;
     const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(seconds);
-    while (ros::WallTime::now() < end) spin();
+    while (ros::WallTime::now() < end) spinBriefly();
     return now_ - begin;
-  }
-
-  static bool eventually(const std::function<bool()>& condition) {
-    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kDeadline);
-    while (!condition()) {
-      if (ros::WallTime::now() > deadline) return false;
-      spin();
-    }
-    return true;
-  }
-
-  static void spin() {
-    ros::spinOnce();
-    ros::WallDuration(0.001).sleep();
   }
 
   ros::NodeHandle node_;
@@ -60,12 +49,12 @@ TEST_F(Create2StubWaits, ForTheNextCommandWhileTheRobotIsToldToMove) {
   constexpr double kThought =
       0.02;  // s of the computer's clock from one to the next: 0.2 s pass if the stub does not wait
   command(0.1);
-  ASSERT_TRUE(eventually([&] { return passIn(kThought) == 0.0; }));
+  ASSERT_TRUE(eventually([&] { return passIn(kThought) == 0.0; }, kDeadline, spinBriefly));
   const double begin = now_;
   for (int i = 0; i < kCommands; ++i) {
     const double before = now_;
     command(0.1);
-    ASSERT_TRUE(eventually([&] { return now_ > before; }));
+    ASSERT_TRUE(eventually([&] { return now_ > before; }, kDeadline, spinBriefly));
     passIn(kThought);
   }
   // A command that comes late adds nothing; how fast the computer is does not matter.
@@ -76,13 +65,13 @@ TEST_F(Create2StubWaits, ForTheNextCommandWhileTheRobotIsToldToMove) {
 TEST_F(Create2StubWaits, NotForEver) {
   command(0.1);
   const double begin = now_;
-  EXPECT_TRUE(eventually([&] { return now_ > begin + 20.0 * kPeriod; }));
+  EXPECT_TRUE(eventually([&] { return now_ > begin + 20.0 * kPeriod; }, kDeadline, spinBriefly));
 }
 
 TEST_F(Create2StubWaits, NotForOneThatLetsTheRobotStand) {
   command(0.0);
   const double begin = now_;
-  EXPECT_TRUE(eventually([&] { return now_ > begin + 50.0 * kPeriod; }));
+  EXPECT_TRUE(eventually([&] { return now_ > begin + 50.0 * kPeriod; }, kDeadline, spinBriefly));
 }
 
 }  // namespace

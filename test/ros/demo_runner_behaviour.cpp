@@ -17,7 +17,12 @@
 #include <string>
 #include <vector>
 
+#include "ros/waiting.hpp"
+
 namespace {
+
+using lstm_planner::eventually;
+using lstm_planner::spinBriefly;
 
 constexpr double kDeadline = 60.0;  // s of the computer's clock after which a test has failed
 
@@ -92,12 +97,8 @@ class DemoRunner : public ::testing::Test {
   void SetUp() override {
     std::string path;
     ASSERT_TRUE(ros::param::get("demo_runner/result", path));
-    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kDeadline);
-    while (!result_.read(path)) {
-      ASSERT_LT(ros::WallTime::now(), deadline) << "no final result in " << path;
-      ros::spinOnce();
-      ros::WallDuration(0.002).sleep();
-    }
+    ASSERT_TRUE(eventually([&] { return result_.read(path); }, kDeadline, spinBriefly))
+        << "no final result in " << path;
     std::remove(path.c_str());
   }
   const nlohmann::json& leg(std::size_t index) const { return result_.json["legs"].at(index); }

@@ -14,20 +14,9 @@
 #include <string>
 
 #include "lstm_planner/ros/common/conversions.hpp"
+#include "ros/waiting.hpp"
 
 namespace lstm_planner {
-
-/// True as soon as the condition holds; false when it does not within ten seconds of the computer's clock.
-inline bool eventually(const std::function<bool()>& condition) {
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(10.0);
-  while (ros::WallTime::now() < deadline) {
-    if (condition()) {
-      return true;
-    }
-    ros::WallDuration(0.002).sleep();
-  }
-  return condition();
-}
 
 /// Of the odometry; tf itself throws for such a stamp.
 inline tf2_msgs::TFMessage transformAtTheEndOfTime() {

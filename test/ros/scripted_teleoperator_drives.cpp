@@ -21,7 +21,7 @@
 namespace lstm_planner {
 namespace {
 
-const ros::WallDuration kDeadline(60.0);  // of the computer's clock after which a test has failed
+constexpr double kDeadline = 60.0;        // s of the computer's clock after which a test has failed
 constexpr double kArrival = 0.15 + 0.05;  // m, within which the driver lets go of the keys, and the braking
 
 class ScriptedTeleoperator : public ::testing::Test {
@@ -42,14 +42,8 @@ class ScriptedTeleoperator : public ::testing::Test {
     ++commands_;
   }
 
-  bool waitUntil(const std::function<bool()>& condition) const {
-    const ros::WallTime deadline = ros::WallTime::now() + kDeadline;
-    while (ros::ok() && ros::WallTime::now() < deadline) {
-      ros::spinOnce();
-      if (condition()) return true;
-      ros::WallDuration(0.001).sleep();
-    }
-    return false;
+  static bool waitUntil(const std::function<bool()>& condition) {
+    return eventually(condition, kDeadline, spinBriefly);
   }
 
   bool waitUntilAt(const Point2& place) {

@@ -20,6 +20,7 @@
 #include <string>
 
 #include "ros/callback_thread.hpp"
+#include "ros/waiting.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -101,13 +102,11 @@ class RvizPanel : public testing::Test {
 
   /// True as soon as the condition holds, while the robot goes on.
   bool eventually(const std::function<bool()>& condition) {
-    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(20.0);
-    while (!condition() && ros::WallTime::now() < deadline) {
+    return lstm_planner::eventually(condition, 20.0, [this] {
       robot_.publish();
       ros::spinOnce();
       QApplication::processEvents(QEventLoop::AllEvents, 20);
-    }
-    return condition();
+    });
   }
 
   std::string text(const char* name) const {

@@ -1,23 +1,15 @@
 // The command `lstm_planner dataset` as a user runs it.
 
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
 #include "support/picture_check.hpp"
+#include "support/shell.hpp"
 #include "unit/robot/dataset/dataset_fixtures.hpp"
 
 namespace lstm_planner {
 namespace {
-
-struct Outcome {
-  int status = -1;
-  std::string output;  ///< with what went to standard error
-};
 
 class DatasetTool : public DatasetTest {
  protected:
@@ -29,24 +21,17 @@ class DatasetTool : public DatasetTest {
   }
 
   /// In the folder of the test.
-  Outcome run(const std::string& arguments) const {
-    const std::string command = "exec 2>&1; cd " + folder_ + "; " + LSTM_PLANNER_TOOL + " dataset " + arguments;
-    Outcome outcome;
-    FILE* pipe = ::popen(command.c_str(), "r");
-    if (pipe == nullptr) return outcome;
-    for (int c; (c = std::fgetc(pipe)) != EOF;) outcome.output += static_cast<char>(c);
-    const int status = ::pclose(pipe);
-    outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    return outcome;
+  test::Outcome run(const std::string& arguments) const {
+    return test::runShell("cd " + folder_ + "; " + LSTM_PLANNER_TOOL + " dataset " + arguments);
   }
 
   std::string success(const std::string& arguments) const {
-    const Outcome outcome = run(arguments);
+    const test::Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 0) << arguments << ": " << outcome.output;
     return outcome.output;
   }
   std::string complaint(const std::string& arguments) const {
-    const Outcome outcome = run(arguments);
+    const test::Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.status, 2) << arguments;
     return outcome.output;
   }
@@ -74,7 +59,7 @@ TEST_F(DatasetTool, TellsASoundDatasetFromOneWithFlaws) {
   Dataset dataset = readDataset(in("a.db"));
   for (DriveStep& step : dataset.recordings[0].episodes[7].steps) step.observation.heading += 0.1;
   writeDataset(in("b.db"), dataset);
-  const Outcome outcome = run("check b.db --most 2");
+  const test::Outcome outcome = run("check b.db --most 2");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_TRUE(contains(outcome.output, "recording 0, episode 7, step 0: heading is ")) << outcome.output;
   EXPECT_TRUE(contains(outcome.output, "... and 9 more")) << outcome.output;

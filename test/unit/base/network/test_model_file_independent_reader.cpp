@@ -1,8 +1,7 @@
-#include <sys/wait.h>
-
 #include <nlohmann/json.hpp>
 
 #include "lstm_planner/base/network/network.hpp"
+#include "support/shell.hpp"
 #include "unit/base/network/model_file_fixtures.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
@@ -31,11 +30,10 @@ class IndependentReader : public test::ModelFileTest {
     const std::string script = std::string(LSTM_PLANNER_SOURCE_DIR) + "/test/unit/base/network/check_onnx.py";
     // The distribution's python, which has python3-onnx, and not one that stands before it in PATH.
     const std::string command = "/usr/bin/python3 '" + script + "' '" + path_ + "' '" + steps_path + "'";
-    const int status = std::system(command.c_str());
-    ASSERT_TRUE(WIFEXITED(status));
+    const test::Outcome outcome = test::runShell(command);
     constexpr int kSkipped = 77;
-    if (WEXITSTATUS(status) == kSkipped) GTEST_SKIP() << "python3-onnx is not installed";
-    EXPECT_EQ(WEXITSTATUS(status), 0);
+    if (outcome.status == kSkipped) GTEST_SKIP() << "python3-onnx is not installed";
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
   }
 };
 

@@ -1,14 +1,12 @@
 // What other programs read of a dataset.
 
-#include <sys/wait.h>
-
-#include <cstdio>
 #include <fstream>
 #include <sstream>
 
 #include "lstm_planner/base/common/numpy_array.hpp"
 #include "lstm_planner/robot/dataset/dataset_export.hpp"
 #include "robot/dataset/step_quantities.hpp"
+#include "support/shell.hpp"
 #include "unit/robot/dataset/dataset_fixtures.hpp"
 
 namespace lstm_planner {
@@ -27,15 +25,11 @@ class DatasetExport : public DatasetTest {
   /// What Python prints; empty, and status 77, where it has no NumPy.
   std::string python(const std::string& program, int* status) const {
     const std::string command =
-        "exec 2>&1; cd " + folder_ +
-        "; for p in /usr/bin/python3 python3; do $p -c 'import numpy' >/dev/null && exec $p -c \"" +
+        "cd " + folder_ + "; for p in /usr/bin/python3 python3; do $p -c 'import numpy' >/dev/null && exec $p -c \"" +
         "import numpy as np\nd=np.load('a.npz')\n" + program + "\"; done; exit 77";
-    std::string output;
-    FILE* pipe = ::popen(command.c_str(), "r");
-    for (int c; pipe != nullptr && (c = std::fgetc(pipe)) != EOF;) output += static_cast<char>(c);
-    const int ended = pipe == nullptr ? -1 : ::pclose(pipe);
-    *status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
-    return output;
+    const test::Outcome outcome = test::runShell(command);
+    *status = outcome.status;
+    return outcome.output;
   }
 };
 
