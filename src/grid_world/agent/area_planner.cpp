@@ -14,8 +14,7 @@ namespace {
 using Passage = BlockGraph::Passage;
 
 constexpr int kSide = SeenGrid::kSide;
-constexpr int kStraight = 5;  ///< costs in fifths of a block, or of a cell
-constexpr int kDiagonal = 7;
+// Costs are in fifths of a block, or of a cell.
 constexpr int kClosedCost = 100;    ///< what looks closed is tried last
 constexpr double kShortWay = 40.0;  ///< cells; a shorter way from start to goal counts as one of this length
 constexpr int kSight = 48;          ///< cells ahead that are planned from cell to cell
@@ -23,12 +22,6 @@ constexpr int kStepsOfPlan = 24;    ///< after which it is made anew
 constexpr std::size_t kLongestPath = 64;
 constexpr std::size_t kMostBlocks = 64;
 constexpr std::size_t kBlocksBehind = 12;  ///< that are tried where the nearest cannot be reached
-
-int octile(int columns, int rows) {
-  columns = std::abs(columns);
-  rows = std::abs(rows);
-  return kStraight * std::max(columns, rows) + (kDiagonal - kStraight) * std::min(columns, rows);
-}
 
 int nodeOf(CellIndex place, CellIndex origin) {
   return (place.row - origin.row) * kSide + place.column - origin.column;
@@ -59,7 +52,7 @@ struct AreaPlanner::BlockWorld {
 
   int estimate(int node) const {
     const CellIndex block = placeOf(node, graph.origin());
-    return octile(goal_block.column - block.column, goal_block.row - block.row);
+    return octileFifths(goal_block.column - block.column, goal_block.row - block.row);
   }
   bool isTarget(int node) const {
     return goal_inside ? node == nodeOf(goal_block, graph.origin()) : Search::atEdge(node);
@@ -77,7 +70,7 @@ struct AreaPlanner::BlockWorld {
     if (passage == Passage::kFree) return length;
     if (passage == Passage::kUnknown) return static_cast<int>(length * weight);
     if (passage == Passage::kClosed) return length + kClosedCost;
-    return length + static_cast<int>(parameters.doubtful_cost * kStraight / kBlockSide);
+    return length + static_cast<int>(parameters.doubtful_cost * kStraightFifths / kBlockSide);
   }
   /// Of the passages around the corner, all of which have to be open.
   Passage passageOnDiagonal(CellIndex block, std::size_t direction) const {
@@ -104,7 +97,7 @@ struct AreaPlanner::BlockWorld {
       const bool diagonal = direction % 2 != 0;
       const Passage passage = diagonal ? passageOnDiagonal(block, direction) : leaving(block, direction);
       if (passage == Passage::kClosed && (diagonal || !through_closed)) continue;
-      move(direction, costOf(passage, diagonal ? kDiagonal : kStraight, weight));
+      move(direction, costOf(passage, diagonal ? kDiagonalFifths : kStraightFifths, weight));
     }
   }
 };
@@ -140,7 +133,7 @@ struct AreaPlanner::CellWorld {
     const CellIndex cell = placeOf(node, seen.origin());
     const CellIndex first = firstCellOf(block);
     const auto beside = [](int x, int low) { return std::max({0, low - x, x - low - (kBlockSide - 1)}); };
-    return octile(beside(cell.column, first.column), beside(cell.row, first.row));
+    return octileFifths(beside(cell.column, first.column), beside(cell.row, first.row));
   }
   bool isTarget(int node) const {
     const CellIndex cell = placeOf(node, seen.origin());
@@ -165,7 +158,7 @@ struct AreaPlanner::CellWorld {
       const bool past_corner = diagonal && !(open[direction - 1] && open[(direction + 1) % kGridRayCount]);
       if (past_corner && corner_cutting == CornerCutting::kForbidden) continue;
       if (!anywhere && !along[indexOf(blockOf(cellBeside(cell, static_cast<int>(direction))))]) continue;
-      move(direction, diagonal ? kDiagonal : kStraight);
+      move(direction, diagonal ? kDiagonalFifths : kStraightFifths);
     }
   }
 };
@@ -247,7 +240,7 @@ bool AreaPlanner::planBlocks(bool through_closed) {
   const BlockWorld world{graph_, parameters_, from_agent_, blockOf(now_.cell), start_, now_.goal, through_closed};
   const int target = search_.find(world, nodeOf(blockOf(now_.cell), graph_.origin()));
   if (target < 0) return false;
-  length_ = static_cast<double>(search_.cost()) * kBlockSide / kStraight;
+  length_ = static_cast<double>(search_.cost()) * kBlockSide / kStraightFifths;
   search_.pathTo(target, kMostBlocks, &blocks_);
   return true;
 }

@@ -11,8 +11,6 @@ namespace lstm_planner {
 namespace {
 
 constexpr int kSide = RollingGrid::kSide;
-constexpr int kStraight = 5;  ///< costs in fifths of a cell
-constexpr int kDiagonal = 7;
 constexpr std::size_t kLongestPath = 1024;  ///< steps of the path that are kept
 
 /// The moves that walls beside leave, both with bit d for direction d.
@@ -33,11 +31,7 @@ struct RollingPlanner::World {
   CornerCutting corner_cutting;
   CellIndex goal;
 
-  int estimate(int cell) const {
-    const int columns = std::abs(goal.column - cell % kSide);
-    const int rows = std::abs(goal.row - cell / kSide);
-    return kStraight * std::max(columns, rows) + (kDiagonal - kStraight) * std::min(columns, rows);
-  }
+  int estimate(int cell) const { return octileFifths(goal.column - cell % kSide, goal.row - cell / kSide); }
   bool isTarget(int cell) const {
     return Search::atEdge(cell) || (cell % kSide == goal.column && cell / kSide == goal.row);
   }
@@ -45,7 +39,7 @@ struct RollingPlanner::World {
   void expand(int cell, const Move& move) const {
     const unsigned moves = movesBetween(walls.wallsBeside(cell % kSide, cell / kSide), corner_cutting);
     for (std::size_t direction = 0; direction < kGridMoveCount; ++direction) {
-      if ((moves >> direction & 1u) != 0) move(direction, direction % 2 != 0 ? kDiagonal : kStraight);
+      if ((moves >> direction & 1u) != 0) move(direction, direction % 2 != 0 ? kDiagonalFifths : kStraightFifths);
     }
   }
 };
@@ -78,8 +72,9 @@ void RollingPlanner::observe(const GridObservation& observation) {
 double RollingPlanner::detour(const GridObservation& observation) const {
   if (direction_ == kNoPath) return std::numeric_limits<double>::infinity();
   int walked = 0;
-  for (std::size_t step = 0; step + 1 < path_step_; ++step) walked += path_[step] % 2 != 0 ? kDiagonal : kStraight;
-  const double left = length_ - static_cast<double>(walked) / kStraight;
+  for (std::size_t step = 0; step + 1 < path_step_; ++step)
+    walked += path_[step] % 2 != 0 ? kDiagonalFifths : kStraightFifths;
+  const double left = length_ - static_cast<double>(walked) / kStraightFifths;
   return left - octileDistance(observation.cell, observation.goal).length();
 }
 
@@ -107,7 +102,7 @@ void RollingPlanner::plan(const GridObservation& observation) {
   const int start = (observation.cell.row - origin.row) * kSide + observation.cell.column - origin.column;
   const int target = search_.find(World{walls_, corner_cutting_, goal}, start);
   if (target < 0) return;
-  length_ = static_cast<double>(search_.cost()) / kStraight;
+  length_ = static_cast<double>(search_.cost()) / kStraightFifths;
   search_.pathTo(target, kLongestPath, &path_);
 }
 

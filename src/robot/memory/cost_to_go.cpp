@@ -25,9 +25,7 @@ CostToGo::CostToGo(double tightness) {
 }
 
 std::uint32_t CostToGo::octile(int columns, int rows) {
-  const int longer = std::max(std::abs(columns), std::abs(rows));
-  const int shorter = std::min(std::abs(columns), std::abs(rows));
-  return static_cast<std::uint32_t>(kStraight * (longer - shorter) + kDiagonal * shorter);
+  return static_cast<std::uint32_t>(octileFifths(columns, rows));
 }
 
 std::uint32_t CostToGo::octileBetween(int from, int to) const {
@@ -150,8 +148,8 @@ void CostToGo::expand(ObstacleMemory& memory, int column, int row, std::uint32_t
   const int cell = row * side_ + column;
   const std::uint8_t entered_from = entries(memory, cell);
   const int factor = factors_[static_cast<int>(memory.passage(cell))];
-  const auto straight = cost + static_cast<std::uint32_t>(kStraight * factor / 2);
-  const auto diagonal = cost + static_cast<std::uint32_t>(kDiagonal * factor / 2);
+  const auto straight = cost + static_cast<std::uint32_t>(kStraightFifths * factor / 2);
+  const auto diagonal = cost + static_cast<std::uint32_t>(kDiagonalFifths * factor / 2);
   for (int direction = 0; direction < kGridRayCount; ++direction) {
     if ((entered_from >> direction & 1) != 0) {
       const CellIndex& step = kGridRaySteps[static_cast<std::size_t>(direction)];
@@ -205,7 +203,7 @@ int CostToGo::neighbourOf(int cell, int direction) const {
 }
 
 std::uint32_t CostToGo::stepCost(ObstacleMemory& memory, int to, int direction) const {
-  const int length = direction % 2 != 0 ? kDiagonal : kStraight;
+  const int length = direction % 2 != 0 ? kDiagonalFifths : kStraightFifths;
   return static_cast<std::uint32_t>(length * factors_[static_cast<int>(memory.passage(to))] / 2);
 }
 

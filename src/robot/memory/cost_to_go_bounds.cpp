@@ -65,7 +65,7 @@ std::uint32_t CostToGo::cheapestThrough(ObstacleMemory& memory, int freed, int r
         continue;
       }
       const std::uint32_t before = base_ + octile(from % side_ - column, from / side_ - row);
-      std::uint32_t through = before + kStraight + rest;
+      std::uint32_t through = before + kStraightFifths + rest;
       if (through < enough) {
         const std::uint32_t cost = costBySteps(memory, column, row);
         if (cost >= relativeCost(column, row)) {

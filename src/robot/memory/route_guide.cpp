@@ -139,8 +139,8 @@ bool RouteGuide::takeBetter(const Point2& here) {
   const double new_cost = candidate_.cost(memory_, finder_, kLookedAt);
   const std::uint32_t searched_cost = finder_.costToGo().cost(memory_.cellAt(here));
   // Where the robot is nearer to something than any path may come, the start of each path has no cost.
-  cost_scale_ = std::isfinite(new_cost) && searched_cost > 0 ? new_cost / searched_cost
-                                                             : memory_.cellSize() / CostToGo::kStraight;
+  cost_scale_ =
+      std::isfinite(new_cost) && searched_cost > 0 ? new_cost / searched_cost : memory_.cellSize() / kStraightFifths;
   const bool same_end =
       !route_.isEmpty() && distanceBetween(route_.route().points.back(), candidate_.route().points.back()) < 0.1;
   if (same_end && isHardlyCostlier(route_.cost(memory_, finder_, kLookedAt), new_cost)) {
@@ -179,7 +179,7 @@ bool RouteGuide::takeFromLastSearch(const Point2& here, const Point2& goal) {
   }
   found_.points.back() = end();
   found_.length = lengthOf(found_.points);
-  return isHardlyCostlier(found_.cost, through_freed_ * memory_.cellSize() / CostToGo::kStraight) &&
+  return isHardlyCostlier(found_.cost, through_freed_ * memory_.cellSize() / kStraightFifths) &&
          !RouteFinder::isDetour(distanceBetween(here, goal), found_.length, tolerance());
 }
 
@@ -233,7 +233,7 @@ std::uint32_t RouteGuide::leastCost(const Point2& here, const Point2& goal) cons
     return least;
   }
   const double costlier = parameters_.memory.tightness * (moved + 2.0 * memory_.cellSize()) / memory_.cellSize();
-  return least - std::min(least, static_cast<std::uint32_t>(CostToGo::kDiagonal * costlier));
+  return least - std::min(least, static_cast<std::uint32_t>(kDiagonalFifths * costlier));
 }
 
 Decision::Source RouteGuide::lookAround(const Situation& situation) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lstm_planner/base/grid/cell_queue.hpp"
+#include "lstm_planner/base/grid/grid_rays.hpp"
 #include "lstm_planner/robot/memory/obstacle_memory.hpp"
 
 namespace lstm_planner {
@@ -14,14 +15,12 @@ namespace lstm_planner {
 /// the path from there costs at least. Where obstacles have appeared since, paths have become costlier and the bounds
 /// still hold; where some have gone, cheapestThrough() tells what a path through there costs at least.
 ///
-/// Costs are in fifths of a cell: a straight step costs 5, a diagonal one 7 (1 % less than the true ratio), steps into
-/// narrow and tight cells as many times more. Bounded memory, two bytes a cell and the queue; from the first path on
-/// that costs more than two bytes tell, 2.6 km of cells of 0.2 m with room, four bytes a cell more.
+/// Costs are in fifths of a cell (kStraightFifths, kDiagonalFifths), of steps into narrow and tight cells as many times
+/// more. Bounded memory, two bytes a cell and the queue; from the first path on that costs more than two bytes tell,
+/// 2.6 km of cells of 0.2 m with room, four bytes a cell more.
 class CostToGo {
  public:
   static constexpr std::uint32_t kNone = 0xffffffff;  ///< there is no path
-  static constexpr int kStraight = 5;                 ///< cost of a step
-  static constexpr int kDiagonal = 7;
 
   /// A cell where paths may end, and what is left from there.
   struct End {
