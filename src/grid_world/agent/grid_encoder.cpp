@@ -51,7 +51,8 @@ CellIndex along(CellIndex cell, int direction, int steps) {
   return {cell.column + steps * step.column, cell.row + steps * step.row};
 }
 
-double octileDistance(CellIndex a, CellIndex b) {
+/// Rounded as where the shipped networks learned: OctileDistance::length() may differ in the last bit.
+double octileLength(CellIndex a, CellIndex b) {
   const int columns = std::abs(a.column - b.column);
   const int rows = std::abs(a.row - b.row);
   return std::max(columns, rows) + (moveLength(1) - 1.0) * std::min(columns, rows);
@@ -63,18 +64,15 @@ void GridMemory::start() {
   trace_.clear();
   if (planner_) planner_->start();
   previous_direction_ = -1;
-  best_distance_ = -1.0;
-  steps_since_best_ = 0;
+  progress_.clear();
 }
 
 void GridMemory::observe(const GridObservation& observation) {
   observation_ = observation;
   in_new_place_ = trace_.visit(observation.cell);
   if (planner_) planner_->observe(observation);
-  goal_distance_ = octileDistance(observation.cell, observation.goal);
-  const bool is_best = best_distance_ < 0.0 || goal_distance_ < best_distance_;
-  steps_since_best_ = is_best ? 0 : steps_since_best_ + 1;
-  if (is_best) best_distance_ = goal_distance_;
+  goal_distance_ = octileLength(observation.cell, observation.goal);
+  progress_.note(goal_distance_);
 }
 
 GridEncoder::GridEncoder(const GridEncoderParameters& parameters) : parameters_(parameters) {

@@ -21,7 +21,7 @@ void GridEscape::start() {
 
 void GridEscape::observe(const GridObservation& observation, bool new_place) {
   const bool is_best = watch_.observe(observation, new_place);
-  if (is_best && watch_.best().length() <= hand_back_below_) active_ = false;
+  if (is_best && watch_.best() <= hand_back_below_) active_ = false;
   if (active_) {
     follower_.observe(observation);
   } else if (watch_.isExhausted(parameters_.patience, parameters_.long_patience)) {
@@ -32,7 +32,7 @@ void GridEscape::observe(const GridObservation& observation, bool new_place) {
 void GridEscape::takeOver(const GridObservation& observation) {
   active_ = true;
   ++activations_;
-  hand_back_below_ = std::max(0.0, watch_.best().length() - parameters_.margin);
+  hand_back_below_ = std::max(0.0, watch_.best() - parameters_.margin);
   follower_.start();
   follower_.observe(observation);
 }

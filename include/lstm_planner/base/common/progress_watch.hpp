@@ -2,7 +2,7 @@
 
 namespace lstm_planner {
 
-/// Knows the least distance to a goal so far, and what has been spent since without coming nearer.
+/// Knows the least distance to a goal so far, and how many steps have been made since without coming nearer.
 class ProgressWatch {
  public:
   /// `least`: by how much a distance must be less than the best one to be progress.
@@ -14,14 +14,13 @@ class ProgressWatch {
     has_best_ = false;
   }
 
-  /// A step of the length `driven` has ended at this distance: whether that is progress, as the first one is.
-  bool note(double distance, double driven = 0.0) {
+  /// A step has ended at this distance: whether that is progress, as the first one is.
+  bool note(double distance) {
     if (!has_best_ || distance < target()) {
       restart(distance);
       return true;
     }
     ++steps_;
-    driven_ += driven;
     return false;
   }
 
@@ -30,7 +29,6 @@ class ProgressWatch {
     best_ = distance;
     has_best_ = true;
     steps_ = 0;
-    driven_ = 0.0;
   }
 
   /// The goal has moved, and with it the best distance; nothing else changes.
@@ -40,13 +38,37 @@ class ProgressWatch {
   double best() const { return best_; }
   double target() const { return best_ - least_; }  ///< less than this is progress
   int steps() const { return steps_; }              ///< since the best
-  double driven() const { return driven_; }         ///< since the best
 
  private:
   double least_;
-  bool has_best_ = false;
   double best_ = 0.0;
   int steps_ = 0;
+  bool has_best_ = false;
+};
+
+/// The same, with the length of the path that was driven without coming nearer.
+class DrivenProgressWatch : public ProgressWatch {
+ public:
+  using ProgressWatch::ProgressWatch;
+
+  void clear() {
+    ProgressWatch::clear();
+    driven_ = 0.0;
+  }
+  /// `driven`: length of the step.
+  bool note(double distance, double driven) {
+    const bool is_progress = ProgressWatch::note(distance);
+    driven_ = is_progress ? 0.0 : driven_ + driven;
+    return is_progress;
+  }
+  void restart(double distance) {
+    ProgressWatch::restart(distance);
+    driven_ = 0.0;
+  }
+
+  double driven() const { return driven_; }  ///< since the best
+
+ private:
   double driven_ = 0.0;
 };
 

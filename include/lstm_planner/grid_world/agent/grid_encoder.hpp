@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "lstm_planner/base/common/progress_watch.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
 #include "lstm_planner/grid_world/agent/rolling_planner.hpp"
 #include "lstm_planner/grid_world/agent/visit_trace.hpp"
@@ -32,8 +33,8 @@ class GridMemory {
   const RollingPlanner* planner() const { return planner_ ? &*planner_ : nullptr; }
   int previousDirection() const { return previous_direction_; }  ///< -1 before the first step
   double goalDistance() const { return goal_distance_; }         ///< octile, cells
-  double bestDistance() const { return best_distance_; }         ///< the least goalDistance() so far
-  int stepsSinceBest() const { return steps_since_best_; }
+  double bestDistance() const { return progress_.best(); }       ///< the least goalDistance() so far
+  int stepsSinceBest() const { return progress_.steps(); }
   bool inNewPlace() const { return in_new_place_; }  ///< a large block of the trace that was not visited before
   std::size_t bytes() const { return VisitTrace::bytes() + (planner_ ? planner_->bytes() : 0); }
 
@@ -43,8 +44,7 @@ class GridMemory {
   std::optional<RollingPlanner> planner_;
   int previous_direction_ = -1;
   double goal_distance_ = 0.0;
-  double best_distance_ = 0.0;
-  int steps_since_best_ = 0;
+  ProgressWatch progress_{0.0};
   bool in_new_place_ = false;
 };
 

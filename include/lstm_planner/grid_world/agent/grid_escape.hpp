@@ -4,7 +4,7 @@
 
 #include "lstm_planner/grid_world/agent/boundary_follower.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
-#include "lstm_planner/grid_world/agent/progress_watch.hpp"
+#include "lstm_planner/grid_world/agent/grid_progress_watch.hpp"
 
 namespace lstm_planner {
 
@@ -54,7 +54,7 @@ class GridEscape {
  private:
   GridEscapeParameters parameters_;
   BoundaryFollower follower_;
-  ProgressWatch watch_;
+  GridProgressWatch watch_;
   bool active_ = false;
   double hand_back_below_ = 0.0;  ///< cells to the goal
   std::size_t activations_ = 0;

@@ -6,7 +6,7 @@
 #include "lstm_planner/grid_world/agent/area_planner.hpp"
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"
 #include "lstm_planner/grid_world/agent/grid_escape.hpp"
-#include "lstm_planner/grid_world/agent/progress_watch.hpp"
+#include "lstm_planner/grid_world/agent/grid_progress_watch.hpp"
 
 namespace lstm_planner {
 
@@ -70,7 +70,7 @@ class GridRescue {
   bool isStuck();
 
   GridRescueParameters parameters_;
-  ProgressWatch watch_;
+  GridProgressWatch watch_;
   CellIndex start_;
   std::unique_ptr<AreaPlanner> area_;
   std::unique_ptr<GridEscape> last_resort_;

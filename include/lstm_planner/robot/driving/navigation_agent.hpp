@@ -155,7 +155,7 @@ class NavigationAgent {
   std::optional<RouteGuide> guide_;  ///< none where nothing is to be remembered
   DriveTrace trace_;
   StepClock clock_;
-  ProgressWatch progress_;
+  DrivenProgressWatch progress_;
   Point2 best_position_;  ///< where the robot was nearest to the goal
   StepListener step_listener_;
   std::optional<int> imposed_action_;

@@ -5,8 +5,8 @@
 namespace lstm_planner {
 namespace {
 
-TEST(ProgressWatch, CountsWhatIsSpentWithoutProgress) {
-  ProgressWatch watch(0.5);
+TEST(DrivenProgressWatch, CountsWhatIsSpentWithoutProgress) {
+  DrivenProgressWatch watch(0.5);
   EXPECT_TRUE(watch.note(10.0, 3.0)) << "the first is the best so far";
   EXPECT_FALSE(watch.note(9.5, 1.0)) << "not by enough";
   EXPECT_FALSE(watch.note(12.0, 2.0));
@@ -22,22 +22,23 @@ TEST(ProgressWatch, CountsWhatIsSpentWithoutProgress) {
 TEST(ProgressWatch, AGoalThatMovesIsNoProgress) {
   ProgressWatch watch(0.5);
   watch.note(10.0);
-  watch.note(10.0, 1.0);
+  watch.note(10.0);
   watch.moveBest(7.0);
   EXPECT_EQ(watch.steps(), 1);
   EXPECT_EQ(watch.target(), 6.5);
-  EXPECT_FALSE(watch.note(6.8, 1.0));
-  EXPECT_TRUE(watch.note(6.4, 1.0));
+  EXPECT_FALSE(watch.note(6.8));
+  EXPECT_TRUE(watch.note(6.4));
 }
 
-TEST(ProgressWatch, ForgetsWhenCleared) {
-  ProgressWatch watch(0.5);
-  watch.note(1.0);
+TEST(DrivenProgressWatch, ForgetsWhenCleared) {
+  DrivenProgressWatch watch(0.5);
+  watch.note(1.0, 1.0);
   watch.note(2.0, 1.0);
   watch.clear();
   EXPECT_FALSE(watch.hasBest());
   EXPECT_EQ(watch.steps(), 0);
-  EXPECT_TRUE(watch.note(5.0));
+  EXPECT_EQ(watch.driven(), 0.0);
+  EXPECT_TRUE(watch.note(5.0, 1.0));
 }
 
 }  // namespace
