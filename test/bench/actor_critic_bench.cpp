@@ -15,7 +15,7 @@ void actorCriticUpdate(benchmark::State& state) {
   GridCourseParameters course_parameters;
   course_parameters.goals = 30;
   const GridCourse course(course_parameters, {{benchMaps(), 1.0}}, 1, 1);
-  learner.beginEpoch(0, course);
+  learner.startEpoch(0, course);
   const WorkMeter meter;
   for (auto _ : state) learner.update();
   meter.report("sample", static_cast<double>(state.iterations()) * parameters.agents * parameters.window, &state);

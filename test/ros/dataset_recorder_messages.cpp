@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class ListSink : public StepSink {
  public:
-  void beginEpisode(const Episode& episode) override { episodes.push_back({episode, {}}); }
+  void startEpisode(const Episode& episode) override { episodes.push_back({episode, {}}); }
   void addStep(const DriveStep& step) override { episodes.back().steps.push_back(step); }
   void endEpisode(double, EpisodeEnd end) override { episodes.back().episode.end = end; }
   void reject(Rejection rejection) override { ++rejections[static_cast<std::size_t>(rejection)]; }

@@ -49,7 +49,7 @@ class RecurrentLanes : public LaneLayer {
     std::copy_n(results(step), outputs_ * lanes_, previousOutputs(step + 1));
   }
 
-  void beginBackward() override { std::fill(carried_gradient_.begin(), carried_gradient_.end(), 0.0f); }
+  void startBackward() override { std::fill(carried_gradient_.begin(), carried_gradient_.end(), 0.0f); }
 
   void backward(const float* parameters, int step) override {
     float* gradient = resultGradient();
@@ -140,8 +140,8 @@ class LstmLanes : public RecurrentLanes {
     }
   }
 
-  void beginBackward() override {
-    RecurrentLanes::beginBackward();
+  void startBackward() override {
+    RecurrentLanes::startBackward();
     std::fill(cell_gradient_.begin(), cell_gradient_.end(), 0.0f);
   }
   void backward(const float* parameters, int step) override {

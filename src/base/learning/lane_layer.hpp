@@ -26,7 +26,7 @@ class LaneLayer {
   virtual void forward(const float* parameters, int step, const float* inputs) = 0;
   /// From resultGradient() to the gradient by the weighted sums, which stays for addGradient().
   virtual void backward(const float* parameters, int step) = 0;
-  virtual void beginBackward() {}
+  virtual void startBackward() {}
   virtual void addGradient(const float* inputs, int steps, float* gradient) const {
     accumulateWeightGradient(sums(0), inputs, units_, inputs_, steps, gradient, lanes_);
     accumulateBiasGradient(sums(0), units_, steps, gradient + units_ * inputs_, lanes_);

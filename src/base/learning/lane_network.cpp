@@ -67,7 +67,7 @@ void LaneNetwork::setState(const std::vector<float>& state) {
 }
 
 void LaneNetwork::backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient) {
-  for (const auto& layer : layers_) layer->beginBackward();
+  for (const auto& layer : layers_) layer->startBackward();
   for (int step = steps; step-- > 0;) {
     const float* own = parameters.data() + parameters.size();
     std::copy_n(outputGradient(step), output_size_ * lanes_, layers_.back()->resultGradient());

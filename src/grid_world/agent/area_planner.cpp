@@ -15,10 +15,10 @@ using Passage = BlockGraph::Passage;
 
 constexpr int kSide = SeenGrid::kSide;
 // Costs are in fifths of a block, or of a cell.
-constexpr int kClosedCost = 100;    ///< what looks closed is tried last
-constexpr double kShortWay = 40.0;  ///< cells; a shorter way from start to goal counts as one of this length
-constexpr int kSight = 48;          ///< cells ahead that are planned from cell to cell
-constexpr int kStepsOfPlan = 24;    ///< after which it is made anew
+constexpr int kClosedCost = 100;     ///< what looks closed is tried last
+constexpr double kShortPath = 40.0;  ///< cells; a shorter path from start to goal counts as one of this length
+constexpr int kSight = 48;           ///< cells ahead that are planned from cell to cell
+constexpr int kStepsOfPlan = 24;     ///< after which it is made anew
 constexpr std::size_t kLongestPath = 64;
 constexpr std::size_t kMostBlocks = 64;
 constexpr std::size_t kBlocksBehind = 12;  ///< that are tried where the nearest cannot be reached
@@ -46,7 +46,7 @@ struct AreaPlanner::BlockWorld {
   CellIndex start;
   CellIndex goal;
   bool through_closed;
-  double straight_way = std::max(kShortWay, crowFlight(start, goal));
+  double straight_length = std::max(kShortPath, crowFlight(start, goal));
   CellIndex goal_block = blockOf(goal);
   bool goal_inside = graph.contains(goal_block);
 
@@ -63,7 +63,7 @@ struct AreaPlanner::BlockWorld {
   /// Of a block that was never seen, against one that was.
   double weightOf(CellIndex block) const {
     const CellIndex cell = middleOf(block);
-    const double detour = (crowFlight(start, cell) + crowFlight(cell, goal)) / straight_way - 1.0;
+    const double detour = (crowFlight(start, cell) + crowFlight(cell, goal)) / straight_length - 1.0;
     return 1.0 + std::clamp(parameters.far_weight * detour, 0.0, parameters.most_far_weight);
   }
   int costOf(Passage passage, int length, double weight) const {

@@ -62,7 +62,7 @@ int BoundaryFollower::nextDirection() {
   }
   if (state_ == State::kReturning) {
     if (!trail_.atEnd(end_)) return trail_.directionTo(end_, now_.cell);
-    beginLeg(end_);
+    startLeg(end_);
   }
   End* end = &ends_[static_cast<std::size_t>(end_)];
   if (!follow(end, ends_[static_cast<std::size_t>(1 - end_)].edge)) return kNoPath;
@@ -109,10 +109,10 @@ void BoundaryFollower::meetBoundary() {
 
   // First to the side that is open for longer: a wall across it would lead back, away from the goal.
   const auto range = [&](int turn) { return now_.ranges[static_cast<std::size_t>((wall + turn) % kGridRayCount)]; };
-  beginLeg(range(2) >= range(6) ? 0 : 1);
+  startLeg(range(2) >= range(6) ? 0 : 1);
 }
 
-void BoundaryFollower::beginLeg(int end) {
+void BoundaryFollower::startLeg(int end) {
   state_ = State::kFollowing;
   end_ = end;
   leg_ = 0.0;

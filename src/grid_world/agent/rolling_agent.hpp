@@ -5,7 +5,7 @@
 namespace lstm_planner {
 
 /// Goes where a RollingPlanner says, and nothing else: what the networks with these inputs are to be better than. It
-/// may walk in circles for ever where the way round is longer than its window.
+/// may walk in circles for ever where the path round is longer than its window.
 class RollingAgent : public GridAgent {
  public:
   explicit RollingAgent(CornerCutting corner_cutting = CornerCutting::kForbidden) : planner_(corner_cutting) {}

@@ -37,7 +37,7 @@ class GridActorCritic::Implementation {
         tiles_(parameters.communicator, parameters.threads,
                [this] { return std::make_unique<GridActorCriticTileRunner>(parameters_, policy_, critic_); }) {}
 
-  void beginEpoch(int epoch, const GridCourse& course) {
+  void startEpoch(int epoch, const GridCourse& course) {
     // A set of maps that was not there before starts with the variance of nothing known.
     learner_.advantageVariances().resize(course.sets(), 1.0);
     sums_ = GridActorCriticSums::ofSets(course.sets());
@@ -103,7 +103,7 @@ class GridActorCritic::Implementation {
 GridActorCritic::GridActorCritic(const GridActorCriticParameters& parameters, LayerStack layers)
     : implementation_(std::make_unique<Implementation>(parameters, std::move(layers))) {}
 GridActorCritic::~GridActorCritic() = default;
-void GridActorCritic::beginEpoch(int epoch, const GridCourse& course) { implementation_->beginEpoch(epoch, course); }
+void GridActorCritic::startEpoch(int epoch, const GridCourse& course) { implementation_->startEpoch(epoch, course); }
 void GridActorCritic::update() { implementation_->update(); }
 ReinforcementReport GridActorCritic::report() { return implementation_->report(); }
 int GridActorCritic::updates() const { return implementation_->updates(); }

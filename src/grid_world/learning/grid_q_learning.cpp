@@ -47,7 +47,7 @@ class GridQLearning::Implementation {
         tiles_(parameters.communicator, parameters.threads,
                [this] { return std::make_unique<QTileRunner>(parameters_, layers_); }) {}
 
-  void beginEpoch(int epoch, const GridCourse& course) {
+  void startEpoch(int epoch, const GridCourse& course) {
     tiles_.start(parameters_.agents, course, parameters_.encoder,
                  parameters_.seed * 1000003 + static_cast<std::uint64_t>(epoch));
   }
@@ -102,7 +102,7 @@ class GridQLearning::Implementation {
 GridQLearning::GridQLearning(const GridQLearningParameters& parameters, LayerStack layers)
     : implementation_(std::make_unique<Implementation>(parameters, std::move(layers))) {}
 GridQLearning::~GridQLearning() = default;
-void GridQLearning::beginEpoch(int epoch, const GridCourse& course) { implementation_->beginEpoch(epoch, course); }
+void GridQLearning::startEpoch(int epoch, const GridCourse& course) { implementation_->startEpoch(epoch, course); }
 void GridQLearning::update() { implementation_->update(); }
 ReinforcementReport GridQLearning::report() { return implementation_->report(); }
 int GridQLearning::updates() const { return implementation_->updates(); }

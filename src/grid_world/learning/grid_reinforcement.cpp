@@ -36,7 +36,7 @@ void GridReinforcement::step() {
   if (!course_) {
     course_.emplace(parameters_.course, maps_, parameters_.seed + static_cast<std::uint64_t>(epoch_),
                     parameters_.threads);
-    learner_.beginEpoch(epoch_, *course_);
+    learner_.startEpoch(epoch_, *course_);
   }
   learner_.update();
   epoch_done_ = learner_.updates() == firstUpdate(epoch_ + 1);

@@ -40,7 +40,7 @@ void AStar::checkEnd(const char* name, CellIndex cell) const {
                               std::to_string(grid_->rows()) + " cells");
 }
 
-void AStar::beginSearch() {
+void AStar::startSearch() {
   open_.clear();
   most_open_ = 0;
   if (++search_ == 0) {
@@ -85,7 +85,7 @@ GridPath AStar::trace(CellIndex start, CellIndex goal) {
 AStarResult AStar::find(CellIndex start, CellIndex goal) {
   checkEnd("start", start);
   checkEnd("goal", goal);
-  beginSearch();
+  startSearch();
   AStarResult result;
   open(start, 0, 0, goal);
   while (!open_.empty()) {

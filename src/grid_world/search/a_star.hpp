@@ -55,7 +55,7 @@ class AStar {
   struct Later;
 
   void checkEnd(const char* name, CellIndex cell) const;
-  void beginSearch();
+  void startSearch();
   void open(CellIndex cell, int direction, MoveCost cost, CellIndex goal);
   void expand(CellIndex cell, CellIndex goal);
   Node& node(CellIndex cell) { return nodes_[grid_->offset(cell)]; }

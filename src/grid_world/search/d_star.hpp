@@ -60,7 +60,7 @@ class DStar {
   struct State {
     MoveCost h = kUnreachable;   ///< cost of the path to the goal
     MoveCost k = kUnreachable;   ///< the least h since it was put on the open list
-    std::int8_t back = kNoBack;  ///< b, the direction of the next cell on the way
+    std::int8_t back = kNoBack;  ///< b, the direction of the next cell on the path
     Tag tag = Tag::kNew;
     bool passable = true;
   };

@@ -20,7 +20,7 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr int kPatienceToBegin = 5000;    // ms
+constexpr int kPatienceToStart = 5000;    // ms
 constexpr int kPatience = 100;            // ms; longer would hold up whoever records
 constexpr int kPatienceToFinish = 10000;  // ms
 constexpr long kMostWaiting = 10000;      // steps; with scans of 1080 beams some 50 MB
@@ -28,7 +28,7 @@ constexpr std::size_t kMostEntries = 2 * kMostWaiting;
 constexpr long kLostEpisode = -1;    // its steps are lost, too
 constexpr std::size_t kBatch = 200;  // calls a transaction, so that a backlog goes out piece by piece
 
-struct BeginEpisode {
+struct StartEpisode {
   long id = 0;
   Episode episode;
 };
@@ -47,7 +47,7 @@ struct DiscardEpisode {
 struct FinishRecording {};
 
 /// A call that is to be written.
-using Entry = std::variant<BeginEpisode, AddStep, EndEpisode, DiscardEpisode, FinishRecording>;
+using Entry = std::variant<StartEpisode, AddStep, EndEpisode, DiscardEpisode, FinishRecording>;
 
 /// What tells a file from another one that has taken its place.
 std::pair<dev_t, ino_t> identityOf(const std::string& path) {
@@ -62,7 +62,7 @@ class DatasetWriter::Implementation {
  public:
   Implementation(const std::string& path, const RecordingDescription& description)
       : path_(path), angles_(description.parameters.action_angles.size()), lock_(path) {
-    file_.emplace(path, DatasetFile::Use::kCreate, kPatienceToBegin);
+    file_.emplace(path, DatasetFile::Use::kCreate, kPatienceToStart);
     file_->transact([&] {
       recording_ = nextRecording(&*file_);
       next_episode_ = nextEpisode(&*file_);
@@ -72,13 +72,13 @@ class DatasetWriter::Implementation {
     reopen();
   }
 
-  void beginEpisode(const Episode& episode) {
+  void startEpisode(const Episode& episode) {
     checkRunning();
     last_number_ = -1;
     has_episode_ = true;
     is_kept_ = waiting_.size() < kMostEntries;
     episodes_.push_back(is_kept_ ? next_episode_++ : kLostEpisode);
-    if (is_kept_) waiting_.push_back(BeginEpisode{episodes_.back(), episode});
+    if (is_kept_) waiting_.push_back(StartEpisode{episodes_.back(), episode});
     write();
   }
 
@@ -195,7 +195,7 @@ class DatasetWriter::Implementation {
     if (has_new_rejections_) rows_->setRejections(recording_, rejections_);
   }
 
-  void writeEntry(const BeginEpisode& entry) { rows_->addEpisode(entry.id, recording_, entry.episode); }
+  void writeEntry(const StartEpisode& entry) { rows_->addEpisode(entry.id, recording_, entry.episode); }
   void writeEntry(const AddStep& entry) { rows_->addStep(entry.episode, entry.step); }
   void writeEntry(const EndEpisode& entry) { rows_->endEpisode(entry.id, entry.stamp, entry.end); }
   void writeEntry(const DiscardEpisode& entry) { rows_->discardEpisode(entry.id); }
@@ -241,7 +241,7 @@ DatasetWriter::~DatasetWriter() {
   }
 }
 
-void DatasetWriter::beginEpisode(const Episode& episode) { implementation_->beginEpisode(episode); }
+void DatasetWriter::startEpisode(const Episode& episode) { implementation_->startEpisode(episode); }
 void DatasetWriter::addStep(const DriveStep& step) { implementation_->addStep(step); }
 void DatasetWriter::endEpisode(double stamp, EpisodeEnd end) { implementation_->endEpisode(stamp, end); }
 void DatasetWriter::reject(Rejection rejection) { implementation_->reject(rejection); }

@@ -160,11 +160,11 @@ void DriveRecorder::sample(const ScanHeard& scan) {
   if (isAt(goal_position_, situation_->pose)) {
     endEpisode(EpisodeEnd::kArrived);
   } else if (!in_episode_) {
-    beginEpisode();
-    beginStep(scan);
+    startEpisode();
+    startStep(scan);
   } else if (hasMovedSinceStep()) {
     labelStep();
-    beginStep(scan);
+    startStep(scan);
   } else {
     sink_->reject(Rejection::kStanding);
   }
@@ -194,7 +194,7 @@ bool DriveRecorder::isAt(const Point2& goal, const Pose2& pose) const {
   return distanceBetween(goal, pose) <= parameters_.goal_tolerance;
 }
 
-void DriveRecorder::beginEpisode() {
+void DriveRecorder::startEpisode() {
   in_episode_ = true;
   number_ = 0;
   previous_action_ = 0.0;
@@ -203,10 +203,10 @@ void DriveRecorder::beginEpisode() {
   episode.goal = *goal_;
   episode.goal_source = goal_source_;
   episode.begun = situation_->time;
-  sink_->beginEpisode(episode);
+  sink_->startEpisode(episode);
 }
 
-void DriveRecorder::beginStep(const ScanHeard& scan) {
+void DriveRecorder::startStep(const ScanHeard& scan) {
   DriveStep step;
   step.number = number_++;
   step.stamp = scan.stamp;
@@ -220,7 +220,7 @@ void DriveRecorder::beginStep(const ScanHeard& scan) {
   step.geometry = geometryOf(scan);
   if (parameters_.keep_scans) step.ranges = scan.scan.ranges;
   step_ = std::move(step);
-  sink_->beginStep(*step_);
+  sink_->startStep(*step_);
 }
 
 void DriveRecorder::labelStep() {

@@ -23,7 +23,7 @@ class FootprintSweep {
   /// How far it goes until it is as near as `distance` (m) to a point that is farther away now, at most `limit`.
   double freeBefore(const Point2& point, double distance, double limit) const;
 
-  /// The least distance to a point on the way, m, 0 where they overlap.
+  /// The least distance to a point on the path, m, 0 where they overlap.
   double leastDistance(const Point2& point, double length) const;
 
   /// Now, m; negative inside.

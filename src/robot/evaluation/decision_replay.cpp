@@ -38,14 +38,14 @@ bool isJump(EpisodeEnd end) { return end == EpisodeEnd::kTimeJump || end == Epis
 DecisionReplay::DecisionReplay(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules)
     : agent_(std::move(policy), parameters, rules) {}
 
-void DecisionReplay::beginEpisode(const Episode& episode) {
+void DecisionReplay::startEpisode(const Episode& episode) {
   const bool goes_on = episode_ && isJump(episode_->end) && sameGoal(episode_->goal, episode.goal);
   is_new_goal_ = is_new_goal_ || !goes_on;
   episode_ = episode;
   ++episodes_;
 }
 
-void DecisionReplay::beginStep(const DriveStep& step) { advice_ = decideAbout(step); }
+void DecisionReplay::startStep(const DriveStep& step) { advice_ = decideAbout(step); }
 
 void DecisionReplay::addStep(const DriveStep& step) {
   ReplayedDecision replayed = advice_ && advice_->stamp == step.stamp ? std::move(*advice_) : decideAbout(step);

@@ -21,7 +21,7 @@ constexpr int kMostFutileGoals = 20;  // in a row without a step
 class CountingSink : public StepSink {
  public:
   CountingSink(StepSink* sink, long wanted) : sink_(sink), wanted_(wanted) {}
-  void beginEpisode(const Episode& episode) override { sink_->beginEpisode(episode); }
+  void startEpisode(const Episode& episode) override { sink_->startEpisode(episode); }
   void addStep(const DriveStep& step) override {
     if (isFull()) return;
     sink_->addStep(step);

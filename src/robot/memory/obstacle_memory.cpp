@@ -41,7 +41,7 @@ void ObstacleMemory::add(const Situation& situation) {
   if (window_.moveTo(situation.pose)) {
     outdateAll();
   }
-  passability_.beginChanges();
+  passability_.startChanges();
   takeOverMarks(situation);
   scan_changes_.find(situation, window_);
   for (const std::uint32_t key : scan_changes_.seenThrough()) {

@@ -60,7 +60,7 @@ std::optional<Point2> Passability::block(const ObstacleWindow& window, const Poi
   const auto change = [&](const Point2& block) {
     const int cell = window.cellAt(block);
     if (cell >= 0) {
-      beginChanges();
+      startChanges();
       outdate(cell);
     }
   };

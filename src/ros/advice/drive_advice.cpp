@@ -94,13 +94,13 @@ int DriveAdvice::run(const volatile std::sig_atomic_t& stop) {
   return 0;
 }
 
-void DriveAdvice::beginEpisode(const Episode& episode) {
-  replay_.beginEpisode(episode);
+void DriveAdvice::startEpisode(const Episode& episode) {
+  replay_.startEpisode(episode);
   display_.clearPath();
 }
 
-void DriveAdvice::beginStep(const DriveStep& step) {
-  replay_.beginStep(step);
+void DriveAdvice::startStep(const DriveStep& step) {
+  replay_.startStep(step);
   display_.showAdvice(*replay_.advice(), messages_.odometryFrame());
 }
 

@@ -11,10 +11,10 @@ void RecordingProgress::passTo(StepSink* sink) {
   }
 }
 
-void RecordingProgress::beginEpisode(const Episode& episode) {
+void RecordingProgress::startEpisode(const Episode& episode) {
   ++episodes_;
   newest_ = EpisodeProgress{episode, {}, {}};
-  if (sink_ != nullptr) sink_->beginEpisode(episode);
+  if (sink_ != nullptr) sink_->startEpisode(episode);
 }
 
 void RecordingProgress::addStep(const DriveStep& step) {

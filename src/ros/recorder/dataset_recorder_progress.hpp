@@ -22,7 +22,7 @@ class RecordingProgress : public StepSink {
   /// Whom all is passed on to; must outlive the object. Rejections of before are made up for.
   void passTo(StepSink* sink);
 
-  void beginEpisode(const Episode& episode) override;
+  void startEpisode(const Episode& episode) override;
   void addStep(const DriveStep& step) override;
   void endEpisode(double stamp, EpisodeEnd end) override;
   void reject(Rejection rejection) override;

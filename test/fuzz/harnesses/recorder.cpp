@@ -14,7 +14,7 @@ constexpr int kMostEvents = 200;
 /// Counts, and checks what a recorder promises of its steps.
 class CheckingSink : public StepSink {
  public:
-  void beginEpisode(const Episode&) override {
+  void startEpisode(const Episode&) override {
     require(!in_episode_, "an episode ends before the next starts");
     in_episode_ = true;
   }

@@ -14,7 +14,7 @@ namespace lstm_planner {
 
 struct AreaPlannerParameters {
   CornerCutting corner_cutting = CornerCutting::kForbidden;
-  /// How much more a cell costs that was never seen, for each time that the way from the start over it to the goal is
+  /// How much more a cell costs that was never seen, for each time that the path from the start over it to the goal is
   /// longer, as the crow flies, than the straight one.
   double far_weight = 0.5;
   double most_far_weight = 8.0;
@@ -44,7 +44,7 @@ class AreaPlanner {
   /// After observe(): the direction to move in, or kNoPath when there is none in what is remembered.
   int plan();
 
-  /// How long the way to the goal is about, as the latest plan has it, cells.
+  /// How long the path to the goal is about, as the latest plan has it, cells.
   double length() const { return length_; }
 
   std::size_t expandedCells() const { return search_.expandedNodes(); }

@@ -68,7 +68,7 @@ class BoundaryFollower {
   int nextDirection();
   int nearerNeighbour() const;
   void meetBoundary();
-  void beginLeg(int end);
+  void startLeg(int end);
   bool seesNearerCell();
   bool follow(End* end, const BoundaryEdge& other);
   void append(End* end, CellIndex cell) const;

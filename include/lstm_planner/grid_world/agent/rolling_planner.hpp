@@ -28,7 +28,7 @@ class RollingPlanner {
   /// Length of that path and of the rest as the crow flies, cells (a diagonal counts 1.4); 0 without a path.
   double length() const { return length_; }
 
-  /// Cells by which the way is longer than the crow flies from here, after observe() here; infinite without a path.
+  /// Cells by which the path is longer than the crow flies from here, after observe() here; infinite without a path.
   double detour(const GridObservation& observation) const;
 
   const RollingGrid& walls() const { return walls_; }

@@ -49,7 +49,7 @@ class GridActorCritic : public GridLearner {
   GridActorCritic(const GridActorCriticParameters& parameters, LayerStack layers);
   ~GridActorCritic() override;
 
-  void beginEpoch(int epoch, const GridCourse& course) override;
+  void startEpoch(int epoch, const GridCourse& course) override;
   void update() override;
   ReinforcementReport report() override;
   int updates() const override;

@@ -11,7 +11,7 @@ class GridLearner : public ReinforcementLearner {
  public:
   /// Starts epoch `epoch` (from 0) with new episodes of `course`, which must outlive it. What happens in it depends
   /// only on the weights and the seed.
-  virtual void beginEpoch(int epoch, const GridCourse& course) = 0;
+  virtual void startEpoch(int epoch, const GridCourse& course) = 0;
 
   /// One window of all agents, and one step of the optimisers. Of several ranks all have to call it.
   virtual void update() = 0;

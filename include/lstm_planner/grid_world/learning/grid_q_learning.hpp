@@ -76,7 +76,7 @@ class GridQLearning : public GridLearner {
   GridQLearning(const GridQLearningParameters& parameters, LayerStack layers);
   ~GridQLearning() override;
 
-  void beginEpoch(int epoch, const GridCourse& course) override;
+  void startEpoch(int epoch, const GridCourse& course) override;
   /// Throws std::logic_error before the first epoch.
   void update() override;
   /// Means over nothing are 0.

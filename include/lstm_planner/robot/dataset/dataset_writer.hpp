@@ -26,7 +26,7 @@ class DatasetWriter : public StepSink {
   DatasetWriter(const DatasetWriter&) = delete;
   DatasetWriter& operator=(const DatasetWriter&) = delete;
 
-  void beginEpisode(const Episode& episode) override;
+  void startEpisode(const Episode& episode) override;
   void addStep(const DriveStep& step) override;
   void endEpisode(double stamp, EpisodeEnd end) override;
   /// Counted in memory; written with the next of the others.

@@ -63,8 +63,8 @@ class DriveRecorder {
   bool see(const ScanHeard& scan);
   bool hasMovedSinceStep() const;
   bool isAt(const Point2& goal, const Pose2& pose) const;
-  void beginEpisode();
-  void beginStep(const ScanHeard& scan);
+  void startEpisode();
+  void startStep(const ScanHeard& scan);
   void labelStep();
 
   RecorderParameters parameters_;

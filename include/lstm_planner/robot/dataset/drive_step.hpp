@@ -113,10 +113,10 @@ double drivenAngle(const Pose2& from, const Pose2& to, double min_distance);
 class StepSink {
  public:
   virtual ~StepSink() = default;
-  virtual void beginEpisode(const Episode& episode) = 0;
+  virtual void startEpisode(const Episode& episode) = 0;
   /// A step of the episode that was started last has begun: what will be driven is not known yet. When it is, addStep()
   /// or reject() tells.
-  virtual void beginStep(const DriveStep& /*step*/) {}
+  virtual void startStep(const DriveStep& /*step*/) {}
   virtual void addStep(const DriveStep& step) = 0;  ///< of the episode that was started last
   virtual void endEpisode(double stamp, EpisodeEnd end) = 0;
   virtual void reject(Rejection rejection) = 0;

@@ -9,7 +9,7 @@ class RecordingSink : public StepSink {
  public:
   explicit RecordingSink(const RecordingDescription& description) { recording_.description = description; }
 
-  void beginEpisode(const Episode& episode) override { recording_.episodes.push_back({episode, {}}); }
+  void startEpisode(const Episode& episode) override { recording_.episodes.push_back({episode, {}}); }
   void addStep(const DriveStep& step) override { recording_.episodes.back().steps.push_back(step); }
   void endEpisode(double stamp, EpisodeEnd end) override {
     recording_.episodes.back().episode.ended = stamp;

@@ -91,7 +91,7 @@ void validate(const MotionParameters& parameters);
 /// What the controller commands, and why it is not to drive: a robot that is stopped may still turn.
 struct MotionCommand : Twist2 {
   StopReason stop = StopReason::kNone;
-  bool goes_back = false;  ///< it retraces the way that it came
+  bool goes_back = false;  ///< it retraces the path that it came
 };
 
 /// What a command is for.
@@ -103,7 +103,7 @@ struct MotionSituation {
   const double period;   ///< s, to the next command
 };
 
-/// What was commanded before, and the way that a robot with corners came (Trail).
+/// What was commanded before, and the path that a robot with corners came (Trail).
 struct MotionHistory {
   std::optional<Pose2> back;                       ///< the next pose back, base frame
   bool goes_back = false;                          ///< it was told to, last
@@ -116,7 +116,7 @@ struct MotionHistory {
 ///
 /// A circle may always turn in place. While it still drives, it turns only as its wheels can without carrying it on into
 /// something: a wheel that speeds up for the turn makes up for one that brakes. A polygon turns where its corners have
-/// room; else it drives on along a wider arc, or back the way it came until it can turn.
+/// room; else it drives on along a wider arc, or back along the path it came until it can turn.
 ///
 /// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
 /// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves

@@ -7,7 +7,7 @@
 
 namespace lstm_planner {
 
-/// The last stretch of the way that a robot came, as poses in the odometry frame: where it was nothing stands, and how
+/// The last stretch of the path that a robot came, as poses in the odometry frame: where it was nothing stands, and how
 /// it came it can go back, also where it does not see.
 class Trail {
  public:

@@ -38,9 +38,9 @@ class DecisionReplay : public StepSink {
   /// Throws std::invalid_argument for bad parameters or a policy that does not fit them.
   DecisionReplay(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules);
 
-  void beginEpisode(const Episode& episode) override;
+  void startEpisode(const Episode& episode) override;
   /// Decides: advice(). Throws as addStep().
-  void beginStep(const DriveStep& step) override;
+  void startStep(const DriveStep& step) override;
   /// Decides, unless that was done when the step began, and notes what the driver did: decisions(). Throws
   /// std::invalid_argument when the step has no scan, or one that the model was not made for.
   void addStep(const DriveStep& step) override;

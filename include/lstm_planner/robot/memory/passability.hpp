@@ -43,7 +43,7 @@ class Passability {
   /// Everything has changed.
   void outdateAll();
   /// Since the last change questions may have been answered.
-  void beginChanges() { outdated_ = -1; }
+  void startChanges() { outdated_ = -1; }
 
   int nearCells() const { return near_cells_; }  ///< within which an obstacle matters
   Passage passage(const ObstacleWindow& window, int cell) {

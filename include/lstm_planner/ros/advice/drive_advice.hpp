@@ -62,8 +62,8 @@ class DriveAdvice : private StepSink {
   int run(const volatile std::sig_atomic_t& stop);
 
  private:
-  void beginEpisode(const Episode& episode) override;
-  void beginStep(const DriveStep& step) override;
+  void startEpisode(const Episode& episode) override;
+  void startStep(const DriveStep& step) override;
   void addStep(const DriveStep& step) override;
   void endEpisode(double stamp, EpisodeEnd end) override;
   void reject(Rejection rejection) override;

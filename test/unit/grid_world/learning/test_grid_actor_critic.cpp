@@ -47,7 +47,7 @@ GridCourse course(std::uint64_t seed) {
 
 Eigen::VectorXf weightsAfter(GridActorCritic& training, int epoch, int updates) {
   const GridCourse maps = course(static_cast<std::uint64_t>(epoch));
-  training.beginEpoch(epoch, maps);
+  training.startEpoch(epoch, maps);
   for (int update = 0; update < updates; ++update) training.update();
   return parameterVector(training.layers());
 }
@@ -119,7 +119,7 @@ TEST(GridActorCritic, LearnsToGoRoundWalls) {
   parameters.learning_rate = 0.01;
   GridActorCritic training(parameters, smallPolicy(parameters));
   const GridCourse maps = course(1);
-  training.beginEpoch(0, maps);
+  training.startEpoch(0, maps);
   const auto meanReward = [&] {
     for (int update = 0; update < 20; ++update) training.update();
     return training.report().reward;

@@ -133,7 +133,7 @@ Eigen::VectorXf weightsAfterSomeUpdates(int threads, Communicator* communicator 
   parameters.communicator = communicator;
   parameters.target_interval = 2;
   GridQLearning learning(parameters, networkFor(parameters));
-  learning.beginEpoch(0, course);
+  learning.startEpoch(0, course);
   for (int update = 0; update < 5; ++update) learning.update();
   return parameterVector(learning.layers());
 }
@@ -155,12 +155,12 @@ TEST(GridQLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
   GridQLearningParameters parameters = smallParameters();
   parameters.target_interval = 3;  // a copy falls into the second epoch, another lies before it
   GridQLearning whole(parameters, networkFor(parameters));
-  whole.beginEpoch(0, course);
+  whole.startEpoch(0, course);
   for (int update = 0; update < 5; ++update) whole.update();
   GridQLearning resumed(parameters, networkFor(parameters));
   resumed.restore(whole.checkpoint());
   for (GridQLearning* learning : {&whole, &resumed}) {
-    learning->beginEpoch(1, course);
+    learning->startEpoch(1, course);
     for (int update = 0; update < 4; ++update) learning->update();
   }
   EXPECT_EQ(parameterVector(whole.layers()), parameterVector(resumed.layers()));
@@ -187,7 +187,7 @@ TEST(GridQLearning, FindsTheValuesOfACorridor) {
   LayerStack layers = makeDenseStack(encoder.size(), {16}, kGridMoveCount);
   initialise({}, 1, layers);
   GridQLearning learning(parameters, layers);
-  learning.beginEpoch(0, course);
+  learning.startEpoch(0, course);
   for (int update = 0; update < parameters.updates; ++update) learning.update();
 
   Network network(learning.layers());
@@ -237,7 +237,7 @@ double arrivalInMazeAfterLearning(GridQLearningParameters parameters) {
   parameters.discount = 0.9;
   GridQLearning learning(parameters, networkFor(parameters));
   EXPECT_LT(arrivalEverywhere(maze, parameters, learning.layers()), 0.7) << "nothing to learn";
-  learning.beginEpoch(0, course);
+  learning.startEpoch(0, course);
   for (int update = 0; update < parameters.updates; ++update) learning.update();
   return arrivalEverywhere(maze, parameters, learning.layers());
 }

@@ -12,7 +12,7 @@ namespace {
 /// Counts.
 class Learner : public GridLearner {
  public:
-  void beginEpoch(int epoch, const GridCourse& course) override {
+  void startEpoch(int epoch, const GridCourse& course) override {
     Random random(1);
     epochs_.push_back(epoch);
     starts_.push_back(course.draw(random).start);

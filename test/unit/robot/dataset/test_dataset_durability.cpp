@@ -44,7 +44,7 @@ void expect(bool condition, const std::string& sentence) {
 void recordSteps(const std::string& path) {
   const RecordedEpisode episode = exampleEpisode(500, 1, kBeams);
   DatasetWriter writer(path, exampleDescription());
-  writer.beginEpisode(Episode());
+  writer.startEpisode(Episode());
   for (const DriveStep& step : episode.steps) {
     writer.addStep(step);
     std::cout << "\n" << std::flush;
@@ -57,7 +57,7 @@ void recordUntilFull(const std::string& path, MakeRoom&& make_room) {
   const RecordedEpisode episode = exampleEpisode(500, 1, kBeams);
   DatasetWriter writer(path, exampleDescription());
   expect(writer.problem().empty(), writer.problem());
-  writer.beginEpisode(episode.episode);
+  writer.startEpisode(episode.episode);
   std::size_t next = 0;
   constexpr long kWaiting = 20;
   while (writer.waiting() < kWaiting && next + 1 < episode.steps.size()) writer.addStep(episode.steps[next++]);
@@ -258,7 +258,7 @@ TEST_F(DatasetDurability, KeepsStepsInMemoryWhileTheDiskIsFull) {
 TEST_F(DatasetDurability, GoesOnWhileAReaderHasTheFile) {
   const RecordedEpisode episode = exampleEpisode(3, 1);
   DatasetWriter writer(in("a.db"), exampleDescription());
-  writer.beginEpisode(episode.episode);
+  writer.startEpisode(episode.episode);
   writer.addStep(episode.steps[0]);
   DatasetFile reader(in("a.db"), DatasetFile::Use::kRead, 0);
   reader.transact([&] {
@@ -277,7 +277,7 @@ TEST_F(DatasetDurability, GoesOnWhileAReaderHasTheFile) {
 TEST_F(DatasetDurability, IsReadWhileItIsRecorded) {
   const RecordedEpisode episode = exampleEpisode(40, 1, kBeams);
   DatasetWriter writer(in("a.db"), exampleDescription());
-  writer.beginEpisode(Episode());
+  writer.startEpisode(Episode());
   std::atomic<bool> is_recording{true};
   long reads = 0;
   std::thread reader([&] {
@@ -306,7 +306,7 @@ TEST_F(DatasetDurability, SaysWhenTheFileIsMovedAwayAndWhatIsLost) {
   constexpr long kMostWaiting = 10000;
   const RecordedEpisode episode = exampleEpisode(static_cast<int>(kMostWaiting) + 7, 1, 0);
   DatasetWriter writer(in("a.db"), exampleDescription());
-  writer.beginEpisode(episode.episode);
+  writer.startEpisode(episode.episode);
   writer.addStep(episode.steps[0]);
   std::filesystem::rename(in("a.db"), in("b.db"));
   for (std::size_t i = 1; i + 1 < episode.steps.size(); ++i) writer.addStep(episode.steps[i]);

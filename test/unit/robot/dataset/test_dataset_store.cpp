@@ -79,7 +79,7 @@ void record(const Recording& recording, DatasetWriter* writer) {
     Episode begun = episode.episode;
     begun.ended = 0.0;
     begun.end = EpisodeEnd::kRunning;
-    writer->beginEpisode(begun);
+    writer->startEpisode(begun);
     for (const DriveStep& step : episode.steps) writer->addStep(step);
     writer->endEpisode(episode.episode.ended, episode.episode.end);
   }
@@ -163,7 +163,7 @@ TEST_F(DatasetStore, RefusesAStepThatNoRecorderMakes) {
   const RecordedEpisode episode = exampleEpisode(2, 1);
   EXPECT_THROW(writer.addStep(episode.steps[0]), std::logic_error) << "of no episode";
   EXPECT_THROW(writer.endEpisode(1.0, EpisodeEnd::kArrived), std::logic_error);
-  writer.beginEpisode(episode.episode);
+  writer.startEpisode(episode.episode);
   writer.addStep(episode.steps[0]);
   EXPECT_THROW(writer.addStep(episode.steps[0]), std::invalid_argument) << "the same number again";
   DriveStep broken = episode.steps[1];
@@ -201,7 +201,7 @@ TEST_F(DatasetStore, RefusesASecondWriterUntilTheFirstIsDone) {
       EXPECT_STREQ(error.what(), ("dataset '" + in("a.db") + "' is being recorded by another writer").c_str());
     }
     const RecordedEpisode episode = exampleEpisode(1, 1);
-    writer.beginEpisode(episode.episode);
+    writer.startEpisode(episode.episode);
     writer.addStep(episode.steps[0]);
     writer.finish();
     EXPECT_NO_THROW(DatasetWriter(in("a.db"), exampleDescription())) << "finished, so free";

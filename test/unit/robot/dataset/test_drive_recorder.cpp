@@ -108,7 +108,7 @@ TEST_F(DriveRecorderTest, MakesAStepEveryPeriodOfADrive) {
 TEST_F(DriveRecorderTest, TellsOfAStepWhenItBegins) {
   /// The stamps of steps that have begun and, negative, of those that were labelled.
   struct Order : public StepList {
-    void beginStep(const DriveStep& step) override { stamps.push_back(step.stamp); }
+    void startStep(const DriveStep& step) override { stamps.push_back(step.stamp); }
     void addStep(const DriveStep& step) override { stamps.push_back(-step.stamp); }
     std::vector<double> stamps;
   } order;

@@ -47,7 +47,7 @@ std::string asText(const DecisionReplay& replay) {
 
 TEST(DecisionReplayTest, TellsWhatPlannerAndDriverDidAtEachStep) {
   DecisionReplay replay = leftwards();
-  replay.beginEpisode(episodeTo(20.0));
+  replay.startEpisode(episodeTo(20.0));
   drive(0, 3, &replay);
   ASSERT_EQ(replay.decisions().size(), 3u);
   const ReplayedDecision& second = replay.decisions()[1];
@@ -63,9 +63,9 @@ TEST(DecisionReplayTest, TellsWhatPlannerAndDriverDidAtEachStep) {
 
 TEST(DecisionReplayTest, AdvisesWhenAStepBeginsAndTellsWhatWasDrivenAfterwards) {
   DecisionReplay replay = leftwards();
-  replay.beginEpisode(episodeTo(20.0));
+  replay.startEpisode(episodeTo(20.0));
   for (int n = 0; n < 10; ++n) {
-    replay.beginStep(step(n));
+    replay.startStep(step(n));
     ASSERT_TRUE(replay.advice());
     EXPECT_EQ(replay.advice()->action, 3);
     EXPECT_EQ(replay.decisions().size(), static_cast<std::size_t>(n));
@@ -73,17 +73,17 @@ TEST(DecisionReplayTest, AdvisesWhenAStepBeginsAndTellsWhatWasDrivenAfterwards) 
     EXPECT_FALSE(replay.advice());
   }
   DecisionReplay afterwards = leftwards();
-  afterwards.beginEpisode(episodeTo(20.0));
+  afterwards.startEpisode(episodeTo(20.0));
   drive(0, 10, &afterwards);
   EXPECT_EQ(asText(replay), asText(afterwards)) << "it was asked twice about a step";
 }
 
 TEST(DecisionReplayTest, AStepWhoseLabelDoesNotBecomeKnownIsNotCounted) {
   DecisionReplay replay = leftwards();
-  replay.beginEpisode(episodeTo(20.0));
-  replay.beginStep(step(0));
+  replay.startEpisode(episodeTo(20.0));
+  replay.startStep(step(0));
   replay.reject(Rejection::kNoAllowedAngle);
-  replay.beginStep(step(1));
+  replay.startStep(step(1));
   replay.addStep(step(1));
   ASSERT_EQ(replay.decisions().size(), 1u);
   EXPECT_EQ(replay.decisions()[0].stamp, step(1).stamp);
@@ -91,10 +91,10 @@ TEST(DecisionReplayTest, AStepWhoseLabelDoesNotBecomeKnownIsNotCounted) {
 
 TEST(DecisionReplayTest, TheSameStepsGiveTheSameDecisionsWhateverElseIsReplayedBefore) {
   DecisionReplay once = leftwards();
-  once.beginEpisode(episodeTo(20.0));
+  once.startEpisode(episodeTo(20.0));
   drive(0, 10, &once);
   DecisionReplay again = leftwards();
-  again.beginEpisode(episodeTo(20.0));
+  again.startEpisode(episodeTo(20.0));
   again.reject(Rejection::kStanding);
   drive(0, 10, &again);
   EXPECT_EQ(asText(once), asText(again));
@@ -102,7 +102,7 @@ TEST(DecisionReplayTest, TheSameStepsGiveTheSameDecisionsWhateverElseIsReplayedB
 
 TEST(DecisionReplayTest, CountsHowOftenPlannerAndDriverAgree) {
   DecisionReplay replay = leftwards();
-  replay.beginEpisode(episodeTo(20.0));
+  replay.startEpisode(episodeTo(20.0));
   drive(0, 3, &replay);
   DriveStep to_the_left = step(3);
   to_the_left.driven_angle = M_PI / 4.0 + 0.1;
@@ -128,11 +128,11 @@ TEST(DecisionReplayTest, CountsHowOftenPlannerAndDriverAgree) {
 /// Decision::step counts since the agent was given its goal.
 TEST(DecisionReplayTest, ANewEpisodeIsANewGoal) {
   DecisionReplay replay = leftwards();
-  replay.beginEpisode(episodeTo(20.0));
+  replay.startEpisode(episodeTo(20.0));
   drive(0, 4, &replay);
   const long steps = replay.decisions().back().decision.step;
   replay.endEpisode(102.0, EpisodeEnd::kArrived);
-  replay.beginEpisode(episodeTo(20.0));
+  replay.startEpisode(episodeTo(20.0));
   drive(4, 5, &replay);
   EXPECT_EQ(steps, replay.decisions().front().decision.step + 3);
   EXPECT_EQ(replay.decisions().back().decision.step, replay.decisions().front().decision.step);
@@ -141,10 +141,10 @@ TEST(DecisionReplayTest, ANewEpisodeIsANewGoal) {
 
 TEST(DecisionReplayTest, AGapInTimeIsNoNewGoal) {
   DecisionReplay replay = leftwards();
-  replay.beginEpisode(episodeTo(20.0));
+  replay.startEpisode(episodeTo(20.0));
   drive(0, 4, &replay);
   replay.endEpisode(102.0, EpisodeEnd::kTimeJump);
-  replay.beginEpisode(episodeTo(20.0));
+  replay.startEpisode(episodeTo(20.0));
   drive(4, 5, &replay);
   EXPECT_EQ(replay.decisions().back().decision.step, replay.decisions().front().decision.step + 4);
 }
@@ -152,10 +152,10 @@ TEST(DecisionReplayTest, AGapInTimeIsNoNewGoal) {
 TEST(DecisionReplayTest, AfterAJumpOfOdometryOrClockTheAgentStartsAnew) {
   for (const EpisodeEnd end : {EpisodeEnd::kOdometryJump, EpisodeEnd::kTimeJump}) {
     DecisionReplay replay = leftwards();
-    replay.beginEpisode(episodeTo(20.0));
+    replay.startEpisode(episodeTo(20.0));
     drive(0, 4, &replay);
     replay.endEpisode(102.0, end);
-    replay.beginEpisode(episodeTo(20.0));
+    replay.startEpisode(episodeTo(20.0));
     DriveStep after = step(4);
     if (end == EpisodeEnd::kTimeJump) after.stamp = 50.0;  // the clock was set back
     replay.addStep(after);
@@ -165,7 +165,7 @@ TEST(DecisionReplayTest, AfterAJumpOfOdometryOrClockTheAgentStartsAnew) {
 
 TEST(DecisionReplayTest, StepsWithoutScansAreRefused) {
   DecisionReplay replay = leftwards();
-  replay.beginEpisode(episodeTo(20.0));
+  replay.startEpisode(episodeTo(20.0));
   DriveStep blind = step(0);
   blind.ranges.clear();
   EXPECT_THROW(replay.addStep(blind), std::invalid_argument);
@@ -173,7 +173,7 @@ TEST(DecisionReplayTest, StepsWithoutScansAreRefused) {
 
 TEST(DecisionReplayTest, ScannersThatTheModelWasNotMadeForAreRefused) {
   DecisionReplay replay = leftwards();
-  replay.beginEpisode(episodeTo(20.0));
+  replay.startEpisode(episodeTo(20.0));
   DriveStep short_sighted = step(0);
   short_sighted.geometry.range_max = 1.0;  // less than half the model's range cap
   EXPECT_THROW(replay.addStep(short_sighted), std::invalid_argument);
@@ -181,7 +181,7 @@ TEST(DecisionReplayTest, ScannersThatTheModelWasNotMadeForAreRefused) {
 
 TEST(DecisionReplayTest, WritesARowADecision) {
   DecisionReplay replay = leftwards();
-  replay.beginEpisode(episodeTo(20.0));
+  replay.startEpisode(episodeTo(20.0));
   drive(0, 1, &replay);
   EXPECT_EQ(asText(replay),
             "episode,stamp,source,action,steering_angle,driven_action,driven_angle,preferences\n"
