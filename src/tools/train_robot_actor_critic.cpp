@@ -34,7 +34,7 @@ std::string lineOf(const ReinforcementReport& report) {
 /// How often the network would have done what the drivers of `recordings` did.
 std::string agreementWith(const Dataset& recordings, const DrivePolicy& policy) {
   const ConfusionMatrix taken = preferencesIn(recordings, policy);
-  return "; recordings: " + accuracyText(taken) + " (always the most frequent label: " + majorityText(taken) + ")";
+  return "; recordings: " + accuracyText(taken) + " (majority-class baseline: " + majorityText(taken) + ")";
 }
 
 bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan,

@@ -117,7 +117,7 @@ class DatasetTraining {
     print("validation", sets_.validation_labels);
     std::cout << "   " << stepsOf(sets_.validation_labels) << " steps in " << sets_.validation.size() << " episodes\n";
     print("weight", sets_.label_weights);
-    std::cout << "   --balance " << toString(options_.training.balance) << "\nalways the most frequent label: accuracy "
+    std::cout << "   --balance " << toString(options_.training.balance) << "\nmajority-class baseline: accuracy "
               << percentText(constantAnswerAccuracy(sets_.validation_labels)) << " on the validation set" << std::endl;
   }
 
@@ -188,7 +188,7 @@ class DatasetTraining {
     model.metadata["score"] =
         std::to_string(stepsOf(sets_.validation_labels)) +
         " recorded validation steps: " + accuracyText(validation.confusion) +
-        "; always the most frequent label: " + percentText(constantAnswerAccuracy(sets_.validation_labels));
+        "; majority-class baseline: " + percentText(constantAnswerAccuracy(sets_.validation_labels));
     writeModelFile(path, model);
   }
 

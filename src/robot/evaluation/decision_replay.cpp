@@ -145,9 +145,8 @@ std::string describeReplay(const DecisionReplay& replay) {
     text << " in " << episodes << (episodes == 1 ? " episode (" : " episodes (") << joined(sources, true)
          << "): the planner took the driver's steering angle at " << agreement.same_action << " ("
          << percent(static_cast<double>(agreement.same_action) / static_cast<double>(agreement.decisions))
-         << ", balanced " << percent(agreement.balanced)
-         << "; always the driver's most frequent angle: " << percent(agreement.majority) << ", balanced "
-         << percent(agreement.majority_balanced) << "), their angles differ by "
+         << ", balanced " << percent(agreement.balanced) << "; majority-class baseline: " << percent(agreement.majority)
+         << ", balanced " << percent(agreement.majority_balanced) << "), their angles differ by "
          << std::lround(agreement.mean_difference * 180.0 / M_PI) << " degrees on average";
     if (agreement.asked > 0)
       text << "; the network preferred it at " << agreement.preferred << " of " << agreement.asked;

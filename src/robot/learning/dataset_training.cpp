@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "lstm_planner/base/common/parameter_check.hpp"
-#include "robot/learning/drive_symmetry.hpp"
+#include "robot/learning/drive_augmentation.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -9,8 +9,8 @@ namespace {
 
 using Source = Decision::Source;
 
-/// A new path is taken when it is this much better: a share, and m. Else every new wall seen would make the robot turn
-/// back and forth between two paths of the same length.
+/// Hysteresis: a new path is taken when it is this much better, a share, and m. Else every new wall seen would make the
+/// robot turn back and forth between two paths of the same length.
 constexpr double kWorthTurning = 0.08;
 constexpr double kWorthTurningMetres = 0.3;
 

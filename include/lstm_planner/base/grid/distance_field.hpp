@@ -21,11 +21,11 @@ class DistanceField {
   std::vector<float> distances_;
 };
 
-/// Length of the shortest 8-connected path (no cutting of corners) from every cell to `goal` through cells whose
-/// distance-field value is at least `clearance` (m): the distance-to-go of a robot of that radius; +inf where there is
-/// none, and so everywhere when the goal itself lies in such a place. The cost of a cell can be raised near obstacles:
-/// a cell nearer than `comfort` costs up to `1 + reluctance` times its length, so that the paths keep to the middle of
-/// doors.
+/// Length of the shortest 8-connected path (Dijkstra; no cutting of corners) from every cell to `goal` through cells
+/// whose distance-field value is at least `clearance` (m): the distance-to-go of a robot of that radius; +inf where
+/// there is none, and so everywhere when the goal itself lies in such a place. The cost of a cell can be raised near
+/// obstacles: a cell nearer than `comfort` costs up to `1 + reluctance` times its length, so that the paths keep to the
+/// middle of doors.
 class GeodesicField {
  public:
   struct Options {

@@ -20,7 +20,8 @@ double balancedAccuracy(const ConfusionMatrix& confusion);
 /// Share of the steps that were answered with their label. 0 without steps.
 double accuracyOf(const ConfusionMatrix& confusion);
 
-/// What always giving the most frequent label would have made of the same steps: what a network has to beat.
+/// Majority-class baseline: what always giving the most frequent label would have made of the same steps: what a
+/// network has to beat.
 ConfusionMatrix constantAnswer(const ConfusionMatrix& confusion);
 
 /// For people: a row a label with its answers and recall, and a last row with the precisions. `names` has one text a

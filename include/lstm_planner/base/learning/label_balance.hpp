@@ -27,7 +27,8 @@ std::vector<double> labelWeights(const std::vector<long>& counts, LabelBalance b
 /// Multiplies each step's weight by that of its label.
 void weigh(const std::vector<double>& label_weights, std::vector<Sequence>* sequences);
 
-/// Accuracy of always answering the most frequent label, in [0, 1]: what a network has to beat. 0 without steps.
+/// Accuracy of the majority-class baseline (always the most frequent label), in [0, 1]: what a network has to beat. 0
+/// without steps.
 double constantAnswerAccuracy(const std::vector<long>& counts);
 
 }  // namespace lstm_planner

@@ -77,7 +77,7 @@ struct Agreement {
   long same_action = 0;            ///< the same steering angle
   double mean_difference = 0.0;    ///< rad, between the planner's angle and the driver's
   double balanced = 0.0;           ///< share of the same, the mean over the angles that the driver took
-  double majority = 0.0;           ///< the share of the same that always taking the driver's most frequent angle has
+  double majority = 0.0;           ///< the majority-class baseline: always the driver's most frequent angle
   double majority_balanced = 0.0;  ///< and its balanced share
   long asked = 0;                  ///< decisions for which the network was asked
   long preferred = 0;              ///< of these, where it preferred the driver's angle of all (thesis Eq. 4.3)
@@ -85,7 +85,7 @@ struct Agreement {
 Agreement agreementOf(const std::vector<ReplayedDecision>& decisions);
 
 /// "71 decisions in 2 episodes (network 60, goal in sight 11): the planner took the driver's steering angle at 52 (73
-/// %, balanced 61 %; always the driver's most frequent angle: ...), their angles differ by 14 degrees on average; the
+/// %, balanced 61 %; majority-class baseline: ...), their angles differ by 14 degrees on average; the
 /// network preferred it at 40 of 60; not decided about: 5 standing".
 std::string describeReplay(const DecisionReplay& replay);
 

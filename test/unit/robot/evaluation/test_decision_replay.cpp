@@ -119,7 +119,7 @@ TEST(DecisionReplayTest, CountsHowOftenPlannerAndDriverAgree) {
   EXPECT_EQ(
       describeReplay(replay),
       "4 decisions in 1 episode (network 4): the planner took the driver's steering angle at 1 (25 %, balanced 50 %; "
-      "always the driver's most frequent angle: 75 %, balanced 50 %), their angles differ by 35 degrees on average; "
+      "majority-class baseline: 75 %, balanced 50 %), their angles differ by 35 degrees on average; "
       "the network preferred it at 1 of 4");
   EXPECT_EQ(agreementOf({}).decisions, 0);
   EXPECT_EQ(agreementOf({}).mean_difference, 0.0);

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "robot/learning/drive_symmetry.hpp"
+#include "robot/learning/drive_augmentation.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
 namespace lstm_planner {
@@ -29,7 +29,7 @@ void expectConsistent(const RecordedEpisode& episode) {
   }
 }
 
-TEST(DriveSymmetry, AMirroredDriveIsOneThatCouldHaveBeenRecorded) {
+TEST(DriveAugmentation, AMirroredDriveIsOneThatCouldHaveBeenRecorded) {
   const RecordedEpisode episode = driveTowards({3.0, 4.0}, 30, {0.5, -0.2, 2.0});
   expectConsistent(episode);
   const RecordedEpisode other = mirrored(episode, kAngles);
@@ -39,7 +39,7 @@ TEST(DriveSymmetry, AMirroredDriveIsOneThatCouldHaveBeenRecorded) {
   EXPECT_NE(other.steps[0].label, episode.steps[0].label);
 }
 
-TEST(DriveSymmetry, MirroringTwiceChangesNothing) {
+TEST(DriveAugmentation, MirroringTwiceChangesNothing) {
   RecordedEpisode episode = driveTowards({-3.0, 1.0}, 3);
   DriveStep& step = episode.steps[1];
   step.geometry = {"laser", -1.0, 0.01, 150, 0.1, 30.0, {{0.1, 0.05, 0.2}, false}};
@@ -55,7 +55,7 @@ TEST(DriveSymmetry, MirroringTwiceChangesNothing) {
   EXPECT_EQ(twice.geometry.mount.pose.yaw, step.geometry.mount.pose.yaw);
 }
 
-TEST(DriveSymmetry, WhatWasOnTheLeftIsOnTheRight) {
+TEST(DriveAugmentation, WhatWasOnTheLeftIsOnTheRight) {
   RecordedEpisode episode = driveTowards({3.0, 0.0}, 1);
   DriveStep& step = episode.steps[0];
   step.observation.sector_ranges = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 6.0, 6.0};
@@ -71,7 +71,7 @@ TEST(DriveSymmetry, WhatWasOnTheLeftIsOnTheRight) {
   EXPECT_EQ(other.ranges, (std::vector<float>{3.0f, 2.0f, 1.0f}));
 }
 
-TEST(DriveSymmetry, ATurnedDriveDiffersInItsHeadingOnly) {
+TEST(DriveAugmentation, ATurnedDriveDiffersInItsHeadingOnly) {
   const RecordedEpisode episode = driveTowards({3.0, 4.0}, 20);
   const RecordedEpisode other = turned(episode, 2.5);
   expectConsistent(other);
@@ -82,7 +82,7 @@ TEST(DriveSymmetry, ATurnedDriveDiffersInItsHeadingOnly) {
   }
 }
 
-TEST(DriveSymmetry, VariantsAreMirroredInTurnAndTheSameForTheSameSeed) {
+TEST(DriveAugmentation, VariantsAreMirroredInTurnAndTheSameForTheSameSeed) {
   Dataset dataset = drivesAllAround(3, 5, 1);
   dataset.recordings[0].episodes[1].episode.discarded = true;
   const Dataset variants = variantsOf(dataset, 3, 7);
@@ -99,7 +99,7 @@ TEST(DriveSymmetry, VariantsAreMirroredInTurnAndTheSameForTheSameSeed) {
   EXPECT_NE(heading(variantsOf(dataset, 3, 8)), heading(variants));
 }
 
-TEST(DriveSymmetry, AnglesOfOneSideCannotBeMirrored) {
+TEST(DriveAugmentation, AnglesOfOneSideCannotBeMirrored) {
   EXPECT_THROW(mirrored(driveTowards({1.0, 0.0}, 2), {-1.0, 0.0, 0.5}), std::invalid_argument);
 }
 

@@ -7,8 +7,9 @@
 
 namespace lstm_planner {
 
-// The same drive as it could have been recorded just as well. Half an hour of driving shows a network a few turns in
-// one building; these show it what does not matter. Episode::goal stays as it was given; nothing is learned from it.
+// Augmentation: the same drive as it could have been recorded just as well. Half an hour of driving shows a network a
+// few turns in one building; these show it what does not matter. Episode::goal stays as it was given; nothing is
+// learned from it.
 
 /// In a mirrored building: right is left. Angles, labels and scans are mirrored with it. `actions` are the allowed
 /// angles of the labels; they must be the same to both sides, or std::invalid_argument is thrown.

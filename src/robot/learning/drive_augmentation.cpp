@@ -1,4 +1,4 @@
-#include "robot/learning/drive_symmetry.hpp"
+#include "robot/learning/drive_augmentation.hpp"
 
 #include <algorithm>
 #include <cmath>
