@@ -11,14 +11,9 @@
 namespace lstm_planner {
 namespace {
 
-class DatasetTool : public DatasetTest {
+class DatasetTool : public ExampleFileTest {
  protected:
-  void SetUp() override {
-    DatasetTest::SetUp();
-    Dataset dataset;
-    dataset.recordings = {exampleRecording(8, 1)};
-    writeDataset(in("a.db"), dataset);
-  }
+  DatasetTool() : ExampleFileTest(8) {}
 
   /// In the folder of the test.
   test::Outcome run(const std::string& arguments) const {

@@ -100,4 +100,15 @@ inline Recording exampleRecording(int episodes, unsigned seed, const std::string
   return recording;
 }
 
+/// A folder with a dataset in a.db.
+class ExampleFileTest : public DatasetTest {
+ protected:
+  /// `episodes`: see exampleRecording().
+  explicit ExampleFileTest(int episodes = 2) {
+    Dataset dataset;
+    dataset.recordings = {exampleRecording(episodes, 1)};
+    writeDataset(in("a.db"), dataset);
+  }
+};
+
 }  // namespace lstm_planner

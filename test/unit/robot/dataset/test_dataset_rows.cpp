@@ -8,15 +8,8 @@
 namespace lstm_planner {
 namespace {
 
-class DatasetRowsTest : public DatasetTest {
+class DatasetRowsTest : public ExampleFileTest {
  protected:
-  void SetUp() override {
-    DatasetTest::SetUp();
-    Dataset dataset;
-    dataset.recordings = {exampleRecording(2, 1)};
-    writeDataset(in("a.db"), dataset);
-  }
-
   /// What is said of a file in which `statement` has changed something.
   std::string refusalAfter(const std::string& statement) {
     std::filesystem::copy_file(in("a.db"), in("b.db"), std::filesystem::copy_options::overwrite_existing);

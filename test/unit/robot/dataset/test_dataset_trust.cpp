@@ -11,15 +11,8 @@
 namespace lstm_planner {
 namespace {
 
-class DatasetTrust : public DatasetTest {
+class DatasetTrust : public ExampleFileTest {
  protected:
-  void SetUp() override {
-    DatasetTest::SetUp();
-    Dataset dataset;
-    dataset.recordings = {exampleRecording(2, 1)};
-    writeDataset(in("a.db"), dataset);
-  }
-
   /// Changes the file without the package.
   void change(const std::vector<std::string>& statements) {
     Poco::Data::SQLite::Connector::registerConnector();
