@@ -62,6 +62,7 @@ optional_packages() {
   [ "$1" = noetic ] || printf '%s\n' libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure tf2-tools
   [ "$1" = noetic ] && printf 'ros-noetic-%s\n' create-msgs dwa-local-planner dynamic-reconfigure global-planner
   if [ -n "$wants_rviz" ]; then
+    printf '%s\n' libopengl-dev qtbase5-dev  # not all distributions' headers of rviz bring what they need
     if [ "$1" = noetic ]; then echo ros-noetic-rviz; else printf '%s\n' rviz librviz-dev; fi
   fi
 }
