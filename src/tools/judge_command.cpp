@@ -10,7 +10,7 @@
 #include "lstm_planner/base/learning/confusion.hpp"
 #include "lstm_planner/robot/learning/drive_judge.hpp"
 #include "lstm_planner/robot/learning/recorded_choices.hpp"
-#include "lstm_planner/robot/learning/step_drive.hpp"
+#include "lstm_planner/robot/learning/step_simulator.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"

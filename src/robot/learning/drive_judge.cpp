@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lstm_planner/base/common/parallel_for.hpp"
-#include "lstm_planner/robot/learning/step_drive.hpp"
+#include "lstm_planner/robot/learning/step_simulator.hpp"
 
 namespace lstm_planner {
 
@@ -17,9 +17,9 @@ std::vector<JudgedDrive> judgeEach(const DrivePolicy& policy, const AgentParamet
     Random random(seed * 1000003ULL + static_cast<std::uint64_t>(world));
     for (const DriveExercise& exercise : makeDriveExercises(course, use, seed, world, kGoals, kStarts)) {
       for (const DriveTask& task : exercise.tasks) {
-        const StepDriveConditions conditions = drawConditions(random);
+        const PracticeConditions conditions = drawConditions(random);
         NavigationAgent agent(policy, agent_parameters);
-        StepDrive drive(*exercise.world, task, conditions, policy.description().footprint_radius, random());
+        StepSimulator drive(*exercise.world, task, conditions, policy.description().footprint_radius, random());
         JudgedDrive judged;
         judged.kind = exercise.kind;
         judged.arrived = drive.run(max_steps, &agent) == DriveResult::End::kReached;

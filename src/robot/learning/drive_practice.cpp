@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "lstm_planner/base/common/parallel_for.hpp"
-#include "lstm_planner/robot/learning/step_drive.hpp"
+#include "lstm_planner/robot/learning/step_simulator.hpp"
 #include "robot/learning/practice_exchange.hpp"
 
 namespace lstm_planner {
@@ -26,7 +26,7 @@ AgentParameters drawAgent(const PolicyDescription& policy, Random& random) {
 /// Records a drive and chooses its actions; the agent's step listener.
 class Practice {
  public:
-  Practice(const PracticeRules& rules, const DriveExercise& exercise, const DriveTask& task, const StepDrive& drive,
+  Practice(const PracticeRules& rules, const DriveExercise& exercise, const DriveTask& task, const StepSimulator& drive,
            const NavigationAgent& agent, std::uint64_t seed)
       : rules_(rules),
         exercise_(exercise),
@@ -43,7 +43,7 @@ class Practice {
     const double left = pathLeft();
     finishStep(left);
     outcome_.before = observation;
-    look(observation, left);
+    noteInputs(observation, left);
     episode_.steps.emplace_back();
     return draw() ? std::optional<int>(episode_.steps.back().action) : std::nullopt;
   }
@@ -80,7 +80,7 @@ class Practice {
     contacts_before_ = drive_.contacts();
   }
 
-  void look(const Observation& observation, double left) {
+  void noteInputs(const Observation& observation, double left) {
     const auto own = static_cast<std::size_t>(encoder_.size());
     const std::size_t first = episode_.inputs.size();
     episode_.inputs.resize(first + own + kDrivePrivilegedInputs);
@@ -139,7 +139,7 @@ class Practice {
   const PracticeRules& rules_;
   const DriveExercise& exercise_;
   const DriveTask& task_;
-  const StepDrive& drive_;
+  const StepSimulator& drive_;
   const NavigationAgent& agent_;
   Encoder encoder_;
   Random random_;
@@ -154,12 +154,12 @@ class Practice {
 PracticeEpisode practise(const PracticeRules& rules, const LayerStack& layers, const DriveExercise& exercise,
                          const DriveTask& task, std::uint64_t seed) {
   Random random(seed);
-  const StepDriveConditions conditions = drawConditions(random);
+  const PracticeConditions conditions = drawConditions(random);
   PolicyDescription description = rules.policy;
   const AgentParameters agent_parameters = drawAgent(description, random);
   description.step_length = agent_parameters.step.length;
   NavigationAgent agent(DrivePolicy(description, layers), agent_parameters);
-  StepDrive drive(*exercise.world, task, conditions, description.footprint_radius, random());
+  StepSimulator drive(*exercise.world, task, conditions, description.footprint_radius, random());
   Practice practice(rules, exercise, task, drive, agent, random());
   agent.setStepListener(
       [&practice](const Situation&, const Observation& observation) { return practice.step(observation); });

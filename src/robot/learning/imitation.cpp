@@ -13,7 +13,7 @@
 #include "lstm_planner/base/learning/imitation_rounds.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/teacher_rescue.hpp"
-#include "lstm_planner/robot/learning/step_drive.hpp"
+#include "lstm_planner/robot/learning/step_simulator.hpp"
 
 namespace lstm_planner {
 
@@ -41,9 +41,9 @@ enum class Driver {
 Episode driveEpisode(const DriveExercise& exercise, const DriveTask& task, const ImitationParameters& parameters,
                      const LayerStack& layers, Driver driver, std::uint64_t seed) {
   Random random(seed);
-  const StepDriveConditions conditions = drawConditions(random);
+  const PracticeConditions conditions = drawConditions(random);
   NavigationAgent agent(DrivePolicy(parameters.policy, layers), practiceAgent(parameters.policy));
-  StepDrive drive(*exercise.world, task, conditions, parameters.policy.footprint_radius, random());
+  StepSimulator drive(*exercise.world, task, conditions, parameters.policy.footprint_radius, random());
   Episode episode;
   TeacherRescue rescue(kNearer, parameters.stuck_steps, parameters.rescue_steps);
   agent.setStepListener([&](const Situation&, const Observation& observation) -> std::optional<int> {

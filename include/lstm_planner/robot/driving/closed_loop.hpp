@@ -24,7 +24,7 @@ class LoopRobot {
 
 /// Sense, decide, drive, sense again: the loop in which networks practise and in which they are judged. What happens
 /// between two looks depends on the robot: a simulated Create 2 obeys the controller's commands (drive()); a robot that
-/// practises moves directly to where the controller would lead it, which is many times as fast.
+/// practises (StepSimulator) moves directly to where the controller would lead it, which is many times as fast.
 class ClosedLoop {
  public:
   enum class End {

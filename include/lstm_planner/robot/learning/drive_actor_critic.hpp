@@ -14,8 +14,8 @@ namespace lstm_planner {
 
 /// Reinforcement for the robot: an actor with a critic that sees more (distances that are known in generated worlds
 /// only), generalised advantages, and updates that stay near the policy that drove (Schulman et al., "Proximal policy
-/// optimization algorithms", 2017). Drives are StepDrive's, under random conditions. The reward of a step is what it
-/// brings the robot nearer to the goal by the teacher's path, less a cost.
+/// optimization algorithms", 2017). Drives are StepSimulator's, under random conditions. The reward of a step is what
+/// it brings the robot nearer to the goal by the teacher's path, less a cost.
 struct DriveActorCriticParameters {
   PolicyDescription policy;
   DriveCourseParameters course;

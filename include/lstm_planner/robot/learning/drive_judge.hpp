@@ -10,7 +10,7 @@
 
 namespace lstm_planner {
 
-/// How well a policy drives by itself: StepDrive without escape, always the action that it prefers.
+/// How well a policy drives by itself: StepSimulator without escape, always the action that it prefers.
 struct DriveScore {
   int drives = 0;
   double arrival = 0.0;  ///< share of the drives

@@ -5,7 +5,7 @@
 
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/robot/learning/drive_judge.hpp"
-#include "lstm_planner/robot/learning/step_drive.hpp"
+#include "lstm_planner/robot/learning/step_simulator.hpp"
 #include "support/real_data.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 

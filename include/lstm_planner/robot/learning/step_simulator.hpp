@@ -13,7 +13,7 @@
 namespace lstm_planner {
 
 /// Under which conditions a robot practises: what differs from robot to robot and from day to day.
-struct StepDriveConditions {
+struct PracticeConditions {
   HokuyoParameters scanner;   ///< with few beams: the averages hardly change
   double period = 0.5;        ///< s between scans, and steps
   double speed = 0.3;         ///< m/s
@@ -24,22 +24,22 @@ struct StepDriveConditions {
 };
 
 /// The conditions without any randomness but the scanner's: a Create 2 with every eighth beam of a UTM-30LX.
-StepDriveConditions usualConditions();
+PracticeConditions usualConditions();
 
 /// Random conditions around the usual ones (domain randomisation: Tobin et al., "Domain randomization for transferring
 /// deep neural networks from simulation to the real world", IROS 2017).
-StepDriveConditions drawConditions(Random& random);
+PracticeConditions drawConditions(Random& random);
 
 /// The agent that practises: network and shield, without rescue or memory of obstacles.
 AgentParameters practiceAgent(const PolicyDescription& policy);
 
-/// A drive for practice, in the ClosedLoop in which drive() judges what was learned: a scan and a decision a step, and
-/// in between the robot turns and drives as the controller would, but without controller, plan and wheels.
-class StepDrive : private LoopRobot {
+/// Simulates a drive for practice, in the ClosedLoop in which drive() judges what was learned: a scan and a decision a
+/// step, and in between the robot turns and drives as the controller would, but without controller, plan and wheels.
+class StepSimulator : private LoopRobot {
  public:
   /// `world` must outlive it. Deterministic for a seed.
-  StepDrive(const World& world, const DriveTask& task, const StepDriveConditions& conditions, double footprint_radius,
-            std::uint64_t seed);
+  StepSimulator(const World& world, const DriveTask& task, const PracticeConditions& conditions,
+                double footprint_radius, std::uint64_t seed);
 
   /// Gives the agent the goal, and drives until it has arrived by its odometry, gives up, or has made so many steps.
   DriveResult::End run(int max_steps, NavigationAgent* agent);
@@ -57,7 +57,7 @@ class StepDrive : private LoopRobot {
 
   const World& world_;
   DriveTask task_;
-  StepDriveConditions conditions_;
+  PracticeConditions conditions_;
   double footprint_radius_;
   Random random_;
   Hokuyo scanner_;

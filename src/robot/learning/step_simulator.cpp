@@ -1,4 +1,4 @@
-#include "lstm_planner/robot/learning/step_drive.hpp"
+#include "lstm_planner/robot/learning/step_simulator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@ constexpr double kPiece = 0.1;
 
 }  // namespace
 
-StepDriveConditions usualConditions() {
-  StepDriveConditions conditions;
+PracticeConditions usualConditions() {
+  PracticeConditions conditions;
   HokuyoParameters& scanner = conditions.scanner;
   scanner.beams = 136;
   scanner.angle_increment = -2.0 * scanner.angle_min / (scanner.beams - 1);
@@ -34,8 +34,8 @@ AgentParameters practiceAgent(const PolicyDescription& policy) {
   return agent;
 }
 
-StepDriveConditions drawConditions(Random& random) {
-  StepDriveConditions conditions = usualConditions();
+PracticeConditions drawConditions(Random& random) {
+  PracticeConditions conditions = usualConditions();
   conditions.scanner.noise = uniform(random, 0.002, 0.03);
   conditions.scanner.dropout = uniform(random) < 0.5 ? 0.001 : uniform(random, 0.0, 0.05);
   SensorMount& mount = conditions.scanner.mount;
@@ -49,8 +49,8 @@ StepDriveConditions drawConditions(Random& random) {
   return conditions;
 }
 
-StepDrive::StepDrive(const World& world, const DriveTask& task, const StepDriveConditions& conditions,
-                     double footprint_radius, std::uint64_t seed)
+StepSimulator::StepSimulator(const World& world, const DriveTask& task, const PracticeConditions& conditions,
+                             double footprint_radius, std::uint64_t seed)
     : world_(world),
       task_(task),
       conditions_(conditions),
@@ -59,7 +59,7 @@ StepDrive::StepDrive(const World& world, const DriveTask& task, const StepDriveC
       scanner_(conditions.scanner, ~seed),
       pose_(task.start) {}
 
-DriveResult::End StepDrive::run(int max_steps, NavigationAgent* agent) {
+DriveResult::End StepSimulator::run(int max_steps, NavigationAgent* agent) {
   int steps = 0;
   const auto goes_on = [&steps, max_steps] { return steps++ < max_steps; };
   const auto note = [](const Decision&) {};
@@ -74,18 +74,18 @@ DriveResult::End StepDrive::run(int max_steps, NavigationAgent* agent) {
   return DriveResult::End::kTimeout;
 }
 
-void StepDrive::sense(double range_cap, Situation* situation) {
+void StepSimulator::sense(double range_cap, Situation* situation) {
   scanner_.scan(world_, pose_, time_, &scan_);
   perceive(scan_, conditions_.scanner.mount, Hokuyo::rules(), range_cap, situation);
   situation->time = time_;
   situation->pose = odometry_;
 }
 
-bool StepDrive::hasArrived(const Situation& situation, const Decision& decision) const {
+bool StepSimulator::hasArrived(const Situation& situation, const Decision& decision) const {
   return distanceBetween(situation.pose, decision.destination) <= MotionParameters().position_tolerance;
 }
 
-void StepDrive::carryOut(const Situation&, const Decision& decision, const NavigationAgent& agent) {
+void StepSimulator::carryOut(const Situation&, const Decision& decision, const NavigationAgent& agent) {
   const StepParameters& step = agent.parameters().step;
   const Pose2 begin = odometry_;
   for (double elapsed = 0.0; elapsed < conditions_.period - 1e-9; elapsed += kPiece) {
@@ -98,7 +98,7 @@ void StepDrive::carryOut(const Situation&, const Decision& decision, const Navig
 }
 
 /// As MotionController does for the plan of a decision.
-Twist2 StepDrive::steer(const Decision& decision, const NavigationAgent& agent, double period) const {
+Twist2 StepSimulator::steer(const Decision& decision, const NavigationAgent& agent, double period) const {
   const MotionParameters motion;
   const double error = normalizeAngle(directionTo(odometry_, decision.waypoint) - odometry_.yaw);
   Twist2 twist;
@@ -112,7 +112,7 @@ Twist2 StepDrive::steer(const Decision& decision, const NavigationAgent& agent, 
   return twist;
 }
 
-void StepDrive::move(const Twist2& twist, double seconds) {
+void StepSimulator::move(const Twist2& twist, double seconds) {
   const double turn = twist.angular * seconds;
   double length = twist.linear * seconds;
   Pose2 next = alongMeanHeading(pose_, length * (1.0 + conditions_.slip * normal(random_)),

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lstm_planner/robot/learning/step_drive.hpp"
+#include "lstm_planner/robot/learning/step_simulator.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
 namespace lstm_planner {
@@ -10,10 +10,10 @@ namespace {
 
 const CircleWorld kEmptyField({});
 
-DriveResult::End driveStraight(const World& world, const StepDriveConditions& conditions, double distance) {
+DriveResult::End driveStraight(const World& world, const PracticeConditions& conditions, double distance) {
   const DriveTask task{{1.0, 2.0, 0.5}, pointAlong(Point2{1.0, 2.0}, 0.5, distance), distance};
   NavigationAgent agent(test::straightAheadPolicy(), practiceAgent(test::straightAheadPolicy().description()));
-  StepDrive drive(world, task, conditions, 0.17425, 1);
+  StepSimulator drive(world, task, conditions, 0.17425, 1);
   const DriveResult::End end = drive.run(300, &agent);
   EXPECT_EQ(drive.contacts(), 0);
   if (end == DriveResult::End::kReached) {
@@ -23,21 +23,21 @@ DriveResult::End driveStraight(const World& world, const StepDriveConditions& co
   return end;
 }
 
-TEST(StepDrive, ArrivesStraightAheadInTheOpen) {
+TEST(StepSimulator, ArrivesStraightAheadInTheOpen) {
   EXPECT_EQ(driveStraight(kEmptyField, usualConditions(), 5.0), DriveResult::End::kReached);
 }
 
-TEST(StepDrive, StopsInFrontOfAnObstacle) {
+TEST(StepSimulator, StopsInFrontOfAnObstacle) {
   const CircleWorld pole({{pointAlong(Point2{1.0, 2.0}, 0.5, 3.0), 1.0}});
   EXPECT_EQ(driveStraight(pole, usualConditions(), 6.0), DriveResult::End::kTimeout);
 }
 
-TEST(StepDrive, LetsTheOdometryErr) {
-  StepDriveConditions conditions = usualConditions();
+TEST(StepSimulator, LetsTheOdometryErr) {
+  PracticeConditions conditions = usualConditions();
   conditions.travel_error = 0.05;
   const DriveTask task{{0.0, 0.0, 0.0}, {10.0, 0.0}, 10.0};
   NavigationAgent agent(test::straightAheadPolicy(), practiceAgent(test::straightAheadPolicy().description()));
-  StepDrive drive(kEmptyField, task, conditions, 0.17425, 1);
+  StepSimulator drive(kEmptyField, task, conditions, 0.17425, 1);
   ASSERT_EQ(drive.run(300, &agent), DriveResult::End::kReached) << "as far as the odometry can tell";
   // Arrived at 9.8 to 10 m by an odometry that counts 5 % too much.
   EXPECT_NEAR(drive.truePose().x, 9.9 / 1.05, 0.2);
@@ -50,14 +50,14 @@ TEST(PracticeAgent, HasNoHelp) {
   EXPECT_FALSE(agent.escape.enabled) << "it is to learn to get out by itself";
 }
 
-TEST(StepDrive, IsTheSameForTheSameSeed) {
+TEST(StepSimulator, IsTheSameForTheSameSeed) {
   Random random(5);
-  const StepDriveConditions conditions = drawConditions(random);
+  const PracticeConditions conditions = drawConditions(random);
   const DriveTask task{{0.0, 0.0, 0.3}, {4.0, 1.0}, 0.0};
   Pose2 ends[2];
   for (Pose2& end : ends) {
     NavigationAgent agent(test::straightAheadPolicy(), practiceAgent(test::straightAheadPolicy().description()));
-    StepDrive drive(kEmptyField, task, conditions, 0.17425, 7);
+    StepSimulator drive(kEmptyField, task, conditions, 0.17425, 7);
     drive.run(20, &agent);
     end = drive.truePose();
   }
