@@ -32,7 +32,7 @@ class IndependentReader : public test::ModelFileTest {
     const std::string command = "/usr/bin/python3 '" + script + "' '" + path_ + "' '" + steps_path + "'";
     const test::Outcome outcome = test::runShell(command);
     constexpr int kSkipped = 77;
-    if (outcome.status == kSkipped) GTEST_SKIP() << "python3-onnx is not installed";
+    if (outcome.status == kSkipped) GTEST_SKIP() << "python3-onnx is not installed, or too old: " << outcome.output;
     EXPECT_EQ(outcome.status, 0) << outcome.output;
   }
 };
