@@ -82,12 +82,12 @@ def running(node):
     """What the node has."""
     full = NAMESPACES.get(node, "") + "/" + node
     master = rosgraph.Master("/interfaces")
-    types = dict(master.getTopicTypes())
+    types = dict(master.getTopicTypes())  # of a topic that is announced only now none is known yet
     for verb, group in zip(("publishes", "subscribes", "serves"), master.getSystemState()):
         for name, owners in group:
             if full not in owners or ALL_NODES_HAVE.search(name) or (verb == "subscribes" and name.endswith("/clock")):
                 continue
-            yield Entry(verb, name, rosservice.get_service_type(name) if verb == "serves" else types[name])
+            yield Entry(verb, name, rosservice.get_service_type(name) if verb == "serves" else types.get(name, "*"))
 
 
 def parts_of_names(analyzers):

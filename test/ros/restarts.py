@@ -88,7 +88,10 @@ class Restarts(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        rospy.signal_shutdown("the test is over")
+        try:
+            rospy.signal_shutdown("the test is over")
+        except AttributeError:
+            pass  # in Debian 11, whose rospy asks threads for isAlive(), which its Python no longer has
         for process in (cls.planner, cls.robot, cls.master):
             end(process)
 
