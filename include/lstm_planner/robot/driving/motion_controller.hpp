@@ -114,9 +114,9 @@ struct MotionHistory {
 /// safety margin. What is looked at is the path that the robot really takes: on with the present twist until the
 /// command acts, which may be at once or after the reaction time, then along the commanded arc until it stands.
 ///
-/// A circle may always turn in place. While it still drives, it turns only as its wheels can without carrying it on into
-/// something: a wheel that speeds up for the turn makes up for one that brakes. A polygon turns where its corners have
-/// room; else it drives on along a wider arc, or back along the path it came until it can turn.
+/// A circle may always turn in place. While it still drives, it turns only as its wheels can without carrying it on
+/// into something: a wheel that speeds up for the turn makes up for one that brakes. A polygon turns where its corners
+/// have room; else it drives on along a wider arc, or back along the path it came until it can turn.
 ///
 /// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
 /// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves
