@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "unit/grid_world/sense_ranges.hpp"
+
 namespace lstm_planner {
 namespace {
 

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "grid_world/agent/a_star_agent.hpp"
+#include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lstm_planner/grid_world/agent/block_graph.hpp"
+#include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner {
 namespace {

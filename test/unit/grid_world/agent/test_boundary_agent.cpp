@@ -6,6 +6,7 @@
 #include "grid_world/agent/boundary_agent.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "unit/grid_world/agent/small_grids.hpp"
+#include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner {
 namespace {

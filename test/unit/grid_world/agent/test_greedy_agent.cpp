@@ -2,6 +2,7 @@
 
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"
 #include "unit/grid_world/agent/small_grids.hpp"
+#include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner {
 namespace {

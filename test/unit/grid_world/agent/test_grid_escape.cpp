@@ -11,6 +11,7 @@
 #include "lstm_planner/grid_world/agent/grid_escape.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "unit/grid_world/agent/small_grids.hpp"
+#include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+#include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -6,6 +6,7 @@
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/grid_world/agent/rolling_planner.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
+#include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner {
 namespace {

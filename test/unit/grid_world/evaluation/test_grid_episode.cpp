@@ -6,6 +6,7 @@
 #include "grid_world/agent/a_star_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
+#include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -11,6 +11,7 @@
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 #include "unit/base/learning/thread_ranks.hpp"
+#include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner {
 namespace {

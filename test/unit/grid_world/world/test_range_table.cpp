@@ -2,24 +2,10 @@
 
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/grid_world/world/range_table.hpp"
+#include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner {
 namespace {
-
-/// Eq. 3.1, ray by ray.
-GridRanges senseRanges(const PassableGrid& grid, CellIndex cell) {
-  GridRanges ranges{};
-  for (int direction = 0; direction < kGridRayCount; ++direction) {
-    CellIndex seen = cell;
-    int steps = 0;
-    do {
-      seen = cellBeside(seen, direction);
-      ++steps;
-    } while (steps < kGridRayCap && grid.passable(seen));
-    ranges[static_cast<std::size_t>(direction)] = static_cast<std::uint8_t>(steps);
-  }
-  return ranges;
-}
 
 TEST(RangeTable, CountsStepsToTheFirstBlockedCellUpToTheCap) {
   PassableGrid grid(200, 200, true);

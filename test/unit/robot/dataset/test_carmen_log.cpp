@@ -108,15 +108,21 @@ TEST(CarmenLogTest, AnglesFollowFromTheNumberOfReadings) {
   }
 }
 
+bool isMeasured(const LaserScan& scan, std::size_t beam) {
+  RangeProfile profile;
+  toProfile(scan, {}, {}, &profile);
+  return profile.isMeasured(beam);
+}
+
 TEST(CarmenLogTest, TheLargestReadingsMeanThatNothingCameBack) {
   for (const double range : {50.0, 81.83, 81.91}) {
     const CarmenLog log = parsed(frontLaser(1.0, "0 0 0", "0 0 0", 180, range));
     const LaserScan scan = all<ScanHeard>(log).at(0).scan;
-    EXPECT_FALSE(isMeasuredRange(scan.ranges.at(0), scan)) << range;
+    EXPECT_FALSE(isMeasured(scan, 0)) << range;
   }
   const CarmenLog log = parsed(frontLaser(1.0, "0 0 0", "0 0 0", 180, 49.99));
   const LaserScan scan = all<ScanHeard>(log).at(0).scan;
-  EXPECT_TRUE(isMeasuredRange(scan.ranges.at(0), scan));
+  EXPECT_TRUE(isMeasured(scan, 0));
 }
 
 /// The laser is 0.2 m ahead of and 0.1 m left of the robot, and looks 0.3 rad to the right.
@@ -132,8 +138,8 @@ TEST(CarmenLogTest, RobotLaserSaysAnglesRangeAndMount) {
   EXPECT_DOUBLE_EQ(scans[0].scan.angle_min, -1.5);
   EXPECT_DOUBLE_EQ(scans[0].scan.angle_increment, 0.75);
   EXPECT_EQ(scans[0].scan.ranges, (std::vector<float>{1.0f, 2.0f, 30.0f, 29.5f, 0.0f}));
-  EXPECT_FALSE(isMeasuredRange(30.0f, scans[0].scan));
-  EXPECT_TRUE(isMeasuredRange(29.5f, scans[0].scan));
+  EXPECT_FALSE(isMeasured(scans[0].scan, 2));
+  EXPECT_TRUE(isMeasured(scans[0].scan, 3));
   EXPECT_TRUE(log.mount_known);
   EXPECT_NEAR(scans[0].mount.pose.x, 0.2, 1e-9);
   EXPECT_NEAR(scans[0].mount.pose.y, 0.1, 1e-9);
