@@ -119,13 +119,13 @@ void follow(const MotionParameters& parameters) {
   const MotionController controller(parameters);
   Shield shield(0.17425, parameters.safety_margin, 2.0);
   MovingReturns moving(parameters.moving);
+  const std::vector<Pose2> plan = {{}, {1.0, 0.0, 0.0}, {2.0, 0.5, 0.0}};
   Situation situation;
   for (int step = 0; step < kSteps; ++step) {
     perceive(roomScan(16 * step), {}, {}, 6.0, &situation);
     shield.show(situation.obstacles);
     moving.show(situation.profile, {}, 1000.0 + 0.3 * step);
-    const Twist2 twist =
-        controller.compute({{}, {1.0, 0.0, 0.0}, {2.0, 0.5, 0.0}}, {}, {0.1, 0.1}, shield, 0.05, moving.points());
+    const Twist2 twist = controller.compute({plan, {}, {0.1, 0.1}, shield, 0.05}, moving.points());
     require(std::isfinite(twist.linear) && std::isfinite(twist.angular), "a command is finite");
   }
 }
