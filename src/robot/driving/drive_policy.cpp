@@ -162,8 +162,10 @@ std::string sizeWarning(const PolicyDescription& description, double footprint_r
   const bool is_known = description.largest_radius > 0.0;
   const double largest = is_known ? description.largest_radius : description.footprint_radius + 0.05;
   if (footprint_radius >= description.smallest_radius && footprint_radius <= largest) return "";
-  return "the network was tried with robots of radius " + std::to_string(description.smallest_radius) + " to " +
-         std::to_string(largest) + " m, shield/footprint_radius is " + std::to_string(footprint_radius) +
+  const bool has_smallest = description.smallest_radius > 0.0;
+  return "the network was tried with robots of radius " +
+         (has_smallest ? std::to_string(description.smallest_radius) + " to " : "up to ") + std::to_string(largest) +
+         " m, shield/footprint_radius is " + std::to_string(footprint_radius) +
          " m: it may lead worse, and the path through the remembered obstacles leads more often; leader: route is made "
          "for any size";
 }

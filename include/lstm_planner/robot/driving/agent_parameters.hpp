@@ -101,11 +101,10 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   visit("goal_in_sight", agent.goal_in_sight, {0.0, 100.0}, "m",
         "the robot drives straight to a goal that is nearer than this, if the straight path is free");
   visit("goal_drift", agent.goal_drift, {0.0, 0.9}, "",
-        "possible error of odometry, as a share of the driven distance, 1.5 times its usual error: a goal that turns "
-        "out to "
-        "lie in or behind an obstacle counts as reached from that distance; larger makes fewer detours to the other "
-        "side of "
-        "walls, and takes more goals for reached that are there; 0 if odometry is corrected by a localisation");
+        "possible error of odometry (1.5 times the usual one), as a share of the driven distance: a goal that turns "
+        "out to lie in or behind an obstacle counts as reached from that distance; larger searches less often for a "
+        "path to the other side of a wall, and misses more goals that really are there; 0 if odometry is corrected by"
+        " a localisation");
   auto& step = agent.step;
   visit("step/length", step.length, {0.05, 5.0}, "m",
         "distance to the waypoint; a step ends when the robot has moved this far; must be that of the model");
