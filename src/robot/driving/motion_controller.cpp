@@ -12,7 +12,6 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kBehind = 2.7;  // rad of heading error
-constexpr double kSlack = 1e-9;  // m
 
 }  // namespace
 

@@ -76,7 +76,7 @@ double MotionController::freeOnWheels(const Twist2& twist, double delay, const M
     const double here = now.shield.freeArc(pose, angular / linear, length, margin);
     free += here;
     pose = alongTurn(pose, length, angular * kPiece);
-    return here >= length - 1e-9;
+    return here >= length - kSlack;
   };
   const double axle = parameters_.axle_length;
   Wheels wheels({speed, now.current.angular}, axle);

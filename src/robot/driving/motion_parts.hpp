@@ -11,6 +11,7 @@ namespace lstm_planner {
 constexpr double kSpeedError = 0.02;
 
 constexpr double kCreep = 0.005;  ///< m/s; slower is standing
+constexpr double kSlack = 1e-9;   ///< m or rad of rounding
 
 inline double clampMagnitude(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
 

@@ -166,7 +166,6 @@ bool MotionController::SafeMotion::operator()(const Twist2& twist) const {
 }
 
 bool MotionController::SafeMotion::isFree(const Pose2& from, const Twist2& twist, double time) const {
-  constexpr double kSlack = 1e-9;
   const double length = std::abs(twist.linear) * time;
   const double angle = twist.angular * time;
   if (length < kSlack || std::abs(twist.linear) < kTurning) {
