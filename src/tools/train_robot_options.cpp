@@ -83,6 +83,8 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   line->addOutput("output", &o.output, "ONNX file to write");
   line->add("kinds", &o.kinds, "kinds of generated worlds: mazes offices corridors forest open rooms (default: all)");
   line->add("dead-ends", &o.course.dead_end_share, kAnyShare, "share of the drives that start in a dead end");
+  line->add("other-robots", &o.course.other_robots, kAnyShare,
+            "share of the worlds in which robots of other sizes, speeds and scanners drive");
   line->add("shortest", &o.course.shortest, {0.01, 1e4}, "m; smallest length of the path from start to goal");
   line->add("max-steps", &o.max_steps, kAnyCount, "largest number of steps of a drive");
   line->add("validation", &o.validation, kAnyCount, "number of worlds for validation");
@@ -98,13 +100,15 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
 nlohmann::json settingsOf(const RobotTrainingOptions& options) {
   std::vector<std::string> kinds;
   for (const WorldKind kind : options.course.worlds) kinds.emplace_back(toString(kind));
-  return {{"task", "robot"},
-          {"kinds", kinds},
-          {"dead-ends", options.course.dead_end_share},
-          {"shortest", options.course.shortest},
-          {"max-steps", options.max_steps},
-          {"validation", options.validation},
-          {"seed", options.seed}};
+  nlohmann::json settings = {{"task", "robot"},
+                             {"kinds", kinds},
+                             {"dead-ends", options.course.dead_end_share},
+                             {"shortest", options.course.shortest},
+                             {"max-steps", options.max_steps},
+                             {"validation", options.validation},
+                             {"seed", options.seed}};
+  if (options.course.other_robots > 0.0) settings["other-robots"] = options.course.other_robots;
+  return settings;
 }
 
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder) {

@@ -15,13 +15,12 @@ constexpr double kClearance = 0.12;
 /// m; a start this near to the goal is no dead end.
 constexpr double kNearGoal = 1.5;
 
-double neededDistance(const GridWorld& world) {
-  return Teacher::Parameters{}.footprint_radius + kClearance + 0.5 * world.grid().resolution();
+double neededDistance(const GridWorld& world, double footprint_radius) {
+  return footprint_radius + kClearance + 0.5 * world.grid().resolution();
 }
 
-std::vector<CellIndex> standingCells(const GridWorld& world) {
+std::vector<CellIndex> standingCells(const GridWorld& world, double needed) {
   const OccupancyGrid& grid = world.grid();
-  const double needed = neededDistance(world);
   std::vector<CellIndex> standing;
   for (int row = 0; row < grid.rows(); ++row) {
     for (int column = 0; column < grid.columns(); ++column) {
@@ -29,7 +28,6 @@ std::vector<CellIndex> standingCells(const GridWorld& world) {
       if (grid.at(cell) == Cell::kFree && world.distances().at(cell) >= needed) standing.push_back(cell);
     }
   }
-  if (standing.empty()) throw std::runtime_error("a generated world has no place for the robot");
   return standing;
 }
 
@@ -37,10 +35,11 @@ std::vector<CellIndex> standingCells(const GridWorld& world) {
 bool drawStarts(const DriveCourseParameters& parameters, const std::vector<CellIndex>& standing, int starts,
                 Random& random, const Point2& goal, DriveExercise* exercise) {
   const OccupancyGrid& grid = exercise->world->grid();
+  const double needed = neededDistance(*exercise->world, exercise->footprint_radius);
   for (int failures = 0; static_cast<int>(exercise->tasks.size()) < starts;) {
     CellIndex cell = standing[uniformIndex(random, standing.size())];
     if (uniform(random) < parameters.dead_end_share) {
-      const CellIndex end = deadEndBelow(*exercise->world, cell, goal, neededDistance(*exercise->world));
+      const CellIndex end = deadEndBelow(*exercise->world, cell, goal, needed);
       if (distanceBetween(grid.centerOf(end), goal) > kNearGoal) cell = end;
     }
     const Point2 start = grid.centerOf(cell);
@@ -62,6 +61,8 @@ void validate(const DriveCourseParameters& parameters) {
   checkPositive("shortest", parameters.shortest);
   checkParameter(parameters.dead_end_share >= 0.0 && parameters.dead_end_share <= 1.0, "dead_end_share",
                  parameters.dead_end_share, "a share in [0, 1]");
+  checkParameter(parameters.other_robots >= 0.0 && parameters.other_robots <= 1.0, "other_robots",
+                 parameters.other_robots, "a share in [0, 1]");
 }
 
 std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& parameters, WorldUse use, std::uint64_t seed,
@@ -71,14 +72,21 @@ std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& param
   Random random(~world_seed);
   const std::size_t kind = static_cast<std::size_t>(number) % parameters.worlds.size();
   const auto world = std::make_shared<const GridWorld>(generateWorld(parameters.worlds[kind], world_seed));
-  const std::vector<CellIndex> standing = standingCells(*world);
+  Teacher::Parameters teacher;
+  const bool other_robot = parameters.other_robots > 0.0 && uniform(random) < parameters.other_robots;
+  if (other_robot) teacher.footprint_radius = uniformFactor(random, kSmallestRobot, kLargestRobot);
+  const std::vector<CellIndex> standing = standingCells(*world, neededDistance(*world, teacher.footprint_radius));
+  if (standing.empty() && other_robot) return {};
+  if (standing.empty()) throw std::runtime_error("a generated world has no place for the robot");
   std::vector<DriveExercise> exercises;
   for (int trial = 0; trial < kTries * goals && static_cast<int>(exercises.size()) < goals; ++trial) {
     DriveExercise exercise;
     exercise.kind = kind;
+    exercise.footprint_radius = teacher.footprint_radius;
+    exercise.other_robot = other_robot;
     exercise.world = world;
     const Point2 goal = world->grid().centerOf(standing[uniformIndex(random, standing.size())]);
-    exercise.teacher = std::make_unique<const Teacher>(*world, goal, Teacher::Parameters{});
+    exercise.teacher = std::make_unique<const Teacher>(*world, goal, teacher);
     if (drawStarts(parameters, standing, starts, random, goal, &exercise)) exercises.push_back(std::move(exercise));
   }
   return exercises;

@@ -17,9 +17,11 @@ std::vector<JudgedDrive> judgeEach(const DrivePolicy& policy, const AgentParamet
     Random random(seed * 1000003ULL + static_cast<std::uint64_t>(world));
     for (const DriveExercise& exercise : makeDriveExercises(course, use, seed, world, kGoals, kStarts)) {
       for (const DriveTask& task : exercise.tasks) {
-        const PracticeConditions conditions = drawConditions(random);
-        NavigationAgent agent(policy, agent_parameters);
-        StepSimulator drive(*exercise.world, task, conditions, policy.description().footprint_radius, random());
+        const PracticeConditions conditions = drawConditions(random, exercise.other_robot);
+        AgentParameters own = agent_parameters;
+        own.shield.footprint_radius = exercise.footprint_radius;
+        NavigationAgent agent(policy, fittedToFootprint(own));
+        StepSimulator drive(*exercise.world, task, conditions, exercise.footprint_radius, random());
         JudgedDrive judged;
         judged.kind = exercise.kind;
         judged.arrived = drive.run(max_steps, &agent) == DriveResult::End::kReached;

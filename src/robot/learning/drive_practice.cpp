@@ -154,12 +154,13 @@ class Practice {
 PracticeEpisode practise(const PracticeRules& rules, const LayerStack& layers, const DriveExercise& exercise,
                          const DriveTask& task, std::uint64_t seed) {
   Random random(seed);
-  const PracticeConditions conditions = drawConditions(random);
+  const PracticeConditions conditions = drawConditions(random, exercise.other_robot);
   PolicyDescription description = rules.policy;
+  description.footprint_radius = exercise.footprint_radius;
   const AgentParameters agent_parameters = drawAgent(description, random);
   description.step_length = agent_parameters.step.length;
   NavigationAgent agent(DrivePolicy(description, layers), agent_parameters);
-  StepSimulator drive(*exercise.world, task, conditions, description.footprint_radius, random());
+  StepSimulator drive(*exercise.world, task, conditions, exercise.footprint_radius, random());
   Practice practice(rules, exercise, task, drive, agent, random());
   agent.setStepListener(
       [&practice](const Situation&, const Observation& observation) { return practice.step(observation); });

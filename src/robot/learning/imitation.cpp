@@ -41,9 +41,11 @@ enum class Driver {
 Episode driveEpisode(const DriveExercise& exercise, const DriveTask& task, const ImitationParameters& parameters,
                      const LayerStack& layers, Driver driver, std::uint64_t seed) {
   Random random(seed);
-  const PracticeConditions conditions = drawConditions(random);
-  NavigationAgent agent(DrivePolicy(parameters.policy, layers), practiceAgent(parameters.policy));
-  StepSimulator drive(*exercise.world, task, conditions, parameters.policy.footprint_radius, random());
+  const PracticeConditions conditions = drawConditions(random, exercise.other_robot);
+  PolicyDescription policy = parameters.policy;
+  policy.footprint_radius = exercise.footprint_radius;
+  NavigationAgent agent(DrivePolicy(policy, layers), practiceAgent(policy));
+  StepSimulator drive(*exercise.world, task, conditions, exercise.footprint_radius, random());
   Episode episode;
   TeacherRescue rescue(kNearer, parameters.stuck_steps, parameters.rescue_steps);
   agent.setStepListener([&](const Situation&, const Observation& observation) -> std::optional<int> {

@@ -14,6 +14,9 @@ namespace {
 /// s; the robot turns while it drives, in pieces of this length.
 constexpr double kPiece = 0.1;
 
+/// m/s; a faster robot slows down from farther away.
+constexpr double kUsualSpeed = 0.5;
+
 }  // namespace
 
 PracticeConditions usualConditions() {
@@ -31,10 +34,10 @@ AgentParameters practiceAgent(const PolicyDescription& policy) {
   agent.shield.footprint_radius = policy.footprint_radius;
   agent.escape.enabled = false;
   agent.memory.enabled = false;
-  return agent;
+  return fittedToFootprint(agent);
 }
 
-PracticeConditions drawConditions(Random& random) {
+PracticeConditions drawConditions(Random& random, bool other_robot) {
   PracticeConditions conditions = usualConditions();
   conditions.scanner.noise = uniform(random, 0.002, 0.03);
   conditions.scanner.dropout = uniform(random) < 0.5 ? 0.001 : uniform(random, 0.0, 0.05);
@@ -46,6 +49,11 @@ PracticeConditions drawConditions(Random& random) {
   conditions.travel_error = uniform(random, -0.03, 0.03);
   conditions.turn_error = uniform(random, -0.02, 0.02);
   conditions.slip = uniform(random, 0.0, 0.1);
+  if (other_robot) {
+    conditions.speed = uniformFactor(random, 0.2, 2.0);
+    conditions.scanner.sight = uniformFactor(random, 3.0, 30.0);
+    mount.pose.x *= 0.5;  // inside the smallest robot
+  }
   return conditions;
 }
 
@@ -104,7 +112,8 @@ Twist2 StepSimulator::steer(const Decision& decision, const NavigationAgent& age
   Twist2 twist;
   twist.angular = std::clamp(motion.heading_gain * error, -motion.max_angular, motion.max_angular);
   if (std::abs(error) < motion.turn_in_place) {
-    const double nearness = std::clamp(agent.shield().gap({}) / motion.slow_gap, 0.0, 1.0);
+    const double slow_gap = motion.slow_gap * std::max(1.0, conditions_.speed / kUsualSpeed);
+    const double nearness = std::clamp(agent.shield().gap({}) / slow_gap, 0.0, 1.0);
     const double cautious = motion.slow_speed + nearness * (conditions_.speed - motion.slow_speed);
     const double reachable = twist_.linear + motion.linear_acceleration * period;
     twist.linear = std::min({conditions_.speed * std::cos(error), cautious, reachable});

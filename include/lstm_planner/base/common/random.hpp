@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -17,6 +18,11 @@ inline double uniform(Random& random) { return static_cast<double>(random() >> 1
 
 /// Uniform in [low, high).
 inline double uniform(Random& random, double low, double high) { return low + (high - low) * uniform(random); }
+
+/// Between two positive numbers, each factor as likely as another: the logarithm is uniform.
+inline double uniformFactor(Random& random, double low, double high) {
+  return low * std::pow(high / low, uniform(random));
+}
 
 /// Uniform in 0 .. count - 1; 0 when count is 0.
 inline std::size_t uniformIndex(Random& random, std::size_t count) {

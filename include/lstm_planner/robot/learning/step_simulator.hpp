@@ -28,7 +28,8 @@ PracticeConditions usualConditions();
 
 /// Random conditions around the usual ones (domain randomisation: Tobin et al., "Domain randomization for transferring
 /// deep neural networks from simulation to the real world", IROS 2017).
-PracticeConditions drawConditions(Random& random);
+/// `other_robot`: of another make than the Create 2: 0.2 to 2 m/s, with a scanner that sees 3 to 30 m far.
+PracticeConditions drawConditions(Random& random, bool other_robot);
 
 /// The agent that practises: network and shield, without rescue or memory of obstacles.
 AgentParameters practiceAgent(const PolicyDescription& policy);

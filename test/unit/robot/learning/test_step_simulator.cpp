@@ -52,7 +52,7 @@ TEST(PracticeAgent, HasNoHelp) {
 
 TEST(StepSimulator, IsTheSameForTheSameSeed) {
   Random random(5);
-  const PracticeConditions conditions = drawConditions(random);
+  const PracticeConditions conditions = drawConditions(random, false);
   const DriveTask task{{0.0, 0.0, 0.3}, {4.0, 1.0}, 0.0};
   Pose2 ends[2];
   for (Pose2& end : ends) {
