@@ -24,4 +24,18 @@ const char* toString(Decision::Source source) {
   return "unknown";
 }
 
+const char* toString(Decision::GoalSeems goal_seems) {
+  switch (goal_seems) {
+    case Decision::GoalSeems::kReachable:
+      return "reachable";
+    case Decision::GoalSeems::kInObstacle:
+      return "in an obstacle";
+    case Decision::GoalSeems::kBehindObstacle:
+      return "behind an obstacle";
+    case Decision::GoalSeems::kEnclosed:
+      return "enclosed";
+  }
+  return "unknown";
+}
+
 }  // namespace lstm_planner

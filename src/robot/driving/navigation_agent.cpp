@@ -134,6 +134,7 @@ void NavigationAgent::setGoal(const Point2& goal) {
   decision_.action = -1;
   decision_.preferred = -1;
   decision_.destination = goal;
+  decision_.goal_seems = Decision::GoalSeems::kReachable;
   decision_.path_on.clear();
   decision_.step = 0;
 }
@@ -302,10 +303,21 @@ void NavigationAgent::decide(const Situation& situation) {
   if (!chooseGoalInSight(situation)) {
     chooseAsLed(situation, guidance);
   }
+  decision_.goal_seems = judgeGoal(situation, guidance);
   decision_.path_on.clear();
   if (decision_.on_route) {
     guide_->pointsAhead(distanceBetween(clock_.pose(), decision_.waypoint), &decision_.path_on);
   }
+}
+
+Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Source guidance) const {
+  using GoalSeems = Decision::GoalSeems;
+  if (decision_.leader != Source::kRoute) return GoalSeems::kReachable;
+  if (guidance == Source::kLookAround || guidance == Source::kNoPath) return GoalSeems::kEnclosed;
+  if (!decision_.on_route) return GoalSeems::kReachable;
+  if (distanceBetween(guide_->end(), goal_) > guide_->memory().cellSize()) return GoalSeems::kInObstacle;
+  const Point2 here{situation.pose.x, situation.pose.y};
+  return guide_->isGoalBehindObstacle(here, goal_) ? GoalSeems::kBehindObstacle : GoalSeems::kReachable;
 }
 
 /// Remembers what is seen; where the route leads, or would, what it says: kRoute, kLookAround, kNoPath, or kEscape.

@@ -24,7 +24,10 @@ constexpr double kLookedAt = 15.0;
 constexpr double kFullTurn = 2.0 * M_PI - 0.5;  ///< rad; the scanner sees more than the rest at once
 constexpr int kClosedLooks = 3;                 ///< looks around that must agree that there is no path
 constexpr int kMostForgotten = 4;               ///< without progress in between
-constexpr double kBlockedAhead = 0.3;           ///< m to the place that is taken as blocked
+/// Tolerances within which a goal is near.
+constexpr double kNearGoal = 2.0;
+
+constexpr double kBlockedAhead = 0.3;  ///< m to the place that is taken as blocked
 
 /// It can be driven, and no other path that costs so much is worth turning for.
 bool isHardlyCostlier(double cost, double other_cost) {
@@ -123,6 +126,10 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
 }
 
 double RouteGuide::tolerance() const { return parameters_.goal_tolerance + parameters_.goal_drift * driven_; }
+
+bool RouteGuide::isGoalBehindObstacle(const Point2& here, const Point2& goal) const {
+  return RouteFinder::isDetour(distanceBetween(here, goal), route().length, kNearGoal * tolerance());
+}
 
 bool RouteGuide::findRoute(const Point2& start, const Point2& goal, Route* route) {
   ++searches_;

@@ -75,6 +75,7 @@ void DecisionPublisher::publish(const std_msgs::Header& header, const Situation&
   add("steering_angle", text(normalizeAngle(decision.direction - situation.pose.yaw)), &status);
   add("route_points", text(decision.path_on.size()), &status);
   add("destination", text(decision.destination.x) + ", " + text(decision.destination.y), &status);
+  add("goal_seems", toString(decision.goal_seems), &status);
   add("preferences", listText(decision.preferences), &status);
   add("allowed", listText(decision.allowed), &status);
   add("action_angles", action_angles_, &status);

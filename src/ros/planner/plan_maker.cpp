@@ -80,6 +80,7 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   toMessages(plan_, header(), plan);
   if (driven) {
     sayWhoLeads(decision);
+    sayWhereGoalSeems(decision);
     publish(decision, global_goal, *plan);
   }
   if (decision.source == Decision::Source::kNoPath) {
@@ -129,6 +130,7 @@ const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading
     case NavigationAgent::Fresh::kNewGoal:
       ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
       markers_.clearTrace();
+      said_of_goal_.clear();
       break;
     case NavigationAgent::Fresh::kJump:
       ROS_WARN(
@@ -150,6 +152,29 @@ void PlanMaker::sayWhoLeads(const Decision& decision) {
   if (decision.leader == leader_) return;
   leader_ = decision.leader;
   ROS_INFO("from step %ld on the %s leads: %s", decision.step, toString(leader_), decision.why);
+}
+
+/// Each once a goal: what is seen of a wall changes from step to step.
+void PlanMaker::sayWhereGoalSeems(const Decision& decision) {
+  using GoalSeems = Decision::GoalSeems;
+  if (decision.goal_seems == GoalSeems::kReachable || !said_of_goal_.insert(decision.goal_seems).second) return;
+  const Pose2& robot = agent_.situation().pose;
+  switch (decision.goal_seems) {
+    case GoalSeems::kInObstacle:
+      ROS_WARN("the goal seems to lie in an obstacle, or odometry has moved it there: the path ends %.2f m from it",
+               distanceBetween(decision.destination, agent_.goal()));
+      break;
+    case GoalSeems::kBehindObstacle:
+      ROS_INFO("the goal is %.2f m away, but the path to it is %.1f m long: odometry may have moved it behind a wall",
+               distanceBetween(robot, agent_.goal()),
+               distanceBetween(robot, decision.waypoint) + lengthOf(decision.path_on));
+      break;
+    case GoalSeems::kEnclosed:
+      ROS_WARN("no path to the goal is known: the robot looks around, then tries narrower passages");
+      break;
+    case GoalSeems::kReachable:
+      break;
+  }
 }
 
 const Decision& PlanMaker::preview(const Pose2& goal) {

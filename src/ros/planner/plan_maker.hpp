@@ -4,6 +4,7 @@
 #include <ros/time.h>
 #include <tf2_ros/buffer.h>
 
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -64,6 +65,7 @@ class PlanMaker {
   const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
   const Decision& preview(const Pose2& goal);
   void sayWhoLeads(const Decision& decision);
+  void sayWhereGoalSeems(const Decision& decision);
   std_msgs::Header header() const;
   void publish(const Decision& decision, const Pose2& goal, const std::vector<geometry_msgs::PoseStamped>& plan);
 
@@ -93,6 +95,7 @@ class PlanMaker {
   std::vector<Pose2> plan_;                               ///< of the current call, global frame
   Pose2 driven_goal_;                                     ///< global frame
   Decision::Source leader_ = Decision::Source::kArrived;  ///< that was said last; none of the leaders at first
+  std::set<Decision::GoalSeems> said_of_goal_;            ///< since it was set
 };
 
 }  // namespace lstm_planner

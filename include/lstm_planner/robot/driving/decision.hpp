@@ -22,6 +22,14 @@ struct Decision {
     kNoPath        ///< the goal cannot be reached: no path through what was seen leads there
   };
 
+  /// What the remembered obstacles say about the goal, while the path through them leads.
+  enum class GoalSeems {
+    kReachable,       ///< or not known yet
+    kInObstacle,      ///< the path ends beside it
+    kBehindObstacle,  ///< it is near, but the path to it is long: odometry may have moved it behind a wall
+    kEnclosed         ///< no path is known; the robot looks around
+  };
+
   Source leader = Source::kNetwork;     ///< who leads; another source decides in its place for the moment
   const char* why = "";                 ///< it leads: a few words
   Source source = Source::kLookAround;  ///< who decided this
@@ -36,7 +44,8 @@ struct Decision {
                                 ///< lies in something (AgentParameters::goal_drift)
   std::vector<Point2> path_on;  ///< from the waypoint to the destination through what is remembered; empty unless the
                                 ///< waypoint is on it
-  long step = 0;                ///< counts the steps since the goal was set
+  GoalSeems goal_seems = GoalSeems::kReachable;
+  long step = 0;  ///< counts the steps since the goal was set
 
   /// The network's favourite was not taken: the shield forbids it, or the network does not lead.
   bool isOverruled() const { return preferred >= 0 && action != preferred; }
@@ -45,5 +54,7 @@ struct Decision {
 constexpr std::size_t kDecisionSources = 8;
 /// "network", "greedy", "goal in sight", "route", "escape", "look around", "arrived", "no path".
 const char* toString(Decision::Source source);
+/// "reachable", "in an obstacle", "behind an obstacle", "enclosed".
+const char* toString(Decision::GoalSeems goal_seems);
 
 }  // namespace lstm_planner

@@ -128,6 +128,7 @@ class NavigationAgent {
 
   // A decision.
   void decide(const Situation& situation);
+  Decision::GoalSeems judgeGoal(const Situation& situation, Source guidance) const;
   Source guide(const Situation& situation);
   bool chooseGoalInSight(const Situation& situation);
   void chooseAsLed(const Situation& situation, Source guidance);

@@ -61,6 +61,9 @@ class RouteGuide {
   /// The corners of the route farther along than `distance` (m).
   void pointsAhead(double distance, std::vector<Point2>* points) const;
 
+  /// Whether the goal is near, but the route to it is long: odometry may have moved the goal behind a wall.
+  bool isGoalBehindObstacle(const Point2& here, const Point2& goal) const;
+
   /// Where the route ends, of which there must be one.
   const Point2& end() const { return route().points.back(); }
 

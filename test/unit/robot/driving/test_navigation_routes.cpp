@@ -149,6 +149,7 @@ TEST_F(NavigationRoutes, TheDestinationIsBesideAGoalThatLiesInSomething) {
   std::vector<Point2> pillar;
   for (const Point2& point : test::ring(0.2)) pillar.push_back({goal.x + point.x, goal.y + point.y});
   const Decision& decision = agent.update(returnsAt(pillar));
+  EXPECT_EQ(decision.goal_seems, Decision::GoalSeems::kInObstacle);
   const double beside = distanceBetween(decision.destination, goal);
   EXPECT_GT(beside, 0.2 + 0.75 * tolerant.shield.footprint_radius);  // less what a square's rounding hides
   EXPECT_LE(beside, 0.6);
@@ -160,6 +161,29 @@ TEST_F(NavigationRoutes, TheDestinationIsBesideAGoalThatLiesInSomething) {
   EXPECT_EQ(agent.decision().destination.x, destination.x);
   EXPECT_EQ(agent.decision().path_on.back().x, destination.x);
   EXPECT_LE(distanceBetween(agent.update(returnsAt(pillar, {0.4, 0.0, 0.0})).destination, agent.goal()), 0.6);
+}
+
+TEST_F(NavigationRoutes, AGoalThatIsNearBehindALongWallSeemsToLieBehindAnObstacle) {
+  const auto seems = [](double tolerance, const std::vector<Point2>& wall) {
+    AgentParameters parameters = test::routeLed();
+    parameters.goal_tolerance = tolerance;
+    NavigationAgent agent(stubbornPolicy(), parameters);
+    agent.setGoal({2.5, 0.0});
+    return agent.update(returnsAt(wall)).goal_seems;
+  };
+  // 12.6 m round the wall: more than three times the 2.8 m that count as near with this tolerance.
+  const std::vector<Point2> long_wall = test::wall({2.0, -6.0}, {2.0, 6.0});
+  EXPECT_EQ(seems(1.4, long_wall), Decision::GoalSeems::kBehindObstacle);
+  EXPECT_EQ(seems(0.15, long_wall), Decision::GoalSeems::kReachable) << "odometry is too good for that";
+  EXPECT_EQ(seems(1.4, kWall), Decision::GoalSeems::kReachable) << "the path is short";
+}
+
+TEST_F(NavigationRoutes, AGoalInAClosedRingSeemsEnclosed) {
+  NavigationAgent agent(stubbornPolicy(), test::routeLed());
+  agent.setGoal({3.0, 0.0});
+  std::vector<Point2> ring;
+  for (const Point2& point : test::ring(0.8)) ring.push_back({3.0 + point.x, point.y});
+  EXPECT_EQ(agent.update(returnsAt(ring)).goal_seems, Decision::GoalSeems::kEnclosed);
 }
 
 TEST_F(NavigationRoutes, AskingTwiceChangesNothing) {
