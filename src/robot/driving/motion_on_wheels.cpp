@@ -46,7 +46,8 @@ Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const 
     farthest = free;
     best = command;
   };
-  const double before = now.history.commanded.value_or(now.current).angular;
+  // The robot may turn faster than it may be told to, as when somebody turns it.
+  const double before = clampMagnitude(now.history.commanded.value_or(now.current).angular, parameters_.max_angular);
   for (const double linear : {twist.linear, 0.0}) {
     if (linear > 0.0 && now.persons.near) continue;  // on another arc it would have to yield anew
     for (const double share : {0.5, 0.25, 0.0}) tryCommand({linear, before + share * (twist.angular - before)});

@@ -165,6 +165,16 @@ TEST_F(MotionControllerTest, KeepsItsLimitsWhateverThePlan) {
   }
 }
 
+TEST_F(MotionControllerTest, KeepsItsLimitsBesideAnObstacleWhileItIsTurnedFasterThanTheyAllow) {
+  const double limit = controller_.parameters().max_angular;
+  for (int degrees = -180; degrees < 180; degrees += 15) {
+    const Point2 obstacle = pointAlong(Point2{}, degreesToRadians(degrees), kRadius + 0.045);
+    shield_.show({obstacle});
+    const Twist2 twist = compute(planAlong({{0.0, 0.0}, {-0.25, 0.0}}), {}, {0.1, 1.5 * limit});
+    EXPECT_LE(std::abs(twist.angular), limit) << degrees;
+  }
+}
+
 TEST_F(MotionControllerTest, ReachesTheGoalWithAnyHeadingByDefault) {
   EXPECT_TRUE(controller_.goalReached({0.0, 0.0, 3.0}, {0.19, 0.0, 0.0}));
   EXPECT_FALSE(controller_.goalReached({0.0, 0.0, 0.0}, {0.21, 0.0, 0.0}));
