@@ -178,7 +178,7 @@ void RouteFinder::follow(ObstacleMemory& memory, const Point2& start, Route* rou
     }
   }
   const int last = path[cells - 1];
-  route->cost = (cost_to_go_.cost(path.front()) - cost_to_go_.cost(last)) * memory.cellSize() / kStraightFifths;
+  route->cost = CostToGo::metres(cost_to_go_.cost(path.front()) - cost_to_go_.cost(last), memory.cellSize());
   if (goal_cell < 0) {
     route->cost += distanceBetween(points.back(), end_);
   }

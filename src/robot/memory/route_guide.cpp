@@ -40,6 +40,7 @@ RouteGuide::RouteGuide(const AgentParameters& parameters)
     : parameters_(parameters),
       memory_(parameters.memory, parameters.shield),
       finder_(parameters.memory.tightness),
+      bounds_(parameters),
       route_(parameters),
       candidate_(parameters) {
   found_.points.reserve(route().points.capacity());
@@ -105,7 +106,8 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
   bool found = false;
   if (!looking_ && costsHold(here, goal)) {
     const double cost = route_.cost(memory_, finder_, kLookedAt);
-    takeInChanges(here, goal, cost);
+    bounds_.takeInChanges(&memory_, finder_.costToGo(), here, goal,
+                          (cost - kWorthTurningMetres) / (1.0 + kWorthTurning));
     if (isWorthKeeping(here, goal, cost)) {
       closed_in_a_row_ = 0;
       return Source::kRoute;
@@ -135,19 +137,14 @@ bool RouteGuide::findRoute(const Point2& start, const Point2& goal, Route* route
   ++searches_;
   const bool found = finder_.find(memory_, start, goal, tolerance(), route);
   has_costs_ = found && finder_.endsAtGoal();
-  searched_goal_ = goal;
-  through_freed_ = CostToGo::kNone;
-  freed_from_ = memory_.cellAt(start);
+  bounds_.noteSearch(memory_, start, goal);
   return found;
 }
 
 bool RouteGuide::takeBetter(const Point2& here) {
   candidate_.swap(&found_);
   const double new_cost = candidate_.cost(memory_, finder_, kLookedAt);
-  const std::uint32_t searched_cost = finder_.costToGo().cost(memory_.cellAt(here));
-  // Where the robot is nearer to something than any path may come, the start of each path has no cost.
-  cost_scale_ =
-      std::isfinite(new_cost) && searched_cost > 0 ? new_cost / searched_cost : memory_.cellSize() / kStraightFifths;
+  bounds_.noteRoute(memory_, finder_.costToGo(), here, new_cost);
   const bool same_end =
       !route_.isEmpty() && distanceBetween(route_.route().points.back(), candidate_.route().points.back()) < 0.1;
   if (same_end && isHardlyCostlier(route_.cost(memory_, finder_, kLookedAt), new_cost)) {
@@ -176,24 +173,26 @@ bool RouteGuide::costsHold(const Point2& here, const Point2& goal) {
 
 bool RouteGuide::isWorthKeeping(const Point2& here, const Point2& goal, double cost) const {
   return isHardlyCostlier(cost, distanceBetween(here, end())) ||
-         isHardlyCostlier(cost, metresOf(leastCost(here, goal)));
+         isHardlyCostlier(cost, bounds_.leastCost(memory_, finder_.costToGo(), here, goal));
 }
 
 /// By the last search alone; false when it takes a new one.
 bool RouteGuide::takeFromLastSearch(const Point2& here, const Point2& goal) {
-  if (memory_.cellAt(goal) != memory_.cellAt(searched_goal_) || !finder_.fromLastSearch(memory_, here, &found_)) {
+  if (memory_.cellAt(goal) != memory_.cellAt(bounds_.searchedGoal()) ||
+      !finder_.fromLastSearch(memory_, here, &found_)) {
     return false;
   }
   found_.points.back() = end();
   found_.length = lengthOf(found_.points);
-  return isHardlyCostlier(found_.cost, through_freed_ * memory_.cellSize() / kStraightFifths) &&
+  return isHardlyCostlier(found_.cost, bounds_.throughFreed(memory_)) &&
          !RouteFinder::isDetour(distanceBetween(here, goal), found_.length, tolerance());
 }
 
 /// False when a search might end elsewhere.
 bool RouteGuide::goalIsAsBefore(const Point2& goal) {
   const bool at_goal = distanceBetween(end(), goal) == 0.0;
-  const double moved = distanceBetween(goal, searched_goal_);
+  const Point2& searched_goal = bounds_.searchedGoal();
+  const double moved = distanceBetween(goal, searched_goal);
   const double reach = KeptRoute::reachOfChanges(parameters_) + (at_goal ? 0.0 : tolerance() + memory_.cellSize());
   const bool changed = moved > 0.0 || std::any_of(memory_.changes().begin(), memory_.changes().end(),
                                                   [&](const ObstacleMemory::Change& change) {
@@ -204,43 +203,10 @@ bool RouteGuide::goalIsAsBefore(const Point2& goal) {
   if (!changed) {
     return true;
   }
-  if (!at_goal || (memory_.cellAt(goal) < 0) != (memory_.cellAt(searched_goal_) < 0)) {
+  if (!at_goal || (memory_.cellAt(goal) < 0) != (memory_.cellAt(searched_goal) < 0)) {
     return false;
   }
-  return memory_.cellAt(goal) < 0 || memory_.isFree(searched_goal_, goal, ObstacleMemory::Passage::kTight);
-}
-
-void RouteGuide::takeInChanges(const Point2& here, const Point2& goal, double cost) {
-  const CostToGo& costs = finder_.costToGo();
-  const int cell = memory_.cellAt(here);
-  if (through_freed_ != CostToGo::kNone) {
-    through_freed_ -= std::min(through_freed_, costs.octileBetween(freed_from_, cell));
-  }
-  freed_from_ = cell;
-  const double enough = std::isfinite(cost) ? (cost - kWorthTurningMetres) / (1.0 + kWorthTurning) / cost_scale_
-                                            : static_cast<double>(leastCost(here, goal));
-  const int reach = static_cast<int>(std::ceil(KeptRoute::reachOfChanges(parameters_) / memory_.cellSize())) + 1;
-  int last = -1;
-  for (const ObstacleMemory::Change& change : memory_.changes()) {
-    const int freed = memory_.cellAt(change.place);
-    if (!change.occupied && freed >= 0 && freed != last) {
-      last = freed;
-      const auto wanted = static_cast<std::uint32_t>(std::clamp(std::ceil(enough), 0.0, 1e9));
-      through_freed_ = std::min(through_freed_, costs.cheapestThrough(memory_, freed, reach, cell, wanted));
-    }
-  }
-  memory_.clearChanges();
-}
-
-/// What any path from here to the goal costs at least.
-std::uint32_t RouteGuide::leastCost(const Point2& here, const Point2& goal) const {
-  const std::uint32_t least = std::min(through_freed_, finder_.costToGo().cost(memory_.cellAt(here)));
-  const double moved = distanceBetween(goal, searched_goal_);
-  if (least == CostToGo::kNone || moved == 0.0 || memory_.cellAt(goal) == memory_.cellAt(searched_goal_)) {
-    return least;
-  }
-  const double costlier = parameters_.memory.tightness * (moved + 2.0 * memory_.cellSize()) / memory_.cellSize();
-  return least - std::min(least, static_cast<std::uint32_t>(kDiagonalFifths * costlier));
+  return memory_.cellAt(goal) < 0 || memory_.isFree(searched_goal, goal, ObstacleMemory::Passage::kTight);
 }
 
 Decision::Source RouteGuide::lookAround(const Situation& situation) {

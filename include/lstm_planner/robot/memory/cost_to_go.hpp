@@ -54,6 +54,9 @@ class CostToGo {
   static std::uint32_t octile(int columns, int rows);
   std::uint32_t octileBetween(int from, int to) const;
 
+  /// A cost as a length from cell to cell, m.
+  static double metres(std::uint32_t cost, double cell_size) { return cost * cell_size / kStraightFifths; }
+
  private:
   static constexpr std::uint16_t kFar = 0xffff;
   struct Span {

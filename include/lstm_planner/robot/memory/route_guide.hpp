@@ -4,6 +4,7 @@
 #include "lstm_planner/robot/driving/decision.hpp"
 #include "lstm_planner/robot/memory/kept_route.hpp"
 #include "lstm_planner/robot/memory/obstacle_memory.hpp"
+#include "lstm_planner/robot/memory/route_bounds.hpp"
 #include "lstm_planner/robot/memory/route_finder.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 
@@ -16,10 +17,8 @@ namespace lstm_planner {
 /// place, several times in a row, is believed.
 ///
 /// A path that was found is kept without a new search as long as a search could find none that is worth turning for.
-/// Three bounds tell: no path is shorter than the straight line; by the last search's costs (CostToGo) no path from
-/// where the robot is now costs less than they say, because obstacles that appear only make paths costlier; and where
-/// one has gone, a path that gained by it leads through there. The path itself is costed anew where something changed
-/// beside it.
+/// Bounds tell: no path is shorter than the straight line, nor cheaper than RouteBounds says. The path itself is costed
+/// anew where something changed beside it. All costs are in m.
 class RouteGuide {
  public:
   explicit RouteGuide(const AgentParameters& parameters);
@@ -86,25 +85,19 @@ class RouteGuide {
   bool goalIsAsBefore(const Point2& goal);
   bool isWorthKeeping(const Point2& here, const Point2& goal, double cost) const;
   bool takeFromLastSearch(const Point2& here, const Point2& goal);
-  void takeInChanges(const Point2& here, const Point2& goal, double cost);
-  std::uint32_t leastCost(const Point2& here, const Point2& goal) const;
-  double metresOf(std::uint32_t cost) const { return cost * cost_scale_; }
   bool takeBetter(const Point2& here);
   Decision::Source lookAround(const Situation& situation);
 
   AgentParameters parameters_;
   ObstacleMemory memory_;
   RouteFinder finder_;
+  RouteBounds bounds_;
   KeptRoute route_;
   KeptRoute candidate_;
   Route found_;
   long searches_ = 0;
-  bool has_costs_ = false;           ///< of a search: the finder's costToGo() holds, but for what has changed since
-  double cost_scale_ = 0.0;          ///< m of a route's cost in one of costToGo()
-  std::uint32_t through_freed_ = 0;  ///< least cost from freed_from_ through a place where an obstacle has gone since
-  int freed_from_ = -1;              ///< cell
-  Point2 searched_goal_;             ///< of that search
-  Pose2 watched_pose_;               ///< where the last scan was taken in
+  bool has_costs_ = false;  ///< of a search: the finder's costToGo() holds, but for what has changed since
+  Pose2 watched_pose_;      ///< where the last scan was taken in
   bool has_watched_ = false;
   Pose2 last_pose_;
   bool has_pose_ = false;
