@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "lstm_planner/base/common/arc.hpp"
 #include "robot/driving/motion_parts.hpp"
@@ -30,18 +31,96 @@ constexpr double kFree = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
+/// Where the wheels really take the robot: on as it was told before until a command acts, which may be at once or after
+/// a delay, then along the command until the next one, and then braking. The controller must outlive it.
+class MotionController::WheelMotion {
+ public:
+  WheelMotion(const MotionController& controller, const Moment& now)
+      : parameters_(controller.parameters_),
+        shield_(now.shield),
+        gap_(now.shield.gap({})),
+        margin_(kMargin * parameters_.safety_margin),
+        delay_(std::max(0.0, controller.reaction_time_ - now.period)),
+        hold_(controller.reaction_time_ - delay_),
+        current_{std::max(0.0, now.current.linear), now.current.angular},
+        before_(now.history.commanded.value_or(current_)) {}
+
+  /// m that it gets; infinite if it gets to where it stands.
+  double free(const Twist2& command) {
+    const double at_once = freeAfter(0.0, command);
+    return delay_ > 0.0 ? std::min(at_once, freeAfter(delay_, command)) : at_once;
+  }
+
+ private:
+  struct Rolling {
+    Wheels wheels;
+    Pose2 pose;           ///< base frame of now
+    double time = 0.0;    ///< s from now
+    double free = 0.0;    ///< m it got
+    bool is_free = true;  ///< up to here
+  };
+
+  double freeAfter(double delay, const Twist2& command) {
+    const double fastest = std::max({current_.linear, command.linear, before_.linear});
+    const double longest = fastest * (delay + hold_ + fastest / parameters_.linear_acceleration);
+    if (gap_ > longest + margin_) return kFree;
+    Rolling rolling = delay > 0.0 ? whenDelayed() : atOnce();
+    const Wheels wanted(command, parameters_.axle_length);
+    while (rolling.is_free && rolling.time < delay + hold_) roll(wanted, &rolling);
+    const Wheels standing({}, parameters_.axle_length);
+    while (rolling.is_free && rolling.wheels.linear() > kStanding) roll(standing, &rolling);
+    return rolling.is_free ? kFree : rolling.free;
+  }
+
+  Rolling atOnce() const { return {Wheels(current_, parameters_.axle_length), {}}; }
+
+  /// The same for all commands.
+  const Rolling& whenDelayed() {
+    if (!delayed_) {
+      delayed_ = atOnce();
+      const Wheels before(before_, parameters_.axle_length);
+      while (delayed_->is_free && delayed_->time < delay_) roll(before, &*delayed_);
+    }
+    return *delayed_;
+  }
+
+  /// One piece on.
+  void roll(const Wheels& wanted, Rolling* rolling) const {
+    rolling->wheels.approach(wanted, parameters_.linear_acceleration * kPiece);
+    rolling->time += kPiece;
+    const double linear = rolling->wheels.linear();
+    const double angular = (rolling->wheels.right - rolling->wheels.left) / parameters_.axle_length;
+    const double length = std::max(0.0, linear * kPiece);
+    if (length == 0.0) {
+      rolling->pose.yaw += angular * kPiece;
+      return;
+    }
+    const double free = shield_.freeArc(rolling->pose, angular / linear, length, margin_);
+    rolling->free += free;
+    rolling->pose = alongTurn(rolling->pose, length, angular * kPiece);
+    rolling->is_free = free >= length - kSlack;
+  }
+
+  const MotionParameters& parameters_;
+  const Shield& shield_;
+  double gap_;     ///< m
+  double margin_;  ///< m
+  double delay_;   ///< s
+  double hold_;    ///< s, until the next command acts
+  Twist2 current_;
+  Twist2 before_;
+  std::optional<Rolling> delayed_;
+};
+
 /// A command to a circle, such that it is free where the robot really goes: while one wheel brakes and the other one
 /// speeds up to turn it, the robot does not become slower. Where it is not, the robot turns less, then brakes.
 Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const {
-  const double delay = std::max(0.0, reaction_time_ - now.period);
-  const auto freeOf = [&](const Twist2& command) {
-    return std::min(freeOnWheels(command, 0.0, now), freeOnWheels(command, delay, now));
-  };
+  WheelMotion motion(*this, now);
   Twist2 best = twist;
-  double farthest = freeOf(twist);
+  double farthest = motion.free(twist);
   const auto tryCommand = [&](const Twist2& command) {
     if (farthest == kFree) return;
-    const double free = freeOf(command);
+    const double free = motion.free(command);
     if (free <= farthest) return;
     farthest = free;
     best = command;
@@ -54,42 +133,6 @@ Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const 
   }
   tryCommand({});
   return best;
-}
-
-/// m that it gets if for `delay` s it still obeys the command before, then this one until the next, and then brakes;
-/// infinite if it gets to where it stands.
-double MotionController::freeOnWheels(const Twist2& twist, double delay, const Moment& now) const {
-  const double speed = std::max(0.0, now.current.linear);
-  const double hold = reaction_time_ - std::max(0.0, reaction_time_ - now.period);
-  const double fastest = std::max({speed, twist.linear, now.history.commanded ? now.history.commanded->linear : 0.0});
-  const double margin = kMargin * parameters_.safety_margin;
-  const double acceleration = parameters_.linear_acceleration;
-  const double longest = fastest * (delay + hold + fastest / acceleration);
-  if (now.shield.gap({}) > longest + margin) return kFree;
-  Pose2 pose;
-  double free = 0.0;
-  const auto go = [&](double linear, double angular) {
-    const double length = std::max(0.0, linear * kPiece);
-    if (length == 0.0) {
-      pose.yaw += angular * kPiece;
-      return true;
-    }
-    const double here = now.shield.freeArc(pose, angular / linear, length, margin);
-    free += here;
-    pose = alongTurn(pose, length, angular * kPiece);
-    return here >= length - kSlack;
-  };
-  const double axle = parameters_.axle_length;
-  Wheels wheels({speed, now.current.angular}, axle);
-  const Wheels before(now.history.commanded.value_or(Twist2{speed, now.current.angular}), axle);
-  const Wheels command(twist, axle);
-  const Wheels standing({}, axle);
-  for (double time = 0.0; time < delay + hold || wheels.linear() > kStanding; time += kPiece) {
-    const Wheels& wanted = time < delay ? before : (time < delay + hold ? command : standing);
-    wheels.approach(wanted, acceleration * kPiece);
-    if (!go(wheels.linear(), (wheels.right - wheels.left) / axle)) return free;
-  }
-  return kFree;
 }
 
 }  // namespace lstm_planner

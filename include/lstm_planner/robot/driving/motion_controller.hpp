@@ -162,8 +162,8 @@ class MotionController {
   struct Moment;
 
   // What wheels do that change their speed.
+  class WheelMotion;
   Twist2 steadied(const Twist2& twist, const Moment& now) const;
-  double freeOnWheels(const Twist2& twist, double delay, const Moment& now) const;
 
   // Of a robot with corners.
   class SafeMotion;
