@@ -105,9 +105,9 @@ class CommandLine {
   /// calls. Whether files can be written is checked last.
   void whenParsed(std::function<void()> finish);
 
-  /// Puts the arguments into the variables. False when it has printed the help, which was asked for. Throws
-  /// std::invalid_argument with a sentence that names the option, its value and what was expected; an option that there
-  /// is none of, with the nearest one.
+  /// Puts the arguments into the variables, in the order in which the options were added. False when it has printed the
+  /// help, which was asked for. Throws std::invalid_argument with a sentence that names the option, its value and what
+  /// was expected; an option that there is none of, with the nearest one.
   bool parse(const std::vector<std::string>& arguments);
 
   /// Whether the user named the option; after parse().

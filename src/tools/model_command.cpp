@@ -1,5 +1,6 @@
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -104,6 +105,7 @@ int modelCheck(const std::vector<std::string>& arguments) {
 
 struct Conversion {
   std::string file;
+  Model model;
   std::string output;
   std::string task = "robot";
   std::vector<std::string> layout;
@@ -111,9 +113,21 @@ struct Conversion {
   PolicyDescription policy;
   GridEncoderParameters grid;
   std::string grid_inputs = "trace";
-  int views = 1;
+  std::optional<int> views;
   std::string made_by;
 };
+
+/// What a model for the robot says already stays, unless an option behind this one says otherwise.
+void readModel(const std::string& file, Conversion* conversion) {
+  conversion->file = file;
+  conversion->model = readModelFile(file);
+  if (conversion->model.metadata.count("input_layout") == 0) return;
+  try {
+    conversion->policy = readPolicyDescription(conversion->model.metadata);
+  } catch (const std::invalid_argument&) {
+    // The options say all of it.
+  }
+}
 
 void addRobotOptions(Conversion* conversion, CommandLine* line) {
   EncoderParameters& encoder = conversion->policy.encoder;
@@ -142,11 +156,14 @@ void addRobotOptions(Conversion* conversion, CommandLine* line) {
 
 bool readConversion(const std::vector<std::string>& arguments, Conversion* conversion) {
   CommandLine line("model convert", "adds the metadata to a network that was exported elsewhere");
-  line.addFile("file", &conversion->file, "the ONNX file").required().standsAlone();
+  // Read when it is taken: the options behind it change what the model says.
+  const auto read = [conversion](const std::string& file) { readModel(file, conversion); };
+  line.addText("file", "", read, "the ONNX file").required().standsAlone().value_name = "FILE";
   line.addOutput("output", &conversion->output, "ONNX file to write").required();
   line.addChoice("task", &conversion->task, {"robot", "grid"}, "what the network was made for: robot or grid");
   line.add("views", &conversion->views, {1, 8},
-           "1: one output per action; 8: one output, evaluated for each of eight directions");
+           "1: one output per action; 8: one output, evaluated for each of eight directions")
+      .default_text = "1";
   line.addChoice("grid-inputs", &conversion->grid_inputs, {"thesis", "trace", "map"},
                  "inputs of a network for the grid world: thesis, trace or map");
   line.add("made-by", &conversion->made_by, "how the network was trained; is stored in the file as training_command");
@@ -154,35 +171,22 @@ bool readConversion(const std::vector<std::string>& arguments, Conversion* conve
   line.whenParsed([conversion] {
     Conversion& c = *conversion;
     if (!c.layout.empty()) c.policy.encoder.input_layout = c.layout;
-    c.policy.encoder.views = c.views;
+    if (c.views) c.policy.encoder.views = *c.views;
     if (!c.angles.empty()) {
       std::vector<double> angles;
       for (const int degrees : c.angles) angles.push_back(degrees * M_PI / 180.0);
       c.policy.actions = ActionSet(angles);
     }
     c.grid.inputs = gridInputsNamed(c.grid_inputs);
-    c.grid.views = c.views;
+    c.grid.views = c.views.value_or(1);
   });
   return line.parse(arguments);
-}
-
-/// What a model for the robot says already stays, unless an option says otherwise.
-bool startFrom(const Model& model, Conversion* conversion) {
-  if (conversion->task != "robot" || model.metadata.count("input_layout") == 0) return false;
-  try {
-    conversion->policy = readPolicyDescription(model.metadata);
-  } catch (const std::invalid_argument&) {
-    return false;  // the options say all of it
-  }
-  conversion->views = conversion->policy.encoder.views;
-  return true;
 }
 
 int modelConvert(const std::vector<std::string>& arguments) {
   Conversion conversion;
   if (!readConversion(arguments, &conversion)) return 0;
-  Model model = readModelFile(conversion.file);
-  if (startFrom(model, &conversion)) readConversion(arguments, &conversion);
+  Model& model = conversion.model;
   if (conversion.task == "grid") {
     writeMetadata(conversion.grid, &model.metadata);
   } else {
