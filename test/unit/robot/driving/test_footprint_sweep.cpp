@@ -7,19 +7,13 @@
 #include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/base/common/random.hpp"
 #include "robot/driving/footprint_sweep.hpp"
+#include "unit/robot/driving/motion_fixtures.hpp"
 
 namespace lstm_planner {
 namespace {
 
-const Footprint& jackal() {
-  static const Footprint footprint({{0.254, 0.215}, {0.254, -0.215}, {-0.254, -0.215}, {-0.254, 0.215}});
-  return footprint;
-}
-
-const Footprint& waffle() {
-  static const Footprint footprint({{-0.205, -0.145}, {-0.205, 0.145}, {0.077, 0.145}, {0.077, -0.145}});
-  return footprint;
-}
+using test::jackal;
+using test::waffle;
 
 const Footprint& wedge() {
   static const Footprint footprint({{0.4, 0.0}, {0.1, 0.25}, {-0.3, 0.2}, {-0.2, -0.3}, {0.2, -0.2}});

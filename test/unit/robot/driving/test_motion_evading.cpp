@@ -7,6 +7,7 @@
 
 #include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "unit/robot/driving/motion_fixtures.hpp"
 #include "unit/robot/driving/plan_along.hpp"
 
 namespace lstm_planner {
@@ -18,11 +19,7 @@ constexpr double kPeriod = 0.1;
 constexpr double kMargin = 0.03;
 
 MotionParameters fastMotion(double evade_time) {
-  MotionParameters motion;
-  motion.max_linear = 2.0;
-  motion.max_wheel_speed = 2.4;
-  motion.axle_length = 0.376;
-  motion.linear_acceleration = 2.0;
+  MotionParameters motion = test::limitsOfJackal();
   motion.evade_time = evade_time;
   return motion;
 }
@@ -30,10 +27,7 @@ MotionParameters fastMotion(double evade_time) {
 /// For both footprints: a circle, and the Jackal's polygon.
 class MotionEvading : public ::testing::TestWithParam<bool> {
  protected:
-  static Footprint footprint() {
-    return GetParam() ? Footprint({{0.254, 0.215}, {0.254, -0.215}, {-0.254, -0.215}, {-0.254, 0.215}})
-                      : Footprint(0.3);
-  }
+  static Footprint footprint() { return GetParam() ? test::jackal() : Footprint(0.3); }
   MotionCommand evade(const std::vector<MovingThing>& things, const MotionCommand& command = {},
                       const Twist2& current = {}) const {
     return controller_.evade(command, {plan_, {}, current, shield_, kPeriod}, things);

@@ -6,6 +6,7 @@
 #include "lstm_planner/robot/driving/path_tracker.hpp"
 #include "lstm_planner/robot/simulation/simulated_robot.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
+#include "unit/robot/driving/motion_fixtures.hpp"
 #include "unit/robot/driving/plan_along.hpp"
 
 namespace lstm_planner {
@@ -28,12 +29,8 @@ SimulatedRobot::Parameters largeRobot() {
 }
 
 MotionParameters limitsOfLargeRobot() {
-  MotionParameters limits;
-  limits.max_linear = 1.5;
+  MotionParameters limits = test::limitsOf(largeRobot().base, 1.5);
   limits.max_angular = 1.2;
-  limits.max_wheel_speed = 2.2;
-  limits.axle_length = 0.8;
-  limits.linear_acceleration = 1.5;
   return limits;
 }
 

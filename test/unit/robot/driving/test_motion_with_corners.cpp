@@ -6,27 +6,20 @@
 #include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "unit/robot/driving/motion_fixtures.hpp"
 #include "unit/robot/driving/plan_along.hpp"
 
 namespace lstm_planner {
 namespace {
 
+using test::jackal;
 using test::planAlong;
 
 constexpr double kPeriod = 0.1;
 constexpr double kMargin = 0.03;
 
-const Footprint& jackal() {
-  static const Footprint footprint({{0.254, 0.215}, {0.254, -0.215}, {-0.254, -0.215}, {-0.254, 0.215}});
-  return footprint;
-}
-
 MotionParameters jackalMotion() {
-  MotionParameters motion;
-  motion.max_linear = 2.0;
-  motion.max_wheel_speed = 2.4;
-  motion.axle_length = 0.376;
-  motion.linear_acceleration = 2.0;
+  MotionParameters motion = test::limitsOfJackal();
   motion.lookahead = 0.6;
   motion.slow_speed = 0.5;
   motion.slow_gap = 0.2;
@@ -54,7 +47,7 @@ TEST_F(MotionWithCorners, TurnsTheOtherWayRoundWhereACornerWouldHitSomething) {
   // Behind a Waffle's axle are its farthest corners, 0.251 m away at +-2.53 rad; the post is 0.23 m away at 2.18 rad.
   // To the right one of them is there within 0.35 rad, to the left the other one only after 4.71 rad: both less the
   // width of the post with the margin. The plan lies 2 rad to the right, or 4.28 rad to the left.
-  shield_ = Shield(Footprint({{-0.205, -0.145}, {-0.205, 0.145}, {0.077, 0.145}, {0.077, -0.145}}), kMargin, 4.0);
+  shield_ = Shield(test::waffle(), kMargin, 4.0);
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, pointAlong(Point2{}, -2.0, 3.0)});
   EXPECT_LT(compute(plan).angular, 0.0);
   shield_.show({pointAlong(Point2{}, 2.18, 0.23)});
