@@ -43,6 +43,7 @@ Crowd::Crowd(const World& surroundings, const std::vector<Point2>& places, const
     walker.destination = drawPlace(walker.body.radius);
     walkers_.push_back(walker);
   }
+  show(bodies());
 }
 
 Point2 Crowd::drawPlace(double radius) {
@@ -62,6 +63,7 @@ std::vector<Traffic::Body> Crowd::bodies() const {
 std::vector<Circle> Crowd::advance(double seconds, const Footprint& robot, const Pose2& pose) {
   std::vector<Circle> meetings;
   for (Walker& walker : walkers_) step(seconds, robot, pose, &walker, &meetings);
+  show(bodies());
   return meetings;
 }
 

@@ -44,6 +44,39 @@ double leastReach(const std::vector<Point2>& corners, double x, double y) {
   return least;
 }
 
+/// Lowers those ranges, of beams as in World::castRays(), that the circle cuts short.
+void castRaysAtCircle(const Circle& circle, const Point2& origin, double first_direction, double increment,
+                      double max_range, std::vector<double>* ranges) {
+  if (ranges->empty() || !std::isfinite(origin.x + origin.y + first_direction + increment)) return;
+  const double distance = distanceBetween(origin, circle.center);
+  if (distance <= circle.radius) {
+    std::fill(ranges->begin(), ranges->end(), 0.0);
+    return;
+  }
+  if (distance - circle.radius > max_range) return;
+  // Angles are counted from the first beam in the sense of rotation, so that the increment is positive.
+  const double sense = increment < 0.0 ? -1.0 : 1.0;
+  const double step = std::max(std::abs(increment), 1e-12);
+  const double last_beam = static_cast<double>(ranges->size() - 1);
+  const double bearing = sense * normalizeAngle(directionTo(origin, circle.center) - first_direction);
+  const double half_width = std::asin(circle.radius / distance);
+  const double last_turn = std::floor((last_beam * step + half_width - bearing) / (2.0 * M_PI));
+  for (double turn = std::ceil((-half_width - bearing) / (2.0 * M_PI)); turn <= last_turn; turn += 1.0) {
+    const double middle = bearing + turn * 2.0 * M_PI;
+    const double first = std::max(0.0, std::floor((middle - half_width) / step));
+    const double last = std::min(last_beam, std::ceil((middle + half_width) / step));
+    for (long beam = static_cast<long>(first); beam <= static_cast<long>(last); ++beam) {
+      const double angle = static_cast<double>(beam) * step - middle;
+      const double across = distance * std::sin(angle);
+      const double inside = circle.radius * circle.radius - across * across;
+      if (inside < 0.0) continue;
+      const double range = distance * std::cos(angle) - std::sqrt(inside);
+      double& nearest = (*ranges)[static_cast<std::size_t>(beam)];
+      if (range <= max_range) nearest = std::min(nearest, range);
+    }
+  }
+}
+
 }  // namespace
 
 bool World::touches(const Footprint& footprint, const Pose2& pose) const {
@@ -193,7 +226,8 @@ bool GridWorld::touchesPolygon(const Footprint& polygon, const Pose2& pose) cons
   return false;
 }
 
-CircleWorld::CircleWorld(std::vector<Circle> circles) : circles_(std::move(circles)) {
+CircleWorld::CircleWorld(std::vector<Circle> circles, const World* surroundings)
+    : circles_(std::move(circles)), surroundings_(surroundings) {
   for (const Circle& circle : circles_) {
     if (std::isfinite(circle.center.x + circle.center.y + circle.radius) && circle.radius >= 0.0) continue;
     throw std::invalid_argument("a circle at (" + std::to_string(circle.center.x) + ", " +
@@ -202,55 +236,30 @@ CircleWorld::CircleWorld(std::vector<Circle> circles) : circles_(std::move(circl
   }
 }
 
-void castRaysAtCircle(const Circle& circle, const Point2& origin, double first_direction, double increment,
-                      double max_range, std::vector<double>* ranges) {
-  if (ranges->empty() || !std::isfinite(origin.x + origin.y + first_direction + increment)) return;
-  const double distance = distanceBetween(origin, circle.center);
-  if (distance <= circle.radius) {
-    std::fill(ranges->begin(), ranges->end(), 0.0);
-    return;
-  }
-  if (distance - circle.radius > max_range) return;
-  // Angles are counted from the first beam in the sense of rotation, so that the increment is positive.
-  const double sense = increment < 0.0 ? -1.0 : 1.0;
-  const double step = std::max(std::abs(increment), 1e-12);
-  const double last_beam = static_cast<double>(ranges->size() - 1);
-  const double bearing = sense * normalizeAngle(directionTo(origin, circle.center) - first_direction);
-  const double half_width = std::asin(circle.radius / distance);
-  const double last_turn = std::floor((last_beam * step + half_width - bearing) / (2.0 * M_PI));
-  for (double turn = std::ceil((-half_width - bearing) / (2.0 * M_PI)); turn <= last_turn; turn += 1.0) {
-    const double middle = bearing + turn * 2.0 * M_PI;
-    const double first = std::max(0.0, std::floor((middle - half_width) / step));
-    const double last = std::min(last_beam, std::ceil((middle + half_width) / step));
-    for (long beam = static_cast<long>(first); beam <= static_cast<long>(last); ++beam) {
-      const double angle = static_cast<double>(beam) * step - middle;
-      const double across = distance * std::sin(angle);
-      const double inside = circle.radius * circle.radius - across * across;
-      if (inside < 0.0) continue;
-      const double range = distance * std::cos(angle) - std::sqrt(inside);
-      double& nearest = (*ranges)[static_cast<std::size_t>(beam)];
-      if (range <= max_range) nearest = std::min(nearest, range);
-    }
-  }
-}
-
 void CircleWorld::castRays(const Point2& origin, double first_direction, double increment, double max_range,
                            std::vector<double>* ranges) const {
-  std::fill(ranges->begin(), ranges->end(), kNothing);
+  if (surroundings_ != nullptr) {
+    surroundings_->castRays(origin, first_direction, increment, max_range, ranges);
+  } else {
+    std::fill(ranges->begin(), ranges->end(), kNothing);
+  }
   for (const Circle& circle : circles_) {
     castRaysAtCircle(circle, origin, first_direction, increment, max_range, ranges);
   }
 }
 
-bool CircleWorld::touchesPolygon(const Footprint& polygon, const Pose2& pose) const {
-  return std::any_of(circles_.begin(), circles_.end(),
-                     [&](const Circle& circle) { return airBetween(polygon, pose, circle) < 0.0; });
+bool CircleWorld::touches(const Point2& center, double radius) const {
+  const auto isTouched = [&](const Circle& circle) {
+    return distanceBetween(center, circle.center) < radius + circle.radius;
+  };
+  return std::any_of(circles_.begin(), circles_.end(), isTouched) ||
+         (surroundings_ != nullptr && surroundings_->touches(center, radius));
 }
 
-bool CircleWorld::touches(const Point2& center, double radius) const {
-  return std::any_of(circles_.begin(), circles_.end(), [&](const Circle& circle) {
-    return distanceBetween(center, circle.center) < radius + circle.radius;
-  });
+bool CircleWorld::touchesPolygon(const Footprint& polygon, const Pose2& pose) const {
+  const auto isTouched = [&](const Circle& circle) { return airBetween(polygon, pose, circle) < 0.0; };
+  return std::any_of(circles_.begin(), circles_.end(), isTouched) ||
+         (surroundings_ != nullptr && surroundings_->touches(polygon, pose));
 }
 
 }  // namespace lstm_planner

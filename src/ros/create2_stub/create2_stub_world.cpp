@@ -1,6 +1,5 @@
 #include "ros/create2_stub/create2_stub_world.hpp"
 
-#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -63,26 +62,10 @@ std::unique_ptr<World> makeWorld(const Create2StubParameters& parameters) {
   return world;
 }
 
-void WorldWithRobots::moveRobot(std::size_t robot, const Point2& position) { robots_[robot] = position; }
-
-void WorldWithRobots::castRays(const Point2& origin, double first_direction, double increment, double max_range,
-                               std::vector<double>* ranges) const {
-  building_.castRays(origin, first_direction, increment, max_range, ranges);
-  for (const auto& [robot, position] : robots_) {
-    castRaysAtCircle({position, radius_}, origin, first_direction, increment, max_range, ranges);
-  }
-}
-
-bool WorldWithRobots::touches(const Point2& center, double radius) const {
-  return building_.touches(center, radius) || std::any_of(robots_.begin(), robots_.end(), [&](const auto& robot) {
-           return distanceBetween(center, robot.second) < radius + radius_;
-         });
-}
-
-bool WorldWithRobots::touchesPolygon(const Footprint& polygon, const Pose2& pose) const {
-  return building_.touches(polygon, pose) || std::any_of(robots_.begin(), robots_.end(), [&](const auto& robot) {
-           return airBetween(polygon, pose, {robot.second, radius_}) < 0.0;
-         });
+void WorldWithRobots::moveRobot(std::size_t robot, const Point2& position) {
+  const auto [circle, is_new] = circle_of_.emplace(robot, circles().size());
+  if (is_new) circles().push_back({position, radius_});
+  circles()[circle->second].center = position;
 }
 
 RobotInWorld::RobotInWorld(const World& world, const Create2Parameters& parameters, const Pose2& start,

@@ -23,26 +23,17 @@ std::vector<Circle> readCircles(const std::string& path, double default_radius, 
 std::unique_ptr<World> makeWorld(const Create2StubParameters& parameters);
 
 /// A building with other robots in it: discs that move, as large as the robots' circumscribed circles.
-class WorldWithRobots : public World {
+class WorldWithRobots : public CircleWorld {
  public:
   /// `radius`: of each robot, m. `building` must outlive the object.
-  WorldWithRobots(const World& building, double radius) : building_(building), radius_(radius) {}
+  WorldWithRobots(const World& building, double radius) : CircleWorld({}, &building), radius_(radius) {}
 
   /// Where a robot is now; it is nowhere before.
   void moveRobot(std::size_t robot, const Point2& position);
 
-  void castRays(const Point2& origin, double first_direction, double increment, double max_range,
-                std::vector<double>* ranges) const override;
-  using World::touches;
-  bool touches(const Point2& center, double radius) const override;
-
- protected:
-  bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override;
-
  private:
-  const World& building_;
   double radius_;
-  std::map<std::size_t, Point2> robots_;
+  std::map<std::size_t, std::size_t> circle_of_;  ///< number of a robot's circle
 };
 
 /// A robot in a world. It cannot drive into anything: what it runs against holds it (its wheels go on and the encoders

@@ -7,7 +7,7 @@
 namespace lstm_planner {
 
 /// A world in which round bodies move by themselves as time passes.
-class Traffic : public World {
+class Traffic : public CircleWorld {
  public:
   struct Body {
     Circle circle;
@@ -15,12 +15,7 @@ class Traffic : public World {
   };
 
   /// `surroundings`, where the bodies move, must outlive the object.
-  explicit Traffic(const World& surroundings) : surroundings_(surroundings) {}
-
-  void castRays(const Point2& origin, double first_direction, double increment, double max_range,
-                std::vector<double>* ranges) const override;
-  using World::touches;
-  bool touches(const Point2& center, double radius) const override;
+  explicit Traffic(const World& surroundings) : CircleWorld({}, &surroundings), surroundings_(surroundings) {}
 
   /// Lets that much time pass, s: no longer than a tenth of a second, or bodies jump. Returns the bodies that ran into
   /// the robot, which is at `pose`, each once a meeting.
@@ -30,7 +25,8 @@ class Traffic : public World {
   const World& surroundings() const { return surroundings_; }
 
  protected:
-  bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override;
+  /// The bodies have moved: they are seen and touched where they are now.
+  void show(const std::vector<Body>& bodies);
 
  private:
   const World& surroundings_;

@@ -67,25 +67,26 @@ inline double airBetween(const Footprint& footprint, const Pose2& pose, const Ci
   return footprint.distanceTo(toLocalFrame(pose, circle.center)) - circle.radius;
 }
 
-/// Lowers those ranges, of beams as in World::castRays(), that the circle cuts short.
-void castRaysAtCircle(const Circle& circle, const Point2& origin, double first_direction, double increment,
-                      double max_range, std::vector<double>* ranges);
-
-/// Cylinders on an endless floor (BARN worlds). Throws std::invalid_argument for a circle that is not finite or has a
-/// negative radius.
+/// Cylinders on an endless floor (BARN worlds), or in other surroundings, which must outlive the object.
 class CircleWorld : public World {
  public:
-  explicit CircleWorld(std::vector<Circle> circles);
+  /// Throws std::invalid_argument for a circle that is not finite or has a negative radius.
+  explicit CircleWorld(std::vector<Circle> circles, const World* surroundings = nullptr);
   void castRays(const Point2& origin, double first_direction, double increment, double max_range,
                 std::vector<double>* ranges) const override;
   using World::touches;
   bool touches(const Point2& center, double radius) const override;
+
+  const std::vector<Circle>& circles() const { return circles_; }
+  /// For those that move; they stay finite.
+  std::vector<Circle>& circles() { return circles_; }
 
  protected:
   bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override;
 
  private:
   std::vector<Circle> circles_;
+  const World* surroundings_;
 };
 
 }  // namespace lstm_planner

@@ -50,29 +50,15 @@ class AmongPersons {
   Situation situation_;
 };
 
+const World& hall() {
+  static const GridWorld world(test::emptyHall(12.0, 8.0));
+  return world;
+}
+
 /// A hall with one person who is moved from outside.
-class HallWithPerson : public World {
- public:
-  explicit HallWithPerson(const Point2& center) : person({center, 0.25}) {}
-  void castRays(const Point2& origin, double first_direction, double increment, double max_range,
-                std::vector<double>* ranges) const override {
-    std::vector<double> walls(ranges->size());
-    hall_.castRays(origin, first_direction, increment, max_range, &walls);
-    CircleWorld({person}).castRays(origin, first_direction, increment, max_range, ranges);
-    for (std::size_t i = 0; i < walls.size(); ++i) (*ranges)[i] = std::min((*ranges)[i], walls[i]);
-  }
-  bool touches(const Point2& center, double radius) const override {
-    return hall_.touches(center, radius) || distanceBetween(center, person.center) < radius + person.radius;
-  }
-  Circle person;
-
- protected:
-  bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override {
-    return hall_.touches(polygon, pose) || airBetween(polygon, pose, person) < 0.0;
-  }
-
- private:
-  GridWorld hall_{test::emptyHall(12.0, 8.0)};
+struct HallWithPerson : CircleWorld {
+  explicit HallWithPerson(const Point2& center) : CircleWorld({{center, 0.25}}, &hall()) {}
+  Point2& person() { return circles().front().center; }
 };
 
 TEST(MotionAmongPeople, StandsBeforeAPersonWhoComesStraightTowardsItReachesIt) {
@@ -81,7 +67,7 @@ TEST(MotionAmongPeople, StandsBeforeAPersonWhoComesStraightTowardsItReachesIt) {
     AmongPersons drive(world, {1.5, 4.0, 0.0}, 9.0);
     while (drive.robot().contacts() == 0 && drive.robot().time() < 20.0) {
       drive.step();
-      world.person.center.x -= speed * kPeriod;
+      world.person().x -= speed * kPeriod;
     }
     EXPECT_NEAR(drive.speed(), 0.0, 0.025) << speed;      // an encoder tick
     EXPECT_GT(drive.robot().pathLength(), 0.5) << speed;  // it did drive before
@@ -94,7 +80,7 @@ TEST(MotionAmongPeople, WaitsForAPersonWhoCrossesAndThenGoesOn) {
   double slowest = 1.0;
   while (drive.robot().time() < 35.0) {
     drive.step();
-    world.person.center.y = std::min(7.0, world.person.center.y + 0.5 * kPeriod);
+    world.person().y = std::min(7.0, world.person().y + 0.5 * kPeriod);
     if (drive.robot().time() > 3.0 && drive.robot().time() < 9.0) slowest = std::min(slowest, drive.speed());
   }
   EXPECT_EQ(drive.robot().contacts(), 0);
@@ -108,7 +94,7 @@ TEST(MotionAmongPeople, PassesAPersonWhoHasStoodStillForAWhile) {
   while (drive.robot().time() < 30.0) {
     drive.step();
     // Comes to stand 0.2 m beside the robot's path.
-    world.person.center.y = std::min(4.0 - 0.25 - kRadius - 0.2, world.person.center.y + 0.5 * kPeriod);
+    world.person().y = std::min(4.0 - 0.25 - kRadius - 0.2, world.person().y + 0.5 * kPeriod);
   }
   EXPECT_EQ(drive.robot().contacts(), 0);
   EXPECT_GT(drive.robot().truePose().x, 7.0);
@@ -131,7 +117,7 @@ TEST(MotionAmongPeople, GetsAwayFromAPersonWhoHasComeWithinItsMargin) {
       const std::vector<Pose2> plan = planAlong({{situation.pose.x, situation.pose.y}, goal});
       robot.command(controller.compute({plan, situation.pose, robot.measuredTwist(), shield, kPeriod}));
       robot.advance(kPeriod);
-      nearest = std::min(nearest, distanceBetween(robot.truePose(), world.person.center) - 0.25 - kRadius);
+      nearest = std::min(nearest, distanceBetween(robot.truePose(), world.person()) - 0.25 - kRadius);
     }
     EXPECT_EQ(robot.contacts(), 0) << degrees;
     EXPECT_GT(nearest, 0.009) << degrees;

@@ -25,7 +25,7 @@ class MovingReturnsTest : public ::testing::Test {
   /// believes of its pose.
   void sense(const Pose2& pose, const std::vector<Circle>& persons, const Pose2& odometry) {
     const GridWorld walls(grid_);
-    const Both world(walls, persons);
+    const CircleWorld world(persons, &walls);
     hokuyo_.scan(world, pose, time_, &scan_);
     toProfile(scan_, {}, {}, &profile_);
     moving_.show(profile_, odometry, time_);
@@ -41,30 +41,6 @@ class MovingReturnsTest : public ::testing::Test {
     }
     return count;
   }
-
-  class Both : public World {
-   public:
-    Both(const World& walls, const std::vector<Circle>& persons) : walls_(walls), persons_(persons) {}
-    void castRays(const Point2& origin, double first_direction, double increment, double max_range,
-                  std::vector<double>* ranges) const override {
-      std::vector<double> others(ranges->size());
-      walls_.castRays(origin, first_direction, increment, max_range, ranges);
-      persons_.castRays(origin, first_direction, increment, max_range, &others);
-      for (std::size_t i = 0; i < others.size(); ++i) (*ranges)[i] = std::min((*ranges)[i], others[i]);
-    }
-    bool touches(const Point2& center, double radius) const override {
-      return walls_.touches(center, radius) || persons_.touches(center, radius);
-    }
-
-   protected:
-    bool touchesPolygon(const Footprint& polygon, const Pose2& pose) const override {
-      return walls_.touches(polygon, pose) || persons_.touches(polygon, pose);
-    }
-
-   private:
-    const World& walls_;
-    CircleWorld persons_;
-  };
 
   OccupancyGrid grid_ = test::emptyHall(10.0, 10.0);
   MovingReturns moving_;
