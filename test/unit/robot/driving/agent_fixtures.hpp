@@ -38,7 +38,7 @@ OccupancyGrid emptyHall(double width, double height, double resolution = 0.05);
 /// Occupies all cells whose centres lie in the box (m).
 void fillBox(double left, double bottom, double right, double top, OccupancyGrid* grid);
 
-/// A hall of 7.2 x 6.4 m with a spiral of walls around (3.4, 3), whose lanes are 0.8 m wide.
+/// A hall of 7.2 x 6.4 m with a spiral of walls around (3.4, 3), whose corridors are 0.8 m wide.
 OccupancyGrid spiral();
 
 /// Default parameters but with a third of the beams, which makes drives three times as fast.

@@ -58,7 +58,7 @@ TEST_F(MotionWithCorners, TurnsTheOtherWayRoundWhereACornerWouldHitSomething) {
 }
 
 /// Posts so near to both sides that no corner gets past them.
-std::vector<Point2> lane() {
+std::vector<Point2> corridor() {
   std::vector<Point2> posts;
   for (double x = -1.0; x <= 1.0; x += 0.02) {
     posts.push_back({x, 0.26});
@@ -67,14 +67,14 @@ std::vector<Point2> lane() {
   return posts;
 }
 
-TEST_F(MotionWithCorners, DoesNotTurnInALaneThatItsCornersDoNotFit) {
-  shield_.show(lane());
+TEST_F(MotionWithCorners, DoesNotTurnInACorridorThatItsCornersDoNotFit) {
+  shield_.show(corridor());
   const MotionCommand stands = compute(planAlong({{0.0, 0.0}, {-3.0, 0.1}}));
   EXPECT_LT(std::abs(stands.angular), 0.3);
 }
 
 TEST_F(MotionWithCorners, GoesBackTheWayItCameWhereItCannotTurn) {
-  std::vector<Point2> posts = lane();
+  std::vector<Point2> posts = corridor();
   posts.push_back({0.3, 0.0});  // and not on
   shield_.show(posts);
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {-3.0, 0.1}});
@@ -90,7 +90,7 @@ TEST_F(MotionWithCorners, GoesBackTheWayItCameWhereItCannotTurn) {
 }
 
 TEST_F(MotionWithCorners, GoesOnBackUntilItCanTurn) {
-  shield_.show(lane());
+  shield_.show(corridor());
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {-3.0, 0.1}});
   EXPECT_LT(compute(plan, {-0.2, 0.0}, {Pose2{-0.06, 0.0, 0.0}, true}).linear, 0.0);
   shield_.show({});
@@ -100,7 +100,7 @@ TEST_F(MotionWithCorners, GoesOnBackUntilItCanTurn) {
 }
 
 TEST_F(MotionWithCorners, DoesNotBackNorTurnItsCornersWhereSomebodyMoves) {
-  std::vector<Point2> posts = lane();
+  std::vector<Point2> posts = corridor();
   posts.push_back({0.3, 0.0});
   shield_.show(posts);
   const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {-3.0, 0.1}});

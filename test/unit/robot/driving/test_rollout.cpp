@@ -127,13 +127,13 @@ TEST_F(Rollout, IsDenseToTheEndForOrdinaryDistances) {
 }
 
 TEST_F(Rollout, FollowsALongRouteMoreCoarselyFarFromTheRobot) {
-  // Lanes of 50 m, 1 m apart: 2.6 km.
+  // Rows of 50 m, 1 m apart: 2.6 km.
   Decision decision;
   decision.source = Decision::Source::kRoute;
   decision.waypoint = {0.4, 0.0};
-  for (int lane = 0; lane < 50; ++lane) {
-    decision.path_on.push_back({lane % 2 == 0 ? 50.0 : 0.0, static_cast<double>(lane)});
-    decision.path_on.push_back({lane % 2 == 0 ? 50.0 : 0.0, lane + 1.0});
+  for (int row = 0; row < 50; ++row) {
+    decision.path_on.push_back({row % 2 == 0 ? 50.0 : 0.0, static_cast<double>(row)});
+    decision.path_on.push_back({row % 2 == 0 ? 50.0 : 0.0, row + 1.0});
   }
   decision.destination = decision.path_on.back();
   rollOut(situationAt({}), decision, agent_.shield(), {0.0, 50.0, 1.0}, agent_.parameters(), parameters_, &plan_);

@@ -77,7 +77,7 @@ TEST(RouteDrives, LeavesADeadEndByTheShortestPath) {
 TEST(RouteDrives, GetsOutOfASpiralWithoutTurningBack) {
   const GridWorld world(test::spiral());
   const DriveResult result = driveGuided(world, {{3.4, 3.0, 0.0}, {0.8, 0.8}, 0.0}, test::quickDrive(400.0));
-  // Along the middle of the lanes: 0.4, 1.2 and 1.6, 3.4, 3.6, 4.8 ... m; the path is one only.
+  // Along the middle of the corridors: 0.4, 1.2 and 1.6, 3.4, 3.6, 4.8 ... m; the path is one only.
   const double path = 0.8 + 1.6 + 2.2 + 3.2 + 3.6 + 4.8 + 5.6 + 5.2;
   expectReached(result, 1.25 * path);
 }

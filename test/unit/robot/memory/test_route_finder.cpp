@@ -113,20 +113,20 @@ TEST_F(RouteFinderTest, GoesTowardsTheGoalHoweverFarItIs) {
 }
 
 TEST(RouteFinder, FindsAPathOfThreeKilometresInsideItsWindow) {
-  // 43 lanes of 1.6 m, joined at alternate ends.
+  // 43 corridors of 1.6 m, joined at alternate ends.
   MemoryParameters parameters = kDefaults.memory;
   parameters.reach = 60.0;
   constexpr double kHalf = 34.4;
-  constexpr double kLane = 1.6;
-  constexpr int kLanes = 43;
+  constexpr double kWidth = 1.6;
+  constexpr int kCorridors = 43;
   std::vector<Point2> places;
   const auto wall = [&](double from, double to, double y) {
     for (double x = from; x <= to; x += 0.04) places.push_back({x, y});
   };
-  for (int i = 0; i <= kLanes; ++i) {
-    const bool outside = i == 0 || i == kLanes;
-    wall(outside || i % 2 == 0 ? -kHalf : -kHalf + kLane, outside || i % 2 != 0 ? kHalf : kHalf - kLane,
-         -kHalf + i * kLane);
+  for (int i = 0; i <= kCorridors; ++i) {
+    const bool outside = i == 0 || i == kCorridors;
+    wall(outside || i % 2 == 0 ? -kHalf : -kHalf + kWidth, outside || i % 2 != 0 ? kHalf : kHalf - kWidth,
+         -kHalf + i * kWidth);
   }
   for (double y = -kHalf; y <= kHalf; y += 0.04) append({{-kHalf, y}, {kHalf, y}}, &places);
   ObstacleMemory memory(parameters, kDefaults.shield);
@@ -137,7 +137,7 @@ TEST(RouteFinder, FindsAPathOfThreeKilometresInsideItsWindow) {
   const Point2 start{kHalf - 0.8, -kHalf + 0.8};
   const Point2 goal{-kHalf + 0.8, kHalf - 0.8};
   ASSERT_TRUE(finder.find(memory, start, goal, kTolerance, &route));
-  EXPECT_NEAR(route.length, kLanes * (2.0 * kHalf - kLane), 60.0);
+  EXPECT_NEAR(route.length, kCorridors * (2.0 * kHalf - kWidth), 60.0);
   EXPECT_TRUE(finder.endsAtGoal());
   const std::uint32_t whole = finder.costToGo().cost(memory.cellAt(start));
   EXPECT_GT(whole, 70000u);
