@@ -24,6 +24,7 @@
 namespace lstm_planner::simd {
 namespace {
 
+/// Vectors of so many lanes, numbers side by side that one instruction works on.
 template <int kLanes>
 struct VectorOf;
 template <>
@@ -56,6 +57,7 @@ struct Group {
   V of[n];
 };
 
+/// The number that a vector is made of.
 template <class V>
 struct ElementOf {
   using Type = decltype(V{}[0] + V{}[0]);
@@ -130,6 +132,7 @@ LSTM_PLANNER_INLINE void storeFirst(V vector, int count, Element<V>* to) {
   for (int lane = 0; lane < count; ++lane) to[lane] = lanes[lane];
 }
 
+/// See broadcast().
 template <class V>
 struct Broadcast {
   static LSTM_PLANNER_INLINE V of(Element<V> value) {

@@ -30,6 +30,7 @@ class CellQueue {
   static constexpr std::uint32_t kBuckets = 1024;
   static constexpr std::uint16_t kNoChunk = 0xffff;
 
+  /// Indices in the grid.
   struct Cell {
     std::uint16_t column;
     std::uint16_t row;
@@ -40,6 +41,7 @@ class CellQueue {
     std::uint16_t count;
     std::uint16_t next;
   };
+  /// One whose estimate is beyond all buckets.
   struct Later {
     std::uint32_t estimate;
     Cell cell;

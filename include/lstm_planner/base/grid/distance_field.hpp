@@ -28,6 +28,7 @@ class DistanceField {
 /// middle of doors.
 class GeodesicField {
  public:
+  /// Where paths may lead, and what they cost near obstacles.
   struct Options {
     double clearance = 0.2;
     double comfort = 0.0;  ///< m; 0 = pure length

@@ -10,6 +10,7 @@ namespace lstm_planner {
 /// State of one cell of a map_server map.
 enum class Cell : std::uint8_t { kFree, kOccupied, kUnknown };
 
+/// Place of a cell in a grid.
 struct CellIndex {
   int column = 0;
   int row = 0;

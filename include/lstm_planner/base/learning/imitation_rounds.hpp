@@ -24,6 +24,7 @@ class ImitationCourse {
   virtual std::vector<Sequence> collectValidation(int round, const LayerStack* learner) = 0;
 };
 
+/// How often is collected, and how is trained between.
 struct ImitationRoundsParameters {
   int rounds = 1;
   int batch_steps = 0;        ///< steps an update, about, which set trainer.batch_size; 0: as that says

@@ -14,6 +14,7 @@ enum class WeightDistribution {
   kUniform,  ///< uniform in +-range
 };
 
+/// How random weights are drawn.
 struct InitialisationParameters {
   WeightDistribution distribution = WeightDistribution::kXavier;
   double range = 0.1;  ///< of kUniform, > 0

@@ -22,6 +22,7 @@ struct MemoryNetwork {
 /// so small that W^t vanishes; and the LSTM with its forget gate half open, as trainings here begin, and open.
 std::vector<MemoryNetwork> memoryNetworks();
 
+/// What the networks are asked to remember, and how they are trained.
 struct MemoryComparisonParameters {
   std::vector<int> delays = {5, 10, 20, 40, 80};  ///< steps that the networks have to remember, each >= 1
   int shown_delay = 20;                           ///< of the networks whose sensitivity is measured; one of `delays`

@@ -26,6 +26,7 @@ enum class LearningRateSchedule {
   kCosine,  ///< half a cosine from the learning rate at the first step to 0 after the last
 };
 
+/// How weights follow the gradient.
 struct OptimiserParameters {
   OptimiserKind kind = OptimiserKind::kAdam;
   double learning_rate = 0.005;  ///< alpha, > 0

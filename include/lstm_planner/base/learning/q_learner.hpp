@@ -19,6 +19,7 @@ class QLearner {
     std::string format;
     std::string updates;
   };
+  /// The length of a training, and its steps.
   struct Schedule {
     int updates = 1;          ///< of the whole training
     int target_interval = 1;  ///< updates between copies of the weights into the target network

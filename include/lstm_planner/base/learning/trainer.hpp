@@ -13,6 +13,7 @@
 
 namespace lstm_planner {
 
+/// How a network learns from sequences.
 struct TrainerParameters {
   int epochs = 20;       ///< passes over the training set, >= 1
   int batch_size = 128;  ///< sequences an update, >= 1; at least 16 a shard keep the matrix products efficient
@@ -50,6 +51,7 @@ struct EpochReport {
   const LossSum& kept() const { return averaged.confusion.size() > 0 ? averaged : validation; }
 };
 
+/// What a training brought.
 struct TrainingResult {
   LayerStack layers;  ///< of the best epoch
   int best_epoch = 0;

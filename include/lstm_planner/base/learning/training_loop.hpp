@@ -61,6 +61,7 @@ class TrainingHost {
   virtual void restoreNotes(const nlohmann::json& /*progress*/) {}
 };
 
+/// Which files a training writes, and when.
 struct TrainingLoopOptions {
   std::string checkpoint;                     ///< file to go on from, where it exists, and to write; empty: none
   nlohmann::json settings;                    ///< what the result depends on besides; see TrainingCheckpoint
@@ -70,6 +71,7 @@ struct TrainingLoopOptions {
   Communicator* communicator = oneProcess();  ///< ranks that train together: the first writes the files
 };
 
+/// How a training ended.
 struct TrainingOutcome {
   bool stopped = false;
   std::optional<double> best;  ///< score of the network in the output file

@@ -55,6 +55,7 @@ class BatchNetwork {
 
  private:
   struct Program;  ///< the packed layers and the kernels that run them
+  /// Memory that is aligned as the kernels want it.
   struct alignas(64) CacheLine {
     float values[16];
   };

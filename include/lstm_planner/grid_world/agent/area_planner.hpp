@@ -12,6 +12,7 @@
 
 namespace lstm_planner {
 
+/// What the planner holds against cells that were never seen.
 struct AreaPlannerParameters {
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   /// How much more a cell costs that was never seen, for each time that the path from the start over it to the goal is

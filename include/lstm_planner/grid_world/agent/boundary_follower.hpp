@@ -11,6 +11,7 @@
 
 namespace lstm_planner {
 
+/// How far a boundary is followed to one side before the other one is tried.
 struct BoundaryParameters {
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   double first_leg = 40.0;  ///< cells to follow a boundary before the first turning back

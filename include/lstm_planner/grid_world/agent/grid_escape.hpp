@@ -8,6 +8,7 @@
 
 namespace lstm_planner {
 
+/// When the escape takes over, and when it hands back.
 struct GridEscapeParameters {
   BoundaryParameters boundary;
   /// Steps without having got nearer to the goal than ever, nor to a place never seen, before the escape takes over.

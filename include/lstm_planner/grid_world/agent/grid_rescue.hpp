@@ -10,6 +10,7 @@
 
 namespace lstm_planner {
 
+/// When the rescue takes over, and when boundaries are followed instead.
 struct GridRescueParameters {
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   /// Steps without having got nearer to the goal than ever, nor to a place never seen, before the rescue takes over.

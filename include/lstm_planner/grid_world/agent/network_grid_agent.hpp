@@ -16,6 +16,7 @@ namespace lstm_planner {
 /// remembers are not needed any more.
 class NetworkGridAgent : public GridAgent {
  public:
+  /// What watches over the network, and how it may move.
   struct Options {
     bool shield = true;  ///< off: the preferred move is tried even where it was sensed to be blocked
     bool escape = true;

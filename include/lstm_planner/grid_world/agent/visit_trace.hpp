@@ -36,11 +36,13 @@ class VisitTrace {
   static std::size_t bytes();
 
  private:
+  /// What is remembered of a place.
   struct Entry {
     std::uint16_t stamp = 0;
     std::uint8_t count = 0;
     std::uint8_t tag = 0;  ///< which of the places that share the entry
   };
+  /// Where that stands.
   struct Place {
     std::size_t entry;
     std::uint8_t tag;

@@ -18,6 +18,7 @@ namespace lstm_planner {
 /// Makes an agent for a map; called from several threads at once.
 using GridAgentMaker = std::function<std::unique_ptr<GridAgent>(const PassableGrid&)>;
 
+/// How episodes are run.
 struct GridEvaluationOptions {
   GridEpisodeRules rules;
   int threads = 2;

@@ -9,6 +9,7 @@ namespace lstm_planner {
 
 /// Paths of several agents between the same cells (thesis, Figures 3.9-3.14).
 struct GridPicture {
+  /// What one agent walked.
   struct Path {
     std::string label;
     std::vector<CellIndex> cells;

@@ -27,6 +27,7 @@ std::vector<GridSetFiles> findGridSets(const std::string& folder);
 /// others validate.
 enum class MapSelection { kAll, kTrain, kValidation };
 
+/// Which scenarios of a benchmark set take part.
 struct ScenarioSelection {
   MapSelection maps = MapSelection::kAll;
   double min_length = 0.0;  ///< cells, of the optimum, inclusive
@@ -39,6 +40,7 @@ struct ScenarioSelection {
 /// The scenario files of the selected maps.
 std::vector<std::string> selectScenarioFiles(const GridSetFiles& files, MapSelection selection);
 
+/// A path that an agent has to find.
 struct GridTask {
   std::size_t map = 0;  ///< place in GridTaskSet::maps
   CellIndex start;

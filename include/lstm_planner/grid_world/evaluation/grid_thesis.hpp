@@ -8,6 +8,7 @@ namespace lstm_planner {
 /// One of the thesis's tables of online tests, as printed: 50 scenarios with paths of at most 300 steps, corner cutting
 /// allowed, 1,000 steps an episode.
 struct ThesisTable {
+  /// Figures of one agent.
   struct Row {
     std::string agent;
     double success = 0.0;   ///< share

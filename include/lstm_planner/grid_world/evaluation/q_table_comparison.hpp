@@ -18,6 +18,7 @@ struct QTableMaps {
 /// Mazes with corridors two cells wide, random fill of a quarter, and caves, of `size` cells square (at least 8).
 std::vector<QTableMaps> smallMaps(int size);
 
+/// How the table learns, and on what it is judged.
 struct QTableComparisonParameters {
   QTableParameters table;
   int size = 32;                                             ///< cells, of the maps
@@ -38,6 +39,7 @@ struct QTableRow {
   double arrived = 0.0;    ///< share
   double ratio = 0.0;      ///< length / optimum, mean of those that arrived; not a number where none did
 };
+/// The rows of one kind of maps.
 struct QTableOutcome {
   std::string maps;
   std::vector<QTableRow> rows;

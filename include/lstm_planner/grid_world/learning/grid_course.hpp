@@ -28,6 +28,7 @@ struct CourseGoal {
   CornerCutting corner_cutting = CornerCutting::kForbidden;  ///< of the paths
 };
 
+/// Which episodes are drawn.
 struct GridCourseParameters {
   double min_length = 10.0;   ///< cells; of the shortest path, >= 2
   double max_length = 300.0;  ///< cells
@@ -54,6 +55,7 @@ CellIndex deadEndBelow(const PassableGrid& grid, CellIndex start, CellIndex goal
 /// few are much longer.
 class GridCourse {
  public:
+  /// One walk to learn from.
   struct Episode {
     std::shared_ptr<const CourseGoal> goal;
     CellIndex start;
@@ -78,6 +80,7 @@ class GridCourse {
   void renew(int count);
 
  private:
+  /// A Set, and the goals that are kept in its maps.
   struct CourseSet {
     std::vector<std::shared_ptr<const CourseMap>> maps;
     std::vector<std::shared_ptr<const CourseGoal>> goals;

@@ -21,6 +21,7 @@ enum class GridSupervisor {
   kThesisAStar,   ///< A* with 25 times the Euclidean distance, closed cells stay closed (thesis 3.2): not the shortest
 };
 
+/// How much is collected, and who leads when.
 struct GridDatasetParameters {
   GridSupervisor supervisor = GridSupervisor::kShortestPath;
   int steps = 102400;        ///< with a label (thesis Table 3.1)

@@ -9,6 +9,7 @@
 
 namespace lstm_planner {
 
+/// On what is learned, and for how long.
 struct GridReinforcementParameters {
   GridCourseParameters course;
   int updates = 20000;  ///< of the weights, over all epochs

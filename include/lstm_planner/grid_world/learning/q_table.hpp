@@ -10,6 +10,7 @@
 
 namespace lstm_planner {
 
+/// How the table learns.
 struct QTableParameters {
   double learning_rate = 0.5;  ///< alpha, in (0, 1]; 1 forgets the old value, which is right where nothing is random
   double discount = 1.0;       ///< gamma, in (0, 1]

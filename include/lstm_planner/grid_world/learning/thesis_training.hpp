@@ -26,6 +26,7 @@ struct ThesisNetwork {
 /// Two LSTM layers of 8 cells (Fig. 3.8a), two of 16, and the perceptron of four layers of 64 units (Fig. 3.8b).
 const std::vector<ThesisNetwork>& thesisNetworks();
 
+/// What the training of one network brought.
 struct ThesisNetworkResult {
   Model model;  ///< ready to be written and to walk
   double training_accuracy = 0.0;

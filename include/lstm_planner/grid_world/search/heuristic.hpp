@@ -23,6 +23,7 @@ constexpr double kThesisEuclideanScale = 25.0;
 /// Scales above would let sums of costs overflow on the largest grids.
 constexpr double kLargestEuclideanScale = 1000.0;
 
+/// A heuristic and its scale.
 struct HeuristicParameters {
   Heuristic kind = Heuristic::kOctile;
   double scale = kThesisEuclideanScale;  ///< of kScaledEuclidean

@@ -12,6 +12,7 @@ namespace lstm_planner {
 /// Bucket b of a scenario file holds the shortest paths of 4 b up to 4 (b + 1) cells.
 constexpr double kBucketLength = 4.0;
 
+/// How many scenarios are drawn.
 struct ScenarioDrawParameters {
   int per_bucket = 10;  ///< scenarios in every bucket, where the map has as many
 };

@@ -27,11 +27,13 @@ struct RecordingDescription {
 /// The version of this package, e.g. "0.2.0".
 std::string softwareVersion();
 
+/// A drive to one goal, with its steps.
 struct RecordedEpisode {
   Episode episode;
   std::vector<DriveStep> steps;
 };
 
+/// What one run of a recorder wrote.
 struct Recording {
   RecordingDescription description;
   bool finished = false;  ///< false: it is still going on, or was cut off

@@ -12,6 +12,7 @@ namespace lstm_planner {
 /// angles differ, so that a label would mean two things, or when they have an episode in common.
 Dataset mergeDatasets(const std::vector<std::string>& paths);
 
+/// The two parts of a dataset.
 struct DatasetSplit {
   Dataset training;
   Dataset validation;

@@ -12,12 +12,14 @@ namespace lstm_planner {
 
 // What a recorder hears of a drive, whether it happens now or was recorded by something else. Stamps in s.
 
+/// A measurement of the odometry.
 struct OdometryHeard {
   double stamp = 0.0;
   Pose2 pose;  ///< base in the odometry frame
   Twist2 twist;
 };
 
+/// A scan, and where its scanner is.
 struct ScanHeard {
   double stamp = 0.0;
   LaserScan scan;
@@ -25,6 +27,7 @@ struct ScanHeard {
   std::string frame;
 };
 
+/// A goal to drive to.
 struct GoalHeard {
   double stamp = 0.0;
   GoalInFrame goal;

@@ -13,6 +13,7 @@ namespace lstm_planner {
 /// it allows none of them, of those that it allows with the tight clearance.
 class ActionChoice {
  public:
+  /// One of the steering angles.
   struct Action {
     int index = 0;
     double free = 0.0;  ///< m that the shield sees free that way, no more than a step

@@ -46,6 +46,7 @@ class GoalTracker {
   Verdict ask(const GoalInFrame& goal, double time);
 
  private:
+  /// A goal that is asked for and not driven to.
   struct Candidate {
     GoalInFrame goal;
     double first_asked = 0.0;  ///< s

@@ -145,6 +145,7 @@ class MotionController {
 
  private:
   struct Persons;
+  /// How fast the robot may drive, and why not faster.
   struct SafeSpeed {
     double speed;     ///< m/s
     StopReason stop;  ///< where that is 0

@@ -43,6 +43,7 @@ class PlaceTrace {
   static std::size_t bytes();
 
  private:
+  /// What is remembered of a square.
   struct Entry {
     Entry() : Entry(0, 0) {}
     Entry(int place_column, int place_row) : column(place_column), row(place_row), count(0), stamp(0) {}
@@ -51,6 +52,7 @@ class PlaceTrace {
     std::uint32_t count : 4;
     std::uint32_t stamp : 14;
   };
+  /// Where that stands.
   struct Place {
     std::size_t entry = 0;
     int column = 0;

@@ -22,6 +22,7 @@ class Trail {
   void clear() { places_.clear(); }
 
  private:
+  /// One of its poses.
   struct Place {
     Pose2 pose;
     double along;  ///< in spacings, from wherever the trail began

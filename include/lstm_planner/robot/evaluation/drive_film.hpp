@@ -13,6 +13,7 @@ namespace lstm_planner {
 /// (TracePicture), the goal is green.
 class DriveFilm {
  public:
+  /// How often is drawn, and how large.
   struct Parameters {
     double period = 0.4;     ///< s from frame to frame, > 0
     int longest_side = 600;  ///< pixels, 16 or more

@@ -12,6 +12,7 @@ namespace lstm_planner {
 
 /// What is drawn over a map; everything in the map frame, m and rad.
 struct TracePicture {
+  /// Where a drive was to end.
   struct Goal {
     Point2 position;
     std::string label;

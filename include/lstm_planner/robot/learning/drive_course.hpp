@@ -13,6 +13,7 @@
 
 namespace lstm_planner {
 
+/// In which worlds is learned, and which paths.
 struct DriveCourseParameters {
   std::vector<WorldKind> worlds = worldKinds();  ///< kinds of generated worlds, in turn
   double shortest = 2.0;                         ///< m, of the shortest path from start to goal

@@ -45,6 +45,7 @@ struct ImitationRound {
   TrainingResult training;
 };
 
+/// What all rounds brought.
 struct ImitationResult {
   LayerStack layers;  ///< of the most efficient round
   std::vector<ImitationRound> rounds;

@@ -9,6 +9,7 @@ namespace lstm_planner {
 /// A planner that knows the whole map: says which steering angle leads along the shortest comfortable path to the goal.
 class Teacher {
  public:
+  /// What the teacher keeps away from, and how far it looks ahead.
   struct Parameters {
     double footprint_radius = 0.17425;  ///< m
     double clearance = 0.1;             ///< m between the footprint and walls, at the least

@@ -59,6 +59,7 @@ class CostToGo {
 
  private:
   static constexpr std::uint16_t kFar = 0xffff;
+  /// The cells of a row from one column to another.
   struct Span {
     std::uint16_t first;
     std::uint16_t last;

@@ -117,6 +117,7 @@ class Encoder {
     kPreviousActionCos,
     kSeen
   };
+  /// What one input of the network shows.
   struct Input {
     Feature feature;
     std::uint8_t index;  ///< of the sector or direction, for features of which there are eight

@@ -99,6 +99,7 @@ class MovingReturns {
     BeamFinder finder;          ///< for the odometry frame
     std::vector<float> limits;  ///< m^2; a beam each: what is farther was surely not seen free
   };
+  /// Where something has moved.
   struct Place {
     Point2 point;       ///< odometry frame
     double time = 0.0;  ///< s, when something moved there last

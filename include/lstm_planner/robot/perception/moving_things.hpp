@@ -32,10 +32,12 @@ class MovingThings {
   void reset() { tracks_.clear(); }
 
  private:
+  /// A thing in one scan.
   struct Sighting {
     Point2 middle;  ///< odometry frame
     double time;    ///< s
   };
+  /// A thing from scan to scan.
   struct Track {
     std::deque<Sighting> sightings;  ///< the oldest first
     double radius = 0.0;
@@ -43,6 +45,7 @@ class MovingThings {
     bool is_measured = false;
     Point2 at(double time) const;
   };
+  /// Returns of one scan that lie together, as a disc.
   struct Body {
     Point2 middle;  ///< odometry frame
     double radius;

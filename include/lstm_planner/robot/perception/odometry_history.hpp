@@ -9,6 +9,7 @@ namespace lstm_planner {
 /// The odometry of the last second: gives the pose at the moment a scan was taken, and notices jumps.
 class OdometryHistory {
  public:
+  /// One measurement.
   struct Entry {
     double stamp = 0.0;  ///< s
     Pose2 pose;          ///< base in the odometry frame

@@ -77,6 +77,7 @@ class Create2 {
   const Create2Parameters& parameters() const { return parameters_; }
 
  private:
+  /// One of the two wheels.
   struct Wheel {
     double target_speed = 0.0;  ///< m/s
     double speed = 0.0;         ///< m/s

@@ -45,6 +45,7 @@ void validate(const CrowdParameters& parameters);
 /// next step would touch it: then they stand for a while and go elsewhere. Deterministic for a seed.
 class Crowd : public Traffic {
  public:
+  /// One of the people.
   struct Walker {
     Circle body;
     double speed = 0.0;  ///< m/s

@@ -45,6 +45,7 @@ class MovingCylinders : public Traffic {
   std::vector<Body> bodies() const override { return bodies_; }
 
  private:
+  /// The path of a cylinder, and where it is on it.
   struct Route {
     std::vector<Point2> corners;
     std::vector<double> speeds;  ///< m/s, of the stretch behind each corner

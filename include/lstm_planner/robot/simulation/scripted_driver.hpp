@@ -91,6 +91,7 @@ class ScriptedDriver {
   double distanceToGo(const Point2& position) const;
 
  private:
+  /// Which keys are held.
   struct Keys {
     bool forward = false;
     int turn = 0;  ///< 1: left, -1: right

@@ -20,6 +20,7 @@ namespace lstm_planner {
 /// who runs into a robot that stands, or goes elsewhere, has bumped into it.
 class SimulatedRobot {
  public:
+  /// What the robot is made of; periods and times in s, the jump in m.
   struct Parameters {
     Create2Parameters base;
     HokuyoParameters scanner;
@@ -58,6 +59,7 @@ class SimulatedRobot {
   double pathLength() const { return path_length_; }   ///< m truly driven
 
  private:
+  /// One that has not reached the wheels yet.
   struct Command {
     double time = 0.0;  ///< s, when it takes effect
     Twist2 twist;

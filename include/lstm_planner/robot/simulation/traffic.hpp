@@ -9,6 +9,7 @@ namespace lstm_planner {
 /// A world in which round bodies move by themselves as time passes.
 class Traffic : public CircleWorld {
  public:
+  /// One of the things that move.
   struct Body {
     Circle circle;
     bool beside_robot = false;  ///< it has met the robot and not left it since

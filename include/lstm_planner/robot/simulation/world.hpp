@@ -57,6 +57,7 @@ class GridWorld : public World {
   std::vector<std::uint8_t> leaps_;
 };
 
+/// A round obstacle, m.
 struct Circle {
   Point2 center;
   double radius = 0.0;

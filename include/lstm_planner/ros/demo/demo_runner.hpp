@@ -20,6 +20,7 @@ namespace lstm_planner {
 /// What `demo_runner` reads from its private namespace. The scenario (parameters below `~scenario/`) is a goals file
 /// such as config/demo_goals.yaml, which explains them.
 struct DemoParameters {
+  /// One of the goals that are driven to in turn.
   struct Goal {
     std::string name;
     Pose2 pose;         ///< in the map frame

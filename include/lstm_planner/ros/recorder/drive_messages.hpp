@@ -49,6 +49,7 @@ class DriveMessages {
   const std::string& problem() const { return problem_; }
 
  private:
+  /// The goal that was heard last.
   struct LastGoal {
     GoalInFrame goal;
     std::string source;
