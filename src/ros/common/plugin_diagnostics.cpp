@@ -14,6 +14,26 @@ constexpr std::chrono::milliseconds kStatusPeriod(200);
 constexpr double kLogPeriod = 2.0;  // s
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 
+/// How often and how old. `timeout_parameter`: the name of the parameter that limits the age.
+void describe(const SensorHealth& sensor, const std::string& timeout_parameter,
+              diagnostic_updater::DiagnosticStatusWrapper* status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (!sensor.is_heard) {
+    status->summary(DiagnosticStatus::ERROR, "nothing has been received on " + sensor.topic);
+    return;
+  }
+  const std::string problem = ageProblem(sensor.age, sensor.timeout, timeout_parameter);
+  if (problem.empty()) {
+    status->summary(DiagnosticStatus::OK, "messages come in time");
+  } else {
+    status->summary(DiagnosticStatus::ERROR, "the newest message on " + sensor.topic + " is " + problem);
+  }
+  status->add("topic", sensor.topic);
+  status->add("age (s)", sensor.age);
+  status->add("rate (Hz)", sensor.period > 0.0 ? 1.0 / sensor.period : 0.0);
+  status->add("oldest that is used (s)", sensor.timeout);
+}
+
 }  // namespace
 
 PluginDiagnostics::PluginDiagnostics(const std::string& name, std::mutex* mutex, const Report& status)
@@ -39,6 +59,15 @@ PluginDiagnostics::~PluginDiagnostics() {
 
 void PluginDiagnostics::add(const std::string& what, const Report& report) {
   updater_.add(name_ + " " + what, locked(report));
+}
+
+void PluginDiagnostics::addSensors(const std::function<SensorListener*()>& sensors) {
+  add("scan", [sensors](Status& status) {
+    if (sensors() != nullptr) describe(sensors()->scanHealth(ros::Time::now()), "scan_timeout", &status);
+  });
+  add("odometry", [sensors](Status& status) {
+    if (sensors() != nullptr) describe(sensors()->odometryHealth(ros::Time::now()), "odom_timeout", &status);
+  });
 }
 
 PluginDiagnostics::Report PluginDiagnostics::locked(const Report& report) {
@@ -73,25 +102,6 @@ void PluginDiagnostics::tell() {
   if (diagnostics_publisher_.getNumSubscribers() == 0 || now - updated_ < kDiagnosticsPeriod) return;
   updated_ = now;
   updater_.force_update();
-}
-
-void describe(const SensorHealth& sensor, const std::string& timeout_parameter,
-              diagnostic_updater::DiagnosticStatusWrapper* status) {
-  using diagnostic_msgs::DiagnosticStatus;
-  if (!sensor.is_heard) {
-    status->summary(DiagnosticStatus::ERROR, "nothing has been received on " + sensor.topic);
-    return;
-  }
-  const std::string problem = ageProblem(sensor.age, sensor.timeout, timeout_parameter);
-  if (problem.empty()) {
-    status->summary(DiagnosticStatus::OK, "messages come in time");
-  } else {
-    status->summary(DiagnosticStatus::ERROR, "the newest message on " + sensor.topic + " is " + problem);
-  }
-  status->add("topic", sensor.topic);
-  status->add("age (s)", sensor.age);
-  status->add("rate (Hz)", sensor.period > 0.0 ? 1.0 / sensor.period : 0.0);
-  status->add("oldest that is used (s)", sensor.timeout);
 }
 
 }  // namespace lstm_planner

@@ -31,6 +31,8 @@ class PluginDiagnostics {
 
   /// One more for /diagnostics. Before start().
   void add(const std::string& what, const Report& report);
+  /// "scan" and "odometry", empty where `sensors` gives none.
+  void addSensors(const std::function<SensorListener*()>& sensors);
   void start();
 
  private:
@@ -51,9 +53,5 @@ class PluginDiagnostics {
   bool finished_ = false;
   std::thread thread_;  ///< last: it uses what is above
 };
-
-/// How often and how old. `timeout_parameter`: the name of the parameter that limits the age.
-void describe(const SensorHealth& sensor, const std::string& timeout_parameter,
-              diagnostic_updater::DiagnosticStatusWrapper* status);
 
 }  // namespace lstm_planner

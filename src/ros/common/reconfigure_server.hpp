@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "lstm_planner/base/common/parameter_rows.hpp"
@@ -35,5 +36,23 @@ class ReconfigureServer {
   class Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
+
+/// For the parameters of `user`, which has parameters() and change(), and must outlive the server. `visit(parameters,
+/// visitor)` visits them.
+template <typename User, typename Visit>
+std::unique_ptr<ReconfigureServer> makeReconfigureServer(const std::string& name, User* user, const Visit& visit,
+                                                         const std::vector<std::string>& changeable,
+                                                         const std::vector<std::string>& leaders, std::mutex* mutex) {
+  using Parameters = std::decay_t<decltype(user->parameters())>;
+  const auto change = [user, visit](const ReconfigureServer::Rows& rows) {
+    Parameters changed = user->parameters();
+    assignRows(rows, &changed, visit);
+    validate(changed);
+    user->change(changed);
+  };
+  const ReconfigureServer::Description description{rowsOf(user->parameters(), visit), rowsOf(Parameters(), visit),
+                                                   changeable, leaders};
+  return std::make_unique<ReconfigureServer>(name, description, mutex, change);
+}
 
 }  // namespace lstm_planner

@@ -144,29 +144,15 @@ void SteeringController::startReconfigure(const std::string& name) {
   const auto visit = [](auto& parameters, const auto& visitor) {
     visitSteeringControllerParameters(parameters, visitor);
   };
-  const auto change = [this, visit](const ReconfigureServer::Rows& rows) {
-    SteeringControllerParameters changed = plan_follower_->parameters();
-    assignRows(rows, &changed, visit);
-    validate(changed);
-    plan_follower_->change(changed);
-  };
-  const ReconfigureServer::Description description{rowsOf(plan_follower_->parameters(), visit),
-                                                   rowsOf(SteeringControllerParameters(), visit),
-                                                   changeableSteeringControllerParameters(),
-                                                   {}};
-  reconfigure_ = std::make_unique<ReconfigureServer>(name, description, &mutex_, change);
+  reconfigure_ =
+      makeReconfigureServer(name, plan_follower_.get(), visit, changeableSteeringControllerParameters(), {}, &mutex_);
 }
 
 void SteeringController::startDiagnostics(const std::string& name) {
   if (diagnostics_) return;
   using Status = PluginDiagnostics::Status;
   diagnostics_ = std::make_unique<PluginDiagnostics>(name, &mutex_, [this](Status& status) { describeStop(&status); });
-  diagnostics_->add("scan", [this](Status& status) {
-    if (plan_follower_) describe(plan_follower_->sensors().scanHealth(ros::Time::now()), "scan_timeout", &status);
-  });
-  diagnostics_->add("odometry", [this](Status& status) {
-    if (plan_follower_) describe(plan_follower_->sensors().odometryHealth(ros::Time::now()), "odom_timeout", &status);
-  });
+  diagnostics_->addSensors([this] { return plan_follower_ ? &plan_follower_->sensors() : nullptr; });
   diagnostics_->start();
 }
 

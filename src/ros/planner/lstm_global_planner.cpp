@@ -115,17 +115,8 @@ bool LstmGlobalPlanner::refusePlan(std::vector<geometry_msgs::PoseStamped>* plan
 
 void LstmGlobalPlanner::startReconfigure(const std::string& name) {
   const auto visit = [](auto& parameters, const auto& visitor) { visitGlobalPlannerParameters(parameters, visitor); };
-  const auto change = [this, visit](const ReconfigureServer::Rows& rows) {
-    GlobalPlannerParameters changed = plan_maker_->parameters();
-    assignRows(rows, &changed, visit);
-    validate(changed);
-    plan_maker_->change(changed);
-  };
-  const ReconfigureServer::Description description{rowsOf(plan_maker_->parameters(), visit),
-                                                   rowsOf(GlobalPlannerParameters(), visit),
-                                                   changeableGlobalPlannerParameters(),
-                                                   {"network", "route"}};
-  reconfigure_ = std::make_unique<ReconfigureServer>(name, description, &mutex_, change);
+  reconfigure_ = makeReconfigureServer(name, plan_maker_.get(), visit, changeableGlobalPlannerParameters(),
+                                       {"network", "route"}, &mutex_);
 }
 
 void LstmGlobalPlanner::startDiagnostics(const std::string& name) {
@@ -133,12 +124,7 @@ void LstmGlobalPlanner::startDiagnostics(const std::string& name) {
   using Status = PluginDiagnostics::Status;
   diagnostics_ = std::make_unique<PluginDiagnostics>(name, &mutex_, [this](Status& status) { describeDrive(&status); });
   diagnostics_->add("model", [this](Status& status) { describeModel(&status); });
-  diagnostics_->add("scan", [this](Status& status) {
-    if (plan_maker_) describe(plan_maker_->sensors().scanHealth(ros::Time::now()), "scan_timeout", &status);
-  });
-  diagnostics_->add("odometry", [this](Status& status) {
-    if (plan_maker_) describe(plan_maker_->sensors().odometryHealth(ros::Time::now()), "odom_timeout", &status);
-  });
+  diagnostics_->addSensors([this] { return plan_maker_ ? &plan_maker_->sensors() : nullptr; });
   diagnostics_->start();
 }
 
