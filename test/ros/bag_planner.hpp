@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/planner_fixture.hpp"
 #include "ros/plugin_loader.hpp"
 #include "ros/recording.hpp"
@@ -43,7 +44,7 @@ class BagPlannerTest : public testing::Test {
     ros::param::set("~/costmap/plugins", std::vector<std::string>());
     // A costmap wants to know where the robot is before it can be made. The planner listens to tf itself.
     costmap_tf_.setUsingDedicatedThread(true);
-    costmap_tf_.setTransform(identity(global_frame, "base_link"), "test", true);
+    costmap_tf_.setTransform(toMessage(Pose2{}, global_frame, "base_link", ros::Time::now()), "test", true);
     costmap_ = std::make_unique<costmap_2d::Costmap2DROS>("costmap", costmap_tf_);
     planner_ = loader_->createInstance("lstm_planner/LstmGlobalPlanner");
     planner_->initialize("LstmGlobalPlanner", costmap_.get());
@@ -51,15 +52,6 @@ class BagPlannerTest : public testing::Test {
       return scan_publisher_.getNumSubscribers() > 0 && odometry_publisher_.getNumSubscribers() > 0 &&
              tf_publisher_.getNumSubscribers() > 0 && goal_publisher_.getNumSubscribers() > 0 && decisions_.connected();
     }));
-  }
-
-  static geometry_msgs::TransformStamped identity(const std::string& parent, const std::string& child) {
-    geometry_msgs::TransformStamped transform;
-    transform.header.stamp = ros::Time::now();
-    transform.header.frame_id = parent;
-    transform.child_frame_id = child;
-    transform.transform.rotation.w = 1.0;
-    return transform;
   }
 
   ros::NodeHandle node_handle_;

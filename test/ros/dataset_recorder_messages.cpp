@@ -38,13 +38,7 @@ class DriveMessagesTest : public testing::Test {
   DriveMessagesTest() { setTransform("base_footprint", "laser", {0.1, 0.0, 0.0}); }
 
   void setTransform(const std::string& parent, const std::string& child, const Pose2& pose) {
-    geometry_msgs::TransformStamped transform;
-    transform.header.frame_id = parent;
-    transform.child_frame_id = child;
-    transform.transform.translation.x = pose.x;
-    transform.transform.translation.y = pose.y;
-    transform.transform.rotation = toMessage(pose).orientation;
-    tf_.setTransform(transform, "test", true);
+    tf_.setTransform(toMessage(pose, parent, child), "test", true);
   }
 
   nav_msgs::Odometry odometry() const {
@@ -128,9 +122,7 @@ TEST_F(DriveMessagesTest, AMountThatIsGivenNeedsNoTransform) {
 }
 
 TEST_F(DriveMessagesTest, ATiltedScannerIsRefused) {
-  geometry_msgs::TransformStamped transform;
-  transform.header.frame_id = "base_footprint";
-  transform.child_frame_id = "laser";
+  geometry_msgs::TransformStamped transform = toMessage(Pose2{}, "base_footprint", "laser");
   transform.transform.rotation.x = std::sin(0.5);
   transform.transform.rotation.w = std::cos(0.5);
   tf_.setTransform(transform, "test", true);

@@ -126,22 +126,9 @@ class DriveBag {
     }
   }
 
-  static geometry_msgs::TransformStamped transform(const ros::Time& stamp, const std::string& parent,
-                                                   const std::string& child, const Pose2& pose) {
-    geometry_msgs::TransformStamped transform;
-    transform.header.stamp = stamp;
-    transform.header.frame_id = parent;
-    transform.child_frame_id = child;
-    const geometry_msgs::Pose message = toMessage(pose);
-    transform.transform.translation.x = message.position.x;
-    transform.transform.translation.y = message.position.y;
-    transform.transform.rotation = message.orientation;
-    return transform;
-  }
-
   void writeMount() {
     tf2_msgs::TFMessage message;
-    message.transforms = {transform(after(0.0), "base_footprint", "base_scan", {kMount, 0.0, 0.0})};
+    message.transforms = {toMessage({kMount, 0.0, 0.0}, "base_footprint", "base_scan", after(0.0))};
     bag_.write("/tf_static", received(0.0), message);
   }
 
@@ -157,7 +144,7 @@ class DriveBag {
     if (content_.odometry) bag_.write("/odom", recorded, odometry);
     if (!content_.transforms) return;
     OldTransforms message;
-    message.transforms = {transform(after(now), "odom", "base_footprint", pose_)};
+    message.transforms = {toMessage(pose_, "odom", "base_footprint", after(now))};
     if (content_.old_transforms) {
       bag_.write("/tf", recorded, message);
     } else {

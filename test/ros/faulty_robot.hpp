@@ -68,8 +68,7 @@ class FaultyRobot {
 
   explicit FaultyRobot(std::uint64_t seed) : random_(seed) {
     ros::Time::setNow(ros::Time(1e6));
-    geometry_msgs::TransformStamped mount = transform("base_footprint", "laser", laser_.mount.pose);
-    static_broadcaster_.sendTransform(mount);
+    static_broadcaster_.sendTransform(toMessage(laser_.mount.pose, "base_footprint", "laser", ros::Time::now()));
   }
 
   /// Somebody puts it into another world; its driver starts to count anew. `world` must outlive its stay.
@@ -133,8 +132,9 @@ class FaultyRobot {
     const double yaw = truth.yaw - odometry.yaw;
     const Point2 turned = toParentFrame(Pose2{0.0, 0.0, yaw}, Point2{odometry.x, odometry.y});
     const auto message = boost::make_shared<tf2_msgs::TFMessage>();
-    message->transforms = {transform("map", "odom", {truth.x - turned.x, truth.y - turned.y, yaw}),
-                           transform("odom", "base_footprint", odometry)};
+    const ros::Time now = ros::Time::now();
+    message->transforms = {toMessage({truth.x - turned.x, truth.y - turned.y, yaw}, "map", "odom", now),
+                           toMessage(odometry, "odom", "base_footprint", now)};
     transforms_.publish(message);
   }
 
@@ -174,18 +174,6 @@ class FaultyRobot {
     if (fault_ == Fault::kScannerHalfCovered) std::fill(ranges.begin() + ranges.size() / 2, ranges.end(), kCover);
     if (fault_ == Fault::kScansBackwards) scan->angle_min += 3.0F;
     if (fault_ == Fault::kOldScans) scan->header.stamp -= ros::Duration(5.0);
-  }
-
-  static geometry_msgs::TransformStamped transform(const std::string& parent, const std::string& child,
-                                                   const Pose2& pose) {
-    geometry_msgs::TransformStamped transform;
-    transform.header.stamp = ros::Time::now();
-    transform.header.frame_id = parent;
-    transform.child_frame_id = child;
-    transform.transform.translation.x = pose.x;
-    transform.transform.translation.y = pose.y;
-    transform.transform.rotation = toMessage(pose).orientation;
-    return transform;
   }
 
   Random random_;

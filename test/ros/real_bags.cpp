@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/bag_planner.hpp"
 #include "support/real_data.hpp"
 
@@ -53,7 +54,7 @@ class RealBagTest : public BagPlannerTest, public testing::WithParamInterface<Re
     ros::Time::setNow(recorded_->clockAt(rosbag::View(bag_).getBeginTime()));
     if (!recording.scan_frame.empty()) {
       // The racecar's scanner sits some 0.3 m before base_link; at base_link it does for a plan that nobody follows.
-      static_broadcaster_.sendTransform(identity("base_link", recording.scan_frame));
+      static_broadcaster_.sendTransform(toMessage(Pose2{}, "base_link", recording.scan_frame, ros::Time::now()));
     }
     ros::param::set("~/LstmGlobalPlanner/goal_drift", 0.0);
     ros::param::set("~/LstmGlobalPlanner/scan_timeout", kTimeout);

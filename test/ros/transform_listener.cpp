@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/fake_robot.hpp"
 #include "ros/log_listener.hpp"
 
@@ -22,13 +23,7 @@ class TransformListenerTest : public testing::Test {
   }
 
   static geometry_msgs::TransformStamped transformAt(double x, const ros::Time& stamp) {
-    geometry_msgs::TransformStamped transform;
-    transform.header.frame_id = "map";
-    transform.header.stamp = stamp;
-    transform.child_frame_id = "odom";
-    transform.transform.translation.x = x;
-    transform.transform.rotation.w = 1.0;
-    return transform;
+    return toMessage({x, 0.0, 0.0}, "map", "odom", stamp);
   }
   void publish(const geometry_msgs::TransformStamped& transform) {
     tf2_msgs::TFMessage message;

@@ -51,6 +51,18 @@ geometry_msgs::Pose toMessage(const Pose2& pose) {
   return message;
 }
 
+geometry_msgs::TransformStamped toMessage(const Pose2& pose, const std::string& parent, const std::string& child,
+                                          const ros::Time& stamp) {
+  geometry_msgs::TransformStamped message;
+  message.header.frame_id = parent;
+  message.header.stamp = stamp;
+  message.child_frame_id = child;
+  message.transform.translation.x = pose.x;
+  message.transform.translation.y = pose.y;
+  message.transform.rotation = toMessage(pose).orientation;
+  return message;
+}
+
 SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner) {
   constexpr double kLargestTilt = 15.0;
   const geometry_msgs::Quaternion& q = base_from_scanner.rotation;

@@ -28,21 +28,6 @@ constexpr std::uint64_t kClockStart = 100'000'000'000;  // ns; later than any bu
 constexpr std::uint64_t kLongestGap = 1'000'000'000;    // ns that are made up for when the node was held up
 constexpr double kStaleReport = 10.0;                   // s between two warnings
 
-geometry_msgs::TransformStamped transform(const std::string& parent, const std::string& child, const ros::Time& stamp,
-                                          const Pose2& pose, double z, bool upside_down = false) {
-  geometry_msgs::TransformStamped transform;
-  transform.header.stamp = stamp;
-  transform.header.frame_id = parent;
-  transform.child_frame_id = child;
-  transform.transform.translation.x = pose.x;
-  transform.transform.translation.y = pose.y;
-  transform.transform.translation.z = z;
-  tf2::Quaternion rotation;
-  rotation.setRPY(upside_down ? M_PI : 0.0, 0.0, pose.yaw);
-  transform.transform.rotation = tf2::toMsg(rotation);
-  return transform;
-}
-
 }  // namespace
 
 Create2Stub::Create2Stub(const Create2StubParameters& parameters)
@@ -219,12 +204,19 @@ void Create2Stub::publishStaticTransforms() {
   // Where several robots share tf, their frames begin with their names.
   const std::string base_link = parameters_.base_frame.substr(0, parameters_.base_frame.rfind('/') + 1) + "base_link";
   if (parameters_.publish_static_tf) {
-    transforms.push_back(transform(parameters_.base_frame, base_link, now, {}, parameters_.base_link_height));
-    transforms.push_back(transform(base_link, parameters_.laser_frame, now, parameters_.laser.mount.pose,
-                                   parameters_.laser_height, parameters_.laser.mount.upside_down));
+    const SensorMount& mount = parameters_.laser.mount;
+    transforms.push_back(toMessage(Pose2{}, parameters_.base_frame, base_link, now));
+    transforms.back().transform.translation.z = parameters_.base_link_height;
+    transforms.push_back(toMessage(mount.pose, base_link, parameters_.laser_frame, now));
+    transforms.back().transform.translation.z = parameters_.laser_height;
+    if (mount.upside_down) {
+      tf2::Quaternion rotation;
+      rotation.setRPY(M_PI, 0.0, mount.pose.yaw);
+      transforms.back().transform.rotation = tf2::toMsg(rotation);
+    }
   }
   if (parameters_.publish_map && !isLocalised()) {
-    transforms.push_back(transform(parameters_.map_frame, parameters_.odom_frame, now, parameters_.start, 0.0));
+    transforms.push_back(toMessage(parameters_.start, parameters_.map_frame, parameters_.odom_frame, now));
   }
   static_broadcaster_.sendTransform(transforms);
 }
@@ -232,8 +224,7 @@ void Create2Stub::publishStaticTransforms() {
 void Create2Stub::publishLocalisation() {
   localiser_.localise(robot_.robot().truePose(), driver_.odometry());
   const Pose2 map_from_odometry = compose(parameters_.start, localiser_.correction());
-  broadcaster_.sendTransform(
-      transform(parameters_.map_frame, parameters_.odom_frame, driverTime(), map_from_odometry, 0.0));
+  broadcaster_.sendTransform(toMessage(map_from_odometry, parameters_.map_frame, parameters_.odom_frame, driverTime()));
 }
 
 void Create2Stub::publishMap() {

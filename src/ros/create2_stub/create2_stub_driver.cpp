@@ -164,14 +164,7 @@ void Create2StubDriver::publishOdometry() {
   message.twist.twist.linear.x = measured_.linear;
   message.twist.twist.angular.z = measured_.angular;
   if (parameters_.publish_tf) {
-    geometry_msgs::TransformStamped transform;
-    transform.header.stamp = now_();
-    transform.header.frame_id = parameters_.odom_frame;
-    transform.child_frame_id = parameters_.base_frame;
-    transform.transform.translation.x = pose.x;
-    transform.transform.translation.y = pose.y;
-    transform.transform.rotation = message.pose.pose.orientation;
-    broadcaster_.sendTransform(transform);
+    broadcaster_.sendTransform(toMessage(pose, parameters_.odom_frame, parameters_.base_frame, now_()));
   }
   odometry_publisher_.publish(message);
 }

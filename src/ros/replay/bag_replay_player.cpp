@@ -27,18 +27,6 @@ constexpr int kQueue = 1000;  // what is played as fast as possible comes faster
 bool isTransforms(const std::string& topic) { return topic == "/tf" || topic == "tf"; }
 bool isStaticTransforms(const std::string& topic) { return topic == "/tf_static" || topic == "tf_static"; }
 
-geometry_msgs::TransformStamped transformTo(const std::string& parent, const std::string& child, const Pose2& pose,
-                                            const ros::Time& stamp) {
-  geometry_msgs::TransformStamped transform;
-  transform.header.frame_id = parent;
-  transform.header.stamp = stamp;
-  transform.child_frame_id = child;
-  transform.transform.translation.x = pose.x;
-  transform.transform.translation.y = pose.y;
-  transform.transform.rotation = toMessage(pose).orientation;
-  return transform;
-}
-
 }  // namespace
 
 BagReplayPlayer::BagReplayPlayer(const std::string& path, const Topics& topics)
@@ -85,7 +73,7 @@ void BagReplayPlayer::readClock() {
 }
 
 void BagReplayPlayer::placeScanner(const SensorMount& mount, const std::string& base_frame) {
-  geometry_msgs::TransformStamped transform = transformTo(base_frame, scan_frame_, mount.pose, ros::Time());
+  geometry_msgs::TransformStamped transform = toMessage(mount.pose, base_frame, scan_frame_);
   if (mount.upside_down) {
     tf2::Quaternion rotation;
     rotation.setRPY(M_PI, 0.0, mount.pose.yaw);
@@ -156,7 +144,7 @@ void BagReplayPlayer::publish(const rosbag::MessageInstance& message) {
 void BagReplayPlayer::publishPose(const nav_msgs::Odometry& odometry) {
   tf2_msgs::TFMessage transforms;
   transforms.transforms.push_back(
-      transformTo(odometry_frame_, base_frame_, fromMessage(odometry.pose.pose), odometry.header.stamp));
+      toMessage(fromMessage(odometry.pose.pose), odometry_frame_, base_frame_, odometry.header.stamp));
   transforms_.publish(transforms);
 }
 

@@ -101,7 +101,7 @@ class Robot {
     listening_.setCallbackQueue(&arrived_);
     scan_arrivals_ = listening_.subscribe("scan", 1, &Robot::onScan, this);
     odometry_arrivals_ = listening_.subscribe("odom", 1, &Robot::onOdometry, this);
-    broadcaster_.sendTransform({transform(kMap, kOdometry, course.task.start), transform(kBase, kLaser, mount.pose)});
+    broadcaster_.sendTransform({toMessage(course.task.start, kMap, kOdometry), toMessage(mount.pose, kBase, kLaser)});
   }
 
   bool isHeard() const { return scans_.getNumSubscribers() > 0 && odometry_.getNumSubscribers() > 0; }
@@ -140,17 +140,6 @@ class Robot {
   Pose2 inMap(const Pose2& pose) const { return compose(course_.task.start, pose); }
 
  private:
-  static geometry_msgs::TransformStamped transform(const char* parent, const char* child, const Pose2& pose) {
-    geometry_msgs::TransformStamped message;
-    message.header.frame_id = parent;
-    message.child_frame_id = child;
-    const geometry_msgs::Pose there = toMessage(pose);
-    message.transform.translation.x = there.position.x;
-    message.transform.translation.y = there.position.y;
-    message.transform.rotation = there.orientation;
-    return message;
-  }
-
   void onScan(const sensor_msgs::LaserScan& scan) { scan_arrived_ = scan.header.stamp; }
   void onOdometry(const nav_msgs::Odometry& odometry) { odometry_arrived_ = odometry.header.stamp; }
 

@@ -3,6 +3,7 @@
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Transform.h>
+#include <geometry_msgs/TransformStamped.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Header.h>
 
@@ -28,6 +29,10 @@ Pose2 fromMessage(const geometry_msgs::Transform& message);
 
 /// With a unit quaternion.
 geometry_msgs::Pose toMessage(const Pose2& pose);
+
+/// Where the frame `child` lies in the frame `parent`.
+geometry_msgs::TransformStamped toMessage(const Pose2& pose, const std::string& parent, const std::string& child,
+                                          const ros::Time& stamp = {});
 
 /// How a scanner sits, from the transform of its frame to the base frame. Throws std::invalid_argument when it is
 /// tilted by more than 15 degrees: such a scan does not show the floor plan.
