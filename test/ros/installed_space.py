@@ -2,12 +2,15 @@
 """The package as `make install` leaves it, moved to another folder and run without the workspace that it was built in."""
 import os
 import shutil
-import socket
 import subprocess
+import sys
 import tempfile
 import unittest
 
 import rostest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from processes import free_port  # noqa: E402
 
 LIMIT = 400  # s for the demo; it takes half a minute on an idle computer
 
@@ -15,12 +18,6 @@ LIMIT = 400  # s for the demo; it takes half a minute on an idle computer
 def build_folder():
     """As catkin_make has it, beside the devel space."""
     return os.path.join(os.path.dirname(os.path.realpath(os.environ["CMAKE_PREFIX_PATH"].split(":")[0])), "build")
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
 
 
 class InstalledSpace(unittest.TestCase):

@@ -8,15 +8,17 @@ records the others. The building in which he drives is not the one in which the 
 import json
 import os
 import re
-import signal
 import sqlite3
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
 
-import rospkg
 import rostest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from processes import end, package_file  # noqa: E402
 
 TRAINING_STEPS = 3000
 VALIDATION_STEPS = 1000
@@ -29,12 +31,6 @@ LEAST_ALONE = 50.0  # % of the drives that the network ends alone, without the r
 MOST_UNTAUGHT = 35.0  # % of the same with a network that only learned which label is the most frequent
 RECORDING_PATIENCE = 600.0  # s of the computer's clock; only ends what would last for ever
 DRIVING_PATIENCE = 900.0  # s likewise
-
-
-def package_file(*path):
-    return os.path.join(rospkg.RosPack().get_path("lstm_planner"), *path)
-
-
 GOALS_FILE = package_file("test", "ros", "learning_from_people_goals.yaml")
 WAYPOINTS = package_file("test", "ros", "learning_from_people_waypoints.yaml")
 
@@ -52,17 +48,6 @@ def tool(*arguments):
 
 def launch(path, *arguments):
     return subprocess.Popen(["roslaunch", "--wait", path, *arguments], stdin=subprocess.DEVNULL)
-
-
-def end(process):
-    """Ctrl-C, and whatever it takes if that is not heard."""
-    for number, patience in ((signal.SIGINT, 30.0), (signal.SIGKILL, 30.0)):
-        if process.poll() is None:
-            process.send_signal(number)
-            try:
-                process.wait(patience)
-            except subprocess.TimeoutExpired:
-                pass
 
 
 def recorded_steps(path):

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Parameters of both plugins are changed by dynamic_reconfigure's own client while the robot drives."""
-import time
+import os
+import sys
 import unittest
 
 import rospy
@@ -13,16 +14,10 @@ try:
 except ImportError:
     dynamic_reconfigure = None
 
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from processes import eventually  # noqa: E402
+
 PATIENCE = 20.0  # s
-
-
-def eventually(condition):
-    deadline = time.monotonic() + PATIENCE
-    while time.monotonic() < deadline:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return condition()
 
 
 @unittest.skipIf(dynamic_reconfigure is None, "dynamic_reconfigure is not installed")

@@ -2,8 +2,8 @@
 """The planner's host is killed, or the ROS master, while the robot drives. Both run under a master of their own."""
 import os
 import signal
-import socket
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -11,13 +11,15 @@ import xmlrpc.client
 
 import actionlib
 import rosgraph
-import rospkg
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 from nav_msgs.msg import Odometry
 from std_msgs.msg import UInt32
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from processes import end, eventually, free_port, package_file  # noqa: E402
 
 FAR_GOALS = ((6.5, 1.25), (2.0, 8.25))  # m, map frame; the robot starts at (1.5, 2.5)
 GOALS_FILE = "frame: map\nstart: [1.5, 2.5, 1.57]\ntime_limit: 60.0\ngoals:\n  - {name: near, x: 1.5, y: 3.5, yaw: 0.0}\n"
@@ -28,33 +30,9 @@ STILL = 0.01  # m/s
 PATIENCE = 60.0  # s of the computer's clock
 
 
-def package_file(*path):
-    return os.path.join(rospkg.RosPack().get_path("lstm_planner"), *path)
-
-
-def eventually(condition):
-    deadline = time.monotonic() + PATIENCE
-    while time.monotonic() < deadline:
-        if condition():
-            return True
-        time.sleep(0.005)
-    return condition()
-
-
 def launch(path, *arguments):
     return subprocess.Popen(["roslaunch", package_file("launch", path), *arguments],
                             stdin=subprocess.DEVNULL)
-
-
-def end(process):
-    """Ctrl-C, and whatever it takes if that is not heard."""
-    for number in (signal.SIGINT, signal.SIGKILL):
-        if process.poll() is None:
-            process.send_signal(number)
-            try:
-                process.wait(PATIENCE)
-            except subprocess.TimeoutExpired:
-                pass
 
 
 def start_master(port):
@@ -69,9 +47,7 @@ def start_master(port):
 class Restarts(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        with socket.socket() as free:
-            free.bind(("localhost", 0))
-            cls.port = free.getsockname()[1]
+        cls.port = free_port()
         os.environ["ROS_MASTER_URI"] = "http://localhost:%d" % cls.port
         cls.master = start_master(cls.port)
         rosgraph.Master("/restarts").setParam("/use_sim_time", True)

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """The robot's computer and the desktop are two network namespaces on a bridge, where this test listens, too."""
 import os
-import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -15,24 +15,17 @@ from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import LaserScan
 
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+from processes import end, eventually  # noqa: E402
+
 ROBOT, DESKTOP, OBSERVER = "10.213.77.2", "10.213.77.3", "10.213.77.1"
 STANDS_WITHIN = 0.5  # s
 CUT = 5.0  # s
 STILL = 0.01  # m/s
-PATIENCE = 60.0  # s
 
 
 def run(*command):
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-
-
-def eventually(condition):
-    deadline = time.monotonic() + PATIENCE
-    while time.monotonic() < deadline:
-        if condition():
-            return True
-        time.sleep(0.01)
-    return condition()
 
 
 class Network:
@@ -99,18 +92,9 @@ class TwoMachines(unittest.TestCase):
     @classmethod
     def tearDownClass(cls):
         for process in reversed(cls.processes):
-            cls.end(process)
+            end(process)
         if hasattr(cls, "network"):
             cls.network.close()
-
-    @staticmethod
-    def end(process):
-        process.send_signal(signal.SIGINT)
-        try:
-            process.wait(20.0)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
 
     @classmethod
     def launch(cls, machine, address, *arguments):
@@ -160,7 +144,7 @@ class TwoMachines(unittest.TestCase):
         """The scans' stamps are moved, as seen by a desktop whose clock goes wrong by as much."""
         for shift, words in ((-1.0, "although it has just come: the network is slow, or the clocks differ"),
                              (1.0, "s in the future, allowed are")):
-            self.end(self.processes.pop())
+            end(self.processes.pop())
             publisher = rospy.Publisher("/other_clock", LaserScan, queue_size=3)
 
             def relay(scan, shift=shift, publisher=publisher):
