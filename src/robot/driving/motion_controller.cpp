@@ -17,6 +17,8 @@ constexpr double kBehind = 2.7;  // rad of heading error
 
 void validate(const MotionParameters& parameters) {
   visitMotionParameters(parameters, RangeCheck());
+  const double wheels = parameters.wheel_acceleration;
+  checkParameter(wheels == 0.0 || wheels >= 0.01, "wheel_acceleration", wheels, "0 or at least 0.01");
   validate(parameters.moving);
 }
 

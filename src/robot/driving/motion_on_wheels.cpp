@@ -38,6 +38,8 @@ class MotionController::WheelMotion {
   WheelMotion(const MotionController& controller, const Moment& now)
       : parameters_(controller.parameters_),
         shield_(now.shield),
+        acceleration_(parameters_.wheel_acceleration > 0.0 ? parameters_.wheel_acceleration
+                                                           : parameters_.linear_acceleration),
         gap_(now.shield.gap({})),
         margin_(kMargin * parameters_.safety_margin),
         delay_(std::max(0.0, controller.reaction_time_ - now.period)),
@@ -62,7 +64,7 @@ class MotionController::WheelMotion {
 
   double freeAfter(double delay, const Twist2& command) {
     const double fastest = std::max({current_.linear, command.linear, before_.linear});
-    const double longest = fastest * (delay + hold_ + fastest / parameters_.linear_acceleration);
+    const double longest = fastest * (delay + hold_ + fastest / acceleration_);
     if (gap_ > longest + margin_) return kFree;
     Rolling rolling = delay > 0.0 ? whenDelayed() : atOnce();
     const Wheels wanted(command, parameters_.axle_length);
@@ -86,7 +88,7 @@ class MotionController::WheelMotion {
 
   /// One piece on.
   void roll(const Wheels& wanted, Rolling* rolling) const {
-    rolling->wheels.approach(wanted, parameters_.linear_acceleration * kPiece);
+    rolling->wheels.approach(wanted, acceleration_ * kPiece);
     rolling->time += kPiece;
     const double linear = rolling->wheels.linear();
     const double angular = (rolling->wheels.right - rolling->wheels.left) / parameters_.axle_length;
@@ -103,10 +105,11 @@ class MotionController::WheelMotion {
 
   const MotionParameters& parameters_;
   const Shield& shield_;
-  double gap_;     ///< m
-  double margin_;  ///< m
-  double delay_;   ///< s
-  double hold_;    ///< s, until the next command acts
+  double acceleration_;  ///< m/s^2, of a wheel
+  double gap_;           ///< m
+  double margin_;        ///< m
+  double delay_;         ///< s
+  double hold_;          ///< s, until the next command acts
   Twist2 current_;
   Twist2 before_;
   std::optional<Rolling> delayed_;

@@ -65,10 +65,11 @@ std::vector<std::string> changeableGlobalPlannerParameters() {
 }
 
 std::vector<std::string> changeableSteeringControllerParameters() {
-  return {"max_linear",     "max_angular",   "max_wheel_speed",    "linear_acceleration", "lookahead",
-          "nearest_target", "turn_in_place", "heading_gain",       "reaction_time",       "safety_margin",
-          "slow_gap",       "slow_speed",    "person_speed",       "person_margin",       "person_slow_speed",
-          "evade_time",     "evade_margin",  "position_tolerance", "heading_tolerance",   "plan_timeout"};
+  return {"max_linear",        "max_angular",    "max_wheel_speed", "linear_acceleration", "wheel_acceleration",
+          "lookahead",         "nearest_target", "turn_in_place",   "heading_gain",        "reaction_time",
+          "safety_margin",     "slow_gap",       "slow_speed",      "person_speed",        "person_margin",
+          "person_slow_speed", "evade_time",     "evade_margin",    "position_tolerance",  "heading_tolerance",
+          "plan_timeout"};
 }
 
 std::string resolvePackagePath(const std::string& path) {

@@ -19,6 +19,7 @@ struct MotionParameters {
   double max_wheel_speed = 0.5;
   double axle_length = 0.235;
   double linear_acceleration = 0.6;
+  double wheel_acceleration = 0.0;
   double lookahead = 0.35;
   double nearest_target = 0.06;
   double turn_in_place = 1.2;
@@ -49,6 +50,10 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
   visit("axle_length", motion.axle_length, {0.01, 5.0}, "m", "between the wheels");
   visit("linear_acceleration", motion.linear_acceleration, {0.01, 50.0}, "m/s^2",
         "acceleration and deceleration; not more than the deceleration that the robot reaches");
+  visit(
+      "wheel_acceleration", motion.wheel_acceleration, {0.0, 50.0}, "m/s^2",
+      "acceleration of a wheel; the slower the wheels are, the sooner the robot brakes before it turns near something; "
+      "0: as linear_acceleration");
   visit("lookahead", motion.lookahead, {0.01, 20.0}, "m",
         "distance along the plan to the point that the robot steers to; longer is smoother and cuts corners");
   visit("nearest_target", motion.nearest_target, {0.001, 5.0}, "m",

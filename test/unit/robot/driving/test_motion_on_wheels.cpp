@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "lstm_planner/robot/driving/path_tracker.hpp"
 #include "lstm_planner/robot/simulation/simulated_robot.hpp"
@@ -59,6 +61,33 @@ TEST(MotionOnWheels, ALargeRobotThatTurnsTheOtherWayBeforeAWallBrakesFirst) {
   test::fillBox(kWall, 0.0, kWall + 0.1, 12.0, &grid);
   const GridWorld world(grid);
   for (int ticks = 5; ticks <= 40; ++ticks) EXPECT_EQ(contactsAfterATurn(ticks, world), 0) << ticks;
+}
+
+/// How many walls, from 0.1 to 3 m before the robot, keep it from turning to the left as fast as without a wall.
+int wallsThatHinder(double wheel_acceleration) {
+  MotionParameters limits = limitsOfLargeRobot();
+  limits.wheel_acceleration = wheel_acceleration;
+  const MotionController controller(limits);
+  Shield shield(kRadius, 0.03, 6.0);
+  const Twist2 before{1.2, -1.2};
+  const std::vector<Pose2> plan = test::planAlong({{0.0, 0.0}, {0.0, 3.0}});
+  const auto command = [&] {
+    return controller.compute({plan, {}, before, shield, kPeriod}, {}, {}, {std::nullopt, false, before});
+  };
+  const double free_turn = command().angular;
+  int walls = 0;
+  for (double gap = 0.1; gap <= 3.0; gap += 0.1) {
+    shield.show(test::wall({kRadius + gap, -4.0}, {kRadius + gap, 4.0}));
+    walls += command().angular < free_turn;
+  }
+  return walls;
+}
+
+TEST(MotionOnWheels, TheSlowerItsWheelsTheEarlierARobotBrakesBeforeItTurns) {
+  const int as_told = wallsThatHinder(0.0);
+  EXPECT_EQ(as_told, wallsThatHinder(limitsOfLargeRobot().linear_acceleration));
+  EXPECT_LT(as_told, wallsThatHinder(0.75));
+  EXPECT_GT(as_told, wallsThatHinder(6.0));
 }
 
 }  // namespace
