@@ -7,7 +7,7 @@
 
 namespace lstm_planner {
 
-/// Drives side by side in tiles of lanes, gone through window by window: what an update learns from. Where ranks share
+/// Drives side by side in tiles of queues, gone through window by window: what an update learns from. Where ranks share
 /// it, each has to ask for the same.
 class DriveBatch {
  public:

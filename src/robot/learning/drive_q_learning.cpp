@@ -9,9 +9,9 @@
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/learning/q_learner.hpp"
 #include "lstm_planner/base/learning/q_learning_targets.hpp"
-#include "robot/learning/drive_lanes.hpp"
 #include "robot/learning/drive_practice.hpp"
 #include "robot/learning/drive_q_tile.hpp"
+#include "robot/learning/drive_queues.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -16,10 +16,10 @@ DriveQTile::DriveQTile(const DriveQLearningParameters& parameters, const LayerSt
     : parameters_(parameters),
       actions_(parameters.policy.actions.size()),
       views_(parameters.policy),
-      lanes_(views_.driveLanes(), parameters.window, inputSize(layers)),
+      queues_(views_.queues(), parameters.window, inputSize(layers)),
       network_(layers, views_.networkLanes(), parameters.window),
       target_network_(layers, views_.networkLanes(), 1),
-      steps_(static_cast<std::size_t>(views_.driveLanes())) {}
+      steps_(static_cast<std::size_t>(views_.queues())) {}
 
 void DriveQTile::rewind() {
   for (LaneNetwork* network : {&network_, &target_network_}) {
@@ -27,58 +27,58 @@ void DriveQTile::rewind() {
   }
 }
 
-/// Shows the network step `step` of a window, which is that at `time` of the lanes.
+/// Shows the network step `step` of a window, which is that at `time` of the queues.
 void DriveQTile::fillInputs(int time, int step) {
-  for (int lane = 0; lane < lanes_.count(); ++lane) {
-    const DriveQSlot& slot = lanes_.at(time, lane);
-    if (slot.step == 0) views_.forget(step, lane, &network_);
-    views_.fillInputs(slot, lane, network_.inputs(step));
+  for (int queue = 0; queue < queues_.count(); ++queue) {
+    const DriveQSlot& slot = queues_.at(time, queue);
+    if (slot.step == 0) views_.forget(step, queue, &network_);
+    views_.fillInputs(slot, queue, network_.inputs(step));
   }
 }
 
 DriveQSums DriveQTile::judge(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights) {
   rewind();
-  for (auto& lane : steps_) lane.assign(static_cast<std::size_t>(lanes_.steps() + 1), {});
-  for (int time = 0; time < lanes_.steps(); ++time) {
+  for (auto& queue : steps_) queue.assign(static_cast<std::size_t>(queues_.steps() + 1), {});
+  for (int time = 0; time < queues_.steps(); ++time) {
     const int step = time % parameters_.window;
     fillInputs(time, step);
-    for (int lane = 0; lane < lanes_.count(); ++lane) {
-      if (lanes_.at(time, lane).step == 0) views_.forget(0, lane, &target_network_);
+    for (int queue = 0; queue < queues_.count(); ++queue) {
+      if (queues_.at(time, queue).step == 0) views_.forget(0, queue, &target_network_);
     }
     std::copy_n(network_.inputs(step), network_.inputSize() * network_.lanes(), target_network_.inputs(0));
     const float* outputs = network_.forward(weights, step);
     const float* target_outputs = target_network_.forward(target_weights, 0);
-    for (int lane = 0; lane < lanes_.count(); ++lane) valueStep(time, lane, outputs, target_outputs);
+    for (int queue = 0; queue < queues_.count(); ++queue) valueStep(time, queue, outputs, target_outputs);
     target_network_.carryOver(1);
     if (step + 1 == parameters_.window) network_.carryOver(parameters_.window);
   }
   rewind();
   DriveQSums sums;
-  for (int lane = 0; lane < lanes_.count(); ++lane) judgeLane(lane, &sums);
+  for (int queue = 0; queue < queues_.count(); ++queue) judgeQueue(queue, &sums);
   return sums;
 }
 
 /// Of those that the shield allowed, or of all where it allowed none.
-int DriveQTile::bestAction(const DriveQSlot& slot, int lane, const float* outputs) const {
+int DriveQTile::bestAction(const DriveQSlot& slot, int queue, const float* outputs) const {
   const char* allowed = slot.episode->allowed.data() + slot.step * static_cast<std::size_t>(actions_);
   int best = 0;
   for (int action = 1; action < actions_; ++action) {
-    const bool better = outputs[views_.outputAt(slot, lane, action)] > outputs[views_.outputAt(slot, lane, best)];
+    const bool better = outputs[views_.outputAt(slot, queue, action)] > outputs[views_.outputAt(slot, queue, best)];
     if (allowed[action] == allowed[best] ? better : allowed[action] > allowed[best]) best = action;
   }
   return best;
 }
 
-void DriveQTile::valueStep(int time, int lane, const float* outputs, const float* target_outputs) {
-  const DriveQSlot& slot = lanes_.at(time, lane);
+void DriveQTile::valueStep(int time, int queue, const float* outputs, const float* target_outputs) {
+  const DriveQSlot& slot = queues_.at(time, queue);
   if (!slot.episode) return;
   const PracticeEpisode::Step& done = slot.episode->steps[slot.step];
   const bool last = slot.step + 1 == slot.episode->steps.size();
-  QTransition& transition = steps_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(time)];
-  const int best = bestAction(slot, lane, outputs);
-  const int valued = parameters_.double_q ? best : bestAction(slot, lane, target_outputs);
+  QTransition& transition = steps_[static_cast<std::size_t>(queue)][static_cast<std::size_t>(time)];
+  const int best = bestAction(slot, queue, outputs);
+  const int valued = parameters_.double_q ? best : bestAction(slot, queue, target_outputs);
   const auto valueOf = [&](const float* values, int action) {
-    return parameters_.value_scale * static_cast<double>(values[views_.outputAt(slot, lane, action)]);
+    return parameters_.value_scale * static_cast<double>(values[views_.outputAt(slot, queue, action)]);
   };
   transition.value = valueOf(target_outputs, valued);
   transition.estimate = valueOf(outputs, done.action);
@@ -89,12 +89,12 @@ void DriveQTile::valueStep(int time, int lane, const float* outputs, const float
   transition.timed_out = last && !slot.episode->arrived;
 }
 
-void DriveQTile::judgeLane(int lane, DriveQSums* sums) {
-  const std::vector<QTransition>& steps = steps_[static_cast<std::size_t>(lane)];
+void DriveQTile::judgeQueue(int queue, DriveQSums* sums) {
+  const std::vector<QTransition>& steps = steps_[static_cast<std::size_t>(queue)];
   const std::vector<double> targets = lambdaTargets(steps, parameters_.discount, parameters_.trace_decay);
-  for (int time = 0; time < lanes_.steps(); ++time) {
+  for (int time = 0; time < queues_.steps(); ++time) {
     const auto i = static_cast<std::size_t>(time);
-    DriveQSlot& slot = lanes_.at(time, lane);
+    DriveQSlot& slot = queues_.at(time, queue);
     slot.target = targets[i];
     slot.learns = slot.episode && !steps[i].forced && !steps[i].timed_out;
     if (!slot.learns) continue;
@@ -114,10 +114,10 @@ double DriveQTile::valueGradient(int window, const Eigen::VectorXf& weights) {
     const float* outputs = network_.forward(weights, step);
     float* slopes = network_.outputGradient(step);
     std::fill_n(slopes, network_.outputSize() * network_.lanes(), 0.0f);
-    for (int lane = 0; lane < lanes_.count(); ++lane) {
-      const DriveQSlot& slot = lanes_.at(time, lane);
+    for (int queue = 0; queue < queues_.count(); ++queue) {
+      const DriveQSlot& slot = queues_.at(time, queue);
       if (!slot.learns) continue;
-      const int place = views_.outputAt(slot, lane, slot.episode->steps[slot.step].action);
+      const int place = views_.outputAt(slot, queue, slot.episode->steps[slot.step].action);
       const double error = parameters_.value_scale * static_cast<double>(outputs[place]) - slot.target;
       slopes[place] = static_cast<float>(huberDerivative(error, parameters_.huber) / parameters_.value_scale);
       learned += 1.0;

@@ -6,7 +6,7 @@
 #include "lstm_planner/base/learning/lane_network.hpp"
 #include "lstm_planner/base/learning/q_learning_targets.hpp"
 #include "lstm_planner/robot/learning/drive_q_learning.hpp"
-#include "robot/learning/drive_lanes.hpp"
+#include "robot/learning/drive_queues.hpp"
 #include "robot/learning/drive_views.hpp"
 
 namespace lstm_planner {
@@ -24,13 +24,13 @@ struct DriveQSums {
 };
 std::vector<double*> numbersOf(DriveQSums* sums);
 
-/// Some lanes of drives, gone through window by window: what one thread works on.
+/// Some queues of drives, gone through window by window: what one thread works on.
 class DriveQTile {
  public:
   /// All must outlive the tile.
   DriveQTile(const DriveQLearningParameters& parameters, const LayerStack& layers);
 
-  DriveLanes<DriveQSlot>& lanes() { return lanes_; }
+  DriveQueues<DriveQSlot>& queues() { return queues_; }
 
   /// Works out the targets of all steps. The next window is the first, with zero hidden state.
   DriveQSums judge(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights);
@@ -42,17 +42,17 @@ class DriveQTile {
  private:
   void rewind();
   void fillInputs(int time, int step);
-  int bestAction(const DriveQSlot& slot, int lane, const float* outputs) const;
-  void valueStep(int time, int lane, const float* outputs, const float* target_outputs);
-  void judgeLane(int lane, DriveQSums* sums);
+  int bestAction(const DriveQSlot& slot, int queue, const float* outputs) const;
+  void valueStep(int time, int queue, const float* outputs, const float* target_outputs);
+  void judgeQueue(int queue, DriveQSums* sums);
 
   const DriveQLearningParameters& parameters_;
   int actions_;
   DriveViews views_;
-  DriveLanes<DriveQSlot> lanes_;
+  DriveQueues<DriveQSlot> queues_;
   LaneNetwork network_;
   LaneNetwork target_network_;                   ///< one step long: nothing goes back through it
-  std::vector<std::vector<QTransition>> steps_;  ///< of each lane; one more, of which only the value would count
+  std::vector<std::vector<QTransition>> steps_;  ///< of each queue; one more, of which only the value would count
   Eigen::VectorXf gradient_;
 };
 

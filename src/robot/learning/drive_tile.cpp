@@ -18,17 +18,17 @@ DriveTile::DriveTile(const DriveActorCriticParameters& parameters, const LayerSt
       actions_(parameters.policy.actions.size()),
       policy_inputs_(inputSize(policy)),
       views_(parameters.policy),
-      lanes_(views_.driveLanes(), parameters.window, policy_inputs_),
+      queues_(views_.queues(), parameters.window, policy_inputs_),
       policy_(policy, views_.networkLanes(), parameters.window),
-      critic_(critic, views_.driveLanes() * parameters.window, 1) {}
+      critic_(critic, views_.queues() * parameters.window, 1) {}
 
 void DriveTile::rewind() { policy_.setState(std::vector<float>(policy_.state().size(), 0.0f)); }
 
 const float* DriveTile::criticValues(int window, const Eigen::VectorXf& parameters) {
   for (int time = 0; time < parameters_.window; ++time) {
-    for (int lane = 0; lane < lanes_.count(); ++lane) {
-      lanes_.fillInputs(lanes_.at(window * parameters_.window + time, lane), policy_inputs_ + kDrivePrivilegedInputs,
-                        critic_.inputs(0) + time * lanes_.count() + lane, critic_.lanes());
+    for (int queue = 0; queue < queues_.count(); ++queue) {
+      queues_.fillInputs(queues_.at(window * parameters_.window + time, queue), policy_inputs_ + kDrivePrivilegedInputs,
+                         critic_.inputs(0) + time * queues_.count() + queue, critic_.lanes());
     }
   }
   return critic_.forward(parameters, 0);
@@ -43,25 +43,25 @@ std::vector<double*> numbersOf(DriveTileSums* sums) {
 }
 
 DriveTileSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
-  for (int window = 0; window < lanes_.windows(); ++window) {
+  for (int window = 0; window < queues_.windows(); ++window) {
     const float* values = criticValues(window, critic_parameters);
     for (int time = 0; time < parameters_.window; ++time) {
-      for (int lane = 0; lane < lanes_.count(); ++lane) {
-        lanes_.at(window * parameters_.window + time, lane).value =
-            static_cast<float>(kValueScale) * values[time * lanes_.count() + lane];
+      for (int queue = 0; queue < queues_.count(); ++queue) {
+        queues_.at(window * parameters_.window + time, queue).value =
+            static_cast<float>(kValueScale) * values[time * queues_.count() + queue];
       }
     }
   }
   DriveTileSums sums(parameters_.course.worlds.size());
-  for (int lane = 0; lane < lanes_.count(); ++lane) judgeLane(lane, &sums);
+  for (int queue = 0; queue < queues_.count(); ++queue) judgeQueue(queue, &sums);
   return sums;
 }
 
 /// Advantages from the last step back.
-void DriveTile::judgeLane(int lane, DriveTileSums* sums) {
+void DriveTile::judgeQueue(int queue, DriveTileSums* sums) {
   Advantages advantages(parameters_.discount, parameters_.advantage_decay, 0.0);
-  for (int time = lanes_.steps(); time-- > 0;) {
-    DriveSlot& slot = lanes_.at(time, lane);
+  for (int time = queues_.steps(); time-- > 0;) {
+    DriveSlot& slot = queues_.at(time, queue);
     if (!slot.episode || slot.episode->recorded) continue;
     const PracticeEpisode& episode = *slot.episode;
     const double value = static_cast<double>(slot.value);
@@ -84,20 +84,20 @@ double DriveTile::policyGradient(int window, const Eigen::VectorXf& parameters, 
   gradient_.setZero(parameters.size());
   double chosen = 0.0;
   for (int time = 0; time < parameters_.window; ++time) {
-    for (int lane = 0; lane < lanes_.count(); ++lane) {
-      const DriveSlot& slot = lanes_.at(window * parameters_.window + time, lane);
-      if (slot.step == 0) views_.forget(time, lane, &policy_);
-      views_.fillInputs(slot, lane, policy_.inputs(time));
+    for (int queue = 0; queue < queues_.count(); ++queue) {
+      const DriveSlot& slot = queues_.at(window * parameters_.window + time, queue);
+      if (slot.step == 0) views_.forget(time, queue, &policy_);
+      views_.fillInputs(slot, queue, policy_.inputs(time));
     }
     policy_.forward(parameters, time);
     std::fill_n(policy_.outputGradient(time), policy_.outputSize() * policy_.lanes(), 0.0f);
-    for (int lane = 0; lane < lanes_.count(); ++lane) {
-      const DriveSlot& slot = lanes_.at(window * parameters_.window + time, lane);
+    for (int queue = 0; queue < queues_.count(); ++queue) {
+      const DriveSlot& slot = queues_.at(window * parameters_.window + time, queue);
       if (!slot.episode || !slot.episode->steps[slot.step].chosen) continue;
       if (slot.episode->recorded) {
-        fillImitationGradient(slot, time, lane, weights.imitation);
+        fillImitationGradient(slot, time, queue, weights.imitation);
       } else {
-        fillPolicyGradient(slot, time, lane, weights);
+        fillPolicyGradient(slot, time, queue, weights);
       }
       chosen += 1.0;
     }
@@ -108,18 +108,18 @@ double DriveTile::policyGradient(int window, const Eigen::VectorXf& parameters, 
 }
 
 /// How likely the actions are now, of those that could be chosen.
-std::vector<double> DriveTile::probabilitiesOf(const DriveSlot& slot, int time, int lane) const {
+std::vector<double> DriveTile::probabilitiesOf(const DriveSlot& slot, int time, int queue) const {
   const float* before = slot.episode->probabilities.data() + slot.step * static_cast<std::size_t>(actions_);
   const float* preferences = policy_.outputs(time);
   float largest = -1e30f;
   for (int k = 0; k < actions_; ++k) {
-    if (before[k] > 0.0f) largest = std::max(largest, preferences[views_.outputAt(slot, lane, k)]);
+    if (before[k] > 0.0f) largest = std::max(largest, preferences[views_.outputAt(slot, queue, k)]);
   }
   double total = 0.0;
   std::vector<double> now(static_cast<std::size_t>(actions_));
   for (int k = 0; k < actions_; ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const float preference = preferences[views_.outputAt(slot, lane, k)];
+    const float preference = preferences[views_.outputAt(slot, queue, k)];
     now[i] = before[k] > 0.0f ? std::exp(static_cast<double>(preference - largest)) : 0.0;
     total += now[i];
   }
@@ -128,21 +128,21 @@ std::vector<double> DriveTile::probabilitiesOf(const DriveSlot& slot, int time, 
 }
 
 /// Of -weight * log(probability of what the driver did) by the preferences.
-void DriveTile::fillImitationGradient(const DriveSlot& slot, int time, int lane, double weight) {
+void DriveTile::fillImitationGradient(const DriveSlot& slot, int time, int queue, double weight) {
   const PracticeEpisode::Step& step = slot.episode->steps[slot.step];
-  const std::vector<double> now = probabilitiesOf(slot, time, lane);
+  const std::vector<double> now = probabilitiesOf(slot, time, queue);
   for (int k = 0; k < actions_; ++k) {
     const double slope = now[static_cast<std::size_t>(k)] - (k == step.action ? 1.0 : 0.0);
-    policy_.outputGradient(time)[views_.outputAt(slot, lane, k)] =
+    policy_.outputGradient(time)[views_.outputAt(slot, queue, k)] =
         static_cast<float>(weight * static_cast<double>(step.weight) * slope);
   }
 }
 
 /// Of -min(ratio * advantage, clipped ratio * advantage) - weight * entropy by the preferences.
-void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int lane, const DriveBatchWeights& weights) {
+void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int queue, const DriveBatchWeights& weights) {
   const PracticeEpisode& episode = *slot.episode;
   const float* before = episode.probabilities.data() + slot.step * static_cast<std::size_t>(actions_);
-  const std::vector<double> now = probabilitiesOf(slot, time, lane);
+  const std::vector<double> now = probabilitiesOf(slot, time, queue);
   double entropy = 0.0;
   for (const double probability : now) {
     if (probability > 0.0) entropy -= probability * std::log(probability);
@@ -159,7 +159,7 @@ void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int lane, co
     if (probability <= 0.0) continue;
     double slope = weights.entropy * probability * (std::log(probability) + entropy);
     if (!clipped) slope += advantage * ratio * (probability - (k == action ? 1.0 : 0.0));
-    policy_.outputGradient(time)[views_.outputAt(slot, lane, k)] = static_cast<float>(slope);
+    policy_.outputGradient(time)[views_.outputAt(slot, queue, k)] = static_cast<float>(slope);
   }
 }
 
@@ -168,9 +168,9 @@ double DriveTile::criticGradient(int window, const Eigen::VectorXf& parameters) 
   const float* values = criticValues(window, parameters);
   double steps = 0.0;
   for (int time = 0; time < parameters_.window; ++time) {
-    for (int lane = 0; lane < lanes_.count(); ++lane) {
-      const int place = time * lanes_.count() + lane;
-      const DriveSlot& slot = lanes_.at(window * parameters_.window + time, lane);
+    for (int queue = 0; queue < queues_.count(); ++queue) {
+      const int place = time * queues_.count() + queue;
+      const DriveSlot& slot = queues_.at(window * parameters_.window + time, queue);
       const float wanted = (slot.value + slot.advantage) / static_cast<float>(kValueScale);
       const bool practised = slot.episode && !slot.episode->recorded;
       critic_.outputGradient(0)[place] = practised ? values[place] - wanted : 0.0f;

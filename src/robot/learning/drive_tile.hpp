@@ -6,7 +6,7 @@
 
 #include "lstm_planner/base/learning/lane_network.hpp"
 #include "lstm_planner/robot/learning/drive_actor_critic.hpp"
-#include "robot/learning/drive_lanes.hpp"
+#include "robot/learning/drive_queues.hpp"
 #include "robot/learning/drive_views.hpp"
 
 namespace lstm_planner {
@@ -39,13 +39,13 @@ struct DriveTileEntropy {
 };
 inline std::vector<double*> numbersOf(DriveTileEntropy* entropy) { return {&entropy->sum, &entropy->steps}; }
 
-/// Some lanes of drives, gone through window by window: what one thread works on.
+/// Some queues of drives, gone through window by window: what one thread works on.
 class DriveTile {
  public:
   /// All must outlive the tile.
   DriveTile(const DriveActorCriticParameters& parameters, const LayerStack& policy, const LayerStack& critic);
 
-  DriveLanes<DriveSlot>& lanes() { return lanes_; }
+  DriveQueues<DriveSlot>& queues() { return queues_; }
 
   /// Works out values, advantages and returns.
   DriveTileSums judge(const Eigen::VectorXf& critic_parameters);
@@ -62,16 +62,16 @@ class DriveTile {
 
  private:
   const float* criticValues(int window, const Eigen::VectorXf& parameters);
-  void judgeLane(int lane, DriveTileSums* sums);
-  std::vector<double> probabilitiesOf(const DriveSlot& slot, int time, int lane) const;
-  void fillImitationGradient(const DriveSlot& slot, int time, int lane, double weight);
-  void fillPolicyGradient(const DriveSlot& slot, int time, int lane, const DriveBatchWeights& weights);
+  void judgeQueue(int queue, DriveTileSums* sums);
+  std::vector<double> probabilitiesOf(const DriveSlot& slot, int time, int queue) const;
+  void fillImitationGradient(const DriveSlot& slot, int time, int queue, double weight);
+  void fillPolicyGradient(const DriveSlot& slot, int time, int queue, const DriveBatchWeights& weights);
 
   const DriveActorCriticParameters& parameters_;
   int actions_;
   int policy_inputs_;
   DriveViews views_;
-  DriveLanes<DriveSlot> lanes_;
+  DriveQueues<DriveSlot> queues_;
   LaneNetwork policy_;
   LaneNetwork critic_;
   Eigen::VectorXf gradient_;

@@ -7,13 +7,13 @@ DriveViews::DriveViews(const PolicyDescription& policy)
       encoder_(policy.encoder),
       action_views_(views_ == 1 ? std::vector<int>() : viewsOf(policy.actions)) {}
 
-void DriveViews::forget(int step, int lane, LaneNetwork* network) const {
-  for (int view = 0; view < views_; ++view) network->forget(step, lane * views_ + view);
+void DriveViews::forget(int step, int queue, LaneNetwork* network) const {
+  for (int view = 0; view < views_; ++view) network->forget(step, queue * views_ + view);
 }
 
-void DriveViews::fillInputs(const DrivePlace& place, int lane, float* rows) const {
+void DriveViews::fillInputs(const DrivePlace& place, int queue, float* rows) const {
   const int stride = networkLanes();
-  float* first = rows + lane * views_;
+  float* first = rows + queue * views_;
   const float* ahead = inputsOf(place, encoder_.size());
   if (views_ == 1 || !ahead) {
     for (int row = 0; row < encoder_.size(); ++row) {
@@ -27,10 +27,10 @@ void DriveViews::fillInputs(const DrivePlace& place, int lane, float* rows) cons
   }
 }
 
-int DriveViews::outputAt(const DrivePlace& place, int lane, int action) const {
-  if (views_ == 1) return action * networkLanes() + lane;
+int DriveViews::outputAt(const DrivePlace& place, int queue, int action) const {
+  if (views_ == 1) return action * networkLanes() + queue;
   const int ahead = place.episode->bearings[place.step].ahead;
-  return lane * views_ + (ahead + action_views_[static_cast<std::size_t>(action)]) % views_;
+  return queue * views_ + (ahead + action_views_[static_cast<std::size_t>(action)]) % views_;
 }
 
 }  // namespace lstm_planner

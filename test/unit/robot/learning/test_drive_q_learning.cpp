@@ -184,8 +184,8 @@ class DriveQTileTest : public ::testing::Test {
   }
   DriveQTile tile() const {
     DriveQTile tile(parameters_, layers_);
-    for (std::size_t i = 0; i < episodes_.size(); ++i) tile.lanes().append(i, episodes_[i]);
-    tile.lanes().close((7 + parameters_.window - 1) / parameters_.window);
+    for (std::size_t i = 0; i < episodes_.size(); ++i) tile.queues().append(i, episodes_[i]);
+    tile.queues().close((7 + parameters_.window - 1) / parameters_.window);
     return tile;
   }
 
@@ -218,7 +218,7 @@ TEST_F(DriveQTileTest, TargetIsTheRewardAndTheValueOfTheBestAllowedActionAfterIt
   const auto targetOfFirstStep = [&] {
     DriveQTile judged = tile();
     judged.judge(weights_, weights_);
-    return judged.lanes().at(0, 0).target;
+    return judged.queues().at(0, 0).target;
   };
   const auto expected = [&] {
     return static_cast<double>(episodes_[0].steps[0].reward) +

@@ -11,9 +11,9 @@
 
 namespace lstm_planner {
 
-/// A step of a drive that lies in a lane. A way of learning adds what it thinks of the step.
+/// A step of a drive that lies in a queue. A way of learning adds what it thinks of the step.
 struct DrivePlace {
-  const PracticeEpisode* episode = nullptr;  ///< null where the lane has no more drives
+  const PracticeEpisode* episode = nullptr;  ///< null where the queue has no more drives
   std::size_t step = 0;
 };
 
@@ -24,47 +24,47 @@ inline const float* inputsOf(const DrivePlace& place, int inputs) {
   return place.episode ? place.episode->inputs.data() + place.step * all : nullptr;
 }
 
-/// Lanes of drives, one drive behind the other in each, gone through window by window. `Slot` is a DrivePlace.
+/// Queues of drives, one drive behind the other in each, gone through window by window. `Slot` is a DrivePlace.
 template <typename Slot>
-class DriveLanes {
+class DriveQueues {
  public:
-  /// `lanes`: how many. `window`: steps. `inputs`: of the encoder.
-  DriveLanes(int lanes, int window, int inputs)
-      : window_(window), inputs_(inputs), lanes_(static_cast<std::size_t>(lanes)) {}
+  /// `queues`: how many. `window`: steps. `inputs`: of the encoder.
+  DriveQueues(int queues, int window, int inputs)
+      : window_(window), inputs_(inputs), queues_(static_cast<std::size_t>(queues)) {}
 
-  int count() const { return static_cast<int>(lanes_.size()); }
+  int count() const { return static_cast<int>(queues_.size()); }
 
-  /// The shortest lane so far, and its length in steps.
-  std::size_t shortestLane() const {
+  /// The shortest queue so far, and its length in steps.
+  std::size_t shortestQueue() const {
     const auto shorter = [](const auto& a, const auto& b) { return a.size() < b.size(); };
-    return static_cast<std::size_t>(std::min_element(lanes_.begin(), lanes_.end(), shorter) - lanes_.begin());
+    return static_cast<std::size_t>(std::min_element(queues_.begin(), queues_.end(), shorter) - queues_.begin());
   }
-  std::size_t lengthOf(std::size_t lane) const { return lanes_[lane].size(); }
+  std::size_t lengthOf(std::size_t queue) const { return queues_[queue].size(); }
   std::size_t longest() const {
     std::size_t longest = 0;
-    for (const auto& lane : lanes_) longest = std::max(longest, lane.size());
+    for (const auto& queue : queues_) longest = std::max(longest, queue.size());
     return longest;
   }
 
-  void append(std::size_t lane, const PracticeEpisode& episode) {
+  void append(std::size_t queue, const PracticeEpisode& episode) {
     for (std::size_t step = 0; step < episode.steps.size(); ++step) {
       Slot slot;
       slot.episode = &episode;
       slot.step = step;
-      lanes_[lane].push_back(slot);
+      queues_[queue].push_back(slot);
     }
   }
 
-  /// All drives are there; fills up the lanes to so many windows.
+  /// All drives are there; fills up the queues to so many windows.
   void close(int windows) {
     windows_ = windows;
-    for (auto& lane : lanes_) lane.resize(static_cast<std::size_t>(steps()));
+    for (auto& queue : queues_) queue.resize(static_cast<std::size_t>(steps()));
   }
 
   int window() const { return window_; }
   int windows() const { return windows_; }
-  int steps() const { return windows_ * window_; }  ///< of each lane, once closed
-  Slot& at(int time, int lane) { return lanes_[static_cast<std::size_t>(lane)][static_cast<std::size_t>(time)]; }
+  int steps() const { return windows_ * window_; }  ///< of each queue, once closed
+  Slot& at(int time, int queue) { return queues_[static_cast<std::size_t>(queue)][static_cast<std::size_t>(time)]; }
 
   /// A slot's inputs into those of a network: the first `count` of what was recorded, `stride` apart.
   void fillInputs(const Slot& slot, int count, float* input, int stride) const {
@@ -76,43 +76,43 @@ class DriveLanes {
   int window_;
   int inputs_;
   int windows_ = 0;
-  std::vector<std::vector<Slot>> lanes_;
+  std::vector<std::vector<Slot>> queues_;
 };
 
-/// Tiles, each with its lanes(): shared among ranks and threads, and their results added up in order, the same for any
+/// Tiles, each with its queues(): shared among ranks and threads, and their results added up in order, the same for any
 /// number of them. Every rank packs all drives, and has to call each() and addUp() as the others do.
 template <typename Tile>
 class DriveTiles {
  public:
   /// Of drives, in all tiles together.
-  static constexpr int kLanes = 128;
+  static constexpr int kQueues = 128;
 
-  /// `make` makes a tile; all have the same number of lanes.
+  /// `make` makes a tile; all have the same number of queues.
   template <typename Make>
   DriveTiles(Communicator* ranks, int threads, const Make& make) : exchange_(ranks, threads) {
     do {
       tiles_.push_back(make());
-    } while (static_cast<int>(tiles_.size()) * tiles_.front()->lanes().count() < kLanes);
+    } while (static_cast<int>(tiles_.size()) * tiles_.front()->queues().count() < kQueues);
   }
 
-  /// Each drive, which must outlive the tiles, to the lane that is shortest so far. Returns how many windows all have.
+  /// Each drive, which must outlive the tiles, to the queue that is shortest so far. Returns how many windows all have.
   int pack(const std::vector<PracticeEpisode>& episodes) {
     for (const PracticeEpisode& episode : episodes) {
       Tile* shortest = nullptr;
-      std::size_t lane = 0;
+      std::size_t queue = 0;
       for (const auto& tile : tiles_) {
-        const std::size_t own = tile->lanes().shortestLane();
-        if (shortest != nullptr && tile->lanes().lengthOf(own) >= shortest->lanes().lengthOf(lane)) continue;
+        const std::size_t own = tile->queues().shortestQueue();
+        if (shortest != nullptr && tile->queues().lengthOf(own) >= shortest->queues().lengthOf(queue)) continue;
         shortest = tile.get();
-        lane = own;
+        queue = own;
       }
-      shortest->lanes().append(lane, episode);
+      shortest->queues().append(queue, episode);
     }
     std::size_t longest = 0;
-    for (const auto& tile : tiles_) longest = std::max(longest, tile->lanes().longest());
-    const int window = tiles_.front()->lanes().window();
+    for (const auto& tile : tiles_) longest = std::max(longest, tile->queues().longest());
+    const int window = tiles_.front()->queues().window();
     const int windows = (static_cast<int>(longest) + window - 1) / window;
-    for (const auto& tile : tiles_) tile->lanes().close(windows);
+    for (const auto& tile : tiles_) tile->queues().close(windows);
     return windows;
   }
 
