@@ -4,8 +4,8 @@
 
 namespace lstm_planner {
 
-/// The pose after an arc of that length (m, negative: backwards) on which the heading turns by `turn` (rad,
-/// counter-clockwise). The yaw is not normalised.
+/// The pose after an arc. `length`: of the arc, m, negative for backwards. `turn`: how far the heading turns on it,
+/// rad, counter-clockwise. The yaw of the result is not normalised.
 inline Pose2 alongTurn(const Pose2& from, double length, double turn) {
   // The chord of the arc; its direction is the mean of the two headings.
   const double half_turn = 0.5 * turn;
@@ -14,13 +14,13 @@ inline Pose2 alongTurn(const Pose2& from, double length, double turn) {
   return {end.x, end.y, from.yaw + turn};
 }
 
-/// The same by the curvature of the arc, 1/m, positive to the left.
+/// The pose after an arc with the given curvature, 1/m, positive to the left. Otherwise as alongTurn().
 inline Pose2 alongArc(const Pose2& from, double curvature, double length) {
   return alongTurn(from, length, curvature * length);
 }
 
-/// As odometry counts: the length (m) straight on in the mean of the headings before and after a turn (rad). The yaw is
-/// normalised.
+/// The pose after a motion as odometry integrates it: straight on by `length` (m) in the mean of the headings before
+/// and after the turn by `turn` (rad). The yaw of the result is normalised.
 inline Pose2 alongMeanHeading(const Pose2& from, double length, double turn) {
   const Point2 end = pointAlong(from, from.yaw + 0.5 * turn, length);
   return {end.x, end.y, normalizeAngle(from.yaw + turn)};

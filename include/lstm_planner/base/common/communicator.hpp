@@ -6,23 +6,23 @@
 
 namespace lstm_planner {
 
-/// Processes ("ranks") that share one piece of work; this base class is one process alone.
+/// Processes ("ranks") that share a computation. This base class is a single process.
 ///
-/// Every rank holds the whole state, does its part of the work, and exchanges what came out with all others. Each then
-/// adds the parts up in the order in which one process alone would: the result is the same, bit for bit, for any number
-/// of ranks on machines that round alike, and so is the state that every rank goes on with.
+/// Every rank holds the whole state, does its part of the work, and exchanges the results with all others. Then each
+/// rank adds up the parts in the same order as a single process does. So the result and the state on every rank are the
+/// same, bit for bit, for any number of ranks, on machines that round in the same way.
 class Communicator {
  public:
   virtual ~Communicator() = default;
   virtual int rank() const { return 0; }
   virtual int size() const { return 1; }
 
-  /// `values` holds one part for each rank, in their order, part r of bytes[r] bytes, of which the caller has filled in
-  /// its own; afterwards all are there. Every rank has to call it, with the same `bytes`.
+  /// Gives every rank the parts of all ranks. `values` holds one part for each rank, in the order of the ranks; part r
+  /// has bytes[r] bytes. The caller has filled in its own part. Every rank must call this, with the same `bytes`.
   virtual void exchangeBytes(void* values, const std::vector<std::size_t>& bytes);
 };
 
-/// The part [first, last) of `count` pieces of work that falls to a rank, as equal as can be.
+/// The pieces of work [first, last) of `count` pieces that a rank does. The parts are as equal as possible.
 struct Share {
   int first = 0;
   int last = 0;
@@ -30,8 +30,8 @@ struct Share {
 };
 Share shareOf(int count, int rank, int size);
 
-/// Communicator::exchangeBytes() for the results of `count` pieces of work, `width` values each, that were done as
-/// shareOf() says.
+/// Communicator::exchangeBytes() for the results of `count` pieces of work that were divided as in shareOf(). Each
+/// piece has `width` values.
 template <typename Value>
 void exchangeShares(Communicator* communicator, int count, std::size_t width, Value* values) {
   static_assert(std::is_trivially_copyable_v<Value>, "values are sent as bytes");
@@ -43,10 +43,10 @@ void exchangeShares(Communicator* communicator, int count, std::size_t width, Va
   communicator->exchangeBytes(values, bytes);
 }
 
-/// The largest of the ranks' numbers. Every rank has to ask.
+/// The largest of the ranks' numbers. Every rank must call this.
 int largestOfRanks(Communicator* communicator, int own);
 
-/// Where a parameter struct names no communicator.
+/// The default of parameter structs: a single process.
 Communicator* oneProcess();
 
 }  // namespace lstm_planner

@@ -6,18 +6,19 @@
 
 namespace lstm_planner {
 
-/// Some columns of numbers from a CSV file whose first line names its columns. Lines may end with CR LF, columns may be
-/// in any order, blank lines are skipped. Throws std::invalid_argument naming the file, the line and what was expected.
+/// Reads columns of numbers from a CSV file. The first line names the columns, which may be in any order. Lines may end
+/// with CR LF; blank lines are skipped. Throws std::invalid_argument naming the file, the line and what was expected.
 class CsvFile {
  public:
-  /// `columns` have to be there, `optional_columns` need not: has() says whether they are.
+  /// The file must have `columns`. It may have `optional_columns`; see has().
   CsvFile(const std::string& path, const std::vector<std::string>& columns,
           const std::vector<std::string>& optional_columns = {});
 
   std::size_t lines() const { return numbers_.size() / has_.size(); }
-  /// `column` as in the constructor's lists, the optional ones after the others.
+  /// Whether the file has the column. Columns are numbered as in the constructor's lists, the optional ones after the
+  /// others.
   bool has(std::size_t column) const { return has_[column]; }
-  /// NaN for a column that is not there.
+  /// NaN if the file does not have the column.
   double number(std::size_t line, std::size_t column) const { return numbers_[line * has_.size() + column]; }
 
  private:

@@ -4,7 +4,7 @@
 
 namespace lstm_planner {
 
-/// As sha1sum prints it; "unreadable" where the file cannot be read.
+/// SHA-1 of a file in hexadecimal, as sha1sum prints it; "unreadable" if the file cannot be read.
 std::string sha1OfFile(const std::string& path);
 
 }  // namespace lstm_planner

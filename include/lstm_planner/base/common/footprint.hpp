@@ -7,32 +7,33 @@
 
 namespace lstm_planner {
 
-/// What a robot covers of the floor, in its base frame: a circle around the frame's origin, or a convex polygon around
-/// it, which need not be centred.
+/// The outline of a robot in its base frame: a circle around the frame's origin, or a convex polygon that contains the
+/// origin.
 class Footprint {
  public:
-  /// A circle, m. Throws std::invalid_argument unless the radius is positive and finite.
+  /// A circle, radius in m. Throws std::invalid_argument unless the radius is positive and finite.
   explicit Footprint(double radius);
 
-  /// The convex hull of the points (m). Throws std::invalid_argument for fewer than three corners, points that are not
-  /// finite or farther away than 100 m, and a hull that the base frame's origin does not lie inside of.
+  /// The convex hull of the points (m). Throws std::invalid_argument if the hull has fewer than three corners or does
+  /// not contain the origin, or if a point is not finite or is farther away than 100 m.
   explicit Footprint(const std::vector<Point2>& points);
 
   bool isCircle() const { return corners_.empty(); }
-  /// Of the polygon, counter-clockwise; none of a circle.
+  /// The corners of the polygon, m, counter-clockwise; empty for a circle.
   const std::vector<Point2>& corners() const { return corners_; }
 
-  /// Of the largest circle around the origin that lies inside, m.
+  /// Radius of the largest circle around the origin inside the footprint, m.
   double inscribedRadius() const { return inscribed_; }
-  /// Of the smallest circle around the origin that holds all of it, m.
+  /// Radius of the smallest circle around the origin that contains the footprint, m.
   double circumscribedRadius() const { return circumscribed_; }
-  /// Half the width that it needs to go straight on, m: how far it reaches to the left or right, whichever is farther.
+  /// The larger of the distances that the footprint reaches to the left and to the right, m: half the width that the
+  /// robot needs to drive straight on.
   double passingRadius() const { return passing_; }
 
-  /// Larger by that much on all sides, m; corners stay corners.
+  /// The footprint with `margin` (m) added on all sides. Corners stay corners.
   Footprint grown(double margin) const;
 
-  /// From a point in the base frame to its edge, m; negative inside.
+  /// Distance from a point in the base frame to the edge of the footprint, m; negative inside.
   double distanceTo(const Point2& point) const;
 
  private:
@@ -42,11 +43,12 @@ class Footprint {
   double passing_ = 0.0;
 };
 
-/// The footprint that two parameters tell: `text` as in costmap_2d, "[[x, y], [x, y], ...]" in m, or where that is
-/// empty the circle. Throws std::invalid_argument naming the parameter `name`, its value and what was expected.
+/// The footprint that two parameters give: the polygon in `text`, "[[x, y], [x, y], ...]" in m as in costmap_2d, or a
+/// circle if `text` is empty. Throws std::invalid_argument naming the parameter `name`, its value and what was
+/// expected.
 Footprint footprintOf(const std::string& name, double radius, const std::string& text);
 
-/// The corners as footprintOf() reads them; empty for a circle.
+/// The corners as text, as footprintOf() reads it; empty for a circle.
 std::string textOf(const Footprint& footprint);
 
 }  // namespace lstm_planner

@@ -23,7 +23,7 @@ struct Twist2 {
   double angular = 0.0;
 };
 
-/// The same angle in (-pi, pi], rad. A non-finite angle comes back as NaN.
+/// The angle normalised to (-pi, pi], rad; NaN if the angle is not finite.
 inline double normalizeAngle(double angle) {
   const double wrapped = std::remainder(angle, 2.0 * M_PI);
   return wrapped <= -M_PI ? wrapped + 2.0 * M_PI : wrapped;
@@ -43,20 +43,20 @@ double directionTo(const A& a, const B& b) {
   return std::atan2(b.y - a.y, b.x - a.x);
 }
 
-/// The point that lies `distance` metres from `from` in `direction` (rad, same frame as `from`).
+/// The point at `distance` m from `from` in `direction` (rad, in the frame of `from`).
 template <typename A>
 Point2 pointAlong(const A& from, double direction, double distance) {
   return {from.x + distance * std::cos(direction), from.y + distance * std::sin(direction)};
 }
 
-/// A point given in the frame of `pose`, in the frame that `pose` is given in.
+/// Transforms a point from the frame of `pose` to the frame in which `pose` is given.
 inline Point2 toParentFrame(const Pose2& pose, const Point2& point) {
   const double c = std::cos(pose.yaw);
   const double s = std::sin(pose.yaw);
   return {pose.x + c * point.x - s * point.y, pose.y + s * point.x + c * point.y};
 }
 
-/// A point given in the frame that `pose` is given in, in the frame of `pose`.
+/// Transforms a point from the frame in which `pose` is given to the frame of `pose`.
 inline Point2 toLocalFrame(const Pose2& pose, const Point2& point) {
   const double c = std::cos(pose.yaw);
   const double s = std::sin(pose.yaw);
@@ -65,13 +65,13 @@ inline Point2 toLocalFrame(const Pose2& pose, const Point2& point) {
   return {c * dx + s * dy, -s * dx + c * dy};
 }
 
-/// A pose given in the frame of `parent`, in the frame that `parent` is given in.
+/// Transforms the pose `child` from the frame of `parent` to the frame in which `parent` is given.
 inline Pose2 compose(const Pose2& parent, const Pose2& child) {
   const Point2 position = toParentFrame(parent, {child.x, child.y});
   return {position.x, position.y, normalizeAngle(parent.yaw + child.yaw)};
 }
 
-/// The frame in which `pose` is given, as a pose in the frame of `pose`.
+/// The inverse transform: the frame in which `pose` is given, as a pose in the frame of `pose`.
 inline Pose2 inverse(const Pose2& pose) {
   const Point2 origin = toLocalFrame(pose, {0.0, 0.0});
   return {origin.x, origin.y, normalizeAngle(-pose.yaw)};

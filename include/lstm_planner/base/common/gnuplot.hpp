@@ -5,12 +5,12 @@
 
 namespace lstm_planner {
 
-/// A text as gnuplot reads it.
+/// A text in quotes for a gnuplot script.
 std::string quotedForGnuplot(const std::string& text);
 
-/// Draws a picture by a script of one line: `script_for` makes it for the file that gnuplot is to write. Throws
-/// std::runtime_error naming `what`, the thing to be drawn, when gnuplot is missing or fails; `csv_path` has the
-/// numbers all the same.
+/// Draws a picture with gnuplot. `script_for` returns the script for the path of the picture, on one line. Throws
+/// std::runtime_error naming `what`, the content of the picture, and `csv_path`, which holds the numbers, if gnuplot is
+/// missing or fails.
 void runGnuplot(const std::string& what, const std::string& png_path, const std::string& csv_path,
                 const std::function<std::string(const std::string& path)>& script_for);
 

@@ -5,8 +5,8 @@
 
 namespace lstm_planner {
 
-/// An array as a .npy file, version 1.0 of the format of numpy.lib.format: row by row, little-endian. `Number` is
-/// double, float or std::int64_t; `row_length` of 0: one dimension. Throws std::invalid_argument unless the rows are
+/// An array as the content of a .npy file, version 1.0 of numpy.lib.format: row by row, little-endian. `Number` is
+/// double, float or std::int64_t. `row_length` 0: one dimension. Throws std::invalid_argument if the last row is not
 /// complete.
 template <typename Number>
 std::string toNpy(const std::vector<Number>& numbers, std::size_t row_length = 0);

@@ -9,8 +9,8 @@
 
 namespace lstm_planner {
 
-/// Calls work(index, thread) for every index in [0, count), each once, from up to `threads` threads numbered from 0.
-/// Returns when all are done; rethrows the first exception.
+/// Calls work(index, thread) once for every index in [0, count), in up to `threads` threads, which are numbered from 0.
+/// Returns when all calls have returned; rethrows the first exception.
 template <typename Work>
 void parallelFor(int count, int threads, const Work& work) {
   std::atomic<int> next{0};

@@ -7,7 +7,8 @@
 
 namespace lstm_planner {
 
-/// Throws std::invalid_argument "parameter NAME is VALUE, expected EXPECTED" when the value is not fine or not finite.
+/// Throws std::invalid_argument "parameter NAME is VALUE, expected EXPECTED" if `fine` is false or the value is not
+/// finite.
 inline void checkParameter(bool fine, const std::string& name, double value, const std::string& expected) {
   if (fine && std::isfinite(value)) {
     return;
@@ -17,7 +18,7 @@ inline void checkParameter(bool fine, const std::string& name, double value, con
   throw std::invalid_argument(message.str());
 }
 
-/// Throws std::invalid_argument with the range unless least <= value <= most.
+/// Throws std::invalid_argument naming the range unless least <= value <= most.
 inline void checkRange(const std::string& name, double value, double least, double most) {
   std::ostringstream expected;
   expected << "a number in [" << least << ", " << most << "]";

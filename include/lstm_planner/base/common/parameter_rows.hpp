@@ -11,7 +11,7 @@
 
 namespace lstm_planner {
 
-/// One visited parameter (parameter_visitors.hpp) as data, to be shown and changed by somebody else.
+/// One visited parameter (parameter_visitors.hpp) as data, for code that shows or changes parameters.
 struct ParameterRow {
   using Value = std::variant<bool, int, double, std::string>;
   std::string name;
@@ -21,7 +21,7 @@ struct ParameterRow {
   std::string meaning;
 };
 
-/// `visit(parameters, visitor)` visits the parameters.
+/// The parameters as rows. `visit(parameters, visitor)` visits them.
 template <typename Parameters, typename Visit>
 std::vector<ParameterRow> rowsOf(const Parameters& parameters, const Visit& visit) {
   std::vector<ParameterRow> rows;
@@ -32,7 +32,7 @@ std::vector<ParameterRow> rowsOf(const Parameters& parameters, const Visit& visi
   return rows;
 }
 
-/// Takes over the values of rows that are named as a parameter; their types must be the parameter's.
+/// Copies the values of rows into the parameters of the same name; the types must be equal.
 template <typename Parameters, typename Visit>
 void assignRows(const std::vector<ParameterRow>& rows, Parameters* parameters, const Visit& visit) {
   visit(*parameters, [&rows](const std::string& name, auto& value, Range, const char*, const char*) {

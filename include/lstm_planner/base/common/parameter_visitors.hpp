@@ -10,21 +10,21 @@
 
 namespace lstm_planner {
 
-// Each parameter is told in one place, a function visitXParameters(parameters, visit) beside the struct that holds it.
-// It calls, for every parameter,
+// Each parameter is described in one place, the function visitXParameters(parameters, visit) beside the struct that
+// holds it. For every parameter the function calls
 //
 //   visit(name, value, range, unit, meaning);
 //
-// with the name that it has in the yaml files, the variable itself, for numbers what they may be ({} for any number,
-// and for what is no number), the unit and a phrase that may follow it. From that follow the reading of parameters in
-// ROS, the check of their ranges, what is stored with recordings, options of the command-line tool and the table that
-// `lstm_planner parameters` prints. A parameter whose variable is not what is written (an enum, say) is visited as a
-// variable of its own that is then taken over, unless `parameters` are const.
+// with the name in the yaml files, the variable, the range of a number ({}: any number, or not a number), the unit, and
+// a phrase. This is used to read parameters in ROS, to check ranges, to store parameters with recordings, for the
+// options of the command-line tool, and for the table that `lstm_planner parameters` prints. If the yaml value has
+// another type than the variable (an enum, for example), a local variable is visited and then copied, unless
+// `parameters` are const.
 
 template <typename T>
 constexpr bool kIsNumber = std::is_arithmetic_v<T> && !std::is_same_v<T, bool>;
 
-/// Refuses numbers out of their range; see checkRange(). `prefix` stands before the names.
+/// Throws std::invalid_argument for a number out of its range; see checkRange(). `prefix` is put before the names.
 struct RangeCheck {
   template <typename T>
   void operator()(const std::string& name, const T& value, Range range, const char*, const char*) const {
@@ -35,7 +35,7 @@ struct RangeCheck {
   std::string prefix = {};
 };
 
-/// Passes all on with a prefix before the names.
+/// Calls another visitor with a prefix before the names.
 template <typename Visitor>
 auto withPrefix(const std::string& prefix, const Visitor& visit) {
   return [prefix, &visit](const std::string& name, auto& value, Range range, const char* unit, const char* meaning) {
@@ -43,7 +43,7 @@ auto withPrefix(const std::string& prefix, const Visitor& visit) {
   };
 }
 
-/// Passes on what has one of the names.
+/// Calls another visitor for the parameters with the given names only.
 template <typename Visitor>
 auto onlyNamed(const std::vector<std::string>& names, const Visitor& visit) {
   return [names, &visit](const std::string& name, auto& value, Range range, const char* unit, const char* meaning) {

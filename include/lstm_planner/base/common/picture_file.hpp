@@ -5,7 +5,8 @@
 
 namespace lstm_planner {
 
-/// Writes a picture whose kind its name's end tells (.png, .jpg). Throws std::runtime_error when it cannot be written.
+/// Writes a picture in the format that the end of its name says (.png, .jpg). Throws std::runtime_error if it cannot be
+/// written.
 void writePicture(const std::string& path, const cv::Mat& picture);
 
 }  // namespace lstm_planner

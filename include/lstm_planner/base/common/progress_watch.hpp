@@ -2,19 +2,19 @@
 
 namespace lstm_planner {
 
-/// Knows the least distance to a goal so far, and how many steps have been made since without coming nearer.
+/// Keeps the least distance to a goal so far, and counts the steps since then.
 class ProgressWatch {
  public:
-  /// `least`: by how much a distance must be less than the best one to be progress.
+  /// `least`: a distance is progress if it is less than the best one by more than this.
   explicit ProgressWatch(double least) : least_(least) {}
 
-  /// Nothing is noted.
+  /// Forgets everything.
   void clear() {
     restart(0.0);
     has_best_ = false;
   }
 
-  /// A step has ended at this distance: whether that is progress, as the first one is.
+  /// Adds the distance at the end of a step. Returns whether it is progress; the first distance is.
   bool note(double distance) {
     if (!has_best_ || distance < target()) {
       restart(distance);
@@ -24,19 +24,19 @@ class ProgressWatch {
     return false;
   }
 
-  /// This distance is the best from now on, whatever was noted before.
+  /// Makes this distance the best one.
   void restart(double distance) {
     best_ = distance;
     has_best_ = true;
     steps_ = 0;
   }
 
-  /// The goal has moved, and with it the best distance; nothing else changes.
+  /// Changes the best distance only, because the goal has moved.
   void moveBest(double distance) { best_ = distance; }
 
   bool hasBest() const { return has_best_; }
   double best() const { return best_; }
-  double target() const { return best_ - least_; }  ///< less than this is progress
+  double target() const { return best_ - least_; }  ///< distances below this are progress
   int steps() const { return steps_; }              ///< since the best
 
  private:
@@ -46,7 +46,7 @@ class ProgressWatch {
   bool has_best_ = false;
 };
 
-/// The same, with the length of the path that was driven without coming nearer.
+/// As ProgressWatch, and sums up the length of the path driven since the best distance.
 class DrivenProgressWatch : public ProgressWatch {
  public:
   using ProgressWatch::ProgressWatch;

@@ -4,7 +4,8 @@
 
 namespace lstm_planner {
 
-/// The value that a share in [0, 1] of the values does not exceed, by nearest rank; not a number for no values.
+/// The smallest value that is not exceeded by at least `share` (in [0, 1]) of the values (nearest rank); NaN if there
+/// are no values.
 double quantile(std::vector<double> values, double share);
 
 }  // namespace lstm_planner

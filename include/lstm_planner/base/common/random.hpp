@@ -9,8 +9,8 @@
 
 namespace lstm_planner {
 
-/// Random numbers that are the same on every machine for the same seed. std::mt19937_64 is fixed by the standard; the
-/// distributions of the standard header random and std::shuffle are not, therefore these.
+/// Random numbers that are the same on every machine for the same seed. The standard defines std::mt19937_64 exactly,
+/// but not its distributions and std::shuffle; these functions replace them.
 using Random = std::mt19937_64;
 
 /// Uniform in [0, 1), 53 bits.
@@ -24,7 +24,7 @@ inline double uniformFactor(Random& random, double low, double high) {
   return low * std::pow(high / low, uniform(random));
 }
 
-/// Uniform in 0 .. count - 1; 0 when count is 0.
+/// Uniform in 0 .. count - 1; 0 if count is 0.
 inline std::size_t uniformIndex(Random& random, std::size_t count) {
   if (count <= 1) return 0;
   const std::uint64_t size = count;
@@ -35,15 +35,16 @@ inline std::size_t uniformIndex(Random& random, std::size_t count) {
   return static_cast<std::size_t>(draw % size);
 }
 
-/// Mean 0, standard deviation 1: the sum of twelve uniform numbers, less 6. Unlike the transforms with logarithm and
-/// cosine it rounds alike everywhere; beyond four deviations it is rarer than the normal law, and it ends at six.
+/// Mean 0, standard deviation 1: the sum of twelve uniform numbers, minus 6. Unlike transforms with logarithm and
+/// cosine, it is rounded in the same way on every machine. Values beyond four deviations are rarer than in the normal
+/// distribution, and none is beyond six.
 inline double normal(Random& random) {
   double sum = -6.0;
   for (int i = 0; i < 12; ++i) sum += uniform(random);
   return sum;
 }
 
-/// Puts the elements in a random order (Fisher and Yates), every order equally likely.
+/// Puts the elements in a random order (Fisher and Yates); every order has the same probability.
 template <typename T>
 void shuffle(std::vector<T>* elements, Random& random) {
   for (std::size_t left = elements->size(); left > 1; --left) {

@@ -2,12 +2,12 @@
 
 namespace lstm_planner {
 
-/// What a number may be: least <= number <= most.
+/// The range of a number: least <= number <= most.
 struct Range {
   double least = 0.0;
   double most = 0.0;
 
-  /// {} stands for no range at all.
+  /// {} means that there is no range.
   bool isGiven() const { return least != 0.0 || most != 0.0; }
   bool contains(double number) const { return number >= least && number <= most; }
 };

@@ -9,11 +9,11 @@
 
 namespace lstm_planner {
 
-/// A new folder of its own for files that are needed for a while, removed with all that is in it.
+/// A new temporary folder, removed with its content at the end.
 class ScratchFolder {
  public:
-  /// `name`: the folder's name starts with it. `parent`: where it is. Throws std::runtime_error where it cannot be
-  /// made.
+  /// `name`: beginning of the folder's name. `parent`: the folder in which it is created. Throws std::runtime_error if
+  /// it cannot be created.
   explicit ScratchFolder(const std::string& name,
                          const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
     std::string pattern = (parent / (name + "_XXXXXX")).string();
@@ -28,7 +28,7 @@ class ScratchFolder {
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// The path of a file in it.
+  /// The path of a file in the folder.
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
 
  private:

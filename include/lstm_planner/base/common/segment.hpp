@@ -6,7 +6,7 @@
 
 namespace lstm_planner {
 
-/// m^2 from a point to the nearest one of a straight line from one place to another.
+/// Squared distance from a point to a line segment, m^2.
 inline double squaredDistanceToSegment(const Point2& point, const Point2& from, const Point2& to) {
   const Point2 line{to.x - from.x, to.y - from.y};
   const Point2 off{point.x - from.x, point.y - from.y};

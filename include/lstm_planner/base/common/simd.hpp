@@ -1,12 +1,12 @@
 #pragma once
 
-// Numbers side by side, on which one instruction works at once: 4, 8 or 16 floats or integers, or 2 doubles. Every
-// x86-64 and ARMv8 processor has the vectors of 16 bytes. The wider ones are for kernels, which are compiled once for
-// each instruction set (*_baseline.cpp, *_avx2.cpp, *_avx512.cpp).
+// Vectors of numbers on which one instruction works: 4, 8 or 16 floats or integers, or 2 doubles. Every x86-64 and
+// ARMv8 processor has vectors of 16 bytes. The wider ones are for kernels, which are compiled once for each instruction
+// set (*_baseline.cpp, *_avx2.cpp, *_avx512.cpp).
 //
-// All of it has internal linkage, unlike what a header usually holds: were these functions shared between files, the
-// linker might keep the copy that was compiled for AVX-512 and an older machine would stop at it. A kernel must not
-// include Eigen or templates of the standard library for the same reason.
+// Everything here has internal linkage. If these functions were shared between files, the linker might keep the copy
+// that was compiled for AVX-512, and an older machine would crash. For the same reason a kernel must not include Eigen
+// or templates of the standard library.
 
 #if defined(__AVX__)
 #include <immintrin.h>
