@@ -6,7 +6,7 @@
 
 namespace lstm_planner {
 
-/// A rectangle of bits, row by row, of which up to 64 neighbours in a row can be looked at at once.
+/// A rectangle of bits, stored row by row. Up to 64 neighbouring bits of a row can be read at once.
 class BitRows {
  public:
   BitRows(int columns, int rows);
@@ -15,24 +15,24 @@ class BitRows {
   int rows() const { return rows_; }
   void clear();
 
-  /// Both inside.
+  /// Column and row must be inside.
   bool test(int column, int row) const { return (words_[wordOf(column, row)] >> (column & 63) & 1) != 0; }
   void set(int column, int row) { words_[wordOf(column, row)] |= std::uint64_t{1} << (column & 63); }
   void reset(int column, int row) { words_[wordOf(column, row)] &= ~(std::uint64_t{1} << (column & 63)); }
 
-  /// The bits of a row from `column` on, the lowest first. `column` may be anything from -64 to columns(), `row`
-  /// anything inside; what is outside is 0.
+  /// 64 bits of a row, the bit at `column` in the lowest place. `column` must be in -64 .. columns(), `row` must be
+  /// inside; bits outside are 0.
   std::uint64_t from(int column, int row) const {
     const std::size_t word = wordOf(column, row);
     const int shift = column & 63;
     return words_[word] >> shift | words_[word + 1] << 1 << (63 - shift);
   }
 
-  /// Moves all bits by so many columns to the left and rows down; what leaves is lost, what comes in is 0.
+  /// Shifts all bits to the left and down by so many columns and rows. Bits that leave are lost; new bits are 0.
   void move(int left, int down);
 
  private:
-  /// Each row is followed by an empty word, and so is what comes before the first: from() need not look where it is.
+  /// An empty word stands before the first row and after each row, so that from() needs no check of the borders.
   std::size_t wordOf(int column, int row) const {
     return static_cast<std::size_t>(row) * stride_ + static_cast<std::size_t>((column >> 6) + 1);
   }
@@ -43,10 +43,10 @@ class BitRows {
   std::vector<std::uint64_t> words_;
 };
 
-/// The lowest `count` bits, 1 to 64 of them.
+/// The lowest `count` bits set; `count` in 1 .. 64.
 inline std::uint64_t lowestBits(int count) { return ~std::uint64_t{0} >> (64 - count); }
 
-/// Index of the lowest and the highest of the bits, of which there must be one.
+/// Index of the lowest and of the highest bit that is set. At least one must be set.
 inline int lowestBit(std::uint64_t bits) { return __builtin_ctzll(bits); }
 inline int highestBit(std::uint64_t bits) { return 63 - __builtin_clzll(bits); }
 

@@ -6,24 +6,24 @@
 
 namespace lstm_planner {
 
-/// Cells to look at, those with the smallest estimate first and of these the last one: a queue of buckets, one for each
-/// estimate, as a search needs it whose estimates are small integers that never go down.
+/// Priority queue of cells for a search whose estimates are small integers that never decrease. The cell with the
+/// smallest estimate comes first; of equal ones, the one that was added last. There is a bucket for each estimate.
 ///
-/// The memory needed is reserved; a search that needs more makes it grow once and for all.
+/// Memory is reserved at the start, and grows if a search needs more.
 class CellQueue {
  public:
   CellQueue();
 
-  /// Nothing is left; no estimate will be less than `lowest`.
+  /// Removes all cells. No later estimate may be less than `lowest`.
   void clear(std::uint32_t lowest);
 
-  /// `estimate`: at least that of the last pop().
+  /// `estimate` must not be less than that of the last pop().
   void push(std::uint32_t estimate, std::uint16_t column, std::uint16_t row);
 
-  /// The smallest estimate; false when there is none.
+  /// The smallest estimate. Returns false if the queue is empty.
   bool lowest(std::uint32_t* estimate);
 
-  /// Takes one of those with the lowest() estimate, which must have been asked for.
+  /// Removes a cell with the smallest estimate. lowest() must have been called before.
   void pop(std::uint16_t* column, std::uint16_t* row);
 
  private:
@@ -35,7 +35,7 @@ class CellQueue {
     std::uint16_t column;
     std::uint16_t row;
   };
-  /// A piece of a bucket, as large as a line of the cache.
+  /// A piece of a bucket, as large as a cache line.
   struct Chunk {
     std::array<Cell, 15> cells;
     std::uint16_t count;
@@ -51,12 +51,12 @@ class CellQueue {
   void fetchLater();
   std::uint16_t newChunk(std::uint16_t next);
 
-  std::vector<std::uint16_t> buckets_;  ///< first chunk, by estimate modulo their number
+  std::vector<std::uint16_t> buckets_;  ///< first chunk of each bucket; index: estimate modulo the number of buckets
   std::vector<Chunk> chunks_;
-  std::uint16_t unused_ = kNoChunk;  ///< first of the chunks that are free
+  std::uint16_t unused_ = kNoChunk;  ///< first free chunk
   std::uint32_t lowest_ = 0;
-  std::uint32_t near_ = 0;    ///< cells in buckets
-  std::vector<Later> later_;  ///< with estimates beyond the buckets
+  std::uint32_t near_ = 0;    ///< number of cells in buckets
+  std::vector<Later> later_;  ///< cells with estimates beyond the buckets
   std::uint32_t lowest_later_ = 0;
 };
 

@@ -6,9 +6,9 @@
 
 namespace lstm_planner {
 
-/// Distance from each cell's centre to the nearest centre of a blocked cell, m (0 in blocked cells, a large finite
-/// value where nothing is blocked). Blocked are occupied cells, unknown ones when `unknown_blocks`; the outside is not.
-/// Throws std::invalid_argument for a grid of more than 46340 cells a side.
+/// Distance from the centre of each cell to the nearest centre of a blocked cell, m. It is 0 in blocked cells, and a
+/// large finite value if no cell is blocked. Occupied cells are blocked; unknown ones are if `unknown_blocks`; cells
+/// outside the grid are not. Throws std::invalid_argument for a grid with more than 46340 cells on a side.
 class DistanceField {
  public:
   DistanceField() = default;
@@ -21,17 +21,17 @@ class DistanceField {
   std::vector<float> distances_;
 };
 
-/// Length of the shortest 8-connected path (Dijkstra; no cutting of corners) from every cell to `goal` through cells
-/// whose distance-field value is at least `clearance` (m): the distance-to-go of a robot of that radius; +inf where
-/// there is none, and so everywhere when the goal itself lies in such a place. The cost of a cell can be raised near
-/// obstacles: a cell nearer than `comfort` costs up to `1 + reluctance` times its length, so that the paths keep to the
-/// middle of doors.
+/// Length of the shortest 8-connected path from every cell to `goal` (Dijkstra, no corner cutting), m. The path keeps
+/// to cells whose distance to a blocked cell is at least `clearance` (m): the distance to go of a robot with that
+/// radius. It is +inf if there is no path; if the goal is too near to a blocked cell, it is +inf everywhere. Cells
+/// nearer than `comfort` to a blocked cell may cost up to `1 + reluctance` times their length, so that paths lead
+/// through the middle of doors.
 class GeodesicField {
  public:
   /// Where paths may lead, and what they cost near obstacles.
   struct Options {
     double clearance = 0.2;
-    double comfort = 0.0;  ///< m; 0 = pure length
+    double comfort = 0.0;  ///< m; 0: costs are lengths
     double reluctance = 0.0;
   };
   GeodesicField(const OccupancyGrid& grid, const DistanceField& distances, CellIndex goal, const Options& options);

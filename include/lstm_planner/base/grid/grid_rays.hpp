@@ -10,26 +10,26 @@ namespace lstm_planner {
 
 constexpr int kGridRayCount = 8;
 
-/// Cells that a ray looks ahead at most (thesis 3.2).
+/// The most cells that a ray reaches (thesis 3.2).
 constexpr int kGridRayCap = 50;
 
-/// Steps (column, row) of the eight rays: counter-clockwise from the x axis, in the order east, north-east, north,
-/// north-west, west, south-west, south, south-east. Rows grow to the north.
+/// Steps (columns, rows) of the eight rays, counter-clockwise from the x axis: east, north-east, north, north-west,
+/// west, south-west, south, south-east. Rows increase to the north.
 constexpr std::array<CellIndex, kGridRayCount> kGridRaySteps = {
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-/// Costs of steps in fifths of a cell, whole numbers for searches; a diagonal one is 1 % less than the true ratio.
+/// Costs of steps in fifths of a cell, as integers for searches. That of a diagonal step is 1 % too low.
 constexpr int kStraightFifths = 5;
 constexpr int kDiagonalFifths = 7;
 
-/// Cost of a path of so many columns and rows, which may be negative, where nothing is in between.
+/// Cost of a path over so many columns and rows (of any sign) without obstacles.
 inline int octileFifths(int columns, int rows) {
   columns = std::abs(columns);
   rows = std::abs(rows);
   return kStraightFifths * std::max(columns, rows) + (kDiagonalFifths - kStraightFifths) * std::min(columns, rows);
 }
 
-/// Which of kGridRaySteps leads from one cell to the other; -1 when none does.
+/// The index in kGridRaySteps of the step from one cell to the other; -1 if there is none.
 inline int rayBetween(CellIndex from, CellIndex to) {
   const auto found = std::find_if(kGridRaySteps.begin(), kGridRaySteps.end(), [&](CellIndex step) {
     return from.column + step.column == to.column && from.row + step.row == to.row;

@@ -7,7 +7,7 @@
 
 namespace lstm_planner {
 
-/// State of one cell of a map_server map.
+/// State of a cell of a map_server map.
 enum class Cell : std::uint8_t { kFree, kOccupied, kUnknown };
 
 /// Place of a cell in a grid.
@@ -16,13 +16,13 @@ struct CellIndex {
   int row = 0;
 };
 
-/// A metric grid: row 0 is the lowest, column 0 the leftmost; `origin` is the pose of the lower left corner of cell
-/// (0, 0) in the map frame (its yaw may be any). Cells outside are kUnknown.
+/// A grid with a metric scale. Row 0 is the lowest, column 0 the leftmost. `origin` is the pose of the lower left
+/// corner of cell (0, 0) in the map frame, with any yaw. Cells outside are kUnknown.
 class OccupancyGrid {
  public:
   OccupancyGrid() = default;
-  /// All cells `fill`. Throws std::invalid_argument for a non-positive size or resolution (m a cell), a non-finite
-  /// origin, or more than 2^28 cells.
+  /// All cells are `fill`. `resolution` is in m per cell. Throws std::invalid_argument for a size or resolution that is
+  /// not positive, an origin that is not finite, or more than 2^28 cells.
   OccupancyGrid(int columns, int rows, double resolution, Pose2 origin = {}, Cell fill = Cell::kFree);
 
   int columns() const { return columns_; }
@@ -36,7 +36,7 @@ class OccupancyGrid {
   Cell at(CellIndex index) const { return contains(index) ? cells_[offset(index)] : Cell::kUnknown; }
   void set(CellIndex index, Cell cell) { cells_[offset(index)] = cell; }
 
-  /// The cell that contains the point (map frame, m); may lie outside.
+  /// The cell that contains the point (map frame, m); it may be outside.
   CellIndex cellAt(const Point2& point) const;
   /// Centre of a cell in the map frame, m.
   Point2 centerOf(CellIndex index) const;

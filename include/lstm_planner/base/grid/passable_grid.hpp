@@ -10,8 +10,8 @@
 
 namespace lstm_planner {
 
-/// Which cells of an ASCII map may be entered. Row 0 is the first line of the map's file, column 0 its first letter;
-/// lengths are in cells. Cells outside are not passable.
+/// The passable cells of an ASCII map. Row 0 is the first line of the file, column 0 its first letter. Lengths are in
+/// cells. Cells outside are not passable.
 class PassableGrid {
  public:
   PassableGrid() = default;
@@ -28,7 +28,7 @@ class PassableGrid {
   void set(CellIndex cell, bool passable) { cells_[offset(cell)] = passable ? 1 : 0; }
 
   std::size_t size() const { return cells_.size(); }
-  /// Position of a cell inside in vectors of size() values.
+  /// Index of a cell inside in vectors of size() values.
   std::size_t offset(CellIndex cell) const {
     return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(columns_) +
            static_cast<std::size_t>(cell.column);
@@ -40,11 +40,11 @@ class PassableGrid {
   std::vector<std::uint8_t> cells_;
 };
 
-/// Whether a diagonal move may pass a blocked cell at its side. The MovingAI benchmark forbids it; the thesis's agents
-/// did it.
+/// Whether a diagonal move may pass beside a blocked cell. The MovingAI benchmark does not allow it; the agents of the
+/// thesis did it.
 enum class CornerCutting { kForbidden, kAllowed };
 
-/// Moves are numbered like the rays: kGridRaySteps[direction]; odd directions are diagonals.
+/// Moves have the numbers of the rays: kGridRaySteps[direction]. Odd directions are diagonal.
 constexpr int kGridMoveCount = kGridRayCount;
 
 inline bool operator==(CellIndex a, CellIndex b) { return a.column == b.column && a.row == b.row; }
@@ -55,18 +55,18 @@ inline CellIndex cellBeside(CellIndex cell, int direction) {
   return {cell.column + step.column, cell.row + step.row};
 }
 
-/// 1 or sqrt(2), cells.
+/// Length of a move, 1 or sqrt(2), cells.
 inline double moveLength(int direction) { return direction % 2 == 0 ? 1.0 : 1.4142135623730951; }
 
-/// Whether the cell beside may be entered from `cell`.
+/// Whether the robot can move from `cell` to its neighbour in that direction.
 bool movePossible(const PassableGrid& grid, CellIndex cell, int direction, CornerCutting corner_cutting);
 
-/// What the thesis's agent senses (Eq. 3.1): the number of steps to the first cell that is not passable, in the order
-/// of kGridRaySteps; 1 when the neighbour is blocked, at most kGridRayCap. Without the factor sqrt(2) on diagonals. A
-/// diagonal ray passes between two blocked cells that touch at a corner only.
+/// What the agent of the thesis senses (Eq. 3.1): the number of steps to the first cell that is not passable, in the
+/// order of kGridRaySteps. It is 1 if the neighbour is blocked, and at most kGridRayCap. Diagonal steps count 1, not
+/// sqrt(2). A diagonal ray passes between two blocked cells that touch only at a corner.
 using GridRanges = std::array<std::uint8_t, kGridRayCount>;
 
-/// The same question answered from what was sensed.
+/// The same as above, from the sensed ranges.
 bool movePossible(const GridRanges& ranges, int direction, CornerCutting corner_cutting);
 
 }  // namespace lstm_planner

@@ -10,40 +10,40 @@
 
 namespace lstm_planner {
 
-/// Runs one network for many agents side by side: a step of all of them, each with a hidden state of its own. For
-/// training and evaluation, where it takes less time an agent than Network does.
+/// Runs one network for many agents at once. Each agent has its own hidden state. For training and evaluation; it takes
+/// less time for each agent than Network.
 ///
-/// Single precision, within 1e-5 of double precision over a thousand steps, as Network is; the two differ in rounding.
-/// An agent's results do not depend on how many others there are and what they see, and are the same bits from run to
-/// run as long as the instruction set is the same. Hidden states start at zero and change only in forward(), reset(),
-/// forget() and setHiddenState(). Nothing is allocated after construction, except by hiddenState() and for inputs that
-/// are not stored as Values are. Copies share their weights. Not thread safe: one a thread.
+/// Single precision, within 1e-5 of double precision over a thousand steps, like Network; the rounding of the two
+/// differs. The results of an agent do not depend on the other agents. They are the same bits in every run with the
+/// same instruction set. Hidden states start at zero and change only in forward(), reset(), forget() and
+/// setHiddenState(). Nothing is allocated after construction, except by hiddenState(), and for inputs that are not
+/// stored as Values are. Copies share their weights. Not thread safe: use one for each thread.
 class BatchNetwork {
  public:
-  /// A row a value, a column an agent. A row's values lie side by side, as they are computed.
+  /// A row for each value, a column for each agent. The values of a row lie side by side, as they are computed.
   using Values = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  /// Of one agent, in the order of Network::HiddenState: it may be handed on from one to the other.
+  /// The hidden state of one agent, in the order of Network::HiddenState: the two classes can exchange states.
   using HiddenState = Eigen::VectorXf;
 
-  /// `batch` agents. Throws std::invalid_argument when the layers do not fit together (validateLayers), when weights
-  /// are so large that a weighted sum may leave the range of float for any input, when there is no agent, or when `set`
-  /// is not one of runnableInstructionSets().
+  /// For `batch` agents. Throws std::invalid_argument if the layers do not fit together (validateLayers), if weights
+  /// are so large that a weighted sum may exceed the range of float for any input, if `batch` is less than 1, or if
+  /// `set` is not one of runnableInstructionSets().
   BatchNetwork(const LayerStack& layers, int batch, InstructionSet set = fastestInstructionSet());
 
-  /// One step of all agents. `inputs` is inputSize() x batch(); the result is outputSize() x batch() and stays valid
-  /// until the next call. Throws std::invalid_argument for a wrong size, a non-finite input, or one so large that a
-  /// weighted sum could leave the range of float; all hidden states are then what they were before. Denormal inputs
-  /// count as zero, and so do cell states below 1e-18.
+  /// One step of all agents. `inputs` is inputSize() x batch(). The result is outputSize() x batch() and is valid until
+  /// the next call. Throws std::invalid_argument for a wrong size, an input that is not finite, or one so large that a
+  /// weighted sum could exceed the range of float; then no hidden state changes. Denormal inputs and cell states below
+  /// 1e-18 count as zero.
   const Values& forward(const Eigen::Ref<const Values>& inputs);
 
-  /// Sets the hidden states of all agents, or of one, to zero. Throws std::out_of_range when there is no such agent.
+  /// Sets the hidden states of all agents, or of one, to zero. Throws std::out_of_range if there is no such agent.
   void reset();
   void forget(int agent);
 
-  /// Throws std::out_of_range when there is no such agent.
+  /// Throws std::out_of_range if there is no such agent.
   HiddenState hiddenState(int agent) const;
-  /// Also throws std::invalid_argument when the size is not hiddenStateSize(), or when a value is not finite or beyond
-  /// 2^24, which no network's state gets to.
+  /// Throws as hiddenState(). Throws std::invalid_argument if the size is not hiddenStateSize(), or if a value is not
+  /// finite or is beyond 2^24, which no network reaches.
   void setHiddenState(int agent, const HiddenState& state);
 
   int batch() const { return static_cast<int>(outputs_.cols()); }
@@ -51,21 +51,21 @@ class BatchNetwork {
   int outputSize() const { return static_cast<int>(outputs_.rows()); }
   int hiddenStateSize() const;
   InstructionSet instructionSet() const;
-  std::size_t bytes() const;  ///< of what it holds, with the weights
+  std::size_t bytes() const;  ///< memory that the object uses, with the weights
 
  private:
-  struct Program;  ///< the packed layers and the kernels that run them
+  struct Program;  ///< the packed layers and their kernels
   /// Memory that is aligned as the kernels want it.
   struct alignas(64) CacheLine {
     float values[16];
   };
-  /// Agents whose values lie side by side; all tiles but the last are of the widest kind.
+  /// Agents whose values lie side by side. All tiles but the last have the largest width.
   struct Tile {
     int kernel;
-    int lanes;  ///< more than agents where the agents are few
+    int lanes;  ///< more than the agents of the last tile
     int first_agent;
     int agents;
-    std::size_t first_line;  ///< of its part of the memory
+    std::size_t first_line;  ///< of the tile's part of the memory
   };
 
   float* memoryOf(const Tile& tile) { return memory_[tile.first_line].values; }
@@ -78,7 +78,7 @@ class BatchNetwork {
   int widest_lanes_ = 0;
   std::vector<Tile> tiles_;
   std::vector<CacheLine> memory_;
-  int parity_ = 0;  ///< of the next step's number
+  int parity_ = 0;  ///< of the number of the next step
   Values outputs_;
 };
 

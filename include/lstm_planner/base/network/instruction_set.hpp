@@ -4,8 +4,8 @@
 
 namespace lstm_planner {
 
-/// What a kernel of the network may be compiled for. All are made from one source when the package is built; which one
-/// runs is chosen when the program runs, so that one binary fits every machine.
+/// The instruction sets that the kernels of the network are compiled for. All are built from one source; which one runs
+/// is chosen at run time, so that one binary works on every machine.
 enum class InstructionSet {
   kBaseline,  ///< what the build assumes: SSE2 on x86-64, NEON on 64-bit ARM
   kAvx2,      ///< with FMA
@@ -15,7 +15,7 @@ enum class InstructionSet {
 /// "baseline", "AVX2", "AVX-512".
 const char* toString(InstructionSet set);
 
-/// The sets that were compiled in and that this machine can run, the fastest last; kBaseline always.
+/// The compiled sets that this machine can run, the fastest last; kBaseline is always among them.
 const std::vector<InstructionSet>& runnableInstructionSets();
 
 /// The last of runnableInstructionSets().

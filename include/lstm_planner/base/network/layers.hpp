@@ -22,8 +22,8 @@ enum class Activation { kIdentity, kTanh, kSigmoid, kRelu };
 ///   c    |           |   |           |   | |   candidate      (inside Eq. 2.21)
 ///        +-----------+   +-----------+   +-+   each block `cells` rows
 ///
-/// The cell state is s' = f * s + i * candidate, the output h = tanh(s') * o. The thesis prints a sigmoid as the
-/// candidate's activation where Caffe, ONNX and PyTorch have tanh; both are possible.
+/// The cell state is s' = f * s + i * candidate, the output is h = tanh(s') * o. The thesis prints a sigmoid as the
+/// activation of the candidate; Caffe, ONNX and PyTorch have tanh. Both are possible here.
 struct LstmLayer {
   Eigen::MatrixXf input;
   Eigen::MatrixXf recurrent;
@@ -53,17 +53,17 @@ using Layer = std::variant<LstmLayer, RecurrentLayer, DenseLayer, SoftmaxLayer>;
 /// Layers in the order in which they are evaluated.
 using LayerStack = std::vector<Layer>;
 
-/// Number of learnable weights as the thesis counts them (Eq. 3.17-3.22): a bias is a weight on the constant input 1,
-/// and an LSTM's gate has one bias a cell. 11 -> LSTM 8 -> LSTM 8 -> FC 8 has 640 + 544 + 72 = 1,256.
+/// Number of learnable weights as the thesis counts them (Eq. 3.17-3.22): a bias is the weight of the constant input 1,
+/// and a gate of an LSTM has one bias for each cell. 11 -> LSTM 8 -> LSTM 8 -> FC 8 has 640 + 544 + 72 = 1,256.
 std::size_t countWeights(const LayerStack& layers);
 
-/// Width of the vector that goes in and comes out. Throws std::invalid_argument when no layer says so (an empty stack,
-/// a softmax alone).
+/// Number of inputs and of outputs. Throws std::invalid_argument if no layer determines it (an empty stack, or only a
+/// softmax).
 int inputSize(const LayerStack& layers);
 int outputSize(const LayerStack& layers);
 
-/// Throws std::invalid_argument with one sentence naming the layer when shapes do not fit together, a weight is not
-/// finite, or an activation is not possible there. A softmax must follow another layer, which says how wide it is.
+/// Throws std::invalid_argument naming the layer if shapes do not fit together, a weight is not finite, or an
+/// activation is not possible there. A softmax must follow another layer, which determines its width.
 void validateLayers(const LayerStack& layers);
 
 }  // namespace lstm_planner

@@ -6,7 +6,7 @@
 
 namespace lstm_planner {
 
-/// Reads the metadata of a model file and notes what is wrong with it, so that all of it is said at once.
+/// Reads the metadata of a model file and collects all errors, so that they are reported together.
 class MetadataReader {
  public:
   /// `metadata` must outlive the reader.
@@ -14,24 +14,24 @@ class MetadataReader {
 
   bool has(const std::string& key) const { return metadata_.count(key) > 0; }
 
-  /// What a key holds; empty where it is missing, which is noted.
+  /// The text of a key. If the key is missing, an error is noted and the text is empty.
   std::string text(const std::string& key);
 
-  /// A number from `least` to `most`; `least` where there is none, which is noted. A decimal point is a point in every
-  /// locale.
+  /// A number from `least` to `most`, with a decimal point in every locale. Otherwise an error is noted and the result
+  /// is `least`.
   double number(const std::string& key, double least, double most);
 
-  /// Likewise a whole number.
+  /// As number(), for an integer.
   int whole(const std::string& key, int least, int most);
 
-  /// Numbers separated by commas; none where something else is there, which is noted.
+  /// Numbers separated by commas. Otherwise an error is noted and the result is empty.
   std::vector<double> numbers(const std::string& key);
 
-  /// Notes a sentence, without a full stop.
+  /// Notes an error, a sentence without a full stop.
   void note(const std::string& complaint) { complaints_.push_back(complaint); }
   bool isSound() const { return missing_.empty() && complaints_.empty(); }
 
-  /// Throws std::invalid_argument with all that was noted, if there is anything.
+  /// Throws std::invalid_argument with all noted errors, if there are any.
   void finish() const;
 
  private:
@@ -40,7 +40,7 @@ class MetadataReader {
   std::vector<std::string> complaints_;
 };
 
-/// A number as metadata hold it: read back it is the same, bit for bit.
+/// A number as text for metadata. Reading it gives the same number, bit for bit.
 std::string metadataText(double number);
 
 }  // namespace lstm_planner

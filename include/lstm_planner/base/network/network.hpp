@@ -12,18 +12,18 @@ namespace lstm_planner {
 struct CacheLine;
 class PackedNetwork;
 
-/// Runs a stack of layers one step at a time and carries its hidden state from step to step.
+/// Runs a stack of layers one step at a time and carries the hidden state from step to step.
 ///
-/// Batch 1, single precision, within 1e-5 of double precision over a thousand steps; nothing is allocated after
+/// Batch 1, single precision, within 1e-5 of double precision over a thousand steps. Nothing is allocated after
 /// construction. The hidden state starts at zero and changes only in forward(), reset() and setHiddenState(). The same
-/// steps give the same bits as long as the instruction set is the same. Copies share their weights, and each has its
-/// own hidden state. Not thread safe: one network an agent.
+/// steps give the same bits with the same instruction set. Copies share their weights; each has its own hidden state.
+/// Not thread safe: use one for each agent.
 class Network {
  public:
-  /// Outputs of all recurrent layers, each followed by an LSTM's cell states, in one vector.
+  /// One vector: for each recurrent layer its outputs, then the cell states if it is an LSTM.
   using HiddenState = Eigen::VectorXf;
 
-  /// Throws std::invalid_argument when the layers do not fit together (validateLayers), or when `set` is not one of
+  /// Throws std::invalid_argument if the layers do not fit together (validateLayers), or if `set` is not one of
   /// runnableInstructionSets().
   explicit Network(const LayerStack& layers, InstructionSet set = fastestInstructionSet());
   Network(const Network& other);
@@ -32,27 +32,27 @@ class Network {
   Network& operator=(Network&&) noexcept;
   ~Network();
 
-  /// One step. `input` has inputSize() values; the result has outputSize() values and stays valid until the next call.
-  /// Throws std::invalid_argument for a wrong size, a non-finite input, or an input so large that a weighted sum leaves
-  /// the range of float; the hidden state is then what it was before. Sums beyond +-9 give activations at their limits.
-  /// Denormal numbers count as zero and none are made, as processors are slow with them; the caller's floating-point
-  /// mode is left as it is.
+  /// One step. `input` has inputSize() values. The result has outputSize() values and is valid until the next call.
+  /// Throws std::invalid_argument for a wrong size, an input that is not finite, or one so large that a weighted sum
+  /// exceeds the range of float; then the hidden state does not change. Sums beyond +-9 give the limits of the
+  /// activations. Denormal numbers count as zero, as processors are slow with them; the floating-point mode of the
+  /// caller does not change.
   const Eigen::VectorXf& forward(const Eigen::Ref<const Eigen::VectorXf>& input);
 
-  /// Forgets everything: hidden and cell states become zero.
+  /// Sets hidden states and cell states to zero.
   void reset();
 
-  /// What forward() carries to its next call; valid until it, reset() or setHiddenState() is called.
+  /// The state for the next call of forward(). Valid until forward(), reset() or setHiddenState() is called.
   Eigen::Map<const HiddenState> hiddenState() const;
 
-  /// Throws std::invalid_argument when the size is not hiddenState().size() or a value is not finite.
+  /// Throws std::invalid_argument if the size is not hiddenState().size() or a value is not finite.
   void setHiddenState(const Eigen::Ref<const HiddenState>& state);
 
   int inputSize() const { return input_size_; }
-  std::size_t weights() const { return weights_; }  ///< how many it has, biases counted
+  std::size_t weights() const { return weights_; }  ///< number of weights, with biases
   int outputSize() const { return static_cast<int>(output_.size()); }
 
-  /// What the kernels that run the network were compiled for.
+  /// The instruction set of the kernels that run the network.
   InstructionSet instructionSet() const { return instruction_set_; }
 
  private:
@@ -61,7 +61,7 @@ class Network {
 
   InstructionSet instruction_set_;
   std::shared_ptr<const PackedNetwork> packed_;
-  std::vector<CacheLine> memories_;  ///< of the step before and of the one to come; which is which changes
+  std::vector<CacheLine> memories_;  ///< of the last and of the next step, in turn
   std::size_t now_ = 0;
   int input_size_ = 0;
   std::size_t weights_ = 0;
