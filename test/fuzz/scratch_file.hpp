@@ -26,8 +26,9 @@ class ScratchFile {
   ScratchFile& operator=(const ScratchFile&) = delete;
 
   void write(const void* data, std::size_t size) {
-    const bool written =
-        ::ftruncate(descriptor_, 0) == 0 && ::pwrite(descriptor_, data, size, 0) == static_cast<ssize_t>(size);
+    // In this order the file keeps its pages.
+    const bool written = ::pwrite(descriptor_, data, size, 0) == static_cast<ssize_t>(size) &&
+                         ::ftruncate(descriptor_, static_cast<off_t>(size)) == 0;
     require(written, "a scratch file can be written");
   }
   void write(const std::string& text) { write(text.data(), text.size()); }

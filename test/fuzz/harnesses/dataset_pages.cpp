@@ -12,6 +12,7 @@ void readDamaged(const std::uint8_t* data, std::size_t size) {
   static ScratchFile file(".sqlite");
   static const std::string sound = soundDataset();
   FuzzInput input(data, size);
+  const int reader = input.byte();
   std::string bytes = sound;
   if (input.byte() % 16 == 1)
     bytes.resize(static_cast<std::size_t>(input.integer(0, static_cast<std::int64_t>(bytes.size()))));
@@ -24,7 +25,7 @@ void readDamaged(const std::uint8_t* data, std::size_t size) {
     for (int count = kind / 64; count >= 0 && at < bytes.size(); --count) bytes[at++] = static_cast<char>(input.byte());
   }
   file.write(bytes);
-  readDatasetFile(file.path());
+  readDatasetFile(file.path(), reader);
 }
 
 const Registration registration("dataset_pages", &readDamaged);

@@ -174,7 +174,7 @@ class WriterLimits {
   explicit WriterLimits(Poco::Data::Session* session) : database_(Poco::Data::SQLite::Utility::dbHandle(*session)) {
     const auto is_too_much = [](void* calls) { return --*static_cast<int*>(calls) < 0 ? 1 : 0; };
     sqlite3_progress_handler(database_, kOperationsACall, is_too_much, &calls_left_);
-    *session << "PRAGMA max_page_count = 16384", Poco::Data::Keywords::now;
+    *session << "PRAGMA max_page_count = 1024", Poco::Data::Keywords::now;
   }
 
   ~WriterLimits() { sqlite3_progress_handler(database_, 0, nullptr, nullptr); }
@@ -185,7 +185,7 @@ class WriterLimits {
 
  private:
   static constexpr int kOperationsACall = 1000;
-  static constexpr int kCallsAStatement = 200;
+  static constexpr int kCallsAStatement = 20;
   sqlite3* database_;
   int calls_left_ = kCallsAStatement;
 };
@@ -213,9 +213,10 @@ void readHostile(const std::uint8_t* data, std::size_t size) {
   static ScratchFile file(".sqlite");
   static const std::string sound = soundDataset();
   FuzzInput input(data, size);
+  const int reader = input.byte();
   file.write(sound);
   execute(file.path(), &input);
-  readDatasetFile(file.path());
+  readDatasetFile(file.path(), reader);
 }
 
 const Registration registration("dataset_sql", &readHostile);
