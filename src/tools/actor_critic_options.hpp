@@ -1,19 +1,19 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
+#include "lstm_planner/base/learning/actor_critic.hpp"
 #include "tools/command_line.hpp"
 #include "tools/ranges.hpp"
 
 namespace lstm_planner {
 
-// What the actor-critic trainings of the grid world (GridActorCriticParameters) and of the robot
-// (DriveActorCriticParameters) have in common on the command line.
+// What the actor-critic trainings of the grid world and of the robot have in common on the command line.
 
 /// `parameters` hold the defaults and take the values. `unit`: of costs and bonuses.
-template <typename Parameters>
-void addActorCriticOptions(const std::string& unit, Parameters* parameters, CommandLine* line) {
-  Parameters& p = *parameters;
+inline void addActorCriticOptions(const std::string& unit, ActorCriticParameters* parameters, CommandLine* line) {
+  ActorCriticParameters& p = *parameters;
   line->add("critic", &p.critic_units, kAnyLayer, "units of each layer of the critic");
   line->add("discount", &p.discount, kAnyShare, "discount factor per step (gamma)");
   line->add("advantage-decay", &p.advantage_decay, kAnyShare, "decay of the advantage estimate (lambda)");
@@ -26,8 +26,7 @@ void addActorCriticOptions(const std::string& unit, Parameters* parameters, Comm
 }
 
 /// What was given, by the options' names.
-template <typename Parameters>
-nlohmann::json actorCriticSettings(const Parameters& parameters) {
+inline nlohmann::json actorCriticSettings(const ActorCriticParameters& parameters) {
   return {{"critic", parameters.critic_units},
           {"discount", parameters.discount},
           {"advantage-decay", parameters.advantage_decay},

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "base/learning/optimiser_json.hpp"
+#include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 
 namespace lstm_planner {
@@ -21,31 +22,46 @@ OptimiserParameters optimiserParameters(double learning_rate, double max_norm) {
 
 }  // namespace
 
-ActorCritic::ActorCritic(const CheckpointNames& names, const ActorCriticSchedule& schedule, const LayerStack& policy,
-                         const LayerStack& critic, std::size_t sets)
+void validate(const ActorCriticParameters& parameters) {
+  const auto check = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
+  check("window", parameters.window);
+  check("max_steps", parameters.max_steps);
+  check("threads", parameters.threads);
+  checkPositive("learning_rate", parameters.learning_rate);
+  checkPositive("critic_learning_rate", parameters.critic_learning_rate);
+  checkParameter(parameters.discount > 0.0 && parameters.discount <= 1.0, "discount", parameters.discount,
+                 "a number in (0, 1]");
+  checkParameter(parameters.advantage_decay >= 0.0 && parameters.advantage_decay <= 1.0, "advantage_decay",
+                 parameters.advantage_decay, "a number in [0, 1]");
+}
+
+ActorCritic::ActorCritic(const CheckpointNames& names, const ActorCriticParameters& parameters, int updates,
+                         const LayerStack& policy, const LayerStack& critic, std::size_t sets)
     : names_(names),
-      schedule_(schedule),
+      parameters_(parameters),
+      last_update_(updates),
       policy_(parameterVector(policy)),
       critic_(parameterVector(critic)),
-      policy_optimiser_(optimiserParameters(schedule.learning_rate, schedule.max_gradient_norm), weightMask(policy)),
-      critic_optimiser_(optimiserParameters(schedule.critic_learning_rate, schedule.max_gradient_norm),
+      policy_optimiser_(optimiserParameters(parameters.learning_rate, parameters.max_gradient_norm),
+                        weightMask(policy)),
+      critic_optimiser_(optimiserParameters(parameters.critic_learning_rate, parameters.max_gradient_norm),
                         weightMask(critic)),
       advantage_variances_(sets, 1.0) {}
 
-double ActorCritic::progress() const { return std::min(1.0, static_cast<double>(updates_) / schedule_.updates); }
+double ActorCritic::progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
 
 double ActorCritic::rate() const { return 0.5 * (1.0 + std::cos(M_PI * progress())); }
 
 double ActorCritic::entropyWeight() const {
-  return schedule_.entropy_start + (schedule_.entropy_end - schedule_.entropy_start) * progress();
+  return parameters_.entropy_start + (parameters_.entropy_end - parameters_.entropy_start) * progress();
 }
 
 void ActorCritic::updatePolicy(const Eigen::VectorXf& gradient, double steps) {
-  policy_optimiser_.update(gradient * static_cast<float>(1.0 / steps), schedule_.learning_rate * rate(), policy_);
+  policy_optimiser_.update(gradient * static_cast<float>(1.0 / steps), parameters_.learning_rate * rate(), policy_);
 }
 
 void ActorCritic::updateCritic(const Eigen::VectorXf& gradient, double steps) {
-  critic_optimiser_.update(gradient * static_cast<float>(1.0 / steps), schedule_.critic_learning_rate * rate(),
+  critic_optimiser_.update(gradient * static_cast<float>(1.0 / steps), parameters_.critic_learning_rate * rate(),
                            critic_);
 }
 

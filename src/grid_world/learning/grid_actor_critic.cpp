@@ -16,15 +16,9 @@ const ActorCritic::CheckpointNames kCheckpointNames{"lstm_planner actor-critic 1
 }  // namespace
 
 void validate(const GridActorCriticParameters& parameters) {
+  validate(static_cast<const ActorCriticParameters&>(parameters));
   checkParameter(parameters.updates >= 1, "updates", parameters.updates, "at least 1");
   checkParameter(parameters.agents >= 1, "agents", parameters.agents, "at least 1");
-  checkParameter(parameters.window >= 1, "window", parameters.window, "at least 1");
-  checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
-  checkParameter(parameters.threads >= 1, "threads", parameters.threads, "at least 1");
-  checkParameter(parameters.discount > 0.0 && parameters.discount <= 1.0, "discount", parameters.discount,
-                 "a number in (0, 1]");
-  checkParameter(parameters.advantage_decay >= 0.0 && parameters.advantage_decay <= 1.0, "advantage_decay",
-                 parameters.advantage_decay, "a number in [0, 1]");
 }
 
 class GridActorCritic::Implementation {
@@ -33,7 +27,7 @@ class GridActorCritic::Implementation {
       : parameters_((validate(parameters), parameters)),
         policy_(std::move(layers)),
         critic_(makeCritic(GridEncoder(parameters.encoder).size(), parameters.critic_units, parameters.seed + 1)),
-        learner_(kCheckpointNames, actorCriticSchedule(parameters, parameters.updates), policy_, critic_, 0),
+        learner_(kCheckpointNames, parameters, parameters.updates, policy_, critic_, 0),
         tiles_(parameters.communicator, parameters.threads,
                [this] { return std::make_unique<GridActorCriticTileRunner>(parameters_, policy_, critic_); }) {}
 

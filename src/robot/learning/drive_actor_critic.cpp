@@ -36,23 +36,16 @@ LayerStack sharpened(LayerStack layers, double factor) {
 }  // namespace
 
 void validate(const DriveActorCriticParameters& parameters) {
+  validate(static_cast<const ActorCriticParameters&>(parameters));
   const auto check = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
   check("iterations", parameters.iterations);
   check("worlds", parameters.worlds);
   check("goals", parameters.goals);
   check("starts", parameters.starts);
-  check("max_steps", parameters.max_steps);
-  check("window", parameters.window);
   check("passes", parameters.passes);
-  check("threads", parameters.threads);
   checkPositive("clip", parameters.clip);
   checkPositive("sharpness", parameters.sharpness);
-  checkPositive("learning_rate", parameters.learning_rate);
-  checkPositive("critic_learning_rate", parameters.critic_learning_rate);
-  checkParameter(parameters.discount > 0.0 && parameters.discount < 1.0, "discount", parameters.discount,
-                 "a number in (0, 1)");
-  checkParameter(parameters.advantage_decay >= 0.0 && parameters.advantage_decay <= 1.0, "advantage_decay",
-                 parameters.advantage_decay, "a number in [0, 1]");
+  checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in (0, 1)");
   validate(parameters.policy.encoder);
   validate(parameters.course);
 }
@@ -63,7 +56,7 @@ class DriveActorCritic::Implementation {
       : parameters_((validate(parameters), parameters)),
         policy_(sharpened(std::move(layers), parameters.sharpness)),
         critic_(makeCritic(Encoder(parameters.policy.encoder).size(), parameters.critic_units, parameters.seed + 1)),
-        learner_(kCheckpointNames, actorCriticSchedule(parameters, parameters.iterations), policy_, critic_,
+        learner_(kCheckpointNames, parameters, parameters.iterations, policy_, critic_,
                  parameters.course.worlds.size()) {
     DrivePolicy(parameters.policy, policy_);  // throws when they do not fit together
   }

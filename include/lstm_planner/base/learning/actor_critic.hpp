@@ -5,31 +5,34 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/base/common/communicator.hpp"
 #include "lstm_planner/base/learning/optimiser.hpp"
 #include "lstm_planner/base/network/layers.hpp"
 
 namespace lstm_planner {
 
-/// How an actor-critic training goes on over its updates. Both rates sink to 0 by half a cosine.
-struct ActorCriticSchedule {
-  int updates = 1;             ///< of the whole training
-  double entropy_start = 0.0;  ///< weight of the entropy, sinking linearly
+/// What every actor-critic training needs, whatever the course is. A course has its own defaults. Both learning rates
+/// fall to 0 along half a cosine.
+struct ActorCriticParameters {
+  std::vector<int> critic_units = {48, 32};
+  int window = 64;         ///< steps; errors go back at most that far
+  int max_steps = 300;     ///< of an episode
+  double discount = 0.99;  ///< a step
+  double advantage_decay = 0.95;
+  double entropy_start = 0.0;  ///< weight of the entropy, changing linearly
   double entropy_end = 0.0;
+  double step_cost = 0.0;  ///< in the course's unit of length, as the bonus
+  double arrival_bonus = 0.0;
   double learning_rate = 0.0;
   double critic_learning_rate = 0.0;
-  double max_gradient_norm = 0.0;
+  double max_gradient_norm = 0.5;
+  std::uint64_t seed = 1;
+  int threads = 2;                            ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
 };
 
-/// Of the parameters of a course, which name these alike.
-template <typename Parameters>
-ActorCriticSchedule actorCriticSchedule(const Parameters& parameters, int updates) {
-  return {updates,
-          parameters.entropy_start,
-          parameters.entropy_end,
-          parameters.learning_rate,
-          parameters.critic_learning_rate,
-          parameters.max_gradient_norm};
-}
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const ActorCriticParameters& parameters);
 
 /// The weights of a policy and its critic while they learn, whatever the course is: optimisers, schedule, the variance
 /// of the advantages, and the checkpoint of it all.
@@ -42,8 +45,9 @@ class ActorCritic {
   };
 
   /// The layers with the weights to start from. `sets`: parts of the course that have a variance each.
-  ActorCritic(const CheckpointNames& names, const ActorCriticSchedule& schedule, const LayerStack& policy,
-              const LayerStack& critic, std::size_t sets);
+  /// `updates`: of the whole training.
+  ActorCritic(const CheckpointNames& names, const ActorCriticParameters& parameters, int updates,
+              const LayerStack& policy, const LayerStack& critic, std::size_t sets);
 
   const Eigen::VectorXf& policy() const { return policy_; }
   const Eigen::VectorXf& critic() const { return critic_; }
@@ -73,7 +77,8 @@ class ActorCritic {
   double rate() const;
 
   CheckpointNames names_;
-  ActorCriticSchedule schedule_;
+  ActorCriticParameters parameters_;
+  int last_update_;
   Eigen::VectorXf policy_;
   Eigen::VectorXf critic_;
   Optimiser policy_optimiser_;

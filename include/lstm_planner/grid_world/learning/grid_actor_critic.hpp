@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/communicator.hpp"
-#include "lstm_planner/base/learning/optimiser.hpp"
+#include "lstm_planner/base/learning/actor_critic.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_learner.hpp"
 
@@ -17,25 +16,23 @@ namespace lstm_planner {
 /// synchronous form) with generalised advantages (Schulman et al., ICLR 2016). Actions are always those that the shield
 /// allows. The reward is what a step brings the agent nearer to the goal by the true shortest path, less a cost a step;
 /// neither that distance nor the critic, which sees it, is known to the agent that is shipped.
-struct GridActorCriticParameters {
+///
+/// Lengths are in cells. An update is made after `window` steps of each agent.
+struct GridActorCriticParameters : ActorCriticParameters {
+  GridActorCriticParameters() {
+    max_steps = 1500;
+    discount = 0.997;
+    entropy_start = 0.0015;
+    entropy_end = 0.0001;
+    step_cost = 0.2;
+    arrival_bonus = 10.0;
+    learning_rate = 0.003;
+    critic_learning_rate = 0.003;
+  }
+
   GridEncoderParameters encoder;
-  std::vector<int> critic_units = {48, 32};
-  int updates = 20000;      ///< of the weights, over all epochs
-  int agents = 128;         ///< at a time; rounded up to whole tiles
-  int window = 64;          ///< steps of each agent an update: errors go back that far
-  int max_steps = 1500;     ///< of an episode
-  double discount = 0.997;  ///< a step
-  double advantage_decay = 0.95;
-  double entropy_start = 0.0015;  ///< weight of the entropy, sinking linearly
-  double entropy_end = 0.0001;
-  double step_cost = 0.2;       ///< cells
-  double arrival_bonus = 10.0;  ///< cells
-  double learning_rate = 0.003;
-  double critic_learning_rate = 0.003;
-  double max_gradient_norm = 0.5;
-  std::uint64_t seed = 1;
-  int threads = 2;                            ///< does not change the result
-  Communicator* communicator = oneProcess();  ///< ranks that share the agents; does not change the result
+  int updates = 20000;  ///< of the weights, over all epochs
+  int agents = 128;     ///< at a time; rounded up to whole tiles
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "lstm_planner/base/common/communicator.hpp"
+#include "lstm_planner/base/learning/actor_critic.hpp"
 #include "lstm_planner/robot/dataset/dataset.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/learning/drive_course.hpp"
@@ -16,32 +16,29 @@ namespace lstm_planner {
 /// only), generalised advantages, and updates that stay near the policy that drove (Schulman et al., "Proximal policy
 /// optimization algorithms", 2017). Drives are StepSimulator's, under random conditions. The reward of a step is what
 /// it brings the robot nearer to the goal by the teacher's path, less a cost.
-struct DriveActorCriticParameters {
+///
+/// Lengths are in m, and an episode is a drive.
+struct DriveActorCriticParameters : ActorCriticParameters {
+  DriveActorCriticParameters() {
+    window = 32;
+    entropy_start = 0.003;
+    entropy_end = 0.0003;
+    step_cost = 0.05;
+    arrival_bonus = 3.0;
+    learning_rate = 0.002;
+    critic_learning_rate = 0.005;
+  }
+
   PolicyDescription policy;
   DriveCourseParameters course;
-  std::vector<int> critic_units = {48, 32};
-  int iterations = 60;     ///< collect, then update
-  int worlds = 16;         ///< an iteration, new ones each time
-  int goals = 2;           ///< a world
-  int starts = 8;          ///< drives to a goal
-  int max_steps = 300;     ///< of a drive
-  int window = 32;         ///< steps that errors go back at most
-  int passes = 4;          ///< over what was collected
-  double sharpness = 3.0;  ///< times the first policy's preferences, which imitation leaves too close for drawing
-  double clip = 0.2;       ///< how far from 1 a probability's change still counts
-  double discount = 0.99;  ///< a step
-  double advantage_decay = 0.95;
-  double entropy_start = 0.003;  ///< weight of the entropy, sinking linearly
-  double entropy_end = 0.0003;
-  double step_cost = 0.05;     ///< m
-  double arrival_bonus = 3.0;  ///< m
-  double contact_cost = 0.5;   ///< m
-  double learning_rate = 0.002;
-  double critic_learning_rate = 0.005;
-  double max_gradient_norm = 0.5;
-  std::uint64_t seed = 1;
-  int threads = 2;                            ///< does not change the result
-  Communicator* communicator = oneProcess();  ///< ranks that share the drives; does not change the result
+  int iterations = 60;        ///< collect, then update
+  int worlds = 16;            ///< an iteration, new ones each time
+  int goals = 2;              ///< a world
+  int starts = 8;             ///< drives to a goal
+  int passes = 4;             ///< over what was collected
+  double sharpness = 3.0;     ///< times the first policy's preferences, which imitation leaves too close for drawing
+  double clip = 0.2;          ///< how far from 1 a probability's change still counts
+  double contact_cost = 0.5;  ///< m
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

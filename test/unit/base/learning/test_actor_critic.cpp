@@ -18,13 +18,13 @@ LayerStack network(int outputs, std::uint64_t seed) {
 }
 
 ActorCritic learner(const std::string& format = "test 1", std::size_t sets = 2) {
-  ActorCriticSchedule schedule;
-  schedule.updates = 4;
-  schedule.entropy_start = 0.3;
-  schedule.entropy_end = 0.1;
-  schedule.learning_rate = 0.01;
-  schedule.critic_learning_rate = 0.02;
-  return {{format, "updates"}, schedule, network(2, 1), network(1, 2), sets};
+  ActorCriticParameters parameters;
+  parameters.entropy_start = 0.3;
+  parameters.entropy_end = 0.1;
+  parameters.learning_rate = 0.01;
+  parameters.critic_learning_rate = 0.02;
+  parameters.max_gradient_norm = 0.0;  // none
+  return {{format, "updates"}, parameters, 4, network(2, 1), network(1, 2), sets};
 }
 
 void learn(ActorCritic* learner) {
