@@ -70,7 +70,7 @@ int wallsThatHinder(double wheel_acceleration) {
   const MotionController controller(limits);
   Shield shield(kRadius, 0.03, 6.0);
   const Twist2 before{1.2, -1.2};
-  const std::vector<Pose2> plan = test::planAlong({{0.0, 0.0}, {0.0, 3.0}});
+  const std::vector<Pose2> plan = test::planAlong({{0.0, 0.0}, pointAlong(Point2{}, 1.0, 3.0)});
   const auto command = [&] {
     return controller.compute({plan, {}, before, shield, kPeriod}, {}, {}, {std::nullopt, false, before});
   };
