@@ -3,20 +3,19 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "lstm_planner/base/learning/q_learner.hpp"
 #include "tools/command_line.hpp"
 #include "tools/ranges.hpp"
 
 namespace lstm_planner {
 
-// What the Q-learning trainings of the grid world (GridQLearningParameters) and of the robot (DriveQLearningParameters)
-// have in common on the command line.
+// What the Q-learning trainings of the grid world and of the robot have in common on the command line.
 
 /// `parameters` hold the defaults and take the values. `unit`: of lengths; `update`: what the learner counts.
-template <typename Parameters>
-void addQLearningOptions(const std::string& unit, const std::string& update, Parameters* parameters,
-                         CommandLine* line) {
-  using Reward = typename Parameters::Reward;
-  Parameters& p = *parameters;
+inline void addQLearningOptions(const std::string& unit, const std::string& update, QLearningParameters* parameters,
+                                CommandLine* line) {
+  using Reward = QLearningParameters::Reward;
+  QLearningParameters& p = *parameters;
   line->add("discount", &p.discount, kAnyShare, "discount factor per step (gamma)");
   line->add("trace-decay", &p.trace_decay, kAnyShare, "decay of the returns over several steps (lambda); 0: one step");
   line->add("double-q", &p.double_q,
@@ -45,8 +44,7 @@ void addQLearningOptions(const std::string& unit, const std::string& update, Par
 }
 
 /// What was given, by the options' names.
-template <typename Parameters>
-nlohmann::json qLearningSettings(const Parameters& p) {
+inline nlohmann::json qLearningSettings(const QLearningParameters& p) {
   return {{"discount", p.discount},
           {"trace-decay", p.trace_decay},
           {"double-q", p.double_q},
@@ -54,7 +52,7 @@ nlohmann::json qLearningSettings(const Parameters& p) {
           {"exploration-start", p.exploration_start},
           {"exploration-end", p.exploration_end},
           {"exploration-share", p.exploration_share},
-          {"reward", p.reward == Parameters::Reward::kThesis ? "thesis" : "progress"},
+          {"reward", p.reward == QLearningParameters::Reward::kThesis ? "thesis" : "progress"},
           {"step-cost", p.step_cost},
           {"arrival-bonus", p.arrival_bonus},
           {"tau-range", p.thesis_reward.range},

@@ -7,32 +7,65 @@
 #include <stdexcept>
 
 #include "base/learning/optimiser_json.hpp"
+#include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 
 namespace lstm_planner {
 
-OptimiserParameters optimiserParameters(const QLearner::Schedule& schedule) {
-  OptimiserParameters parameters;
-  parameters.learning_rate = schedule.learning_rate;
-  parameters.max_gradient_norm = schedule.max_gradient_norm;
-  return parameters;
+namespace {
+
+OptimiserParameters optimiserParameters(const QLearningParameters& parameters) {
+  OptimiserParameters optimiser;
+  optimiser.learning_rate = parameters.learning_rate;
+  optimiser.max_gradient_norm = parameters.max_gradient_norm;
+  return optimiser;
 }
 
-QLearner::QLearner(const CheckpointNames& names, const Schedule& schedule, const LayerStack& layers)
+}  // namespace
+
+void validate(const QLearningParameters& parameters) {
+  const auto atLeastOne = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
+  atLeastOne("window", parameters.window);
+  atLeastOne("max_steps", parameters.max_steps);
+  atLeastOne("threads", parameters.threads);
+  const auto share = [](const char* name, double value) {
+    checkParameter(value >= 0.0 && value <= 1.0, name, value, "0 to 1");
+  };
+  checkParameter(parameters.target_interval >= 1, "target_interval", parameters.target_interval, "at least 1");
+  checkParameter(parameters.discount >= 0.0 && parameters.discount < 1.0, "discount", parameters.discount,
+                 "a number in [0, 1)");
+  share("trace_decay", parameters.trace_decay);
+  share("exploration_start", parameters.exploration_start);
+  share("exploration_end", parameters.exploration_end);
+  share("exploration_share", parameters.exploration_share);
+  const auto cost = [](const char* name, double value) { checkParameter(value >= 0.0, name, value, "at least 0"); };
+  cost("step_cost", parameters.step_cost);
+  cost("arrival_bonus", parameters.arrival_bonus);
+  cost("thesis_reward.range", parameters.thesis_reward.range);
+  cost("thesis_reward.distance", parameters.thesis_reward.distance);
+  cost("thesis_reward.angle", parameters.thesis_reward.angle);
+  checkPositive("value_scale", parameters.value_scale);
+  checkPositive("huber", parameters.huber);
+  validate(optimiserParameters(parameters));
+}
+
+QLearner::QLearner(const CheckpointNames& names, const QLearningParameters& parameters, int updates,
+                   const LayerStack& layers)
     : names_(names),
-      schedule_(schedule),
+      parameters_(parameters),
+      last_update_(updates),
       weights_(parameterVector(layers)),
       target_weights_(weights_),
-      optimiser_(optimiserParameters(schedule), weightMask(layers)) {}
+      optimiser_(optimiserParameters(parameters), weightMask(layers)) {}
 
-double QLearner::progress() const { return std::min(1.0, static_cast<double>(updates_) / schedule_.updates); }
+double QLearner::progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
 
 void QLearner::startUpdate() {
-  if (updates_ % schedule_.target_interval == 0) target_weights_ = weights_;
+  if (updates_ % parameters_.target_interval == 0) target_weights_ = weights_;
 }
 
 void QLearner::update(const Eigen::VectorXf& gradient) {
-  optimiser_.update(gradient, schedule_.learning_rate * 0.5 * (1.0 + std::cos(M_PI * progress())), weights_);
+  optimiser_.update(gradient, parameters_.learning_rate * 0.5 * (1.0 + std::cos(M_PI * progress())), weights_);
 }
 
 void QLearner::finishUpdate(double steps) {

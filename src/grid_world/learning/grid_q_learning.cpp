@@ -31,11 +31,7 @@ void validate(const GridQLearningParameters& parameters) {
   const auto atLeastOne = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
   atLeastOne("updates", parameters.updates);
   atLeastOne("agents", parameters.agents);
-  atLeastOne("window", parameters.window);
-  atLeastOne("max_steps", parameters.max_steps);
-  atLeastOne("threads", parameters.threads);
-  validateQ(parameters);
-  validate(optimiserParameters(qLearningSchedule(parameters, parameters.updates)));
+  validate(static_cast<const QLearningParameters&>(parameters));
 }
 
 class GridQLearning::Implementation {
@@ -43,7 +39,7 @@ class GridQLearning::Implementation {
   Implementation(const GridQLearningParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         layers_((checkFit(layers, GridEncoder(parameters.encoder)), std::move(layers))),
-        learner_(kCheckpointNames, qLearningSchedule(parameters, parameters.updates), layers_),
+        learner_(kCheckpointNames, parameters, parameters.updates, layers_),
         tiles_(parameters.communicator, parameters.threads,
                [this] { return std::make_unique<QTileRunner>(parameters_, layers_); }) {}
 

@@ -23,7 +23,7 @@ constexpr double kNearest = 0.1;
 
 }  // namespace
 
-double driveThesisReward(const Observation& observation, const DriveThesisRewardWeights& weights) {
+double driveThesisReward(const Observation& observation, const ThesisRewardWeights& weights) {
   double proximity = 0.0;
   for (const double range : observation.sector_ranges) proximity += 1.0 / std::max(kNearest, range);
   return -(weights.range * proximity + weights.distance * observation.goal_distance +
@@ -36,13 +36,9 @@ void validate(const DriveQLearningParameters& parameters) {
   atLeastOne("worlds", parameters.worlds);
   atLeastOne("goals", parameters.goals);
   atLeastOne("starts", parameters.starts);
-  atLeastOne("max_steps", parameters.max_steps);
-  atLeastOne("window", parameters.window);
   atLeastOne("passes", parameters.passes);
-  atLeastOne("threads", parameters.threads);
   checkParameter(parameters.contact_cost >= 0.0, "contact_cost", parameters.contact_cost, "at least 0");
-  validateQ(parameters);
-  validate(optimiserParameters(qLearningSchedule(parameters, parameters.iterations)));
+  validate(static_cast<const QLearningParameters&>(parameters));
   validate(parameters.policy.encoder);
   validate(parameters.course);
 }
@@ -52,7 +48,7 @@ class DriveQLearning::Implementation {
   Implementation(const DriveQLearningParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         layers_(std::move(layers)),
-        learner_(kCheckpointNames, qLearningSchedule(parameters, parameters.iterations), layers_) {
+        learner_(kCheckpointNames, parameters, parameters.iterations, layers_) {
     DrivePolicy(parameters.policy, layers_);  // throws when they do not fit together
   }
 

@@ -5,10 +5,60 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/base/common/communicator.hpp"
 #include "lstm_planner/base/learning/optimiser.hpp"
 #include "lstm_planner/base/network/layers.hpp"
 
 namespace lstm_planner {
+
+/// Weights of the reward that the thesis quotes (Eq. 2.36), R(s) = -sum(tau_r r_i) + tau_d d + tau_theta theta.
+///
+/// As printed, and with weights above zero, it would send an agent away from its goal and towards the walls. It is read
+/// as R(s) = -(tau_r sum(1 / r_i) + tau_d d + tau_theta theta): the minus stands before the whole sum, and the
+/// "proximity" r_i is near if the range is short. So every term is a cost that ends with the arrival.
+struct ThesisRewardWeights {
+  double range = 0.02;     ///< tau_r, times the unit of length / range, of each range
+  double distance = 0.02;  ///< tau_d, a unit of length
+  double angle = 0.1;      ///< tau_theta, a rad
+};
+
+/// What every Q-learning training needs, whatever the course is (Watkins and Dayan 1992; thesis Eq. 2.34-2.39). A
+/// course has its own defaults and its own unit of length.
+struct QLearningParameters {
+  enum class Reward {
+    kProgress,  ///< how much shorter the true shortest path to the goal has become, less a cost a step
+    kThesis,    ///< Eq. 2.36, of the state in which the step starts
+  };
+  int window = 64;         ///< steps; errors go back at most that far
+  int max_steps = 300;     ///< of an episode
+  double discount = 0.95;  ///< gamma, a step, in [0, 1)
+
+  /// lambda in [0, 1] of returns over several steps, up to the next action that was not the best (Watkins's Q(lambda));
+  /// 0: one-step targets, Eq. 2.38.
+  double trace_decay = 0.8;
+
+  /// The network that learns chooses the best next action, and the target network gives its value (van Hasselt et al.,
+  /// "Deep reinforcement learning with double Q-learning", AAAI 2016); off: the target network does both.
+  bool double_q = true;
+  int target_interval = 1;         ///< updates between copies of the weights into the target network
+  double exploration_start = 1.0;  ///< share of random actions (epsilon), sinking linearly
+  double exploration_end = 0.05;
+  double exploration_share = 0.5;  ///< of the updates, after which exploration_end is reached
+  Reward reward = Reward::kProgress;
+  double step_cost = 0.0;      ///< a length; kProgress only
+  double arrival_bonus = 0.0;  ///< a length; kProgress only
+  ThesisRewardWeights thesis_reward;
+  double value_scale = 1.0;  ///< an output of the network times this is a value, in the reward's unit
+  double huber = 1.0;        ///< errors of values beyond it count linearly, not by their square
+  double learning_rate = 0.003;
+  double max_gradient_norm = 0.5;
+  std::uint64_t seed = 1;
+  int threads = 2;                            ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const QLearningParameters& parameters);
 
 /// The weights of a network of values while it learns, whatever the course is: the target network, optimiser and
 /// schedule, and the checkpoint of it all. The rate sinks to 0 by half a cosine.
@@ -19,16 +69,9 @@ class QLearner {
     std::string format;
     std::string updates;
   };
-  /// The length of a training, and its steps.
-  struct Schedule {
-    int updates = 1;          ///< of the whole training
-    int target_interval = 1;  ///< updates between copies of the weights into the target network
-    double learning_rate = 0.0;
-    double max_gradient_norm = 0.0;
-  };
-
   /// The layers with the weights to start from. Throws std::invalid_argument as validate(OptimiserParameters).
-  QLearner(const CheckpointNames& names, const Schedule& schedule, const LayerStack& layers);
+  /// `updates`: of the whole training.
+  QLearner(const CheckpointNames& names, const QLearningParameters& parameters, int updates, const LayerStack& layers);
 
   const Eigen::VectorXf& weights() const { return weights_; }
   const Eigen::VectorXf& targetWeights() const { return target_weights_; }
@@ -50,21 +93,13 @@ class QLearner {
 
  private:
   CheckpointNames names_;
-  Schedule schedule_;
+  QLearningParameters parameters_;
+  int last_update_;
   Eigen::VectorXf weights_;
   Eigen::VectorXf target_weights_;
   Optimiser optimiser_;
   double steps_ = 0.0;
   int updates_ = 0;
 };
-
-/// What its optimiser is told.
-OptimiserParameters optimiserParameters(const QLearner::Schedule& schedule);
-
-/// Of the parameters of a course, which name these alike.
-template <typename Parameters>
-QLearner::Schedule qLearningSchedule(const Parameters& parameters, int updates) {
-  return {updates, parameters.target_interval, parameters.learning_rate, parameters.max_gradient_norm};
-}
 
 }  // namespace lstm_planner

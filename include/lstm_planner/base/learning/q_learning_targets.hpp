@@ -2,8 +2,6 @@
 
 #include <vector>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
-
 namespace lstm_planner {
 
 /// One step of an agent. Values are in the reward's unit: cells in the grid world, m for the robot.
@@ -33,28 +31,5 @@ double huberDerivative(double error, double huber);
 /// Share of moves at random, sinking linearly from `start` to `end` at `share` of the training, `progress` of which is
 /// done.
 double explorationAt(double progress, double start, double end, double share);
-
-/// Throws std::invalid_argument naming the first parameter that makes no sense.
-template <typename Parameters>
-void validateQ(const Parameters& parameters) {
-  const auto share = [](const char* name, double value) {
-    checkParameter(value >= 0.0 && value <= 1.0, name, value, "0 to 1");
-  };
-  checkParameter(parameters.target_interval >= 1, "target_interval", parameters.target_interval, "at least 1");
-  checkParameter(parameters.discount >= 0.0 && parameters.discount < 1.0, "discount", parameters.discount,
-                 "a number in [0, 1)");
-  share("trace_decay", parameters.trace_decay);
-  share("exploration_start", parameters.exploration_start);
-  share("exploration_end", parameters.exploration_end);
-  share("exploration_share", parameters.exploration_share);
-  const auto cost = [](const char* name, double value) { checkParameter(value >= 0.0, name, value, "at least 0"); };
-  cost("step_cost", parameters.step_cost);
-  cost("arrival_bonus", parameters.arrival_bonus);
-  cost("thesis_reward.range", parameters.thesis_reward.range);
-  cost("thesis_reward.distance", parameters.thesis_reward.distance);
-  cost("thesis_reward.angle", parameters.thesis_reward.angle);
-  checkPositive("value_scale", parameters.value_scale);
-  checkPositive("huber", parameters.huber);
-}
 
 }  // namespace lstm_planner

@@ -13,11 +13,11 @@ namespace {
 QLearner learner(int units = 4) {
   LayerStack layers = makeDenseStack(3, {units}, 2);
   initialise({}, 1, layers);
-  QLearner::Schedule schedule;
-  schedule.updates = 10;
-  schedule.target_interval = 2;
-  schedule.learning_rate = 0.01;
-  return {{"test 1", "updates"}, schedule, layers};
+  QLearningParameters parameters;
+  parameters.target_interval = 2;
+  parameters.learning_rate = 0.01;
+  parameters.max_gradient_norm = 0.0;  // none
+  return {{"test 1", "updates"}, parameters, 10, layers};
 }
 
 void learn(QLearner* learner) {

@@ -28,12 +28,19 @@ LayerStack firstLayers() {
   return layers;
 }
 
+QLearningParameters parameters() {
+  QLearningParameters parameters;
+  parameters.learning_rate = 0.1;
+  parameters.max_gradient_norm = 1.0;
+  return parameters;
+}
+
 /// An optimiser with momentum of its own learns to have all weights 1.
 class Toy : public SteppedTraining {
  public:
   explicit Toy(bool resumable_anywhere = true)
       : layers_(firstLayers()),
-        learner_({"toy", "updates"}, {kSteps, 1, 0.1, 1.0}, layers_),
+        learner_({"toy", "updates"}, parameters(), kSteps, layers_),
         resumable_anywhere_(resumable_anywhere) {}
 
   bool done() const override { return steps() == kSteps; }
