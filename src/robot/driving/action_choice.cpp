@@ -1,6 +1,12 @@
 #include "lstm_planner/robot/driving/action_choice.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "lstm_planner/base/common/random.hpp"
 
 namespace lstm_planner {
 
@@ -29,6 +35,17 @@ void preferBearing(const ActionSet& actions, double bearing, std::vector<float>*
     const double off = std::abs(normalizeAngle(actions.angle(action) - bearing));
     (*preferences)[static_cast<std::size_t>(action)] = static_cast<float>(-off);
   }
+}
+
+int drawAction(const std::vector<float>& preferences, std::uint64_t seed) {
+  Random random(seed);
+  // The largest sum of a preference and a number of Gumbel's distribution is that of an action drawn by softmax.
+  std::pair<double, int> largest{-std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t i = 0; i < preferences.size(); ++i) {
+    const double sum = static_cast<double>(preferences[i]) - std::log(-std::log(uniform(random)));
+    largest = std::max(largest, std::pair<double, int>(sum, static_cast<int>(i)));
+  }
+  return largest.second;
 }
 
 }  // namespace lstm_planner

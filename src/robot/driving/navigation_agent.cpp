@@ -21,6 +21,10 @@ constexpr int kBlocks = 3;
 /// m; a goal that moves farther between two calls is another goal.
 constexpr double kGoalShift = 0.25;
 
+/// Times the patience, after which a robot without rescue takes a goal behind an obstacle for reached: with one, twice
+/// as many of these were on the other side of a wall.
+constexpr double kPatienceBesideGoal = 8.0;
+
 /// Why a leader leads.
 const char* const kNewGoal = "new goal";
 const char* const kChosen = "the parameter leader was changed";
@@ -128,6 +132,7 @@ void NavigationAgent::setGoal(const Point2& goal) {
   trace_.clear();
   clock_.clear();
   progress_.clear();
+  driven_ = 0.0;
   look_around_turn_ = 0.0;
   lead(parameters_.leader, kNewGoal);
   decision_.source = Source::kLookAround;
@@ -179,6 +184,10 @@ const Decision& NavigationAgent::decideAbout(const Situation& situation) {
   if (!clock_.hasStep() || stepIsOver(situation)) {
     noteProgress(situation);
     losePatience();
+    if (isBesideGoal(situation)) {
+      stopBesideGoal(situation);
+      return decision_;
+    }
     startStep(situation);
     decide(situation);
   } else if (clock_.isStalled(situation)) {
@@ -222,6 +231,7 @@ bool NavigationAgent::pathIsFree(const Situation& situation) const {
 void NavigationAgent::noteProgress(const Situation& situation) {
   const bool is_first = !progress_.hasBest();
   const double driven = is_first ? 0.0 : clock_.moved(situation);
+  driven_ += driven;
   if (progress_.note(distanceBetween(situation.pose, goal_), driven)) {
     startFrom(situation, is_first ? kNewGoal : kNearerThanEver);
   }
@@ -262,13 +272,32 @@ void NavigationAgent::losePatience() {
   }
 }
 
+/// Nothing rescues the leader, the goal is near, and it seems to lie in or behind an obstacle.
+bool NavigationAgent::isBesideGoal(const Situation& situation) const {
+  const bool is_rescued = parameters_.escape.enabled || decision_.leader == Source::kRoute;
+  if (is_rescued || !parameters_.shield_enabled || !isOutOfPatience(kPatienceBesideGoal)) return false;
+  const double distance = distanceBetween(situation.pose, goal_);
+  const double direction = directionTo(situation.pose, goal_);
+  return distance <= toleranceAfter(driven_, parameters_) && isInView(situation, direction) &&
+         !isFreeUpTo(situation, direction, distance);
+}
+
+void NavigationAgent::stopBesideGoal(const Situation& situation) {
+  goTo(situation, Source::kArrived, directionTo(situation.pose, goal_), 0.0);
+  decision_.destination = decision_.waypoint;
+  decision_.goal_seems = Decision::GoalSeems::kBehindObstacle;
+}
+
 void NavigationAgent::startStep(const Situation& situation) {
   const double cell = policy_.description().encoder.position_cell;
   const Observation observation = observe(situation, goal_, previousAction(), cell, &trace_);
+  imposed_action_.reset();
   advanceNetwork(observation);
   clock_.start(situation);
   ++decision_.step;
-  imposed_action_ = step_listener_ ? step_listener_(situation, observation) : std::nullopt;
+  if (!step_listener_) return;
+  const std::optional<int> steered = step_listener_(situation, observation);
+  if (steered) imposed_action_ = steered;
 }
 
 double NavigationAgent::previousAction() const {
@@ -292,6 +321,10 @@ void NavigationAgent::advanceNetwork(const Observation& observation) {
   Eigen::Index preferred = 0;
   preferences.maxCoeff(&preferred);
   decision_.preferred = static_cast<int>(preferred);
+  if (parameters_.draw_after > 0 && progress_.steps() >= parameters_.draw_after) {
+    imposed_action_ = drawAction(decision_.preferences, static_cast<std::uint64_t>(decision_.step));
+    decision_.preferred = *imposed_action_;
+  }
 }
 
 void NavigationAgent::decide(const Situation& situation) {
@@ -335,15 +368,23 @@ NavigationAgent::Source NavigationAgent::guide(const Situation& situation) {
   return guidance;
 }
 
+bool NavigationAgent::isInView(const Situation& situation, double direction) {
+  return std::abs(normalizeAngle(direction - situation.pose.yaw)) <= M_PI_2;
+}
+
+/// Whether the robot could drive straight to a goal in that direction (rad), so far away (m).
+bool NavigationAgent::isFreeUpTo(const Situation& situation, double direction, double distance) const {
+  return freeDistance(situation, direction, distance, parameters_.shield.tight_clearance) >=
+         distance - 0.5 * parameters_.goal_tolerance;
+}
+
 bool NavigationAgent::chooseGoalInSight(const Situation& situation) {
   const double distance = distanceBetween(situation.pose, decision_.destination);
   if (!parameters_.shield_enabled || distance > parameters_.goal_in_sight) {
     return false;
   }
   const double direction = directionTo(situation.pose, decision_.destination);
-  const bool seen = std::abs(normalizeAngle(direction - situation.pose.yaw)) <= M_PI_2;
-  if (!seen || freeDistance(situation, direction, distance, parameters_.shield.tight_clearance) <
-                   distance - 0.5 * parameters_.goal_tolerance) {
+  if (!isInView(situation, direction) || !isFreeUpTo(situation, direction, distance)) {
     return false;
   }
   goTo(situation, Source::kGoalInSight, direction, distance);

@@ -34,6 +34,9 @@ AgentParameters practiceAgent(const PolicyDescription& policy) {
   agent.shield.footprint_radius = policy.footprint_radius;
   agent.escape.enabled = false;
   agent.memory.enabled = false;
+  // Judged is what the network reaches by the answers that it prefers.
+  agent.goal_drift = 0.0;
+  agent.draw_after = 0;
   return fittedToFootprint(agent);
 }
 

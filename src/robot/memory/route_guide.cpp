@@ -127,7 +127,7 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
   return Source::kRoute;
 }
 
-double RouteGuide::tolerance() const { return parameters_.goal_tolerance + parameters_.goal_drift * driven_; }
+double RouteGuide::tolerance() const { return toleranceAfter(driven_, parameters_); }
 
 bool RouteGuide::isGoalBehindObstacle(const Point2& here, const Point2& goal) const {
   return RouteFinder::isDetour(distanceBetween(here, goal), route().length, kNearGoal * tolerance());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -39,5 +40,8 @@ class ActionChoice {
 
 /// One preference for each action: the nearer it is to `bearing` (rad, relative to the heading), the higher.
 void preferBearing(const ActionSet& actions, double bearing, std::vector<float>* preferences);
+
+/// Draws an action with the probabilities that the preferences mean (softmax). The same for the same seed.
+int drawAction(const std::vector<float>& preferences, std::uint64_t seed);
 
 }  // namespace lstm_planner

@@ -80,6 +80,7 @@ struct AgentParameters {
   double goal_tolerance = 0.15;
   double goal_in_sight = 1.5;
   double goal_drift = 0.03;
+  int draw_after = 60;
 };
 
 /// Largest distance, in squares of the memory, at which an obstacle matters to the middle of the footprint: the time
@@ -105,6 +106,10 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
         "out to lie in or behind an obstacle counts as reached from that distance; larger searches less often for a "
         "path to the other side of a wall, and misses more goals that really are there; 0 if odometry is corrected by"
         " a localisation");
+  visit("draw_after", agent.draw_after, {0, 1000000}, "",
+        "steps without a new best distance to the goal, after which the network's steering angle is drawn with the "
+        "probabilities that the network gives, as in training, so that the robot leaves circles; with the rescue only "
+        "if it is more than escape/patience_steps; 0: the most probable angle always");
   auto& step = agent.step;
   visit("step/length", step.length, {0.05, 5.0}, "m",
         "distance to the waypoint; a step ends when the robot has moved this far; must be that of the model");
@@ -182,6 +187,11 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
 
 /// Of the shield. Throws std::invalid_argument as footprintOf() for two parameters.
 Footprint footprintOf(const ShieldParameters& shield);
+
+/// How near (m) to the goal a robot that has driven so far (m) may have arrived: odometry may be wrong by goal_drift.
+inline double toleranceAfter(double driven, const AgentParameters& parameters) {
+  return parameters.goal_tolerance + parameters.goal_drift * driven;
+}
 
 /// The same parameters with memory/resolution and memory/width adapted to the footprint, for robots of other sizes than
 /// that of the defaults. If no values fit, they stay as they are. For a polygon the radius is the one that it needs to

@@ -36,7 +36,8 @@ struct Decision {
   Point2 waypoint;                      ///< odometry frame
   double direction = 0.0;               ///< rad, odometry frame, from where the decision was made to the waypoint
   int action = -1;                      ///< index of the steering angle; -1 when the waypoint is not one of them
-  int preferred = -1;                   ///< the action that the network prefers of all; -1 when none is asked
+  int preferred = -1;                   ///< the network's answer: the action that it prefers of all, or that was drawn
+                                        ///< by its preferences; -1 when it is not asked
   std::vector<float> preferences;       ///< the network's, one an action
   std::vector<char> allowed;            ///< the shield's word, one an action
   bool on_route = false;                ///< the waypoint lies on, or beside, the path through what is remembered

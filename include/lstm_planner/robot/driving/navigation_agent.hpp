@@ -30,6 +30,9 @@ namespace lstm_planner {
 ///
 /// With AgentParameters::leader the route, or only the goal's bearing, leads instead of the network.
 ///
+/// Without rescue, a network that makes no progress draws its steps (AgentParameters::draw_after), and in the end a
+/// goal counts as reached in front of an obstacle in which, or behind which, odometry may have moved it (goal_drift).
+///
 /// The hidden state advances once a step (StepClock) and at no other time: asking twice gives the same answer. Not
 /// thread safe. All poses and goals are in one frame, in which the robot moves without jumps: the odometry frame, or
 /// one in which a localisation corrects it a little at a time.
@@ -120,6 +123,8 @@ class NavigationAgent {
   void noteProgress(const Situation& situation);
   void startFrom(const Situation& situation, const char* why);
   void losePatience();
+  bool isBesideGoal(const Situation& situation) const;
+  void stopBesideGoal(const Situation& situation);
   bool isOutOfPatience(double times) const;
   void lead(Source leader, const char* why);
   void startStep(const Situation& situation);
@@ -130,6 +135,8 @@ class NavigationAgent {
   void decide(const Situation& situation);
   Decision::GoalSeems judgeGoal(const Situation& situation, Source guidance) const;
   Source guide(const Situation& situation);
+  static bool isInView(const Situation& situation, double direction);
+  bool isFreeUpTo(const Situation& situation, double direction, double distance) const;
   bool chooseGoalInSight(const Situation& situation);
   void chooseAsLed(const Situation& situation, Source guidance);
   void chooseAction(const Situation& situation);
@@ -157,10 +164,11 @@ class NavigationAgent {
   DriveTrace trace_;
   StepClock clock_;
   DrivenProgressWatch progress_;
+  double driven_ = 0.0;   ///< m since the goal was set, from step to step
   Point2 best_position_;  ///< where the robot was nearest to the goal
   StepListener step_listener_;
-  std::optional<int> imposed_action_;
-  double look_around_turn_ = 0.0;  ///< rad, sign of the turn while nothing is free
+  std::optional<int> imposed_action_;  ///< by the listener, or drawn
+  double look_around_turn_ = 0.0;      ///< rad, sign of the turn while nothing is free
 };
 
 }  // namespace lstm_planner

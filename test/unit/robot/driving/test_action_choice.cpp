@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lstm_planner/robot/driving/action_choice.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
@@ -47,6 +49,27 @@ TEST_F(ActionChoiceTest, PrefersTheActionNearestToTheBearing) {
   EXPECT_EQ(choose()->index, 3);
   preferBearing(actions_, 3.0, &preferences_);
   EXPECT_EQ(choose()->index, 4);
+}
+
+TEST_F(ActionChoiceTest, DrawsActionsAsOftenAsThePreferencesMean) {
+  const std::vector<float> softmax{0.1f, 0.2f, 0.3f, 0.1f, 0.3f};
+  constexpr int kDraws = 4000;
+  std::vector<int> drawn(softmax.size());
+  for (std::size_t i = 0; i < softmax.size(); ++i) preferences_[i] = std::log(softmax[i]);
+  for (std::uint64_t seed = 0; seed < kDraws; ++seed) {
+    ++drawn[static_cast<std::size_t>(drawAction(preferences_, seed))];
+  }
+  for (std::size_t i = 0; i < softmax.size(); ++i) {
+    const auto share = static_cast<double>(softmax[i]);
+    const double four_deviations = 4.0 * std::sqrt(share * (1.0 - share) / kDraws);
+    EXPECT_NEAR(drawn[i] / static_cast<double>(kDraws), share, four_deviations) << "action " << i;
+  }
+}
+
+TEST_F(ActionChoiceTest, DrawsTheSameForTheSameSeed) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    EXPECT_EQ(drawAction(preferences_, seed), drawAction(preferences_, seed));
+  }
 }
 
 }  // namespace
