@@ -46,19 +46,26 @@ else
   left_out shellcheck 'it is not installed'
 fi
 
-# Public headers: comments that name a parameter or a class which does not exist, and markup that nothing understands.
+# What config/rosdoc.yaml says of $1.
+rosdoc_setting() { sed -n "s/^ *$1: '\\(.*\\)'$/\\1/p" config/rosdoc.yaml; }
+
+# Public headers, as rosdoc_lite finds them in a catkin workspace: comments that name a parameter or a class which does not
+# exist, markup that nothing understands, and headers that its patterns leave out.
 if ! command -v doxygen >/dev/null; then
   left_out doxygen 'it is not installed'
 elif ! doxygen --version | grep -q '^1\.9'; then
   left_out doxygen "version 1.9 is needed, this is $(doxygen --version)"
 else
   pages="$(mktemp -d)"
+  mkdir -p "$pages/workspace/src"
+  ln -s "$PWD" "$pages/workspace/src/lstm_planner"
   doxygen - <<DOXYGEN || status=1
 OUTPUT_DIRECTORY = $pages
-INPUT = include/lstm_planner
-EXCLUDE = include/lstm_planner/compat
+INPUT = $pages/workspace/src/lstm_planner
+FILE_PATTERNS = $(rosdoc_setting file_patterns)
+EXCLUDE_PATTERNS = $(rosdoc_setting exclude_patterns)
 RECURSIVE = YES
-STRIP_FROM_PATH = include
+STRIP_FROM_PATH = $pages/workspace/src/lstm_planner/include
 GENERATE_HTML = NO
 GENERATE_LATEX = NO
 GENERATE_XML = YES
@@ -66,6 +73,13 @@ QUIET = YES
 WARN_IF_UNDOCUMENTED = NO
 WARN_AS_ERROR = FAIL_ON_WARNINGS
 DOXYGEN
+  differing="$(comm -3 <(cd include && find . -name '*.hpp' -printf '%P\n' | sort) \
+    <(find "$pages/xml" -name '*_8hpp.xml' -exec sed -n 's/.*<location file="\([^"]*\.hpp\)".*/\1/p' {} + | sort -u))"
+  if [ -n "$differing" ]; then
+    echo "lint: config/rosdoc.yaml leaves out headers of include/ (left), or lets in others (right):" >&2
+    head -n 20 <<<"$differing" >&2
+    status=1
+  fi
   rm -r "$pages"
 fi
 

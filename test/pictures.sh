@@ -6,7 +6,7 @@ usage() {
   cat <<'USAGE'
 Usage: bash test/pictures.sh [NAME...]
 
-Makes launch/NAME.png again; NAME is rviz, panel, record_dataset or replay; without NAME all of them. Needs a sourced workspace in
+Makes launch/NAME.png again; NAME is rviz, panel, record_dataset, advice or replay; without NAME all of them. Needs a sourced workspace in
 which the package is built, and the programs rviz, Xvfb and scrot. Look at the pictures before you commit them.
 
 Exit status: 0 when all were made.
@@ -71,11 +71,14 @@ make_picture() {
     record_dataset)
       take record_dataset "$whole" 25 record_dataset.launch teleop:=scripted "output:=$scratch/drives.sqlite" \
         "map:=$config/demo_building.yaml" "waypoints:=$config/demo_waypoints.yaml" rviz:=true ;;
+    advice)
+      take advice 366,62,898,808 40 advice.launch teleop:=scripted "map:=$config/demo_building.yaml" \
+        "waypoints:=[[6.5, 1.25], [2.0, 8.25]]" rviz:=true ;;
     replay) take replay "$whole" 45 replay.launch "bag:=$folder/../test/bags/dead_end.bag" rviz:=true ;;
-    *) fail "there is no picture '$1'; expected rviz, panel, record_dataset or replay" ;;
+    *) fail "there is no picture '$1'; expected rviz, panel, record_dataset, advice or replay" ;;
   esac
 }
 
-[ "$#" -gt 0 ] || set -- rviz panel record_dataset replay
+[ "$#" -gt 0 ] || set -- rviz panel record_dataset advice replay
 start_screen
 for name in "$@"; do make_picture "$name"; done

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
@@ -64,6 +65,24 @@ void printLeaders(std::ostream& out, const std::vector<DriveResult>& results) {
     out << "; the network was overruled in " << 100.0 * overruledShare(results) << " %";
   }
   out << "\n";
+}
+
+/// A line for each class of DynaBARN's worlds.
+void printDynaBarn(std::ostream& out, const DriveCourse& course, const DriveResults& results) {
+  std::map<DynaBarnClass, std::vector<DriveResult>> classes;
+  for (std::size_t i = 0; i < course.worlds.size(); ++i) {
+    std::vector<DriveResult>& all = classes[dynaBarnClassOf(course.worlds[i].exercises[0].number)];
+    all.insert(all.end(), results[i].begin(), results[i].end());
+  }
+  for (const auto& [difficulty, all] : classes) {
+    const DriveSummary summary = summarize(all);
+    const auto drove_into = std::count_if(all.begin(), all.end(), [](const DriveResult& result) {
+      return result.end == DriveResult::End::kTouched && result.contacts > 0;
+    });
+    out << toString(difficulty) << " worlds: " << summary.reached << " of " << summary.goals
+        << " reached; ended by touching a cylinder: " << summary.touched << " (the robot drove into " << drove_into
+        << " of them)\n";
+  }
 }
 
 std::string columnName(Decision::Source source) {
@@ -132,11 +151,7 @@ void printDriveSummary(std::ostream& out, const DriveCourse& course, const Drive
   if (course.is_barn) printBarnScore(out, all);
   if (course.left_out > 0)
     out << "worlds left out, because the robot does not fit into them: " << course.left_out << '\n';
-  if (course.is_dynabarn) {
-    const DriveSummary summary = summarize(all);
-    out << "ended by touching a cylinder: " << summary.touched << " (the robot drove into " << summary.contacts
-        << ", ran into the robot: " << summary.bumped << ")\n";
-  }
+  if (course.is_dynabarn) printDynaBarn(out, course, results);
 }
 
 std::string driveJson(const DriveOptions& options, const DriveCourse& course, const DriveResults& results) {

@@ -20,8 +20,10 @@ constexpr double kShortestInMap = 2.0;    // m
 constexpr double kTimeLimit = 1800.0;     // s
 constexpr double kRoomTimeLimit = 120.0;  // s
 constexpr double kRoomSize = 10.0;        // m
-constexpr int kDynaBarnWorlds = 60;
-constexpr double kDynaBarnStart = 8.5;  // m from the middle
+constexpr int kDynaBarnWorlds = 3 * kDynaBarnWorldsAClass;
+constexpr double kDynaBarnStart = 11.0;   // m, x
+constexpr double kDynaBarnGoal = -9.0;    // m, x
+constexpr double kDynaBarnArrival = 1.0;  // m from the goal
 
 bool isWanted(const DriveOptions& options, int number) {
   return options.only.empty() || std::find(options.only.begin(), options.only.end(), number) != options.only.end();
@@ -133,7 +135,8 @@ void addDynaBarn(const DriveOptions& options, DriveCourse* course) {
     course->worlds.push_back(gridWorld(name, cylindersFloor(), options));
     DriveWorld& world = course->worlds.back();
     world.cylinders = drawMovingCylinders(number, seed);
-    const DriveTask task{{kDynaBarnStart, 0.0, M_PI}, {-kDynaBarnStart, 0.0}, 2.0 * kDynaBarnStart - 1.0};
+    const DriveTask task{
+        {kDynaBarnStart, 0.0, M_PI}, {kDynaBarnGoal, 0.0}, kDynaBarnStart - kDynaBarnGoal - kDynaBarnArrival};
     world.exercises.push_back({name, number, task, seed});
   }
 }

@@ -9,6 +9,7 @@
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
 #include "lstm_planner/ros/demo/demo_runner.hpp"
+#include "lstm_planner/ros/move_base/standalone_move_base_parameters.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
 #include "lstm_planner/ros/replay/bag_replay.hpp"
@@ -62,6 +63,24 @@ struct Node {
   std::vector<std::string> changeable;  ///< names of those that may change while it runs
 };
 
+// Parameters that no visitor visits, as their values are lists and poses, or as others read them.
+const Row kMount = {"mount", "from tf", "", "m, m, rad", "pose [x, y, yaw] of the scanner on the robot"};
+const Row kDemoStart = {"start", "scenario/start", "", "m, m, rad",
+                        "start pose [x, y, yaw] of the robot in the map frame"};
+const Row kScenarioStart = {"scenario/start", "[0, 0, 0]", "", "m, m, rad",
+                            "start pose [x, y, yaw] in the map frame, if start is not set"};
+const Table kScenario = {
+    {"scenario/frame", "map", "", "", "frame of the goals: map or odom"},
+    {"scenario/time_limit", "300", "[0.1, 86400]", "s", "for each goal that has no time_limit of its own"},
+    {"scenario/goals", "[]", "", "m, rad",
+     "list of {name, x, y, yaw, time_limit}; must be set, see config/demo_goals.yaml"}};
+const Table kCostmaps = {
+    {"global_costmap/global_frame", "odom", "", "", "frame of the plans; local_costmap has the same three parameters"},
+    {"global_costmap/robot_base_frame", "base_footprint", "", "", "the robot's frame"},
+    {"global_costmap/transform_tolerance", "0.3", "", "s", "the robot's pose is unknown if its transform is older"}};
+
+void append(const Table& rows, Table* table) { table->insert(table->end(), rows.begin(), rows.end()); }
+
 std::vector<Node> nodes() {
   const GlobalPlannerParameters planner;
   const SteeringControllerParameters controller;
@@ -71,6 +90,7 @@ std::vector<Node> nodes() {
   const BagReplayParameters replay;
   const DriveAdviceParameters advice;
   const DemoParameters demo;
+  const StandaloneMoveBaseParameters move_base;
   std::vector<Node> all = {
       {"planner", "LstmGlobalPlanner", "config/lstm_planner.yaml", {}, changeableGlobalPlannerParameters()},
       {"controller",
@@ -83,7 +103,8 @@ std::vector<Node> nodes() {
       {"driver", "scripted_teleoperator", "config/scripted_teleoperator.yaml", {}, {}},
       {"replay", "bag_replay", "launch/replay.launch", {}, {}},
       {"advice", "drive_advice", "launch/advice.launch", {}, {}},
-      {"demo", "demo_runner", "launch/demo.launch", {}, {}}};
+      {"demo", "demo_runner", "launch/demo.launch", {}, {}},
+      {"move_base", "standalone_move_base", "config/move_base.yaml", {}, {}}};
   visitGlobalPlannerParameters(planner, collectIn(&all[0].table));
   visitSteeringControllerParameters(controller, collectIn(&all[1].table));
   visitRecorderNodeParameters(recorder, collectIn(&all[2].table));
@@ -92,6 +113,12 @@ std::vector<Node> nodes() {
   visitBagReplayParameters(replay, collectIn(&all[5].table));
   visitDriveAdviceParameters(advice, collectIn(&all[6].table));
   visitDemoParameters(demo, collectIn(&all[7].table));
+  visitStandaloneMoveBaseParameters(move_base, collectIn(&all[8].table));
+  append({kScenarioStart}, &all[3].table);
+  append({kMount}, &all[5].table);
+  append({kDemoStart, kScenarioStart}, &all[7].table);
+  append(kScenario, &all[7].table);
+  append(kCostmaps, &all[8].table);
   return all;
 }
 
@@ -132,9 +159,9 @@ int runParameters(const std::vector<std::string>& arguments) {
   std::string wanted;
   bool markdown = false;
   CommandLine line("parameters", "prints the parameters of plugins and nodes: default, range, unit and meaning");
-  line.addChoice(
-          "of", &wanted, names,
-          "planner, controller, recorder, stub, driver, replay, advice or demo; --of may be left out (default: all)")
+  line.addChoice("of", &wanted, names,
+                 "planner, controller, recorder, stub, driver, replay, advice, demo or move_base; --of may be left out "
+                 "(default: all)")
       .standsAlone();
   line.addFlag("markdown", &markdown, true, "print tables in Markdown, as in config/parameters.md");
   if (!line.parse(arguments)) return 0;

@@ -173,6 +173,30 @@ class LaunchFiles(unittest.TestCase):
         with self.assertRaisesRegex(Exception, "laser is velodyne, expected true, false, urg_node"):
             load("navigation.launch", "laser:=velodyne")
 
+    def test_a_scanner_without_a_given_port_gets_the_default_of_its_driver(self):
+        for driver, parameter in (("rplidar_ros", "/rplidar_node/serial_port"),
+                                  ("hls_lfcd_lds_driver", "/hlds_laser_publisher/port")):
+            config = load("navigation.launch", "laser:=" + driver)
+            self.assertEqual(self.parameter(config, parameter), "/dev/ttyUSB1")
+        config = load("navigation.launch")
+        self.assertEqual(self.parameter(config, "/urg_node/ip_address"), "192.168.0.10")
+        self.assertNotIn("/urg_node/serial_port", config.params)
+
+    def test_no_node_gets_the_text_that_means_not_given(self):
+        # A driver would take "default" for a port, a topic or a file.
+        for name, *arguments in (["demo.launch"], ["two_robots.launch"], ["replay.launch", "bag:=/drive.bag"],
+                                 ["two_machines.launch", "on:=desktop"], ["two_machines.launch", "on:=robot"],
+                                 ["navigation.launch"], ["navigation.launch", "laser:=rplidar_ros"],
+                                 ["navigation.launch", "laser:=hls_lfcd_lds_driver"], ["advice.launch", "teleop:=none"],
+                                 ["advice.launch", "teleop:=scripted", "map:=/m.yaml"],
+                                 ["record_dataset.launch", "teleop:=none"],
+                                 ["record_dataset.launch", "teleop:=scripted", "map:=/m.yaml"]):
+            config = load(name, *arguments)
+            for parameter in config.params.values():
+                self.assertNotIn(parameter.value, ("default", "none"), "%s: %s" % (name, parameter.key))
+            for node in config.nodes:
+                self.assertNotRegex(node.args or "", r"\b(default|none)\b", "%s: %s" % (name, node.name))
+
     def test_recording_hands_its_arguments_on(self):
         config = load("record_dataset.launch", "teleop:=none", "rviz:=false", "output:=/o.sqlite", "scan:=base_scan",
                       "odom:=odometry/filtered", "seed:=7")
@@ -224,6 +248,13 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(self.parameter(config, "/drive_advice/LstmGlobalPlanner/scan_topic"), "front")
         self.assertEqual(self.parameter(config, "/drive_advice/LstmGlobalPlanner/odom_topic"), "wheels")
         self.assertNotIn("/use_sim_time", config.params)
+
+    def test_advice_listens_to_the_topics_of_the_robots_file_unless_others_are_given(self):
+        config = load("advice.launch", "teleop:=none", "rviz:=false", "robot:=jackal")
+        self.assertEqual(self.parameter(config, "/drive_advice/LstmGlobalPlanner/scan_topic"), "front/scan")
+        self.assertEqual(self.parameter(config, "/drive_advice/LstmGlobalPlanner/odom_topic"), "odometry/filtered")
+
+    def test_advice_beside_the_real_robot_starts_its_drivers(self):
         real = {node.type for node in load("advice.launch", "teleop:=none", "rviz:=false").nodes}
         self.assertEqual(real, {"drive_advice", "create_driver", "urg_node", "static_transform_publisher"})
 

@@ -22,8 +22,8 @@ fs::path inSource(const std::string& path) { return fs::path(LSTM_PLANNER_SOURCE
 /// The sources whose messages tell a user why the robot does not move, with literals over several lines made one.
 std::string messageSources() {
   std::string text;
-  for (const char* folder :
-       {"src/ros/planner", "src/ros/controller", "src/ros/common", "src/robot/perception", "src/robot/driving"}) {
+  for (const char* folder : {"src/ros/planner", "src/ros/controller", "src/ros/common", "src/ros/move_base",
+                             "src/compat", "src/robot/perception", "src/robot/driving"}) {
     for (const auto& entry : fs::directory_iterator(inSource(folder))) text += contentOf(entry.path());
   }
   return std::regex_replace(text, std::regex("\"\\s*\\n\\s*\""), "");
@@ -67,6 +67,42 @@ TEST(Troubleshooting, TellsOfEveryReasonToStand) {
   EXPECT_GT(reasons.size(), 15u);
   for (std::string reason : reasons) {
     reason.erase(reason.find_last_not_of(" '") + 1);
+    EXPECT_NE(page.find(reason), std::string::npos) << "'" << reason << "' is not in launch/troubleshooting.md";
+  }
+}
+
+/// What the page has to show of a message in printf's form: without the line's usual beginning, and what follows a
+/// colon may be left out.
+std::string shownOnThePage(const std::string& format) {
+  std::string shown = std::regex_replace(format, std::regex("^(no plan|the robot stands): "), "");
+  shown = std::regex_replace(shown, std::regex("%[-.0-9]*(?:zu|ld|[dufsg])"), "...");
+  constexpr std::size_t kShortest = 12;  // an earlier colon is behind a name
+  const std::size_t colon = shown.find(": ", kShortest);
+  return colon == std::string::npos ? shown : shown.substr(0, colon);
+}
+
+TEST(Troubleshooting, TellsOfEveryWarningAndError) {
+  const std::string page = contentOf(inSource("launch/troubleshooting.md"));
+  std::vector<std::string> messages =
+      found(messageSources(), "ROS_(?:WARN|ERROR|FATAL)(?:_THROTTLE)?\\(\\s*(?:[\\w.]+,\\s*)?\"([^\"]*)\"");
+  EXPECT_GT(messages.size(), 25u);
+  const std::vector<std::string> aborts =
+      found(messageSources(), "abort\\((?:\\w+ \\? )?(?:std::string\\()?\"([^\"]*)\"");
+  EXPECT_GE(aborts.size(), 5u);
+  messages.insert(messages.end(), aborts.begin(), aborts.end());
+  for (const std::string& message : messages) {
+    const std::string shown = shownOnThePage(message);
+    if (shown == "...") continue;  // the text comes from an exception
+    EXPECT_NE(page.find(shown), std::string::npos) << "'" << shown << "' is not in launch/troubleshooting.md";
+  }
+}
+
+TEST(Troubleshooting, TellsWhyAGoalIsRefused) {
+  const std::string page = contentOf(inSource("launch/troubleshooting.md"));
+  const std::vector<std::string> reasons = found(contentOf(inSource("src/ros/move_base/standalone_move_base_goal.cpp")),
+                                                 "throw std::invalid_argument\\(\"([^\"]*)\"");
+  EXPECT_GE(reasons.size(), 5u);
+  for (const std::string& reason : reasons) {
     EXPECT_NE(page.find(reason), std::string::npos) << "'" << reason << "' is not in launch/troubleshooting.md";
   }
 }

@@ -17,7 +17,7 @@ constexpr double kShortest = 5.0;       // m of x, of a path
 constexpr double kFirstDistance = 3.0;  // m
 constexpr double kCell = 0.1;           // m
 constexpr int kTries = 1000;
-constexpr int kWorldsAClass = 20;
+constexpr double kOpenFloor = 3.0;  // m of x, in front of the square's open side
 
 /// The polynomial through the points, at x (Lagrange).
 double polynomialAt(const std::vector<Point2>& points, double x) {
@@ -46,21 +46,41 @@ void validate(const MovingCylindersParameters& parameters) {
   checkRange("spread", parameters.spread, 0.0, 10.0);
 }
 
+DynaBarnClass dynaBarnClassOf(int number) {
+  return static_cast<DynaBarnClass>(std::min(2, number / kDynaBarnWorldsAClass));
+}
+
+const char* toString(DynaBarnClass difficulty) {
+  switch (difficulty) {
+    case DynaBarnClass::kEasy:
+      return "easy";
+    case DynaBarnClass::kMedium:
+      return "medium";
+    case DynaBarnClass::kHard:
+      return "hard";
+  }
+  return "";
+}
+
 MovingCylindersParameters drawMovingCylinders(int number, std::uint64_t seed) {
   Random random(seed);
-  const int difficulty = std::min(2, number / kWorldsAClass);
+  const DynaBarnClass difficulty = dynaBarnClassOf(number);
+  const bool is_even = number % 2 == 0;
+  const bool is_hard_motion = difficulty == DynaBarnClass::kHard || (difficulty == DynaBarnClass::kMedium && is_even);
+  const bool are_many = difficulty == DynaBarnClass::kHard || (difficulty == DynaBarnClass::kMedium && !is_even);
   MovingCylindersParameters parameters;
-  parameters.cylinders = 4 + 3 * difficulty + static_cast<int>(uniformIndex(random, 4));
-  parameters.order = 1 + difficulty;
-  parameters.slowest = 0.3;
-  parameters.fastest = 0.8 + 0.5 * difficulty;
-  parameters.spread = uniform(random, 0.1, 0.1 + 0.2 * difficulty);
+  parameters.cylinders = static_cast<int>(are_many ? wholeNumber(random, 10, 20) : wholeNumber(random, 5, 10));
+  parameters.order = static_cast<int>(is_hard_motion ? wholeNumber(random, 3, 4) : wholeNumber(random, 1, 2));
+  parameters.slowest = is_hard_motion ? 1.0 : 0.5;
+  parameters.fastest = is_hard_motion ? 2.0 : 1.0;
+  parameters.spread = is_hard_motion ? uniform(random, 0.1, 0.2) : uniform(random, 0.01, 0.1);
   return parameters;
 }
 
 OccupancyGrid cylindersFloor() {
   const int side = static_cast<int>(std::lround(2.0 * kCylindersArea / kCell));
-  OccupancyGrid grid(side, side, kCell, {-kCylindersArea, -kCylindersArea, 0.0});
+  const int beyond = static_cast<int>(std::lround(kOpenFloor / kCell));
+  OccupancyGrid grid(side + beyond, side, kCell, {-kCylindersArea, -kCylindersArea, 0.0});
   for (int i = 0; i < side; ++i) {
     grid.set({0, i}, Cell::kOccupied);
     grid.set({i, 0}, Cell::kOccupied);

@@ -18,19 +18,8 @@ namespace lstm_planner {
 ///  - topic `cmd_vel` (geometry_msgs/Twist): zero once whenever driving ends
 ///  - service `~make_plan` (nav_msgs/GetPlan): refused while a goal is active
 ///
-/// Parameters (~):
-///  - `base_global_planner` (string, default "lstm_planner/LstmGlobalPlanner")
-///  - `base_local_planner` (string, default "lstm_planner/SteeringController")
-///  - `planner_frequency` (double, default 0 Hz): plans a second while a goal is active; 0 plans when needed only
-///  - `controller_frequency` (double, default 20 Hz)
-///  - `planner_patience` (double, default 5 s): how long to look for a plan before the goal is aborted
-///  - `controller_patience` (double, default 15 s): how long to look for a velocity before the goal is aborted
-///  - `oscillation_timeout` (double, default 0 s): abort a goal when the robot has stayed within oscillation_distance
-///    for so long; 0 never does
-///  - `oscillation_distance` (double, default 0.5 m)
-///  - `global_costmap/global_frame`, `global_costmap/robot_base_frame`, `global_costmap/transform_tolerance` and the
-///  same
-///    in `local_costmap`: see costmap_2d::Costmap2DROS in compat/
+/// Parameters (~): standalone_move_base_parameters.hpp, those of the plugins, and in `global_costmap` and
+/// `local_costmap` those of costmap_2d::Costmap2DROS in compat/.
 class StandaloneMoveBase {
  public:
   /// Reads the parameters, loads both plugins and takes goals from then on. `tf` must outlive the object and be filled

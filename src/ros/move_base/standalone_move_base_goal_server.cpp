@@ -26,7 +26,7 @@ double distanceBetweenPoses(const geometry_msgs::PoseStamped& a, const geometry_
 
 StandaloneMoveBase::GoalServer::GoalServer(tf2_ros::Buffer& tf)
     : tf_(tf),
-      parameters_(StandaloneMoveBaseParameters::load(private_node_)),
+      parameters_(loadStandaloneMoveBaseParameters(private_node_)),
       plugins_(parameters_.base_global_planner, parameters_.base_local_planner, tf),
       planner_([this](const geometry_msgs::PoseStamped& goal, Plan& plan) { return planFromRobot(goal, plan); },
                parameters_.planner_frequency),

@@ -10,9 +10,9 @@
 #include <atomic>
 #include <string>
 
+#include "lstm_planner/ros/move_base/standalone_move_base_parameters.hpp"
 #include "ros/common/stopwatch.hpp"
 #include "ros/move_base/standalone_move_base.hpp"
-#include "ros/move_base/standalone_move_base_parameters.hpp"
 #include "ros/move_base/standalone_move_base_planner_thread.hpp"
 #include "ros/move_base/standalone_move_base_plugins.hpp"
 

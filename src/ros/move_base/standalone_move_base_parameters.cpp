@@ -1,31 +1,42 @@
-#include "ros/move_base/standalone_move_base_parameters.hpp"
+#include "lstm_planner/ros/move_base/standalone_move_base_parameters.hpp"
 
-#include <stdexcept>
+#include <utility>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/ros/common/parameter_reader.hpp"
 
 namespace lstm_planner {
 namespace {
 
-void loadNumber(const ros::NodeHandle& node, const std::string& name, double least, double most, double& value) {
-  if (node.hasParam(name) && !node.getParam(name, value)) {
-    throw std::invalid_argument("parameter " + node.resolveName(name) + " is no number");
-  }
-  checkRange(node.resolveName(name), value, least, most);
-}
+// Parameters of the real move_base that are of no use without a costmap and recovery behaviours; config/move_base.yaml
+// sets some of them. Nobody is warned of them.
+constexpr const char* kOnlyOfTheRealMoveBase[] = {
+    "aggressive_reset",        "clearing_radius",      "clearing_rotation_allowed", "conservative_reset",
+    "conservative_reset_dist", "circumscribed_radius", "inscribed_radius",          "make_plan_add_unreachable_goal",
+    "make_plan_clear_costmap", "max_planning_retries", "recovery_behavior_enabled", "recovery_behaviors",
+    "shutdown_costmaps"};
+
+// A robot's file (config/robots) is for the costmaps and the simulation, too.
+constexpr const char* kGroups[] = {"LstmGlobalPlanner", "SteeringController", "global_costmap", "local_costmap",
+                                   "create2_stub"};
+
+/// The part of a plugin's name after the package, which is the name of its namespace.
+std::string classOf(const std::string& plugin) { return plugin.substr(plugin.find_last_of("/:") + 1); }
 
 }  // namespace
 
-StandaloneMoveBaseParameters StandaloneMoveBaseParameters::load(const ros::NodeHandle& node) {
+StandaloneMoveBaseParameters loadStandaloneMoveBaseParameters(const ros::NodeHandle& private_node) {
   StandaloneMoveBaseParameters parameters;
-  node.getParam("base_global_planner", parameters.base_global_planner);
-  node.getParam("base_local_planner", parameters.base_local_planner);
-  loadNumber(node, "planner_frequency", 0.0, 1000.0, parameters.planner_frequency);
-  loadNumber(node, "controller_frequency", 0.1, 1000.0, parameters.controller_frequency);
-  loadNumber(node, "planner_patience", 0.0, 86400.0, parameters.planner_patience);
-  loadNumber(node, "controller_patience", 0.0, 86400.0, parameters.controller_patience);
-  loadNumber(node, "oscillation_timeout", 0.0, 86400.0, parameters.oscillation_timeout);
-  loadNumber(node, "oscillation_distance", 0.001, 1000.0, parameters.oscillation_distance);
+  ParameterReader reader(private_node);
+  visitStandaloneMoveBaseParameters(parameters, reader.visitor());
+  visitStandaloneMoveBaseParameters(std::as_const(parameters), RangeCheck{private_node.getNamespace() + "/"});
+  for (const char* name : kOnlyOfTheRealMoveBase) {
+    reader.know(name);
+    reader.knowGroup(name);
+  }
+  for (const char* group : kGroups) reader.knowGroup(group);
+  reader.knowGroup(classOf(parameters.base_global_planner));
+  reader.knowGroup(classOf(parameters.base_local_planner));
+  reader.warnOfUnknown();
   return parameters;
 }
 

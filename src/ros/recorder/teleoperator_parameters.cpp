@@ -13,7 +13,6 @@ TeleoperatorParameters loadTeleoperatorParameters(const ros::NodeHandle& private
   visitTeleoperatorParameters(parameters, reader.visitor());
   visitTeleoperatorParameters(std::as_const(parameters), RangeCheck());
   validate(parameters.driver);
-  reader.read("map", &parameters.map);
   if (parameters.map.empty()) {
     throw std::invalid_argument("parameter " + private_node.resolveName("map") +
                                 " is not set: the driver sees the floor plan, a map_server yaml is needed");

@@ -134,7 +134,7 @@ TEST(ShippedParameters, OfTheStubAreAllThatThereAreWithDefaultsAndRanges) {
 
 TEST(ShippedParameters, OfTheScriptedDriverAreAllThatThereAreWithDefaultsAndRanges) {
   const TeleoperatorParameters defaults;
-  expectShipped(readShipped("scripted_teleoperator.yaml", ""), {},
+  expectShipped(readShipped("scripted_teleoperator.yaml", ""), {"map"},
                 [&](const auto& visit) { visitTeleoperatorParameters(defaults, visit); });
 }
 

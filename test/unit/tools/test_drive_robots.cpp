@@ -98,9 +98,9 @@ TEST_F(DriveRobots, AJackalThatEvadesArrivesAmongCylindersWhereOneThatWaitsIsRun
     std::ifstream file(in("out.json"));
     return nlohmann::json::parse(file)["reached"].get<int>();
   };
-  // 377 of 420 with seeds 1 to 7: 50 of 60 is more than two standard deviations below. One that waits has 41.
-  EXPECT_GE(reached(" --evade 2.5"), 50);
-  EXPECT_LT(reached(" --evade 0"), 50);
+  // 133 of 180 with seeds 1 to 3, less two standard deviations of 60 drives. One that waits has 75 of 180.
+  EXPECT_GE(reached(" --evade 2.5"), 38);
+  EXPECT_LT(reached(" --evade 0"), 38);
 }
 
 TEST_F(DriveRobots, AFileThatMakesNoSenseIsRefusedWithASentence) {

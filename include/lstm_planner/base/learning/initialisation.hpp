@@ -40,10 +40,11 @@ LayerStack makeDenseStack(int inputs, const std::vector<int>& units, int outputs
 /// ("deep-in"), recurrent layers one on the other ("stacked"), dense layers behind them ("deep-out"), and one linear
 /// layer with the preferences.
 struct NetworkShape {
+  /// What the layers in the middle are.
   enum class Kind {
-    kLstm,
-    kRnn,  ///< plain recurrent layers
-    kMlp,  ///< no memory: a multilayer perceptron
+    kLstm,  ///< LSTM layers
+    kRnn,   ///< plain recurrent layers
+    kMlp,   ///< no memory: a multilayer perceptron
   };
   Kind kind = Kind::kLstm;
   std::vector<int> cells = {8, 8};            ///< of each recurrent layer; of a perceptron the units of each layer

@@ -13,6 +13,7 @@ enum class Decay {
   kL2Squared,  ///< L = 1/2 sum w^2 (Eq. 3.10); gradient beta * w, what Caffe calls L2
 };
 
+/// By which rule the weights follow the gradient.
 enum class OptimiserKind {
   kMomentum,  ///< gradient descent with momentum (thesis Eq. 3.13-3.14)
   kAdam,      ///< Kingma and Ba, "Adam: A Method for Stochastic Optimization", ICLR 2015, algorithm 1
@@ -21,9 +22,10 @@ enum class OptimiserKind {
   kAdaDelta,
 };
 
+/// How the learning rate changes during a training.
 enum class LearningRateSchedule {
-  kConstant,
-  kCosine,  ///< half a cosine from the learning rate at the first step to 0 after the last
+  kConstant,  ///< it does not
+  kCosine,    ///< half a cosine from the learning rate at the first step to 0 after the last
 };
 
 /// How weights follow the gradient.

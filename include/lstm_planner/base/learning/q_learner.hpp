@@ -25,6 +25,7 @@ struct ThesisRewardWeights {
 /// What every Q-learning training needs, whatever the course is (Watkins and Dayan 1992; thesis Eq. 2.34-2.39). A
 /// course has its own defaults and its own unit of length.
 struct QLearningParameters {
+  /// What a step is rewarded for.
   enum class Reward {
     kProgress,  ///< how much shorter the true shortest path to the goal has become, less a cost a step
     kThesis,    ///< Eq. 2.36, of the state in which the step starts

@@ -18,11 +18,12 @@ namespace lstm_planner {
 /// none that were closed, unless the agent stands in them.
 class BlockGraph {
  public:
+  /// What is known of the passage between two neighbouring blocks.
   enum class Passage {
     kUnknown,   ///< no wall is known between the two
     kFree,      ///< and cells on both sides have been seen free
     kDoubtful,  ///< only through a cell that is doubtful
-    kClosed
+    kClosed     ///< walls are known to close it
   };
 
   static constexpr int kSide = 160;   ///< of the window, blocks

@@ -26,6 +26,7 @@ inline bool operator==(BoundaryEdge a, BoundaryEdge b) { return a.cell == b.cell
 
 /// How the boundary goes on behind an edge.
 struct BoundaryStep {
+  /// Whether the next edge is known.
   enum class Kind {
     kUnseen,  ///< what is needed has not been seen; `cells` are to be entered in any case
     kStep     ///< `next` is the next edge, reached over `cells`

@@ -50,6 +50,7 @@ class GridMemory {
 
 /// Which inputs a network for the grid world has, and from how many sides it looks; travels in the model file.
 struct GridEncoderParameters {
+  /// What the inputs tell the network; each adds to the one before.
   enum class Inputs {
     kThesis,  ///< 8 ranges, distance, angle, previous action (thesis 3.2): 11 inputs
     kTrace,   ///< and where the agent has been, around it and along the rays, on the scales of VisitTrace

@@ -13,11 +13,12 @@ namespace lstm_planner {
 /// What an agent has seen of the cells near it: two bits a cell of a square window that rolls along with it.
 class SeenGrid {
  public:
+  /// What is known of a cell.
   enum class Cell {
-    kUnknown,
+    kUnknown,   ///< never seen
     kFree,      ///< a ray went through it, or the agent stood there
     kDoubtful,  ///< never seen, but in a gap of at most kWidestGap cells between two walls of a row or column
-    kWall
+    kWall       ///< seen to be blocked
   };
 
   static constexpr int kSide = 160;     ///< of the window, cells

@@ -29,11 +29,12 @@ constexpr std::int64_t circlingSteps(std::int64_t cells_entered) { return 4000 +
 
 /// What became of one episode. Trivially copyable, so that a list of them can be sent from process to process.
 struct GridEpisode {
+  /// How the episode ended.
   enum class End : std::uint8_t {
-    kArrived,
+    kArrived,    ///< at the goal's cell
     kCollision,  ///< tried to move into something blocked, which ends the episode
-    kTimeout,
-    kNoPath,  ///< the agent says that the goal cannot be reached
+    kTimeout,    ///< after the most steps that are allowed
+    kNoPath,     ///< the agent says that the goal cannot be reached
   };
   End end = End::kTimeout;
   std::int64_t straight_moves = 0;

@@ -17,8 +17,9 @@ class EventOrder {
  public:
   static constexpr std::size_t kMostWaiting = 4096;  ///< a second of odometry at 1 kHz with three fast scanners
 
+  /// What became of an event.
   enum class Verdict {
-    kTaken,
+    kTaken,    ///< it is given out in its turn
     kLate,     ///< older than what was given out; not taken
     kClockSet  ///< the clock was set: the event is older than `horizon`, or newer than all by more; see clear()
   };

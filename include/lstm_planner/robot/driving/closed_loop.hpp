@@ -27,6 +27,7 @@ class LoopRobot {
 /// practises (StepSimulator) moves directly to where the controller would lead it, which is many times as fast.
 class ClosedLoop {
  public:
+  /// Why a drive ended.
   enum class End {
     kArrived,  ///< the robot says so
     kNoPath,   ///< the agent says that there is none

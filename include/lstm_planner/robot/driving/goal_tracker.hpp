@@ -21,14 +21,14 @@ bool sameGoal(const GoalInFrame& a, const GoalInFrame& b);
 /// nav_core does not announce a new goal, and makePlan() is also called for other goals (the make_plan service). Only
 /// the goal that the robot drives to may advance the hidden state. There are two ways to
 /// recognise it:
-///  - an announcement (move_base publishes each goal it accepts). It always starts the goal anew, also at the same
-///  pose;
+///  - an announcement: move_base publishes each goal that it accepts. An announced goal is always a new one, also at
+///    the same pose;
 ///  - where none was heard: a goal that is asked for again after `patience` s, while nobody asked for the driven one,
-///  has
-///    taken its place. As long as there is no driven goal at all, the second question is enough.
+///    has taken its place. As long as there is no driven goal at all, the second question is enough.
 /// Everything else is a question. Not thread safe.
 class GoalTracker {
  public:
+  /// What a goal is that a plan is asked for.
   enum class Verdict {
     kNewGoal,  ///< start driving to this goal: forget the last one
     kDriven,   ///< the goal being driven to, as before

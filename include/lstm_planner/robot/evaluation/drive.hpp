@@ -56,9 +56,10 @@ using DriveListener = std::function<void(const DriveMoment&)>;
 
 /// What happened.
 struct DriveResult {
+  /// How the drive ended.
   enum class End {
-    kReached,
-    kTimeout,
+    kReached,    ///< within the tolerance of the goal
+    kTimeout,    ///< the time limit passed
     kNoPath,     ///< the robot said that there is none
     kElsewhere,  ///< the robot said that it had arrived, and had not
     kTouched     ///< it touched something, or was run into, where that ends the drive

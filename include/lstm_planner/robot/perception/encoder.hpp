@@ -93,6 +93,7 @@ class Encoder {
   void turn(const float* ahead, const ViewBearings& bearings, int view, float* input, int stride) const;
 
  private:
+  /// What one number of the input is.
   enum class Feature : std::uint8_t {
     kSector,
     kGoalDistance,

@@ -22,13 +22,29 @@ struct MovingCylindersParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const MovingCylindersParameters& parameters);
 
-/// Of one of 60 worlds, the first 20 easy, the last 20 hard; drawn from a seed.
+/// How difficult a DynaBARN world is, as published. Easy motion: order 1 or 2, 0.5 to 1 m/s, spread 0.01 to 0.1 m/s;
+/// hard motion: order 3 or 4, 1 to 2 m/s, spread 0.1 to 0.2 m/s. Few cylinders are 5 to 10, many are 10 to 20.
+enum class DynaBarnClass {
+  kEasy,    ///< few cylinders with easy motion
+  kMedium,  ///< few with hard motion, or many with easy motion
+  kHard     ///< many cylinders with hard motion
+};
+
+constexpr int kDynaBarnWorldsAClass = 20;
+
+/// Of world `number`: the first 20 are easy, the next 20 medium, the others hard.
+DynaBarnClass dynaBarnClassOf(int number);
+
+const char* toString(DynaBarnClass difficulty);
+
+/// The parameters of world `number`, drawn from a seed by the rules of its class.
 MovingCylindersParameters drawMovingCylinders(int number, std::uint64_t seed);
 
 /// Half a side of the square that they move in, around the origin, m.
 constexpr double kCylindersArea = 10.0;
 
-/// The floor of DynaBARN: walls on three sides of the square, the fourth, at the largest x, is open.
+/// The floor of DynaBARN: walls on three sides of the square; the fourth, at the largest x, is open, and the robot
+/// starts in front of it.
 OccupancyGrid cylindersFloor();
 
 /// Cylinders 1 m wide that move without regard to anything: each along a polynomial through random points, from one

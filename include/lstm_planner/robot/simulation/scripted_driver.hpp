@@ -70,9 +70,10 @@ void validate(const ScriptedDriverParameters& parameters);
 /// To be asked 10 times a second or more often, or it brakes too late.
 class ScriptedDriver {
  public:
+  /// What the driver does.
   enum class State {
     kWaiting,  ///< there is no goal
-    kDriving,
+    kDriving,  ///< to the goal
     kArrived,  ///< and the keys are released
     kNoPath    ///< to the goal from where the robot is, or the goal is too near to a wall
   };

@@ -55,12 +55,12 @@ template <typename Parameters, typename Visitor>
 void visitSensorParameters(Parameters& sensors, const Visitor& visit) {
   visit("scan_topic", sensors.scan_topic, {}, "", "sensor_msgs/LaserScan");
   visit("odom_topic", sensors.odom_topic, {}, "", "nav_msgs/Odometry");
-  visit(
-      "scan_timeout", sensors.scan_timeout, {0.0, 60.0}, "s",
-      "an older scan is not used; 0: three periods of the scanner, as measured; shorter stops sooner when the scanner "
-      "fails");
+  visit("scan_timeout", sensors.scan_timeout, {0.0, 60.0}, "s",
+        "an older scan is not used; 0: three measured periods, at least 0.5 s (planner) or 0.2 s (controller), at most "
+        "1 s; shorter stops sooner when the scanner fails");
   visit("odom_timeout", sensors.odom_timeout, {0.0, 60.0}, "s",
-        "an older odometry is not used; 0: three of its periods, as measured");
+        "an older odometry is not used; 0: three measured periods, at least 0.5 s (planner) or 0.3 s (controller), at "
+        "most 1 s");
   visit("tf_timeout", sensors.tf_timeout, {0.0, 60.0}, "s",
         "an older transform between odometry, goal and costmap frames is not used; 0: any age is accepted");
   visit("max_speed", sensors.max_speed, {0.01, 100.0}, "m/s",

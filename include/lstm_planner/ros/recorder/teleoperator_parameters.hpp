@@ -14,7 +14,7 @@ namespace lstm_planner {
 /// What `scripted_teleoperator` reads from its private namespace; config/scripted_teleoperator.yaml explains every
 /// parameter.
 struct TeleoperatorParameters {
-  std::string map;  ///< path of the map's yaml; not in the yaml of parameters
+  std::string map;
   double free_threshold = -1.0;
   std::string map_frame = "map";
   std::string base_frame = "base_footprint";
@@ -27,9 +27,10 @@ struct TeleoperatorParameters {
   ScriptedDriverParameters driver;
 };
 
-/// Visits every parameter but `map`; see parameter_visitors.hpp.
+/// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitTeleoperatorParameters(Parameters& node, const Visitor& visit) {
+  visit("map", node.map, {}, "", "path of the building's map_server yaml; must be set");
   visit("free_threshold", node.free_threshold, {-1.0, 1.0}, "", "replaces the map's free_thresh if it is not negative");
   visit("map_frame", node.map_frame, {}, "", "frame of the map");
   visit("base_frame", node.base_frame, {}, "",

@@ -10,7 +10,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kPeriod = 0.02;
-constexpr Point2 kRobot{8.5, 0.0};
+constexpr Point2 kRobot{11.0, 0.0};
 constexpr Pose2 kFarAway{1000.0, 0.0, 0.0};
 
 class MovingCylindersTest : public ::testing::Test {
@@ -91,11 +91,32 @@ TEST_F(MovingCylindersTest, AreTheSameForTheSameSeed) {
   EXPECT_NE(cylinders(parameters, 7).bodies()[3].circle.center.x, cylinders(parameters, 8).bodies()[3].circle.center.x);
 }
 
-TEST_F(MovingCylindersTest, GetHarderByTheWorldsNumber) {
-  EXPECT_EQ(drawMovingCylinders(0, 1).order, 1);
-  EXPECT_EQ(drawMovingCylinders(59, 1).order, 3);
-  EXPECT_GT(drawMovingCylinders(59, 1).fastest, drawMovingCylinders(0, 1).fastest);
-  EXPECT_GT(drawMovingCylinders(59, 1).cylinders, drawMovingCylinders(0, 1).cylinders);
+TEST_F(MovingCylindersTest, HaveTheNumbersAndMotionsOfThePublishedClasses) {
+  for (int number = 0; number < 3 * kDynaBarnWorldsAClass; ++number) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      const MovingCylindersParameters drawn = drawMovingCylinders(number, seed);
+      const bool is_hard = drawn.order >= 3;
+      EXPECT_GE(drawn.order, 1);
+      EXPECT_LE(drawn.order, 4);
+      EXPECT_EQ(drawn.slowest, is_hard ? 1.0 : 0.5);
+      EXPECT_EQ(drawn.fastest, is_hard ? 2.0 : 1.0);
+      EXPECT_GE(drawn.spread, is_hard ? 0.1 : 0.01);
+      EXPECT_LE(drawn.spread, is_hard ? 0.2 : 0.1);
+      const bool may_be_many = drawn.cylinders >= 10 && drawn.cylinders <= 20;
+      const bool may_be_few = drawn.cylinders >= 5 && drawn.cylinders <= 10;
+      switch (dynaBarnClassOf(number)) {
+        case DynaBarnClass::kEasy:
+          EXPECT_TRUE(may_be_few && !is_hard);
+          break;
+        case DynaBarnClass::kMedium:
+          EXPECT_TRUE(is_hard ? may_be_few : may_be_many);
+          break;
+        case DynaBarnClass::kHard:
+          EXPECT_TRUE(may_be_many && is_hard);
+          break;
+      }
+    }
+  }
 }
 
 TEST_F(MovingCylindersTest, RefuseImpossibleParameters) {
