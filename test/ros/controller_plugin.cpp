@@ -240,6 +240,29 @@ TEST_F(ControllerTest, SaysThatAnObstacleStopsIt) {
   EXPECT_EQ(listener.latched().level, diagnostic_msgs::DiagnosticStatus::WARN);
 }
 
+TEST_F(ControllerTest, YieldsToAPersonWhereScansHaveNoStamps) {
+  DiagnosticsListener listener("SteeringController");
+  double person = 3.0;  // m from the scanner to the middle of somebody straight ahead
+  robot_.range = [&person](double angle) {
+    constexpr double kRadius = 0.25;
+    const double aside = person * std::sin(angle);
+    if (std::abs(angle) > M_PI_4 || std::abs(aside) >= kRadius) return static_cast<float>(4.0 + angle);
+    return static_cast<float>(person * std::cos(angle) - std::sqrt(kRadius * kRadius - aside * aside));
+  };
+  robot_.alter_scan = [](auto* scan) { scan->header.stamp = ros::Time(); };
+  const std::string reason = "the robot stands: it yields to somebody who moves";
+  bool stands = false;
+  EXPECT_TRUE(eventually([&] {
+    if (!stands) {
+      person = person > 0.7 ? person - 0.04 : 3.0;  // comes at 0.8 m/s, again and again
+      robot_.again();
+    }
+    controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
+    stands = controller_->computeVelocityCommands(velocity_) && velocity_.linear.x == 0.0;
+    return stands && listener.latched().message.find(reason) == 0;
+  }));
+}
+
 TEST_F(ControllerTest, TellsOfItsSensorsAndThatNobodyAsks) {
   DiagnosticsListener listener("SteeringController");
   EXPECT_TRUE(eventually([&] {
