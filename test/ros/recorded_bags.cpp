@@ -54,7 +54,9 @@ std::string refusalOf(const std::string& path, const BagDriveOptions& options = 
     recordBag(path, options, {}, &sink);
   } catch (const std::invalid_argument& error) {
     EXPECT_TRUE(sink.recording().episodes.empty());
-    return std::string(error.what()).substr(std::string("the bag " + path + ": ").size());
+    const std::string named = "the bag " + path + ": ";
+    EXPECT_EQ(std::string(error.what()).find(named), 0u) << error.what();
+    return std::string(error.what()).substr(named.size());
   }
   return "";
 }
