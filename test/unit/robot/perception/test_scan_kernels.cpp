@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -69,6 +70,36 @@ TEST_P(ScanKernelsOf, NameTheSquaresOfPlacesOnceWhereTheyFollowOneAnother) {
       }
     }
     EXPECT_EQ(next, keys.size());
+  }
+}
+
+TEST_P(ScanKernelsOf, NameNoSquareOfPlacesThatAreTooFarForAWholeNumber) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  const SquareFrame frame{20.0f, 0.0f, 300.0f, 300.0f, 0, 0, 600, 100.0f};
+  for (const double huge : {1.2e8, -1e10, 1e19, 1e300, kInf, -kInf, kNan}) {
+    std::vector<double> places;
+    for (int i = 0; i < 40; ++i) {
+      places.insert(places.end(), {1.0 + 0.1 * i, 2.0});
+      places.insert(places.end(), {i % 2 == 0 ? huge : 1.0, i % 2 == 0 ? 1.0 : huge});
+    }
+    const std::size_t count = places.size() / 2;
+    std::vector<std::uint32_t> work(count + 2 * kPadding);
+    std::vector<std::uint32_t> keys(count + 2 * kPadding);
+    keys.resize(kernels_.squaresOf(frame, places.data(), count, work.data(), keys.data()));
+    EXPECT_EQ(keys.size(), 40u) << huge;
+    for (const std::uint32_t key : keys) EXPECT_EQ(key >> 16, 340u) << huge;
+  }
+}
+
+TEST_P(ScanKernelsOf, NameNoSquareOfARobotThatIsTooFarAway) {
+  constexpr int kFar = 2000000000;
+  for (const int first : {kFar, -kFar}) {
+    const SquareFrame frame{20.0f, 0.0f, 300.0f, 300.0f, first, first, 600, 100.0f};
+    const std::vector<double> places(2 * 20, 1.0);
+    std::vector<std::uint32_t> work(20 + 2 * kPadding);
+    std::vector<std::uint32_t> keys(20 + 2 * kPadding);
+    EXPECT_EQ(kernels_.squaresOf(frame, places.data(), 20, work.data(), keys.data()), 0u) << first;
   }
 }
 
