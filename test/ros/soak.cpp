@@ -59,7 +59,8 @@ double percentile(std::vector<double> values, double share) {
 class RecordedDrive {
  public:
   RecordedDrive(const RecorderParameters& parameters, const tf2::BufferCore& tf, const std::string& file)
-      : writer_(file, describe(parameters)), messages_(tf, "base_footprint", std::nullopt, parameters, &writer_) {
+      : file_(file),
+        writer_(file, describe(parameters)), messages_(tf, "base_footprint", std::nullopt, parameters, &writer_) {
     node_.setCallbackQueue(&queue_);
     subscribers_ = {node_.subscribe("scan", 100, &RecordedDrive::onScan, this),
                     node_.subscribe("odom", 100, &RecordedDrive::onOdometry, this),
@@ -74,8 +75,8 @@ class RecordedDrive {
   long finish() {
     messages_.recorder().finish();
     writer_.finish();
-    for (const std::string& fault : checkDatasetFile(writer_.path())) ADD_FAILURE() << writer_.path() << ": " << fault;
-    std::filesystem::remove(writer_.path());
+    for (const std::string& fault : checkDatasetFile(file_)) ADD_FAILURE() << file_ << ": " << fault;
+    std::filesystem::remove(file_);
     return writer_.stored();
   }
 
@@ -92,6 +93,7 @@ class RecordedDrive {
     messages_.hear(*result, ros::Time::now());
   }
 
+  std::string file_;
   DatasetWriter writer_;
   DriveMessages messages_;
   ros::CallbackQueue queue_;
