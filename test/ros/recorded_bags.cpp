@@ -106,7 +106,7 @@ TEST(RecordedBagTest, GoalsAndTheirEndsAreThoseOfTheBag) {
   EXPECT_EQ(outcome.result.goals, 6);    // one of the five was passed on
   EXPECT_EQ(outcome.result.scans, 320);  // 32 s at 10 Hz
   EXPECT_EQ(outcome.result.odometry, 320);
-  EXPECT_NEAR(outcome.result.begun, DriveBag::kStart, 0.2);
+  EXPECT_NEAR(outcome.result.start, DriveBag::kStart, 0.2);
   EXPECT_NEAR(outcome.result.duration, 32.0, 0.2);
   EXPECT_TRUE(outcome.result.mount_known);
 

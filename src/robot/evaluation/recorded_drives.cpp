@@ -83,9 +83,9 @@ class DriveRecording {
     const Point2 goal = waypoints_[chosen];
     recorder_.add(GoalHeard{robot_.time(), {kMapFrame, {goal.x, goal.y, 0.0}}, "waypoints"});
     driver_.setGoal(goal);
-    const double begun = robot_.time();
+    const double start = robot_.time();
     while (driver_.state() == ScriptedDriver::State::kDriving && !sink_.isFull()) {
-      if (robot_.time() - begun > parameters_.time_limit) break;
+      if (robot_.time() - start > parameters_.time_limit) break;
       drive();
     }
     result_.no_path += driver_.state() == ScriptedDriver::State::kNoPath ? 1 : 0;

@@ -118,7 +118,7 @@ RangeProfile scanOf(double increment, std::size_t beams, std::mt19937* random) {
   return profile;
 }
 
-TEST_P(ScanKernelsOf, SeeThroughWhatThePlainDefinitionSeesThrough) {
+TEST_P(ScanKernelsOf, ClearWhatThePlainDefinitionClears) {
   constexpr double kResolution = 0.05;
   constexpr double kYaw = 1.1;
   constexpr int kSide = 4;
@@ -130,7 +130,7 @@ TEST_P(ScanKernelsOf, SeeThroughWhatThePlainDefinitionSeesThrough) {
     Sight sight(std::hypot(1.5, 1.5) * kResolution);
     sight.show(profile, kYaw);
     const SightBeams beams = sight.beams();
-    std::size_t seen_through = 0;
+    std::size_t cleared = 0;
     std::size_t cells_in_sight = 0;
     for (int row = 0; row < kCells; ++row) {
       std::vector<std::uint32_t> cells(kCells + kPadding);
@@ -141,11 +141,11 @@ TEST_P(ScanKernelsOf, SeeThroughWhatThePlainDefinitionSeesThrough) {
       const std::size_t count = kernels_.cellsInSight(beams, grid, cells.data(), kCells, limits.data());
       cells_in_sight += count;
       const std::vector<std::uint16_t> occupied(count, 0xffff);
-      std::vector<std::uint32_t> through(kCells * kSide * kSide + kPadding);
-      through.resize(kernels_.squaresSeenThrough(beams, grid, cells.data(), limits.data(), occupied.data(), count,
-                                                 through.data()));
-      seen_through += through.size();
-      std::sort(through.begin(), through.end());
+      std::vector<std::uint32_t> clear(kCells * kSide * kSide + kPadding);
+      clear.resize(
+          kernels_.clearSquares(beams, grid, cells.data(), limits.data(), occupied.data(), count, clear.data()));
+      cleared += clear.size();
+      std::sort(clear.begin(), clear.end());
       for (int square_row = row * kSide; square_row < (row + 1) * kSide; ++square_row) {
         for (int column = 0; column < kCells * kSide; ++column) {
           const double x = corner + column * kResolution;
@@ -166,17 +166,17 @@ TEST_P(ScanKernelsOf, SeeThroughWhatThePlainDefinitionSeesThrough) {
           const double a = reachOf(towards - 3e-5);
           const double b = reachOf(towards + 3e-5);
           const auto key = static_cast<std::uint32_t>(square_row << 16 | column);
-          const bool is_through = std::binary_search(through.begin(), through.end(), key);
+          const bool is_clear = std::binary_search(clear.begin(), clear.end(), key);
           if (distance < std::min(a, b) - 1e-4) {
-            ASSERT_TRUE(is_through) << x << ", " << y;
+            ASSERT_TRUE(is_clear) << x << ", " << y;
           }
           if (distance > std::max(a, b) + 1e-4) {
-            ASSERT_FALSE(is_through) << x << ", " << y;
+            ASSERT_FALSE(is_clear) << x << ", " << y;
           }
         }
       }
     }
-    EXPECT_GT(seen_through, 10000u);
+    EXPECT_GT(cleared, 10000u);
     EXPECT_LT(cells_in_sight, static_cast<std::size_t>(kCells * kCells * 9 / 10));
   }
 }
