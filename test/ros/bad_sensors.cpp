@@ -13,7 +13,7 @@
 
 #include "ros/common/message_queue.hpp"
 #include "ros/common/sensor_listener.hpp"
-#include "lstm_planner/ros/controller/steering_controller.hpp"
+#include "ros/controller/steering_controller.hpp"
 #include "ros/planner_fixture.hpp"
 
 namespace lstm_planner {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <pluginlib/class_loader.hpp>
 
-#include "lstm_planner/ros/controller/steering_controller.hpp"
+#include "ros/controller/steering_controller.hpp"
 #include "ros/diagnostics_listener.hpp"
 #include "ros/planner_fixture.hpp"
 

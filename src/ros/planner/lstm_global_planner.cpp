@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/planner/lstm_global_planner.hpp"
+#include "ros/planner/lstm_global_planner.hpp"
 
 #include <ros/console.h>
 #include <ros/node_handle.h>
