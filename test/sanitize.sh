@@ -38,7 +38,7 @@ judge() {
   return "$2"
 }
 
-plugin_tests=(controller_plugin planner_plugin planner_steps plugin_threads)
+plugin_tests=(bad_sensors controller_plugin planner_plugin planner_steps plugin_threads)
 
 # Runs rostest test/ros/$1.test with the arguments behind it.
 run_rostest() {

@@ -68,7 +68,7 @@ int datasetFromBag(const std::vector<std::string>& arguments) {
   convertIntoDataset(options.bags, options.recorder, options.output, [&](const std::string& bag, RecordingSink* sink) {
     const BagDriveResult result = recordBag(bag, options.drive, options.recorder, sink);
     sink->recording().description.odometry_frame = result.odometry_frame;
-    sink->recording().description.begun = utcTime(result.begun);
+    sink->recording().description.begun = utcTime(result.start);
     print(result, options.drive);
   });
   return 0;

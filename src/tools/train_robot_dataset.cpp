@@ -2,10 +2,13 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
+#include <memory>
+#include <numeric>
 #include <sstream>
 #include <utility>
 
 #include "lstm_planner/base/learning/confusion.hpp"
+#include "lstm_planner/base/learning/imitation_rounds.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/learning_curve.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
@@ -13,13 +16,12 @@
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/robot/dataset/dataset.hpp"
 #include "lstm_planner/robot/dataset/dataset_edit.hpp"
-#include "tools/interruption.hpp"
-#include "tools/progress.hpp"
 #include "tools/ranks.hpp"
 #include "tools/recorded_datasets.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_dataset_options.hpp"
 #include "tools/train_robot_options.hpp"
+#include "tools/training_host.hpp"
 
 namespace lstm_planner {
 
@@ -38,94 +40,145 @@ std::vector<std::string> namesOf(const ActionSet& actions) {
   return names;
 }
 
-class DatasetTraining {
+/// Drives that were recorded: all that there is to learn from is there from the start.
+class RecordedCourse : public ImitationCourse {
  public:
-  explicit DatasetTraining(DatasetTrainingOptions options) : options_(std::move(options)) {
-    Dataset training = readDatasets(options_.datasets, false);
-    makePolicy(training);
-    const PolicyDescription& policy = options_.training.sequences.policy;
-    if (needsScans(training, policy)) training = readDatasets(options_.datasets, true);
-    DatasetSplit parts{std::move(training), readDatasetsFor(policy, options_.validation_datasets)};
-    if (options_.validation_datasets.empty()) {
-      parts = splitDataset(parts.training, options_.validation_share, options_.seed);
-    }
-    sets_ = makeTrainingSets(parts, options_.training);
+  explicit RecordedCourse(DatasetTrainingSets sets) : sets_(std::move(sets)) {}
+  std::vector<Sequence> collectTraining(int /*round*/, const LayerStack* /*learner*/) override {
+    return std::move(sets_.training);
   }
-
-  int run() {
-    printLabels();
-    const LossSum before = evaluate(layers_, sets_.validation, options_.training.trainer.threads);
-    if (options_.fromModel())
-      std::cout << options_.init << " as it is: " << accuracyText(before.confusion) << std::endl;
-    const Interruption interruption;
-    const auto begun = std::chrono::steady_clock::now();
-    std::cout << "epoch  training accuracy  validation accuracy  of the averaged weights" << std::endl;
-    TrainingState state;
-    Trainer trainer(layers_, sets_.training, sets_.validation, options_.training.trainer, &state);
-    bool interrupted = false;
-    while (!trainer.done() && !interrupted) {
-      const EpochReport& report = trainer.runEpoch();
-      printEpoch(report);
-      if (options_.snapshots > 0 && report.epoch % options_.snapshots == 0) writeSnapshot(state);
-      bar_.show(static_cast<double>(report.epoch) / options_.training.trainer.epochs);
-      if (!options_.stability.empty()) {
-        stability_.push_back(measureEpoch(layers_, state, sets_.training, options_.training.trainer.threads));
-      }
-      interrupted = interruption.wanted();
-    }
-    const TrainingResult result = trainer.result();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
-    std::cout << result.curve.size() << " epochs in " << std::setprecision(1) << seconds.count() << " s" << std::endl;
-    finish(result);
-    if (!interrupted) return 0;
-    std::cout << "interrupted; this was the best until then" << std::endl;
-    return interruption.exitStatus();
+  std::vector<Sequence> collectValidation(int /*round*/, const LayerStack* /*learner*/) override {
+    return std::move(sets_.validation);
   }
 
  private:
-  void makePolicy(const Dataset& training) {
-    PolicyDescription& policy = options_.training.sequences.policy;
-    if (options_.fromModel()) {
-      Model model = readModelFile(options_.init);
-      policy = readPolicyDescription(model.metadata);
-      layers_ = std::move(model.layers);
-      DrivePolicy(policy, layers_);  // throws unless they fit together
-      return;
+  DatasetTrainingSets sets_;
+};
+
+/// The network before; `policy` is filled in.
+LayerStack firstLayers(const DatasetTrainingOptions& options, const Dataset& training, PolicyDescription* policy) {
+  if (options.fromModel()) {
+    Model model = readModelFile(options.init);
+    *policy = readPolicyDescription(model.metadata);
+    DrivePolicy(*policy, model.layers);  // throws unless they fit together
+    return std::move(model.layers);
+  }
+  *policy = policyOf(training);
+  const double range_cap = policy->encoder.range_cap;
+  policy->encoder = options.encoder;
+  policy->encoder.range_cap = range_cap;
+  const int inputs = static_cast<int>(policy->encoder.input_layout.size());
+  LayerStack layers = makeNetwork(inputs, options.network.shape, policy->actions.size());
+  initialise({}, options.seed, layers);
+  return layers;
+}
+
+DatasetTrainingSets readSets(const DatasetTrainingOptions& options, Dataset training) {
+  const PolicyDescription& policy = options.training.sequences.policy;
+  if (needsScans(training, policy)) training = readDatasets(options.datasets, true);
+  DatasetSplit parts{std::move(training), readDatasetsFor(policy, options.validation_datasets)};
+  if (options.validation_datasets.empty()) {
+    parts = splitDataset(parts.training, options.validation_share, options.seed);
+  }
+  return makeTrainingSets(parts, options.training);
+}
+
+long stepsOf(const std::vector<long>& labels) { return std::accumulate(labels.begin(), labels.end(), 0L); }
+
+/// How many labels of each kind there are, so that nobody takes the most frequent one for a result.
+void printLabels(const DatasetTrainingParameters& training, const DatasetTrainingSets& sets) {
+  std::cout << std::fixed << std::setprecision(2) << "label [deg]";
+  for (const std::string& name : namesOf(training.sequences.policy.actions)) std::cout << std::setw(8) << name;
+  const auto print = [](const char* title, const auto& values) {
+    std::cout << std::left << std::setw(11) << title << std::right;
+    for (const auto& value : values) std::cout << std::setw(8) << value;
+  };
+  std::cout << "\n";
+  print("training", sets.training_labels);
+  std::cout << "   " << stepsOf(sets.training_labels) << " steps; with --variants " << training.variants << ' '
+            << sets.training.size() << " sequences\n";
+  print("validation", sets.validation_labels);
+  std::cout << "   " << stepsOf(sets.validation_labels) << " steps in " << sets.validation.size() << " episodes\n";
+  print("weight", sets.label_weights);
+  std::cout << "   --balance " << toString(training.balance) << "\nmajority-class baseline: accuracy "
+            << percentText(constantAnswerAccuracy(sets.validation_labels)) << " on the validation set" << std::endl;
+}
+
+/// A network that always gives one answer has a high accuracy where that answer is frequent.
+void warnNearChance(const LossSum& validation) {
+  constexpr double kNear = 0.1;
+  const double chance = balancedAccuracy(constantAnswer(validation.confusion));
+  const double balanced = balancedAccuracy(validation.confusion);
+  if (balanced >= chance + kNear * (1.0 - chance)) return;
+  std::cout << "warning: the balanced accuracy of " << percentText(balanced) << " is near the " << percentText(chance)
+            << " of always giving the same answer: the network has not learned to steer" << std::endl;
+}
+
+class DatasetTrainingHost : public ToolTrainingHost {
+ public:
+  DatasetTrainingHost(const TrainingLoopOptions& loop, const DatasetTrainingOptions& options,
+                      const std::vector<long>& validation_labels, const ImitationRounds& training)
+      : ToolTrainingHost(loop), options_(options), validation_labels_(validation_labels), training_(training) {}
+
+  void stepDone() override {
+    const EpochReport& report = training_.epoch();
+    printEpoch(report);
+    if (options_.snapshots > 0 && report.epoch % options_.snapshots == 0 && isFirstRank()) writeSnapshot(report);
+    if (!options_.stability.empty()) {
+      stability_.push_back(
+          measureEpoch(training_.layers(), training_.state(), training_.training(), options_.training.trainer.threads));
     }
-    policy = policyOf(training);
-    const double range_cap = policy.encoder.range_cap;
-    policy.encoder = options_.encoder;
-    policy.encoder.range_cap = range_cap;
-    const int inputs = static_cast<int>(policy.encoder.input_layout.size());
-    layers_ = makeNetwork(inputs, options_.network.shape, policy.actions.size());
-    initialise({}, options_.seed, layers_);
+    ToolTrainingHost::stepDone();
   }
 
-  /// How many labels of each kind there are, so that nobody takes the most frequent one for a result.
-  void printLabels() const {
-    const std::vector<std::string> names = namesOf(options_.training.sequences.policy.actions);
-    std::cout << std::fixed << std::setprecision(2) << "label [deg]";
-    for (const std::string& name : names) std::cout << std::setw(8) << name;
-    const auto print = [](const char* title, const auto& values) {
-      std::cout << std::left << std::setw(11) << title << std::right;
-      for (const auto& value : values) std::cout << std::setw(8) << value;
-    };
-    std::cout << "\n";
-    print("training", sets_.training_labels);
-    std::cout << "   " << stepsOf(sets_.training_labels) << " steps; with --variants " << options_.training.variants
-              << ' ' << sets_.training.size() << " sequences\n";
-    print("validation", sets_.validation_labels);
-    std::cout << "   " << stepsOf(sets_.validation_labels) << " steps in " << sets_.validation.size() << " episodes\n";
-    print("weight", sets_.label_weights);
-    std::cout << "   --balance " << toString(options_.training.balance) << "\nmajority-class baseline: accuracy "
-              << percentText(constantAnswerAccuracy(sets_.validation_labels)) << " on the validation set" << std::endl;
+  double judge(const LayerStack& /*layers*/) override {
+    seconds_ = std::chrono::steady_clock::now() - start_;
+    return best().kept().accuracy();
   }
 
-  static long stepsOf(const std::vector<long>& labels) {
-    long steps = 0;
-    for (const long count : labels) steps += count;
-    return steps;
+  void keep(const LayerStack& layers) override {
+    writeModel(options_.output, layers, best().kept());
+    if (!options_.confusion.empty()) writeConfusion(options_.confusion, best().kept().confusion, names());
+    if (!options_.stability.empty()) writeStability(options_.stability, stability_);
+    if (!options_.curve.empty()) {
+      const std::string stem = options_.curve.substr(0, options_.curve.rfind('.'));
+      writeLearningCurve(stem + ".csv", options_.curve, training_.curve());
+    }
   }
+
+  void judged(const Judgement& /*judgement*/) override {
+    std::cout << training_.curve().size() << " epochs in " << std::setprecision(1) << seconds_.count() << " s\n"
+              << "validation set by the " << (options_.training.trainer.averaging > 0.0 ? "averaged " : "")
+              << "weights of epoch " << best().epoch << ":\n"
+              << confusionText(best().kept().confusion, names());
+    warnNearChance(best().kept());
+    if (!stability_.empty()) std::cout << stabilityText(stability_);
+  }
+
+  nlohmann::json notes() const override {
+    nlohmann::json stability = nlohmann::json::array();
+    for (const EpochAccuracies& epoch : stability_) {
+      stability.push_back({epoch.epoch, epoch.moving, epoch.snapshot, epoch.averaged, epoch.validation_snapshot,
+                           epoch.validation_averaged});
+    }
+    return {{"stability", stability}};
+  }
+  void restoreNotes(const nlohmann::json& progress) override {
+    for (const nlohmann::json& epoch : progress.at("stability")) {
+      stability_.push_back({epoch.at(0), epoch.at(1), epoch.at(2), epoch.at(3), epoch.at(4), epoch.at(5)});
+    }
+  }
+
+ private:
+  double progress() const override { return training_.progress(); }
+  std::string position() const override { return std::to_string(training_.epochsOfRound()) + " epochs"; }
+  std::string scoreName() const override { return "accuracy"; }
+  void printHeader() const override {
+    std::cout << "epoch  training accuracy  validation accuracy  of the averaged weights" << std::endl;
+  }
+
+  EpochReport best() const { return training_.roundResult().best(); }
+  std::vector<std::string> names() const { return namesOf(options_.training.sequences.policy.actions); }
 
   void printEpoch(const EpochReport& report) const {
     const int epochs = options_.training.trainer.epochs;
@@ -137,42 +190,10 @@ class DatasetTraining {
     std::cout << std::endl;
   }
 
-  void finish(const TrainingResult& result) const {
-    const EpochReport& best = result.best();
-    const PolicyDescription& policy = options_.training.sequences.policy;
-    const std::vector<std::string> names = namesOf(policy.actions);
-    std::cout << "validation set by the " << (options_.training.trainer.averaging > 0.0 ? "averaged " : "")
-              << "weights of epoch " << best.epoch << ":\n"
-              << confusionText(best.kept().confusion, names);
-    warnNearChance(best.kept());
-    if (!stability_.empty()) std::cout << stabilityText(stability_);
-    if (!isFirstRank()) return;
-    writeModel(options_.output, result.layers, best.kept());
-    std::cout << "wrote " << options_.output << ": " << accuracyText(best.kept().confusion) << std::endl;
-    if (!options_.confusion.empty()) writeConfusion(options_.confusion, best.kept().confusion, names);
-    if (!options_.stability.empty()) writeStability(options_.stability, stability_);
-    if (!options_.curve.empty()) {
-      const std::string stem = options_.curve.substr(0, options_.curve.rfind('.'));
-      writeLearningCurve(stem + ".csv", options_.curve, result.curve);
-    }
-  }
-
-  /// A network that always gives one answer has a high accuracy where that answer is frequent.
-  static void warnNearChance(const LossSum& validation) {
-    constexpr double kNear = 0.1;
-    const double chance = balancedAccuracy(constantAnswer(validation.confusion));
-    const double balanced = balancedAccuracy(validation.confusion);
-    if (balanced >= chance + kNear * (1.0 - chance)) return;
-    std::cout << "warning: the balanced accuracy of " << percentText(balanced) << " is near the " << percentText(chance)
-              << " of always giving the same answer: the network has not learned to steer" << std::endl;
-  }
-
   /// The weights of the epoch that ended last, not the averaged ones.
-  void writeSnapshot(const TrainingState& state) const {
-    if (!isFirstRank()) return;
-    const EpochReport& report = state.curve.back();
-    LayerStack layers = layers_;
-    setParameterVector(state.weights, layers);
+  void writeSnapshot(const EpochReport& report) const {
+    LayerStack layers = training_.layers();
+    setParameterVector(training_.state().weights, layers);
     const std::string epochs = std::to_string(options_.training.trainer.epochs);
     std::ostringstream path;
     path << options_.output.substr(0, options_.output.rfind(".onnx")) << "_epoch_" << std::setfill('0')
@@ -185,18 +206,18 @@ class DatasetTraining {
     model.layers = layers;
     writeMetadata(options_.training.sequences.policy, &model.metadata);
     model.metadata["training_command"] = options_.command;
-    model.metadata["score"] =
-        std::to_string(stepsOf(sets_.validation_labels)) +
-        " recorded validation steps: " + accuracyText(validation.confusion) +
-        "; majority-class baseline: " + percentText(constantAnswerAccuracy(sets_.validation_labels));
+    model.metadata["score"] = std::to_string(stepsOf(validation_labels_)) +
+                              " recorded validation steps: " + accuracyText(validation.confusion) +
+                              "; majority-class baseline: " + percentText(constantAnswerAccuracy(validation_labels_));
     writeModelFile(path, model);
   }
 
-  DatasetTrainingOptions options_;
-  LayerStack layers_;
-  DatasetTrainingSets sets_;
+  const DatasetTrainingOptions& options_;
+  const std::vector<long> validation_labels_;
+  const ImitationRounds& training_;
   std::vector<EpochAccuracies> stability_;
-  Progress bar_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::chrono::duration<double> seconds_{};  ///< of the training, when its network was judged
 };
 
 }  // namespace
@@ -204,7 +225,25 @@ class DatasetTraining {
 int trainRobotByDataset(const std::vector<std::string>& arguments) {
   DatasetTrainingOptions options;
   if (!readDatasetTrainingOptions(arguments, &options)) return 0;
-  return DatasetTraining(std::move(options)).run();
+  Dataset recorded = readDatasets(options.datasets, false);
+  const LayerStack layers = firstLayers(options, recorded, &options.training.sequences.policy);
+  DatasetTrainingSets sets = readSets(options, std::move(recorded));
+  printLabels(options.training, sets);
+  const TrainerParameters& trainer = options.training.trainer;
+  if (options.fromModel()) {
+    const LossSum before = evaluate(layers, sets.validation, trainer.threads);
+    std::cout << options.init << " as it is: " << accuracyText(before.confusion) << std::endl;
+  }
+  const std::vector<long> validation_labels = sets.validation_labels;
+  ImitationRounds training({1, 0, trainer}, layers, std::make_unique<RecordedCourse>(std::move(sets)));
+  TrainingLoopOptions loop;
+  loop.checkpoint = options.checkpoint;
+  loop.settings = options.settings;
+  loop.output = options.output;
+  loop.keep_last = true;  // by then the best epoch is chosen
+  loop.communicator = ranks();
+  DatasetTrainingHost host(loop, options, validation_labels, training);
+  return host.end(runTraining(loop, &training, &host));
 }
 
 }  // namespace lstm_planner

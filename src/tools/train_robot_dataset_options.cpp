@@ -51,6 +51,7 @@ void addNetworkOptions(DatasetTrainingOptions* o, CommandLine* line) {
   line->section("the network");
   line->addFile("init", &o->init, "model file to start from; it determines layers and inputs");
   line->addOutput("output", &o->output, "ONNX file to write: the best epoch").required();
+  line->addOutput("checkpoint", &o->checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->add("snapshots", &o->snapshots, {0, kAnyCount.most},
             "epochs between snapshots of the weights (thesis 4.2); each is a file named after --output and the epoch; "
             "0: no snapshots");
@@ -95,6 +96,43 @@ void check(const CommandLine& line, const DatasetTrainingOptions& o) {
   }
 }
 
+/// Everything that changes the result, by the names of the options.
+nlohmann::json settingsOf(const DatasetTrainingOptions& o) {
+  const DatasetTrainingParameters& training = o.training;
+  const TrainerParameters& trainer = training.trainer;
+  const NetworkShape& shape = o.network.shape;
+  return {{"task", "robot"},
+          {"method", "dataset"},
+          {"dataset", o.datasets},
+          {"validation-dataset", o.validation_datasets},
+          {"validation-share", o.validation_share},
+          {"preset", o.preset},
+          {"label-distance", training.sequences.label_distance},
+          {"sequence", training.sequences.sequence_steps},
+          {"burn-in", training.sequences.burn_in_steps},
+          {"balance", toString(training.balance)},
+          {"variants", training.variants},
+          {"init", o.init},
+          {"inputs", o.encoder.input_layout},
+          {"event-range", o.encoder.event_range},
+          {"position-cell", o.encoder.position_cell},
+          {"heading-cell", o.encoder.heading_cell},
+          {"network", o.network.network},
+          {"cells", shape.cells},
+          {"deep-in", shape.deep_in},
+          {"deep-out", shape.deep_out},
+          {"activation", nameOf(shape.activation, activations())},
+          {"candidate", nameOf(shape.candidate, candidates())},
+          {"epochs", trainer.epochs},
+          {"loss", nameOf(trainer.loss, losses())},
+          {"rate", trainer.optimiser.learning_rate},
+          {"batch", trainer.batch_size},
+          {"clip", trainer.optimiser.max_gradient_norm},
+          {"averaging", trainer.averaging},
+          {"instability", !o.stability.empty()},
+          {"seed", o.seed}};
+}
+
 }  // namespace
 
 bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, DatasetTrainingOptions* options) {
@@ -111,6 +149,7 @@ bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, Datas
     validate(options->training);
     check(line, *options);
     if (!options->fromModel()) finishRobotNetworkOptions(line, &options->network, &options->encoder);
+    options->settings = settingsOf(*options);
   });
   return line.parse(arguments);
 }

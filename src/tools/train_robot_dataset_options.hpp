@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,10 @@ struct DatasetTrainingOptions {
   RobotNetworkOptions network;
   EncoderParameters encoder;  ///< of a new network; the range cap is the recordings'
   std::string output;
-  int snapshots = 0;  ///< epochs from one to the next; 0: none
-  std::string curve;  ///< PNG files; empty: none
+  std::string checkpoint;   ///< empty: none
+  nlohmann::json settings;  ///< what the training depends on, for the checkpoint
+  int snapshots = 0;        ///< epochs from one to the next; 0: none
+  std::string curve;        ///< PNG files; empty: none
   std::string confusion;
   std::string stability;
   std::uint64_t seed = 1;

@@ -5,7 +5,7 @@
 
 namespace lstm_planner {
 
-void ToolTrainingHost::begun(bool resumed) {
+void ToolTrainingHost::started(bool resumed) {
   if (resumed) std::cout << "going on from " << options_.checkpoint << " after " << position() << std::endl;
   printHeader();
 }

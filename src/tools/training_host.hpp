@@ -14,7 +14,7 @@ class ToolTrainingHost : public TrainingHost {
   /// `options` must outlive it.
   explicit ToolTrainingHost(const TrainingLoopOptions& options) : options_(options) {}
 
-  void begun(bool resumed) final;
+  void started(bool resumed) final;
   void stepDone() override { bar_.show(progress()); }
   bool stopWanted() final { return interruption_.wanted(); }
 

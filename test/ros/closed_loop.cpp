@@ -5,6 +5,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <cmath>
+#include <string>
 
 #include "ros/closed_loop_fixture.hpp"
 
@@ -17,6 +18,14 @@ using State = actionlib::SimpleClientGoalState;
 /// itself is not asked here (map frame).
 const Pose2 kNear{1.5, 4.0, 0.0};
 const Pose2 kBehindTheBox{3.6, 4.1, 0.0};
+
+/// standalone_move_base says so itself, move_base leaves it to the planner.
+void expectMoonIsUnknown(LogListener* log, const std::string& whose) {
+  EXPECT_TRUE(eventually([&] {
+    return log->count(whose + "the goal's frame 'moon' is not connected to 'odom' by tf") > 0 ||
+           log->count("no plan: no transform from moon to odom") > 0;
+  }));
+}
 
 TEST_F(ClosedLoopTest, ArrivesAtAGoalInAnotherFrameWithoutContact) {
   send("map", kBehindTheBox);
@@ -81,7 +90,7 @@ TEST_F(ClosedLoopTest, MakePlanAnswersWithoutDriving) {
   service.request.goal.header.frame_id = "moon";
   service.response = {};
   EXPECT_TRUE(!ros::service::call("move_base/make_plan", service) || service.response.plan.poses.empty());
-  EXPECT_TRUE(log_.eventuallyHas("moon"));
+  expectMoonIsUnknown(&log_, "make_plan: ");
 }
 
 TEST_F(ClosedLoopTest, GoalInsideAnObstacleIsAbortedWithoutContact) {
@@ -95,7 +104,7 @@ TEST_F(ClosedLoopTest, GoalInAFrameThatIsNotThereMovesNothing) {
   const Pose2 before = pose();
   send("moon", kNear);
   over(5.0);  // standalone_move_base aborts at once; move_base tries for ever, and takes a cancel
-  EXPECT_TRUE(log_.eventuallyHas("moon")) << "the line that says why names the frame";
+  expectMoonIsUnknown(&log_, "The goal was refused: ");
   EXPECT_LT(distanceBetween(before, pose()), 0.01);
   client_.cancelGoal();
   ASSERT_TRUE(over(5.0));
@@ -108,7 +117,8 @@ TEST_F(ClosedLoopTest, OdometryJumpIsSurvivedWithoutContact) {
   ASSERT_TRUE(eventuallyDrives());
   std_srvs::Trigger jump;
   ASSERT_TRUE(ros::service::call("create2_stub/jump_odometry", jump));
-  EXPECT_TRUE(eventuallyDrives());
+  const Pose2 before = pose();
+  EXPECT_TRUE(eventually([&] { return distanceBetween(before, pose()) > 0.2; })) << "it goes on";
   over(10.0);
 }
 

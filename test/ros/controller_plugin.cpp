@@ -8,7 +8,7 @@
 #include <limits>
 #include <pluginlib/class_loader.hpp>
 
-#include "lstm_planner/ros/controller/steering_controller.hpp"
+#include "ros/controller/steering_controller.hpp"
 #include "ros/diagnostics_listener.hpp"
 #include "ros/planner_fixture.hpp"
 
@@ -73,7 +73,7 @@ TEST_F(ControllerTest, StandsWithoutAPlanAndWithAnEmptyOne) {
 }
 
 TEST_F(ControllerTest, StandsWhileTheScanIsOldAndGoesOnWhenItReturns) {
-  expectStands("the newest message on /scan is 0.25", [&] {
+  expectStands("the newest message on /scan is 0.25* s old, allowed are scan_timeout = 0.2", [&] {
     stand(kLogPeriod);
     robot_.wait(0.25);  // three periods of 0.05 s are less than the shortest timeout, 0.2 s; of odometry 0.3 s
   });
@@ -98,7 +98,7 @@ TEST_F(ControllerTest, WaitsLongerForAScannerThatIsSlower) {
   robot_.wait(0.45);
   robot_.publishOdometry();
   EXPECT_TRUE(eventually([&] { return controller_->computeVelocityCommands(velocity_); })) << "up to 0.6 s";
-  expectStands("the newest message on /scan is 0.65", [&] {
+  expectStands("the newest message on /scan is 0.65* s old, allowed are scan_timeout = 0.6", [&] {
     stand(kLogPeriod);
     robot_.wait(0.65);
     robot_.publishOdometry();
@@ -106,7 +106,7 @@ TEST_F(ControllerTest, WaitsLongerForAScannerThatIsSlower) {
 }
 
 TEST_F(ControllerTest, StandsWhileTheOdometryIsOld) {
-  expectStands("the newest message on /odom is 0.35", [&] {
+  expectStands("the newest message on /odom is 0.35* s old, allowed are odom_timeout = 0.3", [&] {
     stand(kLogPeriod);
     robot_.wait(0.35);
     robot_.publishScan();
@@ -117,7 +117,7 @@ TEST_F(ControllerTest, StandsWhileTheOdometryIsOld) {
 TEST_F(ControllerTest, StandsWhenThePlanIsNotRenewed) {
   EXPECT_TRUE(controller_->setPlan(straightPlan("odom", {}, 3.0)));
   EXPECT_TRUE(computeAt(robot_.pose()));
-  expectStands("the plan is 2.", [&] { robot_.again(); });  // plan_timeout is 2 s
+  expectStands("the plan is 2.* s old, allowed are plan_timeout = 2.0", [&] { robot_.again(); });
   EXPECT_FALSE(controller_->isGoalReached());
   controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
   EXPECT_TRUE(computeAt(robot_.pose()));
@@ -238,6 +238,29 @@ TEST_F(ControllerTest, SaysThatAnObstacleStopsIt) {
     return listener.latched().message.find(reason) == 0 && log_.count(reason) > 0;
   }));
   EXPECT_EQ(listener.latched().level, diagnostic_msgs::DiagnosticStatus::WARN);
+}
+
+TEST_F(ControllerTest, YieldsToAPersonWhereScansHaveNoStamps) {
+  DiagnosticsListener listener("SteeringController");
+  double person = 3.0;  // m from the scanner to the middle of somebody straight ahead
+  robot_.range = [&person](double angle) {
+    constexpr double kRadius = 0.25;
+    const double aside = person * std::sin(angle);
+    if (std::abs(angle) > M_PI_4 || std::abs(aside) >= kRadius) return static_cast<float>(4.0 + angle);
+    return static_cast<float>(person * std::cos(angle) - std::sqrt(kRadius * kRadius - aside * aside));
+  };
+  robot_.alter_scan = [](auto* scan) { scan->header.stamp = ros::Time(); };
+  const std::string reason = "the robot stands: it yields to somebody who moves";
+  bool stands = false;
+  EXPECT_TRUE(eventually([&] {
+    if (!stands) {
+      person = person > 0.7 ? person - 0.04 : 3.0;  // comes at 0.8 m/s, again and again
+      robot_.again();
+    }
+    controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
+    stands = controller_->computeVelocityCommands(velocity_) && velocity_.linear.x == 0.0;
+    return stands && listener.latched().message.find(reason) == 0;
+  }));
 }
 
 TEST_F(ControllerTest, TellsOfItsSensorsAndThatNobodyAsks) {

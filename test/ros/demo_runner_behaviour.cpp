@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "ros/waiting.hpp"
+#include "support/picture_check.hpp"
 
 namespace {
 
@@ -124,7 +125,7 @@ TEST_F(DemoRunner, SendsGoalsInTheOdometryFrameAndIsContentWhenAllAreReached) {
   EXPECT_GT(leg(0)["time_s"].get<double>(), 0.8 / 0.5);
   std::string picture;
   ASSERT_TRUE(ros::param::get("demo_runner/picture", picture));
-  EXPECT_TRUE(std::ifstream(picture).good());
+  lstm_planner::test::expectPicture(picture);
   std::remove(picture.c_str());
 }
 

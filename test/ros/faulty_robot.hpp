@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -66,7 +67,8 @@ class FaultyRobot {
  public:
   static constexpr double kPeriod = 0.05;  ///< s, of control, scans and odometry
 
-  explicit FaultyRobot(std::uint64_t seed) : random_(seed) {
+  /// `mean_pause`: from a fault to the next, s; infinite: none ever comes.
+  explicit FaultyRobot(std::uint64_t seed, double mean_pause = 30.0) : random_(seed), mean_pause_(mean_pause) {
     ros::Time::setNow(ros::Time(1e6));
     static_broadcaster_.sendTransform(toMessage(laser_.mount.pose, "base_footprint", "laser", ros::Time::now()));
   }
@@ -98,13 +100,15 @@ class FaultyRobot {
   /// Whether the newest scan, if there was one, cannot be used.
   bool isBlind() const { return fault_ < Fault::kNoOdometry; }
 
+  /// What else a test does to each scan; false: it is lost.
+  std::function<bool(sensor_msgs::LaserScan*)> pass_scan = [](sensor_msgs::LaserScan*) { return true; };
+
  private:
   void breakOrMend() {
-    constexpr double kMeanPause = 30.0;  // s from a fault to the next
     if (fault_ != Fault::kNone) {
       fault_left_ -= kPeriod;
       if (fault_left_ <= 0.0) fault_ = Fault::kNone;
-    } else if (uniform(random_) < kPeriod / kMeanPause) {
+    } else if (uniform(random_) < kPeriod / mean_pause_) {
       ++faults_;
       fault_ = static_cast<Fault>(uniformIndex(random_, static_cast<std::size_t>(Fault::kNone)));
       fault_left_ = uniform(random_, 0.1, 6.0);
@@ -159,7 +163,7 @@ class FaultyRobot {
     message->header.frame_id = "laser";
     toMessage(scan_, message.get());
     spoil(message.get());
-    scans_.publish(message);
+    if (pass_scan(message.get())) scans_.publish(message);
   }
 
   void spoil(sensor_msgs::LaserScan* scan) const {
@@ -177,6 +181,7 @@ class FaultyRobot {
   }
 
   Random random_;
+  double mean_pause_;
   HokuyoParameters laser_;
   std::unique_ptr<SimulatedRobot> robot_;
   Pose2 odometry_offset_;

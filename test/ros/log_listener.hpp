@@ -5,6 +5,7 @@
 #include <rosgraph_msgs/Log.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -26,11 +27,11 @@ class LogListener {
     }));
   }
 
-  /// Number of lines with that text so far.
+  /// Number of lines with that text so far; in it, * stands for anything, such as an age.
   int count(const std::string& text) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return static_cast<int>(std::count_if(
-        lines_.begin(), lines_.end(), [&](const std::string& line) { return line.find(text) != std::string::npos; }));
+    return static_cast<int>(
+        std::count_if(lines_.begin(), lines_.end(), [&](const std::string& line) { return has(line, text); }));
   }
 
   /// True as soon as some node has logged that.
@@ -62,6 +63,18 @@ class LogListener {
   void onLog(const rosgraph_msgs::Log::ConstPtr& line) {
     const std::lock_guard<std::mutex> lock(mutex_);
     lines_.push_back(line->msg);
+  }
+
+  static bool has(const std::string& line, const std::string& text) {
+    std::size_t at = 0;
+    for (std::size_t start = 0; start <= text.size();) {
+      const std::size_t end = std::min(text.find('*', start), text.size());
+      at = line.find(text.substr(start, end - start), at);
+      if (at == std::string::npos) return false;
+      at += end - start;
+      start = end + 1;
+    }
+    return true;
   }
 
   /// The last one that is not its own.

@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/ros/planner/lstm_global_planner.hpp"
 #include "ros/callback_thread.hpp"
 #include "ros/fake_robot.hpp"
 #include "ros/hand_made_model.hpp"
 #include "ros/log_listener.hpp"
+#include "ros/planner/lstm_global_planner.hpp"
 
 namespace lstm_planner {
 

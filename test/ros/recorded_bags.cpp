@@ -54,7 +54,9 @@ std::string refusalOf(const std::string& path, const BagDriveOptions& options = 
     recordBag(path, options, {}, &sink);
   } catch (const std::invalid_argument& error) {
     EXPECT_TRUE(sink.recording().episodes.empty());
-    return std::string(error.what()).substr(std::string("the bag " + path + ": ").size());
+    const std::string named = "the bag " + path + ": ";
+    EXPECT_EQ(std::string(error.what()).find(named), 0u) << error.what();
+    return std::string(error.what()).substr(named.size());
   }
   return "";
 }
@@ -104,7 +106,7 @@ TEST(RecordedBagTest, GoalsAndTheirEndsAreThoseOfTheBag) {
   EXPECT_EQ(outcome.result.goals, 6);    // one of the five was passed on
   EXPECT_EQ(outcome.result.scans, 320);  // 32 s at 10 Hz
   EXPECT_EQ(outcome.result.odometry, 320);
-  EXPECT_NEAR(outcome.result.begun, DriveBag::kStart, 0.2);
+  EXPECT_NEAR(outcome.result.start, DriveBag::kStart, 0.2);
   EXPECT_NEAR(outcome.result.duration, 32.0, 0.2);
   EXPECT_TRUE(outcome.result.mount_known);
 

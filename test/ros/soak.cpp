@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/base/common/quantile.hpp"
 #include "lstm_planner/robot/dataset/dataset_check.hpp"
 #include "lstm_planner/robot/dataset/dataset_writer.hpp"
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
@@ -48,18 +49,13 @@ struct Sample {
   long steps = 0;           ///< recorded
 };
 
-double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  const auto rank = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + static_cast<long>(rank), values.end());
-  return values[rank];
-}
-
 /// A recorder in lock step, with a file of its own.
 class RecordedDrive {
  public:
   RecordedDrive(const RecorderParameters& parameters, const tf2::BufferCore& tf, const std::string& file)
-      : writer_(file, describe(parameters)), messages_(tf, "base_footprint", std::nullopt, parameters, &writer_) {
+      : file_(file),
+        writer_(file, describe(parameters)),
+        messages_(tf, "base_footprint", std::nullopt, parameters, &writer_) {
     node_.setCallbackQueue(&queue_);
     subscribers_ = {node_.subscribe("scan", 100, &RecordedDrive::onScan, this),
                     node_.subscribe("odom", 100, &RecordedDrive::onOdometry, this),
@@ -74,8 +70,8 @@ class RecordedDrive {
   long finish() {
     messages_.recorder().finish();
     writer_.finish();
-    for (const std::string& fault : checkDatasetFile(writer_.path())) ADD_FAILURE() << writer_.path() << ": " << fault;
-    std::filesystem::remove(writer_.path());
+    for (const std::string& fault : checkDatasetFile(file_)) ADD_FAILURE() << file_ << ": " << fault;
+    std::filesystem::remove(file_);
     return writer_.stored();
   }
 
@@ -92,6 +88,7 @@ class RecordedDrive {
     messages_.hear(*result, ros::Time::now());
   }
 
+  std::string file_;
   DatasetWriter writer_;
   DriveMessages messages_;
   ros::CallbackQueue queue_;
@@ -108,8 +105,8 @@ class Soak : public testing::Test {
     sample_ = {};
     for (const WorldKind kind : worldKinds()) driveIn(kind, seconds / static_cast<double>(worldKinds().size()));
     const std::vector<double> plan_times = host_->takePlanTimes();
-    sample_.median = percentile(plan_times, 0.5);
-    sample_.p99 = percentile(plan_times, 0.99);
+    sample_.median = quantile(plan_times, 0.5);
+    sample_.p99 = quantile(plan_times, 0.99);
     sample_.memory = residentMemory();
     sample_.threads = countThreads();
     sample_.descriptors = countDescriptors();
@@ -234,7 +231,7 @@ double medianOf(const std::vector<Sample>& samples, std::size_t quarter, const V
   for (std::size_t i = quarter * samples.size() / 4; i < (quarter + 1) * samples.size() / 4; ++i) {
     values.push_back(value(samples[i]));
   }
-  return percentile(values, 0.5);
+  return quantile(values, 0.5);
 }
 
 /// The first quarter is left out: until then not everything has been used once.

@@ -17,7 +17,7 @@ class TrainingLoop {
       : options_(options), training_(*training), host_(*host) {}
 
   TrainingOutcome run() {
-    host_.begun(restore());
+    host_.started(restore());
     if (training_.judgementDue() && (!best_ || isLast())) judge(true);
     bool stopped = false;
     while (!training_.done() && !stopped) {

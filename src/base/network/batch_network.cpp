@@ -38,12 +38,11 @@ float withoutDenormals(float value) { return std::abs(value) < std::numeric_limi
 
 struct BatchNetwork::Program {
   BatchLayers packed;
-  InstructionSet set;
   const BatchKernels& kernels;
 };
 
 BatchNetwork::BatchNetwork(const LayerStack& layers, int batch, InstructionSet set)
-    : program_(std::make_shared<Program>(Program{packBatchLayers(layers), set, kernelsOf(set)})),
+    : program_(std::make_shared<Program>(Program{packBatchLayers(layers), kernelsOf(set)})),
       input_size_(lstm_planner::inputSize(layers)) {
   if (batch < 1) throw std::invalid_argument("a batch has " + std::to_string(batch) + " agents, expected at least 1");
   const BatchKernels& kernels = program_->kernels;
@@ -61,8 +60,6 @@ BatchNetwork::BatchNetwork(const LayerStack& layers, int batch, InstructionSet s
   outputs_.setZero(lstm_planner::outputSize(layers), batch);
   reset();
 }
-
-InstructionSet BatchNetwork::instructionSet() const { return program_->set; }
 
 int BatchNetwork::hiddenStateSize() const { return static_cast<int>(program_->packed.state_rows[parity_].size()); }
 
@@ -125,12 +122,6 @@ const BatchNetwork::Tile& BatchNetwork::tileOf(int agent) const {
 }
 
 void BatchNetwork::reset() { std::fill(memory_.begin(), memory_.end(), CacheLine{}); }
-
-void BatchNetwork::forget(int agent) {
-  const Tile& tile = tileOf(agent);
-  float* const lane = memoryOf(tile) + agent - tile.first_agent;
-  for (const int row : program_->packed.state_rows[parity_]) lane[row * tile.lanes] = 0.0f;
-}
 
 BatchNetwork::HiddenState BatchNetwork::hiddenState(int agent) const {
   const Tile& tile = tileOf(agent);

@@ -93,13 +93,13 @@ GridEpisode runGridEpisode(const PassableGrid& grid, const RangeTable& ranges, C
                                 std::to_string(start.row) + ": expected a passable cell of the map");
   }
   GridEpisode episode;
-  const double begin = processorSeconds();
+  const double seconds_before = processorSeconds();
   GridWalk walk(ranges, start, goal);
   agent->start(start, goal);
   episode.end = run(grid, rules, agent, &walk, path, &episode);
   episode.straight_moves = walk.straightMoves();
   episode.diagonal_moves = walk.diagonalMoves();
-  episode.seconds = processorSeconds() - begin;
+  episode.seconds = processorSeconds() - seconds_before;
   const auto searched = static_cast<std::int64_t>(agent->expandedCells());
   episode.expanded = searched > 0 ? searched : episode.steps();
   episode.peak_bytes = static_cast<std::int64_t>(agent->peakBytes());

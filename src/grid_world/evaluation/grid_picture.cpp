@@ -108,7 +108,7 @@ void drawPaths(const GridPicture& picture, Canvas* canvas) {
   }
 }
 
-/// The map with a line of text above it, and one below it for each way.
+/// The map with a line of text above it, and one below it for each path.
 cv::Mat withText(const cv::Mat& map, const GridPicture& picture) {
   constexpr int kMargin = 10;
   const int lines = static_cast<int>(picture.paths.size());

@@ -219,13 +219,6 @@ bool DStar::plan(CellIndex robot) {
 
 int DStar::firstMove(CellIndex robot) const { return costToGoal(robot) < kUnreachable ? find(robot)->back : kNoBack; }
 
-GridPath DStar::path(CellIndex robot) const {
-  if (costToGoal(robot) >= kUnreachable) return {};
-  std::vector<CellIndex> cells = {robot};
-  while (firstMove(cells.back()) != kNoBack) cells.push_back(cellBeside(cells.back(), firstMove(cells.back())));
-  return pathAlong(std::move(cells));
-}
-
 std::size_t DStar::peakBytes() const {
   return tile_count_ * sizeof(Tile) + tiles_.size() * sizeof(tiles_.front()) + most_open_ * sizeof(Open);
 }

@@ -41,9 +41,6 @@ class DStar {
   /// at the goal and where there is no path.
   int firstMove(CellIndex robot) const;
 
-  /// The whole path that plan() found from this cell; empty when there is none.
-  GridPath path(CellIndex robot) const;
-
   /// Calls of PROCESS-STATE that took a state from the open list.
   std::size_t processedStates() const { return processed_; }
   /// Tiles, their directory, and the open list at its longest.

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "lstm_planner/base/grid/grid_rays.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -28,13 +30,14 @@ void checkHeuristic(const HeuristicParameters& heuristic) {
 MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, CellIndex to, const MoveCosts& costs) {
   const MoveCost columns = std::abs(from.column - to.column);
   const MoveCost rows = std::abs(from.row - to.row);
+  const OctileSteps steps(columns, rows);
   switch (heuristic.kind) {
     case Heuristic::kManhattan:
       return costs.straight * (columns + rows);
     case Heuristic::kChebyshev:
       return costs.straight * std::max(columns, rows);
     case Heuristic::kOctile:
-      return costs.straight * (columns + rows) + (costs.diagonal - 2 * costs.straight) * std::min(columns, rows);
+      return costs.straight * steps.straight + costs.diagonal * steps.diagonal;
     case Heuristic::kEuclidean:
       return straightLine(columns, rows, 1.0);
     case Heuristic::kScaledEuclidean:

@@ -251,6 +251,5 @@ long DatasetWriter::stored() const { return implementation_->stored_; }
 long DatasetWriter::waiting() const { return implementation_->waiting_steps_; }
 long DatasetWriter::lost() const { return implementation_->lost_; }
 const std::string& DatasetWriter::problem() const { return implementation_->problem_; }
-const std::string& DatasetWriter::path() const { return implementation_->path_; }
 
 }  // namespace lstm_planner

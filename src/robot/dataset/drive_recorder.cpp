@@ -117,7 +117,7 @@ void DriveRecorder::work(const GoalHeard& goal) {
 void DriveRecorder::work(const GoalGivenUp&) { endEpisode(EpisodeEnd::kAborted); }
 
 void DriveRecorder::work(const ScanHeard& scan) {
-  silence_.show(scan.scan, parameters_.scan_rules, scan.stamp);
+  silence_.show(scan.scan, parameters_.scan_rules, scan.stamp, history_.empty() ? Pose2() : history_.newest().pose);
   if (!history_.empty() && history_.newest().stamp == scan.stamp) {
     sample(scan);
   } else if (waiting_.size() < kMostWaitingScans) {

@@ -46,13 +46,13 @@ void ElasticBand::layChain(const Point2& robot, const Decision& decision) {
 }
 
 void ElasticBand::addPiece(const Point2& corner) {
-  const Point2 begin = chain_.back();
-  const double length = distanceBetween(begin, corner);
+  const Point2 start = chain_.back();
+  const double length = distanceBetween(start, corner);
   const double bent = std::min(length, left_);
   const int links = static_cast<int>(std::ceil(bent / kLink));
   for (int link = 1; link <= links; ++link) {
     const double share = bent / length * link / links;
-    chain_.push_back({begin.x + share * (corner.x - begin.x), begin.y + share * (corner.y - begin.y)});
+    chain_.push_back({start.x + share * (corner.x - start.x), start.y + share * (corner.y - start.y)});
   }
   left_ -= bent;
   if (bent < length) rest_.push_back(corner);

@@ -22,14 +22,14 @@ class PlanLine {
       beyond_.push_back(end);
       return;
     }
-    const Pose2 begin = plan_.back();
-    const double length = distanceBetween(begin, end);
+    const Pose2 start = plan_.back();
+    const double length = distanceBetween(start, end);
     if (length <= 0.0) {
       return;
     }
-    const double direction = directionTo(begin, end);
+    const double direction = directionTo(start, end);
     const double poses = std::max(1.0, std::ceil(length / spacing_));
-    const Point2 step{(end.x - begin.x) / poses, (end.y - begin.y) / poses};
+    const Point2 step{(end.x - start.x) / poses, (end.y - start.y) / poses};
     const std::size_t first = plan_.size();
     const std::size_t room = kMostDensePlanPoses - std::min(kMostDensePlanPoses, first);
     const bool fits = poses <= static_cast<double>(room);
@@ -37,7 +37,7 @@ class PlanLine {
     plan_.resize(first + count);
     for (std::size_t i = 0; i < count; ++i) {
       const auto steps = static_cast<double>(i + 1);
-      plan_[first + i] = {begin.x + steps * step.x, begin.y + steps * step.y, direction};
+      plan_[first + i] = {start.x + steps * step.x, start.y + steps * step.y, direction};
     }
     if (fits) {
       plan_.back() = {end.x, end.y, direction};

@@ -20,7 +20,7 @@ class ControlledRobot : public LoopRobot {
   ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters,
                   const DriveListener& listener)
       : robot_(*robot), parameters_(parameters), listener_(listener), tracker_(parameters.motion) {
-    tracker_.expectReactionTime(scanPeriod() + parameters.control_period + kDriverPeriod);
+    tracker_.expectReactionTime(scanPeriod(), parameters.control_period);
     const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
     goal_ = {goal.x, goal.y, 0.0};
   }
@@ -50,8 +50,7 @@ class ControlledRobot : public LoopRobot {
   }
 
  private:
-  static constexpr double kSameTime = 1e-6;     // s
-  static constexpr double kDriverPeriod = 0.1;  // s, of the slowest usual base drivers
+  static constexpr double kSameTime = 1e-6;  // s
   double scanPeriod() const { return 1.0 / parameters_.robot.scanner.rate; }
 
   SimulatedRobot& robot_;

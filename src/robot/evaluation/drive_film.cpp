@@ -49,8 +49,6 @@ class DriveFilm::Screen {
     writePicture(folder_ + name, canvas_.image());
   }
 
-  int frames() const { return frames_; }
-
  private:
   struct Part {
     Decision::Source source;
@@ -155,7 +153,5 @@ DriveFilm::DriveFilm(const OccupancyGrid& floor, const DriveTask& task, const st
 DriveFilm::~DriveFilm() = default;
 
 void DriveFilm::show(const DriveMoment& moment) { screen_->show(moment); }
-
-int DriveFilm::frames() const { return screen_->frames(); }
 
 }  // namespace lstm_planner

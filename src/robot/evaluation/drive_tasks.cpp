@@ -7,23 +7,16 @@
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/robot/evaluation/drive.hpp"
 #include "robot/evaluation/shortest_path.hpp"
+#include "robot/evaluation/standing_cells.hpp"
 
 namespace lstm_planner {
 
 std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footprint_radius, double clearance,
                                  double shortest, std::uint64_t seed) {
   const OccupancyGrid& grid = world.grid();
-  // Distances are between centres of cells, the obstacle starts half a cell before.
-  const double needed = footprint_radius + clearance + 0.5 * grid.resolution();
+  const double needed = distanceNeeded(footprint_radius + clearance, grid);
   const DistanceField distances(grid, true);
-  std::vector<CellIndex> standing;
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      if (grid.at({column, row}) == Cell::kFree && distances.at({column, row}) >= needed) {
-        standing.push_back({column, row});
-      }
-    }
-  }
+  const std::vector<CellIndex> standing = standingCells(grid, distances, needed);
   if (standing.empty()) {
     std::ostringstream message;
     message << "the map has no place for a disc with a radius of " << needed << " m";

@@ -10,6 +10,7 @@
 
 #include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/robot/dataset/drive_recorder.hpp"
+#include "robot/evaluation/standing_cells.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -83,9 +84,9 @@ class DriveRecording {
     const Point2 goal = waypoints_[chosen];
     recorder_.add(GoalHeard{robot_.time(), {kMapFrame, {goal.x, goal.y, 0.0}}, "waypoints"});
     driver_.setGoal(goal);
-    const double begun = robot_.time();
+    const double start = robot_.time();
     while (driver_.state() == ScriptedDriver::State::kDriving && !sink_.isFull()) {
-      if (robot_.time() - begun > parameters_.time_limit) break;
+      if (robot_.time() - start > parameters_.time_limit) break;
       drive();
     }
     result_.no_path += driver_.state() == ScriptedDriver::State::kNoPath ? 1 : 0;
@@ -137,15 +138,8 @@ std::vector<CellIndex> connectedPlaces(const GridWorld& world, double radius, Ra
   const OccupancyGrid& grid = world.grid();
   const DistanceField distances(grid, true);
   GeodesicField::Options options;
-  // Distances are between centres of cells, the obstacle starts half a cell before.
-  options.clearance = radius + 0.5 * grid.resolution();
-  std::vector<CellIndex> left;
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const CellIndex cell{column, row};
-      if (grid.at(cell) == Cell::kFree && distances.at(cell) >= options.clearance) left.push_back(cell);
-    }
-  }
+  options.clearance = distanceNeeded(radius, grid);
+  std::vector<CellIndex> left = standingCells(grid, distances, options.clearance);
   std::vector<CellIndex> largest;
   while (left.size() > largest.size()) {
     const GeodesicField field(grid, distances, left[uniformIndex(*random, left.size())], options);

@@ -98,13 +98,13 @@ bool StepSimulator::hasArrived(const Situation& situation, const Decision& decis
 
 void StepSimulator::carryOut(const Situation&, const Decision& decision, const NavigationAgent& agent) {
   const StepParameters& step = agent.parameters().step;
-  const Pose2 begin = odometry_;
+  const Pose2 start = odometry_;
   for (double elapsed = 0.0; elapsed < conditions_.period - 1e-9; elapsed += kPiece) {
     const double period = std::min(kPiece, conditions_.period - elapsed);
     if (elapsed + 1e-9 >= conditions_.latency) twist_ = steer(decision, agent, period);
     move(twist_, period);
     time_ += period;
-    if (isStepDriven(step, begin, odometry_, decision.waypoint)) break;
+    if (isStepDriven(step, start, odometry_, decision.waypoint)) break;
   }
 }
 

@@ -44,7 +44,7 @@ void ObstacleMemory::add(const Situation& situation) {
   passability_.startChanges();
   takeOverMarks(situation);
   scan_changes_.find(situation, window_);
-  for (const std::uint32_t key : scan_changes_.seenThrough()) {
+  for (const std::uint32_t key : scan_changes_.cleared()) {
     if (!isMarked(squareOf(key))) set(squareOf(key), false);
   }
   for (std::size_t i = 0; i < scan_changes_.returnsCount(); ++i) {

@@ -230,18 +230,6 @@ std::size_t RouteFinder::farthestInSight(ObstacleMemory& memory, const std::vect
   return at + seen;
 }
 
-double RouteFinder::costOf(ObstacleMemory& memory, const Route& route, double distance) const {
-  double cost = 0.0;
-  for (std::size_t i = 1; i < route.points.size(); ++i) {
-    const Point2& from = route.points[i - 1];
-    const Point2& to = route.points[i];
-    const double length = distanceBetween(from, to);
-    cost += distance > 0.0 ? costOf(memory, from, to) : length;
-    distance -= length;
-  }
-  return cost;
-}
-
 double RouteFinder::costOf(ObstacleMemory& memory, const Point2& from, const Point2& to) const {
   using Passage = ObstacleMemory::Passage;
   const double length = distanceBetween(from, to);

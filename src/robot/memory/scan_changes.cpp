@@ -23,12 +23,12 @@ const double kCorner = std::hypot(1.5, 1.5);
 }  // namespace
 
 ScanChanges::ScanChanges(double reach, double resolution) : reach_(reach), sight_(kCorner * resolution) {
-  seen_through_.reserve(kUsualChanges);
+  cleared_.reserve(kUsualChanges);
 }
 
 void ScanChanges::find(const Situation& situation, const ObstacleWindow& window) {
   findReturns(situation, window);
-  findSeenThrough(situation, window);
+  findCleared(situation, window);
 }
 
 void ScanChanges::findReturns(const Situation& situation, const ObstacleWindow& window) {
@@ -59,8 +59,8 @@ void ScanChanges::findReturns(const Situation& situation, const ObstacleWindow& 
   returned_is_known_ = false;
 }
 
-void ScanChanges::findSeenThrough(const Situation& situation, const ObstacleWindow& window) {
-  seen_through_.clear();
+void ScanChanges::findCleared(const Situation& situation, const ObstacleWindow& window) {
+  cleared_.clear();
   sight_.show(situation.profile, situation.pose.yaw);
   if (sight_.isBlind()) {
     return;
@@ -111,11 +111,11 @@ void ScanChanges::findInCells(const BitRows& squares, const SquareGrid& grid, st
     }
     occupied[i] = static_cast<std::uint16_t>(bits);
   }
-  std::uint32_t through[kMostCells * ObstacleWindow::kCellSquares + kPadding];
-  const std::size_t found = kernels.squaresSeenThrough(beams, grid, cells, limits, occupied, in_sight, through);
+  std::uint32_t clear[kMostCells * ObstacleWindow::kCellSquares + kPadding];
+  const std::size_t found = kernels.clearSquares(beams, grid, cells, limits, occupied, in_sight, clear);
   for (std::size_t i = 0; i < found; ++i) {
-    if (!isReturned(through[i])) {
-      seen_through_.push_back(through[i]);
+    if (!isReturned(clear[i])) {
+      cleared_.push_back(clear[i]);
     }
   }
 }

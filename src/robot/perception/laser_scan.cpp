@@ -52,13 +52,6 @@ void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules&
   for (; i < beams; ++i) ranges[i] = bounds.meaning(allOf(readings[i]))[0];
 }
 
-void toPoints(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, std::vector<Point2>* points) {
-  RangeProfile profile;
-  BeamDirections directions;
-  toProfile(scan, mount, rules, &profile);
-  toPoints(profile, &directions, points);
-}
-
 void toPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points) {
   constexpr float kTooNear = -std::numeric_limits<float>::infinity();
   const std::size_t beams = profile.ranges.size();

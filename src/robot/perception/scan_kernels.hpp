@@ -62,9 +62,9 @@ struct ScanKernels {
 
   /// Keys of the squares that the scan clears, of those in cells of four by four that `occupied` has a bit for,
   /// row by row. Returns how many. There is room for 16 more than all squares.
-  std::size_t (*squaresSeenThrough)(const SightBeams& beams, const SquareGrid& grid, const std::uint32_t* cells,
-                                    const float* limits, const std::uint16_t* occupied, std::size_t count,
-                                    std::uint32_t* through);
+  std::size_t (*clearSquares)(const SightBeams& beams, const SquareGrid& grid, const std::uint32_t* cells,
+                              const float* limits, const std::uint16_t* occupied, std::size_t count,
+                              std::uint32_t* clear);
 };
 
 ScanKernels baselineScanKernels();

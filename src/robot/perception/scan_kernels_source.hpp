@@ -235,7 +235,7 @@ LSTM_PLANNER_INLINE V limitOf(const SightBeams& beams, V x, V y) {
 }
 
 template <class V>
-LSTM_PLANNER_INLINE auto looksThrough(const SightBeams& beams, V x, V y) {
+LSTM_PLANNER_INLINE auto isClear(const SightBeams& beams, V x, V y) {
   using Integers = IntegersOf<V>;
   const V position = positionOf(beams.first, x, y);
   const Integers nearest = integers(position + 0.5f);
@@ -319,24 +319,23 @@ LSTM_PLANNER_INLINE std::size_t storeSquares(std::uint32_t cell, unsigned bits, 
 #endif
 }
 
-std::size_t squaresSeenThrough(const SightBeams& beams, const SquareGrid& grid, const std::uint32_t* cells,
-                               const float* limits, const std::uint16_t* occupied, std::size_t count,
-                               std::uint32_t* through) {
+std::size_t clearSquares(const SightBeams& beams, const SquareGrid& grid, const std::uint32_t* cells,
+                         const float* limits, const std::uint16_t* occupied, std::size_t count, std::uint32_t* clear) {
   std::size_t squares = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    squares += storeSquares(cells[i], occupied[i] & nearerSquares(grid, cells[i], limits[i]), through + squares);
+    squares += storeSquares(cells[i], occupied[i] & nearerSquares(grid, cells[i], limits[i]), clear + squares);
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < squares; i += kWidest) {
-    const auto keys = loadKeys<Wide>(through + i);
-    const auto seen = looksThrough(beams, xOf<Wide>(grid, keys), yOf<Wide>(grid, keys));
-    kept += storeSome(keys, bitsOf(seen) & firstBits(squares - i), through + kept);
+    const auto keys = loadKeys<Wide>(clear + i);
+    const auto seen = isClear(beams, xOf<Wide>(grid, keys), yOf<Wide>(grid, keys));
+    kept += storeSome(keys, bitsOf(seen) & firstBits(squares - i), clear + kept);
   }
   return kept;
 }
 
 }  // namespace
 
-ScanKernels SCAN_KERNELS() { return {&find, &squaresOf, &cellsInSight, &squaresSeenThrough}; }
+ScanKernels SCAN_KERNELS() { return {&find, &squaresOf, &cellsInSight, &clearSquares}; }
 
 }  // namespace lstm_planner

@@ -1,5 +1,6 @@
 #include "lstm_planner/robot/perception/silence_watch.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -11,11 +12,21 @@ namespace {
 
 constexpr double kMuch = 0.2;          // of the beams; more than a turn of 2 rad/s takes out of sight between two scans
 constexpr double kMostApart = 0.25;    // s
+constexpr double kMostPeriods = 2.5;   // a scanner may lose a scan
+constexpr double kHardlyMoved = 0.5;   // m; a robot of 1 m/s stands before, for want of scans
+constexpr double kHardlyTurned = 0.6;  // rad; less than kMuch of a fan of 180 degrees
 constexpr double kMostlySilent = 0.5;  // of the beams
 
 }  // namespace
 
-void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double time) {
+bool SilenceWatch::isComparable(double time, const Pose2& pose) const {
+  const double apart = time - time_;
+  if (apart >= 0.0 && apart <= std::max(kMostApart, kMostPeriods * period_.period())) return true;
+  return distanceBetween(pose, pose_) <= kHardlyMoved &&
+         std::abs(normalizeAngle(pose.yaw - pose_.yaw)) <= kHardlyTurned;
+}
+
+void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double time, const Pose2& pose) {
   if (scan.ranges.empty()) return;  // nothing can be said of it
   const ReadingBounds bounds(scan, rules);
   std::size_t returns = 0;
@@ -30,11 +41,12 @@ void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double ti
     share_ = static_cast<double>(returns) / beams;
     is_covered_ = false;
   } else if (!is_covered_) {
-    const bool follows = time >= time_ && time - time_ <= kMostApart;
-    is_covered_ = follows && share_ >= kMuch && static_cast<double>(silent) >= kMostlySilent * beams;
+    is_covered_ = share_ >= kMuch && static_cast<double>(silent) >= kMostlySilent * beams && isComparable(time, pose);
     if (!is_covered_) share_ = 0.0;
   }
   time_ = time;
+  pose_ = pose;
+  period_.note(time);
 }
 
 }  // namespace lstm_planner

@@ -19,13 +19,13 @@ constexpr int kWorlds = 20;        // drawn, of which the last one is taken wher
 
 /// Where the middle of a corridor runs, m.
 struct Corridor {
-  Point2 begin;
+  Point2 start;
   bool along_x = true;
   double length = 0.0;  ///< m, negative to the left and down
   double width = 0.0;   ///< m
 
   Point2 at(double share) const {
-    return {begin.x + (along_x ? share * length : 0.0), begin.y + (along_x ? 0.0 : share * length)};
+    return {start.x + (along_x ? share * length : 0.0), start.y + (along_x ? 0.0 : share * length)};
   }
 };
 
@@ -53,9 +53,9 @@ class Digger {
   }
 
  private:
-  Corridor drawAt(const Point2& begin, bool along_x) {
-    Corridor corridor{begin, along_x, 0.0, uniform(random_, parameters_.narrowest, parameters_.widest)};
-    const double at = along_x ? begin.x : begin.y;
+  Corridor drawAt(const Point2& start, bool along_x) {
+    Corridor corridor{start, along_x, 0.0, uniform(random_, parameters_.narrowest, parameters_.widest)};
+    const double at = along_x ? start.x : start.y;
     const double size = along_x ? parameters_.width : parameters_.height;
     const double back = std::max(0.0, at - 0.5 * corridor.width - kEdge);
     const double ahead = std::max(0.0, size - kEdge - 0.5 * corridor.width - at);
@@ -66,16 +66,16 @@ class Digger {
   }
 
   CellBox boxOf(const Corridor& corridor, double margin) const {
-    const Point2 begin = corridor.begin;
+    const Point2 start = corridor.start;
     const Point2 end = corridor.at(1.0);
     const double reach = 0.5 * corridor.width + margin;
     const auto cell = [&](double coordinate, double size) {
       return static_cast<int>(std::lround(std::clamp(coordinate, kEdge, size - kEdge) / parameters_.resolution));
     };
-    return {cell(std::min(begin.x, end.x) - reach, parameters_.width),
-            cell(std::min(begin.y, end.y) - reach, parameters_.height),
-            cell(std::max(begin.x, end.x) + reach, parameters_.width),
-            cell(std::max(begin.y, end.y) + reach, parameters_.height)};
+    return {cell(std::min(start.x, end.x) - reach, parameters_.width),
+            cell(std::min(start.y, end.y) - reach, parameters_.height),
+            cell(std::max(start.x, end.x) + reach, parameters_.width),
+            cell(std::max(start.y, end.y) + reach, parameters_.height)};
   }
 
   /// Whether hardly any wall would be left between it and one that goes the same way.
@@ -94,7 +94,7 @@ class Digger {
   }
 
   double extent() const {
-    Point2 low = dug_[0].begin;
+    Point2 low = dug_[0].start;
     Point2 high = low;
     for (const Corridor& corridor : dug_) {
       const Point2 end = corridor.at(1.0);

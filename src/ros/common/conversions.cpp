@@ -1,5 +1,7 @@
 #include "lstm_planner/ros/common/conversions.hpp"
 
+#include <tf2/LinearMath/Quaternion.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
@@ -60,6 +62,20 @@ geometry_msgs::TransformStamped toMessage(const Pose2& pose, const std::string& 
   message.transform.translation.x = pose.x;
   message.transform.translation.y = pose.y;
   message.transform.rotation = toMessage(pose).orientation;
+  return message;
+}
+
+geometry_msgs::TransformStamped mountToMessage(const SensorMount& mount, const std::string& base_frame,
+                                               const std::string& scanner_frame, const ros::Time& stamp) {
+  geometry_msgs::TransformStamped message = toMessage(mount.pose, base_frame, scanner_frame, stamp);
+  if (mount.upside_down) {
+    tf2::Quaternion rotation;
+    rotation.setRPY(M_PI, 0.0, mount.pose.yaw);
+    message.transform.rotation.x = rotation.x();
+    message.transform.rotation.y = rotation.y();
+    message.transform.rotation.z = rotation.z();
+    message.transform.rotation.w = rotation.w();
+  }
   return message;
 }
 

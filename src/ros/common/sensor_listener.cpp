@@ -47,7 +47,8 @@ void SensorListener::onScan(const ros::MessageEvent<sensor_msgs::LaserScan const
   scan_stamp_ = stampOr(scan_->header.stamp, scan_received_);
   fromMessage(*scan_, &laser_scan_);
   scan_period_.note(scan_stamp_.toSec());
-  silence_.show(laser_scan_, parameters_.scan_rules, scan_stamp_.toSec());
+  silence_.show(laser_scan_, parameters_.scan_rules, scan_stamp_.toSec(),
+                history_.empty() ? Pose2() : history_.newest().pose);
 }
 
 void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event) {

@@ -15,8 +15,6 @@ namespace {
 /// Farther returns do not change a command of a slow robot; not looking at them keeps the controller cheap.
 constexpr double kLeastReach = 2.0;  // m
 
-constexpr double kDriverPeriod = 0.1;  // s, of the slowest usual base drivers
-
 /// m, of what changes a command: as far as the robot needs to stop behind a slow scanner, and to steer.
 double reachOf(const SteeringControllerParameters& parameters) {
   constexpr double kSlowestReaction = 1.0;  // s
@@ -82,7 +80,7 @@ MotionCommand PlanFollower::compute() {
   compose(odometryFromPlan(reading.odometry_frame, now), plan_, &odometry_plan_);
   perceive(reading, now);
   const double period = 1.0 / parameters_.controller_frequency;
-  tracker_.expectReactionTime(reading.scan_period + period + kDriverPeriod);
+  tracker_.expectReactionTime(reading.scan_period, period);
   return tracker_.compute(odometry_plan_, seen_, reading.twist, shield_, period);
 }
 

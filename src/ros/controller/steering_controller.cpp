@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/controller/steering_controller.hpp"
+#include "ros/controller/steering_controller.hpp"
 
 #include <ros/console.h>
 #include <ros/node_handle.h>

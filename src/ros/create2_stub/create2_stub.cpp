@@ -4,8 +4,6 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
 #include <std_msgs/UInt32.h>
-#include <tf2/LinearMath/Quaternion.h>
-#include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <algorithm>
 #include <cmath>
@@ -204,16 +202,10 @@ void Create2Stub::publishStaticTransforms() {
   // Where several robots share tf, their frames begin with their names.
   const std::string base_link = parameters_.base_frame.substr(0, parameters_.base_frame.rfind('/') + 1) + "base_link";
   if (parameters_.publish_static_tf) {
-    const SensorMount& mount = parameters_.laser.mount;
     transforms.push_back(toMessage(Pose2{}, parameters_.base_frame, base_link, now));
     transforms.back().transform.translation.z = parameters_.base_link_height;
-    transforms.push_back(toMessage(mount.pose, base_link, parameters_.laser_frame, now));
+    transforms.push_back(mountToMessage(parameters_.laser.mount, base_link, parameters_.laser_frame, now));
     transforms.back().transform.translation.z = parameters_.laser_height;
-    if (mount.upside_down) {
-      tf2::Quaternion rotation;
-      rotation.setRPY(M_PI, 0.0, mount.pose.yaw);
-      transforms.back().transform.rotation = tf2::toMsg(rotation);
-    }
   }
   if (parameters_.publish_map && !isLocalised()) {
     transforms.push_back(toMessage(parameters_.start, parameters_.map_frame, parameters_.odom_frame, now));

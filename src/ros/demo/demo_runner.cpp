@@ -107,11 +107,11 @@ DemoLeg DemoRunner::drive(const DemoParameters::Goal& goal) {
   leg.name = goal.name;
   leg.goal = {goal.pose.x, goal.pose.y};
   leg.shortest = shortestPath(leg.goal);
-  const ros::Time begin = stamp_;
+  const ros::Time start = stamp_;
   const double driven_before = driven_;
   const unsigned contacts_before = contacts_;
   leg.text = followGoal(goal);
-  leg.time = (stamp_ - begin).toSec();
+  leg.time = (stamp_ - start).toSec();
   leg.path = driven_ - driven_before;
   leg.contacts = contacts_ - contacts_before;
   leg.remaining = distanceBetween(pose_, leg.goal);
@@ -125,10 +125,10 @@ DemoLeg DemoRunner::drive(const DemoParameters::Goal& goal) {
 
 /// Returns what the action said at the end.
 std::string DemoRunner::followGoal(const DemoParameters::Goal& goal) {
-  const ros::Time begin = stamp_;
+  const ros::Time start = stamp_;
   client_.sendGoal(message(goal.pose));
   const auto ended = [this] { return client_.getState().isDone(); };
-  const auto late = [&] { return stamp_ - begin > ros::Duration(goal.time_limit); };
+  const auto late = [&] { return stamp_ - start > ros::Duration(goal.time_limit); };
   while (!spinUntil(1.0, [&] { return ended() || late(); })) checkAlive();
   if (ended()) return client_.getState().getText();
   client_.cancelGoal();

@@ -48,7 +48,7 @@ StandaloneMoveBase::GoalServer::~GoalServer() {
 }
 
 void StandaloneMoveBase::GoalServer::pursue(const move_base_msgs::MoveBaseGoalConstPtr& goal) {
-  if (!begin(*goal)) return;
+  if (!start(*goal)) return;
   ros::Rate rate(parameters_.controller_frequency);
   while (ros::ok() && !finished_ && server_.isActive()) {
     if (!handlePreemption() || !step()) return;
@@ -58,7 +58,7 @@ void StandaloneMoveBase::GoalServer::pursue(const move_base_msgs::MoveBaseGoalCo
   if (server_.isActive()) server_.setAborted({}, "The node has been shut down.");
 }
 
-bool StandaloneMoveBase::GoalServer::begin(const move_base_msgs::MoveBaseGoal& goal) {
+bool StandaloneMoveBase::GoalServer::start(const move_base_msgs::MoveBaseGoal& goal) {
   geometry_msgs::PoseStamped target;
   try {
     target = goalInFrame(goal.target_pose, plugins_.globalFrame(), tf_);
@@ -78,7 +78,7 @@ bool StandaloneMoveBase::GoalServer::begin(const move_base_msgs::MoveBaseGoal& g
 
 bool StandaloneMoveBase::GoalServer::handlePreemption() {
   if (!server_.isPreemptRequested()) return true;
-  if (server_.isNewGoalAvailable()) return begin(*server_.acceptNewGoal());
+  if (server_.isNewGoalAvailable()) return start(*server_.acceptNewGoal());
   planner_.stop();
   stopRobot();
   server_.setPreempted({}, "The goal was cancelled.");

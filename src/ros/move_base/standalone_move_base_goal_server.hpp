@@ -40,7 +40,7 @@ class StandaloneMoveBase::GoalServer {
 
   // In the action's thread. Those that return bool say whether the goal is still pursued.
   void pursue(const move_base_msgs::MoveBaseGoalConstPtr& goal);
-  bool begin(const move_base_msgs::MoveBaseGoal& goal);
+  bool start(const move_base_msgs::MoveBaseGoal& goal);
   bool handlePreemption();
   bool step();
   bool takePlan();

@@ -1,4 +1,4 @@
-#include "lstm_planner/ros/planner/lstm_global_planner.hpp"
+#include "ros/planner/lstm_global_planner.hpp"
 
 #include <ros/console.h>
 #include <ros/node_handle.h>
@@ -23,16 +23,6 @@ namespace {
 
 constexpr double kLogPeriod = 2.0;  // s
 constexpr double kUnasked = 5.0;    // s; move_base may plan as rarely as every second
-
-void warnOfPlanningOnce() {
-  const double frequency = ros::NodeHandle("~").param("planner_frequency", 0.0);
-  if (frequency <= 0.0) {
-    ROS_WARN(
-        "%s/planner_frequency is 0: move_base asks for one plan per goal only. This planner must plan again while the "
-        "robot drives; set it to 5",
-        ros::this_node::getName().c_str());
-  }
-}
 
 }  // namespace
 
@@ -61,7 +51,6 @@ void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* c
     shield.footprint_radius = footprint.circumscribedRadius();
     shield.footprint = textOf(footprint);
     parameters.agent = fittedToFootprint(parameters.agent);
-    warnOfPlanningOnce();
     model_ = resolvePackagePath(parameters.model);
     plan_maker_ = std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(),
                                               costmap_ros->getBaseFrameID(), costmap_ros);

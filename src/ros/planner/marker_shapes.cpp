@@ -40,12 +40,12 @@ Marker makeSectorMarker(const std_msgs::Header& header, const Pose2& pose, const
   arcs.scale.x = 0.05;
   const double width = angle_span / kSectorCount;
   for (int sector = 0; sector < kSectorCount; ++sector) {
-    const double begin = pose.yaw - 0.5 * angle_span + sector * width;
+    const double start = pose.yaw - 0.5 * angle_span + sector * width;
     const double range = sectors.range[static_cast<std::size_t>(sector)];
     const auto shade = sectors.hasMeasurement(sector) ? arcs.color : makeColor(0.6, 0.1, 0.8, 0.35);
     for (int piece = 0; piece < kPiecesOfAnArc; ++piece) {
       for (const int end : {piece, piece + 1}) {
-        const double direction = begin + width * (0.04 + 0.92 * end / kPiecesOfAnArc);
+        const double direction = start + width * (0.04 + 0.92 * end / kPiecesOfAnArc);
         arcs.points.push_back(makePoint(pointAlong(pose, direction, range), kSectorHeight));
         arcs.colors.push_back(shade);
       }

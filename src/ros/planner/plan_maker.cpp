@@ -13,10 +13,16 @@ namespace lstm_planner {
 
 namespace {
 
-/// How long the driven goal may go without a call before another one can take its place, s.
+/// How long the driven goal may go without a call before another one can take its place, s. Warns if it is never asked
+/// for again.
 double goalPatience() {
   const double frequency = ros::NodeHandle("~").param("planner_frequency", 0.0);
-  return frequency > 0.0 ? std::max(1.0, 3.0 / frequency) : 5.0;
+  if (frequency > 0.0) return std::max(1.0, 3.0 / frequency);
+  ROS_WARN(
+      "%s/planner_frequency is 0: move_base asks for one plan per goal only. This planner must plan again while the "
+      "robot drives; set it to 5",
+      ros::this_node::getName().c_str());
+  return 5.0;
 }
 
 }  // namespace

@@ -186,8 +186,8 @@ class Survey : public BagListener {
 
  private:
   void note(const ros::Time& received) {
-    if (result.begun == 0.0) result.begun = received.toSec();
-    result.duration = std::max(result.duration, received.toSec() - result.begun);
+    if (result.start == 0.0) result.start = received.toSec();
+    result.duration = std::max(result.duration, received.toSec() - result.start);
   }
 
   void put(const OdometryHeard& heard) {

@@ -4,7 +4,6 @@
 #include <rosbag/exceptions.h>
 #include <rosbag/view.h>
 #include <rosgraph_msgs/Clock.h>
-#include <tf2/LinearMath/Quaternion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,16 +72,7 @@ void BagReplayPlayer::readClock() {
 }
 
 void BagReplayPlayer::placeScanner(const SensorMount& mount, const std::string& base_frame) {
-  geometry_msgs::TransformStamped transform = toMessage(mount.pose, base_frame, scan_frame_);
-  if (mount.upside_down) {
-    tf2::Quaternion rotation;
-    rotation.setRPY(M_PI, 0.0, mount.pose.yaw);
-    transform.transform.rotation.x = rotation.x();
-    transform.transform.rotation.y = rotation.y();
-    transform.transform.rotation.z = rotation.z();
-    transform.transform.rotation.w = rotation.w();
-  }
-  static_transforms_.sendTransform(transform);
+  static_transforms_.sendTransform(mountToMessage(mount, base_frame, scan_frame_));
 }
 
 void BagReplayPlayer::play(double rate, const std::function<void(const ros::Time&)>& at) {

@@ -34,8 +34,8 @@ void addArrow(const Pose2& pose, double angle, double length, double height, con
   constexpr double kHeadAngle = 2.7;  // rad from the arrow's direction
   const double direction = pose.yaw + angle;
   const Point2 tip = pointAlong(pose, direction, length);
-  const auto addLine = [&](const Point2& begin, const Point2& end) {
-    for (const Point2& position : {begin, end}) {
+  const auto addLine = [&](const Point2& start, const Point2& end) {
+    for (const Point2& position : {start, end}) {
       lines->points.push_back(makePoint(position, height));
       lines->colors.push_back(color);
     }

@@ -5,11 +5,13 @@
 #include "fuzz/harness.hpp"
 #include "fuzz/small_memory.hpp"
 #include "lstm_planner/robot/dataset/drive_recorder.hpp"
+#include "lstm_planner/robot/dataset/event_order.hpp"
 
 namespace lstm_planner::fuzz {
 namespace {
 
 constexpr int kMostEvents = 200;
+constexpr std::uint8_t kBurst = 255;  // a driver's stamps stand still
 
 /// Counts, and checks what a recorder promises of its steps.
 class CheckingSink : public StepSink {
@@ -30,7 +32,7 @@ class CheckingSink : public StepSink {
     ++steps_;
   }
   void endEpisode(double, EpisodeEnd) override {
-    require(in_episode_, "what ends has begun");
+    require(in_episode_, "what ends has started");
     in_episode_ = false;
   }
   void reject(Rejection) override { ++rejections_; }
@@ -42,6 +44,27 @@ class CheckingSink : public StepSink {
   bool in_episode_ = false;
   int steps_ = 0;
   int rejections_ = 0;
+};
+
+/// Holds events back as the recorder does, with the same parameters, and counts how many wait.
+class CountedOrder {
+ public:
+  explicit CountedOrder(const RecorderParameters& parameters) : order_(parameters.delay, parameters.max_gap) {}
+
+  void add(const DriveEvent& event) {
+    const EventOrder::Verdict verdict = order_.add(event);
+    if (verdict == EventOrder::Verdict::kClockSet) {
+      order_.clear();
+      waiting_ = 0;
+    }
+    waiting_ += verdict == EventOrder::Verdict::kTaken ? 1 : 0;
+    while (order_.take()) --waiting_;
+    require(waiting_ <= EventOrder::kMostWaiting, "few events wait, whatever their stamps");
+  }
+
+ private:
+  EventOrder order_;
+  std::size_t waiting_ = 0;
 };
 
 RecorderParameters smallWorld() {
@@ -86,13 +109,19 @@ void record(const std::uint8_t* data, std::size_t size) {
     if (frame == "odom" || map_is_known) return Pose2{};
     return std::nullopt;
   });
+  CountedOrder order(parameters);
   double stamp = 1000.0;
   Pose2 pose;
   int events = 0;
   for (; events < kMostEvents && !input.empty(); ++events) {
     stamp = nextStamp(&input, stamp);
-    recorder.add(anyEvent(&input, stamp, &pose));
+    const DriveEvent event = anyEvent(&input, stamp, &pose);
+    if (flawOf(event).empty()) order.add(event);
+    recorder.add(event);
     if (!std::isfinite(stamp)) stamp = 1000.0;
+    if (input.byte() == kBurst) {
+      for (std::size_t i = 0; i <= EventOrder::kMostWaiting; ++i) order.add(OdometryHeard{stamp, pose, {}});
+    }
   }
   recorder.finish();
   require(!sink.inEpisode(), "the last episode ends");

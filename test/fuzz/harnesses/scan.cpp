@@ -30,6 +30,20 @@ bool isSomethingMeasuredAhead(const LaserScan& scan, const SensorMount& mount) {
   return false;
 }
 
+/// Likewise: some beam ahead has met something that the robot would touch within its margin.
+bool isSomethingAtTheBumper(const LaserScan& scan, const SensorMount& mount, double margin) {
+  constexpr double kStraightAhead = 0.3;  // rad
+  const double sense = mount.upside_down ? -1.0 : 1.0;
+  for (std::size_t beam = 0; beam < scan.ranges.size(); ++beam) {
+    const double range = scan.ranges[beam];
+    const double angle = mount.pose.yaw + sense * (scan.angle_min + static_cast<double>(beam) * scan.angle_increment);
+    const bool is_range = range >= scan.range_min && range <= scan.range_max;
+    const bool is_near = range > kFootprint && range < kFootprint + 0.9 * margin;
+    if (is_range && is_near && std::abs(normalizeAngle(angle)) <= kStraightAhead) return true;
+  }
+  return false;
+}
+
 void checkSituation(const Situation& situation, const LaserScan& scan) {
   for (int sector = 0; sector < kSectorCount; ++sector) {
     const auto i = static_cast<std::size_t>(sector);
@@ -70,6 +84,10 @@ void seeAndDrive(const std::uint8_t* data, std::size_t size) {
     moving.show(situation.profile, {}, time);
     const Twist2 command = controller.compute({straight_on, {}, twist, shield, kPeriod}, moving.points());
     require(command.linear >= 0.0 && command.linear <= parameters.max_linear, "the speed is within its limits");
+    const bool is_in_the_middle = mount.pose.x == 0.0 && mount.pose.y == 0.0;
+    require(
+        !is_in_the_middle || !isSomethingAtTheBumper(scan, mount, parameters.safety_margin) || command.linear == 0.0,
+        "the robot does not drive into what is at its bumper");
     require(std::abs(command.angular) <= parameters.max_angular, "the rate is within its limits");
   }
 }

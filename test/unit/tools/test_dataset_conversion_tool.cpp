@@ -1,11 +1,18 @@
 // The commands `lstm_planner dataset from-bag` and `from-log` as a user runs them.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "lstm_planner/robot/dataset/dataset.hpp"
 #include "support/real_data.hpp"
@@ -18,10 +25,10 @@ class DatasetConversionTool : public test::ToolTest {
  protected:
   static test::Outcome convert(const std::string& arguments) { return runTool("dataset " + arguments); }
 
-  /// A robot that drives 5 m straight ahead at 0.5 m/s, with a scan every half metre.
-  std::string log(const std::string& name) const {
+  /// A robot that drives straight ahead at 0.5 m/s, with a scan every half metre.
+  std::string log(const std::string& name, int last = 10) const {
     std::ofstream file(in(name));
-    for (int i = 0; i <= 10; ++i) {
+    for (int i = 0; i <= last; ++i) {
       file << "FLASER 180";
       for (int beam = 0; beam < 180; ++beam) file << " 3.5";
       const std::string pose = " " + std::to_string(0.5 * i) + " 0 0";
@@ -78,6 +85,44 @@ TEST_F(DatasetConversionTool, WhatCannotBeConvertedIsRefusedAndNothingIsWritten)
   const test::Outcome outcome = convert("from-log " + log("a.log") + " --output " + in("there.sqlite"));
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.output.find("already"), std::string::npos) << outcome.output;
+}
+
+/// Nothing of what the process prints is shown.
+::pid_t start(std::vector<std::string> words) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const ::pid_t process = ::fork();
+  if (process == 0) {
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::execv(pointers[0], pointers.data());
+    ::_exit(127);
+  }
+  return process;
+}
+
+TEST_F(DatasetConversionTool, NothingIsLeftOfAConversionThatIsInterruptedWhileItWrites) {
+  const std::string drive = log("long.log", 3000);
+  std::filesystem::create_directory(in("out"));
+  const auto files = [this] { return std::filesystem::directory_iterator(in("out")); };
+  const auto is_writing = [&] {  // before it works, it only tries whether it could
+    return std::any_of(begin(files()), end(files()), [](const auto& entry) {
+      std::error_code gone;
+      const auto size = entry.file_size(gone);
+      return !gone && size > 0;
+    });
+  };
+  const ::pid_t process =
+      start({kTool, "dataset", "from-log", drive, "--max-gap", "100", "--output", in("out/it.sqlite")});
+  int status = 0;
+  while (!is_writing() && ::waitpid(process, &status, WNOHANG) == 0) std::this_thread::yield();
+  ASSERT_FALSE(std::filesystem::exists(in("out/it.sqlite"))) << "it still writes";
+  ::kill(process, SIGINT);
+  ::waitpid(process, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(WTERMSIG(status), SIGINT);
+  EXPECT_TRUE(std::filesystem::is_empty(in("out")));
 }
 
 TEST_F(DatasetConversionTool, BagsWithoutGoalsNameHindsight) {

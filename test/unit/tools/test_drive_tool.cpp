@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "support/picture_check.hpp"
 #include "support/real_data.hpp"
 #include "support/tool_test.hpp"
 
@@ -28,10 +29,12 @@ class DriveTool : public test::ToolTest {
     return nlohmann::json::parse(file, nullptr, false);
   }
 
-  std::size_t picturesNamed(const std::string& begin) const {
+  std::size_t picturesNamed(const std::string& start) const {
     std::size_t count = 0;
     for (const auto& entry : std::filesystem::directory_iterator(in("pictures"))) {
-      count += entry.path().filename().string().rfind(begin, 0) == 0 ? 1 : 0;
+      if (entry.path().filename().string().rfind(start, 0) != 0) continue;
+      test::expectPicture(entry.path().string());
+      ++count;
     }
     return count;
   }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "lstm_planner/base/learning/parameter_vector.hpp"
@@ -106,6 +107,38 @@ TEST_F(TrainDatasetTool, TheSameCommandGivesTheSameModelForAnyNumberOfThreads) {
     return std::vector<float>(preferences.data(), preferences.data() + preferences.size());
   };
   EXPECT_EQ(layers("1"), layers("2"));
+}
+
+TEST_F(TrainDatasetTool, GoesOnAfterCtrlCAsIfNothingHadBeen) {
+  const std::string training = std::string("'") + kTool +
+                               "' train --dataset ../drives.dataset --cells 4 --epochs 40 --threads 1 --instability "
+                               "instability.png --output model.onnx --checkpoint model.checkpoint";
+  const auto runIn = [&](const std::string& folder, const std::string& command) {
+    return test::runShell("mkdir -p '" + in(folder) + "' && cd '" + in(folder) + "' || exit 1; " + command);
+  };
+  const auto bytesOf = [this](const std::string& name) {
+    std::ifstream file(in(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const test::Outcome whole = runIn("whole", training);
+  ASSERT_EQ(whole.status, 0) << whole.output;
+
+  // Ctrl-C as soon as there is something to go on from.
+  const test::Outcome stopped =
+      runIn("parts", training +
+                         " & process=$!; until [ -s model.checkpoint ]; do kill -0 $process || break; done; "
+                         "kill -INT $process; wait $process");
+  EXPECT_EQ(stopped.status, 130) << stopped.output;
+  EXPECT_TRUE(exists("parts/model.onnx")) << "the best epoch until then";
+  const test::Outcome resumed = runIn("parts", training);
+  ASSERT_EQ(resumed.status, 0) << resumed.output;
+  EXPECT_NE(resumed.output.find("going on from model.checkpoint after "), std::string::npos) << resumed.output;
+  for (const char* name : {"model.onnx", "instability.csv"}) {
+    EXPECT_TRUE(bytesOf(std::string("parts/") + name) == bytesOf(std::string("whole/") + name)) << name;
+  }
+  const test::Outcome other = runIn("parts", training + " --rate 0.001");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.output.find("rate"), std::string::npos) << other.output;
 }
 
 TEST_F(TrainDatasetTool, FineTuningKeepsInputsAndShapeAndSaysWhatTheModelCouldBefore) {

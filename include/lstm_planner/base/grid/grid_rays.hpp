@@ -22,11 +22,20 @@ constexpr std::array<CellIndex, kGridRayCount> kGridRaySteps = {
 constexpr int kStraightFifths = 5;
 constexpr int kDiagonalFifths = 7;
 
-/// Cost of a path over so many columns and rows (of any sign) without obstacles.
+/// The steps of a shortest path over so many columns and rows (of any sign) without obstacles.
+template <typename Integer>
+struct OctileSteps {
+  OctileSteps(Integer columns, Integer rows)
+      : straight(std::abs(std::abs(columns) - std::abs(rows))), diagonal(std::min(std::abs(columns), std::abs(rows))) {}
+
+  Integer straight;
+  Integer diagonal;
+};
+
+/// Cost of such a path.
 inline int octileFifths(int columns, int rows) {
-  columns = std::abs(columns);
-  rows = std::abs(rows);
-  return kStraightFifths * std::max(columns, rows) + (kDiagonalFifths - kStraightFifths) * std::min(columns, rows);
+  const OctileSteps steps(columns, rows);
+  return kStraightFifths * steps.straight + kDiagonalFifths * steps.diagonal;
 }
 
 /// The index in kGridRaySteps of the step from one cell to the other; -1 if there is none.

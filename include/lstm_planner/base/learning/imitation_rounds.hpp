@@ -47,6 +47,8 @@ ImitationState imitationStateFrom(const std::vector<std::uint8_t>& bytes);
 /// it (DAgger: Ross, Gordon and Bagnell, "A reduction of imitation learning and structured prediction to no-regret
 /// online learning", AISTATS 2011).
 ///
+/// With one round, and a course that holds what was recorded, it is plain supervised learning.
+///
 /// A step is an epoch; after the last one of each round it is time to judge. What was collected before a checkpoint is
 /// collected anew, as it is not kept.
 class ImitationRounds : public SteppedTraining {
@@ -60,9 +62,11 @@ class ImitationRounds : public SteppedTraining {
   const EpochReport& epoch() const { return state_.training.curve.back(); }             ///< that was done last
   /// Collected so far, and with a weight.
   std::size_t collectedSteps() const { return countWeighted(training_); }
-  TrainingResult roundResult() const { return trainer_->result(); }  ///< of its epochs so far
-  std::vector<EpochReport> curve() const;                            ///< of all rounds, one after the other
-  double progress() const;                                           ///< share of the epochs that are done
+  TrainingResult roundResult() const { return trainer_->result(); }    ///< of its epochs so far
+  std::vector<EpochReport> curve() const;                              ///< of all rounds, one after the other
+  const TrainingState& state() const { return state_.training; }       ///< of this round, after its last epoch
+  const std::vector<Sequence>& training() const { return training_; }  ///< all that was collected to learn from
+  double progress() const;                                             ///< share of the epochs that are done
 
   bool done() const override { return roundDone() && round() == parameters_.rounds; }
   void step() override;

@@ -66,7 +66,7 @@ struct TrainingState {
   Optimiser::State optimiser;
   Eigen::VectorXf averaged_weights;  ///< empty without averaging
   Eigen::VectorXf best_weights;
-  std::vector<EpochReport> curve;  ///< of the epochs that are done; empty: not begun
+  std::vector<EpochReport> curve;  ///< of the epochs that are done; empty: not started
 };
 
 /// Supervised learning by mini-batches, epoch by epoch, starting from the weights of `layers`.
@@ -74,7 +74,7 @@ struct TrainingState {
 /// The epoch with the highest accuracy on the validation set is kept, of equals the one with the lower loss; without a
 /// validation set the last. With averaging that means the averaged weights: theirs is the accuracy that is compared.
 /// The same input gives the same weights, bit for bit, for any number of threads and ranks; of several ranks each has
-/// to call it. A `state` that has begun is gone on with as if there had been no break; it is kept up to date.
+/// to call it. A `state` that has been started is gone on with as if there had been no break; it is kept up to date.
 class Trainer {
  public:
   /// Sequences and state must outlive it. Throws std::invalid_argument for parameters, layers or sequences that are not

@@ -45,7 +45,7 @@ class TrainingHost {
   virtual ~TrainingHost() = default;
 
   /// Once, before the first step and behind what the checkpoint brought, if there was one.
-  virtual void begun(bool resumed) = 0;
+  virtual void started(bool resumed) = 0;
   virtual void stepDone() = 0;
   /// Asked after every step. Of several ranks, all have to answer alike.
   virtual bool stopWanted() = 0;

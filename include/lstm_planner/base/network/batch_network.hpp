@@ -36,9 +36,8 @@ class BatchNetwork {
   /// 1e-18 count as zero.
   const Values& forward(const Eigen::Ref<const Values>& inputs);
 
-  /// Sets the hidden states of all agents, or of one, to zero. Throws std::out_of_range if there is no such agent.
+  /// Sets the hidden states of all agents to zero.
   void reset();
-  void forget(int agent);
 
   /// Throws std::out_of_range if there is no such agent.
   HiddenState hiddenState(int agent) const;
@@ -50,7 +49,6 @@ class BatchNetwork {
   int inputSize() const { return input_size_; }
   int outputSize() const { return static_cast<int>(outputs_.rows()); }
   int hiddenStateSize() const;
-  InstructionSet instructionSet() const;
   std::size_t bytes() const;  ///< memory that the object uses, with the weights
 
  private:

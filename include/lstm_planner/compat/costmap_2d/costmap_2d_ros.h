@@ -33,7 +33,6 @@ class Costmap2DROS {
   void setUnpaddedRobotFootprint(const std::vector<geometry_msgs::Point>& points) { footprint_ = points; }
 
   /// s
-  double getTransformTolerance() const { return transform_tolerance_; }
 
   /// The newest known pose of the robot in the global frame, stamped with the transform's time. False, with a
   /// (throttled) warning that says why, when the transform is missing or older than the tolerance.

@@ -61,7 +61,7 @@ class BoundaryFollower {
   struct End {
     BoundaryEdge edge;
     WallSide side = WallSide::kRight;
-    std::vector<CellIndex> cells;  ///< still to be entered on the way to the edge's cell
+    std::vector<CellIndex> cells;  ///< still to be entered on the path to the edge's cell
   };
 
   static constexpr std::size_t kMostCells = 16;

@@ -22,8 +22,8 @@ struct GridRescueParameters {
   AreaPlannerParameters area;
   /// Steps for which the area planner may find no path at all, before boundaries are followed.
   int most_steps_without_path = 50;
-  /// And the steps for which it may lead without anything new to see: so many times the way that it planned when it saw
-  /// something new, and so many more.
+  /// And the steps for which it may lead without anything new to see: so many times the path that it planned when it
+  /// saw something new, and so many more.
   double most_times_planned = 2.0;
   int most_steps_more = 200;
   /// Of the boundary following. Here a place is new where something is seen for the first time.
@@ -31,7 +31,7 @@ struct GridRescueParameters {
 };
 
 /// Brings an agent to the goal that has got into difficulties: it takes over when the agent makes no progress, or when
-/// the way round what it remembers is long, and leads until the end.
+/// the path round what it remembers is long, and leads until the end.
 ///
 /// It searches in a memory of the whole area (AreaPlanner), which is certain to arrive only where that memory is right:
 /// where it is not, boundary following takes over (GridEscape), and so the two together arrive wherever there is a

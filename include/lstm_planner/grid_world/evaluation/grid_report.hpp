@@ -49,7 +49,7 @@ struct ReportPicture {
 };
 
 /// The thesis's Figures 3.10-3.14, as far as the comparison has such cases: a long detour, a collision, a deadlock, a
-/// way out of a blind alley in a maze, and a random map.
+/// path out of a blind alley in a maze, and a random map.
 std::vector<ReportPicture> choosePictures(const GridComparison& comparison);
 
 /// Figure 3.9: a task of a training map.

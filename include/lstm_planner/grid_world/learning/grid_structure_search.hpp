@@ -34,8 +34,8 @@ struct StructureOutcome {
 
 /// Trains every structure on the same paths, `parameters.threads` of them at a time; an update is a time sequence, as
 /// in the thesis, whatever parameters.batch_steps says. `progress` is told the share done and ends the search when it
-/// returns false; it is called from several threads, one at a time. Structures whose training was not begun or did not
-/// end are left out. The same for any number of threads. Throws as gridImitation().
+/// returns false; it is called from several threads, one at a time. Structures whose training was not started or did
+/// not end are left out. The same for any number of threads. Throws as gridImitation().
 std::vector<StructureOutcome> searchGridStructures(const GridImitationParameters& parameters,
                                                    const std::vector<StructureTrial>& trials,
                                                    const std::vector<GridCourse::Set>& training,

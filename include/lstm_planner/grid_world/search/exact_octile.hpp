@@ -1,9 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 
+#include "lstm_planner/base/grid/grid_rays.hpp"
 #include "lstm_planner/base/grid/passable_grid.hpp"
 
 namespace lstm_planner {
@@ -19,9 +18,8 @@ struct OctileDistance {
 };
 
 inline OctileDistance octileDistance(CellIndex a, CellIndex b) {
-  const std::int64_t columns = std::abs(std::int64_t{a.column} - b.column);
-  const std::int64_t rows = std::abs(std::int64_t{a.row} - b.row);
-  return {std::abs(columns - rows), std::min(columns, rows)};
+  const OctileSteps steps(std::int64_t{a.column} - b.column, std::int64_t{a.row} - b.row);
+  return {steps.straight, steps.diagonal};
 }
 
 inline bool operator==(OctileDistance a, OctileDistance b) {

@@ -44,7 +44,6 @@ class DatasetWriter : public StepSink {
   long waiting() const;                ///< steps that could not be written yet
   long lost() const;                   ///< steps that were given up because too many were waiting
   const std::string& problem() const;  ///< why steps are waiting; empty when none are
-  const std::string& path() const;
 
  private:
   class Implementation;

@@ -114,7 +114,7 @@ class StepSink {
  public:
   virtual ~StepSink() = default;
   virtual void startEpisode(const Episode& episode) = 0;
-  /// A step of the episode that was started last has begun: what will be driven is not known yet. When it is, addStep()
+  /// A step of the newest episode has started: what will be driven is not known yet. When it is, addStep()
   /// or reject() tells.
   virtual void startStep(const DriveStep& /*step*/) {}
   virtual void addStep(const DriveStep& step) = 0;  ///< of the episode that was started last

@@ -45,8 +45,11 @@ class PathTracker {
     moving_.expectSpeed(parameters.max_linear);
   }
 
-  /// See MotionController.
-  void expectReactionTime(double least) { controller_.expectReactionTime(least); }
+  /// What moves is seen every `scan_period` s and answered every `control_period` s; see MotionController.
+  void expectReactionTime(double scan_period, double control_period) {
+    constexpr double kDriverPeriod = 0.1;  // s, of the slowest usual base drivers
+    controller_.expectReactionTime(scan_period + control_period + kDriverPeriod);
+  }
 
   /// The odometry jumped: what was seen is somewhere else now.
   void forget() {

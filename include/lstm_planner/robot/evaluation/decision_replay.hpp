@@ -48,7 +48,7 @@ class DecisionReplay : public StepSink {
   void reject(Rejection rejection) override { ++rejections_[static_cast<std::size_t>(rejection)]; }
 
   const std::vector<ReplayedDecision>& decisions() const { return decisions_; }
-  /// What was decided about the step that has begun; all but what the driver does. Empty once that is known.
+  /// What was decided about the step that has started; all but what the driver does. Empty once that is known.
   const std::optional<ReplayedDecision>& advice() const { return advice_; }
   const RejectionCounts& rejections() const { return rejections_; }
   const PolicyDescription& description() const { return agent_.policy().description(); }

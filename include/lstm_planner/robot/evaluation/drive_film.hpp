@@ -27,8 +27,6 @@ class DriveFilm {
   /// A DriveListener: draws a frame when it is time for one. Throws std::runtime_error when it cannot be written.
   void show(const DriveMoment& moment);
 
-  int frames() const;  ///< drawn so far
-
  private:
   class Screen;
   std::unique_ptr<Screen> screen_;

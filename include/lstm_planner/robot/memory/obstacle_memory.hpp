@@ -12,7 +12,7 @@
 namespace lstm_planner {
 
 /// Remembers obstacles in a window that moves with the robot (ObstacleWindow), forgets an obstacle if the scanner later
-/// sees through its place (ScanChanges), and knows where the footprint fits through (Passability). Its memory is
+/// shows its place clear (ScanChanges), and knows where the footprint fits through (Passability). Its memory is
 /// bounded: about 0.6 MB with the defaults, for any size of the world and length of the path.
 ///
 /// All positions are in the odometry frame. Obstacles are kept in squares of MemoryParameters::resolution; a cell of
@@ -36,10 +36,10 @@ class ObstacleMemory {
   /// Nothing is known any more.
   void forget();
 
-  /// Takes in what is seen from where the robot is: forgets what the scan sees through, then marks the returns. Does
+  /// Takes in what is seen from where the robot is: forgets what the scan shows clear, then marks the returns. Does
   /// nothing where the pose is out of reach (isInReach).
   ///
-  /// Obstacles of a costmap (Situation::marked) are added, also where the scan sees through, and removed when a
+  /// Obstacles of a costmap (Situation::marked) are added, also where the scan shows them clear, and removed when a
   /// situation does not have them any more; but not in or beside squares where the scan has shown an obstacle.
   void add(const Situation& situation);
 

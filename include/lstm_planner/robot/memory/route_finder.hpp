@@ -28,7 +28,7 @@ class RouteFinder {
 
   /// False if there is no path: remembered obstacles enclose the start or the goal. A goal in an obstacle is replaced
   /// by the nearest place where the footprint fits. A goal that cannot be reached, or only by a long detour although
-  /// the start is near it, is replaced by the first place on the way that is at most `tolerance` (m) from the goal.
+  /// the start is near it, is replaced by the first place on the path that is at most `tolerance` (m) from the goal.
   bool find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance, Route* route);
 
   /// A route from another place to the end of the last route that ended at the goal, without a new search; false if
@@ -44,10 +44,7 @@ class RouteFinder {
   /// Whether a route from there would have to be at the goal after such a detour that it ends before, see find().
   static bool isDetour(double distance, double length, double tolerance);
 
-  /// Cost of a route under what is remembered now, m; +inf when it is blocked. Looks at its first `distance` m.
-  double costOf(ObstacleMemory& memory, const Route& route, double distance) const;
-
-  /// The same of one straight piece.
+  /// Cost of a straight piece of a route under what is remembered now, m; +inf when it is blocked.
   double costOf(ObstacleMemory& memory, const Point2& from, const Point2& to) const;
 
  private:

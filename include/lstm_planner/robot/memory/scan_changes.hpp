@@ -12,7 +12,7 @@
 namespace lstm_planner {
 
 /// What a scan adds to a window of obstacles (the squares of its returns), and what it removes (the occupied squares
-/// that it sees through). It does not change the window itself.
+/// that it shows clear). It does not change the window itself.
 class ScanChanges {
  public:
   /// `reach`: m; returns farther away count for nothing. `resolution`: the window's, m.
@@ -21,15 +21,15 @@ class ScanChanges {
   /// Compares what is seen with what stands in the window; the answers hold until the next call.
   void find(const Situation& situation, const ObstacleWindow& window);
 
-  /// keyOf() the occupied squares that the scan sees through and that it has no return from.
-  const std::vector<std::uint32_t>& seenThrough() const { return seen_through_; }
+  /// keyOf() the occupied squares that the scan shows clear and that it has no return from.
+  const std::vector<std::uint32_t>& cleared() const { return cleared_; }
   /// keyOf() the squares of the returns, in the order of the scan, and how many they are.
   const std::uint32_t* returns() const { return returns_.data(); }
   std::size_t returnsCount() const { return returns_count_; }
 
  private:
   void findReturns(const Situation& situation, const ObstacleWindow& window);
-  void findSeenThrough(const Situation& situation, const ObstacleWindow& window);
+  void findCleared(const Situation& situation, const ObstacleWindow& window);
   /// `cells`: keyOf() their first squares; overwritten.
   void findInCells(const BitRows& squares, const SquareGrid& grid, std::uint32_t* cells, std::size_t count);
   bool isReturned(std::uint32_t key);
@@ -41,7 +41,7 @@ class ScanChanges {
   std::vector<std::uint32_t> places_;       ///< what returns_ are made from
   std::array<std::uint64_t, 64> returned_;  ///< row and column, modulo 64, of the returns
   bool returned_is_known_ = false;
-  std::vector<std::uint32_t> seen_through_;
+  std::vector<std::uint32_t> cleared_;
 };
 
 }  // namespace lstm_planner

@@ -11,7 +11,7 @@ namespace lstm_planner {
 struct SightBeams;
 struct SquareGrid;
 
-/// Finds the places that a scan sees through: the beam towards the place and two on each side end at least 0.1 m behind
+/// Finds the places that a scan shows clear: the beam towards the place and two on each side end at least 0.1 m behind
 /// it. Made for thousands of places per scan: as much as possible is done once per scan, or for a whole neighbourhood.
 ///
 /// Places are relative to the scanner, m, in a frame in which the base has the yaw that was given to show().

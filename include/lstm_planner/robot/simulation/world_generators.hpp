@@ -10,7 +10,7 @@ namespace lstm_planner {
 // world on every machine, its lower left corner at (0, 0), closed by a wall unless said otherwise. Every validate()
 // throws std::invalid_argument naming the parameter, its value and what was expected; the generators call it.
 
-/// A maze of corridors at right angles, perfect (one way only between any two places) or with loops.
+/// A maze of corridors at right angles, perfect (one path only between any two places) or with loops.
 struct MazeWorldParameters {
   int columns = 8;  ///< corridors side by side
   int rows = 8;

@@ -34,6 +34,10 @@ geometry_msgs::Pose toMessage(const Pose2& pose);
 geometry_msgs::TransformStamped toMessage(const Pose2& pose, const std::string& parent, const std::string& child,
                                           const ros::Time& stamp = {});
 
+/// Where a scanner sits in the base frame.
+geometry_msgs::TransformStamped mountToMessage(const SensorMount& mount, const std::string& base_frame,
+                                               const std::string& scanner_frame, const ros::Time& stamp = {});
+
 /// How a scanner sits, from the transform of its frame to the base frame. Throws std::invalid_argument when it is
 /// tilted by more than 15 degrees: such a scan does not show the floor plan.
 SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner);

@@ -29,7 +29,7 @@ struct BagDriveResult {
   long scans = 0;
   long odometry = 0;
   long goals = 0;         ///< heard, or found in hindsight
-  double begun = 0.0;     ///< s since 1970, by the clock of the computer that recorded
+  double start = 0.0;     ///< s since 1970, by the clock of the computer that recorded
   double duration = 0.0;  ///< s
   std::string scan_topic;
   std::string odometry_source;  ///< a topic, or "tf"

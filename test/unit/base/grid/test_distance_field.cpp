@@ -32,7 +32,7 @@ TEST(DistanceField, IsTheDistanceToTheNearestBlockedCentre) {
   }
 }
 
-TEST(DistanceField, LooksThroughUnknownCellsWhenTold) {
+TEST(DistanceField, TakesUnknownCellsForClearWhenTold) {
   OccupancyGrid grid(5, 1, 1.0);
   grid.set({1, 0}, Cell::kUnknown);
   grid.set({4, 0}, Cell::kOccupied);

@@ -71,7 +71,7 @@ class Host : public TrainingHost {
  public:
   Host(const Toy& training, std::string output) : training_(training), output_(std::move(output)) {}
 
-  void begun(bool resumed) override { resumed_ = resumed; }
+  void started(bool resumed) override { resumed_ = resumed; }
   void stepDone() override { ++steps_; }
   bool stopWanted() override { return training_.steps() == stop_after_; }
   double judge(const LayerStack& layers) override {

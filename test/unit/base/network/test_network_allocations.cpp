@@ -38,7 +38,7 @@ TEST(BatchNetworkAllocations, NoneInAThousandSteps) {
   const long before = heapCount().allocations;
   for (int step = 0; step < 1000; ++step) {
     network.forward(inputs);
-    if (step % 100 == 0) network.forget(69);
+    if (step % 100 == 0) network.reset();
     if (step % 100 == 50) network.setHiddenState(3, saved);
   }
   EXPECT_EQ(heapCount().allocations - before, 0);

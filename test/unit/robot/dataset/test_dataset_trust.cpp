@@ -69,6 +69,17 @@ TEST_F(DatasetTrust, AColumnThatIsMissingOrOfAnotherTypeIsNamed) {
   EXPECT_EQ(refusalOfReader(), noDataset("it has no column scans.step INTEGER PRIMARY KEY"));
 }
 
+TEST_F(DatasetTrust, ANullInAColumnThatHasNoneIsRefused) {
+  const auto rewrite = [](const std::string& from, const std::string& to) {
+    return "UPDATE sqlite_master SET sql = replace(sql, '" + from + "', '" + to + "') WHERE name = 'scans'";
+  };
+  change({"PRAGMA writable_schema = ON", rewrite("ranges BLOB NOT NULL", "ranges BLOB")});
+  change({"UPDATE scans SET ranges = NULL WHERE step = 2"});
+  EXPECT_EQ(refusalOfReader(), noDataset("it has no column scans.ranges BLOB NOT NULL"));
+  change({"PRAGMA writable_schema = ON", rewrite("ranges BLOB", "ranges BLOB NOT NULL")});
+  EXPECT_EQ(refusalOfReader(), unreadable("SQLite finds it damaged: NULL value in scans.ranges"));
+}
+
 TEST_F(DatasetTrust, AQueryWithoutEndIsEnded) {
   DatasetFile file(in("a.db"), DatasetFile::Use::kRead, 0);
   EXPECT_EQ(refusalOf([&] { file.transact([&] { file.execute(kEndless); }); }),

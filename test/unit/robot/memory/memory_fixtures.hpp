@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lstm_planner/robot/memory/obstacle_memory.hpp"
+#include "lstm_planner/robot/memory/route_finder.hpp"
 #include "lstm_planner/robot/memory/route_guide.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
@@ -38,6 +39,15 @@ inline Situation returnsAt(const std::vector<Point2>& places, const Pose2& pose 
     situation.obstacles.push_back(toLocalFrame(pose, place));
   }
   return situation;
+}
+
+/// Cost of a route under what is remembered now, m; +inf where it is blocked.
+inline double costOf(const Route& route, const RouteFinder& finder, ObstacleMemory* memory) {
+  double cost = 0.0;
+  for (std::size_t i = 1; i < route.points.size(); ++i) {
+    cost += finder.costOf(*memory, route.points[i - 1], route.points[i]);
+  }
+  return cost;
 }
 
 /// A route guide and the goal that it leads to.

@@ -37,7 +37,7 @@ class ObstacleMarksTest : public ::testing::Test {
 TEST_F(ObstacleMarksTest, StandWhereTheScanSeesNothing) {
   for (int i = 0; i < 3; ++i) {
     sense({kMark});
-    EXPECT_TRUE(isBlocked(kMark)) << "although the scan sees through";
+    EXPECT_TRUE(isBlocked(kMark)) << "although the scan shows it clear";
   }
 }
 

@@ -55,7 +55,7 @@ TEST(ObstacleMemory, RemembersAWallAfterTurningAwayFromIt) {
   EXPECT_TRUE(isBlocked(&memory, {5.05, 4.0}));
 }
 
-TEST(ObstacleMemory, ForgetsWhatTheScanLooksThrough) {
+TEST(ObstacleMemory, ForgetsWhatTheScanShowsClear) {
   OccupancyGrid with_box = test::emptyHall(8.0, 8.0);
   test::fillBox(5.0, 3.7, 5.3, 4.3, &with_box);
   ObstacleMemory memory = emptyMemory();
@@ -343,7 +343,7 @@ TEST(ObstacleMemory, SqueezesThroughWhatIsNarrowByTheBlurOfTheSquaresOnly) {
   EXPECT_FALSE(memory.isFree(from, to, Passage::kTight));
 }
 
-TEST(ObstacleMemory, ABlockedPlaceStaysBlockedThoughTheScanLooksThroughIt) {
+TEST(ObstacleMemory, ABlockedPlaceStaysBlockedThoughTheScanShowsItClear) {
   const GridWorld world(test::emptyHall(8.0, 8.0));
   ObstacleMemory memory = emptyMemory();
   memory.add(seenFrom(world, {4.0, 4.0, 0.0}));

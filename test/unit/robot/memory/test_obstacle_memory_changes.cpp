@@ -53,8 +53,8 @@ class PlainMemory {
       if (distance > kDefaults.memory.reach || isInside(place)) doubtful_.erase(squareAt(place));
     }
     for (auto square = squares_.begin(); square != squares_.end();) {
-      square = returned.count(*square) == 0 && isSeenThrough(*square, situation) ? squares_.erase(square)
-                                                                                 : std::next(square);
+      square =
+          returned.count(*square) == 0 && isCleared(*square, situation) ? squares_.erase(square) : std::next(square);
     }
     squares_.insert(returned.begin(), returned.end());
     const double radius = 0.9 * kDefaults.shield.footprint_radius;
@@ -81,7 +81,7 @@ class PlainMemory {
            squareAt({place.x - kBlur, place.y + kBlur}) == squareAt({place.x + kBlur, place.y - kBlur});
   }
 
-  bool isSeenThrough(const Square& square, const Situation& situation) {
+  bool isCleared(const Square& square, const Situation& situation) {
     const RangeProfile& profile = situation.profile;
     const Point2 scanner = toParentFrame(situation.pose, profile.origin);
     const double direction = directionTo(scanner, centerOf(square)) - situation.pose.yaw;

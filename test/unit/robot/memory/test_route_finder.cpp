@@ -309,16 +309,15 @@ TEST_F(RouteFinderTest, PrefersAWideDoorALittleFartherToATightOne) {
 TEST_F(RouteFinderTest, CostsARouteUnderWhatIsRememberedNow) {
   remember({});
   ASSERT_TRUE(find({0.0, 0.0}, {4.0, 0.0}));
-  EXPECT_DOUBLE_EQ(finder_.costOf(memory_, route_, 15.0), 4.0);
+  EXPECT_DOUBLE_EQ(test::costOf(route_, finder_, &memory_), 4.0);
   memory_.add(returnsAt(test::wall({2.0, -1.0}, {2.0, 1.0})));
-  EXPECT_EQ(finder_.costOf(memory_, route_, 15.0), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(test::costOf(route_, finder_, &memory_), std::numeric_limits<double>::infinity());
   memory_.forget();
   // Walls on both sides, 0.25 m from the path: tight, and it is one piece.
   std::vector<Point2> places = test::wall({1.0, 0.225}, {3.0, 0.225});
   append(test::wall({1.0, -0.225}, {3.0, -0.225}), &places);
   remember(places);
-  EXPECT_DOUBLE_EQ(finder_.costOf(memory_, route_, 15.0), kTightness * 4.0);
-  EXPECT_DOUBLE_EQ(finder_.costOf(memory_, route_, 0.0), 4.0);  // not looked at
+  EXPECT_DOUBLE_EQ(test::costOf(route_, finder_, &memory_), kTightness * 4.0);
 }
 
 /// Least cost between two cells by plain Dijkstra with exact factors, in metres; +inf when there is no path.

@@ -182,9 +182,9 @@ TEST_F(RouteGuideTest, DoesNotTurnBackForAPathThatIsHardlyBetter) {
   update(returnsAt(test::wall({2.0, -2.2}, {2.0, 1.5})));
   ASSERT_TRUE(goesAbove());
   // The lower metre of the wall is gone: below it is shorter by 2 * (hypot(2, 1.8) - hypot(2, 1.5)) = 0.38 m.
-  Situation seen_through = returnsAt({});
-  seen_through.profile = seeing(20.0f, std::atan2(-2.4, 2.0), std::atan2(-1.2, 2.0));
-  update(seen_through);
+  Situation cleared = returnsAt({});
+  cleared.profile = seeing(20.0f, std::atan2(-2.4, 2.0), std::atan2(-1.2, 2.0));
+  update(cleared);
   EXPECT_TRUE(goesAbove());
   // Who had no path yet takes that one.
   start({4.0, 0.0});
@@ -199,7 +199,7 @@ TEST_F(RouteGuideTest, TakesAMuchBetterPathAndLeavesOneThatIsBlocked) {
   // It goes on above: there the wall is 4 m long.
   update(returnsAt(test::wall({2.0, 1.0}, {2.0, 4.0})));
   EXPECT_FALSE(goesAbove());
-  // Seen through from end to end: straight on.
+  // Clear from end to end: straight on.
   Situation nothing = returnsAt({});
   nothing.profile = seeing(20.0f, -M_PI, M_PI);
   update(nothing);

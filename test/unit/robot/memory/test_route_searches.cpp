@@ -182,8 +182,8 @@ TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
     const Source kept = keeping.update(situation, goal);
     if (searching.update(situation, goal) != Source::kRoute) break;
     ASSERT_EQ(kept, Source::kRoute) << "step " << step;
-    const double cost = finder.costOf(memory, keeping.route(), 15.0);
-    const double least = finder.costOf(memory, searching.route(), 15.0);
+    const double cost = test::costOf(keeping.route(), finder, &memory);
+    const double least = test::costOf(searching.route(), finder, &memory);
     // 8 % and 0.3 m are not worth turning for; along cells a path may be up to 8 % longer than it is.
     ASSERT_LE(cost, 1.08 * 1.08 * least + 0.3) << "step " << step;
     ++compared;

@@ -73,11 +73,19 @@ TEST(ToProfile, TakesReadingsBelowRangeMinForNoReturnWhereTheDriverSendsThem) {
   EXPECT_EQ(meaningOf(-1.0f, rules), 0.0f);
 }
 
+std::vector<Point2> pointsOf(const LaserScan& scan, const SensorMount& mount) {
+  RangeProfile profile;
+  BeamDirections directions;
+  std::vector<Point2> points(7);  // of an earlier scan
+  toProfile(scan, mount, {}, &profile);
+  toPoints(profile, &directions, &points);
+  return points;
+}
+
 TEST(ToPoints, AppliesTheWholeMountAndLeavesOutNoReturns) {
   LaserScan scan = makeScan(-M_PI_2, M_PI_2, 3);
   scan.ranges = {1.0f, kNan, 3.0f};
-  std::vector<Point2> points(7);
-  toPoints(scan, {{0.1, 0.2, M_PI_2}, false}, {}, &points);
+  const std::vector<Point2> points = pointsOf(scan, {{0.1, 0.2, M_PI_2}, false});
   ASSERT_EQ(points.size(), 2u);
   // The beam to the sensor's right looks ahead when the sensor is turned left by 90 degrees.
   EXPECT_NEAR(points[0].x, 1.1, 1e-12);
@@ -90,16 +98,14 @@ TEST(ToPoints, PutsWhatIsTooNearToBeMeasuredAtTheNearestRange) {
   LaserScan scan = makeScan(0.0, 0.1, 2);
   scan.range_min = 0.12;
   scan.ranges = {-kInf, kNan};
-  std::vector<Point2> points;
-  toPoints(scan, {}, {}, &points);
+  const std::vector<Point2> points = pointsOf(scan, {});
   ASSERT_EQ(points.size(), 1u);
   EXPECT_NEAR(points[0].x, 0.12, 1e-12);
 }
 
 TEST(ToPoints, MirrorsAScannerUpsideDown) {
   const LaserScan scan = makeScan(-M_PI_2, M_PI_2, 1, 1.0f);
-  std::vector<Point2> points;
-  toPoints(scan, {{}, true}, {}, &points);
+  const std::vector<Point2> points = pointsOf(scan, {{}, true});
   ASSERT_EQ(points.size(), 1u);
   EXPECT_NEAR(points[0].y, 1.0, 1e-12);
 }

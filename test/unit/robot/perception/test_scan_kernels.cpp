@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -72,6 +73,36 @@ TEST_P(ScanKernelsOf, NameTheSquaresOfPlacesOnceWhereTheyFollowOneAnother) {
   }
 }
 
+TEST_P(ScanKernelsOf, NameNoSquareOfPlacesThatAreTooFarForAWholeNumber) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  const SquareFrame frame{20.0f, 0.0f, 300.0f, 300.0f, 0, 0, 600, 100.0f};
+  for (const double huge : {1.2e8, -1e10, 1e19, 1e300, kInf, -kInf, kNan}) {
+    std::vector<double> places;
+    for (int i = 0; i < 40; ++i) {
+      places.insert(places.end(), {1.0 + 0.1 * i, 2.0});
+      places.insert(places.end(), {i % 2 == 0 ? huge : 1.0, i % 2 == 0 ? 1.0 : huge});
+    }
+    const std::size_t count = places.size() / 2;
+    std::vector<std::uint32_t> work(count + 2 * kPadding);
+    std::vector<std::uint32_t> keys(count + 2 * kPadding);
+    keys.resize(kernels_.squaresOf(frame, places.data(), count, work.data(), keys.data()));
+    EXPECT_EQ(keys.size(), 40u) << huge;
+    for (const std::uint32_t key : keys) EXPECT_EQ(key >> 16, 340u) << huge;
+  }
+}
+
+TEST_P(ScanKernelsOf, NameNoSquareOfARobotThatIsTooFarAway) {
+  constexpr int kFar = 2000000000;
+  for (const int first : {kFar, -kFar}) {
+    const SquareFrame frame{20.0f, 0.0f, 300.0f, 300.0f, first, first, 600, 100.0f};
+    const std::vector<double> places(2 * 20, 1.0);
+    std::vector<std::uint32_t> work(20 + 2 * kPadding);
+    std::vector<std::uint32_t> keys(20 + 2 * kPadding);
+    EXPECT_EQ(kernels_.squaresOf(frame, places.data(), 20, work.data(), keys.data()), 0u) << first;
+  }
+}
+
 /// A scan of walls at many distances, with some beams that know nothing.
 RangeProfile scanOf(double increment, std::size_t beams, std::mt19937* random) {
   RangeProfile profile;
@@ -87,7 +118,7 @@ RangeProfile scanOf(double increment, std::size_t beams, std::mt19937* random) {
   return profile;
 }
 
-TEST_P(ScanKernelsOf, SeeThroughWhatThePlainDefinitionSeesThrough) {
+TEST_P(ScanKernelsOf, ClearWhatThePlainDefinitionClears) {
   constexpr double kResolution = 0.05;
   constexpr double kYaw = 1.1;
   constexpr int kSide = 4;
@@ -99,7 +130,7 @@ TEST_P(ScanKernelsOf, SeeThroughWhatThePlainDefinitionSeesThrough) {
     Sight sight(std::hypot(1.5, 1.5) * kResolution);
     sight.show(profile, kYaw);
     const SightBeams beams = sight.beams();
-    std::size_t seen_through = 0;
+    std::size_t cleared = 0;
     std::size_t cells_in_sight = 0;
     for (int row = 0; row < kCells; ++row) {
       std::vector<std::uint32_t> cells(kCells + kPadding);
@@ -110,11 +141,11 @@ TEST_P(ScanKernelsOf, SeeThroughWhatThePlainDefinitionSeesThrough) {
       const std::size_t count = kernels_.cellsInSight(beams, grid, cells.data(), kCells, limits.data());
       cells_in_sight += count;
       const std::vector<std::uint16_t> occupied(count, 0xffff);
-      std::vector<std::uint32_t> through(kCells * kSide * kSide + kPadding);
-      through.resize(kernels_.squaresSeenThrough(beams, grid, cells.data(), limits.data(), occupied.data(), count,
-                                                 through.data()));
-      seen_through += through.size();
-      std::sort(through.begin(), through.end());
+      std::vector<std::uint32_t> clear(kCells * kSide * kSide + kPadding);
+      clear.resize(
+          kernels_.clearSquares(beams, grid, cells.data(), limits.data(), occupied.data(), count, clear.data()));
+      cleared += clear.size();
+      std::sort(clear.begin(), clear.end());
       for (int square_row = row * kSide; square_row < (row + 1) * kSide; ++square_row) {
         for (int column = 0; column < kCells * kSide; ++column) {
           const double x = corner + column * kResolution;
@@ -135,17 +166,17 @@ TEST_P(ScanKernelsOf, SeeThroughWhatThePlainDefinitionSeesThrough) {
           const double a = reachOf(towards - 3e-5);
           const double b = reachOf(towards + 3e-5);
           const auto key = static_cast<std::uint32_t>(square_row << 16 | column);
-          const bool is_through = std::binary_search(through.begin(), through.end(), key);
+          const bool is_clear = std::binary_search(clear.begin(), clear.end(), key);
           if (distance < std::min(a, b) - 1e-4) {
-            ASSERT_TRUE(is_through) << x << ", " << y;
+            ASSERT_TRUE(is_clear) << x << ", " << y;
           }
           if (distance > std::max(a, b) + 1e-4) {
-            ASSERT_FALSE(is_through) << x << ", " << y;
+            ASSERT_FALSE(is_clear) << x << ", " << y;
           }
         }
       }
     }
-    EXPECT_GT(seen_through, 10000u);
+    EXPECT_GT(cleared, 10000u);
     EXPECT_LT(cells_in_sight, static_cast<std::size_t>(kCells * kCells * 9 / 10));
   }
 }

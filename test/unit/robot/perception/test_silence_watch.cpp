@@ -18,7 +18,7 @@ class SilenceWatchTest : public ::testing::Test {
   /// Shows a scan of the same readings everywhere.
   bool isCoveredAfter(float reading) {
     time_ += kPeriod;
-    watch_.show(makeHokuyoScan(reading), rules_, time_);
+    watch_.show(makeHokuyoScan(reading), rules_, time_, pose_);
     return watch_.isCovered();
   }
 
@@ -26,6 +26,7 @@ class SilenceWatchTest : public ::testing::Test {
   ScanRules rules_ = urgNodeRules();
   SilenceWatch watch_;
   double time_ = 100.0;
+  Pose2 pose_;
 };
 
 TEST_F(SilenceWatchTest, ALensThatIsCoveredIsNoticedUntilItSeesAgain) {
@@ -54,15 +55,47 @@ TEST_F(SilenceWatchTest, ReadingsThatAreNoReturnsByNoRuleAreLeftToTheCheckOfTheS
 
 TEST_F(SilenceWatchTest, AScanWithoutBeamsIsLeftToTheCheckOfTheScan) {
   EXPECT_FALSE(isCoveredAfter(3.0f));
-  watch_.show(LaserScan(), rules_, time_ + kPeriod);
+  watch_.show(LaserScan(), rules_, time_ + kPeriod, pose_);
   EXPECT_FALSE(watch_.isCovered());
 }
 
-TEST_F(SilenceWatchTest, ScansAfterAPauseAreNotCompared) {
+TEST_F(SilenceWatchTest, ALensThatIsCoveredWhileTheScannerPausesIsNoticed) {
+  EXPECT_FALSE(isCoveredAfter(3.0f));
+  time_ += 60.0;
+  pose_ = {0.3, 0.0, 0.5};  // until it stood for want of scans
+  EXPECT_TRUE(isCoveredAfter(nan_));
+  EXPECT_DOUBLE_EQ(watch_.shareBefore(), 1.0);
+}
+
+TEST_F(SilenceWatchTest, ALensThatIsCoveredWhenTheClockIsSetBackIsNoticed) {
+  EXPECT_FALSE(isCoveredAfter(3.0f));
+  time_ -= 50.0;
+  EXPECT_TRUE(isCoveredAfter(nan_));
+}
+
+TEST_F(SilenceWatchTest, ARobotThatWasMovedInAPauseMayStandInAnOpenField) {
   EXPECT_FALSE(isCoveredAfter(3.0f));
   time_ += 1.0;
-  EXPECT_FALSE(isCoveredAfter(nan_));
-  EXPECT_FALSE(isCoveredAfter(nan_)) << "nor is the next one with what was before the pause";
+  pose_ = {0.6, 0.0, 0.0};
+  EXPECT_FALSE(isCoveredAfter(nan_)) << "driven";
+  EXPECT_FALSE(isCoveredAfter(nan_)) << "nor is the next scan compared with the one before the pause";
+  EXPECT_FALSE(isCoveredAfter(3.0f));
+  time_ += 1.0;
+  pose_.yaw = 0.7;
+  EXPECT_FALSE(isCoveredAfter(nan_)) << "turned";
+}
+
+TEST_F(SilenceWatchTest, ScansOfASlowScannerAreComparedWhileTheRobotDrivesFast) {
+  const auto driveOn = [&] {
+    time_ += 0.25;  // 0.35 s from scan to scan
+    pose_.x += 0.7;
+  };
+  for (int i = 0; i < 6; ++i) {
+    driveOn();
+    EXPECT_FALSE(isCoveredAfter(3.0f));
+  }
+  driveOn();
+  EXPECT_TRUE(isCoveredAfter(nan_));
 }
 
 TEST_F(SilenceWatchTest, TurningAndDrivingAwayFromTheLastWallIsNoCover) {
@@ -83,7 +116,7 @@ TEST_F(SilenceWatchTest, TurningAndDrivingAwayFromTheLastWallIsNoCover) {
     time_ += kPeriod;
     hokuyo.scan(wall, pose, time_, &scan);
     std::replace(scan.ranges.begin(), scan.ranges.end(), std::numeric_limits<float>::infinity(), nan_);
-    watch_.show(scan, rules_, time_);
+    watch_.show(scan, rules_, time_, pose);
     ASSERT_FALSE(watch_.isCovered()) << "scan " << i;
   }
 }
