@@ -52,7 +52,7 @@ class GridImitationHost : public ToolTrainingHost {
     return std::to_string(training_.round() - 1) + " rounds and " + std::to_string(training_.epochsOfRound()) +
            " epochs";
   }
-  std::string scoreName() const override { return "mean arrival"; }
+  std::string scoreText(double score) const override { return namedScore("mean arrival", score); }
   void printHeader() const override {
     std::cout << std::fixed << "round  epoch  training accuracy  validation accuracy" << std::endl;
   }

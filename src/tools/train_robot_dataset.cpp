@@ -172,7 +172,7 @@ class DatasetTrainingHost : public ToolTrainingHost {
  private:
   double progress() const override { return training_.progress(); }
   std::string position() const override { return std::to_string(training_.epochsOfRound()) + " epochs"; }
-  std::string scoreName() const override { return "accuracy"; }
+  std::string scoreText(double /*score*/) const override { return accuracyText(best().kept().confusion); }
   void printHeader() const override {
     std::cout << "epoch  training accuracy  validation accuracy  of the averaged weights" << std::endl;
   }

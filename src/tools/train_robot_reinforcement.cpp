@@ -37,7 +37,7 @@ class RobotReinforcementHost : public ToolTrainingHost {
  private:
   double progress() const override { return training_.progress(); }
   std::string position() const override { return "iteration " + std::to_string(training_.iterations()); }
-  std::string scoreName() const override { return "efficiency"; }
+  std::string scoreText(double score) const override { return namedScore("efficiency", score); }
   void printHeader() const override { std::cout << table_.columns << " | validation drives" << std::endl; }
 
   const RobotTrainingOptions& options_;

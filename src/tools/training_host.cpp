@@ -2,6 +2,7 @@
 
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 
 namespace lstm_planner {
 
@@ -12,14 +13,19 @@ void ToolTrainingHost::started(bool resumed) {
 
 int ToolTrainingHost::end(const TrainingOutcome& outcome) const {
   if (outcome.best) {
-    std::cout << "wrote " << options_.output << ": " << scoreName() << ' ' << std::fixed << std::setprecision(3)
-              << *outcome.best << std::endl;
+    std::cout << "wrote " << options_.output << ": " << scoreText(*outcome.best) << std::endl;
   }
   if (!outcome.stopped) return 0;
   std::cout << "interrupted; "
             << (options_.checkpoint.empty() ? "without --checkpoint the training cannot be continued" : resumption())
             << std::endl;
   return interruption_.exitStatus();
+}
+
+std::string namedScore(const std::string& name, double score) {
+  std::ostringstream text;
+  text << name << ' ' << std::fixed << std::setprecision(3) << score;
+  return text.str();
 }
 
 }  // namespace lstm_planner

@@ -22,10 +22,10 @@ class ToolTrainingHost : public TrainingHost {
   int end(const TrainingOutcome& outcome) const;
 
  protected:
-  virtual double progress() const = 0;       ///< share of the training that is done
-  virtual std::string position() const = 0;  ///< what is done, like "iteration 5"
-  virtual std::string scoreName() const = 0;
-  virtual void printHeader() const = 0;  ///< of the table of steps
+  virtual double progress() const = 0;                    ///< share of the training that is done
+  virtual std::string position() const = 0;               ///< what is done, like "iteration 5"
+  virtual std::string scoreText(double score) const = 0;  ///< of the network that was written
+  virtual void printHeader() const = 0;                   ///< of the table of steps
   /// How a stopped training with a checkpoint is gone on with.
   virtual std::string resumption() const { return "the same command continues from here"; }
 
@@ -34,5 +34,8 @@ class ToolTrainingHost : public TrainingHost {
   Interruption interruption_;
   Progress bar_;
 };
+
+/// A score with three digits after its name.
+std::string namedScore(const std::string& name, double score);
 
 }  // namespace lstm_planner
