@@ -87,13 +87,14 @@ TEST_F(DatasetConversionTool, WhatCannotBeConvertedIsRefusedAndNothingIsWritten)
   EXPECT_NE(outcome.output.find("already"), std::string::npos) << outcome.output;
 }
 
-/// Nothing of what the process prints is shown.
+/// Nothing of what the process prints is shown. It heeds SIGINT, which shells let their background processes ignore.
 ::pid_t start(std::vector<std::string> words) {
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const ::pid_t process = ::fork();
   if (process == 0) {
+    ::signal(SIGINT, SIG_DFL);
     const int nowhere = ::open("/dev/null", O_WRONLY);
     ::dup2(nowhere, STDOUT_FILENO);
     ::execv(pointers[0], pointers.data());
@@ -103,7 +104,7 @@ TEST_F(DatasetConversionTool, WhatCannotBeConvertedIsRefusedAndNothingIsWritten)
 }
 
 TEST_F(DatasetConversionTool, NothingIsLeftOfAConversionThatIsInterruptedWhileItWrites) {
-  const std::string drive = log("long.log", 3000);
+  const std::string drive = log("long.log", 2000);
   std::filesystem::create_directory(in("out"));
   const auto files = [this] { return std::filesystem::directory_iterator(in("out")); };
   const auto is_writing = [&] {  // before it works, it only tries whether it could
