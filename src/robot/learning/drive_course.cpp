@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "robot/evaluation/standing_cells.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -16,19 +17,7 @@ constexpr double kClearance = 0.12;
 constexpr double kNearGoal = 1.5;
 
 double neededDistance(const GridWorld& world, double footprint_radius) {
-  return footprint_radius + kClearance + 0.5 * world.grid().resolution();
-}
-
-std::vector<CellIndex> standingCells(const GridWorld& world, double needed) {
-  const OccupancyGrid& grid = world.grid();
-  std::vector<CellIndex> standing;
-  for (int row = 0; row < grid.rows(); ++row) {
-    for (int column = 0; column < grid.columns(); ++column) {
-      const CellIndex cell{column, row};
-      if (grid.at(cell) == Cell::kFree && world.distances().at(cell) >= needed) standing.push_back(cell);
-    }
-  }
-  return standing;
+  return distanceNeeded(footprint_radius + kClearance, world.grid());
 }
 
 /// Fills the tasks of an exercise; false when hardly any place leads to the goal.
@@ -75,7 +64,8 @@ std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& param
   Teacher::Parameters teacher;
   const bool other_robot = parameters.other_robots > 0.0 && uniform(random) < parameters.other_robots;
   if (other_robot) teacher.footprint_radius = uniformFactor(random, kSmallestRobot, kLargestRobot);
-  const std::vector<CellIndex> standing = standingCells(*world, neededDistance(*world, teacher.footprint_radius));
+  const std::vector<CellIndex> standing =
+      standingCells(world->grid(), world->distances(), neededDistance(*world, teacher.footprint_radius));
   if (standing.empty() && other_robot) return {};
   if (standing.empty()) throw std::runtime_error("a generated world has no place for the robot");
   std::vector<DriveExercise> exercises;
