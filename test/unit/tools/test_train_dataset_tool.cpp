@@ -113,21 +113,10 @@ TEST_F(TrainDatasetTool, GoesOnAfterCtrlCAsIfNothingHadBeen) {
   const std::string training = std::string("'") + kTool +
                                "' train --dataset ../drives.dataset --cells 4 --epochs 40 --threads 1 --instability "
                                "instability.png --output model.onnx --checkpoint model.checkpoint";
-  const auto runIn = [&](const std::string& folder, const std::string& command) {
-    return test::runShell("mkdir -p '" + in(folder) + "' && cd '" + in(folder) + "' || exit 1; " + command);
-  };
-  const auto bytesOf = [this](const std::string& name) {
-    std::ifstream file(in(name), std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  };
   const test::Outcome whole = runIn("whole", training);
   ASSERT_EQ(whole.status, 0) << whole.output;
 
-  // Ctrl-C as soon as there is something to go on from.
-  const test::Outcome stopped =
-      runIn("parts", training +
-                         " & process=$!; until [ -s model.checkpoint ]; do kill -0 $process || break; done; "
-                         "kill -INT $process; wait $process");
+  const test::Outcome stopped = runIn("parts", interrupted(training));
   EXPECT_EQ(stopped.status, 130) << stopped.output;
   EXPECT_TRUE(exists("parts/model.onnx")) << "the best epoch until then";
   const test::Outcome resumed = runIn("parts", training);

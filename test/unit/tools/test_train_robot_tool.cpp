@@ -1,8 +1,5 @@
 // The command `lstm_planner train` for the robot without a dataset, as a user runs it.
 
-#include <fstream>
-#include <sstream>
-
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "support/tool_test.hpp"
 
@@ -15,13 +12,6 @@ class TrainRobotTool : public test::ToolTest {
     const test::Outcome outcome = runTool(arguments);
     EXPECT_EQ(outcome.status, 0) << arguments << "\n" << outcome.output;
     return outcome;
-  }
-
-  std::string bytesOf(const std::string& name) const {
-    std::ifstream file(in(name), std::ios::binary);
-    std::ostringstream bytes;
-    bytes << file.rdbuf();
-    return bytes.str();
   }
 };
 
@@ -82,17 +72,10 @@ TEST_F(TrainRobotTool, GoesOnAfterCtrlCAsIfNothingHadBeen) {
       std::string(kTool) +
       " train --method actor-critic --views 8 --cells 4 --kinds open --iterations 10 --worlds 3 --starts 2 "
       "--max-steps 40 --validation 2 --threads 1 --output model.onnx --checkpoint model.checkpoint";
-  const auto runIn = [&](const std::string& folder, const std::string& command) {
-    return test::runShell("mkdir -p '" + in(folder) + "' && cd '" + in(folder) + "' || exit 1; " + command);
-  };
   const test::Outcome whole = runIn("whole", training);
   ASSERT_EQ(whole.status, 0) << whole.output;
 
-  // Ctrl-C as soon as there is something to go on from.
-  const test::Outcome stopped =
-      runIn("parts", training +
-                         " & process=$!; until [ -s model.checkpoint ]; do kill -0 $process || break; done; "
-                         "kill -INT $process; wait $process");
+  const test::Outcome stopped = runIn("parts", interrupted(training));
   EXPECT_EQ(stopped.status, 130) << stopped.output;
   EXPECT_NE(stopped.output.find("interrupted; the same command continues from here"), std::string::npos)
       << stopped.output;
