@@ -21,7 +21,8 @@ constexpr double kStill = 1e-3;  ///< m; a round that moves no point farther is 
 const Decision& ElasticBand::bend(const NavigationAgent& agent, const Pose2& robot, const Decision& decision,
                                   double clearance) {
   using Source = Decision::Source;
-  const bool is_known = decision.source == Source::kRoute || decision.source == Source::kGoalInSight;
+  const bool is_known = decision.source == Source::kRoute || decision.source == Source::kGoalInSight ||
+                        (isOneStep(decision) && !decision.path_on.empty());
   const ObstacleMemory* memory = agent.memory();
   if (clearance <= 0.0 || memory == nullptr || !is_known) return decision;
   distance_ = agent.parameters().shield.footprint_radius + clearance;
@@ -42,6 +43,7 @@ void ElasticBand::layChain(const Point2& robot, const Decision& decision) {
   rest_.clear();
   left_ = kBent;
   addPiece(decision.waypoint);
+  first_ = isOneStep(decision) ? chain_.size() : 1;
   for (const Point2& corner : decision.path_on) addPiece(corner);
 }
 
@@ -61,7 +63,7 @@ void ElasticBand::addPiece(const Point2& corner) {
 /// How far it moved a point at most, m.
 double ElasticBand::relax(const ObstacleMemory& memory) {
   double farthest = 0.0;
-  for (std::size_t i = 1; i + 1 < chain_.size(); ++i) {
+  for (std::size_t i = first_; i + 1 < chain_.size(); ++i) {
     const Point2 middle{0.5 * (chain_[i - 1].x + chain_[i + 1].x), 0.5 * (chain_[i - 1].y + chain_[i + 1].y)};
     const Point2 pushed = push(memory, i);
     const Point2 move{kDraw * (middle.x - chain_[i].x) + pushed.x, kDraw * (middle.y - chain_[i].y) + pushed.y};

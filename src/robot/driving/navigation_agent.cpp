@@ -340,6 +340,8 @@ void NavigationAgent::decide(const Situation& situation) {
   decision_.path_on.clear();
   if (decision_.on_route) {
     guide_->pointsAhead(distanceBetween(clock_.pose(), decision_.waypoint), &decision_.path_on);
+  } else if (isOneStep(decision_) && guide_ && parameters_.memory.completes_plan) {
+    guide_->searchFrom(decision_.waypoint, goal_, &decision_.path_on);
   }
 }
 

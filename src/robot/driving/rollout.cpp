@@ -105,11 +105,6 @@ bool stepTowards(const Point2& goal, const Shield& shield, const AgentParameters
   return true;
 }
 
-/// Whether a direction was decided, and nothing is known of what comes behind the waypoint.
-bool isOneStep(const Decision& decision) {
-  return decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy;
-}
-
 }  // namespace
 
 void rollOut(const Situation& situation, const Decision& decision, const Shield& shield, const Pose2& goal,
@@ -126,7 +121,7 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
     const Point2 local_goal = toLocalFrame(situation.pose, decision.destination);
     Point2 at = toLocalFrame(situation.pose, decision.waypoint);
     double direction = decision.direction - situation.pose.yaw;
-    if (isOneStep(decision) && distanceBetween(at, local_goal) > agent.step.length) {
+    if (isOneStep(decision) && decision.path_on.empty() && distanceBetween(at, local_goal) > agent.step.length) {
       // Straight on for another step: a controller that looks ahead of the waypoint must not turn for the goal before
       // the leader has decided to.
       at = pointAlong(at, direction, shield.freeDistance(at, direction, agent.step.length, agent.shield.clearance));

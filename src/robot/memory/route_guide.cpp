@@ -87,7 +87,7 @@ void RouteGuide::watch(const Situation& situation) {
   noteMotion(situation);
   const bool is_new_place = !has_watched_ || distanceBetween(watched_pose_, situation.pose) >= kNewPlace ||
                             std::abs(normalizeAngle(situation.pose.yaw - watched_pose_.yaw)) >= kNewView;
-  if (!is_new_place) {
+  if (!is_new_place && !parameters_.memory.completes_plan) {
     return;
   }
   watched_pose_ = situation.pose;
@@ -96,6 +96,14 @@ void RouteGuide::watch(const Situation& situation) {
   memory_.clearChanges();
   route_.clear();
   has_costs_ = false;
+}
+
+void RouteGuide::searchFrom(const Point2& from, const Point2& goal, std::vector<Point2>* points) {
+  ++searches_;
+  has_costs_ = false;
+  points->clear();
+  if (!finder_.find(memory_, from, goal, tolerance(), &found_)) return;
+  points->insert(points->end(), found_.points.begin() + 1, found_.points.end());
 }
 
 Decision::Source RouteGuide::update(const Situation& situation, const Point2& goal) {

@@ -44,13 +44,18 @@ struct Decision {
   Point2 destination;           ///< where the plan ends: the goal, or where the footprint still fits when the goal
                                 ///< lies in something (AgentParameters::goal_drift)
   std::vector<Point2> path_on;  ///< from the waypoint to the destination through what is remembered; empty unless the
-                                ///< waypoint is on it
+                                ///< waypoint is on it, or MemoryParameters::completes_plan asks for it
   GoalSeems goal_seems = GoalSeems::kReachable;
   long step = 0;  ///< counts the steps since the goal was set
 
   /// The network's favourite was not taken: the shield forbids it, or the network does not lead.
   bool isOverruled() const { return preferred >= 0 && action != preferred; }
 };
+
+/// Whether only a direction was decided, by one who does not look behind the waypoint.
+inline bool isOneStep(const Decision& decision) {
+  return decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy;
+}
 
 constexpr std::size_t kDecisionSources = 8;
 /// "network", "greedy", "goal in sight", "route", "escape", "look around", "arrived", "no path".

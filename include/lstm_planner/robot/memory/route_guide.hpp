@@ -32,8 +32,13 @@ class RouteGuide {
   /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
   void noteProgress();
 
-  /// Only remembers: what is seen from a new place, and how far the robot has driven. Searches nothing.
+  /// Only remembers: what is seen from a new place (with MemoryParameters::completes_plan: from every place), and how far
+  /// the robot has driven. Searches nothing.
   void watch(const Situation& situation);
+
+  /// Searches a path through what is remembered from a place where the robot is not; does not become route(). `points`:
+  /// its corners behind `from`; empty when there is no path.
+  void searchFrom(const Point2& from, const Point2& goal, std::vector<Point2>* points);
 
   /// Takes in the situation and searches a new path where that may change it; one that is hardly better than the last
   /// one is not taken. kRoute: follow route(); kLookAround: turn on the spot, so that everything around is seen;

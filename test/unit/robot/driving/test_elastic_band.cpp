@@ -83,6 +83,27 @@ TEST_F(ElasticBandAtADoor, GoesRoundThePostInAnArc) {
   EXPECT_LT(sharpestTurn(plan(pose, goal, kClearance)), 0.4);
 }
 
+TEST_F(ElasticBandAtADoor, BendsNoStepOfTheNetworkButWhatComesBehindIt) {
+  AgentParameters parameters;
+  parameters.memory.completes_plan = true;
+  NavigationAgent agent(test::straightAheadPolicy(), parameters);
+  const Pose2 pose{1.8, 0.9, M_PI_4};
+  agent.setGoal({4.6, 1.0});
+  const Situation situation = test::seenFrom(world_, pose);
+  const Decision& decision = agent.update(situation);
+  ASSERT_EQ(decision.source, Decision::Source::kNetwork);
+  std::vector<Pose2> plan;
+  rollOut(situation, band_.bend(agent, pose, decision, kClearance), agent.shield(), {4.6, 1.0, 0.0}, parameters, {},
+          &plan);
+  const double to_waypoint = distanceBetween(pose, decision.waypoint);
+  for (const Pose2& on_plan : plan) {
+    const double along = distanceBetween(pose, on_plan);
+    if (along > to_waypoint) break;
+    EXPECT_LT(distanceBetween(on_plan, pointAlong(Point2{pose.x, pose.y}, decision.direction, along)), 1e-9);
+  }
+  EXPECT_NEAR(crossing(plan), kDoor, kSquare);
+}
+
 TEST_F(ElasticBandAtADoor, StaysDenseFromThePoseToTheGoalAndPassable) {
   const Pose2 pose{1.8, 0.9, M_PI_4};
   const Pose2 goal{5.5, 4.6, 1.0};

@@ -77,6 +77,36 @@ TEST_F(NavigationRoutes, NothingIsSearchedWhileTheNetworkMakesProgress) {
   EXPECT_EQ(agent.searches(), 0);
 }
 
+TEST_F(NavigationRoutes, BehindTheNetworksWaypointThePlanIsCompletedOnlyWhenAsked) {
+  for (const bool completes : {false, true}) {
+    AgentParameters parameters;
+    parameters.memory.completes_plan = completes;
+    NavigationAgent agent(stubbornPolicy(), parameters);
+    agent.setGoal({4.0, 0.0});
+    const Decision& decision = agent.update(returnsAt(kWall, {}));
+    ASSERT_EQ(decision.source, Source::kNetwork);
+    EXPECT_NEAR(decision.waypoint.x, 0.4, 1e-12) << "straight on, not towards the wall's end";
+    EXPECT_NEAR(decision.waypoint.y, 0.0, 1e-12);
+    EXPECT_FALSE(decision.on_route);
+    ASSERT_EQ(decision.path_on.empty(), !completes);
+    if (!completes) continue;
+    EXPECT_EQ(distanceBetween(decision.path_on.back(), Point2{4.0, 0.0}), 0.0);
+    EXPECT_GT(lengthOn(decision), std::hypot(1.6, 1.0) + std::hypot(2.0, 1.0)) << "round the wall";
+  }
+}
+
+TEST_F(NavigationRoutes, APlanIsCompletedWithWhatWasSeenAtEveryStep) {
+  AgentParameters parameters;
+  parameters.memory.completes_plan = true;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  agent.setGoal({4.0, 0.0});
+  agent.update(situationAt({}));
+  // Nearer to the first place than what is taken for a new one.
+  const Decision& decision = agent.update(returnsAt(kWall, {0.45, 0.0, 0.0}));
+  ASSERT_EQ(decision.source, Source::kNetwork);
+  EXPECT_GT(lengthOn(decision), std::hypot(1.2, 1.0) + std::hypot(2.0, 1.0)) << "round the wall";
+}
+
 TEST_F(NavigationRoutes, WhatTheNetworkPassedIsRememberedForTheRescue) {
   AgentParameters parameters;
   parameters.escape.patience_steps = 3;
