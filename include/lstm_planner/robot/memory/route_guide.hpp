@@ -32,8 +32,8 @@ class RouteGuide {
   /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
   void noteProgress();
 
-  /// Only remembers: what is seen from a new place (with MemoryParameters::completes_plan: from every place), and how far
-  /// the robot has driven. Searches nothing.
+  /// Only remembers: what is seen from a new place (with MemoryParameters::completes_plan: from every place), and how
+  /// far the robot has driven. Searches nothing.
   void watch(const Situation& situation);
 
   /// Searches a path through what is remembered from a place where the robot is not; does not become route(). `points`:
