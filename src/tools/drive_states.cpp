@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/base/common/picture_file.hpp"
+#include "lstm_planner/base/learning/policy_gradient.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -25,11 +26,11 @@ cv::Vec3b colorOf(float value) {
 }
 
 std::vector<float> probabilities(const std::vector<float>& preferences) {
-  const float largest = *std::max_element(preferences.begin(), preferences.end());
-  std::vector<float> shares;
-  float sum = 0.0f;
-  for (const float preference : preferences) sum += std::exp(preference - largest);
-  for (const float preference : preferences) shares.push_back(std::exp(preference - largest) / sum);
+  std::vector<float> shares(preferences.size());
+  const float sum = fillChances(
+      static_cast<int>(shares.size()), [](int) { return true; },
+      [&](int action) { return preferences[static_cast<std::size_t>(action)]; }, shares.data());
+  for (float& share : shares) share /= sum;
   return shares;
 }
 

@@ -70,6 +70,14 @@ void ActorCritic::finishUpdate(double steps) {
   steps_ += steps;
 }
 
+ReinforcementReport ActorCritic::report(const CriticSums& judged) const {
+  ReinforcementReport report;
+  report.update = updates_;
+  report.steps = steps_;
+  report.explained = judged.explained();
+  return report;
+}
+
 std::vector<std::uint8_t> ActorCritic::checkpoint() const {
   const nlohmann::json content = {{"format", names_.format},
                                   {"policy", vectorToJson(policy_)},

@@ -7,7 +7,6 @@
 
 #include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/base/learning/actor_critic.hpp"
-#include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "robot/learning/drive_batch.hpp"
 #include "robot/learning/drive_practice.hpp"
@@ -17,12 +16,6 @@ namespace lstm_planner {
 namespace {
 
 const ActorCritic::CheckpointNames kCheckpointNames{"lstm_planner drive actor-critic 1", "iterations"};
-
-LayerStack makeCritic(int policy_inputs, const std::vector<int>& units, std::uint64_t seed) {
-  LayerStack layers = makeDenseStack(policy_inputs + kDrivePrivilegedInputs, units, 1);
-  initialise({}, seed, layers);
-  return layers;
-}
 
 /// Preferences so many times as far apart: the greedy choice stays, random ones come nearer to it.
 LayerStack sharpened(LayerStack layers, double factor) {
@@ -55,7 +48,8 @@ class DriveActorCritic::Implementation {
   Implementation(const DriveActorCriticParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         policy_(sharpened(std::move(layers), parameters.sharpness)),
-        critic_(makeCritic(Encoder(parameters.policy.encoder).size(), parameters.critic_units, parameters.seed + 1)),
+        critic_(makeCritic(Encoder(parameters.policy.encoder).size() + kDrivePrivilegedInputs, parameters.critic_units,
+                           parameters.seed + 1)),
         learner_(kCheckpointNames, parameters, parameters.iterations, policy_, critic_,
                  parameters.course.worlds.size()) {
     DrivePolicy(parameters.policy, policy_);  // throws when they do not fit together
@@ -112,13 +106,10 @@ class DriveActorCritic::Implementation {
 
  private:
   ReinforcementReport report(const PracticeSums& sums, DriveBatch& batch) {
-    ReinforcementReport report;
-    report.update = learner_.updates();
-    report.steps = learner_.steps();
+    ReinforcementReport report = learner_.report(batch.judged());
     report.reward = sums.reward;
     report.arrival = sums.arrival;
     report.entropy = batch.entropy();
-    report.explained = batch.explained();
     return report;
   }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lstm_planner/base/common/parallel_for.hpp"
+#include "lstm_planner/base/learning/policy_gradient.hpp"
 #include "lstm_planner/robot/learning/step_simulator.hpp"
 #include "robot/learning/practice_exchange.hpp"
 
@@ -108,16 +109,9 @@ class Practice {
     rules_.chances(agent_.decision().preferences, allowed, probabilities);
     const float total = std::accumulate(probabilities, probabilities + allowed.size(), 0.0f);
     if (!(total > 0.0f)) return false;
-    float number = static_cast<float>(uniform(random_)) * total;
     PracticeEpisode::Step& step = episode_.steps.back();
-    for (std::size_t i = 0; i < allowed.size(); ++i) {
-      if (probabilities[i] > 0.0f && (number >= 0.0f || !step.chosen)) {
-        step.action = static_cast<int>(i);
-        step.chosen = true;
-      }
-      number -= probabilities[i];
-      probabilities[i] /= total;
-    }
+    step.action = drawByChances(static_cast<int>(allowed.size()), total, &random_, probabilities);
+    step.chosen = true;
     return true;
   }
 
@@ -171,13 +165,9 @@ PracticeEpisode practise(const PracticeRules& rules, const LayerStack& layers, c
 }  // namespace
 
 void preferredChances(const std::vector<float>& preferences, const std::vector<char>& allowed, float* chances) {
-  float largest = -1e30f;
-  for (std::size_t i = 0; i < allowed.size(); ++i) {
-    if (allowed[i]) largest = std::max(largest, preferences[i]);
-  }
-  for (std::size_t i = 0; i < allowed.size(); ++i) {
-    chances[i] = allowed[i] ? std::exp(preferences[i] - largest) : 0.0f;
-  }
+  fillChances(
+      static_cast<int>(allowed.size()), [&](int action) { return allowed[static_cast<std::size_t>(action)] != 0; },
+      [&](int action) { return preferences[static_cast<std::size_t>(action)]; }, chances);
 }
 
 ActionChances epsilonGreedyChances(double epsilon) {

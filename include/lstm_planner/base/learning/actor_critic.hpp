@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "lstm_planner/base/common/communicator.hpp"
+#include "lstm_planner/base/learning/critic.hpp"
 #include "lstm_planner/base/learning/optimiser.hpp"
+#include "lstm_planner/base/learning/reinforcement_learner.hpp"
 #include "lstm_planner/base/network/layers.hpp"
 
 namespace lstm_planner {
@@ -66,6 +68,9 @@ class ActorCritic {
   void finishUpdate(double steps);
   int updates() const { return updates_; }
   double steps() const { return steps_; }  ///< of all updates
+
+  /// After the last update, in which the critic judged these steps. What the agents did is the course's to fill in.
+  ReinforcementReport report(const CriticSums& judged) const;
 
   /// Everything that the next update depends on.
   std::vector<std::uint8_t> checkpoint() const;
