@@ -9,6 +9,7 @@
 #include "base/learning/optimiser_json.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
+#include "lstm_planner/base/learning/q_learning_targets.hpp"
 
 namespace lstm_planner {
 
@@ -49,6 +50,20 @@ void validate(const QLearningParameters& parameters) {
   validate(optimiserParameters(parameters));
 }
 
+void ValueSums::count(double estimate, double error) {
+  steps += 1.0;
+  value += estimate;
+  squared_error += error * error;
+}
+
+void ValueSums::operator+=(const ValueSums& other) {
+  steps += other.steps;
+  value += other.value;
+  squared_error += other.squared_error;
+}
+
+std::vector<double*> numbersOf(ValueSums* sums) { return {&sums->steps, &sums->value, &sums->squared_error}; }
+
 QLearner::QLearner(const CheckpointNames& names, const QLearningParameters& parameters, int updates,
                    const LayerStack& layers)
     : names_(names),
@@ -59,6 +74,11 @@ QLearner::QLearner(const CheckpointNames& names, const QLearningParameters& para
       optimiser_(optimiserParameters(parameters), weightMask(layers)) {}
 
 double QLearner::progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
+
+double QLearner::epsilon() const {
+  return explorationAt(progress(), parameters_.exploration_start, parameters_.exploration_end,
+                       parameters_.exploration_share);
+}
 
 void QLearner::startUpdate() {
   if (updates_ % parameters_.target_interval == 0) target_weights_ = weights_;
@@ -71,6 +91,17 @@ void QLearner::update(const Eigen::VectorXf& gradient) {
 void QLearner::finishUpdate(double steps) {
   ++updates_;
   steps_ += steps;
+}
+
+ReinforcementReport QLearner::report(const ValueSums& values) const {
+  ReinforcementReport report;
+  report.update = updates_;
+  report.steps = steps_;
+  if (values.steps > 0.0) {
+    report.value = values.value / values.steps;
+    report.error = std::sqrt(values.squared_error / values.steps);
+  }
+  return report;
 }
 
 std::vector<std::uint8_t> QLearner::checkpoint() const {

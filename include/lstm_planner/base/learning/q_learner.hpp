@@ -7,6 +7,7 @@
 
 #include "lstm_planner/base/common/communicator.hpp"
 #include "lstm_planner/base/learning/optimiser.hpp"
+#include "lstm_planner/base/learning/reinforcement_learner.hpp"
 #include "lstm_planner/base/network/layers.hpp"
 
 namespace lstm_planner {
@@ -61,6 +62,17 @@ struct QLearningParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const QLearningParameters& parameters);
 
+/// What is added up over the steps whose values are learned.
+struct ValueSums {
+  double steps = 0.0;
+  double value = 0.0;  ///< of the actions taken
+  double squared_error = 0.0;
+
+  void count(double estimate, double error);
+  void operator+=(const ValueSums& other);
+};
+std::vector<double*> numbersOf(ValueSums* sums);
+
 /// The weights of a network of values while it learns, whatever the course is: the target network, optimiser and
 /// schedule, and the checkpoint of it all. The rate sinks to 0 by half a cosine.
 class QLearner {
@@ -77,6 +89,7 @@ class QLearner {
   const Eigen::VectorXf& weights() const { return weights_; }
   const Eigen::VectorXf& targetWeights() const { return target_weights_; }
   double progress() const;  ///< share of the training that is done
+  double epsilon() const;   ///< share of random actions, in the next update
 
   /// Copies the weights into the target network where it is time to.
   void startUpdate();
@@ -86,6 +99,9 @@ class QLearner {
   void finishUpdate(double steps);
   int updates() const { return updates_; }
   double steps() const { return steps_; }  ///< of all updates
+
+  /// After the last update. What the agents did, and epsilon, is the course's to fill in.
+  ReinforcementReport report(const ValueSums& values) const;
 
   /// Everything that the next update depends on.
   std::vector<std::uint8_t> checkpoint() const;
