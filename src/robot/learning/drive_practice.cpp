@@ -9,6 +9,7 @@
 
 #include "lstm_planner/base/common/parallel_for.hpp"
 #include "lstm_planner/base/learning/policy_gradient.hpp"
+#include "lstm_planner/robot/driving/action_choice.hpp"
 #include "lstm_planner/robot/learning/step_simulator.hpp"
 #include "robot/learning/practice_exchange.hpp"
 
@@ -34,6 +35,7 @@ class Practice {
         task_(task),
         drive_(drive),
         agent_(agent),
+        choice_(agent.parameters()),
         encoder_(agent.policy().description().encoder),
         random_(seed) {
     episode_.kind = exercise.kind;
@@ -118,15 +120,8 @@ class Practice {
   /// As the agent will allow them.
   std::vector<char> allowedActions() const {
     const ActionSet& actions = agent_.policy().description().actions;
-    const AgentParameters& agent = agent_.parameters();
     std::vector<char> allowed(static_cast<std::size_t>(actions.size()));
-    for (const double clearance : {agent.shield.clearance, agent.shield.tight_clearance}) {
-      for (int action = 0; action < actions.size(); ++action) {
-        const double free = agent_.shield().freeDistance({}, actions.angle(action), agent.step.length, clearance);
-        if (free >= agent.shield.shortest_step) allowed[static_cast<std::size_t>(action)] = true;
-      }
-      if (std::find(allowed.begin(), allowed.end(), true) != allowed.end()) break;
-    }
+    choice_.choose(actions, 0.0, 0.0, agent_.shield(), agent_.decision().preferences, std::nullopt, &allowed);
     return allowed;
   }
 
@@ -135,6 +130,7 @@ class Practice {
   const DriveTask& task_;
   const StepSimulator& drive_;
   const NavigationAgent& agent_;
+  ActionChoice choice_;
   Encoder encoder_;
   Random random_;
   PracticeEpisode episode_;
