@@ -71,7 +71,7 @@ GridCurvePoint curvePointFrom(const nlohmann::json& json) {
 
 void writeGridCurve(const std::string& png_path, const std::vector<std::string>& set_names,
                     const std::vector<GridCurvePoint>& points) {
-  const std::string csv_path = png_path.substr(0, png_path.rfind('.')) + ".csv";
+  const std::string csv_path = csvPathBeside(png_path);
   writeTextFile(csv_path, csv(set_names, points));
   runGnuplot("learning curve", png_path, csv_path,
              [&](const std::string& path) { return script(csv_path, path, set_names); });

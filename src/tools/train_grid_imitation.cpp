@@ -48,10 +48,7 @@ class GridImitationHost : public ToolTrainingHost {
 
  private:
   double progress() const override { return training_.progress(); }
-  std::string position() const override {
-    return std::to_string(training_.round() - 1) + " rounds and " + std::to_string(training_.epochsOfRound()) +
-           " epochs";
-  }
+  std::string position() const override { return positionOf(training_); }
   std::string scoreText(double score) const override { return namedScore("mean arrival", score); }
   void printHeader() const override {
     std::cout << std::fixed << "round  epoch  training accuracy  validation accuracy" << std::endl;
@@ -77,10 +74,7 @@ int trainByImitation(const std::string& method, const std::vector<std::string>& 
   const auto training = gridImitation(parameters, layers, maps.training, validationMaps(maps));
   GridImitationHost host(loop, GridJudge(options, maps.validation), parameters.trainer.epochs, *training);
   const TrainingOutcome outcome = runTraining(loop, training.get(), &host);
-  if (!options.curve.empty() && isFirstRank()) {
-    const std::string stem = options.curve.substr(0, options.curve.rfind('.'));
-    writeLearningCurve(stem + ".csv", options.curve, training->curve());
-  }
+  if (!options.curve.empty() && isFirstRank()) writeLearningCurve(options.curve, training->curve());
   return host.end(outcome);
 }
 

@@ -140,10 +140,7 @@ class DatasetTrainingHost : public ToolTrainingHost {
     writeModel(options_.output, layers, best().kept());
     if (!options_.confusion.empty()) writeConfusion(options_.confusion, best().kept().confusion, names());
     if (!options_.stability.empty()) writeStability(options_.stability, stability_);
-    if (!options_.curve.empty()) {
-      const std::string stem = options_.curve.substr(0, options_.curve.rfind('.'));
-      writeLearningCurve(stem + ".csv", options_.curve, training_.curve());
-    }
+    if (!options_.curve.empty()) writeLearningCurve(options_.curve, training_.curve());
   }
 
   void judged(const Judgement& /*judgement*/) override {

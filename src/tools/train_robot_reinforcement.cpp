@@ -57,6 +57,15 @@ void finishRobotNetwork(const CommandLine& line, RobotReinforcementPlan* plan, E
   }
 }
 
+nlohmann::json changedSettingsOf(const RobotNetworkOptions& network, const EncoderParameters& encoder) {
+  const nlohmann::json defaults = settingsOf(RobotNetworkOptions(), EncoderParameters());
+  nlohmann::json settings = settingsOf(network, encoder);
+  for (const char* name : {"event-range", "position-cell", "heading-cell", "activation", "candidate"}) {
+    if (settings[name] == defaults[name]) settings.erase(name);
+  }
+  return settings;
+}
+
 LayerStack firstLayers(const RobotReinforcementPlan& plan, PolicyDescription* policy) {
   if (!plan.init.empty()) {
     Model model = readModelFile(plan.init);

@@ -35,6 +35,9 @@ struct RobotReinforcementPlan {
 /// make no sense.
 void finishRobotNetwork(const CommandLine& line, RobotReinforcementPlan* plan, EncoderParameters* encoder);
 
+/// settingsOf() without what older checkpoints do not name, where that is the default: they go on.
+nlohmann::json changedSettingsOf(const RobotNetworkOptions& network, const EncoderParameters& encoder);
+
 /// All options that ways of reinforcement have in common. `parameters` are the learner's: they hold the defaults and
 /// take the values.
 template <typename Parameters>
@@ -66,21 +69,15 @@ void finishRobotReinforcement(const std::string& method, RobotReinforcementPlan*
   p.threads = plan->options.threads;
   p.communicator = ranks();
   plan->settings = settingsOf(plan->options);
+  plan->settings.update(changedSettingsOf(plan->network, p.policy.encoder));
   plan->settings.update({{"method", method},
                          {"init", plan->init},
-                         {"inputs", p.policy.encoder.input_layout},
-                         {"network", plan->network.network},
-                         {"cells", plan->network.shape.cells},
-                         {"deep-in", plan->network.shape.deep_in},
-                         {"deep-out", plan->network.shape.deep_out},
                          {"iterations", p.iterations},
                          {"worlds", p.worlds},
                          {"goals", p.goals},
                          {"starts", p.starts},
                          {"window", p.window},
                          {"passes", p.passes}});
-  // Not told where there is one: checkpoints from before there were views go on.
-  if (p.policy.encoder.views != 1) plan->settings["views"] = p.policy.encoder.views;
 }
 
 /// Those of the model to start with, whose description replaces `policy`, or new ones.

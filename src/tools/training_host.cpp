@@ -22,6 +22,10 @@ int ToolTrainingHost::end(const TrainingOutcome& outcome) const {
   return interruption_.exitStatus();
 }
 
+std::string positionOf(const ImitationRounds& rounds) {
+  return std::to_string(rounds.round() - 1) + " rounds and " + std::to_string(rounds.epochsOfRound()) + " epochs";
+}
+
 std::string namedScore(const std::string& name, double score) {
   std::ostringstream text;
   text << name << ' ' << std::fixed << std::setprecision(3) << score;

@@ -139,7 +139,7 @@ std::string confusionText(const ConfusionMatrix& confusion, const std::vector<st
 void writeConfusion(const std::string& png_path, const ConfusionMatrix& confusion,
                     const std::vector<std::string>& names) {
   requireNames(confusion, names);
-  const std::string csv_path = png_path.substr(0, png_path.rfind('.')) + ".csv";
+  const std::string csv_path = csvPathBeside(png_path);
   writeOutputFile("confusion matrix", csv_path, [&](std::ostream& file) { writeCsv(file, confusion, names); });
   runGnuplot("confusion matrix", png_path, csv_path,
              [&](const std::string& path) { return gnuplotScript(path, confusion, names); });

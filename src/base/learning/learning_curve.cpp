@@ -84,8 +84,8 @@ void writeLearningCurveCsv(const std::string& csv_path, const std::vector<EpochR
   writeOutputFile("learning curve", csv_path, [&](std::ostream& file) { writeRows(curve, file); });
 }
 
-void writeLearningCurve(const std::string& csv_path, const std::string& png_path,
-                        const std::vector<EpochReport>& curve) {
+void writeLearningCurve(const std::string& png_path, const std::vector<EpochReport>& curve) {
+  const std::string csv_path = csvPathBeside(png_path);
   writeLearningCurveCsv(csv_path, curve);
   if (curve.empty()) throw std::runtime_error("learning curve '" + png_path + "' has no epochs, expected at least one");
   runGnuplot("learning curve", png_path, csv_path,

@@ -145,7 +145,7 @@ std::string stabilityText(const std::vector<EpochAccuracies>& epochs) {
 
 void writeStability(const std::string& png_path, const std::vector<EpochAccuracies>& epochs) {
   if (epochs.empty()) throw std::runtime_error("stability '" + png_path + "' has no epochs, expected at least one");
-  const std::string csv_path = png_path.substr(0, png_path.rfind('.')) + ".csv";
+  const std::string csv_path = csvPathBeside(png_path);
   writeOutputFile("stability", csv_path, [&](std::ostream& file) { file << csv(epochs); });
   runGnuplot("stability", png_path, csv_path,
              [&](const std::string& path) { return gnuplotScript(csv_path, path, epochs); });
