@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lstm_planner/base/common/markdown_table.hpp"
 #include "lstm_planner/ros/advice/drive_advice.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
@@ -132,11 +133,11 @@ void print(const Node& node) {
 }
 
 void printAsTable(const Node& node) {
-  std::cout << "\n## " << node.title << "\n\n`" << node.file
-            << "`\n\n| parameter | default | range | unit | live | meaning |\n|---|---|---|---|---|---|\n";
+  std::cout << "\n## " << node.title << "\n\n`" << node.file << "`\n\n";
+  MarkdownTable table({"parameter", "default", "range", "unit", "live", "meaning"}, &std::cout);
   for (const Row& row : node.table) {
-    std::cout << "| `" << row.name << "` | `" << row.value << "` | " << row.range << " | " << row.unit << " | "
-              << (contains(node.changeable, row.name) ? "yes" : "") << " | " << row.meaning << " |\n";
+    table.row({"`" + row.name + "`", "`" + row.value + "`", row.range, row.unit,
+               contains(node.changeable, row.name) ? "yes" : "", row.meaning});
   }
 }
 

@@ -1,5 +1,4 @@
-#include <iomanip>
-#include <sstream>
+#include <string>
 #include <utility>
 
 #include "lstm_planner/robot/learning/drive_actor_critic.hpp"
@@ -23,12 +22,9 @@ struct FollowedDrives {
 
 const char* const kColumns = "iteration     steps  reward  arrival  entropy  explained";
 
-std::string lineOf(const ReinforcementReport& report) {
-  std::ostringstream line;
-  line << std::fixed << std::setw(9) << report.update << std::setprecision(0) << std::setw(10) << report.steps
-       << std::setprecision(3) << std::setw(8) << report.reward << std::setw(9) << report.arrival << std::setw(9)
-       << report.entropy << std::setw(11) << report.explained;
-  return line.str();
+std::vector<std::string> cellsOf(const ReinforcementReport& report) {
+  return {std::to_string(report.update), fixedText(report.steps, 0),   fixedText(report.reward, 3),
+          fixedText(report.arrival, 3),  fixedText(report.entropy, 3), fixedText(report.explained, 3)};
 }
 
 /// How often the network would have done what the drivers of `recordings` did.
@@ -73,7 +69,7 @@ int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
   const PolicyDescription& policy = parameters.policy;
   DriveActorCritic learner(parameters, std::move(layers));
   if (!followed.recordings.empty()) learner.follow(readDatasetsFor(policy, followed.recordings), followed.weight);
-  RobotLearningTable table{kColumns, lineOf};
+  RobotLearningTable table{TextTable(kColumns), cellsOf};
   if (!followed.validation.empty()) {
     table.remark = [&policy, recordings = readDatasetsFor(policy, followed.validation)](const LayerStack& network) {
       return agreementWith(recordings, DrivePolicy(policy, network));

@@ -1,6 +1,6 @@
-#include <iomanip>
 #include <iostream>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/learning/learning_curve.hpp"
 #include "lstm_planner/robot/learning/imitation.hpp"
 #include "tools/network_options.hpp"
@@ -90,8 +90,9 @@ class ImitationHost : public ToolTrainingHost {
   }
   void judged(const Judgement& /*judgement*/) override {
     const EpochReport epoch = training_.rounds().roundResult().best();
-    std::cout << std::setw(5) << training_.rounds().round() << std::setw(9) << training_.drivenSteps() << std::setw(10)
-              << epoch.validation.accuracy() << std::setw(15) << score_.arrival << std::setw(12) << score_.efficiency
+    std::cout << table_.line({std::to_string(training_.rounds().round()), std::to_string(training_.drivenSteps()),
+                              fixedText(epoch.validation.accuracy(), 3), fixedText(score_.arrival, 3),
+                              fixedText(score_.efficiency, 3)})
               << std::endl;
     showProgress(progress());
   }
@@ -106,11 +107,9 @@ class ImitationHost : public ToolTrainingHost {
   double progress() const override { return training_.drivenShare(); }
   std::string position() const override { return positionOf(training_.rounds()); }
   std::string scoreText(double /*score*/) const override { return toText(kept_); }
-  void printHeader() const override {
-    std::cout << std::fixed << std::setprecision(3) << "round    steps  accuracy  arrival alone  efficiency"
-              << std::endl;
-  }
+  void printHeader() const override { std::cout << table_.headings() << std::endl; }
 
+  const TextTable table_{"round    steps  accuracy  arrival alone  efficiency"};
   const ImitationOptions& options_;
   DriveImitation training_;
   DriveScore score_;  ///< what was judged last

@@ -1,10 +1,9 @@
 #include "tools/train_robot_options.hpp"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "tools/network_options.hpp"
 #include "tools/ranges.hpp"
 #include "tools/train_commands.hpp"
@@ -169,9 +168,7 @@ void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescriptio
 }
 
 std::string toText(const DriveScore& score) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << "arrival " << score.arrival << ", efficiency " << score.efficiency;
-  return text.str();
+  return "arrival " + fixedText(score.arrival, 3) + ", efficiency " + fixedText(score.efficiency, 3);
 }
 
 }  // namespace lstm_planner

@@ -1,5 +1,4 @@
-#include <iomanip>
-#include <sstream>
+#include <string>
 #include <utility>
 
 #include "lstm_planner/robot/learning/drive_q_learning.hpp"
@@ -14,12 +13,10 @@ namespace {
 
 const char* const kColumns = "iteration     steps   reward  arrival  epsilon    value    error";
 
-std::string lineOf(const ReinforcementReport& report) {
-  std::ostringstream line;
-  line << std::fixed << std::setw(9) << report.update << std::setprecision(0) << std::setw(10) << report.steps
-       << std::setprecision(3) << std::setw(9) << report.reward << std::setw(9) << report.arrival << std::setw(9)
-       << report.epsilon << std::setw(9) << report.value << std::setw(9) << report.error;
-  return line.str();
+std::vector<std::string> cellsOf(const ReinforcementReport& report) {
+  return {std::to_string(report.update), fixedText(report.steps, 0),   fixedText(report.reward, 3),
+          fixedText(report.arrival, 3),  fixedText(report.epsilon, 3), fixedText(report.value, 3),
+          fixedText(report.error, 3)};
 }
 
 bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan,
@@ -46,7 +43,7 @@ int trainRobotByQLearning(const std::vector<std::string>& arguments) {
   if (!readOptions(arguments, &plan, &parameters)) return 0;
   LayerStack layers = firstLayers(plan, &parameters.policy);
   DriveQLearning learner(parameters, std::move(layers));
-  return trainByReinforcement(plan, parameters.policy, parameters.iterations, {kColumns, lineOf}, &learner);
+  return trainByReinforcement(plan, parameters.policy, parameters.iterations, {TextTable(kColumns), cellsOf}, &learner);
 }
 
 }  // namespace lstm_planner

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/learning/drive_learner.hpp"
@@ -16,8 +17,8 @@ namespace lstm_planner {
 
 /// The table of iterations that a way of learning prints.
 struct RobotLearningTable {
-  std::string columns;
-  std::function<std::string(const ReinforcementReport&)> line;
+  TextTable table;
+  std::function<std::vector<std::string>(const ReinforcementReport&)> cells;
   std::function<std::string(const LayerStack&)> remark = [](const LayerStack&) { return ""; };  ///< on a judged network
 };
 
