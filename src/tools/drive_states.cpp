@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "lstm_planner/base/common/canvas.hpp"
 #include "lstm_planner/base/common/picture_file.hpp"
 #include "lstm_planner/base/learning/policy_gradient.hpp"
 
@@ -48,7 +49,7 @@ cv::Mat heatmap(int rows, int steps, int row_height, int width, const ValueOf& v
 
 cv::Mat line(const std::string& text, int width) {
   cv::Mat strip(kTextHeight, width, CV_8UC3, cv::Scalar(255, 255, 255));
-  cv::putText(strip, text, {8, kTextHeight - 9}, cv::FONT_HERSHEY_SIMPLEX, 0.5, cv::Scalar(0, 0, 0), 1, cv::LINE_AA);
+  writeText(text, {8, kTextHeight - 9}, 0.5, cv::Scalar(0, 0, 0), 1, &strip);
   return strip;
 }
 
