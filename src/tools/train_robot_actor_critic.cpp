@@ -3,8 +3,6 @@
 
 #include "lstm_planner/robot/learning/drive_actor_critic.hpp"
 #include "lstm_planner/robot/learning/recorded_choices.hpp"
-#include "tools/actor_critic_options.hpp"
-#include "tools/ranges.hpp"
 #include "tools/recorded_datasets.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_reinforcement.hpp"
@@ -39,22 +37,21 @@ bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPl
   CommandLine line("train --method actor-critic",
                    "trains a network for the robot by reinforcement: one that already drives (--init), or a new one");
   addRobotReinforcementOptions(arguments, plan, &p, &line);
-  line.add("sharpness", &p.sharpness, kAnyScale, "factor on the preferences of the network of --init");
-  line.add("clip", &p.clip, kAnyScale, "largest change of a probability in an update (PPO's clip)");
+  visitPolicyChangeParameters(p, line.everyParameter());
   line.addFiles("recordings", &followed->recordings,
                 "datasets of recorded drives: the network also learns to steer as their driver does");
   line.add("recordings-weight", &followed->weight, {1e-6, 1e6},
            "weight of a recorded step; a practised step has the weight 1");
   line.addFiles("validation-recordings", &followed->validation, "recorded drives for validation");
-  addActorCriticOptions("m", &p, &line);
+  visitActorCriticParameters(p, "m", line.everyParameter());
   if (!line.parse(arguments)) return false;
   if (plan->init.empty() && !line.given("sharpness")) p.sharpness = 1.0;  // there is nothing to sharpen yet
   finishRobotReinforcement("actor-critic", plan, &p);
-  plan->settings.update({{"sharpness", p.sharpness}, {"clip", p.clip}});
+  visitPolicyChangeParameters(p, noteIn(&plan->settings));
   if (!followed->recordings.empty()) {
     plan->settings.update({{"recordings", followed->recordings}, {"recordings-weight", followed->weight}});
   }
-  plan->settings.update(actorCriticSettings(p));
+  visitActorCriticParameters(p, "m", noteIn(&plan->settings));
   return true;
 }
 

@@ -4,11 +4,11 @@
 #include "lstm_planner/base/learning/learning_curve.hpp"
 #include "lstm_planner/robot/learning/imitation.hpp"
 #include "tools/network_options.hpp"
-#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_options.hpp"
 #include "tools/training_host.hpp"
+#include "tools/visited_settings.hpp"
 
 namespace lstm_planner {
 
@@ -32,15 +32,8 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   addRobotNetworkOptions(&options->network, &imitation.policy.encoder, &line);
   line.addOutput("curve", &options->curve, "PNG file for the accuracy curve; a CSV file is written beside it");
   line.addOutput("checkpoint", &options->checkpoint, "checkpoint file: is written, and continued from if it exists");
-  line.add("rounds", &imitation.rounds, kAnyCount, "rounds of collecting drives and training");
-  line.add("worlds", &imitation.worlds, {1, 1e5}, "worlds per round");
-  line.add("goals", &imitation.goals, {1, 1e4}, "goals per world");
-  line.add("starts", &imitation.starts, {1, 1e4}, "drives per goal");
-  line.add("epochs", &imitation.trainer.epochs, kAnyCount, "epochs per round");
-  line.add("rate", &imitation.trainer.optimiser.learning_rate, kAnyRate, "learning rate");
+  visitImitationParameters(imitation, line.everyParameter());
   addLossOption(&imitation.trainer.loss, &line);
-  line.add("learner-share", &imitation.learner_share, kAnyShare,
-           "share of the drives in which the learning network steers");
   if (!line.parse(arguments)) return false;
   finishRobotNetworkOptions(line, &options->network, &imitation.policy.encoder);
   imitation.shape = options->network.shape;
@@ -59,15 +52,8 @@ nlohmann::json settingsOf(const ImitationOptions& options) {
   const ImitationParameters& imitation = options.imitation;
   nlohmann::json settings = settingsOf(static_cast<const RobotTrainingOptions&>(options));
   settings.update(settingsOf(options.network, imitation.policy.encoder));
-  settings.update({{"method", "dagger"},
-                   {"rounds", imitation.rounds},
-                   {"worlds", imitation.worlds},
-                   {"goals", imitation.goals},
-                   {"starts", imitation.starts},
-                   {"epochs", imitation.trainer.epochs},
-                   {"rate", imitation.trainer.optimiser.learning_rate},
-                   {"loss", nameOf(imitation.trainer.loss, losses())},
-                   {"learner-share", imitation.learner_share}});
+  settings.update({{"method", "dagger"}, {"loss", nameOf(imitation.trainer.loss, losses())}});
+  visitImitationParameters(imitation, noteIn(&settings));
   return settings;
 }
 

@@ -3,7 +3,6 @@
 
 #include "lstm_planner/robot/learning/drive_q_learning.hpp"
 #include "tools/q_learning_options.hpp"
-#include "tools/ranges.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_reinforcement.hpp"
 
@@ -25,11 +24,13 @@ bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPl
   CommandLine line("train --method q-learning",
                    "trains a network for the robot by recurrent Q-learning in generated worlds");
   addRobotReinforcementOptions(arguments, plan, &p, &line);
-  addQLearningOptions("m", "iterations", &p, &line);
+  addRewardOption(&p.reward, &line);
+  visitQLearningParameters(p, "m", "iterations", line.everyParameter());
   line.add("contact-cost", &p.contact_cost, {0.0, 1e6}, "m; for --reward progress");
   if (!line.parse(arguments)) return false;
   finishRobotReinforcement("q-learning", plan, &p);
-  plan->settings.update(qLearningSettings(p));
+  plan->settings["reward"] = nameOf(p.reward, rewards());
+  visitQLearningParameters(p, "m", "iterations", noteIn(&plan->settings));
   plan->settings["contact-cost"] = p.contact_cost;
   validate(p);
   return true;

@@ -9,9 +9,9 @@
 #include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/learning/drive_learner.hpp"
-#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_robot_options.hpp"
+#include "tools/visited_settings.hpp"
 
 namespace lstm_planner {
 
@@ -50,12 +50,7 @@ void addRobotReinforcementOptions(const std::vector<std::string>& arguments, Rob
   line->addOutput("checkpoint", &plan->checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->addChoice("keep", &plan->keep, {"best", "last"},
                   "which network to write: best (the most efficient of the networks judged so far) or last");
-  line->add("iterations", &p.iterations, kAnyCount, "iterations of collecting drives and learning");
-  line->add("worlds", &p.worlds, {1, 1e5}, "worlds per iteration");
-  line->add("goals", &p.goals, {1, 1e4}, "goals per world");
-  line->add("starts", &p.starts, {1, 1e4}, "drives per goal");
-  line->add("window", &p.window, kAnyWindow, "largest number of steps of backpropagation through time");
-  line->add("passes", &p.passes, {1, 1e4}, "passes over the collected drives");
+  visitPracticeParameters(p, line->everyParameter());
   addRobotNetworkOptions(&plan->network, &p.policy.encoder, line);
   line->whenParsed([=] { finishRobotNetwork(*line, plan, &parameters->policy.encoder); });
 }
@@ -71,14 +66,8 @@ void finishRobotReinforcement(const std::string& method, RobotReinforcementPlan*
   p.communicator = ranks();
   plan->settings = settingsOf(plan->options);
   plan->settings.update(changedSettingsOf(plan->network, p.policy.encoder));
-  plan->settings.update({{"method", method},
-                         {"init", plan->init},
-                         {"iterations", p.iterations},
-                         {"worlds", p.worlds},
-                         {"goals", p.goals},
-                         {"starts", p.starts},
-                         {"window", p.window},
-                         {"passes", p.passes}});
+  plan->settings.update({{"method", method}, {"init", plan->init}});
+  visitPracticeParameters(p, noteIn(&plan->settings));
 }
 
 /// Those of the model to start with, whose description replaces `policy`, or new ones.

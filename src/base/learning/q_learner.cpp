@@ -8,6 +8,7 @@
 
 #include "base/learning/optimiser_json.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/learning/q_learning_targets.hpp"
 
@@ -25,28 +26,11 @@ OptimiserParameters optimiserParameters(const QLearningParameters& parameters) {
 }  // namespace
 
 void validate(const QLearningParameters& parameters) {
-  const auto atLeastOne = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
-  atLeastOne("window", parameters.window);
-  atLeastOne("max_steps", parameters.max_steps);
-  atLeastOne("threads", parameters.threads);
-  const auto share = [](const char* name, double value) {
-    checkParameter(value >= 0.0 && value <= 1.0, name, value, "0 to 1");
-  };
-  checkParameter(parameters.target_interval >= 1, "target_interval", parameters.target_interval, "at least 1");
-  checkParameter(parameters.discount >= 0.0 && parameters.discount < 1.0, "discount", parameters.discount,
-                 "a number in [0, 1)");
-  share("trace_decay", parameters.trace_decay);
-  share("exploration_start", parameters.exploration_start);
-  share("exploration_end", parameters.exploration_end);
-  share("exploration_share", parameters.exploration_share);
-  const auto cost = [](const char* name, double value) { checkParameter(value >= 0.0, name, value, "at least 0"); };
-  cost("step_cost", parameters.step_cost);
-  cost("arrival_bonus", parameters.arrival_bonus);
-  cost("thesis_reward.range", parameters.thesis_reward.range);
-  cost("thesis_reward.distance", parameters.thesis_reward.distance);
-  cost("thesis_reward.angle", parameters.thesis_reward.angle);
-  checkPositive("value_scale", parameters.value_scale);
-  checkPositive("huber", parameters.huber);
+  visitQLearningParameters(parameters, "", "updates", RangeCheck());
+  checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in [0, 1)");
+  checkParameter(parameters.window >= 1, "window", parameters.window, "at least 1");
+  checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
+  checkParameter(parameters.threads >= 1, "threads", parameters.threads, "at least 1");
   validate(optimiserParameters(parameters));
 }
 

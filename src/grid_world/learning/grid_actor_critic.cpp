@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "grid_world/learning/grid_actor_critic_tile.hpp"
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/learning/actor_critic.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 
@@ -21,8 +21,7 @@ constexpr double kVarianceRate = 0.02;
 
 void validate(const GridActorCriticParameters& parameters) {
   validate(static_cast<const ActorCriticParameters&>(parameters));
-  checkParameter(parameters.updates >= 1, "updates", parameters.updates, "at least 1");
-  checkParameter(parameters.agents >= 1, "agents", parameters.agents, "at least 1");
+  visitGridLearnerParameters(parameters, RangeCheck());
 }
 
 class GridActorCritic::Implementation {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "grid_world/learning/grid_q_learning_tile.hpp"
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/learning/q_learner.hpp"
 
@@ -25,9 +25,7 @@ void checkFit(const LayerStack& layers, const GridEncoder& encoder) {
 }  // namespace
 
 void validate(const GridQLearningParameters& parameters) {
-  const auto atLeastOne = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
-  atLeastOne("updates", parameters.updates);
-  atLeastOne("agents", parameters.agents);
+  visitGridLearnerParameters(parameters, RangeCheck());
   validate(static_cast<const QLearningParameters&>(parameters));
 }
 

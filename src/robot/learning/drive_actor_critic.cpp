@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/learning/actor_critic.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "robot/learning/drive_batch.hpp"
@@ -30,14 +31,8 @@ LayerStack sharpened(LayerStack layers, double factor) {
 
 void validate(const DriveActorCriticParameters& parameters) {
   validate(static_cast<const ActorCriticParameters&>(parameters));
-  const auto check = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
-  check("iterations", parameters.iterations);
-  check("worlds", parameters.worlds);
-  check("goals", parameters.goals);
-  check("starts", parameters.starts);
-  check("passes", parameters.passes);
-  checkPositive("clip", parameters.clip);
-  checkPositive("sharpness", parameters.sharpness);
+  visitPracticeParameters(parameters, RangeCheck());
+  visitPolicyChangeParameters(parameters, RangeCheck());
   checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in (0, 1)");
   validate(parameters.policy.encoder);
   validate(parameters.course);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/learning/q_learner.hpp"
 #include "robot/learning/drive_practice.hpp"
@@ -29,12 +30,7 @@ double driveThesisReward(const Observation& observation, const ThesisRewardWeigh
 }
 
 void validate(const DriveQLearningParameters& parameters) {
-  const auto atLeastOne = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
-  atLeastOne("iterations", parameters.iterations);
-  atLeastOne("worlds", parameters.worlds);
-  atLeastOne("goals", parameters.goals);
-  atLeastOne("starts", parameters.starts);
-  atLeastOne("passes", parameters.passes);
+  visitPracticeParameters(parameters, RangeCheck());
   checkParameter(parameters.contact_cost >= 0.0, "contact_cost", parameters.contact_cost, "at least 0");
   validate(static_cast<const QLearningParameters&>(parameters));
   validate(parameters.policy.encoder);

@@ -10,6 +10,7 @@
 
 #include "lstm_planner/base/common/parallel_for.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
@@ -204,14 +205,9 @@ class DriveImitationCourse : public ImitationCourse {
 };
 
 void validate(const ImitationParameters& parameters) {
-  checkParameter(parameters.rounds > 0, "rounds", parameters.rounds, "a positive number");
-  checkParameter(parameters.worlds > 0, "worlds", parameters.worlds, "a positive number");
-  checkParameter(parameters.goals > 0, "goals", parameters.goals, "a positive number");
-  checkParameter(parameters.starts > 0, "starts", parameters.starts, "a positive number");
+  visitImitationParameters(parameters, RangeCheck());
   checkParameter(parameters.validation_worlds > 0, "validation_worlds", parameters.validation_worlds,
                  "a positive number");
-  checkParameter(parameters.learner_share >= 0.0 && parameters.learner_share <= 1.0, "learner_share",
-                 parameters.learner_share, "a share in [0, 1]");
   checkParameter(parameters.max_steps > 0, "max_steps", parameters.max_steps, "a positive number");
   checkParameter(parameters.burn_in_steps >= 0, "burn_in_steps", parameters.burn_in_steps, "zero or more");
   checkParameter(parameters.sequence_steps > parameters.burn_in_steps, "sequence_steps", parameters.sequence_steps,

@@ -59,6 +59,35 @@ struct QLearningParameters {
   Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
 };
 
+/// Visits the parameters that have an option, but the reward, named as it; see parameter_visitors.hpp. `unit`: of
+/// lengths. `updates`: what the course calls them.
+template <typename Parameters, typename Visitor>
+void visitQLearningParameters(Parameters& p, const char* unit, const std::string& updates, const Visitor& visit) {
+  const std::string copies = updates + " between copies of the weights into the target network";
+  const std::string last = "share of the " + updates + " after which epsilon has its last value";
+  visit("discount", p.discount, {0.0, 1.0}, "", "discount factor per step (gamma)");
+  visit("trace-decay", p.trace_decay, {0.0, 1.0}, "", "decay of the returns over several steps (lambda); 0: one step");
+  visit("double-q", p.double_q, {}, "",
+        "1: double Q-learning: the learning network chooses the next action, and the target network gives its value; "
+        "0: the target network does both");
+  visit("target-interval", p.target_interval, {1, 1e9}, "", copies.c_str());
+  visit("exploration-start", p.exploration_start, {0.0, 1.0}, "", "share of random actions (epsilon) at the start");
+  visit("exploration-end", p.exploration_end, {0.0, 1.0}, "", "share of random actions at the end");
+  visit("exploration-share", p.exploration_share, {0.0, 1.0}, "", last.c_str());
+  visit("step-cost", p.step_cost, {0.0, 1e6}, unit, "cost of a step; for --reward progress");
+  visit("arrival-bonus", p.arrival_bonus, {0.0, 1e6}, unit, "reward of an arrival; for --reward progress");
+  visit("tau-range", p.thesis_reward.range, {0.0, 1e6}, "",
+        "cost of each range, times the unit of length / range; for --reward thesis");
+  visit("tau-distance", p.thesis_reward.distance, {0.0, 1e6}, "",
+        "cost of the distance from the goal, for each unit of length; for --reward thesis");
+  visit("tau-angle", p.thesis_reward.angle, {0.0, 1e6}, "",
+        "cost of the angle to the goal, for each rad; for --reward thesis");
+  visit("value-scale", p.value_scale, {1e-9, 1e9}, "", "factor from an output of the network to a value");
+  visit("huber", p.huber, {1e-9, 1e9}, "",
+        "limit of the Huber loss: larger errors count linearly, not by their square");
+  visit("rate", p.learning_rate, {1e-9, 100.0}, "", "learning rate");
+}
+
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const QLearningParameters& parameters);
 

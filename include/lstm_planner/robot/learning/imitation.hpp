@@ -37,6 +37,18 @@ struct ImitationParameters {
   TrainerParameters trainer;  ///< for each round
 };
 
+/// Visits the parameters that have an option, but the loss, named as it; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitImitationParameters(Parameters& p, const Visitor& visit) {
+  visit("rounds", p.rounds, {1, 1e6}, "", "rounds of collecting drives and training");
+  visit("worlds", p.worlds, {1, 1e5}, "", "worlds per round");
+  visit("goals", p.goals, {1, 1e4}, "", "goals per world");
+  visit("starts", p.starts, {1, 1e4}, "", "drives per goal");
+  visit("epochs", p.trainer.epochs, {1, 1e6}, "", "epochs per round");
+  visit("rate", p.trainer.optimiser.learning_rate, {1e-9, 100.0}, "", "learning rate");
+  visit("learner-share", p.learner_share, {0.0, 1.0}, "", "share of the drives in which the learning network steers");
+}
+
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const ImitationParameters& parameters);
 
