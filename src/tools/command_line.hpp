@@ -73,6 +73,19 @@ class CommandLine {
       }
     };
   }
+  /// All that is visited, each under its own name.
+  auto everyParameter() {
+    return [this](const std::string& name, auto& value, [[maybe_unused]] Range range, const char* unit,
+                  const char* meaning) {
+      Option* option = nullptr;
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, bool>) {
+        option = &add(name, &value, meaning);
+      } else {
+        option = &add(name, &value, range, meaning);
+      }
+      if (*unit != '\0') option->meaning += std::string(" ") + unit;
+    };
+  }
   Option& add(const std::string& name, std::string* value, const std::string& meaning);
   Option& add(const std::string& name, std::vector<std::string>* values, const std::string& meaning);
   /// 0 or 1.

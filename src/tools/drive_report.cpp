@@ -7,6 +7,8 @@
 #include <ostream>
 #include <sstream>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/robot/evaluation/barn.hpp"
 
 namespace lstm_planner {
@@ -40,17 +42,13 @@ void printBarnScore(std::ostream& out, const std::vector<DriveResult>& results) 
       << meanBarnScore(results, 2.0) << " (k = 2)\n";
 }
 
-void printHead(std::ostream& out, int width) {
-  out << std::left << std::setw(width) << "world" << std::right
-      << "  goals  reached  contacts  bumped  no path  timeouts  elsewhere  path / shortest: mean    p95  mean time\n";
-}
-
-void printLine(std::ostream& out, int width, const std::string& name, const DriveSummary& summary) {
-  out << std::left << std::setw(width) << name << std::right << std::setw(7) << summary.goals << std::setw(9)
-      << summary.reached << std::setw(10) << summary.contacts << std::setw(8) << summary.bumped << std::setw(8)
-      << summary.no_path << std::setw(10) << summary.timeouts << std::setw(11) << summary.elsewhere << std::fixed
-      << std::setprecision(2) << std::setw(23) << summary.mean_ratio << std::setw(7) << summary.p95_ratio
-      << std::setprecision(1) << std::setw(9) << summary.mean_time << " s\n";
+std::string lineOf(const TextTable& table, const std::string& name, const DriveSummary& summary) {
+  return table.line({name, std::to_string(summary.goals), std::to_string(summary.reached),
+                     std::to_string(summary.contacts), std::to_string(summary.bumped), std::to_string(summary.no_path),
+                     std::to_string(summary.timeouts), std::to_string(summary.elsewhere),
+                     fixedText(summary.mean_ratio, 2), fixedText(summary.p95_ratio, 2),
+                     fixedText(summary.mean_time, 1) + " s"}) +
+         '\n';
 }
 
 /// Who decided how many of the steps.
@@ -138,16 +136,18 @@ const char* toString(DriveResult::End end) {
 void printDriveSummary(std::ostream& out, const DriveCourse& course, const DriveResults& results) {
   std::size_t width = 5;
   for (const DriveWorld& world : course.worlds) width = std::max(width, world.name.size());
-  const int columns = static_cast<int>(width);
-  printHead(out, columns);
+  const TextTable table(
+      leftText("world", width) +
+      "  goals  reached  contacts  bumped  no path  timeouts  elsewhere  path / shortest: mean    p95  mean time");
+  out << table.headings() << '\n';
   if (course.worlds.size() > 1 && course.worlds.size() <= kMostLines) {
     for (std::size_t i = 0; i < course.worlds.size(); ++i) {
-      printLine(out, columns, course.worlds[i].name, summarize(results[i]));
+      out << lineOf(table, leftText(course.worlds[i].name, width), summarize(results[i]));
     }
   }
   const std::vector<DriveResult> all = together(results);
   printLeaders(out, all);
-  printLine(out, columns, course.worlds.size() == 1 ? course.worlds[0].name : "all", summarize(all));
+  out << lineOf(table, leftText(course.worlds.size() == 1 ? course.worlds[0].name : "all", width), summarize(all));
   if (course.is_barn) printBarnScore(out, all);
   if (course.left_out > 0)
     out << "worlds left out, because the robot does not fit into them: " << course.left_out << '\n';
@@ -186,27 +186,25 @@ std::string driveJson(const DriveOptions& options, const DriveCourse& course, co
 }
 
 std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
-  std::ostringstream csv;
-  csv << "world,number,start_x,start_y,start_yaw,goal_x,goal_y,end,contacts,bumped,bumped_moving,time_s,path_m,"
-         "shortest_m,"
-         "goal_error_m,steps,overruled_steps";
-  for (std::size_t i = 0; i < kDecisionSources; ++i) csv << ",by_" << columnName(static_cast<Decision::Source>(i));
-  csv << '\n';
+  std::ostringstream text;
+  CsvWriter csv(&text);
+  csv.add("world", "number", "start_x", "start_y", "start_yaw", "goal_x", "goal_y", "end", "contacts", "bumped",
+          "bumped_moving", "time_s", "path_m", "shortest_m", "goal_error_m", "steps", "overruled_steps");
+  for (std::size_t i = 0; i < kDecisionSources; ++i) csv.add("by_" + columnName(static_cast<Decision::Source>(i)));
+  csv.endRow();
   for (std::size_t i = 0; i < course.worlds.size(); ++i) {
     for (std::size_t k = 0; k < results[i].size(); ++k) {
       const NumberedDrive& exercise = course.worlds[i].exercises[k];
       const DriveTask& task = exercise.task;
       const DriveResult& result = results[i][k];
-      csv << course.worlds[i].name << ',' << exercise.number << ',' << task.start.x << ',' << task.start.y << ','
-          << task.start.yaw << ',' << task.goal.x << ',' << task.goal.y << ',' << toString(result.end) << ','
-          << result.contacts << ',' << result.bumped << ',' << result.bumped_moving << ',' << result.time << ','
-          << result.path_length << ',' << result.shortest << ',' << result.goal_error << ',' << result.steps << ','
-          << result.overruled_steps;
-      for (const long steps : result.steps_by) csv << ',' << steps;
-      csv << '\n';
+      csv.add(course.worlds[i].name, exercise.number, task.start.x, task.start.y, task.start.yaw, task.goal.x,
+              task.goal.y, toString(result.end), result.contacts, result.bumped, result.bumped_moving, result.time,
+              result.path_length, result.shortest, result.goal_error, result.steps, result.overruled_steps);
+      csv.addAll(result.steps_by);
+      csv.endRow();
     }
   }
-  return csv.str();
+  return text.str();
 }
 
 }  // namespace lstm_planner

@@ -6,7 +6,9 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "lstm_planner/base/common/canvas.hpp"
 #include "lstm_planner/base/common/picture_file.hpp"
+#include "lstm_planner/base/learning/policy_gradient.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -25,11 +27,11 @@ cv::Vec3b colorOf(float value) {
 }
 
 std::vector<float> probabilities(const std::vector<float>& preferences) {
-  const float largest = *std::max_element(preferences.begin(), preferences.end());
-  std::vector<float> shares;
-  float sum = 0.0f;
-  for (const float preference : preferences) sum += std::exp(preference - largest);
-  for (const float preference : preferences) shares.push_back(std::exp(preference - largest) / sum);
+  std::vector<float> shares(preferences.size());
+  const float sum = fillChances(
+      static_cast<int>(shares.size()), [](int) { return true; },
+      [&](int action) { return preferences[static_cast<std::size_t>(action)]; }, shares.data());
+  for (float& share : shares) share /= sum;
   return shares;
 }
 
@@ -47,7 +49,7 @@ cv::Mat heatmap(int rows, int steps, int row_height, int width, const ValueOf& v
 
 cv::Mat line(const std::string& text, int width) {
   cv::Mat strip(kTextHeight, width, CV_8UC3, cv::Scalar(255, 255, 255));
-  cv::putText(strip, text, {8, kTextHeight - 9}, cv::FONT_HERSHEY_SIMPLEX, 0.5, cv::Scalar(0, 0, 0), 1, cv::LINE_AA);
+  writeText(text, {8, kTextHeight - 9}, 0.5, cv::Scalar(0, 0, 0), 1, &strip);
   return strip;
 }
 

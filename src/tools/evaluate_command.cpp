@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_gallery.hpp"
@@ -82,16 +83,15 @@ void writeJson(const EvaluateOptions& options, const std::vector<GridSetSummary>
 }
 
 /// The lines of one set.
-void writeDetails(const GridTaskSet& set, const std::vector<GridEpisode>& episodes, std::ostream& out) {
+void writeDetails(const GridTaskSet& set, const std::vector<GridEpisode>& episodes, CsvWriter* csv) {
   for (std::size_t i = 0; i < episodes.size(); ++i) {
     const GridTask& task = set.tasks[i];
     const GridEpisode& episode = episodes[i];
-    out << set.name << ',' << set.map_names[task.map] << ',' << task.start.column << ',' << task.start.row << ','
-        << task.goal.column << ',' << task.goal.row << ',' << toString(episode.end) << ',' << task.optimal_length << ','
-        << episode.length() << ',' << episode.steps() << ',' << episode.seconds << ',' << episode.expanded << ','
-        << episode.peak_bytes;
-    for (const std::int64_t steps : episode.led) out << ',' << steps;
-    out << ',' << episode.as_searched << '\n';
+    csv->add(set.name, set.map_names[task.map], task.start.column, task.start.row, task.goal.column, task.goal.row,
+             toString(episode.end), task.optimal_length, episode.length(), episode.steps(), episode.seconds,
+             episode.expanded, episode.peak_bytes);
+    csv->addAll(episode.led);
+    csv->row(episode.as_searched);
   }
 }
 
@@ -136,8 +136,10 @@ int runEvaluate(const std::vector<std::string>& arguments) {
 
   SetProgress progress(sets);
   std::ostringstream details;
-  details << "set,map,start_column,start_row,goal_column,goal_row,end,optimum,length,steps,seconds,expanded,peak_bytes,"
-             "network_steps,search_steps,boundary_steps,greedy_steps,as_searched\n";
+  CsvWriter csv(&details);
+  csv.row("set", "map", "start_column", "start_row", "goal_column", "goal_row", "end", "optimum", "length", "steps",
+          "seconds", "expanded", "peak_bytes", "network_steps", "search_steps", "boundary_steps", "greedy_steps",
+          "as_searched");
   std::vector<GridSetSummary> summaries;
   for (const GridTaskSet& set : sets) {
     GridEvaluationOptions evaluation = options.grid.evaluation;
@@ -146,7 +148,7 @@ int runEvaluate(const std::vector<std::string>& arguments) {
     const std::vector<GridEpisode> episodes = evaluateGridTasks(set, 0, set.tasks.size(), make_agent, evaluation);
     if (!isFirstRank()) continue;
     summaries.push_back(summarizeGridEpisodes(set.name, episodes));
-    writeDetails(set, episodes, details);
+    writeDetails(set, episodes, &csv);
     if (!options.pictures.empty()) drawSome(options, set, episodes, make_agent);
   }
   if (!isFirstRank()) return 0;

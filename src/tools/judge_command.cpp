@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/learning/confusion.hpp"
 #include "lstm_planner/robot/learning/drive_judge.hpp"
 #include "lstm_planner/robot/learning/recorded_choices.hpp"
@@ -83,6 +83,8 @@ std::pair<double, double> intervalOf(int hits, int count) {
   return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
 }
 
+constexpr std::size_t kNameWidth = 10;  ///< of a kind of worlds
+
 struct Sums {
   int drives = 0;
   int arrived = 0;
@@ -95,11 +97,13 @@ struct Sums {
   }
 };
 
-void print(const std::string& name, const Sums& sums) {
+void print(const TextTable& table, const std::string& name, const Sums& sums) {
   const auto [low, high] = intervalOf(sums.arrived, sums.drives);
-  std::cout << std::left << std::setw(10) << name << std::right << std::fixed << std::setprecision(1) << std::setw(7)
-            << sums.drives << std::setw(9) << 100.0 * sums.arrived / sums.drives << " %  [" << 100.0 * low << ", "
-            << 100.0 * high << "]" << std::setprecision(3) << std::setw(10) << sums.efficiency / sums.drives << "\n";
+  const std::string arrived = fixedText(100.0 * sums.arrived / sums.drives, 1) + " %  [" + fixedText(100.0 * low, 1) +
+                              ", " + fixedText(100.0 * high, 1) + "]";
+  std::cout << table.line({leftText(name, kNameWidth), std::to_string(sums.drives), arrived,
+                           fixedText(sums.efficiency / sums.drives, 3)})
+            << "\n";
 }
 
 nlohmann::json toJson(const Sums& sums) {
@@ -142,14 +146,15 @@ int runJudge(const std::vector<std::string>& arguments) {
     all.add(drive);
   }
   nlohmann::json json = {{"leader", options.leader}, {"model", options.model}, {"seed", options.seed}};
-  std::cout << "worlds     drives  arrived  [95 %]  efficiency\n";
+  const TextTable table(leftText("worlds", kNameWidth) + " drives           arrived [95 %]  efficiency");
+  std::cout << table.headings() << "\n";
   for (std::size_t kind = 0; kind < by_kind.size(); ++kind) {
     if (by_kind[kind].drives == 0) continue;
     const char* name = toString(options.course.worlds[kind]);
-    print(name, by_kind[kind]);
+    print(table, name, by_kind[kind]);
     json["worlds"][name] = toJson(by_kind[kind]);
   }
-  print("all", all);
+  print(table, "all", all);
   json["worlds"]["all"] = toJson(all);
   if (!options.json.empty()) writeTextFile(options.json, json.dump(2) + "\n");
   return 0;

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lstm_planner/base/common/markdown_table.hpp"
 #include "lstm_planner/ros/advice/drive_advice.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
@@ -48,11 +49,16 @@ std::enable_if_t<kIsNumber<Number>, std::string> textOf(Number value) {
   return toText(static_cast<double>(value));
 }
 
-/// Appends what it visits.
-auto collectIn(Table* table) {
-  return [table](const std::string& name, const auto& value, Range range, const char* unit, const char* meaning) {
-    table->push_back({name, textOf(value), range.isGiven() ? toText(range) : "", unit, meaning});
-  };
+/// What `visit(parameters, visitor)` visits, with the defaults, and behind them other rows.
+template <typename Parameters, typename Visit>
+Table tableOf(const Parameters& parameters, const Visit& visit, const Table& others = {}) {
+  Table table;
+  visit(parameters,
+        [&](const std::string& name, const auto& value, Range range, const char* unit, const char* meaning) {
+          table.push_back({name, textOf(value), range.isGiven() ? toText(range) : "", unit, meaning});
+        });
+  table.insert(table.end(), others.begin(), others.end());
+  return table;
 }
 
 struct Node {
@@ -79,47 +85,56 @@ const Table kCostmaps = {
     {"global_costmap/robot_base_frame", "base_footprint", "", "", "the robot's frame"},
     {"global_costmap/transform_tolerance", "0.3", "", "s", "the robot's pose is unknown if its transform is older"}};
 
-void append(const Table& rows, Table* table) { table->insert(table->end(), rows.begin(), rows.end()); }
-
 std::vector<Node> nodes() {
-  const GlobalPlannerParameters planner;
-  const SteeringControllerParameters controller;
-  const RecorderNodeParameters recorder;
-  const Create2StubParameters stub;
-  const TeleoperatorParameters driver;
-  const BagReplayParameters replay;
-  const DriveAdviceParameters advice;
-  const DemoParameters demo;
-  const StandaloneMoveBaseParameters move_base;
-  std::vector<Node> all = {
-      {"planner", "LstmGlobalPlanner", "config/lstm_planner.yaml", {}, changeableGlobalPlannerParameters()},
-      {"controller",
-       "SteeringController",
-       "config/steering_controller.yaml",
-       {},
+  Table demo_rows = {kDemoStart, kScenarioStart};
+  demo_rows.insert(demo_rows.end(), kScenario.begin(), kScenario.end());
+  return {
+      {"planner", "LstmGlobalPlanner", "config/lstm_planner.yaml",
+       tableOf(GlobalPlannerParameters(), [](auto& p, const auto& visit) { visitGlobalPlannerParameters(p, visit); }),
+       changeableGlobalPlannerParameters()},
+      {"controller", "SteeringController", "config/steering_controller.yaml",
+       tableOf(SteeringControllerParameters(),
+               [](auto& p, const auto& visit) { visitSteeringControllerParameters(p, visit); }),
        changeableSteeringControllerParameters()},
-      {"recorder", "dataset_recorder", "config/dataset_recorder.yaml", {}, {}},
-      {"stub", "create2_stub", "config/create2_stub.yaml", {}, {}},
-      {"driver", "scripted_teleoperator", "config/scripted_teleoperator.yaml", {}, {}},
-      {"replay", "bag_replay", "launch/replay.launch", {}, {}},
-      {"advice", "drive_advice", "launch/advice.launch", {}, {}},
-      {"demo", "demo_runner", "launch/demo.launch", {}, {}},
-      {"move_base", "standalone_move_base", "config/move_base.yaml", {}, {}}};
-  visitGlobalPlannerParameters(planner, collectIn(&all[0].table));
-  visitSteeringControllerParameters(controller, collectIn(&all[1].table));
-  visitRecorderNodeParameters(recorder, collectIn(&all[2].table));
-  visitCreate2StubParameters(stub, collectIn(&all[3].table));
-  visitTeleoperatorParameters(driver, collectIn(&all[4].table));
-  visitBagReplayParameters(replay, collectIn(&all[5].table));
-  visitDriveAdviceParameters(advice, collectIn(&all[6].table));
-  visitDemoParameters(demo, collectIn(&all[7].table));
-  visitStandaloneMoveBaseParameters(move_base, collectIn(&all[8].table));
-  append({kScenarioStart}, &all[3].table);
-  append({kMount}, &all[5].table);
-  append({kDemoStart, kScenarioStart}, &all[7].table);
-  append(kScenario, &all[7].table);
-  append(kCostmaps, &all[8].table);
-  return all;
+      {"recorder",
+       "dataset_recorder",
+       "config/dataset_recorder.yaml",
+       tableOf(RecorderNodeParameters(), [](auto& p, const auto& visit) { visitRecorderNodeParameters(p, visit); }),
+       {}},
+      {"stub",
+       "create2_stub",
+       "config/create2_stub.yaml",
+       tableOf(Create2StubParameters(), [](auto& p, const auto& visit) { visitCreate2StubParameters(p, visit); },
+               {kScenarioStart}),
+       {}},
+      {"driver",
+       "scripted_teleoperator",
+       "config/scripted_teleoperator.yaml",
+       tableOf(TeleoperatorParameters(), [](auto& p, const auto& visit) { visitTeleoperatorParameters(p, visit); }),
+       {}},
+      {"replay",
+       "bag_replay",
+       "launch/replay.launch",
+       tableOf(BagReplayParameters(), [](auto& p, const auto& visit) { visitBagReplayParameters(p, visit); }, {kMount}),
+       {}},
+      {"advice",
+       "drive_advice",
+       "launch/advice.launch",
+       tableOf(DriveAdviceParameters(), [](auto& p, const auto& visit) { visitDriveAdviceParameters(p, visit); }),
+       {}},
+      {"demo",
+       "demo_runner",
+       "launch/demo.launch",
+       tableOf(
+           DemoParameters(), [](auto& p, const auto& visit) { visitDemoParameters(p, visit); }, demo_rows),
+       {}},
+      {"move_base",
+       "standalone_move_base",
+       "config/move_base.yaml",
+       tableOf(
+           StandaloneMoveBaseParameters(),
+           [](auto& p, const auto& visit) { visitStandaloneMoveBaseParameters(p, visit); }, kCostmaps),
+       {}}};
 }
 
 void print(const Node& node) {
@@ -132,11 +147,11 @@ void print(const Node& node) {
 }
 
 void printAsTable(const Node& node) {
-  std::cout << "\n## " << node.title << "\n\n`" << node.file
-            << "`\n\n| parameter | default | range | unit | live | meaning |\n|---|---|---|---|---|---|\n";
+  std::cout << "\n## " << node.title << "\n\n`" << node.file << "`\n\n";
+  MarkdownTable table({"parameter", "default", "range", "unit", "live", "meaning"}, &std::cout);
   for (const Row& row : node.table) {
-    std::cout << "| `" << row.name << "` | `" << row.value << "` | " << row.range << " | " << row.unit << " | "
-              << (contains(node.changeable, row.name) ? "yes" : "") << " | " << row.meaning << " |\n";
+    table.row({"`" + row.name + "`", "`" + row.value + "`", row.range, row.unit,
+               contains(node.changeable, row.name) ? "yes" : "", row.meaning});
   }
 }
 

@@ -14,11 +14,8 @@ constexpr Range kAnyThreads{1, 1024};
 
 // Of trainings.
 constexpr Range kAnyLayer{1, 4096};  ///< cells or units
-constexpr Range kAnyAgents{1, 1e5};
 constexpr Range kAnyWindow{1, 1e5};  ///< steps that errors go back
 constexpr Range kAnyRate{1e-9, 100.0};
 constexpr Range kAnyWeight{0.0, 1000.0};
-constexpr Range kAnyReward{-1e6, 1e6};
-constexpr Range kAnyScale{1e-9, 1e9};
 
 }  // namespace lstm_planner

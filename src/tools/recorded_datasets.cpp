@@ -1,10 +1,9 @@
 #include "tools/recorded_datasets.hpp"
 
-#include <iomanip>
 #include <iterator>
-#include <sstream>
 #include <utility>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/learning/confusion.hpp"
 #include "lstm_planner/robot/learning/dataset_sequences.hpp"
 
@@ -24,11 +23,7 @@ Dataset readDatasetsFor(const PolicyDescription& policy, const std::vector<std::
   return needsScans(dataset, policy) ? readDatasets(paths, true) : dataset;
 }
 
-std::string percentText(double share) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << 100.0 * share << " %";
-  return text.str();
-}
+std::string percentText(double share) { return fixedText(100.0 * share, 1) + " %"; }
 
 std::string accuracyText(const ConfusionMatrix& confusion) {
   return "accuracy " + percentText(accuracyOf(confusion)) + ", balanced " + percentText(balancedAccuracy(confusion));

@@ -1,11 +1,12 @@
 #include "tools/report_thesis.hpp"
 
-#include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
+#include "lstm_planner/base/common/markdown_table.hpp"
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
 #include "lstm_planner/grid_world/evaluation/thesis_maps.hpp"
@@ -73,11 +74,7 @@ std::vector<GridSetFiles> setsIn(const std::vector<std::string>& folders) {
   return sets;
 }
 
-std::string percent(double share) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << 100.0 * share << " %";
-  return text.str();
-}
+std::string percent(double share) { return fixedText(100.0 * share, 2) + " %"; }
 
 /// A network agent as the thesis lets it walk, or with the shield.
 ReportAgent networkAgent(const std::string& name, const std::string& file, bool shield) {
@@ -104,7 +101,7 @@ std::vector<ReportAgent> trainAgents(const ThesisOptions& options, const ThesisM
   const Interruption interruption;
   std::vector<ReportAgent> agents = {aStarAgent()};
   std::vector<ReportAgent> shielded;
-  report << "| network | weights | training accuracy | validation accuracy |\n|---|---|---|---|\n";
+  MarkdownTable table({"network", "weights", "training accuracy", "validation accuracy"}, &report);
   for (const ThesisNetwork& network : thesisNetworks()) {
     std::cout << "training " << network.name << std::endl;
     Progress bar;
@@ -117,8 +114,8 @@ std::vector<ReportAgent> trainAgents(const ThesisOptions& options, const ThesisM
     if (interruption.wanted()) throw std::runtime_error("interrupted while " + network.name + " was trained");
     const std::string file = options.output + "/" + network.file;
     if (isFirstRank()) writeModelFile(file, trained.model);
-    report << "| " << network.name << " | " << countWeights(trained.model.layers) << " | "
-           << percent(trained.training_accuracy) << " | " << percent(trained.validation_accuracy) << " |\n";
+    table.row({network.name, std::to_string(countWeights(trained.model.layers)), percent(trained.training_accuracy),
+               percent(trained.validation_accuracy)});
     agents.push_back(networkAgent(network.name, file, false));
     shielded.push_back(networkAgent(network.name + ", with shield", file, true));
   }
@@ -129,13 +126,15 @@ std::vector<ReportAgent> trainAgents(const ThesisOptions& options, const ThesisM
 
 /// Table 3.6; that the thesis's tables count A* only where the network arrived is said by its program's logs.
 void appendProperties(std::ostream& report) {
-  report << "## Table 3.6: properties\n\n| Property | A* | LSTM |\n|---|---|---|\n"
-            "| Agent type | offline | online |\n"
-            "| Output | a path, the same for the same map | a preference over eight moves (softmax), step by step |\n"
-            "| Environment | known | unknown: eight rays of at most 50 cells |\n"
-            "| Solution | the whole path | one step at a time |\n"
-            "| Nodes that can be expanded | any | the neighbours |\n"
-            "| A node is counted when | it is taken from the open list | a new input is built |\n\n";
+  report << "## Table 3.6: properties\n\n";
+  MarkdownTable table({"Property", "A*", "LSTM"}, &report);
+  table.row({"Agent type", "offline", "online"});
+  table.row({"Output", "a path, the same for the same map", "a preference over eight moves (softmax), step by step"});
+  table.row({"Environment", "known", "unknown: eight rays of at most 50 cells"});
+  table.row({"Solution", "the whole path", "one step at a time"});
+  table.row({"Nodes that can be expanded", "any", "the neighbours"});
+  table.row({"A node is counted when", "it is taken from the open list", "a new input is built"});
+  report << '\n';
 }
 
 /// The averages of A* that the thesis prints are over the tasks that its LSTM solved.
@@ -154,11 +153,9 @@ void appendSolvedAverages(const GridComparison& comparison, std::ostream& report
       expanded += static_cast<double>(a_star.expanded);
     }
     if (solved == 0.0) continue;
-    std::ostringstream text;
-    text << comparison.sets[set].name << ": over the " << solved << " tasks that "
-         << comparison.agents[kLstm].agent.name << " solved, as the thesis averages, A* has length " << std::fixed
-         << std::setprecision(2) << length / solved << " and expands " << expanded / solved << ".\n\n";
-    report << text.str();
+    report << comparison.sets[set].name << ": over the " << fixedText(solved, 0) << " tasks that "
+           << comparison.agents[kLstm].agent.name << " solved, as the thesis averages, A* has length "
+           << fixedText(length / solved, 2) << " and expands " << fixedText(expanded / solved, 2) << ".\n\n";
   }
 }
 

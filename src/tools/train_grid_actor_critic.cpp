@@ -1,7 +1,6 @@
 #include <utility>
 
 #include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
-#include "tools/actor_critic_options.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_grid_reinforcement.hpp"
 
@@ -13,10 +12,10 @@ int trainGridByActorCritic(const std::vector<std::string>& arguments) {
   CommandLine line("train --task grid --method actor-critic",
                    "trains a network for the grid world by actor-critic learning");
   addGridReinforcementOptions("actor-critic", arguments, &plan, &parameters, &line);
-  addActorCriticOptions("cells", &parameters, &line);
+  visitActorCriticParameters(parameters, "cells", line.everyParameter());
   if (!line.parse(arguments)) return 0;
   finishGridReinforcement(&plan, &parameters);
-  plan.settings.update(actorCriticSettings(parameters));
+  visitActorCriticParameters(parameters, "cells", noteIn(&plan.settings));
   LayerStack layers = firstLayers(&plan.options);
   parameters.encoder = plan.options.encoder;
   GridActorCritic learner(parameters, std::move(layers));

@@ -1,8 +1,8 @@
 #include "tools/train_grid_curve.hpp"
 
-#include <limits>
 #include <sstream>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
 #include "lstm_planner/base/common/gnuplot.hpp"
 #include "tools/output_file.hpp"
 
@@ -11,17 +11,16 @@ namespace {
 
 constexpr int kFirstSetColumn = 8;
 
-std::string csv(const std::vector<std::string>& set_names, const std::vector<GridCurvePoint>& points) {
+std::string csvOf(const std::vector<std::string>& set_names, const std::vector<GridCurvePoint>& points) {
   std::ostringstream text;
-  text.precision(std::numeric_limits<double>::max_digits10);
-  text << "epoch,steps,reward,arrival,ratio,mean_success,best";
-  for (const std::string& name : set_names) text << ",success " << name;
-  text << '\n';
+  CsvWriter csv(&text, CsvWriter::Digits::kExact);
+  csv.add("epoch", "steps", "reward", "arrival", "ratio", "mean_success", "best");
+  for (const std::string& name : set_names) csv.add("success " + name);
+  csv.endRow();
   for (const GridCurvePoint& point : points) {
-    text << point.epoch << ',' << point.steps << ',' << point.reward << ',' << point.arrival << ',' << point.ratio
-         << ',' << point.mean_success << ',' << (point.best ? 1 : 0);
-    for (const double success : point.success) text << ',' << success;
-    text << '\n';
+    csv.add(point.epoch, point.steps, point.reward, point.arrival, point.ratio, point.mean_success, point.best);
+    csv.addAll(point.success);
+    csv.endRow();
   }
   return text.str();
 }
@@ -71,8 +70,8 @@ GridCurvePoint curvePointFrom(const nlohmann::json& json) {
 
 void writeGridCurve(const std::string& png_path, const std::vector<std::string>& set_names,
                     const std::vector<GridCurvePoint>& points) {
-  const std::string csv_path = png_path.substr(0, png_path.rfind('.')) + ".csv";
-  writeTextFile(csv_path, csv(set_names, points));
+  const std::string csv_path = csvPathBeside(png_path);
+  writeTextFile(csv_path, csvOf(set_names, points));
   runGnuplot("learning curve", png_path, csv_path,
              [&](const std::string& path) { return script(csv_path, path, set_names); });
 }

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <utility>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/learning/learning_curve.hpp"
 #include "lstm_planner/grid_world/learning/grid_imitation.hpp"
 #include "tools/ranks.hpp"
@@ -27,8 +28,8 @@ class GridImitationHost : public ToolTrainingHost {
     const EpochReport& report = training_.epoch();
     const int interval = (epochs_ + kLinesARound - 1) / kLinesARound;
     if (report.epoch % interval == 0 || report.epoch == epochs_) {
-      std::cout << std::setw(5) << training_.round() << std::setw(7) << report.epoch << std::setprecision(4)
-                << std::setw(19) << report.training.accuracy() << std::setw(21) << report.validation.accuracy()
+      std::cout << table_.line({std::to_string(training_.round()), std::to_string(report.epoch),
+                                fixedText(report.training.accuracy(), 4), fixedText(report.validation.accuracy(), 4)})
                 << std::endl;
     }
     ToolTrainingHost::stepDone();
@@ -40,7 +41,8 @@ class GridImitationHost : public ToolTrainingHost {
   void keep(const LayerStack& layers) override { judge_.write(layers, score_); }
   void judged(const Judgement& judgement) override {
     std::cout << "round " << training_.round() << ", " << training_.collectedSteps() << " steps, best epoch "
-              << training_.roundResult().best_epoch << ": arrival with the shield alone" << std::setprecision(3);
+              << training_.roundResult().best_epoch << ": arrival with the shield alone" << std::fixed
+              << std::setprecision(3);
     const std::vector<std::string> names = judge_.names();
     for (std::size_t i = 0; i < names.size(); ++i) std::cout << ' ' << names[i] << ' ' << score_.success[i];
     std::cout << ", mean " << score_.mean << (judgement.best ? " (best)" : "") << std::endl;
@@ -48,15 +50,11 @@ class GridImitationHost : public ToolTrainingHost {
 
  private:
   double progress() const override { return training_.progress(); }
-  std::string position() const override {
-    return std::to_string(training_.round() - 1) + " rounds and " + std::to_string(training_.epochsOfRound()) +
-           " epochs";
-  }
+  std::string position() const override { return positionOf(training_); }
   std::string scoreText(double score) const override { return namedScore("mean arrival", score); }
-  void printHeader() const override {
-    std::cout << std::fixed << "round  epoch  training accuracy  validation accuracy" << std::endl;
-  }
+  void printHeader() const override { std::cout << table_.headings() << std::endl; }
 
+  const TextTable table_{"round  epoch  training accuracy  validation accuracy"};
   GridJudge judge_;
   int epochs_;  ///< of a round
   const ImitationRounds& training_;
@@ -77,10 +75,7 @@ int trainByImitation(const std::string& method, const std::vector<std::string>& 
   const auto training = gridImitation(parameters, layers, maps.training, validationMaps(maps));
   GridImitationHost host(loop, GridJudge(options, maps.validation), parameters.trainer.epochs, *training);
   const TrainingOutcome outcome = runTraining(loop, training.get(), &host);
-  if (!options.curve.empty() && isFirstRank()) {
-    const std::string stem = options.curve.substr(0, options.curve.rfind('.'));
-    writeLearningCurve(stem + ".csv", options.curve, training->curve());
-  }
+  if (!options.curve.empty() && isFirstRank()) writeLearningCurve(options.curve, training->curve());
   return host.end(outcome);
 }
 

@@ -4,6 +4,7 @@
 
 #include "tools/network_options.hpp"
 #include "tools/ranges.hpp"
+#include "tools/visited_settings.hpp"
 
 namespace lstm_planner {
 
@@ -59,25 +60,14 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   line.addFlag(
       "thesis", &known, true,
       "use the thesis's training as defaults (Tables 3.1 and 3.2): its inputs, momentum, L1 decay, 500 epochs");
-  line.add("steps", &dataset.steps, kAnySteps, "number of steps for training, each round");
-  line.add("validation-steps", &p.validation_steps, kAnySteps,
-           "number of steps on the validation maps, to choose the best epoch");
-  line.add("sequence", &dataset.sequence_steps, kAnyWindow,
-           "largest number of steps of backpropagation through time: the thesis's time sequence");
-  line.add("burn-in", &dataset.burn_in_steps, {0, kAnyWindow.most},
-           "if a sequence starts in the middle of a path: steps before it that only set the hidden state");
-  line.add("batch-steps", &p.batch_steps, kAnySteps, "steps per update");
-  line.add("goals", &p.course.goals, {1, 1e5}, "seed of the paths of a round");
+  visitGridImitationParameters(p, line.everyParameter());
   line.addFlag("corner-cutting", &options->corner_cutting, CornerCutting::kAllowed,
                "diagonal moves may pass blocked cells at their sides");
   line.addChoice("supervisor", &dataset.supervisor, kSupervisors,
                  "paths to learn: shortest, or thesis (A* with 25 times the Euclidean distance)");
   addLossOption(&p.trainer.loss, &line);
   addOptimiserOptions(&optimiser, &line);
-  if (dagger) {
-    line.add("rounds", &p.rounds, kAnyCount, "rounds of collecting paths and training for --epochs");
-    line.add("learner-share", &p.learner_share, kAnyShare, "share of the paths that the network leads");
-  }
+  if (dagger) visitGridRoundParameters(p, line.everyParameter());
   if (!line.parse(arguments)) return false;
   if (thesis && !line.given("batch-steps")) p.batch_steps = dataset.sequence_steps;
   p.encoder = options->encoder;
@@ -90,20 +80,14 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   p.threads = options->threads;
   validate(p);
   *settings = settingsOf(*options);
-  settings->update({{"steps", dataset.steps},
-                    {"validation-steps", p.validation_steps},
-                    {"sequence", dataset.sequence_steps},
-                    {"burn-in", dataset.burn_in_steps},
-                    {"batch-steps", p.batch_steps},
-                    {"goals", p.course.goals},
-                    {"optimiser", nameOf(optimiser.kind, kOptimisers)},
+  visitGridImitationParameters(p, noteIn(settings));
+  visitGridRoundParameters(p, noteIn(settings));
+  settings->update({{"optimiser", nameOf(optimiser.kind, kOptimisers)},
                     {"rate", optimiser.learning_rate},
                     {"schedule", nameOf(optimiser.schedule, kSchedules)},
                     {"momentum", optimiser.momentum},
                     {"decay", nameOf(optimiser.decay, kDecays)},
-                    {"decay-rate", optimiser.decay_rate},
-                    {"rounds", p.rounds},
-                    {"learner-share", p.learner_share}});
+                    {"decay-rate", optimiser.decay_rate}});
   if (dataset.supervisor != GridSupervisor::kShortestPath) (*settings)["supervisor"] = "thesis";
   if (p.trainer.loss != Loss::kCrossEntropy) (*settings)["loss"] = nameOf(p.trainer.loss, losses());
   return true;

@@ -13,10 +13,12 @@ int trainGridByQLearning(const std::vector<std::string>& arguments) {
   CommandLine line("train --task grid --method q-learning",
                    "trains a network for the grid world by recurrent Q-learning");
   addGridReinforcementOptions("q-learning", arguments, &plan, &parameters, &line);
-  addQLearningOptions("cell", "updates", &parameters, &line);
+  addRewardOption(&parameters.reward, &line);
+  visitQLearningParameters(parameters, "cells", "updates", line.everyParameter());
   if (!line.parse(arguments)) return 0;
   finishGridReinforcement(&plan, &parameters);
-  plan.settings.update(qLearningSettings(parameters));
+  plan.settings["reward"] = nameOf(parameters.reward, rewards());
+  visitQLearningParameters(parameters, "cells", "updates", noteIn(&plan.settings));
   LayerStack layers = firstLayers(&plan.options);
   parameters.encoder = plan.options.encoder;
   GridQLearning learner(parameters, std::move(layers));

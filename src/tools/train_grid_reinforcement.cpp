@@ -1,10 +1,11 @@
 #include "tools/train_grid_reinforcement.hpp"
 
-#include <iomanip>
+#include <algorithm>
 #include <iostream>
 #include <string>
 #include <utility>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "tools/train_grid_curve.hpp"
 #include "tools/train_grid_judge.hpp"
 #include "tools/train_grid_maps.hpp"
@@ -17,7 +18,11 @@ class GridReinforcementHost : public ToolTrainingHost {
  public:
   GridReinforcementHost(const TrainingLoopOptions& loop, GridJudge judge, const GridReinforcement& training,
                         GridLearner* learner)
-      : ToolTrainingHost(loop), judge_(std::move(judge)), training_(training), learner_(*learner) {}
+      : ToolTrainingHost(loop),
+        judge_(std::move(judge)),
+        table_(tableOf(judge_.names())),
+        training_(training),
+        learner_(*learner) {}
 
   double judge(const LayerStack& layers) override {
     score_ = judge_.judge(layers);
@@ -56,21 +61,30 @@ class GridReinforcementHost : public ToolTrainingHost {
   }
 
   void printHeader() const override {
-    std::cout << "epoch    steps [M]  reward  arrival  ratio";
-    for (const std::string& name : judge_.names()) std::cout << "  " << std::setw(9) << name;
-    std::cout << "       mean" << std::endl;
+    std::cout << table_.headings() << std::endl;
     for (const GridCurvePoint& point : points_) print(point);
   }
 
-  static void print(const GridCurvePoint& point) {
-    std::cout << std::fixed << std::setw(5) << point.epoch << std::setw(13) << std::setprecision(1) << point.steps / 1e6
-              << std::setprecision(3) << std::setw(8) << point.reward << std::setw(9) << point.arrival << std::setw(7)
-              << std::setprecision(2) << point.ratio << std::setprecision(3);
-    for (const double success : point.success) std::cout << "  " << std::setw(9) << success;
-    std::cout << "  " << std::setw(9) << point.mean_success << (point.best ? "  best" : "") << std::endl;
+  static TextTable tableOf(const std::vector<std::string>& set_names) {
+    constexpr std::size_t kWidth = 9;
+    std::string headings = "epoch    steps [M]  reward  arrival  ratio";
+    for (const std::string& name : set_names) {
+      headings += "  " + std::string(kWidth - std::min(kWidth, name.size()), ' ') + name;
+    }
+    return TextTable(headings + "       mean");
+  }
+
+  void print(const GridCurvePoint& point) const {
+    std::vector<std::string> cells = {std::to_string(point.epoch), fixedText(point.steps / 1e6, 1),
+                                      fixedText(point.reward, 3), fixedText(point.arrival, 3),
+                                      fixedText(point.ratio, 2)};
+    for (const double success : point.success) cells.push_back(fixedText(success, 3));
+    cells.push_back(fixedText(point.mean_success, 3));
+    std::cout << table_.line(cells) << (point.best ? "  best" : "") << std::endl;
   }
 
   GridJudge judge_;
+  const TextTable table_;
   const GridReinforcement& training_;
   GridLearner& learner_;
   GridScore score_;  ///< what was judged last

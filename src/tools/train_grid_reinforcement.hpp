@@ -8,6 +8,7 @@
 #include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_grid_options.hpp"
+#include "tools/visited_settings.hpp"
 
 namespace lstm_planner {
 
@@ -29,15 +30,12 @@ void addGridReinforcementOptions(const std::string& method, const std::vector<st
   plan->options.epochs = plan->training.epochs;
   plan->options.encoder = p.encoder;
   addGridTrainingOptions(arguments, &plan->options, line);
-  line->add("updates", &p.updates, kAnySteps, "number of updates of the weights, in all epochs together");
   line->add("goals", &course.goals, {1, 1e5},
             "goals in memory at the same time; each needs 4 bytes per cell of its map");
   line->add("short-share", &course.short_share, kAnyShare,
             "share of the training episodes whose length is drawn with a probability proportional to 1 / length; the "
             "others uniformly");
-  line->add("agents", &p.agents, kAnyAgents, "number of agents at the same time");
-  line->add("window", &p.window, kAnyWindow, "steps of each agent per update");
-  line->add("max-steps", &p.max_steps, kAnySteps, "largest number of steps of a training episode");
+  visitGridLearnerParameters(p, line->everyParameter());
 }
 
 /// Hands what was parsed to the training and to the learner's parameters, and notes it in the plan's settings. Throws
@@ -58,12 +56,8 @@ void finishGridReinforcement(GridReinforcementPlan* plan, Parameters* parameters
   validate(training);
   validate(p);
   plan->settings = settingsOf(options);
-  plan->settings.update({{"updates", p.updates},
-                         {"goals", training.course.goals},
-                         {"short-share", training.course.short_share},
-                         {"agents", p.agents},
-                         {"window", p.window},
-                         {"max-steps", p.max_steps}});
+  plan->settings.update({{"goals", training.course.goals}, {"short-share", training.course.short_share}});
+  visitGridLearnerParameters(p, noteIn(&plan->settings));
 }
 
 /// Learns epoch by epoch, with a line for each; see GridReinforcement and runTraining(). Returns the exit status.

@@ -1,11 +1,8 @@
-#include <iomanip>
-#include <sstream>
+#include <string>
 #include <utility>
 
 #include "lstm_planner/robot/learning/drive_actor_critic.hpp"
 #include "lstm_planner/robot/learning/recorded_choices.hpp"
-#include "tools/actor_critic_options.hpp"
-#include "tools/ranges.hpp"
 #include "tools/recorded_datasets.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_reinforcement.hpp"
@@ -23,12 +20,9 @@ struct FollowedDrives {
 
 const char* const kColumns = "iteration     steps  reward  arrival  entropy  explained";
 
-std::string lineOf(const ReinforcementReport& report) {
-  std::ostringstream line;
-  line << std::fixed << std::setw(9) << report.update << std::setprecision(0) << std::setw(10) << report.steps
-       << std::setprecision(3) << std::setw(8) << report.reward << std::setw(9) << report.arrival << std::setw(9)
-       << report.entropy << std::setw(11) << report.explained;
-  return line.str();
+std::vector<std::string> cellsOf(const ReinforcementReport& report) {
+  return {std::to_string(report.update), fixedText(report.steps, 0),   fixedText(report.reward, 3),
+          fixedText(report.arrival, 3),  fixedText(report.entropy, 3), fixedText(report.explained, 3)};
 }
 
 /// How often the network would have done what the drivers of `recordings` did.
@@ -43,22 +37,21 @@ bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPl
   CommandLine line("train --method actor-critic",
                    "trains a network for the robot by reinforcement: one that already drives (--init), or a new one");
   addRobotReinforcementOptions(arguments, plan, &p, &line);
-  line.add("sharpness", &p.sharpness, kAnyScale, "factor on the preferences of the network of --init");
-  line.add("clip", &p.clip, kAnyScale, "largest change of a probability in an update (PPO's clip)");
+  visitPolicyChangeParameters(p, line.everyParameter());
   line.addFiles("recordings", &followed->recordings,
                 "datasets of recorded drives: the network also learns to steer as their driver does");
   line.add("recordings-weight", &followed->weight, {1e-6, 1e6},
            "weight of a recorded step; a practised step has the weight 1");
   line.addFiles("validation-recordings", &followed->validation, "recorded drives for validation");
-  addActorCriticOptions("m", &p, &line);
+  visitActorCriticParameters(p, "m", line.everyParameter());
   if (!line.parse(arguments)) return false;
   if (plan->init.empty() && !line.given("sharpness")) p.sharpness = 1.0;  // there is nothing to sharpen yet
   finishRobotReinforcement("actor-critic", plan, &p);
-  plan->settings.update({{"sharpness", p.sharpness}, {"clip", p.clip}});
+  visitPolicyChangeParameters(p, noteIn(&plan->settings));
   if (!followed->recordings.empty()) {
     plan->settings.update({{"recordings", followed->recordings}, {"recordings-weight", followed->weight}});
   }
-  plan->settings.update(actorCriticSettings(p));
+  visitActorCriticParameters(p, "m", noteIn(&plan->settings));
   return true;
 }
 
@@ -73,7 +66,7 @@ int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
   const PolicyDescription& policy = parameters.policy;
   DriveActorCritic learner(parameters, std::move(layers));
   if (!followed.recordings.empty()) learner.follow(readDatasetsFor(policy, followed.recordings), followed.weight);
-  RobotLearningTable table{kColumns, lineOf};
+  RobotLearningTable table{TextTable(kColumns), cellsOf};
   if (!followed.validation.empty()) {
     table.remark = [&policy, recordings = readDatasetsFor(policy, followed.validation)](const LayerStack& network) {
       return agreementWith(recordings, DrivePolicy(policy, network));

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/learning/confusion.hpp"
 #include "lstm_planner/base/learning/imitation_rounds.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
@@ -140,10 +141,7 @@ class DatasetTrainingHost : public ToolTrainingHost {
     writeModel(options_.output, layers, best().kept());
     if (!options_.confusion.empty()) writeConfusion(options_.confusion, best().kept().confusion, names());
     if (!options_.stability.empty()) writeStability(options_.stability, stability_);
-    if (!options_.curve.empty()) {
-      const std::string stem = options_.curve.substr(0, options_.curve.rfind('.'));
-      writeLearningCurve(stem + ".csv", options_.curve, training_.curve());
-    }
+    if (!options_.curve.empty()) writeLearningCurve(options_.curve, training_.curve());
   }
 
   void judged(const Judgement& /*judgement*/) override {
@@ -173,9 +171,7 @@ class DatasetTrainingHost : public ToolTrainingHost {
   double progress() const override { return training_.progress(); }
   std::string position() const override { return std::to_string(training_.epochsOfRound()) + " epochs"; }
   std::string scoreText(double /*score*/) const override { return accuracyText(best().kept().confusion); }
-  void printHeader() const override {
-    std::cout << "epoch  training accuracy  validation accuracy  of the averaged weights" << std::endl;
-  }
+  void printHeader() const override { std::cout << table_.headings() << std::endl; }
 
   EpochReport best() const { return training_.roundResult().best(); }
   std::vector<std::string> names() const { return namesOf(options_.training.sequences.policy.actions); }
@@ -184,10 +180,10 @@ class DatasetTrainingHost : public ToolTrainingHost {
     const int epochs = options_.training.trainer.epochs;
     const int interval = (epochs + kLines - 1) / kLines;
     if (report.epoch % interval != 0 && report.epoch != epochs) return;
-    std::cout << std::setw(5) << report.epoch << std::setprecision(4) << std::setw(19) << report.training.accuracy()
-              << std::setw(21) << report.validation.accuracy();
-    if (report.averaged.confusion.size() > 0) std::cout << std::setw(25) << report.averaged.accuracy();
-    std::cout << std::endl;
+    std::vector<std::string> cells = {std::to_string(report.epoch), fixedText(report.training.accuracy(), 4),
+                                      fixedText(report.validation.accuracy(), 4)};
+    if (report.averaged.confusion.size() > 0) cells.push_back(fixedText(report.averaged.accuracy(), 4));
+    std::cout << table_.line(cells) << std::endl;
   }
 
   /// The weights of the epoch that ended last, not the averaged ones.
@@ -212,6 +208,7 @@ class DatasetTrainingHost : public ToolTrainingHost {
     writeModelFile(path, model);
   }
 
+  const TextTable table_{"epoch  training accuracy  validation accuracy  of the averaged weights"};
   const DatasetTrainingOptions& options_;
   const std::vector<long> validation_labels_;
   const ImitationRounds& training_;

@@ -100,37 +100,28 @@ void check(const CommandLine& line, const DatasetTrainingOptions& o) {
 nlohmann::json settingsOf(const DatasetTrainingOptions& o) {
   const DatasetTrainingParameters& training = o.training;
   const TrainerParameters& trainer = training.trainer;
-  const NetworkShape& shape = o.network.shape;
-  return {{"task", "robot"},
-          {"method", "dataset"},
-          {"dataset", o.datasets},
-          {"validation-dataset", o.validation_datasets},
-          {"validation-share", o.validation_share},
-          {"preset", o.preset},
-          {"label-distance", training.sequences.label_distance},
-          {"sequence", training.sequences.sequence_steps},
-          {"burn-in", training.sequences.burn_in_steps},
-          {"balance", toString(training.balance)},
-          {"variants", training.variants},
-          {"init", o.init},
-          {"inputs", o.encoder.input_layout},
-          {"event-range", o.encoder.event_range},
-          {"position-cell", o.encoder.position_cell},
-          {"heading-cell", o.encoder.heading_cell},
-          {"network", o.network.network},
-          {"cells", shape.cells},
-          {"deep-in", shape.deep_in},
-          {"deep-out", shape.deep_out},
-          {"activation", nameOf(shape.activation, activations())},
-          {"candidate", nameOf(shape.candidate, candidates())},
-          {"epochs", trainer.epochs},
-          {"loss", nameOf(trainer.loss, losses())},
-          {"rate", trainer.optimiser.learning_rate},
-          {"batch", trainer.batch_size},
-          {"clip", trainer.optimiser.max_gradient_norm},
-          {"averaging", trainer.averaging},
-          {"instability", !o.stability.empty()},
-          {"seed", o.seed}};
+  nlohmann::json settings = settingsOf(o.network, o.encoder);
+  settings.update({{"task", "robot"},
+                   {"method", "dataset"},
+                   {"dataset", o.datasets},
+                   {"validation-dataset", o.validation_datasets},
+                   {"validation-share", o.validation_share},
+                   {"preset", o.preset},
+                   {"label-distance", training.sequences.label_distance},
+                   {"sequence", training.sequences.sequence_steps},
+                   {"burn-in", training.sequences.burn_in_steps},
+                   {"balance", toString(training.balance)},
+                   {"variants", training.variants},
+                   {"init", o.init},
+                   {"epochs", trainer.epochs},
+                   {"loss", nameOf(trainer.loss, losses())},
+                   {"rate", trainer.optimiser.learning_rate},
+                   {"batch", trainer.batch_size},
+                   {"clip", trainer.optimiser.max_gradient_norm},
+                   {"averaging", trainer.averaging},
+                   {"instability", !o.stability.empty()},
+                   {"seed", o.seed}});
+  return settings;
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
-#include <iomanip>
 #include <iostream>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/learning/learning_curve.hpp"
 #include "lstm_planner/robot/learning/imitation.hpp"
 #include "tools/network_options.hpp"
-#include "tools/progress.hpp"
-#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_options.hpp"
+#include "tools/training_host.hpp"
+#include "tools/visited_settings.hpp"
 
 namespace lstm_planner {
 
@@ -16,6 +16,7 @@ namespace {
 
 struct ImitationOptions : RobotTrainingOptions {
   std::string curve;
+  std::string checkpoint;
   RobotNetworkOptions network;
   ImitationParameters imitation;
 };
@@ -30,15 +31,9 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   addRobotTrainingOptions(arguments, options, &line);
   addRobotNetworkOptions(&options->network, &imitation.policy.encoder, &line);
   line.addOutput("curve", &options->curve, "PNG file for the accuracy curve; a CSV file is written beside it");
-  line.add("rounds", &imitation.rounds, kAnyCount, "rounds of collecting drives and training");
-  line.add("worlds", &imitation.worlds, {1, 1e5}, "worlds per round");
-  line.add("goals", &imitation.goals, {1, 1e4}, "goals per world");
-  line.add("starts", &imitation.starts, {1, 1e4}, "drives per goal");
-  line.add("epochs", &imitation.trainer.epochs, kAnyCount, "epochs per round");
-  line.add("rate", &imitation.trainer.optimiser.learning_rate, kAnyRate, "learning rate");
+  line.addOutput("checkpoint", &options->checkpoint, "checkpoint file: is written, and continued from if it exists");
+  visitImitationParameters(imitation, line.everyParameter());
   addLossOption(&imitation.trainer.loss, &line);
-  line.add("learner-share", &imitation.learner_share, kAnyShare,
-           "share of the drives in which the learning network steers");
   if (!line.parse(arguments)) return false;
   finishRobotNetworkOptions(line, &options->network, &imitation.policy.encoder);
   imitation.shape = options->network.shape;
@@ -52,32 +47,76 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   return true;
 }
 
+/// What the result depends on, for the checkpoint.
+nlohmann::json settingsOf(const ImitationOptions& options) {
+  const ImitationParameters& imitation = options.imitation;
+  nlohmann::json settings = settingsOf(static_cast<const RobotTrainingOptions&>(options));
+  settings.update(settingsOf(options.network, imitation.policy.encoder));
+  settings.update({{"method", "dagger"}, {"loss", nameOf(imitation.trainer.loss, losses())}});
+  visitImitationParameters(imitation, noteIn(&settings));
+  return settings;
+}
+
+class ImitationHost : public ToolTrainingHost {
+ public:
+  ImitationHost(const TrainingLoopOptions& loop, const ImitationOptions& options)
+      : ToolTrainingHost(loop),
+        options_(options),
+        training_(options.imitation, [this](double share) { showProgress(share); }) {}
+
+  DriveImitation& training() { return training_; }
+
+  double judge(const LayerStack& layers) override {
+    score_ = training_.judge(layers);
+    return score_.efficiency;
+  }
+  void keep(const LayerStack& layers) override {
+    kept_ = score_;
+    writeRobotModel(options_, options_.imitation.policy, layers, score_);
+  }
+  void judged(const Judgement& /*judgement*/) override {
+    const EpochReport epoch = training_.rounds().roundResult().best();
+    std::cout << table_.line({std::to_string(training_.rounds().round()), std::to_string(training_.drivenSteps()),
+                              fixedText(epoch.validation.accuracy(), 3), fixedText(score_.arrival, 3),
+                              fixedText(score_.efficiency, 3)})
+              << std::endl;
+    showProgress(progress());
+  }
+
+  nlohmann::json notes() const override { return {{"kept", {kept_.arrival, kept_.efficiency}}}; }
+  void restoreNotes(const nlohmann::json& progress) override {
+    kept_.arrival = progress.at("kept").at(0);
+    kept_.efficiency = progress.at("kept").at(1);
+  }
+
+ private:
+  double progress() const override { return training_.drivenShare(); }
+  std::string position() const override { return positionOf(training_.rounds()); }
+  std::string scoreText(double /*score*/) const override { return toText(kept_); }
+  void printHeader() const override { std::cout << table_.headings() << std::endl; }
+
+  const TextTable table_{"round    steps  accuracy  arrival alone  efficiency"};
+  const ImitationOptions& options_;
+  DriveImitation training_;
+  DriveScore score_;  ///< what was judged last
+  DriveScore kept_;   ///< of the network in the output file
+};
+
 }  // namespace
 
 int trainRobotByDagger(const std::vector<std::string>& arguments) {
   ImitationOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  Progress progress;
-  DriveScore best;
-  std::cout << std::fixed << std::setprecision(3) << "round    steps  accuracy  arrival alone  efficiency" << std::endl;
-  const auto report = [&](const ImitationRound& round) {
-    const EpochReport& epoch = round.training.best();
-    std::cout << std::setw(5) << round.round << std::setw(9) << round.steps << std::setw(10)
-              << epoch.validation.accuracy() << std::setw(15) << round.score.arrival << std::setw(12)
-              << round.score.efficiency << std::endl;
-    if (round.score.efficiency >= best.efficiency) best = round.score;
-  };
-  const ImitationResult result = imitate(
-      options.imitation, [&](double share) { progress.show(share); }, report);
-  progress.show(1.0);
-  if (!isFirstRank()) return 0;
-  writeRobotModel(options, options.imitation.policy, result.layers, best);
-  std::cout << "wrote " << options.output << ": " << toText(best) << "\n";
-  if (!options.curve.empty()) {
-    const std::string stem = options.curve.substr(0, options.curve.rfind('.'));
-    writeLearningCurve(stem + ".csv", options.curve, result.curve);
-  }
-  return 0;
+  TrainingLoopOptions loop;
+  loop.checkpoint = options.checkpoint;
+  loop.settings = settingsOf(options);
+  loop.output = options.output;
+  loop.keep_later = true;  // it has learned from more
+  loop.communicator = ranks();
+  ImitationHost host(loop, options);
+  const TrainingOutcome outcome = runTraining(loop, &host.training(), &host);
+  if (!options.curve.empty() && isFirstRank()) writeLearningCurve(options.curve, host.training().rounds().curve());
+  return host.end(outcome);
 }
 
 }  // namespace lstm_planner

@@ -1,10 +1,9 @@
 #include "tools/train_robot_options.hpp"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "tools/network_options.hpp"
 #include "tools/ranges.hpp"
 #include "tools/train_commands.hpp"
@@ -111,6 +110,23 @@ nlohmann::json settingsOf(const RobotTrainingOptions& options) {
   return settings;
 }
 
+nlohmann::json settingsOf(const RobotNetworkOptions& network, const EncoderParameters& encoder) {
+  const NetworkShape& shape = network.shape;
+  nlohmann::json settings = {{"inputs", encoder.input_layout},
+                             {"event-range", encoder.event_range},
+                             {"position-cell", encoder.position_cell},
+                             {"heading-cell", encoder.heading_cell},
+                             {"network", network.network},
+                             {"cells", shape.cells},
+                             {"deep-in", shape.deep_in},
+                             {"deep-out", shape.deep_out},
+                             {"activation", nameOf(shape.activation, activations())},
+                             {"candidate", nameOf(shape.candidate, candidates())}};
+  // Not told where there is one: checkpoints from before there were views go on.
+  if (encoder.views != 1) settings["views"] = encoder.views;
+  return settings;
+}
+
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder) {
   std::vector<std::string>& layout = encoder->input_layout;
   for (const std::string& group : groups) {
@@ -152,9 +168,7 @@ void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescriptio
 }
 
 std::string toText(const DriveScore& score) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(3) << "arrival " << score.arrival << ", efficiency " << score.efficiency;
-  return text.str();
+  return "arrival " + fixedText(score.arrival, 3) + ", efficiency " + fixedText(score.efficiency, 3);
 }
 
 }  // namespace lstm_planner

@@ -58,6 +58,9 @@ nlohmann::json settingsOf(const RobotTrainingOptions& options);
 /// another name.
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder);
 
+/// Likewise, of the network and its inputs.
+nlohmann::json settingsOf(const RobotNetworkOptions& network, const EncoderParameters& encoder);
+
 /// Writes the model with its description, the command and the score.
 void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescription& policy, const LayerStack& layers,
                      const DriveScore& score);

@@ -20,7 +20,7 @@ class RobotReinforcementHost : public ToolTrainingHost {
       : ToolTrainingHost(loop), options_(plan.options), policy_(policy), table_(table), training_(training) {}
 
   void stepDone() override {
-    std::cout << table_.line(training_.report()) << std::endl;
+    std::cout << table_.table.line(table_.cells(training_.report())) << std::endl;
     ToolTrainingHost::stepDone();
   }
   double judge(const LayerStack& layers) override {
@@ -30,7 +30,7 @@ class RobotReinforcementHost : public ToolTrainingHost {
   }
   void keep(const LayerStack& layers) override { writeRobotModel(options_, policy_, layers, score_); }
   void judged(const Judgement& judgement) override {
-    std::cout << std::string(table_.columns.size() + 1, ' ') << "| " << toText(score_)
+    std::cout << std::string(table_.table.headings().size() + 1, ' ') << "| " << toText(score_)
               << (judgement.best ? " (best)" : "") << table_.remark(training_.layers()) << std::endl;
   }
 
@@ -38,7 +38,7 @@ class RobotReinforcementHost : public ToolTrainingHost {
   double progress() const override { return training_.progress(); }
   std::string position() const override { return "iteration " + std::to_string(training_.iterations()); }
   std::string scoreText(double score) const override { return namedScore("efficiency", score); }
-  void printHeader() const override { std::cout << table_.columns << " | validation drives" << std::endl; }
+  void printHeader() const override { std::cout << table_.table.headings() << " | validation drives" << std::endl; }
 
   const RobotTrainingOptions& options_;
   const PolicyDescription& policy_;
@@ -55,6 +55,15 @@ void finishRobotNetwork(const CommandLine& line, RobotReinforcementPlan* plan, E
   } else {
     checkModelDecides(line);
   }
+}
+
+nlohmann::json changedSettingsOf(const RobotNetworkOptions& network, const EncoderParameters& encoder) {
+  const nlohmann::json defaults = settingsOf(RobotNetworkOptions(), EncoderParameters());
+  nlohmann::json settings = settingsOf(network, encoder);
+  for (const char* name : {"event-range", "position-cell", "heading-cell", "activation", "candidate"}) {
+    if (settings[name] == defaults[name]) settings.erase(name);
+  }
+  return settings;
 }
 
 LayerStack firstLayers(const RobotReinforcementPlan& plan, PolicyDescription* policy) {

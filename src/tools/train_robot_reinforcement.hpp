@@ -5,19 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/learning/drive_learner.hpp"
-#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_robot_options.hpp"
+#include "tools/visited_settings.hpp"
 
 namespace lstm_planner {
 
 /// The table of iterations that a way of learning prints.
 struct RobotLearningTable {
-  std::string columns;
-  std::function<std::string(const ReinforcementReport&)> line;
+  TextTable table;
+  std::function<std::vector<std::string>(const ReinforcementReport&)> cells;
   std::function<std::string(const LayerStack&)> remark = [](const LayerStack&) { return ""; };  ///< on a judged network
 };
 
@@ -35,6 +36,9 @@ struct RobotReinforcementPlan {
 /// make no sense.
 void finishRobotNetwork(const CommandLine& line, RobotReinforcementPlan* plan, EncoderParameters* encoder);
 
+/// settingsOf() without what older checkpoints do not name, where that is the default: they go on.
+nlohmann::json changedSettingsOf(const RobotNetworkOptions& network, const EncoderParameters& encoder);
+
 /// All options that ways of reinforcement have in common. `parameters` are the learner's: they hold the defaults and
 /// take the values.
 template <typename Parameters>
@@ -46,12 +50,7 @@ void addRobotReinforcementOptions(const std::vector<std::string>& arguments, Rob
   line->addOutput("checkpoint", &plan->checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->addChoice("keep", &plan->keep, {"best", "last"},
                   "which network to write: best (the most efficient of the networks judged so far) or last");
-  line->add("iterations", &p.iterations, kAnyCount, "iterations of collecting drives and learning");
-  line->add("worlds", &p.worlds, {1, 1e5}, "worlds per iteration");
-  line->add("goals", &p.goals, {1, 1e4}, "goals per world");
-  line->add("starts", &p.starts, {1, 1e4}, "drives per goal");
-  line->add("window", &p.window, kAnyWindow, "largest number of steps of backpropagation through time");
-  line->add("passes", &p.passes, {1, 1e4}, "passes over the collected drives");
+  visitPracticeParameters(p, line->everyParameter());
   addRobotNetworkOptions(&plan->network, &p.policy.encoder, line);
   line->whenParsed([=] { finishRobotNetwork(*line, plan, &parameters->policy.encoder); });
 }
@@ -66,21 +65,9 @@ void finishRobotReinforcement(const std::string& method, RobotReinforcementPlan*
   p.threads = plan->options.threads;
   p.communicator = ranks();
   plan->settings = settingsOf(plan->options);
-  plan->settings.update({{"method", method},
-                         {"init", plan->init},
-                         {"inputs", p.policy.encoder.input_layout},
-                         {"network", plan->network.network},
-                         {"cells", plan->network.shape.cells},
-                         {"deep-in", plan->network.shape.deep_in},
-                         {"deep-out", plan->network.shape.deep_out},
-                         {"iterations", p.iterations},
-                         {"worlds", p.worlds},
-                         {"goals", p.goals},
-                         {"starts", p.starts},
-                         {"window", p.window},
-                         {"passes", p.passes}});
-  // Not told where there is one: checkpoints from before there were views go on.
-  if (p.policy.encoder.views != 1) plan->settings["views"] = p.policy.encoder.views;
+  plan->settings.update(changedSettingsOf(plan->network, p.policy.encoder));
+  plan->settings.update({{"method", method}, {"init", plan->init}});
+  visitPracticeParameters(p, noteIn(&plan->settings));
 }
 
 /// Those of the model to start with, whose description replaces `policy`, or new ones.

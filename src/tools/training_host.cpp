@@ -1,8 +1,8 @@
 #include "tools/training_host.hpp"
 
-#include <iomanip>
 #include <iostream>
-#include <sstream>
+
+#include "lstm_planner/base/common/text_table.hpp"
 
 namespace lstm_planner {
 
@@ -22,10 +22,10 @@ int ToolTrainingHost::end(const TrainingOutcome& outcome) const {
   return interruption_.exitStatus();
 }
 
-std::string namedScore(const std::string& name, double score) {
-  std::ostringstream text;
-  text << name << ' ' << std::fixed << std::setprecision(3) << score;
-  return text.str();
+std::string positionOf(const ImitationRounds& rounds) {
+  return std::to_string(rounds.round() - 1) + " rounds and " + std::to_string(rounds.epochsOfRound()) + " epochs";
 }
+
+std::string namedScore(const std::string& name, double score) { return name + ' ' + fixedText(score, 3); }
 
 }  // namespace lstm_planner

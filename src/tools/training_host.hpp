@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lstm_planner/base/learning/imitation_rounds.hpp"
 #include "lstm_planner/base/learning/training_loop.hpp"
 #include "tools/interruption.hpp"
 #include "tools/progress.hpp"
@@ -15,13 +16,15 @@ class ToolTrainingHost : public TrainingHost {
   explicit ToolTrainingHost(const TrainingLoopOptions& options) : options_(options) {}
 
   void started(bool resumed) final;
-  void stepDone() override { bar_.show(progress()); }
+  void stepDone() override { showProgress(progress()); }
   bool stopWanted() final { return interruption_.wanted(); }
 
   /// Says what was written and, after a stop, how it goes on. Returns the exit status.
   int end(const TrainingOutcome& outcome) const;
 
  protected:
+  void showProgress(double share) { bar_.show(share); }
+
   virtual double progress() const = 0;                    ///< share of the training that is done
   virtual std::string position() const = 0;               ///< what is done, like "iteration 5"
   virtual std::string scoreText(double score) const = 0;  ///< of the network that was written
@@ -34,6 +37,9 @@ class ToolTrainingHost : public TrainingHost {
   Interruption interruption_;
   Progress bar_;
 };
+
+/// How far an imitation is: "2 rounds and 5 epochs".
+std::string positionOf(const ImitationRounds& rounds);
 
 /// A score with three digits after its name.
 std::string namedScore(const std::string& name, double score);

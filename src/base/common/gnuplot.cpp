@@ -38,6 +38,8 @@ int runCommand(const std::string& command, std::string& output) {
 
 std::string quotedForGnuplot(const std::string& text) { return "'" + replaceAll(text, '\'', "''") + "'"; }
 
+std::string csvPathBeside(const std::string& png_path) { return png_path.substr(0, png_path.rfind('.')) + ".csv"; }
+
 void runGnuplot(const std::string& what, const std::string& png_path, const std::string& csv_path,
                 const std::function<std::string(const std::string& path)>& script_for) {
   const std::string name = what + " '" + png_path + "'";

@@ -8,6 +8,7 @@
 
 #include "base/learning/optimiser_json.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 
 namespace lstm_planner {
@@ -23,16 +24,11 @@ OptimiserParameters optimiserParameters(double learning_rate, double max_norm) {
 }  // namespace
 
 void validate(const ActorCriticParameters& parameters) {
-  const auto check = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
-  check("window", parameters.window);
-  check("max_steps", parameters.max_steps);
-  check("threads", parameters.threads);
-  checkPositive("learning_rate", parameters.learning_rate);
-  checkPositive("critic_learning_rate", parameters.critic_learning_rate);
-  checkParameter(parameters.discount > 0.0 && parameters.discount <= 1.0, "discount", parameters.discount,
-                 "a number in (0, 1]");
-  checkParameter(parameters.advantage_decay >= 0.0 && parameters.advantage_decay <= 1.0, "advantage_decay",
-                 parameters.advantage_decay, "a number in [0, 1]");
+  visitActorCriticParameters(parameters, "", RangeCheck());
+  checkParameter(parameters.discount > 0.0, "discount", parameters.discount, "a number in (0, 1]");
+  checkParameter(parameters.window >= 1, "window", parameters.window, "at least 1");
+  checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
+  checkParameter(parameters.threads >= 1, "threads", parameters.threads, "at least 1");
 }
 
 ActorCritic::ActorCritic(const CheckpointNames& names, const ActorCriticParameters& parameters, int updates,
@@ -68,6 +64,14 @@ void ActorCritic::updateCritic(const Eigen::VectorXf& gradient, double steps) {
 void ActorCritic::finishUpdate(double steps) {
   ++updates_;
   steps_ += steps;
+}
+
+ReinforcementReport ActorCritic::report(const CriticSums& judged) const {
+  ReinforcementReport report;
+  report.update = updates_;
+  report.steps = steps_;
+  report.explained = judged.explained();
+  return report;
 }
 
 std::vector<std::uint8_t> ActorCritic::checkpoint() const {

@@ -7,8 +7,10 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
 #include "lstm_planner/base/common/gnuplot.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
+#include "lstm_planner/base/common/text_table.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -25,19 +27,18 @@ void requireNames(const ConfusionMatrix& confusion, const std::vector<std::strin
 
 std::string percent(double value) {
   if (std::isnan(value)) return "-";
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << 100.0 * value;
-  return text.str();
+  return fixedText(100.0 * value, 1);
 }
 
 void writeCsv(std::ostream& file, const ConfusionMatrix& confusion, const std::vector<std::string>& names) {
-  file << "label";
-  for (const std::string& name : names) file << ",answer " << name;
-  file << '\n';
+  CsvWriter csv(&file);
+  csv.add("label");
+  for (const std::string& name : names) csv.add("answer " + name);
+  csv.endRow();
   for (Eigen::Index row = 0; row < confusion.rows(); ++row) {
-    file << names[static_cast<std::size_t>(row)];
-    for (Eigen::Index column = 0; column < confusion.cols(); ++column) file << ',' << confusion(row, column);
-    file << '\n';
+    csv.add(names[static_cast<std::size_t>(row)]);
+    for (Eigen::Index column = 0; column < confusion.cols(); ++column) csv.add(confusion(row, column));
+    csv.endRow();
   }
 }
 
@@ -114,32 +115,32 @@ ConfusionMatrix constantAnswer(const ConfusionMatrix& confusion) {
 
 std::string confusionText(const ConfusionMatrix& confusion, const std::vector<std::string>& names) {
   requireNames(confusion, names);
-  constexpr int kLabelWidth = 14;
-  std::size_t widest = 8;
-  for (const std::string& name : names) widest = std::max(widest, name.size() + 2);
-  const int width = static_cast<int>(widest);
-  std::ostringstream text;
-  text << std::left << std::setw(kLabelWidth) << "label \\ answer" << std::right;
-  for (const std::string& name : names) text << std::setw(width) << name;
-  text << std::setw(width) << "recall" << '\n';
+  constexpr std::size_t kNarrowest = 6;
+  std::size_t widest = kNarrowest;
+  for (const std::string& name : names) widest = std::max(widest, name.size());
+  const std::string label = "label \\ answer";
+  std::string headings = label;
+  for (const std::string& name : names) headings += "  " + std::string(widest - name.size(), ' ') + name;
+  const TextTable table(headings + "  " + std::string(widest - kNarrowest, ' ') + "recall");
+  std::string text = table.headings() + '\n';
   const std::vector<double> recall = recalls(confusion);
   for (std::size_t row = 0; row < names.size(); ++row) {
-    text << std::setw(kLabelWidth) << names[row];
+    std::vector<std::string> cells = {names[row]};
     for (Eigen::Index column = 0; column < confusion.cols(); ++column) {
-      text << std::setw(width) << confusion(static_cast<Eigen::Index>(row), column);
+      cells.push_back(std::to_string(confusion(static_cast<Eigen::Index>(row), column)));
     }
-    text << std::setw(width) << percent(recall[row]) << '\n';
+    cells.push_back(percent(recall[row]));
+    text += table.line(cells) + '\n';
   }
-  text << std::left << std::setw(kLabelWidth) << "precision" << std::right;
-  for (const double precision : precisions(confusion)) text << std::setw(width) << percent(precision);
-  text << '\n';
-  return text.str();
+  std::vector<std::string> cells = {leftText("precision", label.size())};
+  for (const double precision : precisions(confusion)) cells.push_back(percent(precision));
+  return text + table.line(cells) + '\n';
 }
 
 void writeConfusion(const std::string& png_path, const ConfusionMatrix& confusion,
                     const std::vector<std::string>& names) {
   requireNames(confusion, names);
-  const std::string csv_path = png_path.substr(0, png_path.rfind('.')) + ".csv";
+  const std::string csv_path = csvPathBeside(png_path);
   writeOutputFile("confusion matrix", csv_path, [&](std::ostream& file) { writeCsv(file, confusion, names); });
   runGnuplot("confusion matrix", png_path, csv_path,
              [&](const std::string& path) { return gnuplotScript(path, confusion, names); });

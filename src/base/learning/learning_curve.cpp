@@ -1,9 +1,9 @@
 #include "lstm_planner/base/learning/learning_curve.hpp"
 
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
 #include "lstm_planner/base/common/gnuplot.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
 
@@ -61,20 +61,23 @@ std::string gnuplotScript(const std::string& csv_path, const std::string& png_pa
 }
 
 void writeRows(const std::vector<EpochReport>& curve, std::ostream& file) {
-  file.precision(std::numeric_limits<double>::max_digits10);
+  CsvWriter csv(&file, CsvWriter::Digits::kExact);
   const bool has_validation = hasValidation(curve);
   const bool has_average = hasAverage(curve);
-  file << "epoch,learning_rate,training_accuracy,training_loss,validation_accuracy,validation_loss,best"
-       << (has_average ? ",averaged_accuracy,averaged_loss\n" : "\n");
+  csv.add("epoch", "learning_rate", "training_accuracy", "training_loss", "validation_accuracy", "validation_loss",
+          "best");
+  if (has_average) csv.add("averaged_accuracy", "averaged_loss");
+  csv.endRow();
   for (const EpochReport& report : curve) {
-    file << report.epoch << ',' << report.learning_rate << ',' << report.training.accuracy() << ','
-         << report.training.meanLoss() << ',';
-    if (has_validation) file << report.validation.accuracy();
-    file << ',';
-    if (has_validation) file << report.validation.meanLoss();
-    file << ',' << (report.best ? 1 : 0);
-    if (has_average) file << ',' << report.averaged.accuracy() << ',' << report.averaged.meanLoss();
-    file << '\n';
+    csv.add(report.epoch, report.learning_rate, report.training.accuracy(), report.training.meanLoss());
+    if (has_validation) {
+      csv.add(report.validation.accuracy(), report.validation.meanLoss());
+    } else {
+      csv.add("", "");
+    }
+    csv.add(report.best);
+    if (has_average) csv.add(report.averaged.accuracy(), report.averaged.meanLoss());
+    csv.endRow();
   }
 }
 
@@ -84,8 +87,8 @@ void writeLearningCurveCsv(const std::string& csv_path, const std::vector<EpochR
   writeOutputFile("learning curve", csv_path, [&](std::ostream& file) { writeRows(curve, file); });
 }
 
-void writeLearningCurve(const std::string& csv_path, const std::string& png_path,
-                        const std::vector<EpochReport>& curve) {
+void writeLearningCurve(const std::string& png_path, const std::vector<EpochReport>& curve) {
+  const std::string csv_path = csvPathBeside(png_path);
   writeLearningCurveCsv(csv_path, curve);
   if (curve.empty()) throw std::runtime_error("learning curve '" + png_path + "' has no epochs, expected at least one");
   runGnuplot("learning curve", png_path, csv_path,

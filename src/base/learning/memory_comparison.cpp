@@ -8,7 +8,9 @@
 
 #include "base/learning/input_sensitivity.hpp"
 #include "base/learning/recall_task.hpp"
+#include "lstm_planner/base/common/markdown_table.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/learning/trainer.hpp"
 
 namespace lstm_planner {
@@ -57,14 +59,21 @@ double factorAStep(const Eigen::VectorXd& relative) {
   return std::pow(relative[relative.size() - 1], 1.0 / static_cast<double>(relative.size() - 1));
 }
 
+/// "1.5e-03 (0.90)"
+std::string lastAndFactor(const Eigen::VectorXd& relative) {
+  std::ostringstream text;
+  text << std::scientific << std::setprecision(1) << relative[relative.size() - 1] << " ("
+       << fixedText(factorAStep(relative), 2) << ')';
+  return text.str();
+}
+
 std::string percentRange(std::vector<double> shares) {
   std::sort(shares.begin(), shares.end());
   double sum = 0.0;
   for (const double share : shares) sum += share;
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << 100.0 * sum / static_cast<double>(shares.size());
-  if (shares.size() > 1) text << " (" << 100.0 * shares.front() << "-" << 100.0 * shares.back() << ')';
-  return text.str();
+  const std::string mean = fixedText(100.0 * sum / static_cast<double>(shares.size()), 1);
+  if (shares.size() == 1) return mean;
+  return mean + " (" + fixedText(100.0 * shares.front(), 1) + "-" + fixedText(100.0 * shares.back(), 1) + ')';
 }
 
 }  // namespace
@@ -149,29 +158,25 @@ Eigen::VectorXd relativeSensitivity(const Eigen::MatrixXd& sensitivity) {
 
 std::string memoryTables(const MemoryComparisonParameters& parameters, const std::vector<MemoryOutcome>& outcomes) {
   std::ostringstream text;
-  text << "Accuracy in %, of one symbol of two remembered for so many steps:\n\n| network | weights |";
-  for (const int delay : parameters.delays) text << ' ' << delay << " steps |";
-  text << "\n|---|---|";
-  for (std::size_t i = 0; i < parameters.delays.size(); ++i) text << "---|";
+  text << "Accuracy in %, of one symbol of two remembered for so many steps:\n\n";
+  std::vector<std::string> headings = {"network", "weights"};
+  for (const int delay : parameters.delays) headings.push_back(std::to_string(delay) + " steps");
+  MarkdownTable accuracy_table(headings, &text);
   for (const MemoryOutcome& outcome : outcomes) {
-    text << "\n| " << outcome.network.name << " | " << outcome.weights << " |";
-    for (const auto& accuracies : outcome.accuracies) text << ' ' << percentRange(accuracies) << " |";
+    std::vector<std::string> cells = {outcome.network.name, std::to_string(outcome.weights)};
+    for (const auto& accuracies : outcome.accuracies) cells.push_back(percentRange(accuracies));
+    accuracy_table.row(cells);
   }
-  text << "\n\nSensitivity of the units to the first step's input, " << parameters.shown_delay
-       << " steps later, relative to the first step; in brackets the factor a step:\n\n"
-          "| network | before the training | after it | spectral radius before | after |\n|---|---|---|---|---|\n";
+  text << "\nSensitivity of the units to the first step's input, " << parameters.shown_delay
+       << " steps later, relative to the first step; in brackets the factor a step:\n\n";
+  MarkdownTable table({"network", "before the training", "after it", "spectral radius before", "after"}, &text);
   for (const MemoryOutcome& outcome : outcomes) {
     const Eigen::VectorXd before = relativeSensitivity(outcome.before);
     const Eigen::VectorXd after = relativeSensitivity(outcome.after);
-    text << "| " << outcome.network.name << std::scientific << std::setprecision(1) << " | " << before.tail(1)
-         << std::fixed << std::setprecision(2) << " (" << factorAStep(before) << ") | " << std::scientific
-         << std::setprecision(1) << after.tail(1) << std::fixed << std::setprecision(2) << " (" << factorAStep(after)
-         << ") | ";
-    if (outcome.radius_before > 0.0) {
-      text << outcome.radius_before << " | " << outcome.radius_after << " |\n";
-    } else {
-      text << "- | - |\n";
-    }
+    const auto radiusText = [](double radius, bool known) { return known ? fixedText(radius, 2) : "-"; };
+    const bool known = outcome.radius_before > 0.0;
+    table.row({outcome.network.name, lastAndFactor(before), lastAndFactor(after),
+               radiusText(outcome.radius_before, known), radiusText(outcome.radius_after, known)});
   }
   return text.str();
 }

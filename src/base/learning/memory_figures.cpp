@@ -1,6 +1,6 @@
-#include <limits>
 #include <sstream>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
 #include "lstm_planner/base/common/gnuplot.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
 #include "lstm_planner/base/learning/memory_comparison.hpp"
@@ -8,39 +8,34 @@
 namespace lstm_planner {
 namespace {
 
-std::ostringstream exactText() {
-  std::ostringstream text;
-  text.precision(std::numeric_limits<double>::max_digits10);
-  return text;
-}
-
 void drawCurves(const std::string& folder, const std::vector<MemoryOutcome>& outcomes) {
-  const std::string csv = folder + "/sensitivity.csv";
-  std::ostringstream text = exactText();
-  text << "step";
+  const std::string file = folder + "/sensitivity.csv";
+  std::ostringstream text;
+  CsvWriter csv(&text, CsvWriter::Digits::kExact);
+  csv.add("step");
   std::vector<Eigen::VectorXd> columns;
   for (const MemoryOutcome& outcome : outcomes) {
-    text << ',' << outcome.network.name << " before," << outcome.network.name << " after";
+    csv.add(outcome.network.name + " before", outcome.network.name + " after");
     columns.push_back(relativeSensitivity(outcome.before));
     columns.push_back(relativeSensitivity(outcome.after));
   }
-  text << '\n';
+  csv.endRow();
   for (Eigen::Index step = 0; step < columns.front().size(); ++step) {
-    text << step;
-    for (const Eigen::VectorXd& column : columns) text << ',' << column[step];
-    text << '\n';
+    csv.add(step);
+    for (const Eigen::VectorXd& column : columns) csv.add(column[step]);
+    csv.endRow();
   }
-  writeOutputFile("sensitivity", csv, [&](std::ostream& file) { file << text.str(); });
+  writeOutputFile("sensitivity", file, [&](std::ostream& out) { out << text.str(); });
   std::ostringstream script;
   script << "set terminal pngcairo size 1100,600; set datafile separator ','; set grid; set logscale y; set format y "
             "'10^{%L}'; set xlabel 'steps after the first'; set ylabel 'sensitivity to the first input, relative'; set "
             "key outside right center; set output ";
-  runGnuplot("sensitivity", folder + "/sensitivity.png", csv, [&](const std::string& path) {
+  runGnuplot("sensitivity", folder + "/sensitivity.png", file, [&](const std::string& path) {
     std::ostringstream plot;
     plot << script.str() << quotedForGnuplot(path) << "; plot ";
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const MemoryOutcome& outcome = outcomes[i / 2];
-      plot << (i > 0 ? ", " : "") << quotedForGnuplot(csv) << " skip 1 using 1:" << i + 2 << " with lines lw 2 lc "
+      plot << (i > 0 ? ", " : "") << quotedForGnuplot(file) << " skip 1 using 1:" << i + 2 << " with lines lw 2 lc "
            << i / 2 + 1 << (i % 2 == 0 ? " dt 2" : "") << " title "
            << quotedForGnuplot(outcome.network.name + (i % 2 == 0 ? ", initial weights" : ", trained"));
     }
@@ -50,11 +45,12 @@ void drawCurves(const std::string& folder, const std::vector<MemoryOutcome>& out
 
 /// Writes the units' sensitivities as shares of the highest: a line a unit, a column a step.
 std::string writeShades(const std::string& path, const Eigen::MatrixXd& sensitivity) {
-  std::ostringstream text = exactText();
+  std::ostringstream text;
+  CsvWriter csv(&text, CsvWriter::Digits::kExact);
   const Eigen::MatrixXd shades = sensitivity / sensitivity.maxCoeff();
   for (Eigen::Index unit = 0; unit < shades.rows(); ++unit) {
-    for (Eigen::Index step = 0; step < shades.cols(); ++step) text << (step > 0 ? "," : "") << shades(unit, step);
-    text << '\n';
+    for (Eigen::Index step = 0; step < shades.cols(); ++step) csv.add(shades(unit, step));
+    csv.endRow();
   }
   writeOutputFile("sensitivity of units", path, [&](std::ostream& file) { file << text.str(); });
   return path;

@@ -8,7 +8,9 @@
 
 #include "base/learning/optimiser_json.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
+#include "lstm_planner/base/learning/q_learning_targets.hpp"
 
 namespace lstm_planner {
 
@@ -24,30 +26,27 @@ OptimiserParameters optimiserParameters(const QLearningParameters& parameters) {
 }  // namespace
 
 void validate(const QLearningParameters& parameters) {
-  const auto atLeastOne = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
-  atLeastOne("window", parameters.window);
-  atLeastOne("max_steps", parameters.max_steps);
-  atLeastOne("threads", parameters.threads);
-  const auto share = [](const char* name, double value) {
-    checkParameter(value >= 0.0 && value <= 1.0, name, value, "0 to 1");
-  };
-  checkParameter(parameters.target_interval >= 1, "target_interval", parameters.target_interval, "at least 1");
-  checkParameter(parameters.discount >= 0.0 && parameters.discount < 1.0, "discount", parameters.discount,
-                 "a number in [0, 1)");
-  share("trace_decay", parameters.trace_decay);
-  share("exploration_start", parameters.exploration_start);
-  share("exploration_end", parameters.exploration_end);
-  share("exploration_share", parameters.exploration_share);
-  const auto cost = [](const char* name, double value) { checkParameter(value >= 0.0, name, value, "at least 0"); };
-  cost("step_cost", parameters.step_cost);
-  cost("arrival_bonus", parameters.arrival_bonus);
-  cost("thesis_reward.range", parameters.thesis_reward.range);
-  cost("thesis_reward.distance", parameters.thesis_reward.distance);
-  cost("thesis_reward.angle", parameters.thesis_reward.angle);
-  checkPositive("value_scale", parameters.value_scale);
-  checkPositive("huber", parameters.huber);
+  visitQLearningParameters(parameters, "", "updates", RangeCheck());
+  checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in [0, 1)");
+  checkParameter(parameters.window >= 1, "window", parameters.window, "at least 1");
+  checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
+  checkParameter(parameters.threads >= 1, "threads", parameters.threads, "at least 1");
   validate(optimiserParameters(parameters));
 }
+
+void ValueSums::count(double estimate, double error) {
+  steps += 1.0;
+  value += estimate;
+  squared_error += error * error;
+}
+
+void ValueSums::operator+=(const ValueSums& other) {
+  steps += other.steps;
+  value += other.value;
+  squared_error += other.squared_error;
+}
+
+std::vector<double*> numbersOf(ValueSums* sums) { return {&sums->steps, &sums->value, &sums->squared_error}; }
 
 QLearner::QLearner(const CheckpointNames& names, const QLearningParameters& parameters, int updates,
                    const LayerStack& layers)
@@ -60,6 +59,11 @@ QLearner::QLearner(const CheckpointNames& names, const QLearningParameters& para
 
 double QLearner::progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
 
+double QLearner::epsilon() const {
+  return explorationAt(progress(), parameters_.exploration_start, parameters_.exploration_end,
+                       parameters_.exploration_share);
+}
+
 void QLearner::startUpdate() {
   if (updates_ % parameters_.target_interval == 0) target_weights_ = weights_;
 }
@@ -71,6 +75,17 @@ void QLearner::update(const Eigen::VectorXf& gradient) {
 void QLearner::finishUpdate(double steps) {
   ++updates_;
   steps_ += steps;
+}
+
+ReinforcementReport QLearner::report(const ValueSums& values) const {
+  ReinforcementReport report;
+  report.update = updates_;
+  report.steps = steps_;
+  if (values.steps > 0.0) {
+    report.value = values.value / values.steps;
+    report.error = std::sqrt(values.squared_error / values.steps);
+  }
+  return report;
 }
 
 std::vector<std::uint8_t> QLearner::checkpoint() const {

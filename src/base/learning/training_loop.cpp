@@ -39,7 +39,7 @@ class TrainingLoop {
 
   void judge(bool due) {
     const double score = host_.judge(training_.layers());
-    const bool best = !best_ || score > *best_;
+    const bool best = !best_ || score > *best_ || (options_.keep_later && score == *best_);
     if (best || isLast()) {
       best_ = score;
       if (isFirstRank()) host_.keep(training_.layers());

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
 #include "lstm_planner/base/common/gnuplot.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
@@ -35,16 +36,14 @@ std::vector<double> valuesOf(const std::vector<EpochAccuracies>& epochs, double 
   return values;
 }
 
-std::string csv(const std::vector<EpochAccuracies>& epochs) {
-  std::ostringstream text;
-  text.precision(std::numeric_limits<double>::max_digits10);
-  text << "epoch,moving,snapshot,averaged,validation_snapshot,validation_averaged\n";
+void writeRows(const std::vector<EpochAccuracies>& epochs, std::ostream* file) {
+  CsvWriter csv(file, CsvWriter::Digits::kExact);
+  csv.row("epoch", "moving", "snapshot", "averaged", "validation_snapshot", "validation_averaged");
   for (const EpochAccuracies& epoch : epochs) {
-    text << epoch.epoch;
-    for (const Curve& curve : kCurves) text << ',' << epoch.*curve.accuracy;
-    text << '\n';
+    csv.add(epoch.epoch);
+    for (const Curve& curve : kCurves) csv.add(epoch.*curve.accuracy);
+    csv.endRow();
   }
-  return text.str();
 }
 
 /// One line, as gnuplot's -e wants it.
@@ -145,8 +144,8 @@ std::string stabilityText(const std::vector<EpochAccuracies>& epochs) {
 
 void writeStability(const std::string& png_path, const std::vector<EpochAccuracies>& epochs) {
   if (epochs.empty()) throw std::runtime_error("stability '" + png_path + "' has no epochs, expected at least one");
-  const std::string csv_path = png_path.substr(0, png_path.rfind('.')) + ".csv";
-  writeOutputFile("stability", csv_path, [&](std::ostream& file) { file << csv(epochs); });
+  const std::string csv_path = csvPathBeside(png_path);
+  writeOutputFile("stability", csv_path, [&](std::ostream& file) { writeRows(epochs, &file); });
   runGnuplot("stability", png_path, csv_path,
              [&](const std::string& path) { return gnuplotScript(csv_path, path, epochs); });
 }

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "lstm_planner/base/common/canvas.hpp"
 #include "lstm_planner/base/common/picture_file.hpp"
 
 namespace lstm_planner {
@@ -14,7 +15,6 @@ namespace {
 constexpr int kSide = 1000;  // pixels of the map's longer side, about
 constexpr int kLine = 26;    // pixels a line of text
 constexpr double kText = 0.55;
-constexpr int kShift = 4;  // sub-pixel bits
 
 const cv::Scalar kFree(255, 255, 255);  // colours are blue, green, red
 const cv::Vec3b kBlocked(90, 90, 90);
@@ -46,46 +46,28 @@ cv::Rect frame(const PassableGrid& grid, const GridPicture& picture) {
   return wanted & cv::Rect(0, 0, grid.columns(), grid.rows());
 }
 
-class Canvas {
+cv::Mat cellsOf(const PassableGrid& grid, const cv::Rect& frame) {
+  cv::Mat cells(frame.height, frame.width, CV_8UC3, kFree);
+  for (int row = 0; row < frame.height; ++row) {
+    for (int column = 0; column < frame.width; ++column) {
+      if (!grid.passable({frame.x + column, frame.y + row})) cells.at<cv::Vec3b>(row, column) = kBlocked;
+    }
+  }
+  return cells;
+}
+
+/// The cells of a frame, row 0 at the top.
+class GridCanvas : public Canvas {
  public:
-  Canvas(const PassableGrid& grid, const GridPicture& picture) : frame_(frame(grid, picture)) {
-    cv::Mat cells(frame_.height, frame_.width, CV_8UC3, kFree);
-    for (int row = 0; row < frame_.height; ++row) {
-      for (int column = 0; column < frame_.width; ++column) {
-        if (!grid.passable({frame_.x + column, frame_.y + row})) {
-          cells.at<cv::Vec3b>(row, column) = kBlocked;
-        }
-      }
-    }
-    const int longest = std::max(frame_.width, frame_.height);
-    scale_ = longest <= kSide ? std::floor(kSide / static_cast<double>(longest)) : kSide / static_cast<double>(longest);
-    cv::resize(cells, image_, cv::Size(), scale_, scale_, scale_ < 1.0 ? cv::INTER_AREA : cv::INTER_NEAREST);
-  }
+  GridCanvas(const PassableGrid& grid, const cv::Rect& frame) : Canvas(cellsOf(grid, frame), kSide), frame_(frame) {}
 
-  cv::Mat& image() { return image_; }
-  double scale() const { return scale_; }
-
-  /// With sub-pixel bits.
+  /// The middle of a cell.
   cv::Point at(CellIndex cell) const {
-    constexpr double kUnit = 1 << kShift;
-    return {cvRound(((cell.column - frame_.x + 0.5) * scale_ - 0.5) * kUnit),
-            cvRound(((cell.row - frame_.y + 0.5) * scale_ - 0.5) * kUnit)};
-  }
-  void circle(CellIndex cell, double radius, const cv::Scalar& color, int thickness) {
-    cv::circle(image_, at(cell), cvRound(radius * (1 << kShift)), color, thickness, cv::LINE_AA, kShift);
-  }
-  void cross(CellIndex cell, double reach, const cv::Scalar& color, int thickness) {
-    const int side = cvRound(reach * (1 << kShift));
-    for (const int sign : {1, -1}) {
-      const cv::Point corner(side, sign * side);
-      cv::line(image_, at(cell) - corner, at(cell) + corner, color, thickness, cv::LINE_AA, kShift);
-    }
+    return fine((cell.column - frame_.x + 0.5) * scale() - 0.5, (cell.row - frame_.y + 0.5) * scale() - 0.5);
   }
 
  private:
   cv::Rect frame_;
-  double scale_ = 1.0;
-  cv::Mat image_;
 };
 
 const cv::Scalar& colorOf(std::size_t path) { return kPathColors[path % kPathColors.size()]; }
@@ -96,15 +78,14 @@ int widthOf(std::size_t path, std::size_t paths, double scale) {
   return std::max(1 + static_cast<int>(paths - path), cvRound(widest / std::pow(1.8, static_cast<double>(path))));
 }
 
-void drawPaths(const GridPicture& picture, Canvas* canvas) {
+void drawPaths(const GridPicture& picture, GridCanvas* canvas) {
   for (std::size_t i = 0; i < picture.paths.size(); ++i) {
     const GridPicture::Path& path = picture.paths[i];
     if (path.cells.empty()) continue;
-    std::vector<cv::Point> points;
-    for (const CellIndex& cell : path.cells) points.push_back(canvas->at(cell));
-    const int width = widthOf(i, picture.paths.size(), canvas->scale());
-    cv::polylines(canvas->image(), points, false, colorOf(i), width, cv::LINE_AA, kShift);
-    if (!path.arrived) canvas->cross(path.cells.back(), 10.0, colorOf(i), 4);
+    std::vector<cv::Point> places;
+    for (const CellIndex& cell : path.cells) places.push_back(canvas->at(cell));
+    canvas->polyline(places, colorOf(i), widthOf(i, picture.paths.size(), canvas->scale()));
+    if (!path.arrived) canvas->cross(places.back(), 10.0, colorOf(i), 4);
   }
 }
 
@@ -116,7 +97,7 @@ cv::Mat withText(const cv::Mat& map, const GridPicture& picture) {
   cv::Mat page(map.rows + (lines + 2) * kLine, std::max(map.cols, kNarrowest), CV_8UC3, kFree);
   map.copyTo(page(cv::Rect(0, kLine, map.cols, map.rows)));
   const auto write = [&](const std::string& text, int left, int line_bottom) {
-    cv::putText(page, text, {left, line_bottom - 8}, cv::FONT_HERSHEY_SIMPLEX, kText, kInk, 1, cv::LINE_AA);
+    writeText(text, {left, line_bottom - 8}, kText, kInk, 1, &page);
   };
   write(picture.title, kMargin, kLine);
   int bottom = kLine + map.rows;
@@ -138,10 +119,10 @@ cv::Mat withText(const cv::Mat& map, const GridPicture& picture) {
 
 void writeGridPicture(const std::string& path, const PassableGrid& grid, const GridPicture& picture) {
   if (grid.size() == 0) throw std::invalid_argument("an empty map cannot be drawn");
-  Canvas canvas(grid, picture);
+  GridCanvas canvas(grid, frame(grid, picture));
   drawPaths(picture, &canvas);
-  canvas.circle(picture.start, 6.0, kInk, cv::FILLED);
-  canvas.circle(picture.goal, 8.0, kGoal, 3);
+  canvas.circle(canvas.at(picture.start), 6.0, kInk, cv::FILLED);
+  canvas.circle(canvas.at(picture.goal), 8.0, kGoal, 3);
   writePicture(path, withText(canvas.image(), picture));
 }
 

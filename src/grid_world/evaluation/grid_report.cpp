@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
+#include "lstm_planner/base/common/markdown_table.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_thesis.hpp"
 
 namespace lstm_planner {
@@ -14,12 +16,6 @@ std::string formatted(const char* format, double value) {
   char text[48];
   std::snprintf(text, sizeof(text), format, value);
   return text;
-}
-
-void appendRow(std::ostream& out, const std::vector<std::string>& cells) {
-  out << '|';
-  for (const std::string& cell : cells) out << ' ' << cell << " |";
-  out << '\n';
 }
 
 const std::vector<std::string>& heads() {
@@ -74,20 +70,15 @@ void appendTable(const GridComparison& comparison, std::size_t set, std::ostream
   out << "## " << name;
   if (thesis != nullptr) out << " (thesis, Table " << thesis->number << ": " << thesis->title << ")";
   out << "\n\n" << comparison.sets[set].tasks.size() << " scenarios\n\n";
-  appendRow(out, heads());
-  appendRow(out, std::vector<std::string>(heads().size(), "---"));
+  MarkdownTable table(heads(), &out);
   if (thesis != nullptr) {
-    for (const ThesisTable::Row& row : thesis->rows) appendRow(out, thesisRow(row));
+    for (const ThesisTable::Row& row : thesis->rows) table.row(thesisRow(row));
   }
   for (std::size_t agent = 0; agent < comparison.agents.size(); ++agent) {
-    appendRow(
-        out, ourRow(comparison.agents[agent].agent.name, summarizeGridEpisodes(name, comparison.episodes[set][agent])));
+    table.row(
+        ourRow(comparison.agents[agent].agent.name, summarizeGridEpisodes(name, comparison.episodes[set][agent])));
   }
   out << '\n';
-}
-
-std::string quotedForCsv(const std::string& text) {
-  return text.find_first_of(",\"\n") == std::string::npos ? text : '"' + text + '"';
 }
 
 }  // namespace
@@ -100,23 +91,24 @@ std::string reportTables(const GridComparison& comparison) {
 
 std::string reportCsv(const GridComparison& comparison) {
   std::ostringstream out;
-  out << "set,agent,scenarios,success,collisions,timeouts,mean_ratio,median_ratio,p95_ratio,mean_length,mean_optimal,"
-         "mean_time_s,mean_expanded,ns_per_step,peak_bytes\n";
+  CsvWriter csv(&out);
+  csv.row("set", "agent", "scenarios", "success", "collisions", "timeouts", "mean_ratio", "median_ratio", "p95_ratio",
+          "mean_length", "mean_optimal", "mean_time_s", "mean_expanded", "ns_per_step", "peak_bytes");
   for (std::size_t set = 0; set < comparison.sets.size(); ++set) {
-    const std::string name = quotedForCsv(comparison.sets[set].name);
+    const std::string& name = comparison.sets[set].name;
     if (const ThesisTable* thesis = thesisTableOf(name)) {
       for (const ThesisTable::Row& row : thesis->rows) {
-        out << name << ",\"" << row.agent << ", thesis\",50," << row.success << ",,,,,," << row.length << ",,"
-            << row.seconds << ',' << row.expanded << ",,\n";
+        constexpr int kScenarios = 50;
+        csv.row(name, row.agent + ", thesis", kScenarios, row.success, "", "", "", "", "", row.length, "", row.seconds,
+                row.expanded, "", "");
       }
     }
     for (std::size_t agent = 0; agent < comparison.agents.size(); ++agent) {
       const GridSetSummary summary = summarizeGridEpisodes(name, comparison.episodes[set][agent]);
-      out << name << ',' << quotedForCsv(comparison.agents[agent].agent.name) << ',' << summary.scenarios << ','
-          << summary.share(summary.arrived) << ',' << summary.share(summary.collisions) << ','
-          << summary.share(summary.timeouts) << ',' << summary.mean_ratio << ',' << summary.median_ratio << ','
-          << summary.p95_ratio << ',' << summary.mean_length << ',' << summary.mean_optimal << ',' << summary.mean_time
-          << ',' << summary.mean_expanded << ',' << summary.ns_per_step << ',' << summary.peak_bytes << '\n';
+      csv.row(name, comparison.agents[agent].agent.name, summary.scenarios, summary.share(summary.arrived),
+              summary.share(summary.collisions), summary.share(summary.timeouts), summary.mean_ratio,
+              summary.median_ratio, summary.p95_ratio, summary.mean_length, summary.mean_optimal, summary.mean_time,
+              summary.mean_expanded, summary.ns_per_step, summary.peak_bytes);
     }
   }
   return out.str();

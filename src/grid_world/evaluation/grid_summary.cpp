@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <ostream>
+#include <string>
+#include <vector>
 
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 
 namespace lstm_planner {
@@ -14,28 +16,22 @@ double ledBy(const GridSetSummary& summary, GridLeader leader) { return summary.
 constexpr GridLeader kLeaders[] = {GridLeader::kNetwork, GridLeader::kSearch, GridLeader::kBoundary,
                                    GridLeader::kGreedy};
 
-/// Of all steps; and of those of the network the ones that went where the search among its inputs would have gone.
-void printLeaders(std::ostream& out, const GridSetSummary& summary) {
-  const auto percent = [&](double share, int columns) {
-    out << std::setprecision(1) << std::setw(columns - 1) << 100.0 * share << '%';
-  };
-  percent(ledBy(summary, GridLeader::kNetwork), 17);
-  percent(ledBy(summary, GridLeader::kSearch), 9);
-  percent(ledBy(summary, GridLeader::kBoundary), 10);
-  if (summary.as_searched > 0.0) {
-    percent(summary.as_searched, 13);
-  } else {
-    out << std::setw(13) << '-';
-  }
-}
+std::string percent(double share, int decimals) { return fixedText(100.0 * share, decimals) + '%'; }
 
 /// A mean over the scenarios with success, of which there may be none.
-void printMean(std::ostream& out, double mean, int decimals, int columns) {
-  if (std::isfinite(mean)) {
-    out << std::setprecision(decimals) << std::setw(columns) << mean;
-  } else {
-    out << std::setw(columns) << '-';
-  }
+std::string meanText(double mean, int decimals) { return std::isfinite(mean) ? fixedText(mean, decimals) : "-"; }
+
+std::vector<std::string> cellsOf(const GridSetSummary& summary, std::size_t name_width) {
+  return {
+      leftText(summary.name, name_width), std::to_string(summary.scenarios), percent(summary.share(summary.arrived), 2),
+      percent(summary.share(summary.collisions), 2), percent(summary.share(summary.timeouts), 2),
+      percent(summary.share(summary.no_path), 2), meanText(summary.mean_ratio, 3), meanText(summary.median_ratio, 3),
+      meanText(summary.p95_ratio, 3), meanText(summary.mean_length, 1), meanText(summary.mean_optimal, 1),
+      meanText(1e3 * summary.mean_time, 4), meanText(summary.mean_expanded, 1), fixedText(summary.ns_per_step, 1),
+      fixedText(static_cast<double>(summary.peak_bytes) / 1024.0, 1), percent(ledBy(summary, GridLeader::kNetwork), 1),
+      percent(ledBy(summary, GridLeader::kSearch), 1), percent(ledBy(summary, GridLeader::kBoundary), 1),
+      // Of the network's steps, those that went where the search among its inputs would have gone.
+      summary.as_searched > 0.0 ? percent(summary.as_searched, 1) : "-"};
 }
 
 }  // namespace
@@ -64,32 +60,12 @@ nlohmann::json toJson(const GridSetSummary& summary) {
 void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& summaries) {
   std::size_t width = 3;
   for (const GridSetSummary& summary : summaries) width = std::max(width, summary.name.size());
-  const auto name_width = static_cast<int>(width);
-  out << std::left << std::setw(name_width) << "set" << std::right
-      << "  scenarios  arrived  collided  timeout  no path  length/optimum: mean  median    95 %  length  optimum"
-         "   time [ms]  expanded  ns/step  peak [KiB]  led by: network   search  boundary  as searched\n";
-  out << std::fixed;
-  for (const GridSetSummary& summary : summaries) {
-    const auto percent = [&](std::size_t count, int columns) {
-      out << std::setprecision(2) << std::setw(columns - 1) << 100.0 * summary.share(count) << '%';
-    };
-    out << std::left << std::setw(name_width) << summary.name << std::right << std::setw(11) << summary.scenarios;
-    percent(summary.arrived, 9);
-    percent(summary.collisions, 10);
-    percent(summary.timeouts, 9);
-    percent(summary.no_path, 8);
-    printMean(out, summary.mean_ratio, 3, 22);
-    printMean(out, summary.median_ratio, 3, 8);
-    printMean(out, summary.p95_ratio, 3, 8);
-    printMean(out, summary.mean_length, 1, 8);
-    printMean(out, summary.mean_optimal, 1, 9);
-    printMean(out, 1e3 * summary.mean_time, 4, 12);
-    printMean(out, summary.mean_expanded, 1, 10);
-    out << std::setprecision(1) << std::setw(9) << summary.ns_per_step << std::setw(12)
-        << static_cast<double>(summary.peak_bytes) / 1024.0;
-    printLeaders(out, summary);
-    out << '\n';
-  }
+  const TextTable table(
+      leftText("set", width) +
+      "  scenarios  arrived  collided  timeout  no path  length/optimum: mean  median    95 %  length  optimum"
+      "   time [ms]  expanded  ns/step  peak [KiB]  led by: network   search  boundary  as searched");
+  out << table.headings() << '\n';
+  for (const GridSetSummary& summary : summaries) out << table.line(cellsOf(summary, width)) << '\n';
 }
 
 }  // namespace lstm_planner

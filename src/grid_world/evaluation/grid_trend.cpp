@@ -2,6 +2,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
 #include "lstm_planner/base/common/gnuplot.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_thesis.hpp"
@@ -40,19 +41,16 @@ const ThesisTable::Row* thesisLstm(const std::string& set_name) {
 
 std::string successTrendCsv(const GridComparison& comparison, std::size_t set) {
   std::ostringstream out;
-  out << "longest optimum";
-  for (const ReportAgent& agent : comparison.agents) out << ';' << agent.agent.name;
-  out << '\n';
+  CsvWriter csv(&out, CsvWriter::Digits::kSix, ';');
+  csv.add("longest optimum");
+  for (const ReportAgent& agent : comparison.agents) csv.add(agent.agent.name);
+  csv.endRow();
   const double step = std::ceil(longestOptimum(comparison.sets[set]) / kLimits);
   for (int i = 1; i <= kLimits; ++i) {
     const double limit = step * i;
-    out << limit;
-    for (const std::vector<GridEpisode>& episodes : comparison.episodes[set]) {
-      const double share = success(episodes, limit);
-      out << ';';
-      if (!std::isnan(share)) out << share;
-    }
-    out << '\n';
+    csv.add(limit);
+    for (const std::vector<GridEpisode>& episodes : comparison.episodes[set]) csv.add(success(episodes, limit));
+    csv.endRow();
   }
   return out.str();
 }

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
+#include "lstm_planner/base/common/markdown_table.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 
@@ -202,15 +203,11 @@ std::vector<QTableOutcome> compareQTables(const QTableComparisonParameters& para
 
 std::string toMarkdown(const std::vector<QTableOutcome>& outcomes) {
   std::ostringstream text;
-  text << "| maps | agent | steps learned from, a map | arrived | length / optimum |\n|---|---|---|---|---|\n"
-       << std::fixed;
+  MarkdownTable table({"maps", "agent", "steps learned from, a map", "arrived", "length / optimum"}, &text);
   for (const QTableOutcome& outcome : outcomes) {
     for (const QTableRow& row : outcome.rows) {
-      text << "| " << outcome.maps << " | " << row.agent << " | ";
-      row.steps > 0 ? text << row.steps : text << '-';
-      text << " | " << std::setprecision(1) << 100.0 * row.arrived << " % | " << std::setprecision(3);
-      std::isfinite(row.ratio) ? text << row.ratio : text << '-';
-      text << " |\n";
+      table.row({outcome.maps, row.agent, row.steps > 0 ? std::to_string(row.steps) : "-",
+                 fixedText(100.0 * row.arrived, 1) + " %", std::isfinite(row.ratio) ? fixedText(row.ratio, 3) : "-"});
     }
   }
   return text.str();

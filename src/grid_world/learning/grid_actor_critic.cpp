@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "grid_world/learning/grid_actor_critic_tile.hpp"
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/learning/actor_critic.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 
@@ -13,12 +13,15 @@ namespace {
 
 const ActorCritic::CheckpointNames kCheckpointNames{"lstm_planner actor-critic 1", "updates"};
 
+/// Share by which the variances move towards those of one window: slow, so that a window's own luck does not scale its
+/// own advantages.
+constexpr double kVarianceRate = 0.02;
+
 }  // namespace
 
 void validate(const GridActorCriticParameters& parameters) {
   validate(static_cast<const ActorCriticParameters&>(parameters));
-  checkParameter(parameters.updates >= 1, "updates", parameters.updates, "at least 1");
-  checkParameter(parameters.agents >= 1, "agents", parameters.agents, "at least 1");
+  visitGridLearnerParameters(parameters, RangeCheck());
 }
 
 class GridActorCritic::Implementation {
@@ -26,7 +29,8 @@ class GridActorCritic::Implementation {
   Implementation(const GridActorCriticParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         policy_(std::move(layers)),
-        critic_(makeCritic(GridEncoder(parameters.encoder).size(), parameters.critic_units, parameters.seed + 1)),
+        critic_(makeCritic(GridEncoder(parameters.encoder).size() + kGridPrivilegedInputs, parameters.critic_units,
+                           parameters.seed + 1)),
         learner_(kCheckpointNames, parameters, parameters.updates, policy_, critic_, 0),
         tiles_(parameters.communicator, parameters.threads,
                [this] { return std::make_unique<GridActorCriticTileRunner>(parameters_, policy_, critic_); }) {}
@@ -34,7 +38,7 @@ class GridActorCritic::Implementation {
   void startEpoch(int epoch, const GridCourse& course) {
     // A set of maps that was not there before starts with the variance of nothing known.
     learner_.advantageVariances().resize(course.sets(), 1.0);
-    sums_ = GridActorCriticSums::ofSets(course.sets());
+    sums_ = GridActorCriticSums(course.sets());
     tiles_.start(parameters_.agents, course, parameters_.encoder,
                  parameters_.seed * 1000003 + static_cast<std::uint64_t>(epoch));
   }
@@ -45,34 +49,26 @@ class GridActorCritic::Implementation {
     const auto run = [&](GridActorCriticTileRunner* runner, GridActorCriticTile* tile) {
       return runner->run(learner_.policy(), learner_.critic(), entropy_weight, variances, tile);
     };
-    const GridActorCriticSums sums = tiles_.run(GridActorCriticSums::ofSets(variances.size()), run);
+    const GridActorCriticSums sums = tiles_.run(GridActorCriticSums(variances.size()), run);
     const Eigen::VectorXf policy_gradient =
         tiles_.sumOf(&GridActorCriticTile::policy_gradient, learner_.policy().size());
     const Eigen::VectorXf critic_gradient =
         tiles_.sumOf(&GridActorCriticTile::critic_gradient, learner_.critic().size());
-    learner_.updatePolicy(policy_gradient, sums.steps);
-    learner_.updateCritic(critic_gradient, sums.steps);
-    // Slow, so that a window's own luck does not scale its own advantages.
-    for (std::size_t set = 0; set < variances.size(); ++set) {
-      if (sums.set_steps[set] == 0.0) continue;
-      const double variance = sums.set_squared_advantages[set] / sums.set_steps[set];
-      variances[set] += 0.02 * (variance - variances[set]);
-    }
-    learner_.finishUpdate(sums.steps);
+    const double steps = sums.judged.steps;
+    learner_.updatePolicy(policy_gradient, steps);
+    learner_.updateCritic(critic_gradient, steps);
+    sums.judged.moveVariances(kVarianceRate, &variances);
+    learner_.finishUpdate(steps);
     sums_ += sums;
   }
 
   ReinforcementReport report() {
-    ReinforcementReport report;
-    report.update = learner_.updates();
-    report.steps = learner_.steps();
-    report.reward = sums_.reward / sums_.steps;
+    ReinforcementReport report = learner_.report(sums_.judged);
+    report.reward = sums_.reward / sums_.judged.steps;
     report.arrival = sums_.episodes.arrival();
     report.ratio = sums_.episodes.meanRatio();
-    report.entropy = sums_.entropy / sums_.steps;
-    const double mean = sums_.returns / sums_.steps;
-    report.explained = 1.0 - sums_.squared_errors / (sums_.squared_returns - sums_.steps * mean * mean);
-    sums_ = GridActorCriticSums::ofSets(learner_.advantageVariances().size());
+    report.entropy = sums_.entropy / sums_.judged.steps;
+    sums_ = GridActorCriticSums(learner_.advantageVariances().size());
     return report;
   }
 

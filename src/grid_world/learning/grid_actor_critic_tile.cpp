@@ -4,15 +4,11 @@
 #include <cmath>
 
 #include "lstm_planner/base/learning/actor_critic.hpp"
-#include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/lane_kernels.hpp"
+#include "lstm_planner/base/learning/policy_gradient.hpp"
 
 namespace lstm_planner {
 namespace {
-
-/// What only the critic sees: the true distance in two forms, its ratio to the distance as the crow flies, and what
-/// each move would gain.
-constexpr int kPrivilegedInputs = 3 + kGridMoveCount;
 
 /// The critic's output times this is a return, cells.
 constexpr double kValueScale = 20.0;
@@ -33,41 +29,18 @@ void encodePrivileged(const GridActor& actor, double discount, float* input, int
 
 }  // namespace
 
-GridActorCriticSums GridActorCriticSums::ofSets(std::size_t sets) {
-  GridActorCriticSums sums;
-  sums.set_steps.assign(sets, 0.0);
-  sums.set_squared_advantages.assign(sets, 0.0);
-  return sums;
-}
-
 void GridActorCriticSums::operator+=(const GridActorCriticSums& other) {
-  steps += other.steps;
   reward += other.reward;
   entropy += other.entropy;
   episodes += other.episodes;
-  returns += other.returns;
-  squared_returns += other.squared_returns;
-  squared_errors += other.squared_errors;
-  for (std::size_t set = 0; set < set_steps.size(); ++set) {
-    set_steps[set] += other.set_steps[set];
-    set_squared_advantages[set] += other.set_squared_advantages[set];
-  }
+  judged += other.judged;
 }
 
 std::vector<double*> numbersOf(GridActorCriticSums* sums) {
   GridEpisodeSums& episodes = sums->episodes;
-  std::vector<double*> all = {&sums->steps,    &sums->reward,          &sums->entropy,
-                              &episodes.ended, &episodes.arrived,      &episodes.ratio,
-                              &sums->returns,  &sums->squared_returns, &sums->squared_errors};
-  for (double& number : sums->set_steps) all.push_back(&number);
-  for (double& number : sums->set_squared_advantages) all.push_back(&number);
+  std::vector<double*> all = numbersOf(&sums->judged);
+  all.insert(all.end(), {&sums->reward, &sums->entropy, &episodes.ended, &episodes.arrived, &episodes.ratio});
   return all;
-}
-
-LayerStack makeCritic(int policy_inputs, const std::vector<int>& units, std::uint64_t seed) {
-  LayerStack layers = makeDenseStack(policy_inputs + kPrivilegedInputs, units, 1);
-  initialise({}, seed, layers);
-  return layers;
 }
 
 GridActorCriticTileRunner::GridActorCriticTileRunner(const GridActorCriticParameters& parameters,
@@ -82,7 +55,7 @@ GridActorCriticSums GridActorCriticTileRunner::run(const Eigen::VectorXf& policy
                                                    const Eigen::VectorXf& critic_parameters, double entropy_weight,
                                                    const std::vector<double>& advantage_variances,
                                                    GridActorCriticTile* tile) {
-  sums_ = GridActorCriticSums::ofSets(advantage_variances.size());
+  sums_ = GridActorCriticSums(advantage_variances.size());
   tile->policy_gradient.setZero(policy_parameters.size());
   tile->critic_gradient.setZero(critic_parameters.size());
   if (tile->state.empty()) tile->state.assign(policy_.state().size(), 0.0f);
@@ -124,25 +97,10 @@ void GridActorCriticTileRunner::walk(const Eigen::VectorXf& policy_parameters, i
 }
 
 void GridActorCriticTileRunner::choose(const float* preferences, int actor, GridActor& walker, Step& done) const {
-  float largest = -1e30f;
-  for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    if (walker.possible(direction)) largest = std::max(largest, preferences[lanes_.outputAt(actor, direction)]);
-  }
-  float total = 0.0f;
-  for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    float& probability = done.probabilities[static_cast<std::size_t>(direction)];
-    probability =
-        walker.possible(direction) ? std::exp(preferences[lanes_.outputAt(actor, direction)] - largest) : 0.0f;
-    total += probability;
-  }
-  float draw = static_cast<float>(uniform(walker.random())) * total;
-  done.direction = -1;
-  for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    float& probability = done.probabilities[static_cast<std::size_t>(direction)];
-    if (probability > 0.0f && (draw >= 0.0f || done.direction < 0)) done.direction = direction;
-    draw -= probability;
-    probability /= total;
-  }
+  const float total = fillChances(
+      kGridMoveCount, [&](int direction) { return walker.possible(direction); },
+      [&](int direction) { return preferences[lanes_.outputAt(actor, direction)]; }, done.probabilities.data());
+  done.direction = drawByChances(kGridMoveCount, total, &walker.random(), done.probabilities.data());
 }
 
 void GridActorCriticTileRunner::act(const float* preferences, int step, int actor, GridActor* walker) {
@@ -170,32 +128,22 @@ void GridActorCriticTileRunner::judge(const float* values, int actor, double ent
     critic_.outputGradient(0)[step * actors() + actor] = static_cast<float>(-advantage / kValueScale);
     const double entropy =
         fillPolicyGradient(done, step, actor, advantage / std::sqrt(advantage_variances[done.set]), entropy_weight);
-    sums_.steps += 1.0;
     sums_.reward += outcome.reward;
     sums_.entropy += entropy;
-    sums_.returns += value + advantage;
-    sums_.squared_returns += (value + advantage) * (value + advantage);
-    sums_.squared_errors += advantage * advantage;
-    sums_.set_steps[done.set] += 1.0;
-    sums_.set_squared_advantages[done.set] += advantage * advantage;
+    sums_.judged.count(done.set, value, advantage);
   }
 }
 
 double GridActorCriticTileRunner::fillPolicyGradient(const Step& done, int step, int actor, double advantage,
                                                      double entropy_weight) {
-  double entropy = 0.0;
-  for (const float probability : done.probabilities) {
-    if (probability > 0.0f) entropy -= static_cast<double>(probability) * std::log(static_cast<double>(probability));
-  }
+  const double entropy = entropyOf(kGridMoveCount, done.probabilities.data());
   float* gradient = policy_.outputGradient(step);
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     const double probability = static_cast<double>(done.probabilities[static_cast<std::size_t>(direction)]);
-    double by_preference = 0.0;
-    if (probability > 0.0) {
-      by_preference = advantage * (probability - (direction == done.direction ? 1.0 : 0.0)) +
-                      entropy_weight * probability * (std::log(probability) + entropy);
-    }
-    gradient[lanes_.outputAt(actor, direction)] = static_cast<float>(by_preference);
+    const double slope = probability > 0.0
+                             ? policySlope(probability, direction == done.direction, advantage, entropy_weight, entropy)
+                             : 0.0;
+    gradient[lanes_.outputAt(actor, direction)] = static_cast<float>(slope);
   }
   return entropy;
 }

@@ -7,6 +7,7 @@
 
 #include "grid_world/learning/grid_lanes.hpp"
 #include "grid_world/learning/grid_tiles.hpp"
+#include "lstm_planner/base/learning/critic.hpp"
 #include "lstm_planner/base/learning/lane_network.hpp"
 #include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 
@@ -14,12 +15,12 @@ namespace lstm_planner {
 
 /// What is reported of a window, and what the next one depends on.
 struct GridActorCriticSums {
-  double steps = 0, reward = 0, entropy = 0;
-  GridEpisodeSums episodes;
-  double returns = 0, squared_returns = 0, squared_errors = 0;
-  std::vector<double> set_steps, set_squared_advantages;  ///< by set of the course
+  explicit GridActorCriticSums(std::size_t sets = 0) : judged(sets) {}
 
-  static GridActorCriticSums ofSets(std::size_t sets);
+  double reward = 0, entropy = 0;
+  GridEpisodeSums episodes;
+  CriticSums judged;
+
   void operator+=(const GridActorCriticSums& other);
 };
 std::vector<double*> numbersOf(GridActorCriticSums* sums);
@@ -29,8 +30,9 @@ struct GridActorCriticTile : GridTile {
   Eigen::VectorXf critic_gradient;
 };
 
-/// The critic's layers for so many inputs of the policy: it also sees true distances.
-LayerStack makeCritic(int policy_inputs, const std::vector<int>& units, std::uint64_t seed);
+/// What only the critic sees: the true distance in two forms, its ratio to the distance as the crow flies, and what
+/// each move would gain.
+constexpr int kGridPrivilegedInputs = 3 + kGridMoveCount;
 
 /// Leads tiles of agents through a window, and works out both gradients. One a thread.
 class GridActorCriticTileRunner {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/network/model_file.hpp"
 
 namespace lstm_planner {
@@ -74,11 +75,8 @@ void validate(const GridImitationParameters& parameters) {
   validate(parameters.course);
   validate(parameters.dataset);
   validate(parameters.trainer);
-  checkParameter(parameters.validation_steps > 0, "validation_steps", parameters.validation_steps, "a positive number");
-  checkParameter(parameters.rounds > 0, "rounds", parameters.rounds, "a positive number");
-  checkParameter(parameters.learner_share >= 0.0 && parameters.learner_share <= 1.0, "learner_share",
-                 parameters.learner_share, "a share in [0, 1]");
-  checkParameter(parameters.batch_steps > 0, "batch_steps", parameters.batch_steps, "a positive number");
+  visitGridImitationParameters(parameters, RangeCheck());
+  visitGridRoundParameters(parameters, RangeCheck());
   checkParameter(parameters.threads > 0, "threads", parameters.threads, "a positive number");
 }
 

@@ -1,17 +1,14 @@
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "grid_world/learning/grid_q_learning_tile.hpp"
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/learning/q_learner.hpp"
-#include "lstm_planner/base/learning/q_learning_targets.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -28,9 +25,7 @@ void checkFit(const LayerStack& layers, const GridEncoder& encoder) {
 }  // namespace
 
 void validate(const GridQLearningParameters& parameters) {
-  const auto atLeastOne = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
-  atLeastOne("updates", parameters.updates);
-  atLeastOne("agents", parameters.agents);
+  visitGridLearnerParameters(parameters, RangeCheck());
   validate(static_cast<const QLearningParameters&>(parameters));
 }
 
@@ -51,28 +46,22 @@ class GridQLearning::Implementation {
   void update() {
     if (tiles_.empty()) throw std::logic_error("Q-learning was to learn before its first epoch started");
     learner_.startUpdate();
-    epsilon_ = explorationAt(learner_.progress(), parameters_.exploration_start, parameters_.exploration_end,
-                             parameters_.exploration_share);
+    epsilon_ = learner_.epsilon();
     const QSums sums = tiles_.run(QSums(), [&](QTileRunner* runner, QTile* tile) {
       return runner->run(learner_.weights(), learner_.targetWeights(), epsilon_, tile);
     });
     const Eigen::VectorXf gradient = tiles_.sumOf(&QTile::gradient, learner_.weights().size());
-    learner_.update(gradient / static_cast<float>(sums.steps));
-    learner_.finishUpdate(sums.steps);
+    learner_.update(gradient / static_cast<float>(sums.values.steps));
+    learner_.finishUpdate(sums.values.steps);
     sums_ += sums;
   }
 
   ReinforcementReport report() {
-    const auto mean = [](double sum, double count) { return count > 0.0 ? sum / count : 0.0; };
-    ReinforcementReport report;
-    report.update = learner_.updates();
-    report.steps = learner_.steps();
-    report.reward = mean(sums_.reward, sums_.steps);
+    ReinforcementReport report = learner_.report(sums_.values);
+    if (sums_.values.steps > 0.0) report.reward = sums_.reward / sums_.values.steps;
     report.arrival = sums_.episodes.arrival();
     report.ratio = sums_.episodes.meanRatio();
     report.epsilon = epsilon_;
-    report.value = mean(sums_.value, sums_.steps);
-    report.error = std::sqrt(mean(sums_.squared_error, sums_.steps));
     sums_ = {};
     return report;
   }

@@ -21,17 +21,16 @@ int randomMove(GridActor& walker) {
 }  // namespace
 
 void QSums::operator+=(const QSums& other) {
-  steps += other.steps;
+  values += other.values;
   reward += other.reward;
-  value += other.value;
-  squared_error += other.squared_error;
   episodes += other.episodes;
 }
 
 std::vector<double*> numbersOf(QSums* sums) {
   GridEpisodeSums& episodes = sums->episodes;
-  return {&sums->steps,    &sums->reward,     &sums->value,   &sums->squared_error,
-          &episodes.ended, &episodes.arrived, &episodes.ratio};
+  std::vector<double*> all = numbersOf(&sums->values);
+  all.insert(all.end(), {&sums->reward, &episodes.ended, &episodes.arrived, &episodes.ratio});
+  return all;
 }
 
 QTileRunner::QTileRunner(const GridQLearningParameters& parameters, const LayerStack& layers)
@@ -132,10 +131,8 @@ void QTileRunner::judge(int actor) {
     for (int direction = 0; direction < kGridMoveCount; ++direction) gradient[lanes_.outputAt(actor, direction)] = 0.0f;
     gradient[lanes_.outputAt(actor, transition.direction)] =
         static_cast<float>(huberDerivative(error, parameters_.huber) / parameters_.value_scale);
-    sums_.steps += 1.0;
+    sums_.values.count(transition.estimate, error);
     sums_.reward += transition.reward;
-    sums_.value += transition.estimate;
-    sums_.squared_error += error * error;
   }
 }
 

@@ -13,7 +13,8 @@ namespace lstm_planner {
 
 /// What goes into the report.
 struct QSums {
-  double steps = 0, reward = 0, value = 0, squared_error = 0;
+  ValueSums values;
+  double reward = 0;
   GridEpisodeSums episodes;
   void operator+=(const QSums& other);
 };

@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <iomanip>
+#include <limits>
 #include <set>
 #include <sstream>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
+#include "lstm_planner/base/common/markdown_table.hpp"
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/grid_world/learning/grid_structure_search.hpp"
 
 namespace lstm_planner {
@@ -13,11 +16,7 @@ constexpr std::array<const char*, 4> kStages = {
     "First stage: the time sequence (thesis Fig. 3.7, which prints no numbers for 128 and 256 steps)",
     "Second stage (thesis Table 3.3)", "Third stage (thesis Table 3.4)", "Fourth stage (thesis Table 3.5)"};
 
-std::string percent(double share) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << 100.0 * share << " %";
-  return text.str();
-}
+std::string percent(double share) { return fixedText(100.0 * share, 2) + " %"; }
 
 /// Table 3.3 repeats the first stage's structure at its time sequences.
 bool belongsTo(const StructureTrial& trial, int stage) {
@@ -34,25 +33,27 @@ void writeTable(const std::vector<StructureOutcome>& outcomes, int stage, std::o
     if (std::find(structures.begin(), structures.end(), structure) == structures.end()) structures.push_back(structure);
   }
   if (structures.empty()) return;
-  out << "\n" << kStages[static_cast<std::size_t>(stage - 1)] << "\n\n| structure | weights |";
-  for (const int time : times) out << " " << time << " steps, thesis | " << time << " steps, here |";
-  out << "\n|---|---|";
-  for (std::size_t i = 0; i < times.size(); ++i) out << "---|---|";
-  out << "\n";
+  out << "\n" << kStages[static_cast<std::size_t>(stage - 1)] << "\n\n";
+  std::vector<std::string> headings = {"structure", "weights"};
+  for (const int time : times) {
+    headings.push_back(std::to_string(time) + " steps, thesis");
+    headings.push_back(std::to_string(time) + " steps, here");
+  }
+  MarkdownTable table(headings, &out);
   for (const std::string& structure : structures) {
     const auto find = [&](int time) {
       return std::find_if(outcomes.begin(), outcomes.end(), [&](const StructureOutcome& outcome) {
         return outcome.trial.structure() == structure && (time == 0 || outcome.trial.sequence_steps == time);
       });
     };
-    out << "| " << structure << " | " << find(0)->weights << " |";
+    std::vector<std::string> cells = {structure, std::to_string(find(0)->weights)};
     for (const int time : times) {
       const auto found = find(time);
       const bool printed = found != outcomes.end() && found->trial.thesis_accuracy;
-      out << ' ' << (printed ? percent(*found->trial.thesis_accuracy) : "-") << " | "
-          << (found != outcomes.end() ? percent(found->validation_accuracy) : "-") << " |";
+      cells.push_back(printed ? percent(*found->trial.thesis_accuracy) : "-");
+      cells.push_back(found != outcomes.end() ? percent(found->validation_accuracy) : "-");
     }
-    out << "\n";
+    table.row(cells);
   }
 }
 
@@ -67,13 +68,14 @@ std::string structureTables(const std::vector<StructureOutcome>& outcomes) {
 
 std::string structureCsv(const std::vector<StructureOutcome>& outcomes) {
   std::ostringstream out;
-  out << "stage,layers,cells,weights,sequence_steps,thesis_accuracy,validation_accuracy,training_accuracy,best_epoch\n";
+  CsvWriter csv(&out);
+  csv.row("stage", "layers", "cells", "weights", "sequence_steps", "thesis_accuracy", "validation_accuracy",
+          "training_accuracy", "best_epoch");
   for (const StructureOutcome& outcome : outcomes) {
     const StructureTrial& trial = outcome.trial;
-    out << trial.stage << ',' << trial.layers << ',' << trial.cells << ',' << outcome.weights << ','
-        << trial.sequence_steps << ',';
-    if (trial.thesis_accuracy) out << *trial.thesis_accuracy;
-    out << ',' << outcome.validation_accuracy << ',' << outcome.training_accuracy << ',' << outcome.best_epoch << '\n';
+    csv.row(trial.stage, trial.layers, trial.cells, outcome.weights, trial.sequence_steps,
+            trial.thesis_accuracy.value_or(std::numeric_limits<double>::quiet_NaN()), outcome.validation_accuracy,
+            outcome.training_accuracy, outcome.best_epoch);
   }
   return out.str();
 }

@@ -1,10 +1,10 @@
 #include "lstm_planner/robot/dataset/dataset_export.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <sstream>
+#include <string>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
 #include "robot/dataset/dataset_columns.hpp"
 #include "robot/dataset/step_quantities.hpp"
@@ -13,32 +13,25 @@ namespace lstm_planner {
 
 namespace {
 
-void writeNames(std::ostream& out, std::size_t beams) {
-  out << "recording,episode,number";
+void writeNames(std::size_t beams, CsvWriter* csv) {
+  csv->add("recording", "episode", "number");
   DriveStep step;
-  visitColumns(step, [&](const std::string& name, const char*, auto&) { out << ',' << name; });
-  for (std::size_t beam = 0; beam < beams; ++beam) out << ",beam_" << beam;
-  out << '\n';
+  visitColumns(step, [&](const std::string& name, const char*, auto&) { csv->add(name); });
+  for (std::size_t beam = 0; beam < beams; ++beam) csv->add("beam_" + std::to_string(beam));
+  csv->endRow();
 }
 
-template <typename Number>
-void writeNumber(std::ostream& out, Number number) {
-  out << ',';
-  if (std::isfinite(static_cast<double>(number))) out << number;
-}
-
-void writeRows(const Dataset& dataset, bool with_scans, std::ostream& out) {
+void writeRows(const Dataset& dataset, bool with_scans, std::ostream* out) {
+  CsvWriter csv(out, CsvWriter::Digits::kExact);
   const std::size_t beams = with_scans ? mostBeams(dataset) : 0;
-  writeNames(out, beams);
+  writeNames(beams, &csv);
   forEachStep(dataset, [&](long recording, long episode, const DriveStep& step) {
-    out << recording << ',' << episode << ',' << step.number;
-    out.precision(std::numeric_limits<double>::max_digits10);
-    visitColumns(step, [&](const std::string&, const char*, const auto& number) { writeNumber(out, number); });
-    out.precision(std::numeric_limits<float>::max_digits10);
+    csv.add(recording, episode, step.number);
+    visitColumns(step, [&](const std::string&, const char*, const auto& number) { csv.add(number); });
     for (std::size_t beam = 0; beam < beams; ++beam) {
-      writeNumber(out, beam < step.ranges.size() ? step.ranges[beam] : std::numeric_limits<float>::quiet_NaN());
+      csv.add(beam < step.ranges.size() ? step.ranges[beam] : std::numeric_limits<float>::quiet_NaN());
     }
-    out << '\n';
+    csv.endRow();
   });
 }
 
@@ -47,7 +40,7 @@ void writeRows(const Dataset& dataset, bool with_scans, std::ostream& out) {
 void exportCsv(const std::string& path, const Dataset& dataset, bool with_scans) {
   try {
     OutputFile file(path);
-    writeRows(dataset, with_scans, file.stream());
+    writeRows(dataset, with_scans, &file.stream());
     file.commit();
   } catch (const OutputFileError& error) {
     throw DatasetError("'" + path + "' cannot be written: " + error.what());

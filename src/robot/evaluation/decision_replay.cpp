@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <map>
 #include <ostream>
 #include <sstream>
@@ -10,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/learning/confusion.hpp"
 
 namespace lstm_planner {
@@ -158,15 +159,22 @@ std::string describeReplay(const DecisionReplay& replay) {
 }
 
 void writeDecisions(const std::vector<ReplayedDecision>& decisions, std::ostream* out) {
-  *out << "episode,stamp,source,action,steering_angle,driven_action,driven_angle,preferences\n" << std::fixed;
+  constexpr int kAngleDecimals = 4;
+  constexpr int kStampDecimals = 6;
+  CsvWriter csv(out);
+  csv.row("episode", "stamp", "source", "action", "steering_angle", "driven_action", "driven_angle", "preferences");
   for (const ReplayedDecision& replayed : decisions) {
-    *out << replayed.episode << ',' << std::setprecision(6) << replayed.stamp << ','
-         << toString(replayed.decision.source) << ',' << replayed.decision.action << ',' << std::setprecision(4)
-         << replayed.steering_angle << ',' << replayed.driven_action << ',' << replayed.driven_angle << ',';
-    for (std::size_t i = 0; i < replayed.decision.preferences.size(); ++i) {
-      *out << (i == 0 ? "" : " ") << replayed.decision.preferences[i];
+    csv.add(replayed.episode);
+    csv.addFixed(replayed.stamp, kStampDecimals);
+    csv.add(toString(replayed.decision.source), replayed.decision.action);
+    csv.addFixed(replayed.steering_angle, kAngleDecimals);
+    csv.add(replayed.driven_action);
+    csv.addFixed(replayed.driven_angle, kAngleDecimals);
+    std::string preferences;
+    for (const float preference : replayed.decision.preferences) {
+      preferences += (preferences.empty() ? "" : " ") + fixedText(static_cast<double>(preference), kAngleDecimals);
     }
-    *out << '\n';
+    csv.row(preferences);
   }
 }
 

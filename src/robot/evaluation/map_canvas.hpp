@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/base/common/canvas.hpp"
 #include "lstm_planner/base/common/geometry.hpp"
 #include "lstm_planner/base/grid/occupancy_grid.hpp"
 
@@ -15,10 +16,10 @@ class MapCanvas {
  public:
   MapCanvas(const OccupancyGrid& map, int longest_side);
 
-  cv::Mat& image() { return image_; }
+  cv::Mat& image() { return canvas_.image(); }
   double unit() const { return unit_; }  ///< pixels, a thousandth of the map's longer side
   int line(double width) const;          ///< pixels, 1 or more
-  double pixelsOf(double metres) const { return metres / map_.resolution() * scale_; }
+  double pixelsOf(double metres) const { return metres / map_.resolution() * canvas_.scale(); }
   cv::Point pixelAt(const Point2& point) const;
 
   void polyline(const std::vector<Point2>& points, const cv::Scalar& color, double width);
@@ -32,13 +33,13 @@ class MapCanvas {
   int addStrip(int height);
 
  private:
-  cv::Point at(const Point2& point) const;  ///< with sub-pixel bits, for OpenCV's `shift`
+  cv::Point at(const Point2& point) const;  ///< a fine place
+  double textSize() const;
 
   const OccupancyGrid& map_;
-  double scale_;
-  double unit_ = 1.0;
-  int map_rows_ = 0;  ///< pixels
-  cv::Mat image_;
+  Canvas canvas_;
+  double unit_;
+  int map_rows_;  ///< pixels
 };
 
 }  // namespace lstm_planner

@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/learning/actor_critic.hpp"
-#include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "robot/learning/drive_batch.hpp"
 #include "robot/learning/drive_practice.hpp"
@@ -17,12 +17,6 @@ namespace lstm_planner {
 namespace {
 
 const ActorCritic::CheckpointNames kCheckpointNames{"lstm_planner drive actor-critic 1", "iterations"};
-
-LayerStack makeCritic(int policy_inputs, const std::vector<int>& units, std::uint64_t seed) {
-  LayerStack layers = makeDenseStack(policy_inputs + kDrivePrivilegedInputs, units, 1);
-  initialise({}, seed, layers);
-  return layers;
-}
 
 /// Preferences so many times as far apart: the greedy choice stays, random ones come nearer to it.
 LayerStack sharpened(LayerStack layers, double factor) {
@@ -37,14 +31,8 @@ LayerStack sharpened(LayerStack layers, double factor) {
 
 void validate(const DriveActorCriticParameters& parameters) {
   validate(static_cast<const ActorCriticParameters&>(parameters));
-  const auto check = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
-  check("iterations", parameters.iterations);
-  check("worlds", parameters.worlds);
-  check("goals", parameters.goals);
-  check("starts", parameters.starts);
-  check("passes", parameters.passes);
-  checkPositive("clip", parameters.clip);
-  checkPositive("sharpness", parameters.sharpness);
+  visitPracticeParameters(parameters, RangeCheck());
+  visitPolicyChangeParameters(parameters, RangeCheck());
   checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in (0, 1)");
   validate(parameters.policy.encoder);
   validate(parameters.course);
@@ -55,7 +43,8 @@ class DriveActorCritic::Implementation {
   Implementation(const DriveActorCriticParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         policy_(sharpened(std::move(layers), parameters.sharpness)),
-        critic_(makeCritic(Encoder(parameters.policy.encoder).size(), parameters.critic_units, parameters.seed + 1)),
+        critic_(makeCritic(Encoder(parameters.policy.encoder).size() + kDrivePrivilegedInputs, parameters.critic_units,
+                           parameters.seed + 1)),
         learner_(kCheckpointNames, parameters, parameters.iterations, policy_, critic_,
                  parameters.course.worlds.size()) {
     DrivePolicy(parameters.policy, policy_);  // throws when they do not fit together
@@ -112,13 +101,10 @@ class DriveActorCritic::Implementation {
 
  private:
   ReinforcementReport report(const PracticeSums& sums, DriveBatch& batch) {
-    ReinforcementReport report;
-    report.update = learner_.updates();
-    report.steps = learner_.steps();
+    ReinforcementReport report = learner_.report(batch.judged());
     report.reward = sums.reward;
     report.arrival = sums.arrival;
     report.entropy = batch.entropy();
-    report.explained = batch.explained();
     return report;
   }
 

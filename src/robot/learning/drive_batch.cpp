@@ -1,6 +1,5 @@
 #include "robot/learning/drive_batch.hpp"
 
-#include <algorithm>
 #include <memory>
 
 namespace lstm_planner {
@@ -18,26 +17,11 @@ DriveBatch::DriveBatch(const DriveActorCriticParameters& parameters, const Layer
       windows_(tiles_.pack(episodes)) {}
 
 void DriveBatch::judge(const Eigen::VectorXf& critic_parameters, std::vector<double>* advantage_variances) {
-  const std::vector<DriveTileSums> all = tiles_.each(DriveTileSums(advantage_variances->size()),
-                                                     [&](DriveTile* tile) { return tile->judge(critic_parameters); });
-  DriveTileSums sum = all.front();
-  for (std::size_t tile = 1; tile < all.size(); ++tile) {
-    for (std::size_t kind = 0; kind < sum.counts.size(); ++kind) {
-      sum.squares[kind] += all[tile].squares[kind];
-      sum.counts[kind] += all[tile].counts[kind];
-    }
-    sum.steps += all[tile].steps;
-    sum.returns += all[tile].returns;
-    sum.squared_returns += all[tile].squared_returns;
-    sum.squared_errors += all[tile].squared_errors;
+  judged_ = CriticSums(advantage_variances->size());
+  for (const CriticSums& some : tiles_.each(judged_, [&](DriveTile* tile) { return tile->judge(critic_parameters); })) {
+    judged_ += some;
   }
-  for (std::size_t kind = 0; kind < sum.counts.size(); ++kind) {
-    if (sum.counts[kind] == 0.0) continue;
-    double& variance = (*advantage_variances)[kind];
-    variance += kVarianceRate * (sum.squares[kind] / sum.counts[kind] - variance);
-  }
-  const double spread = sum.squared_returns - sum.returns * sum.returns / sum.steps;
-  explained_ = 1.0 - sum.squared_errors / std::max(1e-12, spread);
+  judged_.moveVariances(kVarianceRate, advantage_variances);
 }
 
 void DriveBatch::rewind() {

@@ -27,14 +27,14 @@ class DriveBatch {
   double policyGradient(const Eigen::VectorXf& parameters, const DriveBatchWeights& weights, Eigen::VectorXf* gradient);
   double criticGradient(const Eigen::VectorXf& parameters, Eigen::VectorXf* gradient);
 
-  double entropy();                                ///< mean so far, nat
-  double explained() const { return explained_; }  ///< share of the returns' variance, by the critic before learning
+  double entropy();                                     ///< mean so far, nat
+  const CriticSums& judged() const { return judged_; }  ///< by the critic before it learned from the batch
 
  private:
   DriveTiles<DriveTile> tiles_;
   int windows_ = 0;
   int window_ = -1;
-  double explained_ = 0.0;
+  CriticSums judged_;
 };
 
 }  // namespace lstm_planner

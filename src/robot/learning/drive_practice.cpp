@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "lstm_planner/base/common/parallel_for.hpp"
+#include "lstm_planner/base/learning/policy_gradient.hpp"
+#include "lstm_planner/robot/driving/action_choice.hpp"
 #include "lstm_planner/robot/learning/step_simulator.hpp"
 #include "robot/learning/practice_exchange.hpp"
 
@@ -33,6 +35,7 @@ class Practice {
         task_(task),
         drive_(drive),
         agent_(agent),
+        choice_(agent.parameters()),
         encoder_(agent.policy().description().encoder),
         random_(seed) {
     episode_.kind = exercise.kind;
@@ -108,31 +111,17 @@ class Practice {
     rules_.chances(agent_.decision().preferences, allowed, probabilities);
     const float total = std::accumulate(probabilities, probabilities + allowed.size(), 0.0f);
     if (!(total > 0.0f)) return false;
-    float number = static_cast<float>(uniform(random_)) * total;
     PracticeEpisode::Step& step = episode_.steps.back();
-    for (std::size_t i = 0; i < allowed.size(); ++i) {
-      if (probabilities[i] > 0.0f && (number >= 0.0f || !step.chosen)) {
-        step.action = static_cast<int>(i);
-        step.chosen = true;
-      }
-      number -= probabilities[i];
-      probabilities[i] /= total;
-    }
+    step.action = drawByChances(static_cast<int>(allowed.size()), total, &random_, probabilities);
+    step.chosen = true;
     return true;
   }
 
   /// As the agent will allow them.
   std::vector<char> allowedActions() const {
     const ActionSet& actions = agent_.policy().description().actions;
-    const AgentParameters& agent = agent_.parameters();
     std::vector<char> allowed(static_cast<std::size_t>(actions.size()));
-    for (const double clearance : {agent.shield.clearance, agent.shield.tight_clearance}) {
-      for (int action = 0; action < actions.size(); ++action) {
-        const double free = agent_.shield().freeDistance({}, actions.angle(action), agent.step.length, clearance);
-        if (free >= agent.shield.shortest_step) allowed[static_cast<std::size_t>(action)] = true;
-      }
-      if (std::find(allowed.begin(), allowed.end(), true) != allowed.end()) break;
-    }
+    choice_.choose(actions, 0.0, 0.0, agent_.shield(), agent_.decision().preferences, std::nullopt, &allowed);
     return allowed;
   }
 
@@ -141,6 +130,7 @@ class Practice {
   const DriveTask& task_;
   const StepSimulator& drive_;
   const NavigationAgent& agent_;
+  ActionChoice choice_;
   Encoder encoder_;
   Random random_;
   PracticeEpisode episode_;
@@ -171,13 +161,9 @@ PracticeEpisode practise(const PracticeRules& rules, const LayerStack& layers, c
 }  // namespace
 
 void preferredChances(const std::vector<float>& preferences, const std::vector<char>& allowed, float* chances) {
-  float largest = -1e30f;
-  for (std::size_t i = 0; i < allowed.size(); ++i) {
-    if (allowed[i]) largest = std::max(largest, preferences[i]);
-  }
-  for (std::size_t i = 0; i < allowed.size(); ++i) {
-    chances[i] = allowed[i] ? std::exp(preferences[i] - largest) : 0.0f;
-  }
+  fillChances(
+      static_cast<int>(allowed.size()), [&](int action) { return allowed[static_cast<std::size_t>(action)] != 0; },
+      [&](int action) { return preferences[static_cast<std::size_t>(action)]; }, chances);
 }
 
 ActionChances epsilonGreedyChances(double epsilon) {

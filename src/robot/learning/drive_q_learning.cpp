@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/learning/q_learner.hpp"
-#include "lstm_planner/base/learning/q_learning_targets.hpp"
 #include "robot/learning/drive_practice.hpp"
 #include "robot/learning/drive_q_tile.hpp"
 #include "robot/learning/drive_queues.hpp"
@@ -31,12 +30,7 @@ double driveThesisReward(const Observation& observation, const ThesisRewardWeigh
 }
 
 void validate(const DriveQLearningParameters& parameters) {
-  const auto atLeastOne = [](const char* name, int value) { checkParameter(value >= 1, name, value, "at least 1"); };
-  atLeastOne("iterations", parameters.iterations);
-  atLeastOne("worlds", parameters.worlds);
-  atLeastOne("goals", parameters.goals);
-  atLeastOne("starts", parameters.starts);
-  atLeastOne("passes", parameters.passes);
+  visitPracticeParameters(parameters, RangeCheck());
   checkParameter(parameters.contact_cost >= 0.0, "contact_cost", parameters.contact_cost, "at least 0");
   validate(static_cast<const QLearningParameters&>(parameters));
   validate(parameters.policy.encoder);
@@ -54,18 +48,16 @@ class DriveQLearning::Implementation {
 
   ReinforcementReport iterate() {
     learner_.startUpdate();
-    ReinforcementReport report;
-    report.epsilon = explorationAt(learner_.progress(), parameters_.exploration_start, parameters_.exploration_end,
-                                   parameters_.exploration_share);
-    const std::vector<PracticeEpisode> episodes = practise(rulesWith(report.epsilon), layers_, learner_.updates());
-    learnFrom(episodes, &report);
+    const double epsilon = learner_.epsilon();
+    const std::vector<PracticeEpisode> episodes = practise(rulesWith(epsilon), layers_, learner_.updates());
+    const ValueSums values = learnFrom(episodes);
     setParameterVector(learner_.weights(), layers_);
     const PracticeSums sums = sumUp(episodes);
     learner_.finishUpdate(sums.steps);
-    report.update = learner_.updates();
-    report.steps = learner_.steps();
+    ReinforcementReport report = learner_.report(values);
     report.reward = sums.reward;
     report.arrival = sums.arrival;
+    report.epsilon = epsilon;
     return report;
   }
 
@@ -91,18 +83,16 @@ class DriveQLearning::Implementation {
     return practiceRules(parameters_, chances, reward, 0.0);
   }
 
-  /// Fills in what `report` says of the values.
-  void learnFrom(const std::vector<PracticeEpisode>& episodes, ReinforcementReport* report) {
+  /// Returns what the values were before the first pass.
+  ValueSums learnFrom(const std::vector<PracticeEpisode>& episodes) {
+    ValueSums before;
     DriveTiles<DriveQTile> tiles(parameters_.communicator, parameters_.threads,
                                  [this] { return std::make_unique<DriveQTile>(parameters_, layers_); });
     const int windows = tiles.pack(episodes);
     for (int pass = 0; pass < parameters_.passes; ++pass) {
-      DriveQSums sums;
       const auto judge = [this](DriveQTile* tile) { return tile->judge(learner_.weights(), learner_.targetWeights()); };
-      for (const DriveQSums& some : tiles.each(DriveQSums(), judge)) sums += some;
-      if (pass == 0 && sums.steps > 0.0) {
-        report->value = sums.value / sums.steps;
-        report->error = std::sqrt(sums.squared_error / sums.steps);
+      for (const ValueSums& some : tiles.each(ValueSums(), judge)) {
+        if (pass == 0) before += some;
       }
       for (int window = 0; window < windows; ++window) {
         Eigen::VectorXf gradient;
@@ -112,6 +102,7 @@ class DriveQLearning::Implementation {
         if (steps > 0.0) learner_.update(gradient * static_cast<float>(1.0 / steps));
       }
     }
+    return before;
   }
 
   DriveQLearningParameters parameters_;

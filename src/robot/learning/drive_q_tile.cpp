@@ -4,14 +4,6 @@
 
 namespace lstm_planner {
 
-void DriveQSums::operator+=(const DriveQSums& other) {
-  steps += other.steps;
-  value += other.value;
-  squared_error += other.squared_error;
-}
-
-std::vector<double*> numbersOf(DriveQSums* sums) { return {&sums->steps, &sums->value, &sums->squared_error}; }
-
 DriveQTile::DriveQTile(const DriveQLearningParameters& parameters, const LayerStack& layers)
     : parameters_(parameters),
       actions_(parameters.policy.actions.size()),
@@ -36,7 +28,7 @@ void DriveQTile::fillInputs(int time, int step) {
   }
 }
 
-DriveQSums DriveQTile::judge(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights) {
+ValueSums DriveQTile::judge(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights) {
   rewind();
   for (auto& queue : steps_) queue.assign(static_cast<std::size_t>(queues_.steps() + 1), {});
   for (int time = 0; time < queues_.steps(); ++time) {
@@ -53,7 +45,7 @@ DriveQSums DriveQTile::judge(const Eigen::VectorXf& weights, const Eigen::Vector
     if (step + 1 == parameters_.window) network_.carryOver(parameters_.window);
   }
   rewind();
-  DriveQSums sums;
+  ValueSums sums;
   for (int queue = 0; queue < queues_.count(); ++queue) judgeQueue(queue, &sums);
   return sums;
 }
@@ -89,7 +81,7 @@ void DriveQTile::valueStep(int time, int queue, const float* outputs, const floa
   transition.timed_out = last && !slot.episode->arrived;
 }
 
-void DriveQTile::judgeQueue(int queue, DriveQSums* sums) {
+void DriveQTile::judgeQueue(int queue, ValueSums* sums) {
   const std::vector<QTransition>& steps = steps_[static_cast<std::size_t>(queue)];
   const std::vector<double> targets = lambdaTargets(steps, parameters_.discount, parameters_.trace_decay);
   for (int time = 0; time < queues_.steps(); ++time) {
@@ -98,10 +90,7 @@ void DriveQTile::judgeQueue(int queue, DriveQSums* sums) {
     slot.target = targets[i];
     slot.learns = slot.episode && !steps[i].forced && !steps[i].timed_out;
     if (!slot.learns) continue;
-    const double error = steps[i].estimate - slot.target;
-    sums->steps += 1.0;
-    sums->value += steps[i].estimate;
-    sums->squared_error += error * error;
+    sums->count(steps[i].estimate, steps[i].estimate - slot.target);
   }
 }
 

@@ -17,13 +17,6 @@ struct DriveQSlot : DrivePlace {
   double target = 0.0;
 };
 
-/// What is added up over the steps that are learned from.
-struct DriveQSums {
-  double steps = 0.0, value = 0.0, squared_error = 0.0;
-  void operator+=(const DriveQSums& other);
-};
-std::vector<double*> numbersOf(DriveQSums* sums);
-
 /// Some queues of drives, gone through window by window: what one thread works on.
 class DriveQTile {
  public:
@@ -33,7 +26,7 @@ class DriveQTile {
   DriveQueues<DriveQSlot>& queues() { return queues_; }
 
   /// Works out the targets of all steps. The next window is the first, with zero hidden state.
-  DriveQSums judge(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights);
+  ValueSums judge(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights);
 
   /// Gradient of the errors, summed over a window; returns over how many steps. The windows in their order.
   double valueGradient(int window, const Eigen::VectorXf& weights);
@@ -44,7 +37,7 @@ class DriveQTile {
   void fillInputs(int time, int step);
   int bestAction(const DriveQSlot& slot, int queue, const float* outputs) const;
   void valueStep(int time, int queue, const float* outputs, const float* target_outputs);
-  void judgeQueue(int queue, DriveQSums* sums);
+  void judgeQueue(int queue, ValueSums* sums);
 
   const DriveQLearningParameters& parameters_;
   int actions_;

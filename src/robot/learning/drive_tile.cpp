@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lstm_planner/base/learning/actor_critic.hpp"
+#include "lstm_planner/base/learning/policy_gradient.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -34,15 +35,7 @@ const float* DriveTile::criticValues(int window, const Eigen::VectorXf& paramete
   return critic_.forward(parameters, 0);
 }
 
-std::vector<double*> numbersOf(DriveTileSums* sums) {
-  std::vector<double*> numbers = {&sums->steps, &sums->returns, &sums->squared_returns, &sums->squared_errors};
-  for (std::vector<double>* by_kind : {&sums->squares, &sums->counts}) {
-    for (double& number : *by_kind) numbers.push_back(&number);
-  }
-  return numbers;
-}
-
-DriveTileSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
+CriticSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
   for (int window = 0; window < queues_.windows(); ++window) {
     const float* values = criticValues(window, critic_parameters);
     for (int time = 0; time < parameters_.window; ++time) {
@@ -52,13 +45,13 @@ DriveTileSums DriveTile::judge(const Eigen::VectorXf& critic_parameters) {
       }
     }
   }
-  DriveTileSums sums(parameters_.course.worlds.size());
+  CriticSums sums(parameters_.course.worlds.size());
   for (int queue = 0; queue < queues_.count(); ++queue) judgeQueue(queue, &sums);
   return sums;
 }
 
 /// Advantages from the last step back.
-void DriveTile::judgeQueue(int queue, DriveTileSums* sums) {
+void DriveTile::judgeQueue(int queue, CriticSums* sums) {
   Advantages advantages(parameters_.discount, parameters_.advantage_decay, 0.0);
   for (int time = queues_.steps(); time-- > 0;) {
     DriveSlot& slot = queues_.at(time, queue);
@@ -70,13 +63,7 @@ void DriveTile::judgeQueue(int queue, DriveTileSums* sums) {
         !last ? Advantages::End::kNone : (episode.arrived ? Advantages::End::kArrived : Advantages::End::kCutOff);
     const double advantage = advantages.before(static_cast<double>(episode.steps[slot.step].reward), value, end);
     slot.advantage = static_cast<float>(advantage);
-    sums->squares[episode.kind] += advantage * advantage;
-    sums->counts[episode.kind] += 1.0;
-    const double result = value + advantage;
-    sums->steps += 1.0;
-    sums->returns += result;
-    sums->squared_returns += result * result;
-    sums->squared_errors += advantage * advantage;
+    sums->count(episode.kind, value, advantage);
   }
 }
 
@@ -107,22 +94,13 @@ double DriveTile::policyGradient(int window, const Eigen::VectorXf& parameters, 
   return chosen;
 }
 
-/// How likely the actions are now, of those that could be chosen.
 std::vector<double> DriveTile::probabilitiesOf(const DriveSlot& slot, int time, int queue) const {
   const float* before = slot.episode->probabilities.data() + slot.step * static_cast<std::size_t>(actions_);
   const float* preferences = policy_.outputs(time);
-  float largest = -1e30f;
-  for (int k = 0; k < actions_; ++k) {
-    if (before[k] > 0.0f) largest = std::max(largest, preferences[views_.outputAt(slot, queue, k)]);
-  }
-  double total = 0.0;
   std::vector<double> now(static_cast<std::size_t>(actions_));
-  for (int k = 0; k < actions_; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const float preference = preferences[views_.outputAt(slot, queue, k)];
-    now[i] = before[k] > 0.0f ? std::exp(static_cast<double>(preference - largest)) : 0.0;
-    total += now[i];
-  }
+  const double total = fillChances(
+      actions_, [&](int k) { return before[k] > 0.0f; },
+      [&](int k) { return preferences[views_.outputAt(slot, queue, k)]; }, now.data());
   for (double& probability : now) probability /= total;
   return now;
 }
@@ -132,7 +110,7 @@ void DriveTile::fillImitationGradient(const DriveSlot& slot, int time, int queue
   const PracticeEpisode::Step& step = slot.episode->steps[slot.step];
   const std::vector<double> now = probabilitiesOf(slot, time, queue);
   for (int k = 0; k < actions_; ++k) {
-    const double slope = now[static_cast<std::size_t>(k)] - (k == step.action ? 1.0 : 0.0);
+    const double slope = imitationSlope(now[static_cast<std::size_t>(k)], k == step.action);
     policy_.outputGradient(time)[views_.outputAt(slot, queue, k)] =
         static_cast<float>(weight * static_cast<double>(step.weight) * slope);
   }
@@ -143,10 +121,7 @@ void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int queue, c
   const PracticeEpisode& episode = *slot.episode;
   const float* before = episode.probabilities.data() + slot.step * static_cast<std::size_t>(actions_);
   const std::vector<double> now = probabilitiesOf(slot, time, queue);
-  double entropy = 0.0;
-  for (const double probability : now) {
-    if (probability > 0.0) entropy -= probability * std::log(probability);
-  }
+  const double entropy = entropyOf(actions_, now.data());
   entropy_.sum += entropy;
   entropy_.steps += 1.0;
   const int action = episode.steps[slot.step].action;
@@ -154,11 +129,11 @@ void DriveTile::fillPolicyGradient(const DriveSlot& slot, int time, int queue, c
   const double advantage =
       static_cast<double>(slot.advantage) / std::sqrt(weights.advantage_variances[episode.kind] + 1e-6);
   const bool clipped = advantage > 0.0 ? ratio > 1.0 + parameters_.clip : ratio < 1.0 - parameters_.clip;
+  const double gain = clipped ? 0.0 : advantage * ratio;
   for (int k = 0; k < actions_; ++k) {
     const double probability = now[static_cast<std::size_t>(k)];
     if (probability <= 0.0) continue;
-    double slope = weights.entropy * probability * (std::log(probability) + entropy);
-    if (!clipped) slope += advantage * ratio * (probability - (k == action ? 1.0 : 0.0));
+    const double slope = policySlope(probability, k == action, gain, weights.entropy, entropy);
     policy_.outputGradient(time)[views_.outputAt(slot, queue, k)] = static_cast<float>(slope);
   }
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "lstm_planner/base/learning/critic.hpp"
 #include "lstm_planner/base/learning/lane_network.hpp"
 #include "lstm_planner/robot/learning/drive_actor_critic.hpp"
 #include "robot/learning/drive_queues.hpp"
@@ -24,14 +25,6 @@ struct DriveSlot : DrivePlace {
   float advantage = 0.0f;
 };
 
-/// What is added up over the steps of a tile.
-struct DriveTileSums {
-  explicit DriveTileSums(std::size_t kinds) : squares(kinds), counts(kinds) {}
-  std::vector<double> squares, counts;  ///< of the advantages, by kind of world
-  double steps = 0.0, returns = 0.0, squared_returns = 0.0, squared_errors = 0.0;
-};
-std::vector<double*> numbersOf(DriveTileSums* sums);
-
 /// How undecided the policy was.
 struct DriveTileEntropy {
   double sum = 0.0;  ///< nat
@@ -47,8 +40,8 @@ class DriveTile {
 
   DriveQueues<DriveSlot>& queues() { return queues_; }
 
-  /// Works out values, advantages and returns.
-  DriveTileSums judge(const Eigen::VectorXf& critic_parameters);
+  /// Works out values, advantages and returns; the sets of the sums are the kinds of worlds.
+  CriticSums judge(const Eigen::VectorXf& critic_parameters);
 
   /// To before the first window, with zero hidden state.
   void rewind();
@@ -62,7 +55,8 @@ class DriveTile {
 
  private:
   const float* criticValues(int window, const Eigen::VectorXf& parameters);
-  void judgeQueue(int queue, DriveTileSums* sums);
+  void judgeQueue(int queue, CriticSums* sums);
+  /// How likely the actions are now, of those that could be chosen.
   std::vector<double> probabilitiesOf(const DriveSlot& slot, int time, int queue) const;
   void fillImitationGradient(const DriveSlot& slot, int time, int queue, double weight);
   void fillPolicyGradient(const DriveSlot& slot, int time, int queue, const DriveBatchWeights& weights);

@@ -1,32 +1,34 @@
 #include "lstm_planner/robot/learning/encoded_export.hpp"
 
-#include <limits>
-#include <ostream>
 #include <sstream>
 
+#include "lstm_planner/base/common/csv_writer.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
 #include "lstm_planner/robot/learning/dataset_sequences.hpp"
 
 namespace lstm_planner {
 namespace {
 
-void writeNames(const PolicyDescription& policy, const std::vector<double>& distances, std::ostream& out) {
-  out << "episode,step";
-  for (const std::string& name : policy.encoder.input_layout) out << ',' << name;
-  for (const double distance : distances) out << ",label_" << distance;
-  out << '\n';
+void writeNames(const PolicyDescription& policy, const std::vector<double>& distances, CsvWriter* csv) {
+  csv->add("episode", "step");
+  csv->addAll(policy.encoder.input_layout);
+  for (const double distance : distances) {
+    std::ostringstream name;
+    name << "label_" << distance;
+    csv->add(name.str());
+  }
+  csv->endRow();
 }
 
 /// `episodes`: by label distance; they differ in the labels alone.
-void writeRows(const std::vector<std::vector<Sequence>>& episodes, std::ostream& out) {
-  out.precision(std::numeric_limits<float>::max_digits10);
+void writeRows(const std::vector<std::vector<Sequence>>& episodes, CsvWriter* csv) {
   for (std::size_t episode = 0; episode < episodes.front().size(); ++episode) {
     const Sequence& told = episodes.front()[episode];
     for (Eigen::Index step = 0; step < told.steps(); ++step) {
-      out << episode << ',' << step;
-      for (Eigen::Index row = 0; row < told.inputs.rows(); ++row) out << ',' << told.inputs(row, step);
-      for (const std::vector<Sequence>& labelled : episodes) out << ',' << labelled[episode].labels[step];
-      out << '\n';
+      csv->add(episode, step);
+      for (Eigen::Index row = 0; row < told.inputs.rows(); ++row) csv->add(told.inputs(row, step));
+      for (const std::vector<Sequence>& labelled : episodes) csv->add(labelled[episode].labels[step]);
+      csv->endRow();
     }
   }
 }
@@ -45,8 +47,9 @@ void exportEncodedCsv(const std::string& path, const Dataset& dataset, const Pol
   }
   try {
     OutputFile file(path);
-    writeNames(policy, label_distances, file.stream());
-    writeRows(episodes, file.stream());
+    CsvWriter csv(&file.stream(), CsvWriter::Digits::kExact);
+    writeNames(policy, label_distances, &csv);
+    writeRows(episodes, &csv);
     file.commit();
   } catch (const OutputFileError& error) {
     throw DatasetError("'" + path + "' cannot be written: " + error.what());

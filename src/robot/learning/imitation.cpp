@@ -1,5 +1,6 @@
 #include "lstm_planner/robot/learning/imitation.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <atomic>
 #include <iterator>
@@ -9,9 +10,10 @@
 
 #include "lstm_planner/base/common/parallel_for.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/base/common/random.hpp"
-#include "lstm_planner/base/learning/imitation_rounds.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/learning/teacher_rescue.hpp"
 #include "lstm_planner/robot/learning/step_simulator.hpp"
 
@@ -90,13 +92,28 @@ DriveScore scoreOf(const std::vector<Episode>& episodes) {
   return score;
 }
 
+LayerStack firstLayers(const ImitationParameters& parameters) {
+  LayerStack layers =
+      makeNetwork(Encoder(parameters.policy.encoder).size(), parameters.shape, parameters.policy.actions.size());
+  initialise({}, parameters.seed, layers);
+  return layers;
+}
+
+ImitationRoundsParameters roundsOf(const ImitationParameters& parameters) {
+  ImitationRoundsParameters rounds;
+  rounds.rounds = parameters.rounds;
+  rounds.trainer = parameters.trainer;
+  return rounds;
+}
+
+}  // namespace
+
 /// Drives in generated worlds. The same worlds judge every round: first as the teacher drives there, then, added to
 /// that, as each learner did.
 class DriveImitationCourse : public ImitationCourse {
  public:
-  DriveImitationCourse(const ImitationParameters& parameters, const LayerStack& layers,
-                       const ProgressCallback& progress)
-      : parameters_(parameters), layers_(layers), progress_(progress) {}
+  DriveImitationCourse(const ImitationParameters& parameters, const ProgressCallback& progress)
+      : parameters_((validate(parameters), parameters)), layers_(firstLayers(parameters)), progress_(progress) {}
 
   std::vector<Sequence> collectTraining(int round, const LayerStack* learner) override {
     const auto driver = [&](Random& random) {
@@ -110,6 +127,8 @@ class DriveImitationCourse : public ImitationCourse {
 
   std::vector<Sequence> collectValidation(int /*round*/, const LayerStack* learner) override {
     if (learner == nullptr) return cut(drive(layers_, 0, true, [](Random&) { return Driver::kTeacher; }));
+    // After a checkpoint nobody has judged it in this process.
+    if (!wasJudged(*learner)) judge(*learner);
     return std::move(judged_);
   }
 
@@ -117,12 +136,20 @@ class DriveImitationCourse : public ImitationCourse {
   DriveScore judge(const LayerStack& learner) {
     const std::vector<Episode> episodes = drive(learner, 0, true, [](Random&) { return Driver::kLearner; });
     judged_ = cut(episodes);
+    judged_learner_ = parameterVector(learner);
     return scoreOf(episodes);
   }
 
   std::size_t steps() const { return steps_; }  ///< of all drives to learn from
 
+  double share() const { return shareOf(worlds_before_); }
+
  private:
+  bool wasJudged(const LayerStack& learner) const {
+    const Eigen::VectorXf weights = parameterVector(learner);
+    return judged_learner_.size() == weights.size() && judged_learner_ == weights;
+  }
+
   /// Calls `choose_driver` for each drive of a round and lets that driver drive it.
   template <typename ChooseDriver>
   std::vector<Episode> drive(const LayerStack& layers, int round, bool validation, const ChooseDriver& choose_driver) {
@@ -151,11 +178,13 @@ class DriveImitationCourse : public ImitationCourse {
     return all;
   }
 
-  /// Training costs little beside the simulation: progress counts worlds.
-  void reportProgress(int worlds) const {
-    if (!progress_) return;
+  double shareOf(double worlds) const {
     const double worlds_a_round = parameters_.worlds + parameters_.validation_worlds;
-    progress_((worlds_before_ + worlds) / (parameters_.rounds * worlds_a_round + parameters_.validation_worlds));
+    return worlds / (parameters_.rounds * worlds_a_round + parameters_.validation_worlds);
+  }
+
+  void reportProgress(int worlds) const {
+    if (progress_) progress_(shareOf(worlds_before_ + worlds));
   }
 
   std::vector<Sequence> cut(const std::vector<Episode>& episodes) const {
@@ -166,25 +195,19 @@ class DriveImitationCourse : public ImitationCourse {
     return sequences;
   }
 
-  const ImitationParameters& parameters_;
-  const LayerStack& layers_;  ///< not asked while the teacher drives
-  const ProgressCallback& progress_;
-  std::vector<Sequence> judged_;
+  const ImitationParameters parameters_;
+  const LayerStack layers_;  ///< not asked while the teacher drives
+  const ProgressCallback progress_;
+  std::vector<Sequence> judged_;    ///< drives of the learner that was judged last
+  Eigen::VectorXf judged_learner_;  ///< its weights
   std::size_t steps_ = 0;
   double worlds_before_ = 0.0;
 };
 
-}  // namespace
-
 void validate(const ImitationParameters& parameters) {
-  checkParameter(parameters.rounds > 0, "rounds", parameters.rounds, "a positive number");
-  checkParameter(parameters.worlds > 0, "worlds", parameters.worlds, "a positive number");
-  checkParameter(parameters.goals > 0, "goals", parameters.goals, "a positive number");
-  checkParameter(parameters.starts > 0, "starts", parameters.starts, "a positive number");
+  visitImitationParameters(parameters, RangeCheck());
   checkParameter(parameters.validation_worlds > 0, "validation_worlds", parameters.validation_worlds,
                  "a positive number");
-  checkParameter(parameters.learner_share >= 0.0 && parameters.learner_share <= 1.0, "learner_share",
-                 parameters.learner_share, "a share in [0, 1]");
   checkParameter(parameters.max_steps > 0, "max_steps", parameters.max_steps, "a positive number");
   checkParameter(parameters.burn_in_steps >= 0, "burn_in_steps", parameters.burn_in_steps, "zero or more");
   checkParameter(parameters.sequence_steps > parameters.burn_in_steps, "sequence_steps", parameters.sequence_steps,
@@ -197,33 +220,14 @@ void validate(const ImitationParameters& parameters) {
   validate(parameters.trainer);
 }
 
-ImitationResult imitate(const ImitationParameters& parameters, const ProgressCallback& progress,
-                        const RoundCallback& round_done) {
-  validate(parameters);
-  LayerStack layers =
-      makeNetwork(Encoder(parameters.policy.encoder).size(), parameters.shape, parameters.policy.actions.size());
-  initialise({}, parameters.seed, layers);
-  auto new_course = std::make_unique<DriveImitationCourse>(parameters, layers, progress);
-  DriveImitationCourse& course = *new_course;
-  ImitationRoundsParameters rounds_parameters;
-  rounds_parameters.rounds = parameters.rounds;
-  rounds_parameters.trainer = parameters.trainer;
-  ImitationRounds rounds(rounds_parameters, layers, std::move(new_course));
-  ImitationResult result;
-  double best_efficiency = -1.0;
-  while (!rounds.done()) {
-    rounds.step();
-    if (!rounds.judgementDue()) continue;
-    ImitationRound outcome{rounds.round(), course.steps(), course.judge(rounds.layers()), rounds.roundResult()};
-    if (outcome.score.efficiency >= best_efficiency) {
-      best_efficiency = outcome.score.efficiency;
-      result.layers = rounds.layers();
-    }
-    if (round_done) round_done(outcome);
-    result.rounds.push_back(std::move(outcome));
-  }
-  result.curve = rounds.curve();
-  return result;
-}
+DriveImitation::DriveImitation(const ImitationParameters& parameters, const ProgressCallback& progress)
+    : DriveImitation(parameters, std::make_unique<DriveImitationCourse>(parameters, progress)) {}
+
+DriveImitation::DriveImitation(const ImitationParameters& parameters, std::unique_ptr<DriveImitationCourse> course)
+    : course_(*course), rounds_(roundsOf(parameters), firstLayers(parameters), std::move(course)) {}
+
+std::size_t DriveImitation::drivenSteps() const { return course_.steps(); }
+double DriveImitation::drivenShare() const { return course_.share(); }
+DriveScore DriveImitation::judge(const LayerStack& layers) { return course_.judge(layers); }
 
 }  // namespace lstm_planner

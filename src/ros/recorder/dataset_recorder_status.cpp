@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iterator>
 #include <sstream>
+
+#include "lstm_planner/base/common/text_table.hpp"
 
 namespace lstm_planner {
 
@@ -17,20 +18,14 @@ struct Verdict {
   std::string text;
 };
 
-std::string fixed(double value, int digits) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
-}
-
 std::string degrees(double radians) { return std::to_string(std::lround(radians * 180.0 / M_PI)); }
 
 std::string describe(const GoalInFrame& goal) {
-  return "(" + fixed(goal.pose.x, 2) + ", " + fixed(goal.pose.y, 2) + ") in " + goal.frame;
+  return "(" + fixedText(goal.pose.x, 2) + ", " + fixedText(goal.pose.y, 2) + ") in " + goal.frame;
 }
 
 std::string describeSilence(const std::string& what, const std::string& topic, const std::optional<double>& silence) {
-  return silence ? "no " + what + " on " + topic + " for " + fixed(*silence, 1) + " s"
+  return silence ? "no " + what + " on " + topic + " for " + fixedText(*silence, 1) + " s"
                  : "no " + what + " on " + topic + " yet";
 }
 
@@ -76,7 +71,7 @@ Verdict judge(const RecordingStatus& status) {
     return {DiagnosticStatus::WARN, describeSilence("scan", status.scan_topic, status.scan_silence)};
   }
   if (status.disk_left < status.disk_low) {
-    return {DiagnosticStatus::WARN, "only " + fixed(status.disk_left, 0) + " MB are left on the disk"};
+    return {DiagnosticStatus::WARN, "only " + fixedText(status.disk_left, 0) + " MB are left on the disk"};
   }
   if (status.paused) return {DiagnosticStatus::OK, "paused"};
   if (const auto reason = uselessness(status)) return {DiagnosticStatus::WARN, *reason};
@@ -121,7 +116,7 @@ DiagnosticStatus toDiagnostic(const RecordingStatus& status) {
   add("scans heard", status.scans_heard, &message);
   add("odometry heard", status.odometry_heard, &message);
   add("goals heard", status.goals_heard, &message);
-  add("disk left (MB)", fixed(status.disk_left, 0), &message);
+  add("disk left (MB)", fixedText(status.disk_left, 0), &message);
   add("problem", status.write_problem.empty() ? status.problem : status.write_problem, &message);
   return message;
 }
@@ -143,8 +138,8 @@ std::string toLine(const RecordingStatus& status) {
     line << separator << count << ' ' << toString(static_cast<Rejection>(i));
     separator = ", ";
   }
-  line << "; goal " << (status.goal ? describe(*status.goal) : "none") << "; " << fixed(status.disk_left / 1000.0, 1)
-       << " GB left";
+  line << "; goal " << (status.goal ? describe(*status.goal) : "none") << "; "
+       << fixedText(status.disk_left / 1000.0, 1) << " GB left";
   return line.str();
 }
 

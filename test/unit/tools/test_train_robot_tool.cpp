@@ -13,6 +13,22 @@ class TrainRobotTool : public test::ToolTest {
     EXPECT_EQ(outcome.status, 0) << arguments << "\n" << outcome.output;
     return outcome;
   }
+
+  /// Trains at once, and with Ctrl-C in between: the model is the same.
+  void expectTheSameAfterCtrlC(const std::string& options) const {
+    const std::string training =
+        std::string(kTool) + " train " + options + " --output model.onnx --checkpoint model.checkpoint";
+    const test::Outcome whole = runIn("whole", training);
+    ASSERT_EQ(whole.status, 0) << whole.output;
+
+    const test::Outcome stopped = runIn("parts", interrupted(training));
+    EXPECT_EQ(stopped.status, 130) << stopped.output;
+    EXPECT_NE(stopped.output.find("interrupted; the same command continues from here"), std::string::npos)
+        << stopped.output;
+    const test::Outcome resumed = runIn("parts", training);
+    ASSERT_EQ(resumed.status, 0) << resumed.output;
+    EXPECT_TRUE(bytesOf("parts/model.onnx") == bytesOf("whole/model.onnx"));
+  }
 };
 
 TEST_F(TrainRobotTool, ImitationReinforcementAndJudgingFollowOnEachOther) {
@@ -67,21 +83,25 @@ TEST_F(TrainRobotTool, QLearningStartsFromNothing) {
   EXPECT_EQ(DrivePolicy::fromFile(in("own.onnx")).description().encoder.views, 8);
 }
 
-TEST_F(TrainRobotTool, GoesOnAfterCtrlCAsIfNothingHadBeen) {
-  const std::string training =
-      std::string(kTool) +
-      " train --method actor-critic --views 8 --cells 4 --kinds open --iterations 10 --worlds 3 --starts 2 "
-      "--max-steps 40 --validation 2 --threads 1 --output model.onnx --checkpoint model.checkpoint";
-  const test::Outcome whole = runIn("whole", training);
-  ASSERT_EQ(whole.status, 0) << whole.output;
+TEST_F(TrainRobotTool, ReinforcementGoesOnAfterCtrlCAsIfNothingHadBeen) {
+  expectTheSameAfterCtrlC(
+      "--method actor-critic --views 8 --cells 4 --kinds open --iterations 10 --worlds 3 --starts 2 --max-steps 40 "
+      "--validation 2 --threads 1");
+}
 
-  const test::Outcome stopped = runIn("parts", interrupted(training));
-  EXPECT_EQ(stopped.status, 130) << stopped.output;
-  EXPECT_NE(stopped.output.find("interrupted; the same command continues from here"), std::string::npos)
-      << stopped.output;
-  const test::Outcome resumed = runIn("parts", training);
-  ASSERT_EQ(resumed.status, 0) << resumed.output;
-  EXPECT_TRUE(bytesOf("parts/model.onnx") == bytesOf("whole/model.onnx"));
+TEST_F(TrainRobotTool, ImitationGoesOnAfterCtrlCAsIfNothingHadBeen) {
+  expectTheSameAfterCtrlC(
+      "--rounds 4 --epochs 5 --cells 4 --kinds open --worlds 4 --starts 2 --max-steps 40 --validation 2 --threads 1");
+}
+
+TEST_F(TrainRobotTool, ImitationRefusesTheCheckpointOfAnother) {
+  const std::string training =
+      "train --rounds 1 --epochs 1 --cells 4 --kinds open --worlds 1 --validation 1 --output " + in("own.onnx") +
+      " --checkpoint " + in("own.checkpoint");
+  success(training);
+  const test::Outcome other = runTool(training + " --learner-share 0.5");
+  EXPECT_EQ(other.status, 2) << other.output;
+  EXPECT_NE(other.output.find("learner-share"), std::string::npos) << other.output;
 }
 
 }  // namespace

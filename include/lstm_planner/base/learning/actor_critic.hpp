@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "lstm_planner/base/common/communicator.hpp"
+#include "lstm_planner/base/learning/critic.hpp"
 #include "lstm_planner/base/learning/optimiser.hpp"
+#include "lstm_planner/base/learning/reinforcement_learner.hpp"
 #include "lstm_planner/base/network/layers.hpp"
 
 namespace lstm_planner {
@@ -30,6 +32,20 @@ struct ActorCriticParameters {
   int threads = 2;                            ///< does not change the result
   Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
 };
+
+/// Visits the parameters that have an option, named as it; see parameter_visitors.hpp. `unit`: of lengths.
+template <typename Parameters, typename Visitor>
+void visitActorCriticParameters(Parameters& p, const char* unit, const Visitor& visit) {
+  visit("critic", p.critic_units, {1, 4096}, "", "units of each layer of the critic");
+  visit("discount", p.discount, {0.0, 1.0}, "", "discount factor per step (gamma)");
+  visit("advantage-decay", p.advantage_decay, {0.0, 1.0}, "", "decay of the advantage estimate (lambda)");
+  visit("entropy-start", p.entropy_start, {0.0, 1000.0}, "", "weight of the entropy at the start");
+  visit("entropy-end", p.entropy_end, {0.0, 1000.0}, "", "weight of the entropy at the end");
+  visit("step-cost", p.step_cost, {-1e6, 1e6}, unit, "cost of a step");
+  visit("arrival-bonus", p.arrival_bonus, {-1e6, 1e6}, unit, "reward of an arrival");
+  visit("rate", p.learning_rate, {1e-9, 100.0}, "", "learning rate");
+  visit("critic-rate", p.critic_learning_rate, {1e-9, 100.0}, "", "learning rate of the critic");
+}
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const ActorCriticParameters& parameters);
@@ -66,6 +82,9 @@ class ActorCritic {
   void finishUpdate(double steps);
   int updates() const { return updates_; }
   double steps() const { return steps_; }  ///< of all updates
+
+  /// After the last update, in which the critic judged these steps. What the agents did is the course's to fill in.
+  ReinforcementReport report(const CriticSums& judged) const;
 
   /// Everything that the next update depends on.
   std::vector<std::uint8_t> checkpoint() const;

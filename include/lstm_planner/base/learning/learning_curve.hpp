@@ -13,9 +13,8 @@ namespace lstm_planner {
 /// Throws std::runtime_error when the file cannot be written.
 void writeLearningCurveCsv(const std::string& csv_path, const std::vector<EpochReport>& curve);
 
-/// Writes the CSV file, then draws it with gnuplot as a PNG picture: accuracy above, loss below, the best epoch marked.
-/// Throws std::runtime_error when gnuplot is missing or fails; the CSV file is complete by then.
-void writeLearningCurve(const std::string& csv_path, const std::string& png_path,
-                        const std::vector<EpochReport>& curve);
+/// Writes the CSV file beside the picture, then draws it with gnuplot as a PNG picture: accuracy above, loss below, the
+/// best epoch marked. Throws std::runtime_error when gnuplot is missing or fails; the CSV file is complete by then.
+void writeLearningCurve(const std::string& png_path, const std::vector<EpochReport>& curve);
 
 }  // namespace lstm_planner

@@ -7,6 +7,7 @@
 
 #include "lstm_planner/base/common/communicator.hpp"
 #include "lstm_planner/base/learning/optimiser.hpp"
+#include "lstm_planner/base/learning/reinforcement_learner.hpp"
 #include "lstm_planner/base/network/layers.hpp"
 
 namespace lstm_planner {
@@ -58,8 +59,48 @@ struct QLearningParameters {
   Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
 };
 
+/// Visits the parameters that have an option, but the reward, named as it; see parameter_visitors.hpp. `unit`: of
+/// lengths. `updates`: what the course calls them.
+template <typename Parameters, typename Visitor>
+void visitQLearningParameters(Parameters& p, const char* unit, const std::string& updates, const Visitor& visit) {
+  const std::string copies = updates + " between copies of the weights into the target network";
+  const std::string last = "share of the " + updates + " after which epsilon has its last value";
+  visit("discount", p.discount, {0.0, 1.0}, "", "discount factor per step (gamma)");
+  visit("trace-decay", p.trace_decay, {0.0, 1.0}, "", "decay of the returns over several steps (lambda); 0: one step");
+  visit("double-q", p.double_q, {}, "",
+        "1: double Q-learning: the learning network chooses the next action, and the target network gives its value; "
+        "0: the target network does both");
+  visit("target-interval", p.target_interval, {1, 1e9}, "", copies.c_str());
+  visit("exploration-start", p.exploration_start, {0.0, 1.0}, "", "share of random actions (epsilon) at the start");
+  visit("exploration-end", p.exploration_end, {0.0, 1.0}, "", "share of random actions at the end");
+  visit("exploration-share", p.exploration_share, {0.0, 1.0}, "", last.c_str());
+  visit("step-cost", p.step_cost, {0.0, 1e6}, unit, "cost of a step; for --reward progress");
+  visit("arrival-bonus", p.arrival_bonus, {0.0, 1e6}, unit, "reward of an arrival; for --reward progress");
+  visit("tau-range", p.thesis_reward.range, {0.0, 1e6}, "",
+        "cost of each range, times the unit of length / range; for --reward thesis");
+  visit("tau-distance", p.thesis_reward.distance, {0.0, 1e6}, "",
+        "cost of the distance from the goal, for each unit of length; for --reward thesis");
+  visit("tau-angle", p.thesis_reward.angle, {0.0, 1e6}, "",
+        "cost of the angle to the goal, for each rad; for --reward thesis");
+  visit("value-scale", p.value_scale, {1e-9, 1e9}, "", "factor from an output of the network to a value");
+  visit("huber", p.huber, {1e-9, 1e9}, "",
+        "limit of the Huber loss: larger errors count linearly, not by their square");
+  visit("rate", p.learning_rate, {1e-9, 100.0}, "", "learning rate");
+}
+
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const QLearningParameters& parameters);
+
+/// What is added up over the steps whose values are learned.
+struct ValueSums {
+  double steps = 0.0;
+  double value = 0.0;  ///< of the actions taken
+  double squared_error = 0.0;
+
+  void count(double estimate, double error);
+  void operator+=(const ValueSums& other);
+};
+std::vector<double*> numbersOf(ValueSums* sums);
 
 /// The weights of a network of values while it learns, whatever the course is: the target network, optimiser and
 /// schedule, and the checkpoint of it all. The rate sinks to 0 by half a cosine.
@@ -77,6 +118,7 @@ class QLearner {
   const Eigen::VectorXf& weights() const { return weights_; }
   const Eigen::VectorXf& targetWeights() const { return target_weights_; }
   double progress() const;  ///< share of the training that is done
+  double epsilon() const;   ///< share of random actions, in the next update
 
   /// Copies the weights into the target network where it is time to.
   void startUpdate();
@@ -86,6 +128,9 @@ class QLearner {
   void finishUpdate(double steps);
   int updates() const { return updates_; }
   double steps() const { return steps_; }  ///< of all updates
+
+  /// After the last update. What the agents did, and epsilon, is the course's to fill in.
+  ReinforcementReport report(const ValueSums& values) const;
 
   /// Everything that the next update depends on.
   std::vector<std::uint8_t> checkpoint() const;

@@ -67,6 +67,7 @@ struct TrainingLoopOptions {
   nlohmann::json settings;                    ///< what the result depends on besides; see TrainingCheckpoint
   std::string output;                         ///< the file to which the host keeps networks
   bool keep_last = false;                     ///< the network at the end is kept, whatever its score
+  bool keep_later = false;                    ///< of networks with the same score, the later one is kept
   double checkpoint_interval = 5.0;           ///< s; between those that are neither due to a judgement nor to a stop
   Communicator* communicator = oneProcess();  ///< ranks that train together: the first writes the files
 };

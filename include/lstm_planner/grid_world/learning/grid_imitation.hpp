@@ -36,6 +36,28 @@ struct GridImitationParameters {
   int threads = 2;  ///< does not change the result
 };
 
+/// Visits the parameters of a round that have an option, but the supervisor, the loss and the optimiser, named as it;
+/// see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitGridImitationParameters(Parameters& p, const Visitor& visit) {
+  visit("steps", p.dataset.steps, {1, 1e9}, "", "number of steps for training, each round");
+  visit("validation-steps", p.validation_steps, {1, 1e9}, "",
+        "number of steps on the validation maps, to choose the best epoch");
+  visit("sequence", p.dataset.sequence_steps, {1, 1e5}, "",
+        "largest number of steps of backpropagation through time: the thesis's time sequence");
+  visit("burn-in", p.dataset.burn_in_steps, {0, 1e5}, "",
+        "if a sequence starts in the middle of a path: steps before it that only set the hidden state");
+  visit("batch-steps", p.batch_steps, {1, 1e9}, "", "steps per update");
+  visit("goals", p.course.goals, {1, 1e5}, "", "seed of the paths of a round");
+}
+
+/// Likewise, the parameters of the rounds.
+template <typename Parameters, typename Visitor>
+void visitGridRoundParameters(Parameters& p, const Visitor& visit) {
+  visit("rounds", p.rounds, {1, 1e6}, "", "rounds of collecting paths and training for --epochs");
+  visit("learner-share", p.learner_share, {0.0, 1.0}, "", "share of the paths that the network leads");
+}
+
 /// The training of the thesis: Tables 3.1 and 3.2, 500 epochs.
 GridImitationParameters thesisImitation();
 

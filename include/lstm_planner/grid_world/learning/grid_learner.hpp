@@ -5,6 +5,15 @@
 
 namespace lstm_planner {
 
+/// Visits what all learners in the grid world have in common, named as the options; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitGridLearnerParameters(Parameters& p, const Visitor& visit) {
+  visit("updates", p.updates, {1, 1e9}, "", "number of updates of the weights, in all epochs together");
+  visit("agents", p.agents, {1, 1e5}, "", "number of agents at the same time");
+  visit("window", p.window, {1, 1e5}, "", "steps of each agent per update");
+  visit("max-steps", p.max_steps, {1, 1e9}, "", "largest number of steps of a training episode");
+}
+
 /// A network that learns while its agents walk through a course: GridActorCritic, GridQLearning. Its checkpoints are
 /// of the time between two epochs.
 class GridLearner : public ReinforcementLearner {

@@ -6,8 +6,6 @@
 
 #include "lstm_planner/base/learning/actor_critic.hpp"
 #include "lstm_planner/robot/dataset/dataset.hpp"
-#include "lstm_planner/robot/driving/drive_policy.hpp"
-#include "lstm_planner/robot/learning/drive_course.hpp"
 #include "lstm_planner/robot/learning/drive_learner.hpp"
 
 namespace lstm_planner {
@@ -18,7 +16,7 @@ namespace lstm_planner {
 /// it brings the robot nearer to the goal by the teacher's path, less a cost.
 ///
 /// Lengths are in m, and an episode is a drive.
-struct DriveActorCriticParameters : ActorCriticParameters {
+struct DriveActorCriticParameters : ActorCriticParameters, PracticeParameters {
   DriveActorCriticParameters() {
     window = 32;
     entropy_start = 0.003;
@@ -29,17 +27,16 @@ struct DriveActorCriticParameters : ActorCriticParameters {
     critic_learning_rate = 0.005;
   }
 
-  PolicyDescription policy;
-  DriveCourseParameters course;
-  int iterations = 60;        ///< collect, then update
-  int worlds = 16;            ///< an iteration, new ones each time
-  int goals = 2;              ///< a world
-  int starts = 8;             ///< drives to a goal
-  int passes = 4;             ///< over what was collected
-  double sharpness = 3.0;     ///< times the first policy's preferences, which imitation leaves too close for drawing
-  double clip = 0.2;          ///< how far from 1 a probability's change still counts
-  double contact_cost = 0.5;  ///< m
+  double sharpness = 3.0;  ///< times the first policy's preferences, which imitation leaves too close for drawing
+  double clip = 0.2;       ///< how far from 1 a probability's change still counts
 };
+
+/// Visits what is its own and has an option, named as it; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitPolicyChangeParameters(Parameters& p, const Visitor& visit) {
+  visit("sharpness", p.sharpness, {1e-9, 1e9}, "", "factor on the preferences of the network of --init");
+  visit("clip", p.clip, {1e-9, 1e9}, "", "largest change of a probability in an update (PPO's clip)");
+}
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DriveActorCriticParameters& parameters);

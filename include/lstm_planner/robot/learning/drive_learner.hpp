@@ -2,8 +2,33 @@
 
 #include "lstm_planner/base/learning/reinforcement_learner.hpp"
 #include "lstm_planner/base/learning/training_loop.hpp"
+#include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "lstm_planner/robot/learning/drive_course.hpp"
 
 namespace lstm_planner {
+
+/// What every learner from practice drives needs besides its way of learning. Lengths are in m.
+struct PracticeParameters {
+  PolicyDescription policy;
+  DriveCourseParameters course;
+  int iterations = 60;        ///< collect, then update
+  int worlds = 16;            ///< an iteration, new ones each time
+  int goals = 2;              ///< a world
+  int starts = 8;             ///< drives to a goal
+  int passes = 4;             ///< over what was collected
+  double contact_cost = 0.5;  ///< m; of the reward by progress
+};
+
+/// Visits what all learners from practice drives have in common, named as the options; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitPracticeParameters(Parameters& p, const Visitor& visit) {
+  visit("iterations", p.iterations, {1, 1e6}, "", "iterations of collecting drives and learning");
+  visit("worlds", p.worlds, {1, 1e5}, "", "worlds per iteration");
+  visit("goals", p.goals, {1, 1e4}, "", "goals per world");
+  visit("starts", p.starts, {1, 1e4}, "", "drives per goal");
+  visit("window", p.window, {1, 1e5}, "", "largest number of steps of backpropagation through time");
+  visit("passes", p.passes, {1, 1e4}, "", "passes over the collected drives");
+}
 
 /// A network that learns from practice drives: DriveActorCritic, DriveQLearning. An update of it is an iteration.
 class DriveLearner : public ReinforcementLearner {

@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "lstm_planner/base/learning/q_learner.hpp"
-#include "lstm_planner/robot/driving/drive_policy.hpp"
-#include "lstm_planner/robot/learning/drive_course.hpp"
 #include "lstm_planner/robot/learning/drive_learner.hpp"
 #include "lstm_planner/robot/perception/observation.hpp"
 
@@ -28,7 +26,7 @@ double driveThesisReward(const Observation& observation, const ThesisRewardWeigh
 /// value of what would have come next is unknown: its last step teaches nothing.
 ///
 /// Lengths are in m, and an episode is a drive. The progress of a step counts 1 m at most.
-struct DriveQLearningParameters : QLearningParameters {
+struct DriveQLearningParameters : QLearningParameters, PracticeParameters {
   DriveQLearningParameters() {
     window = 32;
     reward = Reward::kThesis;
@@ -36,16 +34,8 @@ struct DriveQLearningParameters : QLearningParameters {
     step_cost = 0.05;
     arrival_bonus = 3.0;
     value_scale = 3.0;
+    passes = 8;
   }
-
-  PolicyDescription policy;
-  DriveCourseParameters course;
-  int iterations = 60;        ///< collect, then update
-  int worlds = 16;            ///< an iteration, new ones each time
-  int goals = 2;              ///< a world
-  int starts = 8;             ///< drives to a goal
-  int passes = 8;             ///< over what was collected
-  double contact_cost = 0.5;  ///< m; kProgress only
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
+#include "lstm_planner/base/learning/imitation_rounds.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/trainer.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
@@ -34,30 +37,52 @@ struct ImitationParameters {
   TrainerParameters trainer;  ///< for each round
 };
 
+/// Visits the parameters that have an option, but the loss, named as it; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitImitationParameters(Parameters& p, const Visitor& visit) {
+  visit("rounds", p.rounds, {1, 1e6}, "", "rounds of collecting drives and training");
+  visit("worlds", p.worlds, {1, 1e5}, "", "worlds per round");
+  visit("goals", p.goals, {1, 1e4}, "", "goals per world");
+  visit("starts", p.starts, {1, 1e4}, "", "drives per goal");
+  visit("epochs", p.trainer.epochs, {1, 1e6}, "", "epochs per round");
+  visit("rate", p.trainer.optimiser.learning_rate, {1e-9, 100.0}, "", "learning rate");
+  visit("learner-share", p.learner_share, {0.0, 1.0}, "", "share of the drives in which the learning network steers");
+}
+
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const ImitationParameters& parameters);
 
-/// What one round brought.
-struct ImitationRound {
-  int round = 0;          ///< from 1
-  std::size_t steps = 0;  ///< collected so far
-  DriveScore score;       ///< of the validation drives, by the learner alone, after the round
-  TrainingResult training;
-};
-
-/// What all rounds brought.
-struct ImitationResult {
-  LayerStack layers;  ///< of the most efficient round
-  std::vector<ImitationRound> rounds;
-  std::vector<EpochReport> curve;  ///< of all rounds, one after the other
-};
+class DriveImitationCourse;
 
 /// Reports of progress: share of the whole work that is done, in [0, 1]. Called from the calling thread.
 using ProgressCallback = std::function<void(double)>;
-using RoundCallback = std::function<void(const ImitationRound&)>;
 
-/// Runs all rounds. The same parameters give the same weights, whatever the number of threads.
-ImitationResult imitate(const ImitationParameters& parameters, const ProgressCallback& progress = {},
-                        const RoundCallback& round_done = {});
+/// A step is an epoch; the first of each round first collects drives. After the last one of a round it is time to
+/// judge. The same parameters give the same weights, whatever the number of threads.
+class DriveImitation : public SteppedTraining {
+ public:
+  /// Throws as validate().
+  explicit DriveImitation(const ImitationParameters& parameters, const ProgressCallback& progress = {});
+
+  const ImitationRounds& rounds() const { return rounds_; }
+  std::size_t drivenSteps() const;  ///< of all drives so far to learn from, also where the teacher had no answer
+  double drivenShare() const;       ///< of all worlds: training costs little beside the simulation
+
+  /// Of the validation drives, by these layers alone.
+  DriveScore judge(const LayerStack& layers);
+
+  bool done() const override { return rounds_.done(); }
+  void step() override { rounds_.step(); }
+  const LayerStack& layers() const override { return rounds_.layers(); }
+  bool judgementDue() const override { return rounds_.judgementDue(); }
+  std::vector<std::uint8_t> checkpoint() const override { return rounds_.checkpoint(); }
+  void restore(const std::vector<std::uint8_t>& checkpoint) override { rounds_.restore(checkpoint); }
+
+ private:
+  DriveImitation(const ImitationParameters& parameters, std::unique_ptr<DriveImitationCourse> course);
+
+  DriveImitationCourse& course_;  ///< the rounds own it
+  ImitationRounds rounds_;
+};
 
 }  // namespace lstm_planner

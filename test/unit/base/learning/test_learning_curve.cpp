@@ -68,22 +68,22 @@ TEST_F(LearningCurve, AveragedWeightsHaveColumnsOfTheirOwn) {
 }
 
 TEST_F(LearningCurve, PictureShowsTheCurves) {
-  writeLearningCurve(file("curve.csv"), file("curve.png"), curve());
+  writeLearningCurve(file("curve.png"), curve());
   test::expectPicture(file("curve.png"), 900, 800);
   auto without = curve();
   for (EpochReport& report : without) report.validation = {};
-  writeLearningCurve(file("curve.csv"), file("without.png"), without);
+  writeLearningCurve(file("without.png"), without);
   test::expectPicture(file("without.png"), 900, 800);
   auto with_average = curve();
   for (EpochReport& report : with_average) report.averaged = lossSum(0.25, 7, 1);
-  writeLearningCurve(file("curve.csv"), file("average.png"), with_average);
+  writeLearningCurve(file("average.png"), with_average);
   test::expectPicture(file("average.png"), 900, 800);
 }
 
 TEST_F(LearningCurve, MissingGnuplotIsSaidAndTheCsvIsThere) {
   ::setenv("PATH", folder_.path().c_str(), 1);
   try {
-    writeLearningCurve(file("curve.csv"), file("curve.png"), curve());
+    writeLearningCurve(file("curve.png"), curve());
     FAIL() << "drew without gnuplot";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("needs gnuplot, which is not installed"), std::string::npos)

@@ -167,6 +167,18 @@ TEST_F(TrainingLoop, WhereATrainingCannotGoOnFromTheCheckpointIsOlder) {
   EXPECT_EQ(stepsInCheckpoint(), kEpoch);
 }
 
+TEST_F(TrainingLoop, OfTwoThatAreAsGoodTheFirstIsKeptUnlessTheLaterIsWanted) {
+  for (const bool later : {false, true}) {
+    options_.checkpoint.clear();
+    options_.keep_later = later;
+    Toy training;
+    Host host(training, in("model"));
+    host.scores_ = {0.5, 0.7, 0.7};
+    EXPECT_EQ(runTraining(options_, &training, &host).best, 0.7);
+    EXPECT_EQ(host.kept_at_.back(), later ? 3 * kEpoch : 2 * kEpoch);
+  }
+}
+
 TEST_F(TrainingLoop, KeepsTheBest) {
   Toy training;
   Host host(training, in("model"));

@@ -102,7 +102,7 @@ TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
   const auto errorAt = [&](Eigen::Index index, float change) {
     Eigen::VectorXf moved = weights;
     moved[index] += change;
-    return Walk(parameters, course).window(moved, target_weights, kRandomMoves).squared_error;
+    return Walk(parameters, course).window(moved, target_weights, kRandomMoves).values.squared_error;
   };
   // An error of half a squared value is the squared error of the output times the scale's square.
   const double unit = 2.0 * parameters.value_scale * parameters.value_scale;
@@ -118,11 +118,11 @@ TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
   const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestPath);
   GridQLearningParameters parameters = smallParameters();
   const Eigen::VectorXf weights = parameterVector(networkFor(parameters));
-  const double in_one = Walk(parameters, course).window(weights, weights, kBestMoves).value;
+  const double in_one = Walk(parameters, course).window(weights, weights, kBestMoves).values.value;
   parameters.window = 8;
   Walk halves(parameters, course);
-  const double first = halves.window(weights, weights, kBestMoves).value;
-  const double second = halves.window(weights, weights, kBestMoves).value;
+  const double first = halves.window(weights, weights, kBestMoves).values.value;
+  const double second = halves.window(weights, weights, kBestMoves).values.value;
   // Only the order of summing differs.
   EXPECT_NEAR(first + second, in_one, 1e-9 * std::abs(in_one));
 }

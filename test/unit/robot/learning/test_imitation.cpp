@@ -26,25 +26,63 @@ ImitationParameters tinyImitation(int threads) {
   return parameters;
 }
 
+/// What came of a round.
+struct Round {
+  std::size_t steps;
+  DriveScore score;
+  Eigen::VectorXf weights;
+};
+
+/// Steps and judges until the training is done.
+std::vector<Round> finish(DriveImitation* training) {
+  std::vector<Round> rounds;
+  while (!training->done()) {
+    training->step();
+    if (!training->judgementDue()) continue;
+    rounds.push_back(
+        {training->drivenSteps(), training->judge(training->layers()), parameterVector(training->layers())});
+  }
+  return rounds;
+}
+
 TEST(Imitation, GivesTheSameWeightsForAnyNumberOfThreads) {
   std::vector<double> progress;
-  const ImitationResult one = imitate(tinyImitation(1), [&](double share) { progress.push_back(share); });
-  const ImitationResult two = imitate(tinyImitation(2));
-  const Eigen::VectorXf weights = parameterVector(one.layers);
-  EXPECT_GT(weights.size(), 0);
-  EXPECT_EQ(weights, parameterVector(two.layers));
-
-  ASSERT_EQ(one.rounds.size(), 2u);
+  DriveImitation alone(tinyImitation(1), [&](double share) { progress.push_back(share); });
+  DriveImitation shared(tinyImitation(2));
+  const std::vector<Round> one = finish(&alone);
+  const std::vector<Round> two = finish(&shared);
+  ASSERT_EQ(one.size(), 2u);
   for (std::size_t round = 0; round < 2; ++round) {
-    EXPECT_EQ(one.rounds[round].round, static_cast<int>(round) + 1);
-    EXPECT_EQ(one.rounds[round].steps, two.rounds[round].steps);
-    EXPECT_EQ(one.rounds[round].score.arrival, two.rounds[round].score.arrival);
+    EXPECT_GT(one[round].weights.size(), 0);
+    EXPECT_EQ(one[round].weights, two[round].weights);
+    EXPECT_EQ(one[round].steps, two[round].steps);
+    EXPECT_EQ(one[round].score.arrival, two[round].score.arrival);
   }
-  EXPECT_GT(one.rounds[1].steps, one.rounds[0].steps);  // everything collected before is kept
+  EXPECT_GT(one[1].steps, one[0].steps);  // everything collected before is kept
 
   ASSERT_FALSE(progress.empty());
   for (std::size_t i = 1; i < progress.size(); ++i) EXPECT_GT(progress[i], progress[i - 1]);
   EXPECT_DOUBLE_EQ(progress.back(), 1.0);
+}
+
+TEST(Imitation, GoesOnFromACheckpointAfterAnyEpochAsIfNothingHadBeen) {
+  DriveImitation whole(tinyImitation(2));
+  std::vector<std::vector<std::uint8_t>> checkpoints;
+  while (!whole.done()) {
+    whole.step();
+    if (whole.judgementDue()) whole.judge(whole.layers());
+    checkpoints.push_back(whole.checkpoint());
+  }
+  ASSERT_EQ(checkpoints.size(), 4u);
+  // After the second one nobody judges the learner, whose drives validate the next round.
+  for (std::size_t done = 0; done < checkpoints.size(); ++done) {
+    DriveImitation resumed(tinyImitation(2));
+    resumed.restore(checkpoints[done]);
+    finish(&resumed);
+    EXPECT_EQ(parameterVector(resumed.layers()), parameterVector(whole.layers())) << done + 1 << " epochs";
+    EXPECT_EQ(resumed.checkpoint(), whole.checkpoint()) << done + 1 << " epochs";
+    EXPECT_EQ(resumed.drivenSteps(), whole.drivenSteps());
+  }
 }
 
 TEST(Imitation, LearnsWhatTheTeacherDoesAtEachLabel) {
@@ -58,7 +96,9 @@ TEST(Imitation, LearnsWhatTheTeacherDoesAtEachLabel) {
   parameters.trainer.epochs = 40;
   parameters.trainer.batch_size = 4;
   parameters.trainer.optimiser.learning_rate = 0.02;
-  const std::vector<EpochReport> curve = imitate(parameters).rounds.at(0).training.curve;
+  DriveImitation training(parameters);
+  finish(&training);
+  const std::vector<EpochReport> curve = training.rounds().curve();
   // Always the same one of five answers is worth 20 %, though the most frequent label alone is worth 61 % unbalanced.
   EXPECT_LT(balancedAccuracy(curve.front().training.confusion), 0.3);
   EXPECT_GT(balancedAccuracy(curve.back().training.confusion), 0.5);

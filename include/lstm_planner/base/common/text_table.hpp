@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace lstm_planner {
+
+/// "0.80"; with so many decimals.
+std::string fixedText(double number, int decimals);
+
+/// With blanks behind it up to a width.
+std::string leftText(const std::string& text, std::size_t width);
+
+/// A line of headings, and lines of cells below it, as people read them on a terminal. A cell ends where its heading
+/// ends.
+class TextTable {
+ public:
+  /// Between two headings there are two blanks or more.
+  explicit TextTable(std::string headings);
+
+  const std::string& headings() const { return headings_; }
+  /// Cells from the left. A cell that is too wide moves those behind it as far as needed.
+  std::string line(const std::vector<std::string>& cells) const;
+
+ private:
+  std::string headings_;
+  std::vector<std::size_t> ends_;
+};
+
+}  // namespace lstm_planner
