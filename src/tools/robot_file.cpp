@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "lstm_planner/base/common/nearest_name.hpp"
 #include "lstm_planner/base/common/parameter_visitors.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
+#include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
 #include "tools/shared_file.hpp"
 
 namespace lstm_planner {
@@ -98,6 +100,32 @@ YAML::Node load(const std::string& path) {
   throw std::invalid_argument(path + ": expected groups of parameters, as in config/robots/create2_hokuyo.yaml");
 }
 
+template <typename Visitor>
+std::optional<HokuyoParameters> readSecondScanner(const Visitor& visit) {
+  bool is_mounted = false;
+  HokuyoParameters scanner = lookingBack();
+  visit("second_laser/is_mounted", is_mounted, {}, "", "");
+  visitHokuyoParameters(scanner, withPrefix("second_laser/", visit));
+  if (!is_mounted) return std::nullopt;
+  return scanner;
+}
+
+/// Both plugins have it, and the simulated robot, or none.
+void checkSecondScanner(const std::string& path, const SensorParameters& planner, const SensorParameters& controller,
+                        bool is_mounted) {
+  const std::string& topic = planner.second_scan_topic;
+  const std::string because = ": LstmGlobalPlanner/second_scan_topic is '" + topic + "'";
+  if (controller.second_scan_topic != topic) {
+    throw std::invalid_argument(path + ": SteeringController/second_scan_topic is '" + controller.second_scan_topic +
+                                "', expected '" + topic + "'" + because);
+  }
+  if (is_mounted == topic.empty()) {
+    const std::string value = is_mounted ? "true" : "false";
+    throw std::invalid_argument(path + ": create2_stub/second_laser/is_mounted is " + value + ", expected " +
+                                (is_mounted ? "false" : "true") + because);
+  }
+}
+
 }  // namespace
 
 void readRobotFile(const std::string& name, DriveParameters* drive, AgentParameters* agent) {
@@ -132,7 +160,9 @@ void readRobotFile(const std::string& name, DriveParameters* drive, AgentParamet
   const auto visit = simulation.visitor();
   visitCreate2Parameters(drive->robot.base, withPrefix("robot/", visit));
   visitHokuyoParameters(drive->robot.scanner, withPrefix("laser/", visit));
+  drive->robot.second_scanner = readSecondScanner(visit);
   simulation.refuseUnknown();
+  checkSecondScanner(path, planner.sensors, controller.sensors, drive->robot.second_scanner.has_value());
 }
 
 }  // namespace lstm_planner

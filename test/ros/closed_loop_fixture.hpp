@@ -64,10 +64,10 @@ class ClosedLoopTest : public testing::Test {
     return has_truth_;
   }
 
-  static bool pauseScan(bool pause) {
+  static bool pauseScan(bool pause, const std::string& topic = "scan") {
     std_srvs::SetBool service;
     service.request.data = pause;
-    return ros::service::call("create2_stub/pause_scan", service);
+    return ros::service::call("create2_stub/pause_" + topic, service);
   }
 
   bool eventuallyDrives() {

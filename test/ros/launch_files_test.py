@@ -93,11 +93,12 @@ class LaunchFiles(unittest.TestCase):
 
     def test_a_robot_that_already_runs_gets_nothing_but_move_base(self):
         config = load("navigation.launch", "base:=false", "laser:=false", "tf:=false", "robot:=turtlebot3_burger",
-                      "scan_topic:=front", "odom_topic:=wheels", "cmd_vel_topic:=drive", "odom_frame:=o", "base_frame:=b")
+                      "scan_topic:=front", "second_scan_topic:=rear", "odom_topic:=wheels", "cmd_vel_topic:=drive", "odom_frame:=o", "base_frame:=b")
         self.assertEqual([node.name for node in config.nodes], ["move_base"])
         self.assertEqual([list(pair) for pair in config.nodes[0].remap_args], [["cmd_vel", "drive"]])
         for plugin in ("LstmGlobalPlanner", "SteeringController"):
             self.assertEqual(self.parameter(config, "/move_base/%s/scan_topic" % plugin), "front")
+            self.assertEqual(self.parameter(config, "/move_base/%s/second_scan_topic" % plugin), "rear")
             self.assertEqual(self.parameter(config, "/move_base/%s/odom_topic" % plugin), "wheels")
         for costmap in ("global_costmap", "local_costmap"):
             self.assertEqual(self.parameter(config, "/move_base/%s/obstacle_layer/scan/topic" % costmap), "front")

@@ -8,7 +8,7 @@ ClosedLoop::End ClosedLoop::run(const Point2& goal, const std::function<bool()>&
   agent_.setGoal(goal);
   agent_.restart();  // what it remembers of another drive is in another odometry frame
   while (goes_on()) {
-    robot_.sense(range_cap, &situation_);
+    if (!robot_.sense(range_cap, &situation_)) continue;
     const Decision& decision = agent_.update(situation_);
     if (decision.source == Decision::Source::kNoPath) return End::kNoPath;
     if (robot_.hasArrived(situation_, decision)) return End::kArrived;

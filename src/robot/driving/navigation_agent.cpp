@@ -72,12 +72,14 @@ void NavigationAgent::change(const AgentParameters& parameters) {
   parameters_ = changed;
 }
 
-void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time) {
+void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time,
+                               const TakenScan* second) {
   checkPose(pose);
   checkFits(policy_.description(), parameters_.step.length, scan.range_max);
   lstm_planner::perceive(scan, mount, rules_, policy_.description().encoder.range_cap, &situation_);
   situation_.pose = pose;
   situation_.time = time;
+  if (second != nullptr) perceiveSecond(*second, rules_, &situation_);
   show(situation_);
 }
 

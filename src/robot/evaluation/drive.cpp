@@ -20,7 +20,7 @@ class ControlledRobot : public LoopRobot {
   ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters,
                   const DriveListener& listener)
       : robot_(*robot), parameters_(parameters), listener_(listener), tracker_(parameters.motion) {
-    tracker_.expectReactionTime(scanPeriod(), parameters.control_period);
+    tracker_.expectReactionTime(parameters.robot.longestScanPeriod(), parameters.control_period);
     const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
     goal_ = {goal.x, goal.y, 0.0};
   }
@@ -28,10 +28,18 @@ class ControlledRobot : public LoopRobot {
   const Pose2& goal() const { return goal_; }  ///< odometry frame
 
   /// Sees what the last scan showed until the scanner has taken another one.
-  void sense(double range_cap, Situation* situation) override {
-    if (robot_.time() < next_scan_) return;
-    robot_.sense(range_cap, situation);
+  bool sense(double range_cap, Situation* situation) override {
+    if (robot_.time() < next_scan_) return true;
+    try {
+      robot_.sense(range_cap, situation);
+    } catch (const UnusableScan&) {
+      // Somebody is so near to the scanner that it measures nothing. The plugins stop the robot then.
+      robot_.command({});
+      robot_.advance(parameters_.control_period);
+      return false;
+    }
     next_scan_ = robot_.time() + scanPeriod() - kSameTime;
+    return true;
   }
 
   bool hasArrived(const Situation& situation, const Decision& decision) const override {

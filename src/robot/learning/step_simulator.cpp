@@ -85,11 +85,12 @@ DriveResult::End StepSimulator::run(int max_steps, NavigationAgent* agent) {
   return DriveResult::End::kTimeout;
 }
 
-void StepSimulator::sense(double range_cap, Situation* situation) {
+bool StepSimulator::sense(double range_cap, Situation* situation) {
   scanner_.scan(world_, pose_, time_, &scan_);
   perceive(scan_, conditions_.scanner.mount, Hokuyo::rules(), range_cap, situation);
   situation->time = time_;
   situation->pose = odometry_;
+  return true;
 }
 
 bool StepSimulator::hasArrived(const Situation& situation, const Decision& decision) const {

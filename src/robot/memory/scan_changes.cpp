@@ -28,7 +28,9 @@ ScanChanges::ScanChanges(double reach, double resolution) : reach_(reach), sight
 
 void ScanChanges::find(const Situation& situation, const ObstacleWindow& window) {
   findReturns(situation, window);
-  findCleared(situation, window);
+  cleared_.clear();
+  findCleared(situation.profile, situation.pose, window);
+  for (const SecondView& view : situation.second) findCleared(view.profile, situation.pose, window);
 }
 
 void ScanChanges::findReturns(const Situation& situation, const ObstacleWindow& window) {
@@ -59,13 +61,12 @@ void ScanChanges::findReturns(const Situation& situation, const ObstacleWindow& 
   returned_is_known_ = false;
 }
 
-void ScanChanges::findCleared(const Situation& situation, const ObstacleWindow& window) {
-  cleared_.clear();
-  sight_.show(situation.profile, situation.pose.yaw);
+void ScanChanges::findCleared(const RangeProfile& profile, const Pose2& pose, const ObstacleWindow& window) {
+  sight_.show(profile, pose.yaw);
   if (sight_.isBlind()) {
     return;
   }
-  const Point2 scanner = toParentFrame(situation.pose, situation.profile.origin);
+  const Point2 scanner = toParentFrame(pose, profile.origin);
   const int reach = static_cast<int>(reach_ / window.cellSize());
   const int middle_column = floorOf(scanner.x / window.cellSize()) - window.originColumn();
   const int middle_row = floorOf(scanner.y / window.cellSize()) - window.originRow();

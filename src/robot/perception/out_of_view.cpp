@@ -17,13 +17,19 @@ double squaredLength(const Point2& point) { return point.x * point.x + point.y *
 
 }  // namespace
 
-bool OutOfView::isInView(const RangeProfile& profile, const Point2& place) const {
+bool OutOfView::isInView(const RangeProfile& profile, const Point2& place) {
   const long beam = profile.beamTowards(directionTo(profile.origin, place));
   if (beam < 0) return false;
   const auto i = static_cast<std::size_t>(beam);
   const float range = profile.ranges[i];
   if (!(range > 0.0F)) return false;  // not measured
   return range > distanceBetween(profile.origin, place) - kHiddenBy;
+}
+
+bool OutOfView::isInView(const Situation& situation, const Point2& place) {
+  return isInView(situation.profile, place) ||
+         std::any_of(situation.second.begin(), situation.second.end(),
+                     [&](const SecondView& view) { return isInView(view.profile, place); });
 }
 
 void OutOfView::show(const Situation& situation) {
@@ -33,7 +39,7 @@ void OutOfView::show(const Situation& situation) {
   const Pose2 before = compose(inverse(situation.pose), pose_);
   for (const Point2& point : old_) {
     const Point2 place = toParentFrame(before, point);
-    if (points_.size() >= kMost || squaredLength(place) > near_ * near_ || isInView(situation.profile, place)) continue;
+    if (points_.size() >= kMost || squaredLength(place) > near_ * near_ || isInView(situation, place)) continue;
     const std::size_t first = points_.size() - std::min(points_.size(), kCompared);
     const bool is_known = std::any_of(points_.begin() + static_cast<std::ptrdiff_t>(first), points_.end(),
                                       [&](const Point2& other) { return distanceBetween(place, other) < kSamePlace; });

@@ -123,14 +123,14 @@ void addBeams(const std::vector<float>& ranges, double range_cap, const BeamFan&
   throw UnusableScan("the scan has " + what_it_has + ", expected " + expected);
 }
 
-void checkSector(int sector, int beams, int known, double least_measured, double increment) {
+/// A sector begins at `from` (rad around the robot's heading).
+void checkSector(double from, double width, int beams, int known, double least_measured, double increment) {
   if (beams == 0) {
-    refuse("an increment of " + degrees(increment), "at least one beam in each sector of " + degrees(kSectorWidth));
+    refuse("an increment of " + degrees(increment), "at least one beam in each sector of " + degrees(width));
   }
   if (known == 0 || known < least_measured * beams) {
-    const double from = sector * kSectorWidth - kWindow / 2.0;
     refuse(std::to_string(known) + " of " + std::to_string(beams) + " beams measured from " + degrees(from) + " to " +
-               degrees(from + kSectorWidth) + " around the robot's heading",
+               degrees(from + width) + " around the robot's heading",
            "at least the share least_measured = " + std::to_string(least_measured) +
                ": the scanner is covered, or its driver sends other readings for no return (no_return)");
   }
@@ -197,10 +197,27 @@ Sectors averageSectors(const RangeProfile& profile, double least_measured, doubl
   if (!coversWindow(fan)) addBeams(profile.ranges, range_cap, fan, -kTurn, &sectors, &known);
 
   for (int sector = 0; sector < kSectorCount; ++sector) {
-    checkSector(sector, sectors.beams[sector], known[sector], least_measured, fan.increment);
+    const double from = sector * kSectorWidth - kWindow / 2.0;
+    checkSector(from, kSectorWidth, sectors.beams[sector], known[sector], least_measured, fan.increment);
     sectors.range[sector] /= known[sector];
   }
   return sectors;
+}
+
+void checkMeasured(const RangeProfile& profile, double least_measured) {
+  const BeamFan fan = fanOf(profile);
+  const double span = static_cast<double>(fan.count) * fan.increment;
+  const long sections = std::max(1L, std::lround(span / kSectorWidth));
+  const double width = span / static_cast<double>(sections);
+  const long beams = static_cast<long>(profile.ranges.size());
+  for (long section = 0; section < sections; ++section) {
+    const long begin = fan.count * section / sections;
+    const long end = fan.count * (section + 1) / sections;
+    const float* const first = profile.ranges.data() + (fan.reversed ? beams - end : begin);
+    const int known = end > begin ? sumOf(first, end - begin, 1.0).known : 0;
+    const double from = normalizeAngle(fan.start - kWindow / 2.0 + static_cast<double>(section) * width);
+    checkSector(from, width, static_cast<int>(end - begin), known, least_measured, fan.increment);
+  }
 }
 
 }  // namespace lstm_planner

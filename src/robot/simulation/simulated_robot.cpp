@@ -8,6 +8,9 @@
 namespace lstm_planner {
 namespace {
 
+constexpr std::uint64_t kSecondSeed = 0x2545F4914F6CDD1D;  // any: the noise of two scanners differs
+
+constexpr double kSameTime = 1e-6;  // s
 constexpr double kStanding = 0.02;  // m/s; who is slower towards somebody is not driving into him
 
 /// m/s towards `other`.
@@ -26,6 +29,14 @@ SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters,
       scanner_(parameters.scanner, ~seed),
       localiser_(start, parameters.localisation_jump) {
   visitSimulatedRobotParameters(parameters, RangeCheck());
+  if (parameters.second_scanner) {
+    second_ = SecondScanner{Hokuyo(*parameters.second_scanner, seed ^ kSecondSeed), {}, {}, 0.0};
+  }
+}
+
+double SimulatedRobot::Parameters::longestScanPeriod() const {
+  const double rate = second_scanner ? std::min(scanner.rate, second_scanner->rate) : scanner.rate;
+  return 1.0 / rate;
 }
 
 SimulatedRobot::SimulatedRobot(Traffic* traffic, const Parameters& parameters, const Pose2& start, std::uint64_t seed)
@@ -99,6 +110,17 @@ void SimulatedRobot::sense(double range_cap, Situation* situation) {
   perceive(scan_, parameters_.scanner.mount, Hokuyo::rules(), range_cap, situation);
   situation->time = time_;
   situation->pose = believedPose();
+  if (second_) senseWithSecond(situation);
+}
+
+void SimulatedRobot::senseWithSecond(Situation* situation) {
+  if (time_ >= second_->next) {
+    second_->scanner.scan(world_, base_.truePose(), time_, &second_->scan);
+    second_->pose = situation->pose;
+    second_->next = time_ + 1.0 / second_->scanner.parameters().rate - kSameTime;
+  }
+  const LaserScan& scan = second_->scan;
+  perceiveSecond({scan, second_->scanner.parameters().mount, second_->pose, scan.stamp}, Hokuyo::rules(), situation);
 }
 
 }  // namespace lstm_planner

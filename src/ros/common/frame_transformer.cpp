@@ -1,7 +1,8 @@
 #include "ros/common/frame_transformer.hpp"
 
+#include "lstm_planner/robot/perception/message_age.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "ros/common/message_age.hpp"
+#include "ros/common/seconds_between.hpp"
 
 namespace lstm_planner {
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <exception>
 
-#include "ros/common/message_age.hpp"
+#include "lstm_planner/robot/perception/message_age.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -65,6 +65,11 @@ void PluginDiagnostics::addSensors(const std::function<SensorListener*()>& senso
   add("scan", [sensors](Status& status) {
     if (sensors() != nullptr) describe(sensors()->scanHealth(ros::Time::now()), "scan_timeout", &status);
   });
+  if (sensors() != nullptr && sensors()->hasSecondScanner()) {
+    add("second scan", [sensors](Status& status) {
+      describe(sensors()->secondScanHealth(ros::Time::now()), "scan_timeout", &status);
+    });
+  }
   add("odometry", [sensors](Status& status) {
     if (sensors() != nullptr) describe(sensors()->odometryHealth(ros::Time::now()), "odom_timeout", &status);
   });

@@ -2,10 +2,11 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "ros/common/message_age.hpp"
+#include "ros/common/seconds_between.hpp"
 
 namespace lstm_planner {
 
@@ -17,38 +18,40 @@ constexpr int kOdometryQueue = 100;  // a tenth of a second of the fastest
 /// When it was received stands in where a driver does not stamp its messages and leaves zero there.
 ros::Time stampOr(const ros::Time& stamp, const ros::Time& received) { return stamp.isZero() ? received : stamp; }
 
-/// `age`: by the stamp; `silence`: since it was received; s.
-void checkAge(double age, double silence, double timeout, const std::string& topic, const std::string& parameter) {
-  std::string problem = ageProblem(age, timeout, parameter);
-  if (problem.empty()) return;
-  if (age > timeout && silence <= timeout) {
-    problem += ", although it has just come: the network is slow, or the clocks differ (NTP)";
-  }
-  throw SensorError("the newest message on " + topic + " is " + problem);
-}
-
 }  // namespace
 
 SensorListener::SensorListener(MessageQueue* messages, const SensorParameters& parameters,
                                const std::string& base_frame, const tf2_ros::Buffer& tf)
-    : messages_(*messages), parameters_(parameters), mounts_(tf, base_frame), history_(parameters.max_speed) {
+    : messages_(*messages),
+      parameters_(parameters),
+      mounts_(tf, base_frame),
+      history_(parameters.max_speed),
+      first_(watchFor(parameters.scan_topic)) {
+  const bool has_second = !parameters.second_scan_topic.empty();
+  if (has_second) second_.emplace(watchFor(parameters.second_scan_topic));
   // Without this, TCP holds a scan back until the one before is acknowledged: up to 40 ms.
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
   ros::NodeHandle node_handle = messages_.nodeHandle();
   scan_subscriber_ = node_handle.subscribe(parameters.scan_topic, kScanQueue, &SensorListener::onScan, this, hints);
+  if (has_second) {
+    second_scan_subscriber_ =
+        node_handle.subscribe(parameters.second_scan_topic, kScanQueue, &SensorListener::onSecondScan, this, hints);
+  }
   odometry_subscriber_ =
       node_handle.subscribe(parameters.odom_topic, kOdometryQueue, &SensorListener::onOdometry, this, hints);
 }
 
-void SensorListener::onScan(const ros::MessageEvent<sensor_msgs::LaserScan const>& event) {
+ScannerWatch SensorListener::watchFor(const std::string& topic) const {
+  return {messages_.nodeHandle().resolveName(topic), parameters_.scan_timeout, parameters_.least_scan_timeout};
+}
+
+void SensorListener::hear(const ScanEvent& event, Scanner* scanner) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  scan_ = event.getConstMessage();
-  scan_received_ = event.getReceiptTime();
-  scan_stamp_ = stampOr(scan_->header.stamp, scan_received_);
-  fromMessage(*scan_, &laser_scan_);
-  scan_period_.note(scan_stamp_.toSec());
-  silence_.show(laser_scan_, parameters_.scan_rules, scan_stamp_.toSec(),
-                history_.empty() ? Pose2() : history_.newest().pose);
+  scanner->message = event.getConstMessage();
+  fromMessage(*scanner->message, &scanner->scan);
+  const ros::Time received = event.getReceiptTime();
+  scanner->watch.hear(scanner->scan, parameters_.scan_rules, stampOr(scanner->message->header.stamp, received).toSec(),
+                      received.toSec(), history_.empty() ? Pose2() : history_.newest().pose);
 }
 
 void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event) {
@@ -74,44 +77,38 @@ void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const
 SensorReading SensorListener::read(const ros::Time& now) {
   messages_.handOut();
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!scan_) {
-    throw SensorError("no scan has been received on " + scan_subscriber_.getTopic());
-  }
-  if (odometry_stamp_.isZero()) {
-    throw SensorError("no odometry has been received on " + odometry_subscriber_.getTopic());
-  }
   sayTimeoutsOnce();
-  checkAges(now);
-  if (silence_.isCovered()) {
-    throw SensorError("the scanner counts as covered: on " + scan_subscriber_.getTopic() +
-                      " no beam has had a return since a scan in which " +
-                      std::to_string(std::lround(100.0 * silence_.shareBefore())) + " % of them had one");
-  }
-  if (!odometry_is_finite_ || history_.empty()) {
-    throw SensorError("the odometry on " + odometry_subscriber_.getTopic() +
-                      " has a pose or twist that is not finite, or a zero quaternion");
-  }
-  if (odometry_frame_.empty()) {
-    throw SensorError("the odometry on " + odometry_subscriber_.getTopic() + " names no frame");
-  }
+  first_.watch.check(now.toSec());
+  if (second_) second_->watch.check(now.toSec());
+  checkOdometry(now);
   SensorReading reading;
-  reading.scan = scan_;
-  reading.scan_stamp = scan_stamp_.toSec();
-  reading.scan_period = scan_period_.period();
-  reading.mount = mountOf(frameName(scan_->header.frame_id));
+  reading.first = readingOf(first_);
+  reading.scan_period = first_.watch.period();
+  if (second_) {
+    reading.second = readingOf(*second_);
+    reading.scan_period = std::max(reading.scan_period, second_->watch.period());
+  }
   reading.odometry_frame = odometry_frame_;
-  reading.scan_pose = history_.poseAt(scan_stamp_.toSec());
   reading.newest_pose = history_.newest().pose;
   reading.twist = history_.newest().twist;
   reading.jumps = history_.jumps();
   return reading;
 }
 
-SensorHealth SensorListener::scanHealth(const ros::Time& now) {
+ScanReading SensorListener::readingOf(const Scanner& scanner) {
+  const double stamp = scanner.watch.stamp();
+  return {scanner.message, stamp, mountOf(scanner), history_.poseAt(stamp)};
+}
+
+SensorHealth SensorListener::scanHealth(const ros::Time& now) { return healthOf(first_, now); }
+
+SensorHealth SensorListener::secondScanHealth(const ros::Time& now) { return healthOf(second_.value(), now); }
+
+SensorHealth SensorListener::healthOf(const Scanner& scanner, const ros::Time& now) {
   messages_.handOut();
   const std::lock_guard<std::mutex> lock(mutex_);
-  return {scan_subscriber_.getTopic(), secondsBetween(scan_stamp_, now), scan_period_.period(), scanTimeout(),
-          scan_ != nullptr};
+  const ScannerWatch& watch = scanner.watch;
+  return {watch.topic(), now.toSec() - watch.stamp(), watch.period(), watch.timeout(), watch.isHeard()};
 }
 
 SensorHealth SensorListener::odometryHealth(const ros::Time& now) {
@@ -121,30 +118,40 @@ SensorHealth SensorListener::odometryHealth(const ros::Time& now) {
           odometryTimeout(), !odometry_stamp_.isZero()};
 }
 
-double SensorListener::scanTimeout() const {
-  return timeoutFor(parameters_.scan_timeout, scan_period_.period(), parameters_.least_scan_timeout);
-}
-
 double SensorListener::odometryTimeout() const {
   return timeoutFor(parameters_.odom_timeout, odometry_period_.period(), parameters_.least_odom_timeout);
 }
 
-void SensorListener::checkAges(const ros::Time& now) const {
-  checkAge(secondsBetween(scan_stamp_, now), secondsBetween(scan_received_, now), scanTimeout(),
-           scan_subscriber_.getTopic(), "scan_timeout");
-  checkAge(secondsBetween(odometry_stamp_, now), secondsBetween(odometry_received_, now), odometryTimeout(),
-           odometry_subscriber_.getTopic(), "odom_timeout");
+void SensorListener::checkOdometry(const ros::Time& now) const {
+  const std::string topic = odometry_subscriber_.getTopic();
+  if (odometry_stamp_.isZero()) {
+    throw SensorError("no odometry has been received on " + topic);
+  }
+  checkAge(secondsBetween(odometry_stamp_, now), secondsBetween(odometry_received_, now), odometryTimeout(), topic,
+           "odom_timeout");
+  if (!odometry_is_finite_ || history_.empty()) {
+    throw SensorError("the odometry on " + topic + " has a pose or twist that is not finite, or a zero quaternion");
+  }
+  if (odometry_frame_.empty()) {
+    throw SensorError("the odometry on " + topic + " names no frame");
+  }
 }
 
 void SensorListener::sayTimeoutsOnce() {
-  if (timeouts_are_said_ || scan_period_.period() == 0.0 || odometry_period_.period() == 0.0) return;
+  const bool is_second_measured = !second_ || second_->watch.period() > 0.0;
+  const bool is_measured = first_.watch.period() > 0.0 && is_second_measured && odometry_period_.period() > 0.0;
+  if (timeouts_are_said_ || !is_measured) return;
   timeouts_are_said_ = true;
   ROS_INFO("a scan comes every %.3f s and is used for %.2f s, an odometry every %.3f s for %.2f s",
-           scan_period_.period(), scanTimeout(), odometry_period_.period(), odometryTimeout());
+           first_.watch.period(), first_.watch.timeout(), odometry_period_.period(), odometryTimeout());
+  if (!second_) return;
+  ROS_INFO("a scan of the second scanner comes every %.3f s and is used for %.2f s", second_->watch.period(),
+           second_->watch.timeout());
 }
 
-const SensorMount& SensorListener::mountOf(const std::string& frame) {
-  if (frame.empty()) throw SensorError("the scan on " + scan_subscriber_.getTopic() + " names no frame");
+const SensorMount& SensorListener::mountOf(const Scanner& scanner) {
+  const std::string frame = frameName(scanner.message->header.frame_id);
+  if (frame.empty()) throw SensorError("the scan on " + scanner.watch.topic() + " names no frame");
   try {
     return mounts_.at(frame);
   } catch (const MountUnknown& error) {

@@ -8,27 +8,33 @@
 #include <tf2_ros/buffer.h>
 
 #include <mutex>
-#include <stdexcept>
+#include <optional>
 #include <string>
 
 #include "lstm_planner/robot/perception/laser_scan.hpp"
 #include "lstm_planner/robot/perception/odometry_history.hpp"
 #include "lstm_planner/robot/perception/period_meter.hpp"
-#include "lstm_planner/robot/perception/silence_watch.hpp"
+#include "lstm_planner/robot/perception/scanner_watch.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/common/scanner_mounts.hpp"
 #include "ros/common/message_queue.hpp"
 
 namespace lstm_planner {
 
+/// The newest scan of a scanner.
+struct ScanReading {
+  sensor_msgs::LaserScan::ConstPtr scan;
+  double stamp = 0.0;  ///< s; when it was received, where the driver does not stamp its scans
+  SensorMount mount;   ///< of the scanner in the base frame
+  Pose2 pose;          ///< base in the odometry frame when the scan was taken
+};
+
 /// What the sensors say at one moment.
 struct SensorReading {
-  sensor_msgs::LaserScan::ConstPtr scan;
-  double scan_stamp = 0.0;   ///< s; when it was received, where the driver does not stamp its scans
-  double scan_period = 0.0;  ///< s, as measured; 0 as long as it is not known
-  SensorMount mount;         ///< of the scanner in the base frame
+  ScanReading first;
+  std::optional<ScanReading> second;  ///< of the second scanner, where there is one
+  double scan_period = 0.0;           ///< s, the longer one, as measured; 0 as long as it is not known
   std::string odometry_frame;
-  Pose2 scan_pose;    ///< base in the odometry frame when the scan was taken
   Pose2 newest_pose;  ///< base in the odometry frame, newest
   Twist2 twist;       ///< newest, base frame
   long jumps = 0;     ///< how often the odometry has jumped so far
@@ -43,13 +49,7 @@ struct SensorHealth {
   bool is_heard = false;  ///< something has come
 };
 
-/// There is no usable reading; what() says why.
-class SensorError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Keeps the newest scan and the odometry around it. Never waits for either. Thread safe.
+/// Keeps the newest scan of one scanner or two, and the odometry around it. Never waits for any. Thread safe.
 class SensorListener {
  public:
   /// `base_frame` stands in where the odometry does not name the robot's frame. `messages` and `tf` must outlive the
@@ -57,21 +57,36 @@ class SensorListener {
   SensorListener(MessageQueue* messages, const SensorParameters& parameters, const std::string& base_frame,
                  const tf2_ros::Buffer& tf);
 
-  /// Of what has come until now. Throws SensorError when scan or odometry is missing, too old, not finite, the scanner
+  /// Of what has come until now. Throws SensorError when a scan or odometry is missing, too old, not finite, a scanner
   /// is covered (SilenceWatch) or its place is not known.
   SensorReading read(const ros::Time& now);
 
+  bool hasSecondScanner() const { return second_.has_value(); }
   SensorHealth scanHealth(const ros::Time& now);
+  SensorHealth secondScanHealth(const ros::Time& now);  ///< only where there is one
   SensorHealth odometryHealth(const ros::Time& now);
 
  private:
-  void onScan(const ros::MessageEvent<sensor_msgs::LaserScan const>& event);
+  using ScanEvent = ros::MessageEvent<sensor_msgs::LaserScan const>;
+  /// A scanner, and what it saw last.
+  struct Scanner {
+    explicit Scanner(const ScannerWatch& scanner_watch) : watch(scanner_watch) {}
+    ScannerWatch watch;
+    sensor_msgs::LaserScan::ConstPtr message;
+    LaserScan scan;  ///< the same
+  };
+
+  void onScan(const ScanEvent& event) { hear(event, &first_); }
+  void onSecondScan(const ScanEvent& event) { hear(event, &*second_); }
+  void hear(const ScanEvent& event, Scanner* scanner);
   void onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event);
-  void checkAges(const ros::Time& now) const;
+  void checkOdometry(const ros::Time& now) const;
   void sayTimeoutsOnce();
-  double scanTimeout() const;
   double odometryTimeout() const;
-  const SensorMount& mountOf(const std::string& frame);
+  ScannerWatch watchFor(const std::string& topic) const;
+  ScanReading readingOf(const Scanner& scanner);
+  SensorHealth healthOf(const Scanner& scanner, const ros::Time& now);
+  const SensorMount& mountOf(const Scanner& scanner);
 
   MessageQueue& messages_;
   SensorParameters parameters_;
@@ -79,12 +94,6 @@ class SensorListener {
   std::mutex mutex_;  ///< guards all below
   ScannerMounts mounts_;
   std::string odometry_frame_;
-  sensor_msgs::LaserScan::ConstPtr scan_;
-  ros::Time scan_stamp_;
-  ros::Time scan_received_;
-  LaserScan laser_scan_;  ///< the same
-  SilenceWatch silence_;
-  PeriodMeter scan_period_;
   ros::Time odometry_stamp_;
   ros::Time odometry_received_;
   PeriodMeter odometry_period_;
@@ -92,7 +101,11 @@ class SensorListener {
   bool odometry_is_finite_ = true;
   OdometryHistory history_;
 
+  Scanner first_;
+  std::optional<Scanner> second_;
+
   ros::Subscriber scan_subscriber_;
+  ros::Subscriber second_scan_subscriber_;
   ros::Subscriber odometry_subscriber_;
 };
 

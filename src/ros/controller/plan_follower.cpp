@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "ros/common/message_age.hpp"
+#include "ros/common/seconds_between.hpp"
 
 namespace lstm_planner {
 
@@ -112,11 +112,20 @@ Pose2 PlanFollower::odometryFromPlan(const std::string& odometry_frame, const ro
   return plan_.empty() ? Pose2() : frames_.transform(odometry_frame, plan_frame_, now);
 }
 
+void PlanFollower::see(const SensorReading& reading) {
+  const ScanRules& rules = parameters_.sensors.scan_rules;
+  fromMessage(*reading.first.scan, &scan_);
+  lstm_planner::perceive(scan_, reading.first.mount, rules, kLeastReach, &seen_);
+  seen_.pose = reading.first.pose;
+  seen_.time = reading.first.stamp;
+  const auto& second = reading.second;
+  if (!second) return;
+  fromMessage(*second->scan, &second_scan_);
+  perceiveSecond({second_scan_, second->mount, second->pose, second->stamp}, rules, &seen_);
+}
+
 void PlanFollower::perceive(const SensorReading& reading, const ros::Time& now) {
-  fromMessage(*reading.scan, &scan_);
-  lstm_planner::perceive(scan_, reading.mount, parameters_.sensors.scan_rules, kLeastReach, &seen_);
-  seen_.pose = reading.scan_pose;
-  seen_.time = reading.scan_stamp;
+  see(reading);
   const bool jumped = reading.jumps != jumps_;
   jumps_ = reading.jumps;
   if (jumped) {
@@ -135,7 +144,7 @@ void PlanFollower::perceive(const SensorReading& reading, const ros::Time& now) 
     if (!shield_.footprint().isCircle()) {
       known_.insert(known_.end(), out_of_view_.points().begin(), out_of_view_.points().end());
     }
-    shield_.add(costmap_.read(compose(costmap_from_odometry, reading.scan_pose), known_));
+    shield_.add(costmap_.read(compose(costmap_from_odometry, seen_.pose), known_));
   }
 }
 

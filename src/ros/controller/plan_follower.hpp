@@ -56,6 +56,7 @@ class PlanFollower {
  private:
   void checkPlanAge(const ros::Time& now) const;
   Pose2 odometryFromPlan(const std::string& odometry_frame, const ros::Time& now) const;
+  void see(const SensorReading& reading);
   void perceive(const SensorReading& reading, const ros::Time& now);
 
   SteeringControllerParameters parameters_;
@@ -74,8 +75,8 @@ class PlanFollower {
   std::vector<Pose2> plan_;           ///< plan's frame
   std::vector<Pose2> new_plan_;       ///< of setPlan(), until it is found good
   std::vector<Pose2> odometry_plan_;  ///< of the current call
-  LaserScan scan_;                    ///< of the current call
-  Situation seen_;                    ///< by the scan of the current call
+  LaserScan scan_, second_scan_;      ///< of the current call
+  Situation seen_;                    ///< by the scans of the current call
   long jumps_ = 0;                    ///< of the odometry, until the last call
 };
 

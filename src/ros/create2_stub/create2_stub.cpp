@@ -21,7 +21,6 @@ constexpr std::uint64_t kStep = 5'000'000;  // ns of physics at a time
 constexpr double kStepSeconds = 1e-9 * kStep;
 constexpr double kEncoderRate = 1.0 / 0.015;            // Hz, the base sends its sensors every 15 ms
 constexpr double kClockRate = 100.0;                    // Hz
-constexpr double kTimeIncrement = 1.7361e-5;            // s between two beams
 constexpr std::uint64_t kClockStart = 100'000'000'000;  // ns; later than any buffer or time-out reaches back from
 constexpr std::uint64_t kLongestGap = 1'000'000'000;    // ns that are made up for when the node was held up
 constexpr double kStaleReport = 10.0;                   // s between two warnings
@@ -33,10 +32,9 @@ Create2Stub::Create2Stub(const Create2StubParameters& parameters)
       building_(makeWorld(parameters)),
       world_(*building_, footprintOf(parameters.robot).circumscribedRadius()),
       robot_(world_, parameters.robot, parameters.start, parameters.seed),
-      laser_(parameters.laser, parameters.seed + 1),
+      scanner_(parameters.laser, parameters.seed + 1, parameters.laser_frame, "scan"),
       driver_(parameters, &robot_, [this] { return driverTime(); }),
       localiser_(parameters.start, parameters.localisation_jump),
-      scans_(parameters.laser.rate),
       driver_loop_(parameters.loop_hz),
       encoders_(kEncoderRate),
       clock_(kClockRate) {
@@ -46,18 +44,17 @@ Create2Stub::Create2Stub(const Create2StubParameters& parameters)
         "parameter " + private_node_.resolveName("publish_clock") +
         " is true but /use_sim_time is not: set it before any node starts, or the others run on another clock");
   }
-  scan_publisher_ = node_.advertise<sensor_msgs::LaserScan>("scan", 20);
+  if (parameters_.has_second_laser) {
+    second_scanner_.emplace(parameters_.second_laser, parameters_.seed + 2, parameters_.second_laser_frame,
+                            "second_scan");
+  }
   truth_publisher_ = private_node_.advertise<nav_msgs::Odometry>("ground_truth", 100);
   contacts_publisher_ = private_node_.advertise<std_msgs::UInt32>("contacts", 10, true);
-  pause_service_ = private_node_.advertiseService("pause_scan", &Create2Stub::pauseScan, this);
   jump_service_ = private_node_.advertiseService("jump_odometry", &Create2Stub::jumpOdometry, this);
   if (parameters_.publish_clock && parameters_.command_period > 0.0) {
     command_subscriber_ = node_.subscribe("cmd_vel", 10, &Create2Stub::onCommand, this);
   }
   if (parameters_.publish_clock) clock_publisher_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 10);
-  scan_message_.header.frame_id = parameters_.laser_frame;
-  scan_message_.time_increment = static_cast<float>(kTimeIncrement);
-  scan_message_.scan_time = static_cast<float>(1.0 / parameters_.laser.rate);
   watchOthers();
   publishContacts();
 }
@@ -137,7 +134,9 @@ void Create2Stub::runGivenClock() {
 
 void Create2Stub::restartAt(const ros::Time& time) {
   time_ = time.toNSec();
-  for (Schedule* schedule : {&scans_, &driver_loop_, &encoders_, &clock_}) schedule->restart(time_);
+  for (Schedule* schedule : {&driver_loop_, &encoders_, &clock_}) schedule->restart(time_);
+  scanner_.restart(time_);
+  if (second_scanner_) second_scanner_->restart(time_);
   publishStaticTransforms();
   if (parameters_.publish_map) publishMap();
 }
@@ -158,22 +157,17 @@ void Create2Stub::advance() {
   }
   if (robot_.contacts() != contacts_published_) publishContacts();
   if (encoders_.due(time_)) driver_.readEncoders(1.0 / kEncoderRate);
-  if (scans_.due(time_)) {
-    publishScan();
-    publishGroundTruth();
-  }
+  publishScans();
   if (driver_loop_.due(time_)) {
     driver_.update(simulatedTime());
     if (isLocalised()) publishLocalisation();
   }
 }
 
-void Create2Stub::publishScan() {
-  if (scan_paused_) return;
-  laser_.scan(world_, robot_.robot().truePose(), 1e-9 * static_cast<double>(time_), &scan_);
-  scan_message_.header.stamp = simulatedTime();
-  toMessage(scan_, &scan_message_);
-  scan_publisher_.publish(scan_message_);
+void Create2Stub::publishScans() {
+  const Pose2& pose = robot_.robot().truePose();
+  if (second_scanner_) second_scanner_->publishIfDue(world_, pose, time_);
+  if (scanner_.publishIfDue(world_, pose, time_)) publishGroundTruth();
 }
 
 void Create2Stub::publishGroundTruth() {
@@ -206,6 +200,11 @@ void Create2Stub::publishStaticTransforms() {
     transforms.back().transform.translation.z = parameters_.base_link_height;
     transforms.push_back(mountToMessage(parameters_.laser.mount, base_link, parameters_.laser_frame, now));
     transforms.back().transform.translation.z = parameters_.laser_height;
+    if (second_scanner_) {
+      const SensorMount& mount = parameters_.second_laser.mount;
+      transforms.push_back(mountToMessage(mount, base_link, parameters_.second_laser_frame, now));
+      transforms.back().transform.translation.z = parameters_.second_laser_height;
+    }
   }
   if (parameters_.publish_map && !isLocalised()) {
     transforms.push_back(toMessage(parameters_.start, parameters_.map_frame, parameters_.odom_frame, now));
@@ -238,13 +237,6 @@ void Create2Stub::publishMap() {
   }
   if (!map_publisher_) map_publisher_ = node_.advertise<nav_msgs::OccupancyGrid>("map", 1, true);
   map_publisher_.publish(message);
-}
-
-bool Create2Stub::pauseScan(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
-  scan_paused_ = request.data;
-  response.success = true;
-  response.message = scan_paused_ ? "no scans" : "scans";
-  return true;
 }
 
 bool Create2Stub::jumpOdometry(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {

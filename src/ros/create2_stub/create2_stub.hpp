@@ -4,48 +4,33 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
-#include <sensor_msgs/LaserScan.h>
-#include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "lstm_planner/robot/simulation/localiser.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
 #include "ros/create2_stub/create2_stub_driver.hpp"
 #include "ros/create2_stub/create2_stub_world.hpp"
+#include "ros/create2_stub/schedule.hpp"
+#include "ros/create2_stub/stub_scanner.hpp"
 
 namespace lstm_planner {
 
-/// Something that is due every so often on the simulation's clock.
-class Schedule {
- public:
-  explicit Schedule(double hertz) : period_(static_cast<std::uint64_t>(1e9 / hertz + 0.5)) {}
-  void restart(std::uint64_t now) { next_ = now; }
-  /// True once a period, however often it is asked.
-  bool due(std::uint64_t now) {
-    if (now < next_) return false;
-    while (next_ <= now) next_ += period_;
-    return true;
-  }
-
- private:
-  std::uint64_t period_;    // ns
-  std::uint64_t next_ = 0;  // ns
-};
-
-/// The node `create2_stub`: a simulated Create 2 with a Hokuyo in a map, seen through the topics of create_driver and
-/// urg_node. The physics runs in fixed steps of 5 ms in lock step with scans and driver loop, on one of three clocks:
-/// the computer's, a /clock that someone else publishes, or a /clock of its own (parameter publish_clock).
+/// The node `create2_stub`: a simulated Create 2 with a Hokuyo, or two, in a map, seen through the topics of
+/// create_driver and urg_node. The physics runs in fixed steps of 5 ms in lock step with scans and driver loop, on one
+/// of three clocks: the computer's, a /clock that someone else publishes, or a /clock of its own (parameter
+/// publish_clock).
 ///
-/// Publishes beside the driver's topics (Create2StubDriver): `scan`; `~contacts` (std_msgs/UInt32, latched) and
+/// Publishes beside the driver's topics (Create2StubDriver): `scan`; `second_scan` if it has a second scanner;
+/// `~contacts` (std_msgs/UInt32, latched) and
 /// `~ground_truth` (nav_msgs/Odometry in the map frame, 40 Hz), for judging only. Services: `~pause_scan`
-/// (std_srvs/SetBool, true = no scans), `~jump_odometry` (std_srvs/Trigger).
+/// and `~pause_second_scan` (std_srvs/SetBool, true = no scans), `~jump_odometry` (std_srvs/Trigger).
 class Create2Stub {
  public:
   /// Throws std::invalid_argument naming what does not fit.
@@ -66,10 +51,9 @@ class Create2Stub {
   bool isLocalised() const { return parameters_.publish_map && parameters_.localisation_jump > 0.0; }
   void publishLocalisation();
   void publishMap();
-  void publishScan();
+  void publishScans();
   void publishGroundTruth();
   void publishContacts();
-  bool pauseScan(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   bool jumpOdometry(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   ros::Time simulatedTime() const;
   ros::Time driverTime() const;  ///< on a clock that runs by itself no two messages of the driver have the same stamp
@@ -78,17 +62,14 @@ class Create2Stub {
   std::unique_ptr<World> building_;
   WorldWithRobots world_;
   RobotInWorld robot_;
-  Hokuyo laser_;
+  StubScanner scanner_;
+  std::optional<StubScanner> second_scanner_;
   Create2StubDriver driver_;
   Localiser localiser_;
   std::uint64_t time_ = 0;  ///< ns, end of the last physics step
-  Schedule scans_;
   Schedule driver_loop_;
   Schedule encoders_;
   Schedule clock_;
-  LaserScan scan_;
-  sensor_msgs::LaserScan scan_message_;
-  bool scan_paused_ = false;
   unsigned contacts_published_ = 0;
   bool controlled_ = false;         ///< by a controller that sends command after command
   std::uint64_t command_time_ = 0;  ///< ns, when the last command came
@@ -99,12 +80,10 @@ class Create2Stub {
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   ros::Subscriber command_subscriber_;
   std::vector<ros::Subscriber> other_subscribers_;
-  ros::Publisher scan_publisher_;
   ros::Publisher truth_publisher_;
   ros::Publisher contacts_publisher_;
   ros::Publisher map_publisher_;
   ros::Publisher clock_publisher_;
-  ros::ServiceServer pause_service_;
   ros::ServiceServer jump_service_;
 };
 

@@ -14,6 +14,7 @@ Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_n
   visitCreate2StubParameters(std::as_const(parameters), RangeCheck{private_node.getNamespace() + "/"});
   validate(parameters.robot);
   validate(parameters.laser);
+  validate(parameters.second_laser);
   if (parameters.robot_model != "CREATE_2") {
     throw std::invalid_argument("parameter " + private_node.resolveName("robot_model") + " is '" +
                                 parameters.robot_model + "', expected CREATE_2, the only model that is simulated");

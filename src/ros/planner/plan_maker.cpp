@@ -107,8 +107,16 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
 }
 
 void PlanMaker::perceive(const SensorReading& reading) {
-  fromMessage(*reading.scan, &scan_);
-  agent_.perceive(scan_, reading.mount, compose(global_from_odometry_, reading.scan_pose), reading.scan_stamp);
+  const ScanReading& first = reading.first;
+  const Pose2 pose = compose(global_from_odometry_, first.pose);
+  fromMessage(*first.scan, &scan_);
+  if (const auto& second = reading.second) {
+    fromMessage(*second->scan, &second_scan_);
+    const TakenScan taken{second_scan_, second->mount, compose(global_from_odometry_, second->pose), second->stamp};
+    agent_.perceive(scan_, first.mount, pose, first.stamp, &taken);
+  } else {
+    agent_.perceive(scan_, first.mount, pose, first.stamp);
+  }
   if (!costmap_.isUsed()) return;
   // Cells around what is known to the centimetre would only make it larger.
   known_ = agent_.outOfView();

@@ -90,7 +90,7 @@ class PlanMaker {
   ros::Time now_;  ///< of the current call
   CorrectionWatch corrections_;
   Pose2 global_from_odometry_;                            ///< of the current call
-  LaserScan scan_;                                        ///< of the current call
+  LaserScan scan_, second_scan_;                          ///< of the current call
   Decision preview_;                                      ///< of the last question
   std::vector<Pose2> plan_;                               ///< of the current call, global frame
   Pose2 driven_goal_;                                     ///< global frame

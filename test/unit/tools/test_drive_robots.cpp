@@ -49,6 +49,16 @@ TEST_P(EachRobot, ArrivesInRoomsWithoutTouchingAnything) {
 INSTANTIATE_TEST_SUITE_P(OfConfig, EachRobot, ::testing::ValuesIn(robots()),
                          [](const auto& info) { return info.param; });
 
+TEST_F(DriveRobots, ARobotWithTwoScannersArrivesInRoomsWithoutTouchingAnything) {
+  const test::Outcome outcome = drive("--worlds rooms --goals 4 --drift 0.02 --json " + in("out.json") +
+                                      " --robot " LSTM_PLANNER_SOURCE_DIR "/test/ros/two_scanners.yaml");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  std::ifstream file(in("out.json"));
+  const nlohmann::json json = nlohmann::json::parse(file);
+  EXPECT_EQ(json["reached"], 4) << outcome.output;
+  EXPECT_EQ(json["contacts"], 0) << outcome.output;
+}
+
 TEST_F(DriveRobots, TheCreateIsWhatTheDefaultsAreMadeFor) {
   const std::string arguments = "--worlds forest --goals 3 --drift 0.02 --threads 1";
   EXPECT_EQ(drive(arguments).output, drive(arguments + " --robot " + fileOf("create2_hokuyo")).output);
@@ -117,6 +127,11 @@ TEST_F(DriveRobots, AFileThatMakesNoSenseIsRefusedWithASentence) {
       contains(complaint(fileWith("SteeringController: {max_linaer: 1.0}")), "max_linaer: there is no parameter"));
   EXPECT_TRUE(contains(complaint(fileWith("SteeringController: {max_linear: fast}")), "max_linear has the wrong type"));
   EXPECT_TRUE(contains(complaint(fileWith("SteeringController: {max_linear: -1.0}")), "max_linear is -1"));
+  const std::string second = "{second_scan_topic: rear}";
+  EXPECT_TRUE(contains(complaint(fileWith("LstmGlobalPlanner: " + second)),
+                       "SteeringController/second_scan_topic is '', expected 'rear'"));
+  EXPECT_TRUE(contains(complaint(fileWith("LstmGlobalPlanner: " + second + "\nSteeringController: " + second)),
+                       "create2_stub/second_laser/is_mounted is false, expected true"));
   EXPECT_TRUE(contains(complaint(fileWith("LstmGlobalPlanner: 3")), "LstmGlobalPlanner is not a group"));
   EXPECT_TRUE(contains(complaint(fileWith("just a text")), "expected groups of parameters"));
   EXPECT_TRUE(contains(complaint(fileWith("a: [")), "robot.yaml"));

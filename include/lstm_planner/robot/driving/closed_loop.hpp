@@ -12,8 +12,9 @@ class LoopRobot {
  public:
   virtual ~LoopRobot() = default;
 
-  /// What it sees from where it is; `situation` is in the odometry frame and is overwritten.
-  virtual void sense(double range_cap, Situation* situation) = 0;
+  /// What it sees from where it is; `situation` is in the odometry frame and is overwritten. False when a scan cannot
+  /// be used: the robot has stood for a moment instead.
+  virtual bool sense(double range_cap, Situation* situation) = 0;
 
   /// Drives as was decided until the agent is to look again. `agent` has been shown the situation.
   virtual void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) = 0;

@@ -54,9 +54,11 @@ class NavigationAgent {
   /// parameters stay. Throws std::invalid_argument, and changes nothing, if a value cannot be used.
   void change(const AgentParameters& parameters);
 
-  /// What the scanner sees at `time` (s) from `pose`: situation(). Throws UnusableScan, or std::invalid_argument when
-  /// the model was made for another scanner or robot or the pose is out of reach (checkPose).
-  void perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time);
+  /// What the scanner sees at `time` (s) from `pose`: situation(). `second`: what a second scanner saw last, null where
+  /// there is none; the network does not see it. Throws UnusableScan, or std::invalid_argument when the model was made
+  /// for another scanner or robot or the pose is out of reach (checkPose).
+  void perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time,
+                const TakenScan* second = nullptr);
 
   /// Obstacles of a costmap that the last scan does not show (CostmapObstacles); base frame, m. They count as returns,
   /// until the next scan: then they must be given again.

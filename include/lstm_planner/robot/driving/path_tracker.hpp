@@ -4,8 +4,7 @@
 
 #include "lstm_planner/robot/driving/motion_controller.hpp"
 #include "lstm_planner/robot/driving/trail.hpp"
-#include "lstm_planner/robot/perception/moving_returns.hpp"
-#include "lstm_planner/robot/perception/moving_things.hpp"
+#include "lstm_planner/robot/perception/moving_surroundings.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 
 namespace lstm_planner {
@@ -23,7 +22,7 @@ class PathTracker {
   /// situation's obstacles, `twist` is the measured one. Zero for an empty plan.
   MotionCommand compute(const std::vector<Pose2>& plan, const Situation& situation, const Twist2& twist,
                         const Shield& shield, double period) {
-    moving_.show(situation.profile, situation.pose, situation.time);
+    moving_.show(situation);
     if (!shield.footprint().isCircle()) {
       trail_.note(situation.pose, history_.goes_back);
       history_.back = trail_.back(situation.pose);
@@ -31,8 +30,7 @@ class PathTracker {
     const MotionSituation motion{plan, situation.pose, twist, shield, period};
     MotionCommand command = controller_.compute(motion, moving_.points(), moving_.resting(), history_);
     if (controller_.parameters().evade_time > 0.0) {
-      things_.show(moving_.returns(), moving_.moves(), situation.time);
-      command = controller_.evade(command, motion, things_.around(situation.pose));
+      command = controller_.evade(command, motion, moving_.follow(situation));
     }
     history_.goes_back = command.goes_back;
     history_.commanded = command;
@@ -54,7 +52,6 @@ class PathTracker {
   /// The odometry jumped: what was seen is somewhere else now.
   void forget() {
     moving_.reset();
-    things_.reset();
     trail_.clear();
     history_ = {};
   }
@@ -66,8 +63,7 @@ class PathTracker {
   MotionController controller_;
   Trail trail_;
   MotionHistory history_;
-  MovingReturns moving_;
-  MovingThings things_;
+  MovingSurroundings moving_;
 };
 
 }  // namespace lstm_planner

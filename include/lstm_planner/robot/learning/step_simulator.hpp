@@ -50,7 +50,7 @@ class StepSimulator : private LoopRobot {
   double pathLength() const { return path_length_; }  ///< m
 
  private:
-  void sense(double range_cap, Situation* situation) override;
+  bool sense(double range_cap, Situation* situation) override;
   void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) override;
   bool hasArrived(const Situation& situation, const Decision& decision) const override;
   Twist2 steer(const Decision& decision, const NavigationAgent& agent, double period) const;

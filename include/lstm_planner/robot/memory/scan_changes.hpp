@@ -29,7 +29,8 @@ class ScanChanges {
 
  private:
   void findReturns(const Situation& situation, const ObstacleWindow& window);
-  void findCleared(const Situation& situation, const ObstacleWindow& window);
+  /// Adds what a scan shows clear; `pose` of the base.
+  void findCleared(const RangeProfile& profile, const Pose2& pose, const ObstacleWindow& window);
   /// `cells`: keyOf() their first squares; overwritten.
   void findInCells(const BitRows& squares, const SquareGrid& grid, std::uint32_t* cells, std::size_t count);
   bool isReturned(std::uint32_t key);

@@ -29,7 +29,8 @@ class OutOfView {
  private:
   static constexpr double kAround = 0.5;  // m
 
-  bool isInView(const RangeProfile& profile, const Point2& place) const;
+  static bool isInView(const RangeProfile& profile, const Point2& place);
+  static bool isInView(const Situation& situation, const Point2& place);
 
   double near_;                    ///< m from the robot's middle within which returns matter
   Pose2 pose_;                     ///< odometry frame, of the last situation

@@ -43,6 +43,10 @@ Sectors averageSectors(const LaserScan& scan, const SensorMount& mount, const Sc
 /// The same for the profile of a scan that checkScan() has let through.
 Sectors averageSectors(const RangeProfile& profile, double least_measured, double range_cap);
 
+/// Throws UnusableScan when less than the share `least_measured` was measured in one of the equal sections of about a
+/// sector's width that the whole scan is divided into: for a scan that need not see ahead, let through by checkScan().
+void checkMeasured(const RangeProfile& profile, double least_measured);
+
 /// Throws UnusableScan when a scan's numbers cannot be those of a scanner: no beams or more than 100,000, angles that
 /// are not finite or beyond two turns, an increment of less than 1e-5 rad, range_min not below range_max, a range_max
 /// that is not positive, or a place of the scanner farther than 100 m from the robot or

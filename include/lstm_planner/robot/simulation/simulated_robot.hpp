@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 
 #include "lstm_planner/robot/perception/situation.hpp"
 #include "lstm_planner/robot/simulation/contact_count.hpp"
@@ -27,6 +28,10 @@ class SimulatedRobot {
     double physics_period = 0.02;
     double latency = 0.0;
     double localisation_jump = 0.0;
+    std::optional<HokuyoParameters> second_scanner = std::nullopt;  ///< none unless it is set
+
+    /// s, from one scan to the next of the slowest scanner.
+    double longestScanPeriod() const;
   };
 
   /// `world` must outlive the robot.
@@ -40,7 +45,8 @@ class SimulatedRobot {
   /// Lets that much time pass, s.
   void advance(double seconds);
 
-  /// Scans from where the robot stands; the pose of `situation` is believedPose().
+  /// Scans from where the robot stands; the pose of `situation` is believedPose(). A second scanner scans at its own
+  /// rate: what it saw last counts until then.
   void sense(double range_cap, Situation* situation);
 
   /// The scan from where the robot stands, as the driver would publish it; `scan` is overwritten and its memory reused.
@@ -66,6 +72,7 @@ class SimulatedRobot {
   };
   void obeyCommands();
   Point2 move(double seconds);
+  void senseWithSecond(Situation* situation);
   bool isBrushedBy(const Pose2& pose, const Point2& velocity) const;
   void letWalk(double seconds, const Point2& velocity);
 
@@ -76,6 +83,14 @@ class SimulatedRobot {
   Hokuyo scanner_;
   Localiser localiser_;
   LaserScan scan_;
+  /// A second scanner, and what it saw last.
+  struct SecondScanner {
+    Hokuyo scanner;
+    LaserScan scan;
+    Pose2 pose;         ///< believed then
+    double next = 0.0;  ///< s, of its next scan
+  };
+  std::optional<SecondScanner> second_;
   std::deque<Command> commands_;
   double time_ = 0.0;
   Traffic* traffic_ = nullptr;

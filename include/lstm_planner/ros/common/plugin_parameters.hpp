@@ -15,6 +15,7 @@ namespace lstm_planner {
 /// Where scan and odometry come from, and when they are not believed.
 struct SensorParameters {
   std::string scan_topic = "scan";
+  std::string second_scan_topic = "";
   std::string odom_topic = "odom";
   double scan_timeout = 0.0;
   double odom_timeout = 0.0;
@@ -40,7 +41,7 @@ struct GlobalPlannerParameters {
 
 /// Parameters of SteeringController, in "~/SteeringController"; config/steering_controller.yaml explains each.
 struct SteeringControllerParameters {
-  SensorParameters sensors = {"scan", "odom", 0.0, 0.0, 0.3, 1.0, {}, 0.2, 0.3};
+  SensorParameters sensors = {"scan", "", "odom", 0.0, 0.0, 0.3, 1.0, {}, 0.2, 0.3};
   MotionParameters motion;
   double plan_timeout = 2.0;
   double footprint_radius = 0.17425;
@@ -54,6 +55,9 @@ struct SteeringControllerParameters {
 template <typename Parameters, typename Visitor>
 void visitSensorParameters(Parameters& sensors, const Visitor& visit) {
   visit("scan_topic", sensors.scan_topic, {}, "", "sensor_msgs/LaserScan");
+  visit("second_scan_topic", sensors.second_scan_topic, {}, "",
+        "sensor_msgs/LaserScan of a second scanner, which may look anywhere; the robot stands without it; empty: there "
+        "is none");
   visit("odom_topic", sensors.odom_topic, {}, "", "nav_msgs/Odometry");
   visit("scan_timeout", sensors.scan_timeout, {0.0, 60.0}, "s",
         "an older scan is not used; 0: three measured periods, at least 0.5 s (planner) or 0.2 s (controller), at most "

@@ -12,6 +12,13 @@
 
 namespace lstm_planner {
 
+/// A scanner as the default one, that looks back.
+inline HokuyoParameters lookingBack() {
+  HokuyoParameters scanner;
+  scanner.mount.pose.yaw = 3.14159;
+  return scanner;
+}
+
 /// What `create2_stub` reads from its private namespace; config/create2_stub.yaml explains every parameter.
 struct Create2StubParameters {
   // The driver, under the names and with the defaults of create_driver.
@@ -40,6 +47,10 @@ struct Create2StubParameters {
   std::string laser_frame = "laser";
   double laser_height = 0.125;
   double base_link_height = 0.017;
+  bool has_second_laser = false;
+  HokuyoParameters second_laser = lookingBack();
+  std::string second_laser_frame = "second_laser";
+  double second_laser_height = 0.125;
   bool publish_static_tf = true;
   std::uint64_t seed = 1;
   Pose2 odometry_jump{1.0, 0.0, 0.0};
@@ -86,7 +97,12 @@ void visitCreate2StubParameters(Parameters& stub, const Visitor& visit) {
   visit("laser/frame", stub.laser_frame, {}, "", "frame of the scans");
   visit("laser/z", stub.laser_height, {-100.0, 100.0}, "m", "above base_link");
   visit("laser/upside_down", stub.laser.mount.upside_down, {}, "", "mirrors the order of the beams");
-  visit("publish_static_tf", stub.publish_static_tf, {}, "", "base_frame -> base_link -> laser");
+  visit("second_laser/is_mounted", stub.has_second_laser, {}, "", "there is a second scanner; topic second_scan");
+  visitHokuyoParameters(stub.second_laser, withPrefix("second_laser/", visit));
+  visit("second_laser/frame", stub.second_laser_frame, {}, "", "frame of its scans");
+  visit("second_laser/z", stub.second_laser_height, {-100.0, 100.0}, "m", "above base_link");
+  visit("second_laser/upside_down", stub.second_laser.mount.upside_down, {}, "", "mirrors the order of its beams");
+  visit("publish_static_tf", stub.publish_static_tf, {}, "", "base_frame -> base_link -> laser, second_laser");
 
   visit("seed", stub.seed, {}, "", "of noise, drop-outs and slip");
   visit("publish_clock", stub.publish_clock, {}, "", "the stub publishes /clock");

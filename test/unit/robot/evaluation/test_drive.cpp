@@ -155,6 +155,20 @@ TEST(Drive, EndsAtTheTimeLimit) {
   EXPECT_NEAR(result.time, 3.0, 0.1 + 1e-9);
 }
 
+TEST(Drive, ARobotWhoseSecondScannerMeasuresNothingStands) {
+  const CircleWorld world({{{-0.3, 0.0}, 0.05}});  // nearer to the scanner than it can measure
+  DriveParameters parameters = test::quickDrive(3.0);
+  parameters.robot.second_scanner = parameters.robot.scanner;
+  parameters.robot.second_scanner->mount.pose = {-0.17, 0.0, M_PI};
+  parameters.robot.second_scanner->range_min = 0.2;
+  NavigationAgent agent(test::straightAheadPolicy(), {});
+  const DriveResult result = drive(world, {{}, {5.0, 0.0}, 5.0}, parameters, 1, &agent);
+  EXPECT_EQ(result.end, DriveResult::End::kTimeout);
+  EXPECT_EQ(result.path_length, 0.0);
+  parameters.robot.second_scanner->range_min = 0.02;
+  EXPECT_GT(drive(world, {{}, {5.0, 0.0}, 5.0}, parameters, 1, &agent).path_length, 0.3);
+}
+
 /// The robot drives 8 m straight on; its odometry errs as it does for that seed.
 DriveResult driveWithDrift(double odometry_error, Arrival arrival, std::uint64_t seed) {
   NavigationAgent agent(test::straightAheadPolicy(), {});

@@ -68,6 +68,26 @@ TEST(SimulatedRobot, SensesInTheOdometryFrame) {
   EXPECT_NEAR(nearest, 2.5, 1e-4);
 }
 
+TEST(SimulatedRobot, ASecondScannerScansAtItsOwnRate) {
+  const CircleWorld world({{{-2.0, 0.0}, 0.5}});
+  SimulatedRobot::Parameters parameters;
+  parameters.second_scanner = HokuyoParameters();
+  parameters.second_scanner->mount.pose.yaw = M_PI;
+  parameters.second_scanner->rate = 10.0;
+  EXPECT_DOUBLE_EQ(parameters.longestScanPeriod(), 0.1);
+  SimulatedRobot robot(world, parameters, {}, 1);
+  Situation situation;
+  for (const double scanned : {0.0, 0.0, 0.1}) {
+    robot.sense(6.0, &situation);
+    ASSERT_EQ(situation.second.size(), 1u);
+    EXPECT_NEAR(situation.second.front().time, scanned, 1e-9);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Point2& point : situation.obstacles) nearest = std::min(nearest, std::hypot(point.x, point.y));
+    EXPECT_NEAR(nearest, 1.5, 0.05);
+    robot.advance(0.05);
+  }
+}
+
 TEST(SimulatedRobot, TimePassesInWholeAndBrokenPeriods) {
   const CircleWorld world({});
   SimulatedRobot robot(world, {}, {}, 1);
