@@ -145,9 +145,10 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   auto& memory = agent.memory;
   visit("memory/enabled", memory.enabled, {}, "",
         "false: no obstacles are remembered, and without progress the robot follows boundaries");
-  visit("memory/completes_plan", memory.completes_plan, {}, "",
-        "while the network leads, the plan goes on behind its waypoint along the path through the remembered obstacles; "
-        "for local planners that look farther ahead than to the waypoint; takes a search a step");
+  visit(
+      "memory/completes_plan", memory.completes_plan, {}, "",
+      "while the network leads, the plan goes on behind its waypoint along the path through the remembered obstacles; "
+      "for local planners that look farther ahead than to the waypoint; takes a search a step");
   visit("memory/resolution", memory.resolution, {0.01, 1.0}, "m",
         "side of a square of the memory; at most 0.29 footprint radii, or paths would lead through walls");
   visit("memory/width", memory.width, {4.0, 1000.0}, "m",

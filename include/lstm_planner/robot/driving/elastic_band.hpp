@@ -17,9 +17,9 @@ namespace lstm_planner {
 class ElasticBand {
  public:
   /// The decision of an agent with its path bent, so that the footprint keeps the distance `clearance` (m) if there is
-  /// room; valid until the next call. Of a decision for one step only the path behind the waypoint is bent. It is returned
-  /// unchanged if it neither follows the remembered path nor leads to a goal in sight, if the bent path would not be
-  /// passable, or if the clearance is 0.
+  /// room; valid until the next call. Of a decision for one step only the path behind the waypoint is bent. It is
+  /// returned unchanged if it neither follows the remembered path nor leads to a goal in sight, if the bent path would
+  /// not be passable, or if the clearance is 0.
   const Decision& bend(const NavigationAgent& agent, const Pose2& robot, const Decision& decision, double clearance);
 
  private:
