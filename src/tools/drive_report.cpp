@@ -189,7 +189,7 @@ std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
   std::ostringstream text;
   CsvWriter csv(&text);
   csv.add("world", "number", "start_x", "start_y", "start_yaw", "goal_x", "goal_y", "end", "contacts", "bumped",
-          "bumped_moving", "time_s", "path_m", "shortest_m", "goal_error_m", "steps", "overruled_steps");
+          "bumped_moving", "time_s", "path_m", "shortest_m", "goal_error_m", "goal_seemed", "steps", "overruled_steps");
   for (std::size_t i = 0; i < kDecisionSources; ++i) csv.add("by_" + columnName(static_cast<Decision::Source>(i)));
   csv.endRow();
   for (std::size_t i = 0; i < course.worlds.size(); ++i) {
@@ -199,7 +199,8 @@ std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
       const DriveResult& result = results[i][k];
       csv.add(course.worlds[i].name, exercise.number, task.start.x, task.start.y, task.start.yaw, task.goal.x,
               task.goal.y, toString(result.end), result.contacts, result.bumped, result.bumped_moving, result.time,
-              result.path_length, result.shortest, result.goal_error, result.steps, result.overruled_steps);
+              result.path_length, result.shortest, result.goal_error, toString(result.goal_seemed), result.steps,
+              result.overruled_steps);
       csv.addAll(result.steps_by);
       csv.endRow();
     }

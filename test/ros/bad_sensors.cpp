@@ -169,7 +169,7 @@ TEST_F(BadSensorTest, UnstampedScansHaveTheTimeWhenTheyWereReceived) {
   EXPECT_TRUE(eventually([&] {
     robot_.again();
     try {
-      stamp = sensors.read(ros::Time::now()).scan_stamp;
+      stamp = sensors.read(ros::Time::now()).first.stamp;
     } catch (const SensorError&) {
     }
     return stamp > 0.0;

@@ -97,6 +97,7 @@ TEST_F(ClosedLoopTest, GoalInsideAnObstacleIsAbortedWithoutContact) {
   send("map", {2.85, 3.43, 0.0});  // inside the box of 0.7 m x 0.55 m in the room where the robot starts
   ASSERT_TRUE(over(250.0));
   EXPECT_EQ(client_.getState(), State::ABORTED);
+  EXPECT_TRUE(log_.eventuallyHas("the goal seems to lie in or behind an obstacle: it is * m away, and no path"));
   EXPECT_TRUE(log_.eventuallyHas("no plan: there is no path to the goal")) << client_.getState().getText();
 }
 

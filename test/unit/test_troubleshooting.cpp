@@ -19,14 +19,24 @@ std::string contentOf(const fs::path& path) {
 
 fs::path inSource(const std::string& path) { return fs::path(LSTM_PLANNER_SOURCE_DIR) / path; }
 
-/// The sources whose messages tell a user why the robot does not move, with literals over several lines made one.
-std::string messageSources() {
+/// The sources in these folders, with literals over several lines made one.
+std::string sourcesIn(const std::vector<std::string>& folders) {
   std::string text;
-  for (const char* folder : {"src/ros/planner", "src/ros/controller", "src/ros/common", "src/ros/move_base",
-                             "src/compat", "src/robot/perception", "src/robot/driving"}) {
+  for (const std::string& folder : folders) {
     for (const auto& entry : fs::directory_iterator(inSource(folder))) text += contentOf(entry.path());
   }
   return std::regex_replace(text, std::regex("\"\\s*\\n\\s*\""), "");
+}
+
+/// Of the nodes that move no robot but the simulated one.
+const std::vector<std::string> kNodes{"src/ros/recorder", "src/ros/advice", "src/ros/replay", "src/ros/create2_stub"};
+
+/// The sources whose messages tell a user why the robot does not move, or why a node does not work.
+std::string messageSources() {
+  std::vector<std::string> folders{"src/ros/planner", "src/ros/controller",   "src/ros/common",    "src/ros/move_base",
+                                   "src/compat",      "src/robot/perception", "src/robot/driving", "src/robot/dataset"};
+  folders.insert(folders.end(), kNodes.begin(), kNodes.end());
+  return sourcesIn(folders);
 }
 
 /// What matches the first group.
@@ -94,6 +104,46 @@ TEST(Troubleshooting, TellsOfEveryWarningAndError) {
     const std::string shown = shownOnThePage(message);
     if (shown == "...") continue;  // the text comes from an exception
     EXPECT_NE(page.find(shown), std::string::npos) << "'" << shown << "' is not in launch/troubleshooting.md";
+  }
+}
+
+/// Each literal of a statement that is long enough to be found in a log.
+std::vector<std::string> sentencesOf(const std::string& statement) {
+  constexpr std::size_t kLongEnough = 12;
+  std::vector<std::string> sentences;
+  for (std::string literal : found(statement, "\"([^\"]*)\"")) {
+    if (literal.size() < kLongEnough) continue;
+    literal.erase(0, literal.find_first_not_of(" ',:"));
+    literal.erase(literal.find_last_not_of(" '(") + 1);
+    sentences.push_back(shownOnThePage(literal));
+  }
+  return sentences;
+}
+
+TEST(Troubleshooting, TellsWhyANodeEndsOrRefusesAFile) {
+  const std::string page = contentOf(inSource("launch/troubleshooting.md"));
+  std::vector<std::string> statements = found(sourcesIn(kNodes), "throw (?!std::logic_error)([^;]*);");
+  EXPECT_GT(statements.size(), 20u);
+  const std::vector<std::string> texts = found(sourcesIn({"src/ros/create2_stub"}), "text << ([^;]*);");
+  EXPECT_GE(texts.size(), 3u);
+  statements.insert(statements.end(), texts.begin(), texts.end());
+  for (const std::string& statement : statements) {
+    for (const std::string& sentence : sentencesOf(statement)) {
+      EXPECT_NE(page.find(sentence), std::string::npos) << "'" << sentence << "' is not in launch/troubleshooting.md";
+    }
+  }
+}
+
+TEST(Troubleshooting, TellsOfEveryWarningOfTheRecordersStatus) {
+  const std::string page = contentOf(inSource("launch/troubleshooting.md"));
+  const std::string source = contentOf(inSource("src/ros/recorder/dataset_recorder_status.cpp"));
+  std::vector<std::string> statements = found(source, "\\{DiagnosticStatus::(?:WARN|ERROR),([^;]*);");
+  EXPECT_GE(statements.size(), 6u);
+  for (const std::string& statement : found(source, "return (\"no [^;]*);")) statements.push_back(statement);
+  for (const std::string& statement : statements) {
+    for (const std::string& sentence : sentencesOf(statement)) {
+      EXPECT_NE(page.find(sentence), std::string::npos) << "'" << sentence << "' is not in launch/troubleshooting.md";
+    }
   }
 }
 

@@ -64,4 +64,14 @@ Outlook Evasion::towards(double direction, double speed) const {
   });
 }
 
+Outlook Evasion::backwards(double speed, double free) const {
+  const double acceleration = parameters_.linear_acceleration;
+  return roll([&](const Pose2& pose) {
+    const double left = std::max(0.0, free + pose.x);
+    const double stops =
+        acceleration * (std::hypot(reaction_time_, std::sqrt(2.0 * left / acceleration)) - reaction_time_);
+    return Twist2{-std::min(speed, stops), 0.0};
+  });
+}
+
 }  // namespace lstm_planner

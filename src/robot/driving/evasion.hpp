@@ -28,6 +28,9 @@ class Evasion {
   /// It turns to a direction (rad) and drives there, at most that fast (m/s), until it stands before an obstacle.
   Outlook towards(double direction, double speed) const;
 
+  /// It drives straight back, at most that fast (m/s), and stands `free` (m) behind where it is.
+  Outlook backwards(double speed, double free) const;
+
  private:
   template <typename Command>
   Outlook roll(const Command& commandAt) const;

@@ -25,7 +25,7 @@ Point2 farOn(const std::vector<Pose2>& plan, const Pose2& pose, double distance)
 }  // namespace
 
 MotionCommand MotionController::evade(const MotionCommand& command, const MotionSituation& situation,
-                                      const std::vector<MovingThing>& things) const {
+                                      const std::vector<MovingThing>& things, double free_behind) const {
   const auto& [plan, pose, current, shield, period] = situation;
   if (parameters_.evade_time <= 0.0 || things.empty() || plan.empty()) return command;
   if (command.stop == StopReason::kUnusableData) return command;
@@ -49,11 +49,11 @@ MotionCommand MotionController::evade(const MotionCommand& command, const Motion
   const auto consider = [&](const Outlook& outlook) {
     const double value = worth(outlook);
     // Where it would be touched in any case it is better to stand.
-    const bool is_hopeless = outlook.touch < parameters_.evade_time && outlook.first.linear > 0.0;
+    const bool is_hopeless = outlook.touch < parameters_.evade_time && outlook.first.linear != 0.0;
     const Twist2 twist = withinWheelLimits(outlook.first);
     if (value <= most || is_hopeless || !keepsFromObstacles(twist)) return;
     most = value;
-    best = {twist, StopReason::kNone};
+    best = {twist, StopReason::kNone, twist.linear < 0.0};
   };
   consider(evasion.withCommand({}));
   for (int i = 0; i < kDirections; ++i) {
@@ -61,6 +61,11 @@ MotionCommand MotionController::evade(const MotionCommand& command, const Motion
       consider(evasion.towards(2.0 * M_PI * i / kDirections - M_PI, share * parameters_.max_linear));
     }
   }
+  const double margin = parameters_.safety_margin;
+  const double back = shield.footprint().isCircle() ? shield.freeDistance({}, M_PI, free_behind, margin)
+                                                    : shield.freeBack({}, 0.0, free_behind, margin);
+  if (back <= 0.0) return best;
+  for (const double share : kSpeeds) consider(evasion.backwards(share * parameters_.max_linear, back));
   return best;
 }
 

@@ -33,6 +33,12 @@ const char* const kNoProgress = "no progress";
 const char* const kNoProgressForLong = "no progress for very long";
 const char* const kMemoryWrong = "what is remembered was wrong too often";
 
+/// The goal is so near that the robot would go straight to it (m), but something that is remembered is in between.
+bool isHidden(const ObstacleMemory& memory, const Pose2& pose, const Point2& goal, double near) {
+  if (distanceBetween(pose, goal) > near) return false;
+  return !memory.isFree({pose.x, pose.y}, goal, ObstacleMemory::Passage::kTight);
+}
+
 std::optional<OutOfView> outOfViewOf(const Shield& shield) {
   if (shield.footprint().isCircle()) return std::nullopt;
   return OutOfView(shield.footprint());
@@ -350,7 +356,10 @@ void NavigationAgent::decide(const Situation& situation) {
 Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Source guidance) const {
   using GoalSeems = Decision::GoalSeems;
   if (decision_.leader != Source::kRoute) return GoalSeems::kReachable;
-  if (guidance == Source::kLookAround || guidance == Source::kNoPath) return GoalSeems::kEnclosed;
+  if (guidance == Source::kLookAround || guidance == Source::kNoPath) {
+    const bool is_hidden = isHidden(guide_->memory(), situation.pose, goal_, parameters_.goal_in_sight);
+    return is_hidden ? GoalSeems::kInObstacle : GoalSeems::kEnclosed;
+  }
   if (!decision_.on_route) return GoalSeems::kReachable;
   if (distanceBetween(guide_->end(), goal_) > guide_->memory().cellSize()) return GoalSeems::kInObstacle;
   const Point2 here{situation.pose.x, situation.pose.y};

@@ -148,6 +148,7 @@ class Run {
       ++result_.steps_by.at(static_cast<std::size_t>(decision.source));
       result_.overruled_steps += decision.isOverruled() ? 1 : 0;
     }
+    if (result_.goal_seemed == Decision::GoalSeems::kReachable) result_.goal_seemed = decision.goal_seems;
     result_.steps = decision.step;
     result_.trace.push_back(robot_.truePose());
     result_.led.push_back(decision.source);

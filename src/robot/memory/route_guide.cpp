@@ -138,7 +138,8 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
 double RouteGuide::tolerance() const { return toleranceAfter(driven_, parameters_); }
 
 bool RouteGuide::isGoalBehindObstacle(const Point2& here, const Point2& goal) const {
-  return RouteFinder::isDetour(distanceBetween(here, goal), route().length, kNearGoal * tolerance());
+  const double near = std::max(kNearGoal * tolerance(), parameters_.goal_in_sight);
+  return RouteFinder::isDetour(distanceBetween(here, goal), route().length, near);
 }
 
 bool RouteGuide::findRoute(const Point2& start, const Point2& goal, Route* route) {

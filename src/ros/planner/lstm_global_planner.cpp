@@ -141,6 +141,7 @@ void LstmGlobalPlanner::describeDrive(PluginDiagnostics::Status* status) const {
   status->add("decided by", toString(decision.source));
   status->add("step", decision.step);
   status->add("the goal seems", toString(decision.goal_seems));
+  status->add("the goal counts as reached within (m)", plan_maker_->agent().reachedWithin());
   status->add("best distance to the goal (m)", plan_maker_->agent().bestDistance());
   if (decision.preferred >= 0) {  // else neither network nor shield were asked about actions
     status->add("actions that the shield removed",

@@ -175,13 +175,14 @@ void PlanMaker::sayWhereGoalSeems(const Decision& decision) {
   const Pose2& robot = agent_.situation().pose;
   switch (decision.goal_seems) {
     case GoalSeems::kInObstacle:
-      ROS_WARN("the goal seems to lie in an obstacle, or odometry has moved it there: the path ends %.2f m from it",
-               distanceBetween(decision.destination, agent_.goal()));
+      sayWhatIsInTheWay(decision);
       break;
     case GoalSeems::kBehindObstacle:
-      ROS_INFO("the goal is %.2f m away, but the path to it is %.1f m long: odometry may have moved it behind a wall",
-               distanceBetween(robot, agent_.goal()),
-               distanceBetween(robot, decision.waypoint) + lengthOf(decision.path_on));
+      ROS_INFO(
+          "the goal is %.2f m away, but the path to it is %.1f m long: odometry may have moved it behind a wall. It "
+          "counts as reached within %.2f m (goal_drift)",
+          distanceBetween(robot, agent_.goal()), distanceBetween(robot, decision.waypoint) + lengthOf(decision.path_on),
+          agent_.reachedWithin());
       break;
     case GoalSeems::kEnclosed:
       ROS_WARN("no path to the goal is known: the robot looks around, then tries narrower passages");
@@ -189,6 +190,18 @@ void PlanMaker::sayWhereGoalSeems(const Decision& decision) {
     case GoalSeems::kReachable:
       break;
   }
+}
+
+void PlanMaker::sayWhatIsInTheWay(const Decision& decision) const {
+  if (decision.on_route) {
+    ROS_WARN("the goal seems to lie in an obstacle, or odometry has moved it there: the path ends %.2f m from it",
+             distanceBetween(decision.destination, agent_.goal()));
+    return;
+  }
+  ROS_WARN(
+      "the goal seems to lie in or behind an obstacle: it is %.2f m away, and no path to it is known. It counts as "
+      "reached within %.2f m (goal_drift)",
+      distanceBetween(agent_.situation().pose, agent_.goal()), agent_.reachedWithin());
 }
 
 const Decision& PlanMaker::preview(const Pose2& goal) {

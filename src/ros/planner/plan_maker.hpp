@@ -66,6 +66,7 @@ class PlanMaker {
   const Decision& preview(const Pose2& goal);
   void sayWhoLeads(const Decision& decision);
   void sayWhereGoalSeems(const Decision& decision);
+  void sayWhatIsInTheWay(const Decision& decision) const;
   std_msgs::Header header() const;
   void publish(const Decision& decision, const Pose2& goal, const std::vector<geometry_msgs::PoseStamped>& plan);
 

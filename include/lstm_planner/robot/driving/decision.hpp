@@ -25,7 +25,7 @@ struct Decision {
   /// What the remembered obstacles say about the goal, while the path through them leads.
   enum class GoalSeems {
     kReachable,       ///< or not known yet
-    kInObstacle,      ///< the path ends beside it
+    kInObstacle,      ///< the path ends beside it; or it is near, an obstacle is before it, and no path is known
     kBehindObstacle,  ///< it is near, but the path to it is long: odometry may have moved it behind a wall
     kEnclosed         ///< no path is known; the robot looks around
   };

@@ -136,9 +136,10 @@ class MotionController {
                         const std::vector<Point2>& resting = {}, const MotionHistory& history = {}) const;
 
   /// That command, or one that gets out of the way of `things` (base frame) where they would come too near if they and
-  /// the robot went on so. If there is no way out it does not drive towards a touch.
+  /// the robot went on so. If there is no way out it does not drive towards a touch. It backs away, straight, only as
+  /// far as `free_behind` (m): seenFreeBehind().
   MotionCommand evade(const MotionCommand& command, const MotionSituation& situation,
-                      const std::vector<MovingThing>& things) const;
+                      const std::vector<MovingThing>& things, double free_behind = 0.0) const;
 
   /// From now on it takes at least so long from a measurement to the wheels, s: the scanner is slow.
   void expectReactionTime(double least) { reaction_time_ = std::max(parameters_.reaction_time, least); }

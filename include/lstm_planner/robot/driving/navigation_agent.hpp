@@ -111,6 +111,8 @@ class NavigationAgent {
   long searches() const { return guide_ ? guide_->searches() : 0; }
   const AgentParameters& parameters() const { return parameters_; }
   const DrivePolicy& policy() const { return policy_; }
+  /// m from the goal within which it counts as reached where it lies in or behind an obstacle (goal_drift).
+  double reachedWithin() const { return toleranceAfter(driven_, parameters_); }
   double bestDistance() const { return progress_.best(); }  ///< m to the goal, from where the robot was nearest to it
 
  private:

@@ -5,6 +5,7 @@
 #include "lstm_planner/robot/driving/motion_controller.hpp"
 #include "lstm_planner/robot/driving/trail.hpp"
 #include "lstm_planner/robot/perception/moving_surroundings.hpp"
+#include "lstm_planner/robot/perception/seen_free.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 
 namespace lstm_planner {
@@ -30,7 +31,10 @@ class PathTracker {
     const MotionSituation motion{plan, situation.pose, twist, shield, period};
     MotionCommand command = controller_.compute(motion, moving_.points(), moving_.resting(), history_);
     if (controller_.parameters().evade_time > 0.0) {
-      command = controller_.evade(command, motion, moving_.follow(situation));
+      const MotionParameters& limits = controller_.parameters();
+      const double free_behind =
+          seenFreeBehind(situation, shield.footprint(), limits.safety_margin, limits.max_linear * limits.evade_time);
+      command = controller_.evade(command, motion, moving_.follow(situation), free_behind);
     }
     history_.goes_back = command.goes_back;
     history_.commanded = command;

@@ -72,6 +72,8 @@ struct DriveResult {
   double path_length = 0.0;  ///< m
   double shortest = 0.0;     ///< m, of the task
   double goal_error = 0.0;   ///< m from the true position to the goal in the end
+  /// The first thing that the robot said of the goal but that it is reachable, if it did.
+  Decision::GoalSeems goal_seemed = Decision::GoalSeems::kReachable;
   long steps = 0;
   std::array<long, kDecisionSources> steps_by{};   ///< of these, by Decision::Source
   long overruled_steps = 0;                        ///< in which another action than the network's favourite was taken

@@ -90,6 +90,31 @@ TEST_P(MotionEvading, DoesNotDriveIntoWhatItWouldCrossThePathOf) {
   EXPECT_TRUE(command.linear < 1.5 || std::abs(command.angular) > 0.3) << command.linear << " " << command.angular;
 }
 
+TEST_P(MotionEvading, BacksAwayAsFarAsItIsSeenFreeBehind) {
+  // Between two walls something comes straight towards it; turning round takes longer.
+  std::vector<Point2> walls;
+  for (double x = -4.0; x <= 4.0; x += 0.05) {
+    walls.push_back({x, 0.45});
+    walls.push_back({x, -0.45});
+  }
+  Shield shield(footprint(), kMargin, 6.0);
+  shield.show(walls);
+  const MotionSituation stands{plan_, {}, {}, shield, kPeriod};
+  const MovingThing comes{{2.0, 0.0}, 0.4, {-1.0, 0.0}};
+  const MotionCommand away = controller_.evade({}, stands, {comes}, 4.0);
+  EXPECT_LT(away.linear, -0.5);
+  EXPECT_EQ(away.angular, 0.0);
+  EXPECT_TRUE(away.goes_back) << "nothing of it is a path that it came";
+  EXPECT_GE(controller_.evade({}, stands, {comes}).linear, 0.0) << "what is behind is not seen";
+  // It stands within 0.2 m: 0.25 s of reaction, and 2 m/s^2.
+  const double slow = -controller_.evade({}, stands, {comes}, 0.2).linear;
+  EXPECT_LE(0.25 * slow + slow * slow / 4.0, 0.2 + 1e-9);
+  walls.push_back({-0.5, 0.0});
+  shield.show(walls);
+  const double blocked = -controller_.evade({}, stands, {comes}, 4.0).linear;
+  EXPECT_LE(0.25 * blocked + blocked * blocked / 4.0, 0.5 - kMargin - 0.25);
+}
+
 TEST_P(MotionEvading, DoesNotFleeIntoAnObstacle) {
   // Walls ahead and on both sides: there is no way out.
   std::vector<Point2> walls;

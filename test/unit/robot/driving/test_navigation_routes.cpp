@@ -216,6 +216,27 @@ TEST_F(NavigationRoutes, AGoalInAClosedRingSeemsEnclosed) {
   EXPECT_EQ(agent.update(returnsAt(ring)).goal_seems, Decision::GoalSeems::kEnclosed);
 }
 
+TEST_F(NavigationRoutes, AGoalInAClosedRingBesideTheRobotSeemsToLieInAnObstacle) {
+  AgentParameters parameters = test::routeLed();
+  parameters.goal_drift = 0.0;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  const Point2 goal{1.2, 0.0};  // within goal_in_sight
+  agent.setGoal(goal);
+  std::vector<Point2> box;
+  for (const Point2& point : test::ring(0.3)) box.push_back({goal.x + point.x, goal.y + point.y});
+  EXPECT_EQ(agent.update(returnsAt(box)).goal_seems, Decision::GoalSeems::kInObstacle);
+  EXPECT_EQ(agent.decision().source, Decision::Source::kLookAround);
+  EXPECT_DOUBLE_EQ(agent.reachedWithin(), parameters.goal_tolerance);
+}
+
+TEST_F(NavigationRoutes, AGoalThatTheRobotStandsBesideSeemsToLieBehindAnObstacleWhateverTheDrift) {
+  NavigationAgent agent(stubbornPolicy(), test::routeLed());
+  agent.setGoal({1.2, 0.0});
+  // 12.2 m round the wall: more than three times goal_in_sight.
+  const std::vector<Point2> long_wall = test::wall({0.7, -6.0}, {0.7, 6.0});
+  EXPECT_EQ(agent.update(returnsAt(long_wall)).goal_seems, Decision::GoalSeems::kBehindObstacle);
+}
+
 TEST_F(NavigationRoutes, AskingTwiceChangesNothing) {
   const Decision first = agent_.update(returnsAt(kWall));
   const Network::HiddenState hidden = agent_.policy().hiddenState();
