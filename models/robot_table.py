@@ -15,11 +15,12 @@ import sys
 import tempfile
 
 KINDS = ["mazes", "offices", "corridors", "rooms", "forest", "open", "all"]
+COURSE = "--kinds mazes offices corridors forest open rooms"
 IMITATION = "--rounds 2 --worlds 60 --validation 12 --epochs 15"
 ACTOR_CRITIC = ("--iterations 20 --worlds 24 --starts 8 --validation 12 --max-steps 400 --entropy-start 0.006 "
                 "--entropy-end 0.001")
 Q_LEARNING = "--iterations 20 --worlds 24 --starts 8 --validation 12 --max-steps 400"
-JUDGE = "--worlds 504 --max-steps 500 --seed 7"
+JUDGE = "--worlds 504 --max-steps 500 --seed 7 " + COURSE
 
 # Name: what it is, options of a new network, options of the course. MLP and RNN have as many weights as the LSTM.
 ROWS = {
@@ -58,7 +59,7 @@ def tool(arguments):
 def train(name, seed, folder, threads):
     """The file of a network of that row."""
     _, network, course = ROWS[name]
-    common = " %s --seed %d --threads %d" % (course, seed, threads)
+    common = " %s %s --seed %d --threads %d" % (COURSE, course, seed, threads)
     first = os.path.join(folder, "imitation.onnx")
     last = os.path.join(folder, "reinforced.onnx")
     if name == "q_learning":

@@ -15,13 +15,14 @@ enum class WorldKind {
   kCorridors,  ///< corridors of different widths with dead ends
   kForest,     ///< poles at random, half of the forests with narrow gaps that are all wide enough
   kOpen,       ///< nothing in sight
-  kRooms       ///< empty rooms with doors
+  kRooms,      ///< empty rooms with doors
+  kClutter     ///< irregular obstacles close together, with a bay before them
 };
 
 /// All of them.
 const std::vector<WorldKind>& worldKinds();
 
-/// "mazes", "offices", "corridors", "forest", "open", "rooms".
+/// "mazes", "offices", "corridors", "forest", "open", "rooms", "clutter".
 const char* toString(WorldKind kind);
 /// Throws std::invalid_argument with the names there are.
 WorldKind worldKindOf(const std::string& name);

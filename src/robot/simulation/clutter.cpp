@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/robot/simulation/world_generators.hpp"
+#include "robot/simulation/building.hpp"
+#include "robot/simulation/open_areas.hpp"
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kWall = 0.1;    // m
+constexpr double kBlock = 0.15;  // m, side of what the obstacles consist of
+constexpr double kClearedAtOnce = 0.9;
+
+/// Random numbers a block, each averaged with its neighbours up to `grain` blocks away, so that high ones lie together.
+class Noise {
+ public:
+  Noise(int columns, int rows, int grain, Random& random) : columns_(columns), rows_(rows) {
+    std::vector<double> single(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    for (double& value : single) value = uniform(random);
+    values_.reserve(single.size());
+    for (int row = 0; row < rows; ++row) {
+      for (int column = 0; column < columns; ++column) values_.push_back(meanAround(single, column, row, grain));
+    }
+  }
+
+  double at(int column, int row) const { return values_[index(column, row)]; }
+
+  /// What that share of the values exceeds.
+  double levelOf(double share) const {
+    std::vector<double> sorted = values_;
+    std::sort(sorted.begin(), sorted.end());
+    const auto below = static_cast<std::size_t>((1.0 - share) * static_cast<double>(sorted.size()));
+    return sorted[std::min(below, sorted.size() - 1)];
+  }
+
+ private:
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+
+  double meanAround(const std::vector<double>& values, int column, int row, int grain) const {
+    double sum = 0.0;
+    int count = 0;
+    for (int r = std::max(0, row - grain); r <= std::min(rows_ - 1, row + grain); ++r) {
+      for (int c = std::max(0, column - grain); c <= std::min(columns_ - 1, column + grain); ++c) {
+        sum += values[index(c, r)];
+        ++count;
+      }
+    }
+    return sum / count;
+  }
+
+  int columns_;
+  int rows_;
+  std::vector<double> values_;
+};
+
+/// Where what is, in cells.
+struct Plan {
+  explicit Plan(const ClutterParameters& p) : parameters(p), wall(std::max(1, cells(kWall))) {
+    const int left = cells(p.around) + wall;
+    const int bottom = wall + cells(p.bay);
+    field = {left, bottom, left + cells(p.width), bottom + cells(p.depth)};
+    columns = field.right + left;
+    rows = field.top + cells(p.beyond) + wall;
+  }
+
+  int cells(double metres) const { return static_cast<int>(std::lround(metres / parameters.resolution)); }
+
+  const ClutterParameters& parameters;
+  int wall;
+  CellBox field;  ///< with the obstacles
+  int columns = 0;
+  int rows = 0;
+};
+
+OccupancyGrid drawClutter(const Plan& plan, const Noise& noise, double fill) {
+  OccupancyGrid grid(plan.columns, plan.rows, plan.parameters.resolution, {}, Cell::kOccupied);
+  fillBox({plan.wall, plan.wall, plan.columns - plan.wall, plan.rows - plan.wall}, Cell::kFree, &grid);
+  const CellBox& field = plan.field;
+  fillBox({field.left - plan.wall, 0, field.left, field.top}, Cell::kOccupied, &grid);
+  fillBox({field.right, 0, field.right + plan.wall, field.top}, Cell::kOccupied, &grid);
+  const double level = noise.levelOf(fill);
+  const double blocks = plan.parameters.resolution / kBlock;
+  for (int row = field.bottom; row < field.top; ++row) {
+    for (int column = field.left; column < field.right; ++column) {
+      const int block_column = static_cast<int>((column - field.left) * blocks);
+      const int block_row = static_cast<int>((row - field.bottom) * blocks);
+      if (noise.at(block_column, block_row) > level) grid.set({column, row}, Cell::kOccupied);
+    }
+  }
+  return grid;
+}
+
+/// Whether the disc that is to get through does.
+bool isOpen(const Plan& plan, const OccupancyGrid& grid) {
+  cv::Mat1i labels;
+  labelOpenAreas(grid, plan.parameters.passage, &labels);
+  const int middle = (plan.field.left + plan.field.right) / 2;
+  const int start = labels((plan.wall + plan.field.bottom) / 2, middle);
+  return start > 0 && start == labels((plan.field.top + plan.rows - plan.wall) / 2, middle);
+}
+
+}  // namespace
+
+void validate(const ClutterParameters& parameters) {
+  checkRange("passage", parameters.passage, 0.05, 0.5);
+  checkRange("width", parameters.width, 2.0, 50.0);
+  checkRange("bay", parameters.bay, 2.0 * parameters.passage + 0.5, 50.0);
+  checkRange("depth", parameters.depth, 1.0, 50.0);
+  checkRange("beyond", parameters.beyond, 2.0 * parameters.passage + 0.5, 50.0);
+  checkRange("around", parameters.around, 0.0, 50.0);
+  checkRange("fill", parameters.fill, 0.0, 0.5);
+  checkParameter(parameters.grain >= 0 && parameters.grain <= 10, "grain", parameters.grain, "0 to 10 blocks");
+  checkRange("resolution", parameters.resolution, 0.01, kBlock);
+}
+
+OccupancyGrid generateClutter(const ClutterParameters& parameters, std::uint64_t seed) {
+  validate(parameters);
+  Random random(seed);
+  const Plan plan(parameters);
+  const auto blocks = [&](int cells) {
+    return static_cast<int>(std::ceil(cells * parameters.resolution / kBlock)) + 1;
+  };
+  const Noise noise(blocks(plan.field.width()), blocks(plan.field.height()), parameters.grain, random);
+  double fill = parameters.fill;
+  OccupancyGrid grid = drawClutter(plan, noise, fill);
+  while (fill > 0.01 && !isOpen(plan, grid)) {
+    fill *= kClearedAtOnce;
+    grid = drawClutter(plan, noise, fill);
+  }
+  return fill > 0.01 ? grid : drawClutter(plan, noise, 0.0);
+}
+
+}  // namespace lstm_planner
