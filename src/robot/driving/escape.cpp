@@ -100,7 +100,7 @@ void Escape::meetBoundary(const Situation& situation, const Shield& shield, cons
   for (const int side : {-1, 1}) {
     for (double angle = 0.0; angle < M_PI; angle += parameters_.probe_angle) {
       const double direction = to_goal + side * angle - situation.pose.yaw;
-      if (shield.freeDistance({}, direction, parameters_.follow_step, clearance()) >= parameters_.follow_step) {
+      if (shield.isFree({}, direction, parameters_.follow_step, clearance())) {
         turn[(side + 1) / 2] = angle;
         break;
       }

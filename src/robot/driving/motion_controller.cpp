@@ -107,7 +107,7 @@ Pose2 MotionController::target(const MotionSituation& situation) const {
     }
     const double direction = directionTo(pose, plan[i]) - pose.yaw;
     const bool needed = farthest < parameters_.nearest_target;
-    if (!needed && situation.shield.freeDistance({}, direction, distance, parameters_.safety_margin) < distance) {
+    if (!needed && !situation.shield.isFree({}, direction, distance, parameters_.safety_margin)) {
       break;
     }
     ahead = i;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "lstm_planner/robot/driving/action_set.hpp"
@@ -78,31 +79,27 @@ class PlanLine {
   std::vector<Point2> beyond_;  ///< where the pieces end for which there were too many poses
 };
 
-/// The free step from `at` (base frame) that leads most towards the goal; false when there is none.
-bool stepTowards(const Point2& goal, const Shield& shield, const AgentParameters& agent, const ActionSet& actions,
-                 double heading, Point2* at, double* direction) {
-  const double distance = std::min(agent.step.length, distanceBetween(*at, goal));
-  const double bearing = directionTo(*at, goal);
-  const auto isFree = [&](double candidate) {
-    return shield.freeDistance(*at, candidate, distance, agent.shield.clearance) >= distance;
-  };
-  std::pair<double, int> tried{0.0, -1};  // how far aside, and which action; of two as far aside the first comes first
-  double next = bearing;
+/// The direction (base frame) of the free step of `length` from `at` that leads most towards the goal; nothing when
+/// there is none.
+std::optional<double> directionTowards(const Point2& goal, const Shield& shield, const AgentParameters& agent,
+                                       const ActionSet& actions, double heading, const Point2& at, double length) {
+  const double bearing = directionTo(at, goal);
+  const auto isFree = [&](double direction) { return shield.isFree(at, direction, length, agent.shield.clearance); };
   // From the bearing on aside: what is measured costs more than what is compared.
-  while (!isFree(next)) {
+  std::pair<double, int> tried{0.0, -1};  // how far aside, and which action; of two as far aside the first comes first
+  double direction = bearing;
+  while (!isFree(direction)) {
     std::pair<double, int> nearest{M_PI, -1};
     for (int action = 0; action < actions.size(); ++action) {
       const std::pair<double, int> candidate{std::abs(normalizeAngle(heading + actions.angle(action) - bearing)),
                                              action};
       if (candidate > tried && candidate < nearest) nearest = candidate;
     }
-    if (nearest.second < 0) return false;
+    if (nearest.second < 0) return std::nullopt;
     tried = nearest;
-    next = heading + actions.angle(nearest.second);
+    direction = heading + actions.angle(nearest.second);
   }
-  *direction = next;
-  *at = pointAlong(*at, *direction, distance);
-  return true;
+  return direction;
 }
 
 }  // namespace
@@ -130,11 +127,14 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
     double left = distanceBetween(at, local_goal);
     const bool moves = decision.path_on.empty() && decision.source != Decision::Source::kLookAround;
     for (int step = 0; moves && step < parameters.steps && left > agent.goal_tolerance; ++step) {
-      if (!stepTowards(local_goal, shield, agent, actions, direction, &at, &direction) ||
-          distanceBetween(at, local_goal) > left) {
-        break;  // From here the path to the goal would have to be guessed.
-      }
+      const double length = std::min(agent.step.length, left);
+      const auto next = directionTowards(local_goal, shield, agent, actions, direction, at, length);
+      if (!next) break;
+      direction = *next;
+      at = pointAlong(at, direction, length);
+      const double left_before = left;
       left = distanceBetween(at, local_goal);
+      if (left > left_before) break;  // From here the path to the goal would have to be guessed.
       line.lineTo(toParentFrame(situation.pose, at));
     }
   }

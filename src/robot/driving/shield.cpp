@@ -105,7 +105,7 @@ void Shield::showNear(const Point2* obstacles, std::size_t count) {
 
 double Shield::blur(const Point2& from) const { return 1e-6 * (1.0 + reach_ + std::abs(from.x) + std::abs(from.y)); }
 
-double Shield::freeDistance(const Point2& from, double direction, double limit, double clearance) const {
+double Shield::freeLine(const Point2& from, double direction, double limit, double clearance, double enough) const {
   if (!footprint_.isCircle()) return freeArc({from.x, from.y, direction}, 0.0, limit, clearance);
   const double c = std::cos(direction);
   const double s = std::sin(direction);
@@ -158,7 +158,7 @@ double Shield::freeDistance(const Point2& from, double direction, double limit, 
         if (matters[1] != 0) shorten(along[1], aside[1]);
       }
     }
-    return free <= 0.0;
+    return free <= 0.0 || free < enough;
   });
   return free;
 }

@@ -31,10 +31,12 @@ class ReadingBounds {
 
   /// As RangeProfile::ranges.
   Floats meaning(Floats readings) const {
+    const Ints nothing = (readings >= allOf(nothing_from_)) | areCodes(readings);
+    const Ints plain = areMeasured(readings) & ~nothing;
+    if (!any(~plain)) return readings;  // nearly always
     const Ints silent = ((readings != readings) & allOf(nan_is_silent_)) |
                         ((readings == Floats{}) & allOf(zero_is_silent_)) |
                         ((readings > Floats{}) & (readings < allOf(least_)) & allOf(below_is_silent_));
-    const Ints nothing = (readings >= allOf(nothing_from_)) | areCodes(readings);
     const Ints too_near = readings == allOf(-kInfinity);
     Floats meaning = select(areMeasured(readings), readings, Floats{});
     meaning = select(silent, allOf(RangeProfile::kSilent), meaning);

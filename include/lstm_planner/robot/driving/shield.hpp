@@ -33,11 +33,18 @@ class Shield {
   /// `clearance`. Where the robot already is nearer to something than that, it may pass it but not come nearer still;
   /// nearer than the hard margin (or the clearance, if that is less) it may only go away, so that the noise of a
   /// scanner cannot lure it closer bit by bit. 0 when the first millimetre is blocked.
-  double freeDistance(const Point2& from, double direction, double limit, double clearance) const;
+  double freeDistance(const Point2& from, double direction, double limit, double clearance) const {
+    return freeLine(from, direction, limit, clearance, 0.0);
+  }
 
-  /// The same along the arc that starts at the pose `from`, forward, with that curvature (1/m, positive to the left; 0
-  /// is the straight line): length of arc in m. This is the path that a differential drive really takes when it is
-  /// commanded linear and angular = curvature * linear.
+  /// Whether the free distance is `length` (m): sooner answered where it is not.
+  bool isFree(const Point2& from, double direction, double length, double clearance) const {
+    return freeLine(from, direction, length, clearance, length) >= length;
+  }
+
+  /// The same as freeDistance() along the arc that starts at the pose `from`, forward, with that curvature (1/m,
+  /// positive to the left; 0 is the straight line): length of arc in m. This is the path that a differential drive
+  /// really takes when it is commanded linear and angular = curvature * linear.
   double freeArc(const Pose2& from, double curvature, double limit, double clearance) const;
 
   /// The same backward, along the arc that leads to `from`. Only for polygons: a circle turns round.
@@ -57,6 +64,9 @@ class Shield {
   const Footprint& footprint() const { return footprint_; }
 
  private:
+  /// freeDistance(), or something else below `enough` if that is below it.
+  double freeLine(const Point2& from, double direction, double limit, double clearance, double enough) const;
+
   Footprint footprint_;
   double footprint_radius_;
   double hard_margin_;

@@ -101,6 +101,16 @@ TEST_F(ShieldInRandomScans, FreesNoPathThatAReturnBlocks) {
   EXPECT_GT(shortened, 2000);
 }
 
+TEST_F(ShieldInRandomScans, TellsWhetherAPathIsFreeAsItMeasuresIt) {
+  int blocked = 0;
+  forManyQuestions(60, [&](const std::vector<Point2>&, const Pose2& from, double limit) {
+    const bool is_free = shield_.freeDistance({from.x, from.y}, from.yaw, limit, 0.07) >= limit;
+    ASSERT_EQ(shield_.isFree({from.x, from.y}, from.yaw, limit, 0.07), is_free);
+    blocked += is_free ? 0 : 1;
+  });
+  EXPECT_GT(blocked, 1000);
+}
+
 TEST_F(ShieldInRandomScans, MeasuresTheGapToTheNearestReturn) {
   forManyQuestions(6, [&](const std::vector<Point2>& obstacles, const Pose2& from, double) {
     ASSERT_NEAR(shield_.gap({from.x, from.y}), plainGap(obstacles, {from.x, from.y}), 1e-12);
