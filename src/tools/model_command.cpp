@@ -1,4 +1,3 @@
-#include <iomanip>
 #include <iostream>
 #include <optional>
 #include <sstream>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
@@ -71,8 +71,7 @@ void printModel(const Model& model) {
                                          : "the robot")
             << "\n";
   if (!model.metadata.empty()) std::cout << "metadata\n";
-  for (const auto& [key, value] : model.metadata)
-    std::cout << "  " << std::left << std::setw(17) << key << value << "\n";
+  for (const auto& [key, value] : model.metadata) std::cout << "  " << leftText(key, 17) << value << "\n";
 }
 
 /// The file that is the only argument of info and check.

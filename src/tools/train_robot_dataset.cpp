@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -27,6 +29,8 @@
 namespace lstm_planner {
 
 namespace {
+
+const char* const kLabels = "label [deg]";
 
 constexpr int kLines = 20;  ///< printed, at most, besides the last
 
@@ -88,20 +92,23 @@ long stepsOf(const std::vector<long>& labels) { return std::accumulate(labels.be
 
 /// How many labels of each kind there are, so that nobody takes the most frequent one for a result.
 void printLabels(const DatasetTrainingParameters& training, const DatasetTrainingSets& sets) {
-  std::cout << std::fixed << std::setprecision(2) << "label [deg]";
-  for (const std::string& name : namesOf(training.sequences.policy.actions)) std::cout << std::setw(8) << name;
-  const auto print = [](const char* title, const auto& values) {
-    std::cout << std::left << std::setw(11) << title << std::right;
-    for (const auto& value : values) std::cout << std::setw(8) << value;
+  std::string headings = kLabels;
+  for (const std::string& name : namesOf(training.sequences.policy.actions))
+    headings += "  " + std::string(6 - std::min<std::size_t>(6, name.size()), ' ') + name;
+  const TextTable table(headings);
+  const auto line = [&table](const char* title, const auto& values, const auto& toText) {
+    std::vector<std::string> cells{leftText(title, std::strlen(kLabels))};
+    for (const auto& value : values) cells.push_back(toText(value));
+    return table.line(cells);
   };
-  std::cout << "\n";
-  print("training", sets.training_labels);
-  std::cout << "   " << stepsOf(sets.training_labels) << " steps; with --variants " << training.variants << ' '
-            << sets.training.size() << " sequences\n";
-  print("validation", sets.validation_labels);
-  std::cout << "   " << stepsOf(sets.validation_labels) << " steps in " << sets.validation.size() << " episodes\n";
-  print("weight", sets.label_weights);
-  std::cout << "   --balance " << toString(training.balance) << "\nmajority-class baseline: accuracy "
+  const auto count = [](long labels) { return std::to_string(labels); };
+  std::cout << headings << '\n'
+            << line("training", sets.training_labels, count) << "   " << stepsOf(sets.training_labels)
+            << " steps; with --variants " << training.variants << ' ' << sets.training.size() << " sequences\n"
+            << line("validation", sets.validation_labels, count) << "   " << stepsOf(sets.validation_labels)
+            << " steps in " << sets.validation.size() << " episodes\n"
+            << line("weight", sets.label_weights, [](double weight) { return fixedText(weight, 2); }) << "   --balance "
+            << toString(training.balance) << "\nmajority-class baseline: accuracy "
             << percentText(constantAnswerAccuracy(sets.validation_labels)) << " on the validation set" << std::endl;
 }
 
@@ -145,7 +152,7 @@ class DatasetTrainingHost : public ToolTrainingHost {
   }
 
   void judged(const Judgement& /*judgement*/) override {
-    std::cout << training_.curve().size() << " epochs in " << std::setprecision(1) << seconds_.count() << " s\n"
+    std::cout << training_.curve().size() << " epochs in " << fixedText(seconds_.count(), 1) << " s\n"
               << "validation set by the " << (options_.training.trainer.averaging > 0.0 ? "averaged " : "")
               << "weights of epoch " << best().epoch << ":\n"
               << confusionText(best().kept().confusion, names());

@@ -26,12 +26,10 @@ bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPl
   addRobotReinforcementOptions(arguments, plan, &p, &line);
   addRewardOption(&p.reward, &line);
   visitQLearningParameters(p, "m", "iterations", line.everyParameter());
-  line.add("contact-cost", &p.contact_cost, {0.0, 1e6}, "m; for --reward progress");
   if (!line.parse(arguments)) return false;
   finishRobotReinforcement("q-learning", plan, &p);
   plan->settings["reward"] = nameOf(p.reward, rewards());
   visitQLearningParameters(p, "m", "iterations", noteIn(&plan->settings));
-  plan->settings["contact-cost"] = p.contact_cost;
   validate(p);
   return true;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -11,6 +10,7 @@
 #include "lstm_planner/base/common/csv_writer.hpp"
 #include "lstm_planner/base/common/gnuplot.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
+#include "lstm_planner/base/common/text_table.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 
 namespace lstm_planner {
@@ -114,19 +114,24 @@ Fluctuation fluctuationOf(const std::vector<double>& curve, std::size_t epochs) 
 }
 
 std::string stabilityText(const std::vector<EpochAccuracies>& epochs) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2);
   const std::size_t settled = epochs.size() > kFirstEpochs ? epochs.size() - kFirstEpochs : 0;
-  text << "accuracy over the last " << std::min(epochs.size(), kLastEpochs)
-       << " epochs [%]            deviation  change: usual  largest | lowest after " << kFirstEpochs << " epochs\n";
+  const std::string title =
+      "accuracy over the last " + std::to_string(std::min(epochs.size(), kLastEpochs)) + " epochs [%]";
+  const TextTable table(title + "  deviation  usual change  largest change  lowest after " +
+                        std::to_string(kFirstEpochs) + " epochs  in epoch");
+  std::ostringstream text;
+  text << table.headings() << '\n';
   for (const Curve& curve : kCurves) {
     const std::vector<double> values = valuesOf(epochs, curve.accuracy);
     const Fluctuation last = fluctuationOf(values, kLastEpochs);
     const Fluctuation all = fluctuationOf(values, settled);
-    text << "  " << std::left << std::setw(40) << curve.name << std::right << std::setw(14) << 100.0 * last.deviation
-         << std::setw(15) << 100.0 * last.usual_change << std::setw(9) << 100.0 * last.largest_change << " | ";
-    if (settled > 0) text << std::setw(6) << 100.0 * all.lowest << " in epoch " << all.lowest_epoch;
-    text << '\n';
+    std::vector<std::string> cells{leftText(curve.name, title.size()), fixedText(100.0 * last.deviation, 2),
+                                   fixedText(100.0 * last.usual_change, 2), fixedText(100.0 * last.largest_change, 2)};
+    if (settled > 0) {
+      cells.push_back(fixedText(100.0 * all.lowest, 2));
+      cells.push_back(std::to_string(all.lowest_epoch));
+    }
+    text << table.line(cells) << '\n';
   }
   double sum = 0.0;
   double largest = 0.0;
@@ -138,7 +143,7 @@ std::string stabilityText(const std::vector<EpochAccuracies>& epochs) {
   }
   const auto count = static_cast<double>(std::max<std::size_t>(1, epochs.size() - first));
   text << "the accuracy of an epoch (Eq. 4.5) and that of the weights at its end on the same set differ by "
-       << 100.0 * sum / count << " % on average, by " << 100.0 * largest << " % at most\n";
+       << fixedText(100.0 * sum / count, 2) << " % on average, by " << fixedText(100.0 * largest, 2) << " % at most\n";
   return text.str();
 }
 

@@ -31,7 +31,6 @@ double driveThesisReward(const Observation& observation, const ThesisRewardWeigh
 
 void validate(const DriveQLearningParameters& parameters) {
   visitPracticeParameters(parameters, RangeCheck());
-  checkParameter(parameters.contact_cost >= 0.0, "contact_cost", parameters.contact_cost, "at least 0");
   validate(static_cast<const QLearningParameters&>(parameters));
   validate(parameters.policy.encoder);
   validate(parameters.course);

@@ -28,6 +28,7 @@ void visitPracticeParameters(Parameters& p, const Visitor& visit) {
   visit("starts", p.starts, {1, 1e4}, "", "drives per goal");
   visit("window", p.window, {1, 1e5}, "", "largest number of steps of backpropagation through time");
   visit("passes", p.passes, {1, 1e4}, "", "passes over the collected drives");
+  visit("contact-cost", p.contact_cost, {0.0, 1e6}, "m", "cost of a contact, where the reward is the progress");
 }
 
 /// A network that learns from practice drives: DriveActorCritic, DriveQLearning. An update of it is an iteration.

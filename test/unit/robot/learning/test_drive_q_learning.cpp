@@ -112,7 +112,7 @@ TEST(DriveQLearning, RefusesBadParametersWithTheReason) {
   EXPECT_EQ(refusalOf([](DriveQLearningParameters* p) { p->thesis_reward.angle = -1.0; }),
             "parameter tau-angle is -1, expected a number in [0, 1e+06]");
   EXPECT_EQ(refusalOf([](DriveQLearningParameters* p) { p->contact_cost = -2.0; }),
-            "parameter contact_cost is -2, expected at least 0");
+            "parameter contact-cost is -2, expected a number in [0, 1e+06]");
   EXPECT_EQ(refusalOf([](DriveQLearningParameters* p) { p->value_scale = 0.0; }),
             "parameter value-scale is 0, expected a number in [1e-09, 1e+09]");
   EXPECT_EQ(refusalOf([](DriveQLearningParameters* p) { p->learning_rate = 0.0; }),
