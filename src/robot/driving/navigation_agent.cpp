@@ -207,6 +207,8 @@ const Decision& NavigationAgent::decideAbout(const Situation& situation) {
     }
   } else if (!pathIsFree(situation)) {
     decide(situation);
+  } else if (guide_ && !guideLeads()) {
+    guide_->watch(situation, false);
   }
   return decision_;
 }
@@ -271,8 +273,7 @@ void NavigationAgent::losePatience() {
   if (!parameters_.escape.enabled) {
     return;
   }
-  const bool is_rescued = decision_.leader == Source::kRoute || decision_.leader == Source::kEscape;
-  if (!is_rescued && isOutOfPatience(1.0)) {
+  if (!guideLeads() && isOutOfPatience(1.0)) {
     lead(guide_ ? Source::kRoute : Source::kEscape, kNoProgress);
   }
   if (decision_.leader != Source::kEscape && isOutOfPatience(parameters_.escape.last_resort)) {
@@ -366,14 +367,19 @@ Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Sourc
   return guide_->isGoalBehindObstacle(here, goal_) ? GoalSeems::kBehindObstacle : GoalSeems::kReachable;
 }
 
+/// Whether the path through what is remembered is asked for.
+bool NavigationAgent::guideLeads() const {
+  return decision_.leader == Source::kRoute || decision_.leader == Source::kEscape;
+}
+
 /// Remembers what is seen; where the route leads, or would, what it says: kRoute, kLookAround, kNoPath, or kEscape.
 NavigationAgent::Source NavigationAgent::guide(const Situation& situation) {
   if (!guide_) {
     return Source::kRoute;
   }
   decision_.destination = goal_;
-  if (decision_.leader != Source::kRoute && decision_.leader != Source::kEscape) {
-    guide_->watch(situation);
+  if (!guideLeads()) {
+    guide_->watch(situation, true);
     return Source::kRoute;
   }
   const Source guidance = guide_->update(situation, goal_);

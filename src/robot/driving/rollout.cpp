@@ -79,34 +79,65 @@ class PlanLine {
   std::vector<Point2> beyond_;  ///< where the pieces end for which there were too many poses
 };
 
-/// The direction (base frame) of the free step of `length` from `at` that leads most towards the goal; nothing when
-/// there is none.
-std::optional<double> directionTowards(const Point2& goal, const Shield& shield, const AgentParameters& agent,
-                                       const ActionSet& actions, double heading, const Point2& at, double length) {
-  const double bearing = directionTo(at, goal);
-  const auto isFree = [&](double direction) { return shield.isFree(at, direction, length, agent.shield.clearance); };
-  // From the bearing on aside: what is measured costs more than what is compared.
-  std::pair<double, int> tried{0.0, -1};  // how far aside, and which action; of two as far aside the first comes first
-  double direction = bearing;
-  while (!isFree(direction)) {
-    std::pair<double, int> nearest{M_PI, -1};
-    for (int action = 0; action < actions.size(); ++action) {
-      const std::pair<double, int> candidate{std::abs(normalizeAngle(heading + actions.angle(action) - bearing)),
-                                             action};
-      if (candidate > tried && candidate < nearest) nearest = candidate;
+/// The steps beyond the waypoint, each the free one that leads most towards the goal. In the base frame.
+class StepsTowards {
+ public:
+  StepsTowards(const Point2& goal, const Shield& shield, const AgentParameters& agent)
+      : goal_(goal), shield_(shield), clearance_(agent.shield.clearance), length_(agent.step.length) {}
+
+  /// Goes on from `at`, where the last step was headed in `direction`, by `most` steps or fewer, all in one direction.
+  /// Returns how many; 0 where there is none, or from where the path to the goal would have to be guessed.
+  int go(int most, Point2* at, double* direction) const {
+    const double left = distanceBetween(*at, goal_);
+    const double length = std::min(length_, left);
+    const double bearing = directionTo(*at, goal_);
+    const double straight = std::min(left, most * length_);
+    const double free = shield_.freeDistance(*at, bearing, straight, clearance_);
+    if (free >= length) {
+      const int steps = free >= straight ? most : static_cast<int>(free / length_);
+      *direction = bearing;
+      *at = pointAlong(*at, bearing, std::min(left, steps * length_));
+      return steps;
     }
-    if (nearest.second < 0) return std::nullopt;
-    tried = nearest;
-    direction = heading + actions.angle(nearest.second);
+    const std::optional<double> aside = directionAside(*at, bearing, *direction, length);
+    if (!aside) return 0;
+    const Point2 next = pointAlong(*at, *aside, length);
+    if (distanceBetween(next, goal_) > left) return 0;
+    *direction = *aside;
+    *at = next;
+    return 1;
   }
-  return direction;
-}
+
+ private:
+  /// The free steering angle nearest to the bearing; what is measured costs more than what is compared.
+  std::optional<double> directionAside(const Point2& at, double bearing, double heading, double length) const {
+    static const ActionSet actions;
+    std::pair<double, int> tried{0.0,
+                                 -1};  // how far aside, and which action; of two as far aside the first comes first
+    for (;;) {
+      std::pair<double, int> nearest{M_PI, -1};
+      for (int action = 0; action < actions.size(); ++action) {
+        const double aside = std::abs(normalizeAngle(heading + actions.angle(action) - bearing));
+        const std::pair<double, int> candidate{aside, action};
+        if (candidate > tried && candidate < nearest) nearest = candidate;
+      }
+      if (nearest.second < 0) return std::nullopt;
+      const double direction = heading + actions.angle(nearest.second);
+      if (shield_.isFree(at, direction, length, clearance_)) return direction;
+      tried = nearest;
+    }
+  }
+
+  Point2 goal_;
+  const Shield& shield_;
+  double clearance_;  ///< m
+  double length_;     ///< m
+};
 
 }  // namespace
 
 void rollOut(const Situation& situation, const Decision& decision, const Shield& shield, const Pose2& goal,
              const AgentParameters& agent, const RolloutParameters& parameters, std::vector<Pose2>* plan) {
-  static const ActionSet actions;
   plan->clear();
   plan->push_back(situation.pose);
   PlanLine line(parameters.spacing, plan);
@@ -124,17 +155,12 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
       at = pointAlong(at, direction, shield.freeDistance(at, direction, agent.step.length, agent.shield.clearance));
       line.lineTo(toParentFrame(situation.pose, at));
     }
-    double left = distanceBetween(at, local_goal);
     const bool moves = decision.path_on.empty() && decision.source != Decision::Source::kLookAround;
-    for (int step = 0; moves && step < parameters.steps && left > agent.goal_tolerance; ++step) {
-      const double length = std::min(agent.step.length, left);
-      const auto next = directionTowards(local_goal, shield, agent, actions, direction, at, length);
-      if (!next) break;
-      direction = *next;
-      at = pointAlong(at, direction, length);
-      const double left_before = left;
-      left = distanceBetween(at, local_goal);
-      if (left > left_before) break;  // From here the path to the goal would have to be guessed.
+    const StepsTowards steps(local_goal, shield, agent);
+    for (int left = moves ? parameters.steps : 0; left > 0 && distanceBetween(at, local_goal) > agent.goal_tolerance;) {
+      const int made = steps.go(left, &at, &direction);
+      if (made == 0) break;
+      left -= made;
       line.lineTo(toParentFrame(situation.pose, at));
     }
   }

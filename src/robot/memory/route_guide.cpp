@@ -17,6 +17,8 @@ constexpr double kWorthTurningMetres = 0.3;
 /// A scan is remembered, where nobody asks for the path, when the robot has moved so far, m, or turned so far, rad.
 constexpr double kNewPlace = 1.0;
 constexpr double kNewView = 1.0;
+/// So many times that where the robot waits for a decision.
+constexpr double kLongAgo = 1.5;
 
 /// A route is costed by what is remembered as far as this, m.
 constexpr double kLookedAt = 15.0;
@@ -83,11 +85,12 @@ void RouteGuide::noteMotion(const Situation& situation) {
   has_pose_ = true;
 }
 
-void RouteGuide::watch(const Situation& situation) {
+void RouteGuide::watch(const Situation& situation, bool decides) {
   noteMotion(situation);
-  const bool is_new_place = !has_watched_ || distanceBetween(watched_pose_, situation.pose) >= kNewPlace ||
-                            std::abs(normalizeAngle(situation.pose.yaw - watched_pose_.yaw)) >= kNewView;
-  if (!is_new_place && !parameters_.memory.completes_plan) {
+  const double times = decides ? kLongAgo : 1.0;
+  const bool is_new_place = !has_watched_ || distanceBetween(watched_pose_, situation.pose) >= times * kNewPlace ||
+                            std::abs(normalizeAngle(situation.pose.yaw - watched_pose_.yaw)) >= times * kNewView;
+  if (!is_new_place && !(decides && parameters_.memory.completes_plan)) {
     return;
   }
   watched_pose_ = situation.pose;

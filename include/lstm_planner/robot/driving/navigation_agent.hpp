@@ -138,6 +138,7 @@ class NavigationAgent {
   // A decision.
   void decide(const Situation& situation);
   Decision::GoalSeems judgeGoal(const Situation& situation, Source guidance) const;
+  bool guideLeads() const;
   Source guide(const Situation& situation);
   static bool isInView(const Situation& situation, double direction);
   bool isFreeUpTo(const Situation& situation, double direction, double distance) const;

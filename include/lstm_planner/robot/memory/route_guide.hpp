@@ -33,8 +33,9 @@ class RouteGuide {
   void noteProgress();
 
   /// Only remembers: what is seen from a new place (with MemoryParameters::completes_plan: from every place), and how
-  /// far the robot has driven. Searches nothing.
-  void watch(const Situation& situation);
+  /// far the robot has driven. Searches nothing. `decides`: the robot waits for a decision. A place is new sooner
+  /// between two decisions, so that these hardly ever take the time.
+  void watch(const Situation& situation, bool decides);
 
   /// Searches a path through what is remembered from a place where the robot is not; does not become route(). `points`:
   /// its corners behind `from`; empty when there is no path.

@@ -279,12 +279,28 @@ TEST_F(RouteGuideTest, ToleratesMoreTheFartherTheRobotHasDriven) {
 
 TEST_F(RouteGuideTest, WatchingRemembersWithoutSearching) {
   start({4.0, 0.0});
-  guide_.watch(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})));
-  for (int step = 1; step <= 20; ++step) guide_.watch(returnsAt({}, {-0.1 * step, 0.0, 0.0}));
+  guide_.watch(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})), true);
+  for (int step = 1; step <= 20; ++step) guide_.watch(returnsAt({}, {-0.1 * step, 0.0, 0.0}), true);
   EXPECT_EQ(guide_.searches(), 0);
   ASSERT_EQ(update(returnsAt({})), Source::kRoute);
   EXPECT_EQ(guide_.searches(), 1);
   EXPECT_GT(guide_.route().length, 2.0 * std::hypot(2.0, 1.0)) << "round the wall that it was only shown";
+}
+
+TEST(RouteGuideWatching, RemembersANewPlaceBetweenDecisionsRatherThanInOne) {
+  const auto length_after = [](double moved, bool decides) {
+    RouteGuide guide{AgentParameters()};
+    guide.start();
+    guide.watch(returnsAt({}), true);
+    guide.watch(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0}), {-moved, 0.0, 0.0}), decides);
+    EXPECT_EQ(guide.update(returnsAt({}), {4.0, 0.0}), Decision::Source::kRoute);
+    return guide.route().length;
+  };
+  const double around = 4.2;  // m; the straight path has 4 m, the one around the wall at least 4.5 m
+  EXPECT_LT(length_after(0.9, false), around) << "no new place yet";
+  EXPECT_GT(length_after(1.2, false), around);
+  EXPECT_LT(length_after(1.2, true), around) << "while the robot waits, it can wait";
+  EXPECT_GT(length_after(1.6, true), around) << "it must not be missed, either";
 }
 
 }  // namespace
