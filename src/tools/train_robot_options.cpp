@@ -161,7 +161,12 @@ void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescriptio
                      const DriveScore& score) {
   Model model;
   model.layers = layers;
-  writeMetadata(policy, &model.metadata);
+  PolicyDescription described = policy;
+  if (options.course.other_robots > 0.0) {
+    described.smallest_radius = kSmallestRobot;
+    described.largest_radius = kLargestRobot;
+  }
+  writeMetadata(described, &model.metadata);
   model.metadata["training_command"] = options.command;
   model.metadata["score"] =
       std::to_string(score.drives) + " validation drives by the network and the shield: " + toText(score);
