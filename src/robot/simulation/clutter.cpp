@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "lstm_planner/base/common/parameter_check.hpp"
@@ -11,52 +12,40 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kWall = 0.1;    // m
-constexpr double kBlock = 0.15;  // m, side of what the obstacles consist of
-constexpr double kClearedAtOnce = 0.9;
+constexpr double kWall = 0.1;        // m
+constexpr double kBlock = 0.15;      // m, side of what the obstacles consist of
+constexpr double kKept = 0.9;        // share of the fill after obstacles are cleared
+constexpr double kLeastFill = 0.01;  // below it all of them are cleared
 
 /// Random numbers a block, each averaged with its neighbours up to `grain` blocks away, so that high ones lie together.
 class Noise {
  public:
-  Noise(int columns, int rows, int grain, Random& random) : columns_(columns), rows_(rows) {
-    std::vector<double> single(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-    for (double& value : single) value = uniform(random);
-    values_.reserve(single.size());
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 0; column < columns; ++column) values_.push_back(meanAround(single, column, row, grain));
-    }
+  Noise(int columns, int rows, int grain, Random& random) : values_(rows, columns) {
+    for (double& value : values_) value = uniform(random);
+    // What lies beyond the edge does not count.
+    values_ = sumsAround(values_, grain) / sumsAround(cv::Mat1d::ones(rows, columns), grain);
+    sorted_.assign(values_.begin(), values_.end());
+    std::sort(sorted_.begin(), sorted_.end());
   }
 
-  double at(int column, int row) const { return values_[index(column, row)]; }
+  double at(int column, int row) const { return values_(row, column); }
 
   /// What that share of the values exceeds.
   double levelOf(double share) const {
-    std::vector<double> sorted = values_;
-    std::sort(sorted.begin(), sorted.end());
-    const auto below = static_cast<std::size_t>((1.0 - share) * static_cast<double>(sorted.size()));
-    return sorted[std::min(below, sorted.size() - 1)];
+    const auto below = static_cast<std::size_t>((1.0 - share) * static_cast<double>(sorted_.size()));
+    return sorted_[std::min(below, sorted_.size() - 1)];
   }
 
  private:
-  std::size_t index(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  static cv::Mat1d sumsAround(const cv::Mat1d& values, int grain) {
+    cv::Mat1d sums;
+    const int side = 2 * grain + 1;
+    cv::boxFilter(values, sums, CV_64F, {side, side}, {-1, -1}, false, cv::BORDER_CONSTANT);
+    return sums;
   }
 
-  double meanAround(const std::vector<double>& values, int column, int row, int grain) const {
-    double sum = 0.0;
-    int count = 0;
-    for (int r = std::max(0, row - grain); r <= std::min(rows_ - 1, row + grain); ++r) {
-      for (int c = std::max(0, column - grain); c <= std::min(columns_ - 1, column + grain); ++c) {
-        sum += values[index(c, r)];
-        ++count;
-      }
-    }
-    return sum / count;
-  }
-
-  int columns_;
-  int rows_;
-  std::vector<double> values_;
+  cv::Mat1d values_;
+  std::vector<double> sorted_;
 };
 
 /// Where what is, in cells.
@@ -129,11 +118,11 @@ OccupancyGrid generateClutter(const ClutterParameters& parameters, std::uint64_t
   const Noise noise(blocks(plan.field.width()), blocks(plan.field.height()), parameters.grain, random);
   double fill = parameters.fill;
   OccupancyGrid grid = drawClutter(plan, noise, fill);
-  while (fill > 0.01 && !isOpen(plan, grid)) {
-    fill *= kClearedAtOnce;
+  while (fill > kLeastFill && !isOpen(plan, grid)) {
+    fill *= kKept;
     grid = drawClutter(plan, noise, fill);
   }
-  return fill > 0.01 ? grid : drawClutter(plan, noise, 0.0);
+  return fill > kLeastFill ? grid : drawClutter(plan, noise, 0.0);
 }
 
 }  // namespace lstm_planner
