@@ -60,6 +60,7 @@ TEST(RealMapDrive, ShippedNetworkArrivesInWillowAloneAndAUselessOneNotEvenWithTh
   const std::vector<DriveResult> alone = driveInWillow(DrivePolicy::fromFile(shippedModel()), parameters);
   EXPECT_EQ(countGood(alone), 3);
   EXPECT_EQ(countContacts(alone), 0);
+  EXPECT_EQ(countGood(driveInWillow(test::straightAheadPolicy(), parameters)), 0);
 }
 
 }  // namespace
