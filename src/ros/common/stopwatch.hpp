@@ -5,7 +5,8 @@
 namespace lstm_planner {
 
 /// Time since something happened, by ROS's clock. When the clock is set back it starts anew: a wait is then at most
-/// twice as long as it should be, and not endless.
+/// twice as long as it should be, and not endless. What happened before there was a simulated time (0) counts from the
+/// first one on.
 class Stopwatch {
  public:
   void restart() { since_ = ros::Time::now(); }
@@ -13,7 +14,7 @@ class Stopwatch {
   /// Whether it happened more than `duration` s ago.
   bool isLongerAgo(double duration) {
     const ros::Time now = ros::Time::now();
-    if (now < since_) since_ = now;
+    if (since_.isZero() || now < since_) since_ = now;
     return now.toSec() - since_.toSec() > duration;
   }
 

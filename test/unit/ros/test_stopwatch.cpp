@@ -32,5 +32,15 @@ TEST_F(StopwatchTest, StartsAnewWhenTheClockIsSetBack) {
   EXPECT_TRUE(stopwatch_.isLongerAgo(2.0)) << "and not after 62 s";
 }
 
+TEST_F(StopwatchTest, StartsWhenThereIsATime) {
+  setClock(0.0);
+  stopwatch_.restart();
+  EXPECT_FALSE(stopwatch_.isLongerAgo(2.0));
+  setClock(100.5);
+  EXPECT_FALSE(stopwatch_.isLongerAgo(2.0)) << "a simulation whose clock begins at 100 s";
+  setClock(103.0);
+  EXPECT_TRUE(stopwatch_.isLongerAgo(2.0));
+}
+
 }  // namespace
 }  // namespace lstm_planner
