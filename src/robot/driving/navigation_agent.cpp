@@ -54,7 +54,7 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
       out_of_view_(outOfViewOf(shield_)),
       actions_(parameters),
       escape_(parameters.escape, parameters.shield),
-      guide_(parameters.memory.enabled ? std::optional<RouteGuide>(parameters) : std::nullopt),
+      guide_(parameters.memory.enabled ? Boxed<RouteGuide>(RouteGuide(parameters)) : Boxed<RouteGuide>()),
       clock_(parameters.step),
       progress_(parameters.escape.progress) {
   checkFits(policy_.description(), parameters.step.length);

@@ -40,7 +40,7 @@ void Shield::show(const std::vector<Point2>& obstacles) {
 }
 
 void Shield::add(const std::vector<Point2>& obstacles) {
-  const std::size_t most = groups_ + obstacles.size() / kGroup + 1;
+  const std::size_t most = groups_ + (obstacles.size() + kGroup - 1) / kGroup;
   if (x_.size() < most * kGroup) {
     x_.resize(most * kGroup);
     y_.resize(most * kGroup);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "lstm_planner/base/common/boxed.hpp"
 #include "lstm_planner/base/common/progress_watch.hpp"
 #include "lstm_planner/robot/driving/action_choice.hpp"
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
@@ -165,7 +166,7 @@ class NavigationAgent {
   std::optional<OutOfView> out_of_view_;  ///< none of a circle: what it turns away from it does not hit
   ActionChoice actions_;
   Escape escape_;
-  std::optional<RouteGuide> guide_;  ///< none where nothing is to be remembered
+  Boxed<RouteGuide> guide_;  ///< none where nothing is to be remembered
   DriveTrace trace_;
   StepClock clock_;
   DrivenProgressWatch progress_;
