@@ -3,12 +3,12 @@
 #include <ros/console.h>
 #include <ros/node_handle.h>
 
-#include <exception>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "ros/common/costmap_footprint.hpp"
 #include "ros/common/costmap_reader.hpp"
+#include "ros/common/guarded.hpp"
 #include "ros/common/plugin_diagnostics.hpp"
 #include "ros/common/reconfigure_server.hpp"
 #include "ros/controller/plan_follower.hpp"
@@ -42,23 +42,21 @@ void SteeringController::initialize(std::string name, tf2_ros::Buffer* tf, costm
     startDiagnostics(name);
     return;
   }
-  try {
-    SteeringControllerParameters parameters = loadSteeringControllerParameters(ros::NodeHandle("~/" + name));
-    const bool is_round = parameters.footprint.empty();
-    const Footprint footprint =
-        safeFootprint(*costmap_ros, footprintOf(parameters), name + (is_round ? "/footprint_radius" : "/footprint"));
-    parameters.footprint_radius = footprint.circumscribedRadius();
-    parameters.footprint = textOf(footprint);
-    plan_follower_ = std::make_unique<PlanFollower>(parameters, costmap_ros->getBaseFrameID(), *tf, costmap_ros);
-    costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
-    startReconfigure(name);
-  } catch (const std::exception& error) {
-    refuse(name, error.what());
-  } catch (...) {
-    refuse(name, "the reason is not known");
-  }
+  guarded([&] { setUp(name, *tf, costmap_ros); }, [&](const std::string& why) { refuse(name, why); });
   lock.unlock();
   startDiagnostics(name);
+}
+
+void SteeringController::setUp(const std::string& name, tf2_ros::Buffer& tf, costmap_2d::Costmap2DROS* costmap_ros) {
+  SteeringControllerParameters parameters = loadSteeringControllerParameters(ros::NodeHandle("~/" + name));
+  const bool is_round = parameters.footprint.empty();
+  const Footprint footprint =
+      safeFootprint(*costmap_ros, footprintOf(parameters), name + (is_round ? "/footprint_radius" : "/footprint"));
+  parameters.footprint_radius = footprint.circumscribedRadius();
+  parameters.footprint = textOf(footprint);
+  plan_follower_ = std::make_unique<PlanFollower>(parameters, costmap_ros->getBaseFrameID(), tf, costmap_ros);
+  costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
+  startReconfigure(name);
 }
 
 void SteeringController::refuse(const std::string& name, const std::string& reason) {
@@ -68,19 +66,19 @@ void SteeringController::refuse(const std::string& name, const std::string& reas
 
 bool SteeringController::setPlan(const std::vector<geometry_msgs::PoseStamped>& plan) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  try {
-    if (plan_follower_) {
-      plan_follower_->setPlan(plan);
-      return true;
-    }
+  if (!plan_follower_) {
     ROS_ERROR_THROTTLE(kLogPeriod, "the plan is not followed: the controller cannot be used: %s",
                        why_unusable_.c_str());
-  } catch (const std::exception& error) {
-    ROS_WARN_THROTTLE(kLogPeriod, "the plan is not followed: %s", error.what());
-  } catch (...) {
-    ROS_ERROR_THROTTLE(kLogPeriod, "the plan is not followed, for an unknown reason");
+    return false;
   }
-  return false;
+  const auto take = [&] {
+    plan_follower_->setPlan(plan);
+    return true;
+  };
+  return guarded(take, [](const std::string& why) {
+    ROS_WARN_THROTTLE(kLogPeriod, "the plan is not followed: %s", why.c_str());
+    return false;
+  });
 }
 
 bool SteeringController::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) {
@@ -88,23 +86,24 @@ bool SteeringController::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) 
   const CostmapLock costmap_lock(costmap_);
   const std::lock_guard<std::mutex> lock(mutex_);
   answer_.time = ros::WallTime::now();
+  if (!plan_follower_) {
+    ROS_ERROR_THROTTLE(kLogPeriod, "the robot stands: the controller cannot be used: %s", why_unusable_.c_str());
+    return false;
+  }
+  if (!plan_follower_->hasPlan()) return stand(StopReason::kNoPlan, toString(StopReason::kNoPlan));
+  return guarded([&] { return follow(&cmd_vel); },
+                 [&](const std::string& why) { return stand(StopReason::kUnusableData, why); });
+}
+
+bool SteeringController::follow(geometry_msgs::Twist* cmd_vel) {
   try {
-    if (!plan_follower_) {
-      ROS_ERROR_THROTTLE(kLogPeriod, "the robot stands: the controller cannot be used: %s", why_unusable_.c_str());
-      return false;
-    }
-    if (!plan_follower_->hasPlan()) return stand(StopReason::kNoPlan, toString(StopReason::kNoPlan));
     const MotionCommand command = plan_follower_->compute();
     noteStop(command);
-    cmd_vel.linear.x = command.linear;
-    cmd_vel.angular.z = command.angular;
+    cmd_vel->linear.x = command.linear;
+    cmd_vel->angular.z = command.angular;
     return true;
   } catch (const OutdatedPlan& error) {
     return stand(StopReason::kOldPlan, error.what());
-  } catch (const std::exception& error) {
-    return stand(StopReason::kUnusableData, error.what());
-  } catch (...) {
-    return stand(StopReason::kUnusableData, "the reason is not known");
   }
 }
 
@@ -130,14 +129,11 @@ void SteeringController::noteStop(const MotionCommand& command) {
 
 bool SteeringController::isGoalReached() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  try {
-    return plan_follower_ && plan_follower_->goalReached();
-  } catch (const std::exception& error) {
-    ROS_WARN_THROTTLE(kLogPeriod, "it is not known whether the goal is reached: %s", error.what());
-  } catch (...) {
-    ROS_ERROR_THROTTLE(kLogPeriod, "it is not known whether the goal is reached");
-  }
-  return false;
+  return guarded([&] { return plan_follower_ && plan_follower_->goalReached(); },
+                 [](const std::string& why) {
+                   ROS_WARN_THROTTLE(kLogPeriod, "it is not known whether the goal is reached: %s", why.c_str());
+                   return false;
+                 });
 }
 
 void SteeringController::startReconfigure(const std::string& name) {

@@ -59,11 +59,13 @@ class SteeringController : public nav_core::BaseLocalPlanner {
     ros::WallTime stopped_since;  ///< zero while it is not stopped
   };
 
+  void setUp(const std::string& name, tf2_ros::Buffer& tf, costmap_2d::Costmap2DROS* costmap_ros);
   void refuse(const std::string& name, const std::string& reason);
   void startReconfigure(const std::string& name);
   void startDiagnostics(const std::string& name);
   void describeStop(diagnostic_updater::DiagnosticStatusWrapper* status) const;
   void noteStop(const MotionCommand& command);
+  bool follow(geometry_msgs::Twist* cmd_vel);
   bool stand(StopReason reason, const std::string& why);
 
   /// Null until initialised, or if not used. Its mutex is taken before the other one.

@@ -2,8 +2,9 @@
 
 #include <ros/ros.h>
 
-#include <exception>
 #include <stdexcept>
+
+#include "ros/common/guarded.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -25,16 +26,13 @@ pluginlib::UniquePtr<Base> load(pluginlib::ClassLoader<Base>& loader, const std:
   }
 }
 
+/// What a plugin answers; false where it throws.
 template <typename Call>
-bool guarded(const char* what, Call&& call) {
-  try {
-    return call();
-  } catch (const std::exception& exception) {
-    ROS_ERROR_THROTTLE(kErrorPeriod, "%s has thrown: %s", what, exception.what());
-  } catch (...) {
-    ROS_ERROR_THROTTLE(kErrorPeriod, "%s has thrown", what);
-  }
-  return false;
+bool answerOf(const char* plugin, const Call& call) {
+  return guarded(call, [plugin](const std::string& why) {
+    ROS_ERROR_THROTTLE(kErrorPeriod, "%s has thrown: %s", plugin, why.c_str());
+    return false;
+  });
 }
 
 }  // namespace
@@ -54,19 +52,19 @@ bool HostedPlugins::makePlan(const geometry_msgs::PoseStamped& start, const geom
                              Plan& plan) {
   const std::lock_guard<std::mutex> lock(planner_mutex_);
   plan.clear();
-  return guarded("The global planner", [&] { return planner_->makePlan(start, goal, plan) && !plan.empty(); });
+  return answerOf("The global planner", [&] { return planner_->makePlan(start, goal, plan) && !plan.empty(); });
 }
 
 bool HostedPlugins::setPlan(const Plan& plan) {
-  return guarded("The controller", [&] { return controller_->setPlan(plan); });
+  return answerOf("The controller", [&] { return controller_->setPlan(plan); });
 }
 
 bool HostedPlugins::computeVelocity(geometry_msgs::Twist& velocity) {
-  return guarded("The controller", [&] { return controller_->computeVelocityCommands(velocity); });
+  return answerOf("The controller", [&] { return controller_->computeVelocityCommands(velocity); });
 }
 
 bool HostedPlugins::isGoalReached() {
-  return guarded("The controller", [&] { return controller_->isGoalReached(); });
+  return answerOf("The controller", [&] { return controller_->isGoalReached(); });
 }
 
 }  // namespace lstm_planner

@@ -4,13 +4,13 @@
 #include <ros/node_handle.h>
 
 #include <algorithm>
-#include <exception>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "lstm_planner/base/common/file_hash.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "ros/common/costmap_footprint.hpp"
 #include "ros/common/costmap_reader.hpp"
+#include "ros/common/guarded.hpp"
 #include "ros/common/plugin_diagnostics.hpp"
 #include "ros/common/reconfigure_server.hpp"
 #include "ros/planner/plan_maker.hpp"
@@ -43,28 +43,26 @@ void LstmGlobalPlanner::initialize(std::string name, costmap_2d::Costmap2DROS* c
     startDiagnostics(name);
     return;
   }
-  try {
-    GlobalPlannerParameters parameters = loadGlobalPlannerParameters(ros::NodeHandle("~/" + name));
-    ShieldParameters& shield = parameters.agent.shield;
-    const std::string parameter = name + (shield.footprint.empty() ? "/shield/footprint_radius" : "/shield/footprint");
-    const Footprint footprint = safeFootprint(*costmap_ros, footprintOf(shield), parameter);
-    shield.footprint_radius = footprint.circumscribedRadius();
-    shield.footprint = textOf(footprint);
-    parameters.agent = fittedToFootprint(parameters.agent);
-    model_ = resolvePackagePath(parameters.model);
-    plan_maker_ = std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(),
-                                              costmap_ros->getBaseFrameID(), costmap_ros);
-    costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
-    ROS_INFO("%s plans in %s with the model %s", name.c_str(), costmap_ros->getGlobalFrameID().c_str(),
-             parameters.model.c_str());
-    startReconfigure(name);
-  } catch (const std::exception& error) {
-    refuse(name, error.what());
-  } catch (...) {
-    refuse(name, "the reason is not known");
-  }
+  guarded([&] { setUp(name, costmap_ros); }, [&](const std::string& why) { refuse(name, why); });
   lock.unlock();
   startDiagnostics(name);
+}
+
+void LstmGlobalPlanner::setUp(const std::string& name, costmap_2d::Costmap2DROS* costmap_ros) {
+  GlobalPlannerParameters parameters = loadGlobalPlannerParameters(ros::NodeHandle("~/" + name));
+  ShieldParameters& shield = parameters.agent.shield;
+  const std::string parameter = name + (shield.footprint.empty() ? "/shield/footprint_radius" : "/shield/footprint");
+  const Footprint footprint = safeFootprint(*costmap_ros, footprintOf(shield), parameter);
+  shield.footprint_radius = footprint.circumscribedRadius();
+  shield.footprint = textOf(footprint);
+  parameters.agent = fittedToFootprint(parameters.agent);
+  model_ = resolvePackagePath(parameters.model);
+  plan_maker_ = std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(),
+                                            costmap_ros->getBaseFrameID(), costmap_ros);
+  costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
+  ROS_INFO("%s plans in %s with the model %s", name.c_str(), costmap_ros->getGlobalFrameID().c_str(),
+           parameters.model.c_str());
+  startReconfigure(name);
 }
 
 void LstmGlobalPlanner::refuse(const std::string& name, const std::string& reason) {
@@ -78,21 +76,18 @@ bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const 
   const CostmapLock costmap_lock(costmap_);
   const std::lock_guard<std::mutex> lock(mutex_);
   answer_.time = ros::WallTime::now();
-  try {
-    if (!plan_maker_) {
-      ROS_ERROR_THROTTLE(kLogPeriod, "no plan: the planner cannot be used: %s", why_unusable_.c_str());
-      return false;
-    }
+  if (!plan_maker_) {
+    ROS_ERROR_THROTTLE(kLogPeriod, "no plan: the planner cannot be used: %s", why_unusable_.c_str());
+    return false;
+  }
+  const auto make = [&] {
     plan_maker_->makePlan(start, goal, &plan);
     answer_.refusal.clear();
     answer_.duration = (ros::WallTime::now() - answer_.time).toSec();
     answer_.longest = std::max(answer_.longest, answer_.duration);
     return true;
-  } catch (const std::exception& error) {
-    return refusePlan(&plan, error.what());
-  } catch (...) {
-    return refusePlan(&plan, "the reason is not known");
-  }
+  };
+  return guarded(make, [&](const std::string& why) { return refusePlan(&plan, why); });
 }
 
 bool LstmGlobalPlanner::refusePlan(std::vector<geometry_msgs::PoseStamped>* plan, const std::string& reason) {

@@ -55,6 +55,7 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
     double longest = 0.0;   ///< s, of all so far
   };
 
+  void setUp(const std::string& name, costmap_2d::Costmap2DROS* costmap_ros);
   void refuse(const std::string& name, const std::string& reason);
   bool refusePlan(std::vector<geometry_msgs::PoseStamped>* plan, const std::string& reason);
   void startReconfigure(const std::string& name);
