@@ -158,12 +158,18 @@ install_optional_packages() {
   if is_root_at_once; then
     say "installing optional packages with apt-get, log in $workspace/apt.log: ${extra//$'\n'/ }"
     # shellcheck disable=SC2086  # one word a package
-    if apt_install $extra; then
-      rm -f "$workspace/build/Makefile"  # or catkin_make does not configure again, which finds them
-      return
-    fi
+    if apt_install $extra; then return; fi
   fi
   say "parts that need optional packages are left out; to get them: sudo apt-get install --no-install-recommends ${extra//$'\n'/ }"
+}
+
+# catkin_make does not configure again by itself, so it would not find optional packages that were installed since, by this
+# script or by hand.
+configure_again_with_new_packages() {
+  local list="$workspace/optional_packages.txt" wants_rviz=true more_optional_packages=() installed
+  installed="$(comm -23 <(optional_packages "$1" | sort -u) <(optional_packages "$1" | not_installed))"
+  if [ ! -e "$list" ] || [ "$installed" != "$(cat "$list")" ]; then rm -f "$workspace/build/Makefile"; fi
+  echo "$installed" >"$list"
 }
 
 install_missing_packages() {
@@ -276,6 +282,7 @@ set_up() {
   flock 9 || fail "cannot lock the workspace $workspace."
   link_checkout
   forget_gmock
+  configure_again_with_new_packages "$flavour"
   build_targets "$@"
   exec 9>&-
   source_setup "$workspace/devel/setup.bash"
