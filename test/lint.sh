@@ -85,8 +85,12 @@ fi
 
 # It fails with variables of a newer ROS. The package's dependencies are those of Noetic.
 if command -v catkin_lint >/dev/null; then
-  ROS_DISTRO=noetic catkin_lint -W1 --strict --offline . 2>&1 | grep -v -e "rosdep database" -e "unknown dependencies" \
-    -e "additional notices" -e "have been ignored" -e "^catkin_lint: checked" && status=1
+  found="$(ROS_DISTRO=noetic catkin_lint -W1 --strict --offline . 2>&1 | grep -v -e "rosdep database" -e "unknown dependencies" \
+    -e "additional notices" -e "have been ignored" -e "^catkin_lint: checked")"
+  if [ -n "$found" ]; then
+    echo "$found"
+    status=1
+  fi
 else
   left_out catkin_lint 'it is not installed'
 fi
