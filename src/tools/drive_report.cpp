@@ -146,8 +146,8 @@ void printDriveSummary(std::ostream& out, const DriveCourse& course, const Drive
     }
   }
   const std::vector<DriveResult> all = together(results);
-  printLeaders(out, all);
   out << lineOf(table, leftText(course.worlds.size() == 1 ? course.worlds[0].name : "all", width), summarize(all));
+  printLeaders(out, all);
   if (course.is_barn) printBarnScore(out, all);
   if (course.left_out > 0)
     out << "worlds left out, because the robot does not fit into them: " << course.left_out << '\n';
