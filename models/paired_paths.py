@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """How much longer the network's paths are than those of the remembered path: the same drives with both leaders, in pairs.
 
-  models/paired_paths.py                                600 generated worlds
-  models/paired_paths.py --maps a.yaml b.yaml=0.19      and 50 goals in each of these maps (FILE or FILE=SCALE)
+  python3 models/paired_paths.py                                600 generated worlds
+  python3 models/paired_paths.py --maps a.yaml b.yaml=0.19      and 50 goals in each of these maps (FILE, or FILE=FREE_THRESH)
 
 Runs `lstm_planner drive --leader network` and `--leader route` without drift and prints, by kind of world and for all
 together, how many drives arrived with each, and path over path where both did: mean, median and 95th percentile with 95 %
@@ -54,7 +54,7 @@ def report(name, pairs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--maps", nargs="+", default=[], help="map files, FILE or FILE=SCALE")
+    parser.add_argument("--maps", nargs="+", default=[], help="map files, FILE, or FILE=FREE_THRESH")
     parser.add_argument("--model", default="", help="ONNX file of the network; default: the one that is shipped")
     parser.add_argument("--goals", type=int, default=100, help="worlds of each kind, half as many goals in each map")
     parser.add_argument("--threads", type=int, default=2)

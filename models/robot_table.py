@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """What each idea is worth on the robot: a row of the table in models/create2_lstm.md, by one command a row.
 
-  models/robot_table.py lstm            trains and judges the row, adds it to the results, and prints it
-  models/robot_table.py --print         prints the table of all results that there are
+  python3 models/robot_table.py lstm            trains and judges the row, adds it to the results, and prints it
+  python3 models/robot_table.py --print         prints the table of all results that there are
 
 Every row is trained alike and shortly, with three seeds: imitation, then actor-critic. It is judged alone, without rescue,
 by `lstm_planner judge` in worlds that no training saw, the same ones for all rows. Needs lstm_planner on the path."""
