@@ -163,15 +163,6 @@ install_optional_packages() {
   say "parts that need optional packages are left out; to get them: sudo apt-get install --no-install-recommends ${extra//$'\n'/ }"
 }
 
-# catkin_make does not configure again by itself, so it would not find optional packages that were installed since, by this
-# script or by hand.
-configure_again_with_new_packages() {
-  local list="$workspace/optional_packages.txt" wants_rviz=true more_optional_packages=() installed
-  installed="$(comm -23 <(optional_packages "$1" | sort -u) <(optional_packages "$1" | not_installed))"
-  if [ ! -e "$list" ] || [ "$installed" != "$(cat "$list")" ]; then rm -f "$workspace/build/Makefile"; fi
-  echo "$installed" >"$list"
-}
-
 install_missing_packages() {
   local flavour="$1" missing extra
   missing="$(required_packages "$flavour" | not_installed)"
@@ -264,7 +255,8 @@ forget_gmock() {
 build_targets() {
   local log="$workspace/build.log" status
   say "building in $workspace (log: $log)"
-  catkin_make -C "$workspace" -j"$(parallel_jobs)" -DCMAKE_BUILD_TYPE=Release \
+  # Optional packages may have been installed since it was configured.
+  catkin_make -C "$workspace" --force-cmake -j"$(parallel_jobs)" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}" -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "$@" </dev/null 2>&1 | tee "$log" |
     grep --line-buffered -E '^\[ *[0-9]+%\] (Building|Linking)|warning:|error:|undefined reference|\*\*\*|^CMake Error'
   status="${PIPESTATUS[0]}"
@@ -282,7 +274,6 @@ set_up() {
   flock 9 || fail "cannot lock the workspace $workspace."
   link_checkout
   forget_gmock
-  configure_again_with_new_packages "$flavour"
   build_targets "$@"
   exec 9>&-
   source_setup "$workspace/devel/setup.bash"
