@@ -25,7 +25,6 @@ struct Twist2 {
 
 /// The angle normalised to (-pi, pi], rad; NaN if the angle is not finite.
 inline double normalizeAngle(double angle) {
-  if (angle > -M_PI && angle <= M_PI) return angle;  // what the rest would answer, too, in a tenth of the time
   const double wrapped = std::remainder(angle, 2.0 * M_PI);
   return wrapped <= -M_PI ? wrapped + 2.0 * M_PI : wrapped;
 }
