@@ -25,7 +25,7 @@ Arguments:
 Environment:
   LSTM_PLANNER_WS       the workspace; default ~/.cache/lstm_planner
   LSTM_PLANNER_SHARED   data for tests on real maps and recordings; default: shared/ beside the checkout
-  CXXFLAGS              more options for the compiler, e.g. -Werror
+  CXXFLAGS              more options for the compiler, for every package in the workspace, e.g. -Werror
 
 Exit status: 0 when no test failed.
 USAGE
