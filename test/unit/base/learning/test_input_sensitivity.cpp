@@ -54,6 +54,19 @@ TEST(FirstStepSensitivity, OfAPlainRecurrentUnitIsItsWeightToThePowerOfTheSteps)
   for (int step = 0; step < 30; ++step) EXPECT_DOUBLE_EQ(sensitivity(0, step), 2.0 * std::pow(0.5, step));  // Eq. 2.20
 }
 
+double spectralRadiusOf(const Eigen::Matrix2f& recurrent) {
+  return spectralRadius({Eigen::MatrixXf::Zero(2, 1), recurrent, Eigen::VectorXf::Zero(2)});
+}
+
+TEST(SpectralRadius, IsTheLargestAbsoluteValueOfTheEigenvalues) {
+  EXPECT_DOUBLE_EQ(spectralRadiusOf((Eigen::Matrix2f() << 0.25f, 0.0f, 0.0f, -2.0f).finished()), 2.0);
+  // A turn: a pair of complex eigenvalues, 0.3 +- 0.4i.
+  EXPECT_NEAR(spectralRadiusOf((Eigen::Matrix2f() << 0.3f, -0.4f, 0.4f, 0.3f).finished()), 0.5, 1e-7);
+  // One eigenvector: |W^k| grows with k * 0.5^k.
+  EXPECT_NEAR(spectralRadiusOf((Eigen::Matrix2f() << 0.5f, 1.0f, 0.0f, 0.5f).finished()), 0.5, 1e-12);
+  EXPECT_EQ(spectralRadiusOf((Eigen::Matrix2f() << 0.0f, 1.0f, 0.0f, 0.0f).finished()), 0.0);  // W^2 = 0
+}
+
 /// Biases hold the gates of Figure 2.9: forget and output gate open, the input gate half open.
 TEST(FirstStepSensitivity, OfAnLstmCellStaysAsLongAsTheForgetGateIsOpen) {
   LstmLayer layer{Eigen::MatrixXf::Zero(4, 1), Eigen::MatrixXf::Zero(4, 1), Eigen::VectorXf::Zero(4)};
