@@ -6,13 +6,45 @@ namespace {
 using Eigen::Index;
 
 template <typename Scalar>
-using WeightMap = Eigen::Map<const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>;
+using Matrix = typename LayerGradient<Scalar>::Matrix;
+template <typename Scalar>
+using ConstantMap = Eigen::Map<const Matrix<Scalar>>;
+template <typename Scalar>
+using VariableMap = Eigen::Map<Matrix<Scalar>>;
 template <typename Scalar>
 using BiasMap = Eigen::Map<const Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>;
 template <typename Scalar>
-using WeightGradientMap = Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>>;
-template <typename Scalar>
 using BiasGradientMap = Eigen::Map<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>;
+
+template <typename Scalar>
+ConstantMap<Scalar> columnsOf(const Matrix<Scalar>& matrix, Index first, Index width) {
+  return {matrix.data() + first * matrix.rows(), matrix.rows(), width};
+}
+
+template <typename Scalar>
+VariableMap<Scalar> columnsOf(Matrix<Scalar>* matrix, Index first, Index width) {
+  return {matrix->data() + first * matrix->rows(), matrix->rows(), width};
+}
+
+// Eigen's products take seconds to compile for each type of their factors, so each of the three has one.
+
+/// sum += a * b
+template <typename Scalar>
+void addProduct(const ConstantMap<Scalar>& a, const ConstantMap<Scalar>& b, VariableMap<Scalar> sum) {
+  sum.noalias() += a * b;
+}
+
+/// sum += a^T * b
+template <typename Scalar>
+void addTransposedProduct(const ConstantMap<Scalar>& a, const ConstantMap<Scalar>& b, VariableMap<Scalar> sum) {
+  sum.noalias() += a.transpose() * b;
+}
+
+/// sum += a * b^T
+template <typename Scalar>
+void addProductTransposed(const ConstantMap<Scalar>& a, const ConstantMap<Scalar>& b, VariableMap<Scalar> sum) {
+  sum.noalias() += a * b.transpose();
+}
 
 /// The logistic function by way of tanh, which Eigen vectorises in every version.
 template <typename Array>
@@ -53,18 +85,19 @@ class InputConnection {
   void forward(const Scalar* weights, const Scalar* bias, Index columns, const Matrix& inputs, Matrix& sums) const {
     reserveColumns(units_, columns, sums);
     sums.leftCols(columns).colwise() = BiasMap<Scalar>(bias, units_);
-    sums.leftCols(columns).noalias() += WeightMap<Scalar>(weights, units_, inputs_) * inputs.leftCols(columns);
+    addProduct<Scalar>({weights, units_, inputs_}, columnsOf<Scalar>(inputs, 0, columns),
+                       columnsOf<Scalar>(&sums, 0, columns));
   }
 
   void backward(const Scalar* weights, Index columns, const Matrix& inputs, const Matrix& sum_gradient,
                 Scalar* weight_gradient, Scalar* bias_gradient, Matrix* input_gradient) const {
-    const auto gradient = sum_gradient.leftCols(columns);
-    WeightGradientMap<Scalar>(weight_gradient, units_, inputs_).noalias() +=
-        gradient * inputs.leftCols(columns).transpose();
+    const ConstantMap<Scalar> gradient = columnsOf<Scalar>(sum_gradient, 0, columns);
+    addProductTransposed<Scalar>(gradient, columnsOf<Scalar>(inputs, 0, columns), {weight_gradient, units_, inputs_});
     BiasGradientMap<Scalar>(bias_gradient, units_) += gradient.rowwise().sum();
     if (input_gradient == nullptr) return;
     reserveColumns(inputs_, columns, *input_gradient);
-    input_gradient->leftCols(columns).noalias() = WeightMap<Scalar>(weights, units_, inputs_).transpose() * gradient;
+    input_gradient->leftCols(columns).setZero();
+    addTransposedProduct<Scalar>({weights, units_, inputs_}, gradient, columnsOf<Scalar>(input_gradient, 0, columns));
   }
 
  private:
@@ -114,7 +147,7 @@ class RecurrentGradientBase : public LayerGradient<Scalar> {
   }
 
   void forward(const Scalar* parameters, const StepLayout& layout, const Matrix& inputs) override {
-    const WeightMap<Scalar> recurrent(parameters + connection_.weights(), connection_.units(), cells_);
+    const ConstantMap<Scalar> recurrent(parameters + connection_.weights(), connection_.units(), cells_);
     connection_.forward(parameters, parameters + biasOffset(), layout.columns, inputs, sums_);
     reserveColumns(cells_, layout.columns, this->outputs_);
     reserveColumns(cells_, layout.columns, previous_outputs_);
@@ -124,9 +157,9 @@ class RecurrentGradientBase : public LayerGradient<Scalar> {
       const Index first = layout.first[step];
       const Index width = layout.width[step];
       if (step > 0) {
-        auto previous = previous_outputs_.middleCols(first, width);
-        previous = this->outputs_.middleCols(layout.first[step - 1], width);
-        sums_.middleCols(first, width).noalias() += recurrent * previous;
+        previous_outputs_.middleCols(first, width) = this->outputs_.middleCols(layout.first[step - 1], width);
+        addProduct<Scalar>(recurrent, columnsOf<Scalar>(previous_outputs_, first, width),
+                           columnsOf<Scalar>(&sums_, first, width));
       }
       forwardStep(first, width, step > 0 ? layout.first[step - 1] : Index(-1));
     }
@@ -134,7 +167,7 @@ class RecurrentGradientBase : public LayerGradient<Scalar> {
 
   void backward(const Scalar* parameters, const StepLayout& layout, const Matrix& inputs, Matrix& output_gradient,
                 Scalar* gradient, Matrix* input_gradient) override {
-    const WeightMap<Scalar> recurrent(parameters + connection_.weights(), connection_.units(), cells_);
+    const ConstantMap<Scalar> recurrent(parameters + connection_.weights(), connection_.units(), cells_);
     prepareBackward(layout.width[0]);
     for (std::size_t step = layout.steps(); step-- > 0;) {
       const Index first = layout.first[step];
@@ -142,12 +175,14 @@ class RecurrentGradientBase : public LayerGradient<Scalar> {
       const Index previous = step > 0 ? layout.first[step - 1] : Index(-1);
       backwardStep(first, width, previous, output_gradient.middleCols(first, width));
       if (step > 0) {
-        output_gradient.middleCols(previous, width).noalias() += recurrent.transpose() * sums_.middleCols(first, width);
+        addTransposedProduct<Scalar>(recurrent, columnsOf<Scalar>(sums_, first, width),
+                                     columnsOf<Scalar>(&output_gradient, previous, width));
       }
     }
     connection_.backward(parameters, layout.columns, inputs, sums_, gradient, gradient + biasOffset(), input_gradient);
-    WeightGradientMap<Scalar>(gradient + connection_.weights(), connection_.units(), cells_).noalias() +=
-        sums_.leftCols(layout.columns) * previous_outputs_.leftCols(layout.columns).transpose();
+    addProductTransposed<Scalar>(columnsOf<Scalar>(sums_, 0, layout.columns),
+                                 columnsOf<Scalar>(previous_outputs_, 0, layout.columns),
+                                 {gradient + connection_.weights(), connection_.units(), cells_});
   }
 
  protected:
