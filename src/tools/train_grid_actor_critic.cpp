@@ -18,8 +18,8 @@ int trainGridByActorCritic(const std::vector<std::string>& arguments) {
   visitActorCriticParameters(parameters, "cells", noteIn(&plan.settings));
   LayerStack layers = firstLayers(&plan.options);
   parameters.encoder = plan.options.encoder;
-  GridActorCritic learner(parameters, std::move(layers));
-  return trainByReinforcement(plan, &learner);
+  const auto learner = makeGridActorCritic(parameters, std::move(layers));
+  return trainByReinforcement(plan, learner.get());
 }
 
 }  // namespace lstm_planner

@@ -21,8 +21,8 @@ int trainGridByQLearning(const std::vector<std::string>& arguments) {
   visitQLearningParameters(parameters, "cells", "updates", noteIn(&plan.settings));
   LayerStack layers = firstLayers(&plan.options);
   parameters.encoder = plan.options.encoder;
-  GridQLearning learner(parameters, std::move(layers));
-  return trainByReinforcement(plan, &learner);
+  const auto learner = makeGridQLearning(parameters, std::move(layers));
+  return trainByReinforcement(plan, learner.get());
 }
 
 }  // namespace lstm_planner

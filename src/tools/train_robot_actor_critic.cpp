@@ -64,15 +64,15 @@ int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
   if (!readOptions(arguments, &plan, &parameters, &followed)) return 0;
   LayerStack layers = firstLayers(plan, &parameters.policy);
   const PolicyDescription& policy = parameters.policy;
-  DriveActorCritic learner(parameters, std::move(layers));
-  if (!followed.recordings.empty()) learner.follow(readDatasetsFor(policy, followed.recordings), followed.weight);
+  const auto learner = makeDriveActorCritic(parameters, std::move(layers));
+  if (!followed.recordings.empty()) learner->follow(readDatasetsFor(policy, followed.recordings), followed.weight);
   RobotLearningTable table{TextTable(kColumns), cellsOf};
   if (!followed.validation.empty()) {
     table.remark = [&policy, recordings = readDatasetsFor(policy, followed.validation)](const LayerStack& network) {
       return agreementWith(recordings, DrivePolicy(policy, network));
     };
   }
-  return trainByReinforcement(plan, policy, parameters.iterations, table, &learner);
+  return trainByReinforcement(plan, policy, parameters.iterations, table, learner.get());
 }
 
 }  // namespace lstm_planner

@@ -41,8 +41,9 @@ int trainRobotByQLearning(const std::vector<std::string>& arguments) {
   DriveQLearningParameters parameters;
   if (!readOptions(arguments, &plan, &parameters)) return 0;
   LayerStack layers = firstLayers(plan, &parameters.policy);
-  DriveQLearning learner(parameters, std::move(layers));
-  return trainByReinforcement(plan, parameters.policy, parameters.iterations, {TextTable(kColumns), cellsOf}, &learner);
+  const auto learner = makeDriveQLearning(parameters, std::move(layers));
+  return trainByReinforcement(plan, parameters.policy, parameters.iterations, {TextTable(kColumns), cellsOf},
+                              learner.get());
 }
 
 }  // namespace lstm_planner

@@ -11,13 +11,13 @@ void actorCriticUpdate(benchmark::State& state) {
   parameters.encoder.views = static_cast<int>(state.range(1));
   parameters.threads = 1;
   const GridEncoder encoder(parameters.encoder);
-  GridActorCritic learner(parameters, benchLstm(encoder.size(), {cells}, encoder.outputs()));
+  const auto learner = makeGridActorCritic(parameters, benchLstm(encoder.size(), {cells}, encoder.outputs()));
   GridCourseParameters course_parameters;
   course_parameters.goals = 30;
   const GridCourse course(course_parameters, {{benchMaps(), 1.0}}, 1, 1);
-  learner.startEpoch(0, course);
+  learner->startEpoch(0, course);
   const WorkMeter meter;
-  for (auto _ : state) learner.update();
+  for (auto _ : state) learner->update();
   meter.report("sample", static_cast<double>(state.iterations()) * parameters.agents * parameters.window, &state);
 }
 BENCHMARK(actorCriticUpdate)

@@ -17,16 +17,9 @@ const ActorCritic::CheckpointNames kCheckpointNames{"lstm_planner actor-critic 1
 /// own advantages.
 constexpr double kVarianceRate = 0.02;
 
-}  // namespace
-
-void validate(const GridActorCriticParameters& parameters) {
-  validate(static_cast<const ActorCriticParameters&>(parameters));
-  visitGridLearnerParameters(parameters, RangeCheck());
-}
-
-class GridActorCritic::Implementation {
+class GridActorCritic final : public GridLearner {
  public:
-  Implementation(const GridActorCriticParameters& parameters, LayerStack layers)
+  GridActorCritic(const GridActorCriticParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         policy_(std::move(layers)),
         critic_(makeCritic(GridEncoder(parameters.encoder).size() + kGridPrivilegedInputs, parameters.critic_units,
@@ -35,7 +28,7 @@ class GridActorCritic::Implementation {
         tiles_(parameters.communicator, parameters.threads,
                [this] { return std::make_unique<GridActorCriticTileRunner>(parameters_, policy_, critic_); }) {}
 
-  void startEpoch(int epoch, const GridCourse& course) {
+  void startEpoch(int epoch, const GridCourse& course) override {
     // A set of maps that was not there before starts with the variance of nothing known.
     learner_.advantageVariances().resize(course.sets(), 1.0);
     sums_ = GridActorCriticSums(course.sets());
@@ -43,7 +36,7 @@ class GridActorCritic::Implementation {
                  parameters_.seed * 1000003 + static_cast<std::uint64_t>(epoch));
   }
 
-  void update() {
+  void update() override {
     std::vector<double>& variances = learner_.advantageVariances();
     const double entropy_weight = learner_.entropyWeight();
     const auto run = [&](GridActorCriticTileRunner* runner, GridActorCriticTile* tile) {
@@ -62,7 +55,7 @@ class GridActorCritic::Implementation {
     sums_ += sums;
   }
 
-  ReinforcementReport report() {
+  ReinforcementReport report() override {
     ReinforcementReport report = learner_.report(sums_.judged);
     report.reward = sums_.reward / sums_.judged.steps;
     report.arrival = sums_.episodes.arrival();
@@ -72,33 +65,33 @@ class GridActorCritic::Implementation {
     return report;
   }
 
-  int updates() const { return learner_.updates(); }
-  const LayerStack& layers() {
+  int updates() const override { return learner_.updates(); }
+  const LayerStack& layers() const override {
     setParameterVector(learner_.policy(), policy_);
     return policy_;
   }
 
-  std::vector<std::uint8_t> checkpoint() const { return learner_.checkpoint(); }
-  void restore(const std::vector<std::uint8_t>& checkpoint) { learner_.restore(checkpoint); }
+  std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
+  void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
 
  private:
   GridActorCriticParameters parameters_;
-  LayerStack policy_;
+  mutable LayerStack policy_;  ///< gets its weights when it is asked for
   LayerStack critic_;
   ActorCritic learner_;
   GridTiles<GridActorCriticTile, GridActorCriticTileRunner> tiles_;
   GridActorCriticSums sums_;
 };
 
-GridActorCritic::GridActorCritic(const GridActorCriticParameters& parameters, LayerStack layers)
-    : implementation_(std::make_unique<Implementation>(parameters, std::move(layers))) {}
-GridActorCritic::~GridActorCritic() = default;
-void GridActorCritic::startEpoch(int epoch, const GridCourse& course) { implementation_->startEpoch(epoch, course); }
-void GridActorCritic::update() { implementation_->update(); }
-ReinforcementReport GridActorCritic::report() { return implementation_->report(); }
-int GridActorCritic::updates() const { return implementation_->updates(); }
-const LayerStack& GridActorCritic::layers() const { return implementation_->layers(); }
-std::vector<std::uint8_t> GridActorCritic::checkpoint() const { return implementation_->checkpoint(); }
-void GridActorCritic::restore(const std::vector<std::uint8_t>& checkpoint) { implementation_->restore(checkpoint); }
+}  // namespace
+
+void validate(const GridActorCriticParameters& parameters) {
+  validate(static_cast<const ActorCriticParameters&>(parameters));
+  visitGridLearnerParameters(parameters, RangeCheck());
+}
+
+std::unique_ptr<GridLearner> makeGridActorCritic(const GridActorCriticParameters& parameters, LayerStack layers) {
+  return std::make_unique<GridActorCritic>(parameters, std::move(layers));
+}
 
 }  // namespace lstm_planner

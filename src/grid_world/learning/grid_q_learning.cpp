@@ -22,28 +22,21 @@ void checkFit(const LayerStack& layers, const GridEncoder& encoder) {
                               std::to_string(encoder.size()) + " and " + std::to_string(encoder.outputs()));
 }
 
-}  // namespace
-
-void validate(const GridQLearningParameters& parameters) {
-  visitGridLearnerParameters(parameters, RangeCheck());
-  validate(static_cast<const QLearningParameters&>(parameters));
-}
-
-class GridQLearning::Implementation {
+class GridQLearning final : public GridLearner {
  public:
-  Implementation(const GridQLearningParameters& parameters, LayerStack layers)
+  GridQLearning(const GridQLearningParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         layers_((checkFit(layers, GridEncoder(parameters.encoder)), std::move(layers))),
         learner_(kCheckpointNames, parameters, parameters.updates, layers_),
         tiles_(parameters.communicator, parameters.threads,
                [this] { return std::make_unique<QTileRunner>(parameters_, layers_); }) {}
 
-  void startEpoch(int epoch, const GridCourse& course) {
+  void startEpoch(int epoch, const GridCourse& course) override {
     tiles_.start(parameters_.agents, course, parameters_.encoder,
                  parameters_.seed * 1000003 + static_cast<std::uint64_t>(epoch));
   }
 
-  void update() {
+  void update() override {
     if (tiles_.empty()) throw std::logic_error("Q-learning was to learn before its first epoch started");
     learner_.startUpdate();
     epsilon_ = learner_.epsilon();
@@ -56,7 +49,7 @@ class GridQLearning::Implementation {
     sums_ += sums;
   }
 
-  ReinforcementReport report() {
+  ReinforcementReport report() override {
     ReinforcementReport report = learner_.report(sums_.values);
     if (sums_.values.steps > 0.0) report.reward = sums_.reward / sums_.values.steps;
     report.arrival = sums_.episodes.arrival();
@@ -66,33 +59,33 @@ class GridQLearning::Implementation {
     return report;
   }
 
-  int updates() const { return learner_.updates(); }
-  const LayerStack& layers() {
+  int updates() const override { return learner_.updates(); }
+  const LayerStack& layers() const override {
     setParameterVector(learner_.weights(), layers_);
     return layers_;
   }
 
-  std::vector<std::uint8_t> checkpoint() const { return learner_.checkpoint(); }
-  void restore(const std::vector<std::uint8_t>& checkpoint) { learner_.restore(checkpoint); }
+  std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
+  void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
 
  private:
   GridQLearningParameters parameters_;
-  LayerStack layers_;
+  mutable LayerStack layers_;  ///< get their weights when they are asked for
   QLearner learner_;
   GridTiles<QTile, QTileRunner> tiles_;
   QSums sums_;
   double epsilon_ = 0.0;
 };
 
-GridQLearning::GridQLearning(const GridQLearningParameters& parameters, LayerStack layers)
-    : implementation_(std::make_unique<Implementation>(parameters, std::move(layers))) {}
-GridQLearning::~GridQLearning() = default;
-void GridQLearning::startEpoch(int epoch, const GridCourse& course) { implementation_->startEpoch(epoch, course); }
-void GridQLearning::update() { implementation_->update(); }
-ReinforcementReport GridQLearning::report() { return implementation_->report(); }
-int GridQLearning::updates() const { return implementation_->updates(); }
-const LayerStack& GridQLearning::layers() const { return implementation_->layers(); }
-std::vector<std::uint8_t> GridQLearning::checkpoint() const { return implementation_->checkpoint(); }
-void GridQLearning::restore(const std::vector<std::uint8_t>& checkpoint) { implementation_->restore(checkpoint); }
+}  // namespace
+
+void validate(const GridQLearningParameters& parameters) {
+  visitGridLearnerParameters(parameters, RangeCheck());
+  validate(static_cast<const QLearningParameters&>(parameters));
+}
+
+std::unique_ptr<GridLearner> makeGridQLearning(const GridQLearningParameters& parameters, LayerStack layers) {
+  return std::make_unique<GridQLearning>(parameters, std::move(layers));
+}
 
 }  // namespace lstm_planner

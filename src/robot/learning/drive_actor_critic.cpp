@@ -27,20 +27,9 @@ LayerStack sharpened(LayerStack layers, double factor) {
   return layers;
 }
 
-}  // namespace
-
-void validate(const DriveActorCriticParameters& parameters) {
-  validate(static_cast<const ActorCriticParameters&>(parameters));
-  visitPracticeParameters(parameters, RangeCheck());
-  visitPolicyChangeParameters(parameters, RangeCheck());
-  checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in (0, 1)");
-  validate(parameters.policy.encoder);
-  validate(parameters.course);
-}
-
-class DriveActorCritic::Implementation {
+class PractisingActorCritic final : public DriveActorCritic {
  public:
-  Implementation(const DriveActorCriticParameters& parameters, LayerStack layers)
+  PractisingActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         policy_(sharpened(std::move(layers), parameters.sharpness)),
         critic_(makeCritic(Encoder(parameters.policy.encoder).size() + kDrivePrivilegedInputs, parameters.critic_units,
@@ -50,7 +39,7 @@ class DriveActorCritic::Implementation {
     DrivePolicy(parameters.policy, policy_);  // throws when they do not fit together
   }
 
-  void follow(const Dataset& recordings, double weight) {
+  void follow(const Dataset& recordings, double weight) override {
     checkPositive("recordings_weight", weight);
     recorded_ = recordedPractice(recordings, parameters_.policy, 0.0);
     recorded_steps_ = 0.0;
@@ -59,7 +48,7 @@ class DriveActorCritic::Implementation {
     imitation_ = weight;
   }
 
-  ReinforcementReport iterate() {
+  ReinforcementReport iterate() override {
     const PracticeReward reward = progressReward(parameters_.step_cost, parameters_.contact_cost);
     std::vector<PracticeEpisode> episodes = practise(
         practiceRules(parameters_, preferredChances, reward, parameters_.arrival_bonus), policy_, learner_.updates());
@@ -90,11 +79,11 @@ class DriveActorCritic::Implementation {
     return report(sums, batch);
   }
 
-  int updates() const { return learner_.updates(); }
-  const LayerStack& layers() const { return policy_; }
+  int updates() const override { return learner_.updates(); }
+  const LayerStack& layers() const override { return policy_; }
 
-  std::vector<std::uint8_t> checkpoint() const { return learner_.checkpoint(); }
-  void restore(const std::vector<std::uint8_t>& checkpoint) {
+  std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
+  void restore(const std::vector<std::uint8_t>& checkpoint) override {
     learner_.restore(checkpoint);
     setParameterVector(learner_.policy(), policy_);
   }
@@ -117,14 +106,20 @@ class DriveActorCritic::Implementation {
   double imitation_ = 0.0;
 };
 
-DriveActorCritic::DriveActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers)
-    : implementation_(std::make_unique<Implementation>(parameters, std::move(layers))) {}
-DriveActorCritic::~DriveActorCritic() = default;
-void DriveActorCritic::follow(const Dataset& recordings, double weight) { implementation_->follow(recordings, weight); }
-ReinforcementReport DriveActorCritic::iterate() { return implementation_->iterate(); }
-int DriveActorCritic::updates() const { return implementation_->updates(); }
-const LayerStack& DriveActorCritic::layers() const { return implementation_->layers(); }
-std::vector<std::uint8_t> DriveActorCritic::checkpoint() const { return implementation_->checkpoint(); }
-void DriveActorCritic::restore(const std::vector<std::uint8_t>& checkpoint) { implementation_->restore(checkpoint); }
+}  // namespace
+
+void validate(const DriveActorCriticParameters& parameters) {
+  validate(static_cast<const ActorCriticParameters&>(parameters));
+  visitPracticeParameters(parameters, RangeCheck());
+  visitPolicyChangeParameters(parameters, RangeCheck());
+  checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in (0, 1)");
+  validate(parameters.policy.encoder);
+  validate(parameters.course);
+}
+
+std::unique_ptr<DriveActorCritic> makeDriveActorCritic(const DriveActorCriticParameters& parameters,
+                                                       LayerStack layers) {
+  return std::make_unique<PractisingActorCritic>(parameters, std::move(layers));
+}
 
 }  // namespace lstm_planner

@@ -20,32 +20,16 @@ const QLearner::CheckpointNames kCheckpointNames{"lstm_planner drive q-learning 
 /// m; a sector that sees less counts as this.
 constexpr double kNearest = 0.1;
 
-}  // namespace
-
-double driveThesisReward(const Observation& observation, const ThesisRewardWeights& weights) {
-  double proximity = 0.0;
-  for (const double range : observation.sector_ranges) proximity += 1.0 / std::max(kNearest, range);
-  return -(weights.range * proximity + weights.distance * observation.goal_distance +
-           weights.angle * std::abs(observation.goal_bearing));
-}
-
-void validate(const DriveQLearningParameters& parameters) {
-  visitPracticeParameters(parameters, RangeCheck());
-  validate(static_cast<const QLearningParameters&>(parameters));
-  validate(parameters.policy.encoder);
-  validate(parameters.course);
-}
-
-class DriveQLearning::Implementation {
+class DriveQLearning final : public DriveLearner {
  public:
-  Implementation(const DriveQLearningParameters& parameters, LayerStack layers)
+  DriveQLearning(const DriveQLearningParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         layers_(std::move(layers)),
         learner_(kCheckpointNames, parameters, parameters.iterations, layers_) {
     DrivePolicy(parameters.policy, layers_);  // throws when they do not fit together
   }
 
-  ReinforcementReport iterate() {
+  ReinforcementReport iterate() override {
     learner_.startUpdate();
     const double epsilon = learner_.epsilon();
     const std::vector<PracticeEpisode> episodes = practise(rulesWith(epsilon), layers_, learner_.updates());
@@ -60,11 +44,11 @@ class DriveQLearning::Implementation {
     return report;
   }
 
-  int updates() const { return learner_.updates(); }
-  const LayerStack& layers() const { return layers_; }
+  int updates() const override { return learner_.updates(); }
+  const LayerStack& layers() const override { return layers_; }
 
-  std::vector<std::uint8_t> checkpoint() const { return learner_.checkpoint(); }
-  void restore(const std::vector<std::uint8_t>& checkpoint) {
+  std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
+  void restore(const std::vector<std::uint8_t>& checkpoint) override {
     learner_.restore(checkpoint);
     setParameterVector(learner_.weights(), layers_);
   }
@@ -109,13 +93,24 @@ class DriveQLearning::Implementation {
   QLearner learner_;
 };
 
-DriveQLearning::DriveQLearning(const DriveQLearningParameters& parameters, LayerStack layers)
-    : implementation_(std::make_unique<Implementation>(parameters, std::move(layers))) {}
-DriveQLearning::~DriveQLearning() = default;
-ReinforcementReport DriveQLearning::iterate() { return implementation_->iterate(); }
-int DriveQLearning::updates() const { return implementation_->updates(); }
-const LayerStack& DriveQLearning::layers() const { return implementation_->layers(); }
-std::vector<std::uint8_t> DriveQLearning::checkpoint() const { return implementation_->checkpoint(); }
-void DriveQLearning::restore(const std::vector<std::uint8_t>& checkpoint) { implementation_->restore(checkpoint); }
+}  // namespace
+
+double driveThesisReward(const Observation& observation, const ThesisRewardWeights& weights) {
+  double proximity = 0.0;
+  for (const double range : observation.sector_ranges) proximity += 1.0 / std::max(kNearest, range);
+  return -(weights.range * proximity + weights.distance * observation.goal_distance +
+           weights.angle * std::abs(observation.goal_bearing));
+}
+
+void validate(const DriveQLearningParameters& parameters) {
+  visitPracticeParameters(parameters, RangeCheck());
+  validate(static_cast<const QLearningParameters&>(parameters));
+  validate(parameters.policy.encoder);
+  validate(parameters.course);
+}
+
+std::unique_ptr<DriveLearner> makeDriveQLearning(const DriveQLearningParameters& parameters, LayerStack layers) {
+  return std::make_unique<DriveQLearning>(parameters, std::move(layers));
+}
 
 }  // namespace lstm_planner

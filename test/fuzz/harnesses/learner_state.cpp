@@ -1,3 +1,4 @@
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -12,27 +13,27 @@
 namespace lstm_planner::fuzz {
 namespace {
 
-template <typename Learner, typename Parameters>
-Learner smallLearner() {
+template <typename Parameters, typename Make>
+std::unique_ptr<GridLearner> smallLearner(const Make& make) {
   Parameters parameters;
   parameters.threads = 1;
   parameters.agents = 16;
   const GridEncoder encoder(parameters.encoder);
-  return Learner(parameters, makeLstmStack(encoder.size(), {1}, encoder.outputs()));
+  return make(parameters, makeLstmStack(encoder.size(), {1}, encoder.outputs()));
 }
 
 void restore(int learner, const std::vector<std::uint8_t>& state) {
-  static GridActorCritic actor_critic = smallLearner<GridActorCritic, GridActorCriticParameters>();
-  static GridQLearning q_learning = smallLearner<GridQLearning, GridQLearningParameters>();
+  static const auto actor_critic = smallLearner<GridActorCriticParameters>(makeGridActorCritic);
+  static const auto q_learning = smallLearner<GridQLearningParameters>(makeGridQLearning);
   switch (learner % 3) {
     case 0:
       imitationStateFrom(state);
       break;
     case 1:
-      actor_critic.restore(state);
+      actor_critic->restore(state);
       break;
     default:
-      q_learning.restore(state);
+      q_learning->restore(state);
   }
 }
 

@@ -38,25 +38,8 @@ struct GridActorCriticParameters : ActorCriticParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridActorCriticParameters& parameters);
 
-/// Learns in place, update by update.
-class GridActorCritic : public GridLearner {
- public:
-  /// `layers` are the policy's, with weights to start from; GridEncoder says how many inputs and outputs it has. Throws
-  /// std::invalid_argument for what does not fit.
-  GridActorCritic(const GridActorCriticParameters& parameters, LayerStack layers);
-  ~GridActorCritic() override;
-
-  void startEpoch(int epoch, const GridCourse& course) override;
-  void update() override;
-  ReinforcementReport report() override;
-  int updates() const override;
-  const LayerStack& layers() const override;
-  std::vector<std::uint8_t> checkpoint() const override;
-  void restore(const std::vector<std::uint8_t>& checkpoint) override;
-
- private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
-};
+/// `layers` are the policy's, with weights to start from; GridEncoder says how many inputs and outputs it has. Throws
+/// std::invalid_argument for what does not fit.
+std::unique_ptr<GridLearner> makeGridActorCritic(const GridActorCriticParameters& parameters, LayerStack layers);
 
 }  // namespace lstm_planner

@@ -14,8 +14,8 @@ void visitGridLearnerParameters(Parameters& p, const Visitor& visit) {
   visit("max-steps", p.max_steps, {1, 1e9}, "", "largest number of steps of a training episode");
 }
 
-/// A network that learns while its agents walk through a course: GridActorCritic, GridQLearning. Its checkpoints are
-/// of the time between two epochs.
+/// A network that learns while its agents walk through a course: makeGridActorCritic(), makeGridQLearning(). Its
+/// checkpoints are of the time between two epochs.
 class GridLearner : public ReinforcementLearner {
  public:
   /// Starts epoch `epoch` (from 0) with new episodes of `course`, which must outlive it. What happens in it depends

@@ -41,27 +41,9 @@ struct GridQLearningParameters : QLearningParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridQLearningParameters& parameters);
 
-/// Learns in place, update by update.
-class GridQLearning : public GridLearner {
- public:
-  /// `layers` with weights to start from; GridEncoder says how many inputs and outputs they have. Throws
-  /// std::invalid_argument for what does not fit.
-  GridQLearning(const GridQLearningParameters& parameters, LayerStack layers);
-  ~GridQLearning() override;
-
-  void startEpoch(int epoch, const GridCourse& course) override;
-  /// Throws std::logic_error before the first epoch.
-  void update() override;
-  /// Means over nothing are 0.
-  ReinforcementReport report() override;
-  int updates() const override;
-  const LayerStack& layers() const override;
-  std::vector<std::uint8_t> checkpoint() const override;
-  void restore(const std::vector<std::uint8_t>& checkpoint) override;
-
- private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
-};
+/// `layers` with weights to start from; GridEncoder says how many inputs and outputs they have. Throws
+/// std::invalid_argument for what does not fit. An update before the first epoch throws std::logic_error, and in its
+/// reports means over nothing are 0.
+std::unique_ptr<GridLearner> makeGridQLearning(const GridQLearningParameters& parameters, LayerStack layers);
 
 }  // namespace lstm_planner

@@ -41,28 +41,16 @@ void visitPolicyChangeParameters(Parameters& p, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DriveActorCriticParameters& parameters);
 
-/// Learns in place.
 class DriveActorCritic : public DriveLearner {
  public:
-  /// `layers` are the policy's, with weights to start from. Throws std::invalid_argument for what does not fit.
-  DriveActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers);
-  ~DriveActorCritic() override;
-
   /// From now on each iteration also learns to steer as the driver of these drives did (cross-entropy, rare angles
   /// weigh more), with the `weight` that the mean over the recorded steps has beside the mean over the practised ones.
   /// So a network that drives can take over somebody's manner without forgetting how to arrive. Throws
   /// std::invalid_argument unless the weight is positive, there are steps, and the recordings fit the policy.
-  void follow(const Dataset& recordings, double weight);
-
-  ReinforcementReport iterate() override;
-  int updates() const override;
-  const LayerStack& layers() const override;
-  std::vector<std::uint8_t> checkpoint() const override;
-  void restore(const std::vector<std::uint8_t>& checkpoint) override;
-
- private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  virtual void follow(const Dataset& recordings, double weight) = 0;
 };
+
+/// `layers` are the policy's, with weights to start from. Throws std::invalid_argument for what does not fit.
+std::unique_ptr<DriveActorCritic> makeDriveActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers);
 
 }  // namespace lstm_planner

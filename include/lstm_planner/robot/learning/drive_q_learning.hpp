@@ -41,23 +41,8 @@ struct DriveQLearningParameters : QLearningParameters, PracticeParameters {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DriveQLearningParameters& parameters);
 
-/// Learns in place.
-class DriveQLearning : public DriveLearner {
- public:
-  /// `layers` with weights to start from. Throws std::invalid_argument for what does not fit.
-  DriveQLearning(const DriveQLearningParameters& parameters, LayerStack layers);
-  ~DriveQLearning() override;
-
-  /// Throws std::runtime_error when no drive had a step.
-  ReinforcementReport iterate() override;
-  int updates() const override;
-  const LayerStack& layers() const override;  ///< prefer the action of the highest value: a DrivePolicy as it is
-  std::vector<std::uint8_t> checkpoint() const override;
-  void restore(const std::vector<std::uint8_t>& checkpoint) override;
-
- private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
-};
+/// `layers` with weights to start from; learned ones prefer the action of the highest value: a DrivePolicy as they are.
+/// Throws std::invalid_argument for what does not fit. An iteration throws std::runtime_error when no drive had a step.
+std::unique_ptr<DriveLearner> makeDriveQLearning(const DriveQLearningParameters& parameters, LayerStack layers);
 
 }  // namespace lstm_planner

@@ -45,17 +45,17 @@ GridCourse course(std::uint64_t seed) {
   return GridCourse(parameters, {{{zigzag()}, 1.0}}, seed, 2);
 }
 
-Eigen::VectorXf weightsAfter(GridActorCritic& training, int epoch, int updates) {
+Eigen::VectorXf weightsAfter(GridLearner* training, int epoch, int updates) {
   const GridCourse maps = course(static_cast<std::uint64_t>(epoch));
-  training.startEpoch(epoch, maps);
-  for (int update = 0; update < updates; ++update) training.update();
-  return parameterVector(training.layers());
+  training->startEpoch(epoch, maps);
+  for (int update = 0; update < updates; ++update) training->update();
+  return parameterVector(training->layers());
 }
 
 TEST(GridActorCritic, TheSameSeedGivesTheSameWeightsForAnyNumberOfThreads) {
-  GridActorCritic one(smallTraining(1), smallPolicy(smallTraining(1)));
-  GridActorCritic two(smallTraining(2), smallPolicy(smallTraining(2)));
-  EXPECT_EQ(weightsAfter(one, 0, 5), weightsAfter(two, 0, 5));
+  const auto one = makeGridActorCritic(smallTraining(1), smallPolicy(smallTraining(1)));
+  const auto two = makeGridActorCritic(smallTraining(2), smallPolicy(smallTraining(2)));
+  EXPECT_EQ(weightsAfter(one.get(), 0, 5), weightsAfter(two.get(), 0, 5));
 }
 
 TEST(GridActorCritic, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
@@ -63,9 +63,9 @@ TEST(GridActorCritic, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
     GridActorCriticParameters parameters = smallTraining(1);
     parameters.agents = 40;  // 5 tiles
     parameters.communicator = communicator;
-    GridActorCritic training(parameters, smallPolicy(parameters));
-    const Eigen::VectorXf weights = weightsAfter(training, 0, 5);
-    const ReinforcementReport report = training.report();
+    const auto training = makeGridActorCritic(parameters, smallPolicy(parameters));
+    const Eigen::VectorXf weights = weightsAfter(training.get(), 0, 5);
+    const ReinforcementReport report = training->report();
     return std::make_pair(weights, std::vector<double>{report.steps, report.reward, report.arrival, report.ratio,
                                                        report.entropy, report.explained});
   };
@@ -80,27 +80,27 @@ TEST(GridActorCritic, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
 
 TEST(GridActorCritic, ResumesFromACheckpointAsIfItHadNotBeenInterrupted) {
   const GridActorCriticParameters parameters = smallTraining(2);
-  GridActorCritic uninterrupted(parameters, smallPolicy(parameters));
-  weightsAfter(uninterrupted, 0, 5);
-  const std::vector<std::uint8_t> checkpoint = uninterrupted.checkpoint();
-  const Eigen::VectorXf expected = weightsAfter(uninterrupted, 1, 5);
+  const auto uninterrupted = makeGridActorCritic(parameters, smallPolicy(parameters));
+  weightsAfter(uninterrupted.get(), 0, 5);
+  const std::vector<std::uint8_t> checkpoint = uninterrupted->checkpoint();
+  const Eigen::VectorXf expected = weightsAfter(uninterrupted.get(), 1, 5);
 
-  GridActorCritic resumed(parameters, smallPolicy(parameters));
-  resumed.restore(checkpoint);
-  EXPECT_EQ(weightsAfter(resumed, 1, 5), expected);
+  const auto resumed = makeGridActorCritic(parameters, smallPolicy(parameters));
+  resumed->restore(checkpoint);
+  EXPECT_EQ(weightsAfter(resumed.get(), 1, 5), expected);
 }
 
 TEST(GridActorCritic, RefusesWhatIsNotItsCheckpoint) {
   const GridActorCriticParameters parameters = smallTraining(1);
-  GridActorCritic training(parameters, smallPolicy(parameters));
-  std::vector<std::uint8_t> checkpoint = training.checkpoint();
+  const auto training = makeGridActorCritic(parameters, smallPolicy(parameters));
+  std::vector<std::uint8_t> checkpoint = training->checkpoint();
   checkpoint.resize(checkpoint.size() / 2);
-  EXPECT_THROW(training.restore(checkpoint), std::invalid_argument);
-  EXPECT_THROW(training.restore({}), std::invalid_argument);
+  EXPECT_THROW(training->restore(checkpoint), std::invalid_argument);
+  EXPECT_THROW(training->restore({}), std::invalid_argument);
 
   GridActorCriticParameters other = parameters;
   other.critic_units = {8};
-  EXPECT_THROW(training.restore(GridActorCritic(other, smallPolicy(other)).checkpoint()), std::invalid_argument);
+  EXPECT_THROW(training->restore(makeGridActorCritic(other, smallPolicy(other))->checkpoint()), std::invalid_argument);
 }
 
 TEST(GridActorCritic, RefusesParametersOutOfRange) {
@@ -117,12 +117,12 @@ TEST(GridActorCritic, LearnsToGoRoundWalls) {
   parameters.agents = 64;
   parameters.updates = 300;
   parameters.learning_rate = 0.01;
-  GridActorCritic training(parameters, smallPolicy(parameters));
+  const auto training = makeGridActorCritic(parameters, smallPolicy(parameters));
   const GridCourse maps = course(1);
-  training.startEpoch(0, maps);
+  training->startEpoch(0, maps);
   const auto meanReward = [&] {
-    for (int update = 0; update < 20; ++update) training.update();
-    return training.report().reward;
+    for (int update = 0; update < 20; ++update) training->update();
+    return training->report().reward;
   };
   const double before = meanReward();
   for (int round = 0; round < 13; ++round) meanReward();

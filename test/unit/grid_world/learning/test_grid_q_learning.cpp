@@ -133,10 +133,10 @@ Eigen::VectorXf weightsAfterSomeUpdates(int threads, Communicator* communicator 
   parameters.threads = threads;
   parameters.communicator = communicator;
   parameters.target_interval = 2;
-  GridQLearning learning(parameters, networkFor(parameters));
-  learning.startEpoch(0, course);
-  for (int update = 0; update < 5; ++update) learning.update();
-  return parameterVector(learning.layers());
+  const auto learning = makeGridQLearning(parameters, networkFor(parameters));
+  learning->startEpoch(0, course);
+  for (int update = 0; update < 5; ++update) learning->update();
+  return parameterVector(learning->layers());
 }
 
 TEST(GridQLearning, LearnsTheSameWithAnyNumberOfThreads) {
@@ -155,20 +155,20 @@ TEST(GridQLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
   const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestPath);
   GridQLearningParameters parameters = smallParameters();
   parameters.target_interval = 3;  // a copy falls into the second epoch, another lies before it
-  GridQLearning whole(parameters, networkFor(parameters));
-  whole.startEpoch(0, course);
-  for (int update = 0; update < 5; ++update) whole.update();
-  GridQLearning resumed(parameters, networkFor(parameters));
-  resumed.restore(whole.checkpoint());
-  for (GridQLearning* learning : {&whole, &resumed}) {
+  const auto whole = makeGridQLearning(parameters, networkFor(parameters));
+  whole->startEpoch(0, course);
+  for (int update = 0; update < 5; ++update) whole->update();
+  const auto resumed = makeGridQLearning(parameters, networkFor(parameters));
+  resumed->restore(whole->checkpoint());
+  for (GridLearner* learning : {whole.get(), resumed.get()}) {
     learning->startEpoch(1, course);
     for (int update = 0; update < 4; ++update) learning->update();
   }
-  EXPECT_EQ(parameterVector(whole.layers()), parameterVector(resumed.layers()));
+  EXPECT_EQ(parameterVector(whole->layers()), parameterVector(resumed->layers()));
 
-  std::vector<std::uint8_t> truncated = whole.checkpoint();
+  std::vector<std::uint8_t> truncated = whole->checkpoint();
   truncated.resize(truncated.size() / 2);
-  EXPECT_THROW(resumed.restore(truncated), std::invalid_argument);
+  EXPECT_THROW(resumed->restore(truncated), std::invalid_argument);
 }
 
 /// Reward of the steps to within one cell of a goal that lies `distance` cells away in a corridor.
@@ -187,11 +187,11 @@ TEST(GridQLearning, FindsTheValuesOfACorridor) {
   GridEncoder encoder(parameters.encoder);
   LayerStack layers = makeDenseStack(encoder.size(), {16}, kGridMoveCount);
   initialise({}, 1, layers);
-  GridQLearning learning(parameters, layers);
-  learning.startEpoch(0, course);
-  for (int update = 0; update < parameters.updates; ++update) learning.update();
+  const auto learning = makeGridQLearning(parameters, layers);
+  learning->startEpoch(0, course);
+  for (int update = 0; update < parameters.updates; ++update) learning->update();
 
-  Network network(learning.layers());
+  Network network(learning->layers());
   Eigen::VectorXf input(encoder.size());
   for (int cell = 0; cell <= 9; ++cell) {
     GridMemory memory;
@@ -236,11 +236,11 @@ double arrivalInMazeAfterLearning(GridQLearningParameters parameters) {
   const GridCourse course = courseOn(maze, kLongestPath);
   parameters.updates = 600;
   parameters.discount = 0.9;
-  GridQLearning learning(parameters, networkFor(parameters));
-  EXPECT_LT(arrivalEverywhere(maze, parameters, learning.layers()), 0.7) << "nothing to learn";
-  learning.startEpoch(0, course);
-  for (int update = 0; update < parameters.updates; ++update) learning.update();
-  return arrivalEverywhere(maze, parameters, learning.layers());
+  const auto learning = makeGridQLearning(parameters, networkFor(parameters));
+  EXPECT_LT(arrivalEverywhere(maze, parameters, learning->layers()), 0.7) << "nothing to learn";
+  learning->startEpoch(0, course);
+  for (int update = 0; update < parameters.updates; ++update) learning->update();
+  return arrivalEverywhere(maze, parameters, learning->layers());
 }
 
 TEST(GridQLearning, LeadsEverywhereInASmallMaze) { EXPECT_EQ(arrivalInMazeAfterLearning(smallParameters()), 1.0); }
@@ -257,14 +257,14 @@ TEST(GridQLearning, RefusesWhatDoesNotFit) {
   GridQLearningParameters parameters = smallParameters();
   const LayerStack layers = networkFor(parameters);
   parameters.discount = 1.0;
-  EXPECT_THROW(GridQLearning(parameters, layers), std::invalid_argument);
+  EXPECT_THROW(makeGridQLearning(parameters, layers), std::invalid_argument);
   parameters = smallParameters();
   parameters.threads = 0;
-  EXPECT_THROW(GridQLearning(parameters, layers), std::invalid_argument);
+  EXPECT_THROW(makeGridQLearning(parameters, layers), std::invalid_argument);
   parameters = smallParameters();
   parameters.encoder.views = 1;  // 8 outputs, not one
-  EXPECT_THROW(GridQLearning(parameters, layers), std::invalid_argument);
-  EXPECT_THROW(GridQLearning(smallParameters(), layers).update(), std::logic_error);
+  EXPECT_THROW(makeGridQLearning(parameters, layers), std::invalid_argument);
+  EXPECT_THROW(makeGridQLearning(smallParameters(), layers)->update(), std::logic_error);
 }
 
 }  // namespace

@@ -37,9 +37,10 @@ LayerStack tinyNetwork(const Parameters& parameters, std::uint64_t seed) {
   return layers;
 }
 
-/// `reported`: the numbers of a learner's report, as a vector.
-template <typename Learner, typename Parameters, typename Reported>
-void expectTheSameOnAnyNumberOfRanks(const Parameters& parameters, std::uint64_t seed, const Reported& reported) {
+/// `make`: a learner from parameters and a network. `reported`: the numbers of its report, as a vector.
+template <typename Parameters, typename Make, typename Reported>
+void expectTheSameOnAnyNumberOfRanks(const Parameters& parameters, const Make& make, std::uint64_t seed,
+                                     const Reported& reported) {
   struct Outcome {
     Eigen::VectorXf weights;
     std::vector<double> reported;
@@ -47,10 +48,10 @@ void expectTheSameOnAnyNumberOfRanks(const Parameters& parameters, std::uint64_t
   const auto learnOn = [&](Communicator* communicator) {
     Parameters own = parameters;
     own.communicator = communicator;
-    Learner learner(own, tinyNetwork(own, seed));
-    learner.iterate();
-    const auto report = learner.iterate();
-    return Outcome{parameterVector(learner.layers()), reported(report)};
+    const auto learner = make(own, tinyNetwork(own, seed));
+    learner->iterate();
+    const auto report = learner->iterate();
+    return Outcome{parameterVector(learner->layers()), reported(report)};
   };
   const Outcome one = learnOn(oneProcess());
   for (const int ranks : {2, 3}) {  // 3: more ranks than there are worlds

@@ -34,43 +34,43 @@ TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
   parameters.iterations = 15;
   parameters.starts = 12;
   parameters.learning_rate = 0.01;
-  DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
-  const double before = learner.iterate().reward;
+  const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const double before = learner->iterate().reward;
   double after = 0.0;
-  while (learner.updates() < parameters.iterations) after = learner.iterate().reward;
+  while (learner->updates() < parameters.iterations) after = learner->iterate().reward;
   EXPECT_GT(after, before + 2.0) << "m nearer to the goal a drive";
 }
 
 TEST_P(DriveActorCriticWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
-  expectTheSameOnAnyNumberOfRanks<DriveActorCritic>(
-      tiny(GetParam()), kNetworkSeed, [](const ReinforcementReport& report) {
+  expectTheSameOnAnyNumberOfRanks(
+      tiny(GetParam()), makeDriveActorCritic, kNetworkSeed, [](const ReinforcementReport& report) {
         return std::vector<double>{report.steps, report.reward, report.arrival, report.entropy, report.explained};
       });
 }
 
 TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
   DriveActorCriticParameters parameters = tiny(GetParam());
-  DriveActorCritic one(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto one = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
   parameters.threads = 3;
-  DriveActorCritic three(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto three = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
   for (int i = 0; i < 2; ++i) {
-    one.iterate();
-    three.iterate();
+    one->iterate();
+    three->iterate();
   }
-  EXPECT_EQ(parameterVector(one.layers()), parameterVector(three.layers()));
+  EXPECT_EQ(parameterVector(one->layers()), parameterVector(three->layers()));
 }
 
 TEST_P(DriveActorCriticWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
   const DriveActorCriticParameters parameters = tiny(GetParam());
-  DriveActorCritic through(parameters, tinyNetwork(parameters, kNetworkSeed));
-  DriveActorCritic first(parameters, tinyNetwork(parameters, kNetworkSeed));
-  for (int i = 0; i < 4; ++i) through.iterate();
-  for (int i = 0; i < 2; ++i) first.iterate();
-  DriveActorCritic second(parameters, tinyNetwork(parameters, kNetworkSeed));
-  second.restore(first.checkpoint());
-  EXPECT_EQ(second.updates(), 2);
-  for (int i = 0; i < 2; ++i) second.iterate();
-  EXPECT_EQ(parameterVector(through.layers()), parameterVector(second.layers()));
+  const auto through = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto first = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  for (int i = 0; i < 4; ++i) through->iterate();
+  for (int i = 0; i < 2; ++i) first->iterate();
+  const auto second = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  second->restore(first->checkpoint());
+  EXPECT_EQ(second->updates(), 2);
+  for (int i = 0; i < 2; ++i) second->iterate();
+  EXPECT_EQ(parameterVector(through->layers()), parameterVector(second->layers()));
 }
 
 TEST_P(DriveActorCriticWithViews, TakesOverADriversMannerWhileItPractises) {
@@ -87,10 +87,10 @@ TEST_P(DriveActorCriticWithViews, TakesOverADriversMannerWhileItPractises) {
     DriveActorCriticParameters parameters = tiny(GetParam());
     parameters.learning_rate = 0.01;
     parameters.iterations = 8;
-    DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
-    if (follows) learner.follow(recordings, 3.0);
-    while (learner.updates() < parameters.iterations) learner.iterate();
-    const ConfusionMatrix taken = preferencesIn(others, DrivePolicy(parameters.policy, learner.layers()));
+    const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+    if (follows) learner->follow(recordings, 3.0);
+    while (learner->updates() < parameters.iterations) learner->iterate();
+    const ConfusionMatrix taken = preferencesIn(others, DrivePolicy(parameters.policy, learner->layers()));
     return static_cast<double>(taken.trace()) / static_cast<double>(taken.sum());
   };
   const double without = agreementAfter(false);
@@ -99,20 +99,20 @@ TEST_P(DriveActorCriticWithViews, TakesOverADriversMannerWhileItPractises) {
 
 TEST(DriveActorCritic, RefusesRecordingsThatItCannotFollow) {
   const DriveActorCriticParameters parameters = tiny();
-  DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
-  EXPECT_THROW(learner.follow(drivesAllAround(2, 5, 1), 0.0), std::invalid_argument);
-  EXPECT_THROW(learner.follow(Dataset(), 1.0), std::invalid_argument);
+  const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  EXPECT_THROW(learner->follow(drivesAllAround(2, 5, 1), 0.0), std::invalid_argument);
+  EXPECT_THROW(learner->follow(Dataset(), 1.0), std::invalid_argument);
 }
 
 TEST(DriveActorCritic, RefusesWhatDoesNotFit) {
   DriveActorCriticParameters parameters = tiny();
-  DriveActorCritic learner(parameters, tinyNetwork(parameters, kNetworkSeed));
-  EXPECT_THROW(learner.restore({1, 2, 3}), std::invalid_argument);
+  const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  EXPECT_THROW(learner->restore({1, 2, 3}), std::invalid_argument);
   DriveActorCriticParameters other = parameters;
   other.critic_units = {5};
-  EXPECT_THROW(DriveActorCritic(other, tinyNetwork(other, kNetworkSeed)).restore(learner.checkpoint()),
+  EXPECT_THROW(makeDriveActorCritic(other, tinyNetwork(other, kNetworkSeed))->restore(learner->checkpoint()),
                std::invalid_argument);
-  EXPECT_THROW(DriveActorCritic(parameters, makeLstmStack(3, {4}, 5)), std::invalid_argument);
+  EXPECT_THROW(makeDriveActorCritic(parameters, makeLstmStack(3, {4}, 5)), std::invalid_argument);
   const auto refused = [&](void (*change)(DriveActorCriticParameters*)) { return test::isRefused(parameters, change); };
   EXPECT_FALSE(refused([](DriveActorCriticParameters*) {}));
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->iterations = 0; }));

@@ -32,10 +32,10 @@ double arrivalAfterLearning(DriveQLearningParameters parameters) {
   parameters.max_steps = 120;
   parameters.window = 16;
   parameters.learning_rate = 0.01;
-  DriveQLearning learner(parameters, tinyNetwork(parameters, kNetworkSeed));
-  EXPECT_LT(arrivalOf(parameters, learner.layers()), 0.2) << "nothing to learn";
-  while (learner.updates() < parameters.iterations) learner.iterate();
-  return arrivalOf(parameters, learner.layers());
+  const auto learner = makeDriveQLearning(parameters, tinyNetwork(parameters, kNetworkSeed));
+  EXPECT_LT(arrivalOf(parameters, learner->layers()), 0.2) << "nothing to learn";
+  while (learner->updates() < parameters.iterations) learner->iterate();
+  return arrivalOf(parameters, learner->layers());
 }
 
 TEST(DriveQLearning, LearnsToGoToTheGoalInTheOpenByTheThesissReward) {
@@ -57,37 +57,38 @@ class DriveQLearningWithViews : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveQLearningWithViews, ::testing::Values(1, 8), test::caseName("Views"));
 
 TEST_P(DriveQLearningWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
-  expectTheSameOnAnyNumberOfRanks<DriveQLearning>(
-      tinyTraining<DriveQLearningParameters>(GetParam()), kNetworkSeed, [](const ReinforcementReport& report) {
+  expectTheSameOnAnyNumberOfRanks(
+      tinyTraining<DriveQLearningParameters>(GetParam()), makeDriveQLearning, kNetworkSeed,
+      [](const ReinforcementReport& report) {
         return std::vector<double>{report.steps, report.reward, report.arrival, report.value, report.error};
       });
 }
 
 TEST_P(DriveQLearningWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
   DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>(GetParam());
-  DriveQLearning one(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto one = makeDriveQLearning(parameters, tinyNetwork(parameters, kNetworkSeed));
   parameters.threads = 3;
-  DriveQLearning three(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto three = makeDriveQLearning(parameters, tinyNetwork(parameters, kNetworkSeed));
   for (int i = 0; i < 2; ++i) {
-    one.iterate();
-    three.iterate();
+    one->iterate();
+    three->iterate();
   }
-  EXPECT_EQ(parameterVector(one.layers()), parameterVector(three.layers()));
-  EXPECT_NE(parameterVector(one.layers()), parameterVector(tinyNetwork(parameters, kNetworkSeed)));
+  EXPECT_EQ(parameterVector(one->layers()), parameterVector(three->layers()));
+  EXPECT_NE(parameterVector(one->layers()), parameterVector(tinyNetwork(parameters, kNetworkSeed)));
 }
 
 TEST_P(DriveQLearningWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
   DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>(GetParam());
   parameters.target_interval = 2;  // so that the target network is neither the first nor that of the break
-  DriveQLearning through(parameters, tinyNetwork(parameters, kNetworkSeed));
-  DriveQLearning first(parameters, tinyNetwork(parameters, kNetworkSeed));
-  for (int i = 0; i < 4; ++i) through.iterate();
-  for (int i = 0; i < 3; ++i) first.iterate();
-  DriveQLearning second(parameters, tinyNetwork(parameters, kNetworkSeed));
-  second.restore(first.checkpoint());
-  EXPECT_EQ(second.updates(), 3);
-  second.iterate();
-  EXPECT_EQ(parameterVector(through.layers()), parameterVector(second.layers()));
+  const auto through = makeDriveQLearning(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto first = makeDriveQLearning(parameters, tinyNetwork(parameters, kNetworkSeed));
+  for (int i = 0; i < 4; ++i) through->iterate();
+  for (int i = 0; i < 3; ++i) first->iterate();
+  const auto second = makeDriveQLearning(parameters, tinyNetwork(parameters, kNetworkSeed));
+  second->restore(first->checkpoint());
+  EXPECT_EQ(second->updates(), 3);
+  second->iterate();
+  EXPECT_EQ(parameterVector(through->layers()), parameterVector(second->layers()));
 }
 
 /// What an exception says when the parameters are changed so; empty when there is none.
@@ -121,12 +122,12 @@ TEST(DriveQLearning, RefusesBadParametersWithTheReason) {
 
 TEST(DriveQLearning, RefusesWhatDoesNotFit) {
   const DriveQLearningParameters parameters = tinyTraining<DriveQLearningParameters>();
-  DriveQLearning learner(parameters, tinyNetwork(parameters, kNetworkSeed));
-  EXPECT_THROW(learner.restore({1, 2, 3}), std::invalid_argument);
-  EXPECT_THROW(DriveQLearning(parameters, makeLstmStack(3, {4}, 5)), std::invalid_argument);
+  const auto learner = makeDriveQLearning(parameters, tinyNetwork(parameters, kNetworkSeed));
+  EXPECT_THROW(learner->restore({1, 2, 3}), std::invalid_argument);
+  EXPECT_THROW(makeDriveQLearning(parameters, makeLstmStack(3, {4}, 5)), std::invalid_argument);
   const int inputs = static_cast<int>(parameters.policy.encoder.input_layout.size());
-  DriveQLearning larger(parameters, makeLstmStack(inputs, {5}, parameters.policy.actions.size()));
-  EXPECT_THROW(larger.restore(learner.checkpoint()), std::invalid_argument);
+  const auto larger = makeDriveQLearning(parameters, makeLstmStack(inputs, {5}, parameters.policy.actions.size()));
+  EXPECT_THROW(larger->restore(learner->checkpoint()), std::invalid_argument);
 }
 
 TEST(DriveThesisReward, CountsNearWallsDistanceAndBearingAsCosts) {
