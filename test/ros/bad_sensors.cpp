@@ -14,7 +14,7 @@
 #include "ros/common/message_queue.hpp"
 #include "ros/common/sensor_listener.hpp"
 #include "ros/controller/steering_controller.hpp"
-#include "ros/planner_fixture.hpp"
+#include "ros/fixtures/planner_fixture.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -11,8 +11,8 @@
 
 #include <algorithm>
 
-#include "ros/bag_golden.hpp"
-#include "ros/bag_planner.hpp"
+#include "ros/fixtures/bag_golden.hpp"
+#include "ros/fixtures/bag_planner.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -13,8 +13,8 @@
 #include <memory>
 #include <mutex>
 
-#include "ros/bag_golden.hpp"
-#include "ros/callback_thread.hpp"
+#include "ros/fixtures/bag_golden.hpp"
+#include "ros/fixtures/callback_thread.hpp"
 
 namespace lstm_planner {
 namespace {

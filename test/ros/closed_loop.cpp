@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "ros/closed_loop_fixture.hpp"
+#include "ros/fixtures/closed_loop_fixture.hpp"
 
 namespace lstm_planner {
 namespace {

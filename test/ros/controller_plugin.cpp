@@ -9,8 +9,8 @@
 #include <pluginlib/class_loader.hpp>
 
 #include "ros/controller/steering_controller.hpp"
-#include "ros/diagnostics_listener.hpp"
-#include "ros/planner_fixture.hpp"
+#include "ros/fixtures/diagnostics_listener.hpp"
+#include "ros/fixtures/planner_fixture.hpp"
 
 namespace lstm_planner {
 namespace {

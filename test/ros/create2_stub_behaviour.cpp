@@ -22,7 +22,7 @@
 #include <thread>
 #include <vector>
 
-#include "ros/waiting.hpp"
+#include "ros/fixtures/waiting.hpp"
 
 namespace {
 

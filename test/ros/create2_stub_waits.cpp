@@ -4,7 +4,7 @@
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 
-#include "ros/waiting.hpp"
+#include "ros/fixtures/waiting.hpp"
 
 namespace {
 

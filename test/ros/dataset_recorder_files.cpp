@@ -3,7 +3,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include "lstm_planner/robot/dataset/dataset_check.hpp"
-#include "ros/recorder_fixture.hpp"
+#include "ros/fixtures/recorder_fixture.hpp"
 
 namespace lstm_planner {
 namespace {

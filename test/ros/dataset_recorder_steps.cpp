@@ -1,6 +1,6 @@
 // What the recorder makes of a drive: steps, labels, and the episodes they belong to.
 
-#include "ros/recorder_fixture.hpp"
+#include "ros/fixtures/recorder_fixture.hpp"
 
 namespace lstm_planner {
 namespace {

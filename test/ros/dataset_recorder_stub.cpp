@@ -13,7 +13,7 @@
 
 #include "lstm_planner/robot/dataset/dataset.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "ros/recorder_process.hpp"
+#include "ros/fixtures/recorder_process.hpp"
 
 namespace lstm_planner {
 namespace {

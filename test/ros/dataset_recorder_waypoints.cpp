@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-#include "ros/recorder_fixture.hpp"
+#include "ros/fixtures/recorder_fixture.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/waiting.hpp"
+#include "ros/fixtures/waiting.hpp"
 #include "support/picture_check.hpp"
 
 namespace {

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "ros/callback_thread.hpp"
-#include "ros/fake_robot.hpp"
+#include "ros/fixtures/callback_thread.hpp"
+#include "ros/fixtures/fake_robot.hpp"
 
 namespace lstm_planner {
 namespace {

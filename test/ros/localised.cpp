@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-#include "ros/closed_loop_fixture.hpp"
+#include "ros/fixtures/closed_loop_fixture.hpp"
 
 namespace lstm_planner {
 namespace {

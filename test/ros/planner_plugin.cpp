@@ -14,8 +14,8 @@
 #include <string>
 #include <thread>
 
-#include "ros/diagnostics_listener.hpp"
-#include "ros/planner_fixture.hpp"
+#include "ros/fixtures/diagnostics_listener.hpp"
+#include "ros/fixtures/planner_fixture.hpp"
 
 namespace lstm_planner {
 namespace {

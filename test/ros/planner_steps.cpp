@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ros/planner_fixture.hpp"
+#include "ros/fixtures/planner_fixture.hpp"
 
 namespace lstm_planner {
 namespace {

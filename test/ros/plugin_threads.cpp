@@ -9,10 +9,10 @@
 #include <thread>
 #include <vector>
 
-#include "ros/diagnostics_listener.hpp"
-#include "ros/planner_fixture.hpp"
-#include "ros/plugin_loader.hpp"
-#include "ros/process_figures.hpp"
+#include "ros/fixtures/diagnostics_listener.hpp"
+#include "ros/fixtures/planner_fixture.hpp"
+#include "ros/fixtures/plugin_loader.hpp"
+#include "ros/fixtures/process_figures.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "ros/bag_planner.hpp"
+#include "ros/fixtures/bag_planner.hpp"
 #include "support/real_data.hpp"
 
 namespace lstm_planner {

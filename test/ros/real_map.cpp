@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "ros/hand_made_model.hpp"
+#include "ros/fixtures/hand_made_model.hpp"
 #include "support/real_data.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -1,6 +1,9 @@
 // A bag gives what the node makes of the same messages, step for step.
 
+#include <actionlib_msgs/GoalID.h>
 #include <gtest/gtest.h>
+#include <move_base_msgs/MoveBaseActionGoal.h>
+#include <move_base_msgs/MoveBaseActionResult.h>
 #include <ros/ros.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
@@ -12,8 +15,8 @@
 
 #include "lstm_planner/robot/dataset/recording_sink.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
-#include "ros/drive_bag.hpp"
-#include "ros/recorder_process.hpp"
+#include "ros/fixtures/drive_bag.hpp"
+#include "ros/fixtures/recorder_process.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lstm_planner {

@@ -9,8 +9,9 @@
 #include <ostream>
 
 #include "lstm_planner/robot/dataset/recording_sink.hpp"
+#include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
-#include "ros/drive_bag.hpp"
+#include "ros/fixtures/drive_bag.hpp"
 #include "support/real_data.hpp"
 #include "support/scratch_folder.hpp"
 

@@ -15,8 +15,8 @@
 
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
-#include "ros/fake_robot.hpp"
-#include "ros/yaml_differences.hpp"
+#include "ros/fixtures/fake_robot.hpp"
+#include "ros/fixtures/yaml_differences.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -13,7 +13,7 @@
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
-#include "ros/yaml_differences.hpp"
+#include "ros/fixtures/yaml_differences.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "lstm_planner/robot/simulation/world.hpp"
-#include "ros/faulty_robot.hpp"
-#include "ros/log_listener.hpp"
-#include "ros/plugin_host.hpp"
+#include "ros/fixtures/faulty_robot.hpp"
+#include "ros/fixtures/log_listener.hpp"
+#include "ros/fixtures/plugin_host.hpp"
 
 namespace lstm_planner {
 namespace {

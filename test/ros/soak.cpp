@@ -24,11 +24,11 @@
 #include "lstm_planner/robot/simulation/generated_world.hpp"
 #include "lstm_planner/ros/recorder/drive_messages.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
-#include "ros/fake_robot.hpp"
-#include "ros/faulty_robot.hpp"
-#include "ros/plugin_host.hpp"
-#include "ros/process_figures.hpp"
-#include "ros/recorder_process.hpp"
+#include "ros/fixtures/fake_robot.hpp"
+#include "ros/fixtures/faulty_robot.hpp"
+#include "ros/fixtures/plugin_host.hpp"
+#include "ros/fixtures/process_figures.hpp"
+#include "ros/fixtures/recorder_process.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lstm_planner {

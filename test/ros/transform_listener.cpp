@@ -9,8 +9,8 @@
 #include <string>
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "ros/fake_robot.hpp"
-#include "ros/log_listener.hpp"
+#include "ros/fixtures/fake_robot.hpp"
+#include "ros/fixtures/log_listener.hpp"
 
 namespace lstm_planner {
 namespace {

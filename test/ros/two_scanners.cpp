@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/closed_loop_fixture.hpp"
+#include "ros/fixtures/closed_loop_fixture.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -19,8 +19,8 @@
 #include <pluginlib/class_loader.hpp>
 #include <string>
 
-#include "ros/callback_thread.hpp"
-#include "ros/waiting.hpp"
+#include "ros/fixtures/callback_thread.hpp"
+#include "ros/fixtures/waiting.hpp"
 
 namespace lstm_planner {
 namespace {
