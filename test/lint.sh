@@ -73,8 +73,9 @@ QUIET = YES
 WARN_IF_UNDOCUMENTED = NO
 WARN_AS_ERROR = FAIL_ON_WARNINGS
 DOXYGEN
+  # Doxygen 1.9.1 does not strip the paths in its XML.
   differing="$(comm -3 <(cd include && find . -name '*.hpp' -printf '%P\n' | sort) \
-    <(find "$pages/xml" -name '*_8hpp.xml' -exec sed -n 's/.*<location file="\([^"]*\.hpp\)".*/\1/p' {} + | sort -u))"
+    <(find "$pages/xml" -name '*_8hpp.xml' -exec sed -nE 's#.*<location file="([^"]*/include/)?([^"]*\.hpp)".*#\2#p' {} + | sort -u))"
   if [ -n "$differing" ]; then
     echo "lint: config/rosdoc.yaml leaves out headers of include/ (left), or lets in others (right):" >&2
     head -n 20 <<<"$differing" >&2
