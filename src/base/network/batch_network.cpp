@@ -34,6 +34,15 @@ int chooseTile(const BatchKernels& kernels, int agents) {
 
 float withoutDenormals(float value) { return std::abs(value) < std::numeric_limits<float>::min() ? 0.0f : value; }
 
+/// Whether one row follows the other in memory: passing over all numbers at once takes a fifth of the time.
+bool isOnePiece(const Eigen::Ref<const BatchNetwork::Values>& inputs) { return inputs.outerStride() == inputs.cols(); }
+
+bool allWithin(const float* values, Eigen::Index count, float limit) {
+  int refused = 0;  // counted, as a loop without an exit is vectorised
+  for (Eigen::Index i = 0; i < count; ++i) refused += std::abs(values[i]) <= limit ? 0 : 1;
+  return refused == 0;
+}
+
 }  // namespace
 
 struct BatchNetwork::Program {
@@ -77,7 +86,9 @@ const BatchNetwork::Values& BatchNetwork::forward(const Eigen::Ref<const Values>
   const int output_row = packed.layers.back().output_row[parity_];
   for (const Tile& tile : tiles_) {
     float* const memory = memoryOf(tile);
-    for (int row = 0; row < input_size_; ++row) {
+    const bool is_filled_at_once = tile.agents == tile.lanes && tile.lanes == batch() && isOnePiece(inputs);
+    if (is_filled_at_once) std::transform(inputs.data(), inputs.data() + inputs.size(), memory, withoutDenormals);
+    for (int row = is_filled_at_once ? input_size_ : 0; row < input_size_; ++row) {
       const float* const values = inputs.data() + row * inputs.outerStride() + tile.first_agent;
       std::transform(values, values + tile.agents, memory + row * tile.lanes, withoutDenormals);
     }
@@ -98,11 +109,10 @@ void BatchNetwork::requireUsable(const Eigen::Ref<const Values>& inputs) const {
                                 " x " + std::to_string(batch()));
   }
   const float limit = program_->packed.input_limit;
+  if (isOnePiece(inputs) && allWithin(inputs.data(), inputs.size(), limit)) return;
   for (Eigen::Index row = 0; row < inputs.rows(); ++row) {
     const float* const values = inputs.data() + row * inputs.outerStride();
-    int refused = 0;  // counted, as a loop without an exit is vectorised
-    for (Eigen::Index agent = 0; agent < inputs.cols(); ++agent) refused += std::abs(values[agent]) <= limit ? 0 : 1;
-    if (refused == 0) continue;
+    if (allWithin(values, inputs.cols(), limit)) continue;
     Eigen::Index agent = 0;
     while (std::abs(values[agent]) <= limit) ++agent;
     const std::string place =

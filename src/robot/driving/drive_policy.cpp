@@ -112,10 +112,7 @@ const Eigen::VectorXf& DrivePolicy::advance(const Observation& observation) {
 
 const Eigen::VectorXf& DrivePolicy::advanceViews(const Observation& observation) {
   const ViewBearings bearings = bearingsOf(observation);
-  for (int view = 0; view < kDriveViews; ++view) {
-    const int direction = (bearings.ahead + view) % kDriveViews;
-    encoder_.turn(input_.data(), bearings, view, view_inputs_.data() + direction, kDriveViews);
-  }
+  encoder_.turn(input_.data(), bearings, view_inputs_.data(), kDriveViews);
   const BatchNetwork::Values& outputs = views_->forward(view_inputs_);
   for (std::size_t action = 0; action < action_views_.size(); ++action) {
     const int direction = (bearings.ahead + action_views_[action]) % kDriveViews;

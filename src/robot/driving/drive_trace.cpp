@@ -51,10 +51,14 @@ void DriveTrace::lookAround(const Pose2& pose, Observation* observation) const {
   for (int i = 0; i < kPlaceDirections; ++i) {
     const auto index = static_cast<std::size_t>(i);
     const double direction = pose.yaw + i * M_PI_4;
-    observation->visits[index] = places_.at(PlaceTrace::kStep, pointAlong(pose, direction, kVisitRadius)).count;
+    const Point2 ahead{std::cos(direction), std::sin(direction)};
+    const auto placeAt = [&](double distance) {
+      return Point2{pose.x + distance * ahead.x, pose.y + distance * ahead.y};
+    };
+    observation->visits[index] = places_.at(PlaceTrace::kStep, placeAt(kVisitRadius)).count;
     const double free = std::max(kNearestProbe, freeRange(*observation, i) - kWallMargin);
     for (std::size_t scale = 0; scale < kPlaceScales; ++scale) {
-      const Point2 place = pointAlong(pose, direction, std::min(free, kProbes[scale]));
+      const Point2 place = placeAt(std::min(free, kProbes[scale]));
       const PlaceVisit visit = places_.at(static_cast<PlaceTrace::Scale>(scale), place);
       observation->places[scale].visits[index] = visit.count;
       observation->places[scale].ages[index] = visit.age;

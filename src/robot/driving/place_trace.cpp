@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/memory/bounded_rounding.hpp"
 #include "robot/perception/reach.hpp"
 
 namespace lstm_planner {
@@ -10,11 +11,11 @@ namespace {
 
 constexpr double kFarthest = 2.0 * kFarthestPose;  ///< m from the origin; what lies around poses is asked for, too
 constexpr int kLastStamp = (1 << 14) - 1;
-constexpr int kWindowBits = 7;
+constexpr int kNumberBits = 7;
 
 /// The lowest bits of a number of windows, with its sign.
 int wrapped(int windows) {
-  constexpr int kRange = 1 << kWindowBits;
+  constexpr int kRange = 1 << kNumberBits;
   return ((windows + kRange / 2) & (kRange - 1)) - kRange / 2;
 }
 
@@ -22,7 +23,7 @@ int wrapped(int windows) {
 constexpr std::size_t firstEntry(std::size_t scale) {
   std::size_t entries = 0;
   for (std::size_t before = 0; before < scale; ++before) {
-    entries += static_cast<std::size_t>(PlaceTrace::kWindows[before] * PlaceTrace::kWindows[before]);
+    entries += std::size_t{1} << (2 * PlaceTrace::kWindowBits[before]);
   }
   return entries;
 }
@@ -39,14 +40,14 @@ void PlaceTrace::clear() {
 bool PlaceTrace::placeOf(Scale scale, const Point2& position, Place* place) {
   if (!(std::abs(position.x) < kFarthest && std::abs(position.y) < kFarthest)) return false;
   const double size = kCellSizes[static_cast<std::size_t>(scale)];
-  const int window = kWindows[static_cast<std::size_t>(scale)];  // a power of two: remainders are taken by bits
-  const int column = static_cast<int>(std::floor(position.x / size));
-  const int row = static_cast<int>(std::floor(position.y / size));
-  const int inside = (row & (window - 1)) * window + (column & (window - 1));
-  const auto windows = [window](int index) { return index >= 0 ? index / window : -1 - (-1 - index) / window; };
+  const int bits = kWindowBits[static_cast<std::size_t>(scale)];
+  const int last = (1 << bits) - 1;
+  const int column = floorOf(position.x / size);
+  const int row = floorOf(position.y / size);
+  const int inside = ((row & last) << bits) + (column & last);
   place->entry = firstEntry(static_cast<std::size_t>(scale)) + static_cast<std::size_t>(inside);
-  place->column = wrapped(windows(column));
-  place->row = wrapped(windows(row));
+  place->column = wrapped(column >> bits);
+  place->row = wrapped(row >> bits);
   return true;
 }
 

@@ -1,23 +1,22 @@
 #pragma once
 
 #include "lstm_planner/robot/driving/shield.hpp"
+#include "robot/driving/shield_kernels.hpp"
 #include "robot/perception/baseline_vectors.hpp"
 
 namespace lstm_planner {
 
-/// A return must come this much nearer before it counts as coming nearer, m: less than the noise of any scanner.
-constexpr double kShieldTouchSlack = 1e-3;
-
 template <typename Meet, typename Visit>
 void Shield::visitGroups(const Meet& meet, const Visit& visit) const {
   for (std::size_t first = 0; first < groups_; first += kLanes) {
-    const Ints met = meet(loadFloats(&middle_x_[first]), loadFloats(&middle_y_[first]), loadFloats(&half_x_[first]),
-                          loadFloats(&half_y_[first]));
+    const float* const boxes = &boxes_[first / kGroupsABlock * kNumbersABlock + first % kGroupsABlock];
+    const Ints met = meet(loadFloats(boxes), loadFloats(boxes + kGroupsABlock), loadFloats(boxes + 2 * kGroupsABlock),
+                          loadFloats(boxes + 3 * kGroupsABlock));
     if (!any(met)) {
       continue;
     }
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (met[lane] != 0 && first + lane < groups_ && visit((first + lane) * kGroup)) {
+      if (met[lane] != 0 && first + lane < groups_ && visit(&places_[2 * kReturnsAGroup * (first + lane)])) {
         return;
       }
     }
@@ -32,9 +31,9 @@ void Shield::visitNear(const Point2& from, double distance, const Visit& visit) 
   const auto meet = [&](Floats middle_x, Floats middle_y, Floats half_x, Floats half_y) {
     return (magnitude(middle_x - x) <= half_x + wide) & (magnitude(middle_y - y) <= half_y + wide);
   };
-  visitGroups(meet, [&](std::size_t group) {
-    for (std::size_t i = group; i < group + kGroup; ++i) {
-      if (visit(Point2{x_[i], y_[i]})) {
+  visitGroups(meet, [&](const double* places) {
+    for (std::size_t i = 0; i < kReturnsAGroup; ++i) {
+      if (visit(Point2{places[i], places[kReturnsAGroup + i]})) {
         return true;
       }
     }

@@ -21,10 +21,7 @@ void DriveViews::fillInputs(const DrivePlace& place, int queue, float* rows) con
     }
     return;
   }
-  const ViewBearings& bearings = place.episode->bearings[place.step];
-  for (int view = 0; view < views_; ++view) {
-    encoder_.turn(ahead, bearings, view, first + (bearings.ahead + view) % views_, stride);
-  }
+  encoder_.turn(ahead, place.episode->bearings[place.step], first, stride);
 }
 
 int DriveViews::outputAt(const DrivePlace& place, int queue, int action) const {

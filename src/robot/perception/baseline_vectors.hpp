@@ -9,13 +9,10 @@ namespace lstm_planner {
 constexpr int kLanes = 4;
 using Floats = simd::Floats<kLanes>;
 using Ints = simd::Integers<kLanes>;
-using simd::Doubles;
 
 LSTM_PLANNER_INLINE Floats allOf(float value) { return simd::broadcast<Floats>(value); }
-LSTM_PLANNER_INLINE Doubles allOf(double value) { return simd::broadcast<Doubles>(value); }
 LSTM_PLANNER_INLINE Ints allOf(int value) { return simd::broadcast<Ints>(value); }
 LSTM_PLANNER_INLINE Floats loadFloats(const float* from) { return simd::load<Floats>(from); }
-LSTM_PLANNER_INLINE Doubles loadDoubles(const double* from) { return simd::load<Doubles>(from); }
 
 using simd::any;
 using simd::magnitude;

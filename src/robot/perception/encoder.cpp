@@ -152,9 +152,26 @@ Encoder::Encoder(const EncoderParameters& parameters)
 
 Encoder::Encoder(std::shared_ptr<const EncoderParameters> parameters) : parameters_(std::move(parameters)) {
   validate(*parameters_);
-  features_.reserve(parameters_->input_layout.size());
-  for (const std::string& name : parameters_->input_layout) features_.push_back(inputNamed(name));
-  if (parameters_->views != 1) findSources();
+  findGroups();
+}
+
+void Encoder::findGroups() {
+  using Key = std::pair<Feature, std::uint8_t>;
+  std::map<Key, std::map<std::uint8_t, std::int16_t>> found;
+  std::int16_t at = 0;
+  for (const std::string& name : parameters_->input_layout) {
+    const Input input = inputNamed(name);
+    found[{input.feature, input.scale}][input.index] = at++;
+  }
+  groups_.reserve(found.size());
+  for (const auto& [key, places] : found) {
+    Group group{key.first, key.second, 0, {}, {}};
+    for (const auto& [index, place] : places) {
+      group.index[group.count] = index;
+      group.at[group.count++] = place;
+    }
+    groups_.push_back(group);
+  }
 }
 
 Encoder::Input Encoder::inputNamed(const std::string& name) {
@@ -203,21 +220,14 @@ void Encoder::encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf>
     throw std::invalid_argument("the input has " + std::to_string(input.size()) + " values, expected " +
                                 std::to_string(size()));
   }
-  const auto fill = [&](const Observation& seen) {
-    for (int i = 0; i < size(); ++i) {
-      input[i] = static_cast<float>(value(features_[static_cast<std::size_t>(i)], seen));
-    }
-  };
-  if (parameters_->views == 1) {
-    fill(observation);
-  } else {
-    Observation ahead = observation;
+  Observation seen = observation;
+  if (parameters_->views != 1) {
     const ViewBearings bearings = bearingsOf(observation);
-    ahead.heading = 0.0;
-    ahead.previous_action = bearings.previous_action;
-    ahead.motion = bearings.motion;
-    fill(ahead);
+    seen.heading = 0.0;
+    seen.previous_action = bearings.previous_action;
+    seen.motion = bearings.motion;
   }
+  for (const Group& group : groups_) fill(group, seen, input.data());
 }
 
 /// By how much rounding turns a heading.
@@ -226,63 +236,70 @@ double Encoder::roundedBy(double heading) const {
   return cell > 0.0 ? std::round(heading / cell) * cell - heading : 0.0;
 }
 
-double Encoder::value(const Input& input, const Observation& observation) const {
-  switch (input.feature) {
-    case Feature::kSector: {
-      const double range = observation.sector_ranges[input.index];
-      return std::clamp(range / parameters_->range_cap, 0.0, 1.0);
-    }
+template <typename Value>
+void Encoder::fill(const Group& group, const Value& value, float* input) {
+  for (std::size_t i = 0; i < group.count; ++i) input[group.at[i]] = static_cast<float>(value(group.index[i]));
+}
+
+void Encoder::fill(const Group& group, const Observation& observation, float* input) const {
+  const auto each = [&](const auto& value) { fill(group, value, input); };
+  const auto only = [&](double value) { input[group.at[0]] = static_cast<float>(value); };
+  const auto& sectors = observation.sector_ranges;
+  const PlacesAround& places = observation.places[group.scale];
+  const double rounded_by = roundedBy(observation.heading);
+  switch (group.feature) {
+    case Feature::kSector:
+      return each([&](int i) { return std::clamp(sectors[i] / parameters_->range_cap, 0.0, 1.0); });
+    case Feature::kEvent:
+      return each([&](int i) { return sectors[i] < parameters_->event_range ? 1.0 : 0.0; });
+    case Feature::kSeen:
+      return each([](int) { return 1.0; });
+    case Feature::kVisits:
+      return each([&](int i) {
+        const double visits = std::max(0.0, observation.visits[i]);
+        return visits / (visits + 1.0);
+      });
+    case Feature::kPlaceVisits:
+      return each([&](int i) { return frequency(places.visits[i]); });
+    case Feature::kPlaceFreshness:
+      return each([&](int i) { return freshness(places.visits[i], places.ages[i]); });
     case Feature::kGoalDistance: {
       const double distance = std::max(0.0, observation.goal_distance);
-      return distance / (distance + parameters_->distance_scale);
+      return only(distance / (distance + parameters_->distance_scale));
     }
     case Feature::kGoalBearing:
-      return normalizeAngle(observation.goal_bearing - roundedBy(observation.heading)) / parameters_->angle_scale;
+      return only(normalizeAngle(observation.goal_bearing - rounded_by) / parameters_->angle_scale);
     case Feature::kGoalBearingSin:
-      return std::sin(observation.goal_bearing - roundedBy(observation.heading));
+      return only(std::sin(observation.goal_bearing - rounded_by));
     case Feature::kGoalBearingCos:
-      return std::cos(observation.goal_bearing - roundedBy(observation.heading));
+      return only(std::cos(observation.goal_bearing - rounded_by));
     case Feature::kHeading:
-      return normalizeAngle(observation.heading + roundedBy(observation.heading)) / parameters_->angle_scale;
+      return only(normalizeAngle(observation.heading + rounded_by) / parameters_->angle_scale);
     case Feature::kHeadingSin:
-      return std::sin(observation.heading + roundedBy(observation.heading));
+      return only(std::sin(observation.heading + rounded_by));
     case Feature::kHeadingCos:
-      return std::cos(observation.heading + roundedBy(observation.heading));
+      return only(std::cos(observation.heading + rounded_by));
     case Feature::kPreviousAction:
-      return normalizeAngle(observation.previous_action) / parameters_->action_scale;
-    case Feature::kEvent:
-      return observation.sector_ranges[input.index] < parameters_->event_range ? 1.0 : 0.0;
-    case Feature::kVisits: {
-      const double visits = std::max(0.0, observation.visits[input.index]);
-      return visits / (visits + 1.0);
-    }
-    case Feature::kPlaceVisits:
-      return frequency(observation.places[input.scale].visits[input.index]);
-    case Feature::kPlaceFreshness:
-      return freshness(observation.places[input.scale].visits[input.index],
-                       observation.places[input.scale].ages[input.index]);
+      return only(normalizeAngle(observation.previous_action) / parameters_->action_scale);
+    case Feature::kPreviousActionSin:
+      return only(std::sin(observation.previous_action));
+    case Feature::kPreviousActionCos:
+      return only(std::cos(observation.previous_action));
     case Feature::kRoomVisits:
-      return frequency(observation.room_visits);
+      return only(frequency(observation.room_visits));
     case Feature::kBehindBest: {
       const double behind = std::max(0.0, observation.behind_best);
-      return behind / (behind + parameters_->distance_scale);
+      return only(behind / (behind + parameters_->distance_scale));
     }
     case Feature::kStepsSinceBest:
-      return std::min(1.0, std::log2(std::max(0.0, observation.steps_since_best) + 1.0) / kMostLogSteps);
+      return only(std::min(1.0, std::log2(std::max(0.0, observation.steps_since_best) + 1.0) / kMostLogSteps));
     case Feature::kMotionForward:
-      return std::clamp(observation.motion.x, -1.0, 1.0);
+      return only(std::clamp(observation.motion.x, -1.0, 1.0));
     case Feature::kMotionLeft:
-      return std::clamp(observation.motion.y, -1.0, 1.0);
+      return only(std::clamp(observation.motion.y, -1.0, 1.0));
     case Feature::kMotionTurn:
-      return normalizeAngle(observation.turn) / parameters_->action_scale;
-    case Feature::kPreviousActionSin:
-      return std::sin(observation.previous_action);
-    case Feature::kPreviousActionCos:
-      return std::cos(observation.previous_action);
-    case Feature::kSeen:
-      return 1.0;
+      return only(normalizeAngle(observation.turn) / parameters_->action_scale);
   }
-  return 0.0;
 }
 
 }  // namespace lstm_planner

@@ -2,15 +2,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include "lstm_planner/robot/perception/encoder.hpp"
 
 namespace lstm_planner {
 namespace {
 
-/// A sector is half as wide as views lie apart, and the scanner looks into eight of the sixteen around.
+/// A sector is half as wide as views lie apart.
 constexpr int kSectorsAView = 2;
-constexpr int kSectorsAround = kSectorsAView * kDriveViews;
 
 constexpr double kDiagonal = 0.70710678118654752;
 
@@ -23,6 +23,19 @@ constexpr std::array<Point2, kDriveViews> kViewDirections = {{{1.0, 0.0},
                                                               {-kDiagonal, -kDiagonal},
                                                               {0.0, -1.0},
                                                               {kDiagonal, -kDiagonal}}};
+
+/// Values around the robot, an eighth of a turn apart; twice, so that they can be copied from any on.
+class Ring {
+ public:
+  void set(std::size_t i, float value) { values_[i] = values_[i + kDriveViews] = value; }
+  void copyFrom(int first, float* to) const {
+    const auto from = static_cast<std::size_t>(first & (kDriveViews - 1));
+    std::memcpy(to, &values_[from], kDriveViews * sizeof(float));
+  }
+
+ private:
+  std::array<float, 2 * kDriveViews> values_;
+};
 
 }  // namespace
 
@@ -41,99 +54,113 @@ ViewBearings bearingsOf(const Observation& observation) {
   return bearings;
 }
 
-Encoder::Source Encoder::sourceOf(const Input& input, int view) const {
-  int index = input.index;
-  switch (input.feature) {
-    case Feature::kGoalBearing:
-    case Feature::kGoalBearingSin:
-    case Feature::kGoalBearingCos:
-    case Feature::kHeading:
-    case Feature::kHeadingSin:
-    case Feature::kHeadingCos:
-    case Feature::kPreviousAction:
-    case Feature::kPreviousActionSin:
-    case Feature::kPreviousActionCos:
-    case Feature::kMotionForward:
-    case Feature::kMotionLeft:
-      return {Source::Kind::kBearing, 0};
-    case Feature::kSector:
-    case Feature::kEvent:
-    case Feature::kSeen:
-      index = (index + kSectorsAView * view) % kSectorsAround;
-      if (index >= kSectorCount) return {Source::Kind::kNothing, 0};
-      break;
-    case Feature::kVisits:
-    case Feature::kPlaceVisits:
-    case Feature::kPlaceFreshness:
-      index = (index + view) % kPlaceDirections;
-      break;
-    default:
-      break;
-  }
-  std::uint8_t source = 0;
-  for (const Input& other : features_) {
-    if (other.feature == input.feature && other.index == index && other.scale == input.scale) break;
-    ++source;
-  }
-  return {Source::Kind::kAhead, source};
+/// A value for each view, by the number of eighths of a turn that it is turned.
+template <typename Value>
+void Encoder::fillViews(const ViewBearings& bearings, const Value& value, float* row) {
+  Ring ring;
+  for (std::size_t view = 0; view < kDriveViews; ++view) ring.set(view, static_cast<float>(value(view)));
+  ring.copyFrom(-bearings.ahead, row);
 }
 
-void Encoder::findSources() {
-  sources_.reserve(kDriveViews * features_.size());
-  for (int view = 0; view < kDriveViews; ++view) {
-    for (const Input& input : features_) sources_.push_back(sourceOf(input, view));
-  }
-}
-
-double Encoder::valueOfBearing(Feature feature, const ViewBearings& bearings, int view) const {
-  const Point2 ahead = kViewDirections[static_cast<std::size_t>(view)];
-  const auto along = [&](const Point2& direction) { return ahead.x * direction.x + ahead.y * direction.y; };
-  const auto aside = [&](const Point2& direction) { return ahead.x * direction.y - ahead.y * direction.x; };
-  const double angle = view * kViewAngle;
+/// False for features that do not turn.
+bool Encoder::fillBearings(Feature feature, const ViewBearings& bearings, float* row) const {
+  const auto angles = [&](double bearing, double scale) {
+    const auto value = [=](std::size_t view) {
+      return normalizeAngle(bearing - static_cast<double>(view) * kViewAngle) / scale;
+    };
+    fillViews(bearings, value, row);
+  };
+  const auto along = [&](const Point2& direction) {
+    const auto value = [=](std::size_t view) {
+      return kViewDirections[view].x * direction.x + kViewDirections[view].y * direction.y;
+    };
+    fillViews(bearings, value, row);
+  };
+  const auto aside = [&](const Point2& direction) {
+    const auto value = [=](std::size_t view) {
+      return kViewDirections[view].x * direction.y - kViewDirections[view].y * direction.x;
+    };
+    fillViews(bearings, value, row);
+  };
+  const auto clamp = [&] {
+    for (int view = 0; view < kDriveViews; ++view) row[view] = std::clamp(row[view], -1.0f, 1.0f);
+  };
   switch (feature) {
     case Feature::kGoalBearing:
-      return normalizeAngle(bearings.goal - angle) / parameters_->angle_scale;
+      angles(bearings.goal, parameters_->angle_scale);
+      return true;
     case Feature::kGoalBearingSin:
-      return aside(bearings.goal_direction);
+      aside(bearings.goal_direction);
+      return true;
     case Feature::kGoalBearingCos:
-      return along(bearings.goal_direction);
+      along(bearings.goal_direction);
+      return true;
     case Feature::kHeading:
-      return normalizeAngle(-angle) / parameters_->angle_scale;
+      angles(0.0, parameters_->angle_scale);
+      return true;
     case Feature::kHeadingSin:
-      return -ahead.y;
+      aside({1.0, 0.0});
+      return true;
     case Feature::kHeadingCos:
-      return ahead.x;
+      along({1.0, 0.0});
+      return true;
     case Feature::kPreviousAction:
-      return normalizeAngle(bearings.previous_action - angle) / parameters_->action_scale;
+      angles(bearings.previous_action, parameters_->action_scale);
+      return true;
     case Feature::kPreviousActionSin:
-      return aside(bearings.previous_direction);
+      aside(bearings.previous_direction);
+      return true;
     case Feature::kPreviousActionCos:
-      return along(bearings.previous_direction);
+      along(bearings.previous_direction);
+      return true;
     case Feature::kMotionForward:
-      return std::clamp(along(bearings.motion), -1.0, 1.0);
+      along(bearings.motion);
+      clamp();
+      return true;
     case Feature::kMotionLeft:
-      return std::clamp(aside(bearings.motion), -1.0, 1.0);
+      aside(bearings.motion);
+      clamp();
+      return true;
     default:
-      return 0.0;
+      return false;
   }
 }
 
-void Encoder::turn(const float* ahead, const ViewBearings& bearings, int view, float* input, int stride) const {
-  const Source* source = &sources_.at(static_cast<std::size_t>(view) * features_.size());
-  for (const Input& feature : features_) {
-    switch (source->kind) {
-      case Source::Kind::kAhead:
-        *input = ahead[source->index];
+void Encoder::turn(const float* ahead, const ViewBearings& bearings, float* inputs, int stride) const {
+  const auto rowOf = [&](const Group& group, std::size_t i) { return inputs + group.at[i] * stride; };
+  for (const Group& group : groups_) {
+    switch (group.feature) {
+      case Feature::kSector:
+      case Feature::kEvent:
+      case Feature::kSeen: {
+        // The scanner sees half of the directions. Every second sector lies a view on.
+        Ring even{};
+        Ring odd{};
+        for (std::size_t i = 0; i < kSectorCount; i += kSectorsAView) {
+          even.set(i / kSectorsAView, ahead[group.at[i]]);
+          odd.set(i / kSectorsAView, ahead[group.at[i + 1]]);
+        }
+        for (std::size_t i = 0; i < kSectorCount; ++i) {
+          (i % kSectorsAView == 0 ? even : odd)
+              .copyFrom(static_cast<int>(i) / kSectorsAView - bearings.ahead, rowOf(group, i));
+        }
         break;
-      case Source::Kind::kNothing:
-        *input = 0.0f;
+      }
+      case Feature::kVisits:
+      case Feature::kPlaceVisits:
+      case Feature::kPlaceFreshness: {
+        Ring around{};
+        for (std::size_t i = 0; i < kDriveViews; ++i) around.set(i, ahead[group.at[i]]);
+        for (std::size_t i = 0; i < kDriveViews; ++i) {
+          around.copyFrom(static_cast<int>(i) - bearings.ahead, rowOf(group, i));
+        }
         break;
-      case Source::Kind::kBearing:
-        *input = static_cast<float>(valueOfBearing(feature.feature, bearings, view));
-        break;
+      }
+      default:
+        if (!fillBearings(group.feature, bearings, rowOf(group, 0))) {
+          std::fill_n(rowOf(group, 0), kDriveViews, ahead[group.at[0]]);
+        }
     }
-    ++source;
-    input += stride;
   }
 }
 

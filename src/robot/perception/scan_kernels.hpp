@@ -12,6 +12,27 @@ namespace lstm_planner {
 // instruction set from one source. This header is seen by code for machines of different ages, so that whatever it
 // defines must have internal linkage. All sets answer the same but for the rounding of products and sums.
 
+/// What the readings of one scan mean: see readingBounds(). Masks are all bits or none.
+struct ReadingBounds {
+  float least;                   ///< m, of what counts as measured
+  float most;                    ///< m
+  float nothing_from;            ///< m; such readings and greater ones are no returns
+  float code_first;              ///< m; from here to
+  float code_last;               ///< m, a reading is no return
+  std::int32_t nan_is_silent;    ///< a mask
+  std::int32_t zero_is_silent;   ///< a mask
+  std::int32_t below_is_silent;  ///< a mask
+};
+
+/// What some neighbouring beams see.
+struct BeamSum {
+  double range;   ///< m, of those that are known; each at most the cap
+  float nearest;  ///< m; +inf where nothing is measured
+  int measured;   ///< with a range
+  int known;      ///< with a range, or seeing nothing
+  int silent;     ///< of the known ones those whose driver may mean that nothing could be measured
+};
+
 /// What Sight knows of a scan.
 struct SightBeams {
   FirstBeam first;
@@ -47,6 +68,17 @@ struct SquareFrame {
 constexpr std::uint32_t kNoSquare = ~std::uint32_t{0};
 
 struct ScanKernels {
+  /// As RangeProfile::ranges what the readings of `count` beams mean.
+  void (*meanings)(const ReadingBounds& bounds, const float* readings, std::size_t count, float* ranges);
+
+  /// Of `count` neighbouring beams of a RangeProfile. `cap`: m.
+  BeamSum (*sum)(const float* ranges, std::size_t count, double cap);
+
+  /// toPoints(), with the beams' directions and the points as pairs x, y. There is room for all beams. Returns how many
+  /// points there are.
+  std::size_t (*points)(const float* ranges, std::size_t count, double nearest_range, const double* origin,
+                        const double* directions, double* points);
+
   /// BeamFinder::find().
   void (*find)(const FirstBeam& first, const float* x, const float* y, std::size_t count, float* positions);
 

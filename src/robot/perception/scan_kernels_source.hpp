@@ -2,6 +2,7 @@
 // function at the end, SCAN_KERNELS, has internal linkage, as simd.hpp explains.
 
 #include "lstm_planner/base/common/simd.hpp"
+#include "robot/perception/beam_kernels_source.hpp"
 #include "robot/perception/scan_kernels.hpp"
 
 #if !defined(SCAN_KERNELS)
@@ -13,10 +14,7 @@ namespace {
 
 using namespace simd;
 
-using Wide = Floats<kWidest>;
-
 constexpr float kPi = 3.14159265358979f;
-constexpr float kInfinity = __builtin_huge_valf();
 
 constexpr int kSide = 4;  ///< squares a side of a cell
 constexpr int kCellSquares = kSide * kSide;
@@ -59,24 +57,6 @@ LSTM_PLANNER_INLINE Floats<16> gather(const float* from, IntegersOf<Floats<16>> 
   return _mm512_mask_i32gather_ps(Floats<16>{}, 0xffff, (__m512i)at, from, sizeof(float));
 }
 #endif
-
-/// A bit for each lane of a mask.
-template <class Integers>
-LSTM_PLANNER_INLINE unsigned bitsOf(Integers mask) {
-  constexpr int kLanes = sizeof(Integers) / sizeof(int);
-#if defined(__AVX512F__)
-  if constexpr (kLanes == 16) return _mm512_movepi32_mask((__m512i)mask);
-#endif
-#if defined(__AVX__)
-  if constexpr (kLanes == 8) return static_cast<unsigned>(_mm256_movemask_ps((__m256)mask));
-#endif
-#if defined(__SSE2__)
-  if constexpr (kLanes == 4) return static_cast<unsigned>(_mm_movemask_ps((__m128)mask));
-#endif
-  unsigned bits = 0;
-  for (int lane = 0; lane < kLanes; ++lane) bits |= (static_cast<unsigned>(mask[lane]) & 1) << lane;
-  return bits;
-}
 
 /// Stores the lanes that have a bit, one after the other, and anything behind them; returns how many these are.
 template <class V, class Number>
@@ -257,9 +237,6 @@ LSTM_PLANNER_INLINE V yOf(const SquareGrid& grid, IntegersOf<V> keys) {
   return multiplyAdd(floats<V>(keys >> 16), broadcast<V>(grid.resolution), broadcast<V>(grid.bottom));
 }
 
-/// Bits for the first `count` lanes of a vector.
-LSTM_PLANNER_INLINE unsigned firstBits(std::size_t count) { return count < kWidest ? (1u << count) - 1 : 0xffffu; }
-
 std::size_t cellsInSight(const SightBeams& beams, const SquareGrid& grid, std::uint32_t* cells, std::size_t count,
                          float* limits) {
   const float to_middle = 0.5f * (kSide - 1) * grid.resolution;
@@ -336,6 +313,6 @@ std::size_t clearSquares(const SightBeams& beams, const SquareGrid& grid, const 
 
 }  // namespace
 
-ScanKernels SCAN_KERNELS() { return {&find, &squaresOf, &cellsInSight, &clearSquares}; }
+ScanKernels SCAN_KERNELS() { return {&meanings, &sum, &points, &find, &squaresOf, &cellsInSight, &clearSquares}; }
 
 }  // namespace lstm_planner

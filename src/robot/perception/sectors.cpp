@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/perception/baseline_vectors.hpp"
+#include "robot/perception/scan_kernels.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -62,45 +62,6 @@ bool coversWindow(const BeamFan& fan) {
   return end >= kWindow - (0.5 + kBorderTolerance) * fan.increment;
 }
 
-/// What some neighbouring beams see.
-struct BeamSum {
-  double range = 0.0;  ///< m, of those that are known; each at most the cap
-  float nearest = std::numeric_limits<float>::infinity();
-  int measured = 0;  ///< with a range
-  int known = 0;     ///< with a range, or seeing nothing
-};
-
-BeamSum sumOf(const float* ranges, long count, double range_cap) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  auto cap = static_cast<float>(range_cap);
-  if (cap < range_cap) cap = std::nextafter(cap, kInfinity);  // no float lies between the two
-  Doubles sums[2] = {};
-  Floats nearest = allOf(kInfinity);
-  Ints measured = {};
-  Ints known = {};
-  Ints uncapped = {};
-  for (long beam = 0; beam < count; beam += kLanes) {
-    const long left = count - beam;
-    const Floats four = left < kLanes ? simd::loadFirst<Floats>(ranges + beam, left) : loadFloats(ranges + beam);
-    const Ints sees = four > Floats{};
-    const Ints is_uncapped = sees & (four < allOf(cap));
-    const Floats uncapped_ranges = select(is_uncapped, four, Floats{});
-    sums[0] += simd::firstTwo(uncapped_ranges);
-    sums[1] += simd::lastTwo(uncapped_ranges);
-    nearest = minimum(select(sees, four, allOf(kInfinity)), nearest);
-    measured -= sees & (four < allOf(kInfinity));
-    known -= sees | (four == allOf(RangeProfile::kSilent));
-    uncapped -= is_uncapped;
-  }
-  BeamSum sum;
-  sums[0] += sums[1];
-  sum.known = simd::sumOfLanes(known);
-  sum.range = sums[0][0] + sums[0][1] + static_cast<double>(sum.known - simd::sumOfLanes(uncapped)) * range_cap;
-  sum.measured = simd::sumOfLanes(measured);
-  for (int lane = 0; lane < kLanes; ++lane) sum.nearest = std::min<float>(sum.nearest, nearest[lane]);
-  return sum;
-}
-
 using SectorCounts = std::array<int, kSectorCount>;
 
 void addBeams(const std::vector<float>& ranges, double range_cap, const BeamFan& fan, double window_start,
@@ -109,7 +70,8 @@ void addBeams(const std::vector<float>& ranges, double range_cap, const BeamFan&
   long begin = firstBeamFrom(window_start, fan);
   for (int sector = 0; sector < kSectorCount; ++sector) {
     const long end = std::max(begin, firstBeamFrom(window_start + (sector + 1) * kSectorWidth, fan));
-    const BeamSum sum = sumOf(ranges.data() + (fan.reversed ? beams - end : begin), end - begin, range_cap);
+    const BeamSum sum = scanKernels().sum(ranges.data() + (fan.reversed ? beams - end : begin),
+                                          static_cast<std::size_t>(end - begin), range_cap);
     sectors->range[sector] += sum.range;
     sectors->nearest[sector] = std::min<double>(sectors->nearest[sector], sum.nearest);
     sectors->measured[sector] += sum.measured;
@@ -214,7 +176,7 @@ void checkMeasured(const RangeProfile& profile, double least_measured) {
     const long begin = fan.count * section / sections;
     const long end = fan.count * (section + 1) / sections;
     const float* const first = profile.ranges.data() + (fan.reversed ? beams - end : begin);
-    const int known = end > begin ? sumOf(first, end - begin, 1.0).known : 0;
+    const int known = end > begin ? scanKernels().sum(first, static_cast<std::size_t>(end - begin), 1.0).known : 0;
     const double from = normalizeAngle(fan.start - kWindow / 2.0 + static_cast<double>(section) * width);
     checkSector(from, width, static_cast<int>(end - begin), known, least_measured, fan.increment);
   }

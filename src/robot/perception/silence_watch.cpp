@@ -1,10 +1,12 @@
 #include "lstm_planner/robot/perception/silence_watch.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "robot/perception/reading_bounds.hpp"
+#include "robot/perception/scan_kernels.hpp"
 
 namespace lstm_planner {
 
@@ -17,6 +19,26 @@ constexpr double kHardlyMoved = 0.5;   // m; a robot of 1 m/s stands before, for
 constexpr double kHardlyTurned = 0.6;  // rad; less than kMuch of a fan of 180 degrees
 constexpr double kMostlySilent = 0.5;  // of the beams
 
+struct Returns {
+  int measured = 0;
+  int silent = 0;
+};
+
+Returns returnsOf(const LaserScan& scan, const ScanRules& rules) {
+  const ScanKernels& kernels = scanKernels();
+  const ReadingBounds bounds = readingBounds(scan, rules);
+  std::array<float, 256> ranges;
+  Returns returns;
+  for (std::size_t first = 0; first < scan.ranges.size(); first += ranges.size()) {
+    const std::size_t count = std::min(ranges.size(), scan.ranges.size() - first);
+    kernels.meanings(bounds, &scan.ranges[first], count, ranges.data());
+    const BeamSum sum = kernels.sum(ranges.data(), count, 1.0);
+    returns.measured += sum.measured;
+    returns.silent += sum.silent;
+  }
+  return returns;
+}
+
 }  // namespace
 
 bool SilenceWatch::isComparable(double time, const Pose2& pose) const {
@@ -28,20 +50,13 @@ bool SilenceWatch::isComparable(double time, const Pose2& pose) const {
 
 void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double time, const Pose2& pose) {
   if (scan.ranges.empty()) return;  // nothing can be said of it
-  const ReadingBounds bounds(scan, rules);
-  std::size_t returns = 0;
-  std::size_t silent = 0;
-  for (const float reading : scan.ranges) {
-    const float meaning = bounds.meaning(allOf(reading))[0];
-    returns += meaning > 0.0f && std::isfinite(meaning) ? 1 : 0;
-    silent += meaning == RangeProfile::kSilent ? 1 : 0;
-  }
+  const Returns returns = returnsOf(scan, rules);
   const auto beams = static_cast<double>(scan.ranges.size());
-  if (returns > 0) {
-    share_ = static_cast<double>(returns) / beams;
+  if (returns.measured > 0) {
+    share_ = returns.measured / beams;
     is_covered_ = false;
   } else if (!is_covered_) {
-    is_covered_ = share_ >= kMuch && static_cast<double>(silent) >= kMostlySilent * beams && isComparable(time, pose);
+    is_covered_ = share_ >= kMuch && returns.silent >= kMostlySilent * beams && isComparable(time, pose);
     if (!is_covered_) share_ = 0.0;
   }
   time_ = time;

@@ -25,6 +25,7 @@ struct Twist2 {
 
 /// The angle normalised to (-pi, pi], rad; NaN if the angle is not finite.
 inline double normalizeAngle(double angle) {
+  if (angle > -M_PI && angle <= M_PI) return angle;  // nearly always, and the remainder is dear
   const double wrapped = std::remainder(angle, 2.0 * M_PI);
   return wrapped <= -M_PI ? wrapped + 2.0 * M_PI : wrapped;
 }

@@ -24,7 +24,7 @@ class PlaceTrace {
  public:
   enum Scale { kStep = 0, kRoom = 1, kHall = 2 };
   static constexpr std::array<double, kPlaceScales> kCellSizes = {0.5, 1.5, 4.5};  ///< m
-  static constexpr std::array<int, kPlaceScales> kWindows = {32, 32, 16};          ///< squares each way
+  static constexpr std::array<int, kPlaceScales> kWindowBits = {5, 5, 4};          ///< 2^bits squares each way
   static constexpr int kMostVisits = 8;                                            ///< more are counted as that many
   static constexpr int kLongestAge = 8000;  ///< steps; what is longer ago counts as that long at the least
 

@@ -72,13 +72,12 @@ class Shield {
   double hard_margin_;
   double reach_;
 
-  // Neighbours of a scan lie near one another: whole groups of them need not be looked at.
-  static constexpr std::size_t kGroup = 16;
-  /// A group of kGroup; `all_near`: none is out of reach.
-  void showGroup(const Point2* obstacles, bool all_near);
-  /// Those of a group that are within reach.
-  void showNear(const Point2* obstacles, std::size_t count);
-  /// Calls visit(group) for the groups that meet(boxes) lets through, four boxes at a time, until it answers true.
+  /// Adds whole groups that are within reach, and leaves out those beyond it, up to one that is neither; returns how
+  /// many these are.
+  std::size_t addGroups(const Point2* obstacles, std::size_t groups, double reach_squared);
+  /// Adds those of a group, or fewer, that are within reach.
+  void addNear(const Point2* obstacles, std::size_t count);
+  /// Calls visit(places) for the groups that meet(boxes) lets through, four boxes at a time, until it answers true.
   template <typename Meet, typename Visit>
   void visitGroups(const Meet& meet, const Visit& visit) const;
   /// Calls visit(obstacle) for all that are nearer than `distance`, and some others, until it answers true.
@@ -90,9 +89,10 @@ class Shield {
   /// More than what is lost of a coordinate in a float, m.
   double blur(const Point2& from) const;
 
+  // See ReturnGroups. Where a group has fewer returns, one of them is there several times.
   std::size_t groups_ = 0;
-  std::vector<double> x_, y_;  ///< m, kGroup of each group; where there are fewer, one of them several times
-  std::vector<float> middle_x_, middle_y_, half_x_, half_y_;  ///< m, the box around a group
+  std::vector<double> places_;
+  std::vector<float> boxes_;
 };
 
 }  // namespace lstm_planner

@@ -80,17 +80,18 @@ class Encoder {
   explicit Encoder(const EncoderParameters& parameters);  ///< throws as validate()
   explicit Encoder(std::shared_ptr<const EncoderParameters> parameters);
   const EncoderParameters& parameters() const { return *parameters_; }
-  int size() const { return static_cast<int>(features_.size()); }
+  int size() const { return static_cast<int>(parameters_->input_layout.size()); }
 
   /// Fills `input`, which must have size() values. With eight views it is that of the view ahead: the heading is 0,
   /// and the previous action and the motion are relative to the heading as it is now.
   void encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf> input) const;
 
-  /// With eight views: what is seen in direction heading + view * 45 degrees, 0 <= view < 8, from what encode() gave of
-  /// the same observation. Value i goes to input[i * stride]. Nothing depends on how the odometry frame lies; heading
-  /// is the robot's, relative to the view. A sector into which the scanner does not look is 0 with its seen_ of 0: any
-  /// range that stood for it would be one that is measured elsewhere, and so the network can learn what to make of it.
-  void turn(const float* ahead, const ViewBearings& bearings, int view, float* input, int stride) const;
+  /// With eight views: what is seen in each direction, from what encode() gave of the same observation. Value i of the
+  /// view into direction d of the odometry frame, in eighths of a turn, goes to inputs[i * stride + d]. Nothing depends
+  /// on how the odometry frame lies but which view is which; heading is the robot's, relative to the view. A sector
+  /// into which the scanner does not look is 0 with its seen_ of 0: any range that stood for it would be one that is
+  /// measured elsewhere, and so the network can learn what to make of it.
+  void turn(const float* ahead, const ViewBearings& bearings, float* inputs, int stride) const;
 
  private:
   /// What one number of the input is.
@@ -124,22 +125,28 @@ class Encoder {
     std::uint8_t index;  ///< of the sector or direction, for features of which there are eight
     std::uint8_t scale;  ///< of the places
   };
-  /// Where a view's value comes from.
-  struct Source {
-    enum class Kind : std::uint8_t { kAhead, kNothing, kBearing } kind;
-    std::uint8_t index;  ///< of kAhead's value
+  /// Inputs that show the same of several sectors or directions, or a single one.
+  struct Group {
+    Feature feature;
+    std::uint8_t scale;
+    std::uint8_t count;
+    std::array<std::uint8_t, kDriveViews> index;  ///< of the sector or direction, in rising order
+    std::array<std::int16_t, kDriveViews> at;     ///< where it stands in the input
   };
   friend void validate(const EncoderParameters& parameters);
   static Input inputNamed(const std::string& name);
-  void findSources();
-  Source sourceOf(const Input& input, int view) const;
-  double value(const Input& input, const Observation& observation) const;
+  void findGroups();
+  /// A value for each of the group's inputs, by its index.
+  template <typename Value>
+  static void fill(const Group& group, const Value& value, float* input);
+  void fill(const Group& group, const Observation& observation, float* input) const;
   double roundedBy(double heading) const;
-  double valueOfBearing(Feature feature, const ViewBearings& bearings, int view) const;
+  template <typename Value>
+  static void fillViews(const ViewBearings& bearings, const Value& value, float* row);
+  bool fillBearings(Feature feature, const ViewBearings& bearings, float* row) const;
 
   std::shared_ptr<const EncoderParameters> parameters_;
-  std::vector<Input> features_;
-  std::vector<Source> sources_;  ///< size() of each view; empty with one view
+  std::vector<Group> groups_;
 };
 
 }  // namespace lstm_planner

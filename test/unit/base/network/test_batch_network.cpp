@@ -9,6 +9,7 @@
 
 #include "lstm_planner/base/network/batch_network.hpp"
 #include "lstm_planner/base/network/network.hpp"
+#include "support/instruction_sets.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
 namespace lstm_planner {
@@ -39,10 +40,8 @@ std::vector<LayerStack> stacks() {
 
 class EveryInstructionSet : public testing::TestWithParam<InstructionSet> {};
 
-std::string nameOf(const testing::TestParamInfo<InstructionSet>& info) {
-  return info.param == InstructionSet::kAvx512 ? "Avx512" : toString(info.param);
-}
-INSTANTIATE_TEST_SUITE_P(BatchNetwork, EveryInstructionSet, testing::ValuesIn(runnableInstructionSets()), nameOf);
+INSTANTIATE_TEST_SUITE_P(BatchNetwork, EveryInstructionSet, testing::ValuesIn(runnableInstructionSets()),
+                         test::instructionSetName);
 
 TEST_P(EveryInstructionSet, KeepsCloseToDoublePrecisionForAThousandSteps) {
   for (const LayerStack& layers : stacks()) {

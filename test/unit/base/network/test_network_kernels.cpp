@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lstm_planner/base/network/network.hpp"
+#include "support/instruction_sets.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
 // Every kernel that this machine can run, whichever it would choose by itself.
@@ -190,11 +191,8 @@ TEST_P(NetworkKernels, CopiesAreIndependent) {
   EXPECT_EQ(VectorXf(assigned.forward(input)), expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Runnable, NetworkKernels, testing::ValuesIn(runnableInstructionSets()), [](const auto& info) {
-  std::string name = toString(info.param);
-  name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Runnable, NetworkKernels, testing::ValuesIn(runnableInstructionSets()),
+                         test::instructionSetName);
 
 TEST(NetworkKernel, ThatTheMachineCannotRunIsRefused) {
   const auto& runnable = runnableInstructionSets();

@@ -76,7 +76,7 @@ TEST(PlaceTrace, CountsWhatIsLongAgoAsItsLongestAgeAtLeast) {
 
 TEST(PlaceTrace, ForgetsAPlaceWhenAnotherTakesItsEntry) {
   PlaceTrace trace;
-  const double window = PlaceTrace::kWindows[kStep] * PlaceTrace::kCellSizes[kStep];
+  const double window = (1 << PlaceTrace::kWindowBits[kStep]) * PlaceTrace::kCellSizes[kStep];
   trace.visit({0.25, 0.25});
   EXPECT_EQ(trace.at(kStep, {0.25 - window, 0.25}).count, 0) << "a window away it was never";
   trace.visit({0.25 - window, 0.25});

@@ -25,8 +25,13 @@ std::vector<float> lookInto(int view, const EncoderParameters& parameters, const
   const Encoder encoder(parameters);
   Eigen::VectorXf ahead(encoder.size());
   encoder.encode(observation, ahead);
-  std::vector<float> input(static_cast<std::size_t>(encoder.size()));
-  encoder.turn(ahead.data(), bearingsOf(observation), view, input.data(), 1);
+  std::vector<float> inputs(static_cast<std::size_t>(encoder.size()) * kDriveViews);
+  const ViewBearings bearings = bearingsOf(observation);
+  encoder.turn(ahead.data(), bearings, inputs.data(), kDriveViews);
+  std::vector<float> input;
+  for (auto i = static_cast<std::size_t>((bearings.ahead + view) % kDriveViews); i < inputs.size(); i += kDriveViews) {
+    input.push_back(inputs[i]);
+  }
   return input;
 }
 

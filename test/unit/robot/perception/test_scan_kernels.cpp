@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <string>
 #include <vector>
 
 #include "lstm_planner/robot/memory/sight.hpp"
 #include "robot/perception/scan_kernels.hpp"
+#include "support/instruction_sets.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -181,12 +181,7 @@ TEST_P(ScanKernelsOf, ClearWhatThePlainDefinitionClears) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sets, ScanKernelsOf, ::testing::ValuesIn(runnableInstructionSets()),
-                         [](const ::testing::TestParamInfo<InstructionSet>& info) {
-                           std::string name = toString(info.param);
-                           name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Sets, ScanKernelsOf, ::testing::ValuesIn(runnableInstructionSets()), test::instructionSetName);
 
 }  // namespace
 }  // namespace lstm_planner
