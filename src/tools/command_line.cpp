@@ -117,7 +117,7 @@ std::string joined(const Values& values, const char* separator, const ToText& to
   return text;
 }
 
-std::string listed(const std::vector<std::string>& names) {
+std::string alternatives(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
     text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
@@ -238,7 +238,7 @@ std::size_t CommandLine::choose(const std::string& name, const std::vector<std::
   const std::string& value = theOnly("--" + name, values);
   const auto found = std::find(names.begin(), names.end(), value);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  throw std::invalid_argument("--" + name + " is '" + value + "', expected " + listed(names));
+  throw std::invalid_argument("--" + name + " is '" + value + "', expected " + alternatives(names));
 }
 
 Option& CommandLine::addText(const std::string& name, const std::string& default_text,

@@ -187,7 +187,7 @@ void drawTrainingTask(const ThesisOptions& options, const ThesisMaps& maps, cons
   }
 }
 
-std::string listed(const std::vector<std::string>& files) {
+std::string fileNames(const std::vector<std::string>& files) {
   std::string text;
   for (const std::string& file : files) text += (text.empty() ? "" : ", ") + file.substr(file.rfind('/') + 1);
   return text;
@@ -205,7 +205,7 @@ int runThesisReport(const std::vector<std::string>& arguments) {
   std::ostringstream report;
   report << "# The thesis under its own rules\n\n"
          << options.training.dataset.steps << " steps, " << options.training.trainer.epochs << " epochs; trained on "
-         << listed(maps.training) << "; best epoch chosen on " << listed(maps.validation) << ". "
+         << fileNames(maps.training) << "; best epoch chosen on " << fileNames(maps.validation) << ". "
          << options.selection.count << " tasks of each set in at most ten maps, " << options.evaluation.rules.max_steps
          << " steps, corners may be cut, no shield, no escape, arrival within one cell; seed " << options.training.seed
          << ".\n\n";

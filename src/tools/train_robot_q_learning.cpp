@@ -10,9 +10,9 @@ namespace lstm_planner {
 
 namespace {
 
-const char* const kColumns = "iteration     steps   reward  arrival  epsilon    value    error";
+const char* const kQLearningColumns = "iteration     steps   reward  arrival  epsilon    value    error";
 
-std::vector<std::string> cellsOf(const ReinforcementReport& report) {
+std::vector<std::string> qLearningCells(const ReinforcementReport& report) {
   return {std::to_string(report.update), fixedText(report.steps, 0),   fixedText(report.reward, 3),
           fixedText(report.arrival, 3),  fixedText(report.epsilon, 3), fixedText(report.value, 3),
           fixedText(report.error, 3)};
@@ -42,8 +42,8 @@ int trainRobotByQLearning(const std::vector<std::string>& arguments) {
   if (!readOptions(arguments, &plan, &parameters)) return 0;
   LayerStack layers = firstLayers(plan, &parameters.policy);
   const auto learner = makeDriveQLearning(parameters, std::move(layers));
-  return trainByReinforcement(plan, parameters.policy, parameters.iterations, {TextTable(kColumns), cellsOf},
-                              learner.get());
+  return trainByReinforcement(plan, parameters.policy, parameters.iterations,
+                              {TextTable(kQLearningColumns), qLearningCells}, learner.get());
 }
 
 }  // namespace lstm_planner

@@ -1,7 +1,7 @@
 #include "bench_support.hpp"
 #include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::actor_critic_bench {
 namespace {
 
 /// One update: 256 agents walk for 64 steps, and errors go back.
@@ -27,4 +27,4 @@ BENCHMARK(actorCriticUpdate)
     }) -> Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::actor_critic_bench

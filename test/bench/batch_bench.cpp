@@ -7,7 +7,7 @@
 #include "lstm_planner/base/network/batch_network.hpp"
 #include "lstm_planner/base/network/network.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::batch_bench {
 namespace {
 
 constexpr int kInputs = 11;
@@ -89,4 +89,4 @@ BENCHMARK(singleNetworks)
     }) -> UseManualTime() -> Iterations(kRepetitions);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::batch_bench

@@ -8,7 +8,7 @@
 #include "lstm_planner/robot/simulation/generated_world.hpp"
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::costmap_bench {
 namespace {
 
 constexpr double kResolution = 0.05;  // m
@@ -83,4 +83,4 @@ BENCHMARK_CAPTURE(findCostmapObstacles, plannerLargeCostmap, 30.0, 6.0)->Unit(be
 BENCHMARK_CAPTURE(findCostmapObstacles, plannerHugeCostmap, 100.0, 6.0)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::costmap_bench

@@ -12,7 +12,7 @@
 #include "lstm_planner/robot/driving/rollout.hpp"
 #include "recorded_steps.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::decision_bench {
 namespace {
 
 constexpr int kPasses = 20;
@@ -191,4 +191,4 @@ BENCHMARK_CAPTURE(plan, makePlan_building, kMakePlan, false, "building")
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::decision_bench

@@ -11,7 +11,7 @@
 #include "lstm_planner/robot/perception/moving_returns.hpp"
 #include "recorded_steps.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::decision_parts_bench {
 namespace {
 
 /// The parts of one decision.
@@ -109,4 +109,4 @@ void decisionParts(benchmark::State& state) {
 BENCHMARK(decisionParts)->Iterations(20)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::decision_parts_bench

@@ -6,7 +6,7 @@
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::evaluation_bench {
 namespace {
 
 CellIndex drawPassable(const PassableGrid& grid, Random& random) {
@@ -88,4 +88,4 @@ void evaluateGreedy(benchmark::State& state) {
 BENCHMARK(evaluateGreedy)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::evaluation_bench

@@ -1,7 +1,7 @@
 #include "bench_support.hpp"
 #include "floor.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::floor_bench {
 namespace {
 
 InstructionSet instructionSet(const benchmark::State& state, int argument) {
@@ -53,4 +53,4 @@ BENCHMARK(floorOfStep)
     }) -> Iterations(1);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::floor_bench

@@ -7,7 +7,7 @@
 #include "lstm_planner/base/network/network.hpp"
 #include "textbook_lstm.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::inference_bench {
 namespace {
 
 constexpr int kInputs = 11;
@@ -74,4 +74,4 @@ BENCHMARK(inferenceKernel)
     }) -> Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::inference_bench

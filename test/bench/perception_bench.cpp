@@ -15,7 +15,7 @@
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "recorded_steps.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::perception_bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -193,4 +193,4 @@ void findingMovingReturns(benchmark::State& state) {
 BENCHMARK(findingMovingReturns)->Iterations(kPasses)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::perception_bench

@@ -7,7 +7,7 @@
 #include "lstm_planner/robot/driving/rollout.hpp"
 #include "recorded_steps.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::rollout_bench {
 namespace {
 
 const AgentParameters kAgent;
@@ -106,4 +106,4 @@ BENCHMARK_CAPTURE(updateRoute, office, "office")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(updateRoute, maze, "maze")->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::rollout_bench

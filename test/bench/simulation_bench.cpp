@@ -9,7 +9,7 @@
 #include "lstm_planner/robot/simulation/generated_world.hpp"
 #include "recorded_steps.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::simulation_bench {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
@@ -67,4 +67,4 @@ BENCHMARK_CAPTURE(simulatedDrive, mazes, "mazes")->Unit(benchmark::kMillisecond)
 BENCHMARK_CAPTURE(simulatedDrive, building, "building")->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::simulation_bench

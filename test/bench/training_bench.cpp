@@ -2,7 +2,7 @@
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/base/learning/trainer.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::training_bench {
 namespace {
 
 // The thesis's network and training set (its Table 3.2).
@@ -79,4 +79,4 @@ BENCHMARK(thesisTraining)
     ->MeasureProcessCPUTime();
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::training_bench

@@ -14,7 +14,7 @@
 #include "lstm_planner/grid_world/world/scenario_generator.hpp"
 #include "support/tool_test.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_mpi_tool {
 namespace {
 
 using test::Outcome;
@@ -147,4 +147,4 @@ TEST_F(MpiTool, WhenARankDiesTheRunEndsAndItsLastCheckpointIsGood) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_mpi_tool

@@ -7,7 +7,7 @@
 #include <regex>
 #include <string>
 
-namespace lstm_planner {
+namespace lstm_planner::test_layout {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,4 +59,4 @@ INSTANTIATE_TEST_SUITE_P(Wings, LayoutTest, testing::Values("base", "robot", "gr
                          [](const auto& info) { return std::string(info.param); });
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_layout

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace lstm_planner {
+namespace lstm_planner::test_troubleshooting {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,4 +158,4 @@ TEST(Troubleshooting, TellsWhyAGoalIsRefused) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_troubleshooting

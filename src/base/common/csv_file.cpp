@@ -13,8 +13,8 @@ namespace lstm_planner {
 namespace {
 
 constexpr const char* kBlank = " \t\r";
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 26;  // bytes
-constexpr std::size_t kLongestLine = std::size_t{1} << 16;        // letters
+constexpr std::uintmax_t kLargestTable = std::uintmax_t{1} << 26;  // bytes
+constexpr std::size_t kLongestLine = std::size_t{1} << 16;         // letters
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> fields;
@@ -27,9 +27,9 @@ std::vector<std::string> split(const std::string& line) {
   return fields;
 }
 
-std::string readWhole(const std::string& path) {
+std::string readTableFile(const std::string& path) {
   try {
-    return readInputFile(path, kLargestFile);
+    return readInputFile(path, kLargestTable);
   } catch (const InputFileError& error) {
     throw std::invalid_argument("'" + path + "' cannot be read: " + error.what());
   }
@@ -53,7 +53,7 @@ double toNumber(const std::string& text, const std::string& where, const std::st
 
 CsvFile::CsvFile(const std::string& path, const std::vector<std::string>& columns,
                  const std::vector<std::string>& optional_columns) {
-  std::istringstream file(readWhole(path));
+  std::istringstream file(readTableFile(path));
   std::string line;
   if (!std::getline(file, line)) throw std::invalid_argument("'" + path + "' cannot be read: it is empty");
   if (line.size() > kLongestLine) refuseLength(path, 1);

@@ -8,7 +8,7 @@
 namespace lstm_planner {
 namespace {
 
-constexpr std::int64_t kMostCells = std::int64_t{1} << 26;  // as PassableGrid
+constexpr std::int64_t kMostMapCells = std::int64_t{1} << 26;  // as PassableGrid
 
 /// Blocks exactly `count` cells of an open grid, every set of them equally likely (Knuth, volume 2, algorithm S).
 PassableGrid blockAtRandom(int columns, int rows, std::size_t count, Random& random) {
@@ -58,7 +58,7 @@ void checkMapSize(int columns, int rows, int shortest) {
   const std::string expected = "at least " + std::to_string(shortest);
   checkParameter(columns >= shortest, "columns", columns, expected);
   checkParameter(rows >= shortest, "rows", rows, expected);
-  checkParameter(std::int64_t{columns} * rows <= kMostCells, "rows", rows,
+  checkParameter(std::int64_t{columns} * rows <= kMostMapCells, "rows", rows,
                  "at most 2^26 cells with " + std::to_string(columns) + " columns");
 }
 

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kFirstLine = "lstm_planner training checkpoint 1";
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;
+constexpr std::uintmax_t kLargestCheckpoint = std::uintmax_t{1} << 30;
 constexpr std::size_t kLongestHeader = std::size_t{1} << 20;
 
 /// Like "cells = [8,8] instead of [16]"; empty when all settings are the same.
@@ -32,9 +32,9 @@ std::string firstDifference(const Json& made_with, const Json& wanted) {
   return "";
 }
 
-std::string readWhole(const std::string& path) {
+std::string readCheckpointFile(const std::string& path) {
   try {
-    return readInputFile(path, kLargestFile);
+    return readInputFile(path, kLargestCheckpoint);
   } catch (const InputFileError& error) {
     throw std::invalid_argument("cannot read checkpoint '" + path + "': " + error.what());
   }
@@ -81,7 +81,7 @@ void writeTrainingCheckpoint(const std::string& path, const TrainingCheckpoint& 
 std::optional<TrainingCheckpoint> readTrainingCheckpoint(const std::string& path, const Json& settings) {
   std::error_code unknown;
   if (!std::filesystem::exists(path, unknown) && !unknown) return std::nullopt;
-  const std::string content = readWhole(path);
+  const std::string content = readCheckpointFile(path);
   std::size_t header_end = 0;
   const Json header = readHeader(path, content, &header_end);
   TrainingCheckpoint checkpoint;

@@ -13,7 +13,7 @@ namespace {
 
 using Passage = BlockGraph::Passage;
 
-constexpr int kSide = SeenGrid::kSide;
+constexpr int kAreaSide = SeenGrid::kSide;
 // Costs are in fifths of a block, or of a cell.
 constexpr int kClosedCost = 100;     ///< what looks closed is tried last
 constexpr double kShortPath = 40.0;  ///< cells; a shorter path from start to goal counts as one of this length
@@ -24,9 +24,11 @@ constexpr std::size_t kMostBlocks = 64;
 constexpr std::size_t kBlocksBehind = 12;  ///< that are tried where the nearest cannot be reached
 
 int nodeOf(CellIndex place, CellIndex origin) {
-  return (place.row - origin.row) * kSide + place.column - origin.column;
+  return (place.row - origin.row) * kAreaSide + place.column - origin.column;
 }
-CellIndex placeOf(int node, CellIndex origin) { return {origin.column + node % kSide, origin.row + node / kSide}; }
+CellIndex placeOf(int node, CellIndex origin) {
+  return {origin.column + node % kAreaSide, origin.row + node / kAreaSide};
+}
 
 double crowFlight(CellIndex a, CellIndex b) { return octileDistance(a, b).length(); }
 

@@ -10,7 +10,7 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr int kSide = RollingGrid::kSide;
+constexpr int kWindowSide = RollingGrid::kSide;
 constexpr std::size_t kLongestPath = 1024;  ///< steps of the path that are kept
 
 /// The moves that walls beside leave, both with bit d for direction d.
@@ -31,13 +31,13 @@ struct RollingPlanner::World {
   CornerCutting corner_cutting;
   CellIndex goal;
 
-  int estimate(int cell) const { return octileFifths(goal.column - cell % kSide, goal.row - cell / kSide); }
+  int estimate(int cell) const { return octileFifths(goal.column - cell % kWindowSide, goal.row - cell / kWindowSide); }
   bool isTarget(int cell) const {
-    return Search::atEdge(cell) || (cell % kSide == goal.column && cell / kSide == goal.row);
+    return Search::atEdge(cell) || (cell % kWindowSide == goal.column && cell / kWindowSide == goal.row);
   }
   template <typename Move>
   void expand(int cell, const Move& move) const {
-    const unsigned moves = movesBetween(walls.wallsBeside(cell % kSide, cell / kSide), corner_cutting);
+    const unsigned moves = movesBetween(walls.wallsBeside(cell % kWindowSide, cell / kWindowSide), corner_cutting);
     for (std::size_t direction = 0; direction < kGridMoveCount; ++direction) {
       if ((moves >> direction & 1u) != 0) move(direction, direction % 2 != 0 ? kDiagonalFifths : kStraightFifths);
     }
@@ -99,7 +99,7 @@ void RollingPlanner::plan(const GridObservation& observation) {
   path_.clear();
   path_step_ = 0;
   length_ = 0.0;
-  const int start = (observation.cell.row - origin.row) * kSide + observation.cell.column - origin.column;
+  const int start = (observation.cell.row - origin.row) * kWindowSide + observation.cell.column - origin.column;
   const int target = search_.find(World{walls_, corner_cutting_, goal}, start);
   if (target < 0) return;
   length_ = static_cast<double>(search_.cost()) / kStraightFifths;

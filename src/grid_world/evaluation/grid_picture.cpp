@@ -12,8 +12,8 @@
 namespace lstm_planner {
 namespace {
 
-constexpr int kSide = 1000;  // pixels of the map's longer side, about
-constexpr int kLine = 26;    // pixels a line of text
+constexpr int kPictureSide = 1000;  // pixels of the map's longer side, about
+constexpr int kLine = 26;           // pixels a line of text
 constexpr double kText = 0.55;
 
 const cv::Scalar kFree(255, 255, 255);  // colours are blue, green, red
@@ -59,7 +59,8 @@ cv::Mat cellsOf(const PassableGrid& grid, const cv::Rect& frame) {
 /// The cells of a frame, row 0 at the top.
 class GridCanvas : public Canvas {
  public:
-  GridCanvas(const PassableGrid& grid, const cv::Rect& frame) : Canvas(cellsOf(grid, frame), kSide), frame_(frame) {}
+  GridCanvas(const PassableGrid& grid, const cv::Rect& frame)
+      : Canvas(cellsOf(grid, frame), kPictureSide), frame_(frame) {}
 
   /// The middle of a cell.
   cv::Point at(CellIndex cell) const {

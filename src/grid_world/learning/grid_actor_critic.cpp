@@ -11,7 +11,7 @@
 namespace lstm_planner {
 namespace {
 
-const ActorCritic::CheckpointNames kCheckpointNames{"lstm_planner actor-critic 1", "updates"};
+const ActorCritic::CheckpointNames kActorCriticNames{"lstm_planner actor-critic 1", "updates"};
 
 /// Share by which the variances move towards those of one window: slow, so that a window's own luck does not scale its
 /// own advantages.
@@ -24,7 +24,7 @@ class GridActorCritic final : public GridLearner {
         policy_(std::move(layers)),
         critic_(makeCritic(GridEncoder(parameters.encoder).size() + kGridPrivilegedInputs, parameters.critic_units,
                            parameters.seed + 1)),
-        learner_(kCheckpointNames, parameters, parameters.updates, policy_, critic_, 0),
+        learner_(kActorCriticNames, parameters, parameters.updates, policy_, critic_, 0),
         tiles_(parameters.communicator, parameters.threads,
                [this] { return std::make_unique<GridActorCriticTileRunner>(parameters_, policy_, critic_); }) {}
 

@@ -13,7 +13,7 @@
 namespace lstm_planner {
 namespace {
 
-const QLearner::CheckpointNames kCheckpointNames{"lstm_planner q-learning 1", "updates"};
+const QLearner::CheckpointNames kQLearningNames{"lstm_planner q-learning 1", "updates"};
 
 void checkFit(const LayerStack& layers, const GridEncoder& encoder) {
   if (inputSize(layers) == encoder.size() && outputSize(layers) == encoder.outputs()) return;
@@ -27,7 +27,7 @@ class GridQLearning final : public GridLearner {
   GridQLearning(const GridQLearningParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         layers_((checkFit(layers, GridEncoder(parameters.encoder)), std::move(layers))),
-        learner_(kCheckpointNames, parameters, parameters.updates, layers_),
+        learner_(kQLearningNames, parameters, parameters.updates, layers_),
         tiles_(parameters.communicator, parameters.threads,
                [this] { return std::make_unique<QTileRunner>(parameters_, layers_); }) {}
 

@@ -7,8 +7,8 @@
 namespace lstm_planner {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 28;  // the largest grid with room for any line ends
-constexpr std::int64_t kMostCells = std::int64_t{1} << 26;        // as PassableGrid
+constexpr std::uintmax_t kLargestMapFile = std::uintmax_t{1} << 28;  // the largest grid with room for any line ends
+constexpr std::int64_t kMostCells = std::int64_t{1} << 26;           // as PassableGrid
 
 struct MapSize {
   int rows = 0;
@@ -111,7 +111,7 @@ void writeRows(const PassableGrid& grid, std::ostream* file) {
 }  // namespace
 
 PassableGrid readMovingAiMap(const std::string& path, PassableRule rule) {
-  TextLines lines("map", path, kLargestFile);
+  TextLines lines("map", path, kLargestMapFile);
   const MapSize size = readHeader(&lines);
   const std::array<Terrain, 256> terrain = terrainOf(rule);
   const std::vector<std::string_view> rows = readRows(&lines, size, terrain);

@@ -12,8 +12,8 @@
 namespace lstm_planner {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 26;  // about a million scenarios
-constexpr std::size_t kLongestLine = 4096;                        // letters, most of them the map's name
+constexpr std::uintmax_t kLargestScenarioFile = std::uintmax_t{1} << 26;  // about a million scenarios
+constexpr std::size_t kLongestLine = 4096;                                // letters, most of them the map's name
 constexpr std::size_t kFields = 9;
 constexpr int kDigits = 6;
 
@@ -31,7 +31,7 @@ bool isMapName(const std::string& name) {
 /// Reads the lines behind the version, one after the other.
 class ScenarioReader {
  public:
-  explicit ScenarioReader(const std::string& path) : lines_("scenario file", path, kLargestFile) {
+  explicit ScenarioReader(const std::string& path) : lines_("scenario file", path, kLargestScenarioFile) {
     number_.imbue(std::locale::classic());
   }
 

@@ -12,8 +12,6 @@ namespace {
 /// Below this, 1/m, an arc of the lengths that matter here is a straight line to a tenth of a millimetre.
 constexpr double kStraight = 1e-5;
 
-double square(double value) { return value * value; }
-
 Footprint mirror(const Footprint& footprint, bool side, bool front) {
   std::vector<Point2> corners = footprint.corners();
   for (Point2& corner : corners) corner = {front ? -corner.x : corner.x, side ? -corner.y : corner.y};

@@ -16,8 +16,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double square(double value) { return value * value; }
-
 }  // namespace
 
 Shield::Shield(double footprint_radius, double hard_margin, double reach)

@@ -13,8 +13,6 @@ namespace {
 /// Below this, 1/m, an arc of the lengths that matter here is a straight line to a millionth of a millimetre.
 constexpr double kStraight = 1e-9;
 
-double square(double value) { return value * value; }
-
 /// An arc in the frame of the pose that it starts at, mirrored where needed so that it bends to the left.
 struct Arc {
   explicit Arc(double curvature) : radius(1.0 / std::abs(curvature)), mirror(curvature < 0.0 ? -1.0 : 1.0) {}

@@ -9,19 +9,15 @@
 
 #include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/base/common/picture_file.hpp"
+#include "robot/evaluation/drive_colours.hpp"
 #include "robot/evaluation/map_canvas.hpp"
 #include "robot/evaluation/source_colors.hpp"
 
 namespace lstm_planner {
 namespace {
 
-const cv::Scalar kUnseen(205, 205, 205);  // colours are blue, green, red
-const cv::Scalar kSeen(255, 255, 255);
-const cv::Scalar kObstacle(40, 40, 40);
-const cv::Scalar kScan(200, 60, 160);
+const cv::Scalar kScan(200, 60, 160);  // colours are blue, green, red
 const cv::Scalar kPlan(0, 140, 255);
-const cv::Scalar kRobot(130, 40, 0);
-const cv::Scalar kGoal(60, 160, 30);
 
 constexpr double kTraceWidth = 5.0;  // thousandths of the longer side
 constexpr double kPlanWidth = 4.0;
@@ -83,30 +79,30 @@ class DriveFilm::Screen {
   }
 
   void draw() {
-    canvas_.image().setTo(kUnseen);
-    canvas_.image().setTo(kSeen, seen_);
+    canvas_.image().setTo(colours::kUnknown);
+    canvas_.image().setTo(colours::kFree, seen_);
     drawMemory();
     drawScan();
     for (const Part& part : parts_) canvas_.polyline(part.path, colorOf(part.source), kTraceWidth);
     drawPlan();
     const double radius = moment_->agent.parameters().shield.footprint_radius;
-    canvas_.circle(task_.goal, radius, kGoal, cv::FILLED);
+    canvas_.circle(task_.goal, radius, colours::kGoal, cv::FILLED);
     drawRobot();
     canvas_.polyline({{moment_->pose.x, moment_->pose.y}, pointAlong(moment_->pose, moment_->pose.yaw, 2.0 * radius)},
-                     kRobot, kRobotWidth);
+                     colours::kStart, kRobotWidth);
   }
 
   void drawRobot() {
     const Footprint& footprint = moment_->agent.shield().footprint();
     if (footprint.isCircle()) {
-      canvas_.circle({moment_->pose.x, moment_->pose.y}, footprint.circumscribedRadius(), kRobot, cv::FILLED);
+      canvas_.circle({moment_->pose.x, moment_->pose.y}, footprint.circumscribedRadius(), colours::kStart, cv::FILLED);
       return;
     }
     std::vector<cv::Point> corners;
     for (const Point2& corner : footprint.corners()) {
       corners.push_back(canvas_.pixelAt(toParentFrame(moment_->pose, corner)));
     }
-    cv::fillConvexPoly(canvas_.image(), corners, kRobot);
+    cv::fillConvexPoly(canvas_.image(), corners, colours::kStart);
   }
 
   void drawMemory() {
@@ -114,7 +110,7 @@ class DriveFilm::Screen {
     for (const Point2& place : moment_->agent.rememberedObstacles()) {
       const Point2 middle = toWorld(place);
       cv::rectangle(canvas_.image(), canvas_.pixelAt({middle.x - half, middle.y - half}),
-                    canvas_.pixelAt({middle.x + half, middle.y + half}), kObstacle, cv::FILLED);
+                    canvas_.pixelAt({middle.x + half, middle.y + half}), colours::kObstacle, cv::FILLED);
     }
   }
 

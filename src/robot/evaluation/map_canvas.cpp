@@ -4,19 +4,19 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "robot/evaluation/drive_colours.hpp"
+
 namespace lstm_planner {
 namespace {
-
-const cv::Scalar kFree(255, 255, 255);
-const cv::Scalar kUnknown(205, 205, 205);
-const cv::Scalar kObstacle(40, 40, 40);
 
 cv::Mat cellsOf(const OccupancyGrid& map) {
   cv::Mat cells(map.rows(), map.columns(), CV_8UC3);
   for (int row = 0; row < map.rows(); ++row) {
     for (int column = 0; column < map.columns(); ++column) {
       const Cell cell = map.at({column, row});
-      const cv::Scalar& color = cell == Cell::kOccupied ? kObstacle : cell == Cell::kFree ? kFree : kUnknown;
+      const cv::Scalar& color = cell == Cell::kOccupied ? colours::kObstacle
+                                : cell == Cell::kFree   ? colours::kFree
+                                                        : colours::kUnknown;
       cells.at<cv::Vec3b>(map.rows() - 1 - row, column) =
           cv::Vec3b(static_cast<uchar>(color[0]), static_cast<uchar>(color[1]), static_cast<uchar>(color[2]));
     }
@@ -71,14 +71,14 @@ void MapCanvas::text(const cv::Point& position, const std::string& text, const c
   const cv::Point inside(std::max(width, std::min(position.x, image().cols - extent.width - width)),
                          std::max(extent.height + width, std::min(position.y, image().rows - below)));
   // A white rim keeps it readable over walls and traces.
-  writeText(text, inside, textSize(), kFree, 5 * width, &image());
+  writeText(text, inside, textSize(), colours::kFree, 5 * width, &image());
   writeText(text, inside, textSize(), color, width, &image());
 }
 
 int MapCanvas::addStrip(int height) {
   const int first = image().rows;
   cv::Mat extended;
-  cv::copyMakeBorder(image(), extended, 0, height, 0, 0, cv::BORDER_CONSTANT, kFree);
+  cv::copyMakeBorder(image(), extended, 0, height, 0, 0, cv::BORDER_CONSTANT, colours::kFree);
   image() = extended;
   return first;
 }

@@ -10,19 +10,15 @@
 #include <vector>
 
 #include "lstm_planner/base/common/picture_file.hpp"
+#include "robot/evaluation/drive_colours.hpp"
 #include "robot/evaluation/map_canvas.hpp"
 #include "robot/evaluation/source_colors.hpp"
 
 namespace lstm_planner {
 namespace {
 
-const cv::Scalar kPaper(255, 255, 255);  // colours are blue, green, red
-const cv::Scalar kObstacle(40, 40, 40);
-const cv::Scalar kWalker(165, 150, 120);
+const cv::Scalar kWalker(165, 150, 120);  // colours are blue, green, red
 const cv::Scalar kWalkerBefore(225, 218, 205);
-const cv::Scalar kStart(130, 40, 0);
-const cv::Scalar kReached(60, 160, 30);
-const cv::Scalar kMissed(0, 140, 255);
 const cv::Scalar kContact(200, 0, 200);
 const cv::Scalar kText(0, 0, 0);
 
@@ -32,12 +28,12 @@ constexpr double kWalkerRadius = 0.25;      // m
 constexpr std::size_t kRecentPlaces = 100;  // 10 s
 
 void drawStart(const Pose2& start, double radius, MapCanvas* canvas) {
-  canvas->circle({start.x, start.y}, radius, kStart, canvas->line(2.0));
-  canvas->polyline({{start.x, start.y}, pointAlong(start, start.yaw, 1.8 * radius)}, kStart, 2.0);
+  canvas->circle({start.x, start.y}, radius, colours::kStart, canvas->line(2.0));
+  canvas->polyline({{start.x, start.y}, pointAlong(start, start.yaw, 1.8 * radius)}, colours::kStart, 2.0);
 }
 
 void drawGoal(const TracePicture::Goal& goal, double radius, MapCanvas* canvas) {
-  const cv::Scalar& color = goal.reached ? kReached : kMissed;
+  const cv::Scalar& color = goal.reached ? colours::kGoal : colours::kMissedGoal;
   canvas->circle(goal.position, 0.6 * radius, color, cv::FILLED);
   if (!goal.reached) canvas->cross(goal.position, 2.0 * radius, color, 2.0);
   if (goal.label.empty()) return;
@@ -67,7 +63,8 @@ void drawScale(MapCanvas* canvas) {
   const cv::Point right(margin + static_cast<int>(canvas->pixelsOf(length)), left.y);
   const int rim = canvas->line(5.0);
   const int height = canvas->line(30.0);
-  cv::rectangle(canvas->image(), {left.x - rim, left.y - height}, {right.x + rim, right.y + rim}, kPaper, cv::FILLED);
+  cv::rectangle(canvas->image(), {left.x - rim, left.y - height}, {right.x + rim, right.y + rim}, colours::kFree,
+                cv::FILLED);
   cv::line(canvas->image(), left, right, kText, canvas->line(2.0));
   canvas->text(left + cv::Point(rim, -rim), inMetres(length), kText);
 }
@@ -99,9 +96,9 @@ std::vector<LegendEntry> legendOf(const TracePicture& picture, const MapCanvas& 
   };
   const auto isReached = [](const TracePicture::Goal& goal) { return goal.reached; };
   const auto& goals = picture.goals;
-  add(!picture.starts.empty(), "start", kStart, 0);
-  add(std::any_of(goals.begin(), goals.end(), isReached), "goal", kReached, 0);
-  add(!std::all_of(goals.begin(), goals.end(), isReached), "goal, missed", kMissed, 0);
+  add(!picture.starts.empty(), "start", colours::kStart, 0);
+  add(std::any_of(goals.begin(), goals.end(), isReached), "goal", colours::kGoal, 0);
+  add(!std::all_of(goals.begin(), goals.end(), isReached), "goal, missed", colours::kMissedGoal, 0);
   add(!picture.traces.empty() && picture.parts.empty(), "driven", colorOf(Decision::Source::kNetwork), dash);
   using Source = Decision::Source;
   const auto decided = [&](Source source) {
@@ -198,7 +195,8 @@ void writeTracePicture(const std::string& path, const OccupancyGrid& map, const 
     throw std::invalid_argument("longest_side is " + std::to_string(longest_side) + ", expected 16 pixels or more");
   }
   MapCanvas canvas(map, longest_side);
-  for (const Circle& circle : picture.circles) canvas.circle(circle.center, circle.radius, kObstacle, cv::FILLED);
+  for (const Circle& circle : picture.circles)
+    canvas.circle(circle.center, circle.radius, colours::kObstacle, cv::FILLED);
   drawWalkers(picture, &canvas);
   for (const std::vector<Point2>& trace : picture.traces)
     canvas.polyline(trace, colorOf(Decision::Source::kNetwork), kTraceWidth);

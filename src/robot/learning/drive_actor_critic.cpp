@@ -16,7 +16,7 @@
 namespace lstm_planner {
 namespace {
 
-const ActorCritic::CheckpointNames kCheckpointNames{"lstm_planner drive actor-critic 1", "iterations"};
+const ActorCritic::CheckpointNames kActorCriticNames{"lstm_planner drive actor-critic 1", "iterations"};
 
 /// Preferences so many times as far apart: the greedy choice stays, random ones come nearer to it.
 LayerStack sharpened(LayerStack layers, double factor) {
@@ -34,7 +34,7 @@ class PractisingActorCritic final : public DriveActorCritic {
         policy_(sharpened(std::move(layers), parameters.sharpness)),
         critic_(makeCritic(Encoder(parameters.policy.encoder).size() + kDrivePrivilegedInputs, parameters.critic_units,
                            parameters.seed + 1)),
-        learner_(kCheckpointNames, parameters, parameters.iterations, policy_, critic_,
+        learner_(kActorCriticNames, parameters, parameters.iterations, policy_, critic_,
                  parameters.course.worlds.size()) {
     DrivePolicy(parameters.policy, policy_);  // throws when they do not fit together
   }

@@ -15,7 +15,7 @@
 namespace lstm_planner {
 namespace {
 
-const QLearner::CheckpointNames kCheckpointNames{"lstm_planner drive q-learning 1", "iterations"};
+const QLearner::CheckpointNames kQLearningNames{"lstm_planner drive q-learning 1", "iterations"};
 
 /// m; a sector that sees less counts as this.
 constexpr double kNearest = 0.1;
@@ -25,7 +25,7 @@ class DriveQLearning final : public DriveLearner {
   DriveQLearning(const DriveQLearningParameters& parameters, LayerStack layers)
       : parameters_((validate(parameters), parameters)),
         layers_(std::move(layers)),
-        learner_(kCheckpointNames, parameters, parameters.iterations, layers_) {
+        learner_(kQLearningNames, parameters, parameters.iterations, layers_) {
     DrivePolicy(parameters.policy, layers_);  // throws when they do not fit together
   }
 

@@ -25,7 +25,7 @@ namespace {
 constexpr double kNearer = 0.1;
 
 /// One drive as the learner saw it.
-struct Episode {
+struct LabelledEpisode {
   std::vector<Observation> observations;
   std::vector<int> labels;  ///< -1 where the teacher had no answer
   bool arrived = false;
@@ -40,15 +40,16 @@ enum class Driver {
 };
 
 /// Drives once, asks the teacher at every step and lets the driver choose.
-Episode driveEpisode(const DriveExercise& exercise, const DriveTask& task, const ImitationParameters& parameters,
-                     const LayerStack& layers, Driver driver, std::uint64_t seed) {
+LabelledEpisode driveEpisode(const DriveExercise& exercise, const DriveTask& task,
+                             const ImitationParameters& parameters, const LayerStack& layers, Driver driver,
+                             std::uint64_t seed) {
   Random random(seed);
   const PracticeConditions conditions = drawConditions(random, exercise.other_robot);
   PolicyDescription policy = parameters.policy;
   policy.footprint_radius = exercise.footprint_radius;
   NavigationAgent agent(DrivePolicy(policy, layers), practiceAgent(policy));
   StepSimulator drive(*exercise.world, task, conditions, exercise.footprint_radius, random());
-  Episode episode;
+  LabelledEpisode episode;
   TeacherRescue rescue(kNearer, parameters.stuck_steps, parameters.rescue_steps);
   agent.setStepListener([&](const Situation&, const Observation& observation) -> std::optional<int> {
     const Pose2& pose = drive.truePose();
@@ -69,7 +70,7 @@ Episode driveEpisode(const DriveExercise& exercise, const DriveTask& task, const
 }
 
 /// The whole of an episode.
-Sequence toSequence(const Episode& episode, const Encoder& encoder) {
+Sequence toSequence(const LabelledEpisode& episode, const Encoder& encoder) {
   const auto steps = static_cast<Eigen::Index>(episode.labels.size());
   Sequence sequence{Eigen::MatrixXf(encoder.size(), steps), Eigen::VectorXi::Zero(steps), Eigen::VectorXf::Zero(steps)};
   for (Eigen::Index step = 0; step < steps; ++step) {
@@ -82,10 +83,10 @@ Sequence toSequence(const Episode& episode, const Encoder& encoder) {
   return sequence;
 }
 
-DriveScore scoreOf(const std::vector<Episode>& episodes) {
+DriveScore scoreOf(const std::vector<LabelledEpisode>& episodes) {
   DriveScore score;
   score.drives = static_cast<int>(episodes.size());
-  for (const Episode& episode : episodes) {
+  for (const LabelledEpisode& episode : episodes) {
     score.arrival += (episode.arrived ? 1.0 : 0.0) / score.drives;
     score.efficiency += episode.efficiency / score.drives;
   }
@@ -120,8 +121,8 @@ class DriveImitationCourse : public ImitationCourse {
       if (learner == nullptr) return Driver::kTeacher;
       return uniform(random) < parameters_.learner_share ? Driver::kRescuedLearner : Driver::kTeacher;
     };
-    const std::vector<Episode> episodes = drive(learner != nullptr ? *learner : layers_, round, false, driver);
-    for (const Episode& episode : episodes) steps_ += episode.labels.size();
+    const std::vector<LabelledEpisode> episodes = drive(learner != nullptr ? *learner : layers_, round, false, driver);
+    for (const LabelledEpisode& episode : episodes) steps_ += episode.labels.size();
     return cut(episodes);
   }
 
@@ -134,7 +135,7 @@ class DriveImitationCourse : public ImitationCourse {
 
   /// By its own drives in the validation worlds, which are then the next to be validated by.
   DriveScore judge(const LayerStack& learner) {
-    const std::vector<Episode> episodes = drive(learner, 0, true, [](Random&) { return Driver::kLearner; });
+    const std::vector<LabelledEpisode> episodes = drive(learner, 0, true, [](Random&) { return Driver::kLearner; });
     judged_ = cut(episodes);
     judged_learner_ = parameterVector(learner);
     return scoreOf(episodes);
@@ -152,9 +153,10 @@ class DriveImitationCourse : public ImitationCourse {
 
   /// Calls `choose_driver` for each drive of a round and lets that driver drive it.
   template <typename ChooseDriver>
-  std::vector<Episode> drive(const LayerStack& layers, int round, bool validation, const ChooseDriver& choose_driver) {
+  std::vector<LabelledEpisode> drive(const LayerStack& layers, int round, bool validation,
+                                     const ChooseDriver& choose_driver) {
     const int worlds = validation ? parameters_.validation_worlds : parameters_.worlds;
-    std::vector<std::vector<Episode>> episodes(static_cast<std::size_t>(worlds));
+    std::vector<std::vector<LabelledEpisode>> episodes(static_cast<std::size_t>(worlds));
     std::atomic<int> done{0};
     const auto work = [&](int world, int thread) {
       const int number = round * parameters_.worlds + world;
@@ -173,8 +175,8 @@ class DriveImitationCourse : public ImitationCourse {
     };
     parallelFor(worlds, parameters_.threads, work);
     worlds_before_ += worlds;
-    std::vector<Episode> all;
-    for (std::vector<Episode>& some : episodes) std::move(some.begin(), some.end(), std::back_inserter(all));
+    std::vector<LabelledEpisode> all;
+    for (std::vector<LabelledEpisode>& some : episodes) std::move(some.begin(), some.end(), std::back_inserter(all));
     return all;
   }
 
@@ -187,11 +189,11 @@ class DriveImitationCourse : public ImitationCourse {
     if (progress_) progress_(shareOf(worlds_before_ + worlds));
   }
 
-  std::vector<Sequence> cut(const std::vector<Episode>& episodes) const {
+  std::vector<Sequence> cut(const std::vector<LabelledEpisode>& episodes) const {
     const Encoder encoder(parameters_.policy.encoder);
     const SequenceCut pieces = overlappingPieces(parameters_.sequence_steps, parameters_.burn_in_steps);
     std::vector<Sequence> sequences;
-    for (const Episode& episode : episodes) cutIntoPieces(toSequence(episode, encoder), pieces, &sequences);
+    for (const LabelledEpisode& episode : episodes) cutIntoPieces(toSequence(episode, encoder), pieces, &sequences);
     return sequences;
   }
 

@@ -12,10 +12,10 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kWall = 0.1;        // m
-constexpr double kBlock = 0.15;      // m, side of what the obstacles consist of
-constexpr double kKept = 0.9;        // share of the fill after obstacles are cleared
-constexpr double kLeastFill = 0.01;  // below it all of them are cleared
+constexpr double kClutterWall = 0.1;  // m
+constexpr double kBlock = 0.15;       // m, side of what the obstacles consist of
+constexpr double kKept = 0.9;         // share of the fill after obstacles are cleared
+constexpr double kLeastFill = 0.01;   // below it all of them are cleared
 
 /// Random numbers a block, each averaged with its neighbours up to `grain` blocks away, so that high ones lie together.
 class Noise {
@@ -50,7 +50,7 @@ class Noise {
 
 /// Where what is, in cells.
 struct Plan {
-  explicit Plan(const ClutterParameters& p) : parameters(p), wall(std::max(1, cells(kWall))) {
+  explicit Plan(const ClutterParameters& p) : parameters(p), wall(std::max(1, cells(kClutterWall))) {
     const int left = cells(p.around) + wall;
     const int bottom = wall + cells(p.bay);
     field = {left, bottom, left + cells(p.width), bottom + cells(p.depth)};

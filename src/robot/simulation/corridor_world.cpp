@@ -10,12 +10,12 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kEdge = 0.2;      // m of ground around the corridors
-constexpr double kWall = 0.5;      // m between corridors side by side, at the least
-constexpr double kShortest = 2.5;  // m of corridor
-constexpr int kTries = 50;         // to find room for another corridor
-constexpr double kExtent = 5.5;    // m along x or y that the corridors reach at the least
-constexpr int kWorlds = 20;        // drawn, of which the last one is taken where none reaches as far
+constexpr double kEdge = 0.2;         // m of ground around the corridors
+constexpr double kWallBetween = 0.5;  // m between corridors side by side, at the least
+constexpr double kShortest = 2.5;     // m of corridor
+constexpr int kCorridorTries = 50;    // to find room for another corridor
+constexpr double kExtent = 5.5;       // m along x or y that the corridors reach at the least
+constexpr int kWorlds = 20;           // drawn, of which the last one is taken where none reaches as far
 
 /// Where the middle of a corridor runs, m.
 struct Corridor {
@@ -39,7 +39,7 @@ class Digger {
     const Point2 middle{0.5 * parameters_.width, 0.5 * parameters_.height};
     dig(drawAt(middle, parameters_.width >= parameters_.height));
     for (int i = 1; i < parameters_.corridors; ++i) {
-      for (int trial = 0; trial < kTries; ++trial) {
+      for (int trial = 0; trial < kCorridorTries; ++trial) {
         const Corridor& from = dug_[uniformIndex(random_, dug_.size())];
         // Ends are chosen often: that makes bends.
         const double share = uniform(random_) < 0.3 ? 1.0 : uniform(random_);
@@ -80,7 +80,7 @@ class Digger {
 
   /// Whether hardly any wall would be left between it and one that goes the same way.
   bool runsBeside(const Corridor& corridor) const {
-    const CellBox a = boxOf(corridor, kWall);
+    const CellBox a = boxOf(corridor, kWallBetween);
     return std::any_of(dug_.begin(), dug_.end(), [&](const Corridor& other) {
       const CellBox b = boxOf(other, 0.0);
       return other.along_x == corridor.along_x && a.left < b.right && b.left < a.right && a.bottom < b.top &&

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMeetingEnds = 0.05;    // m of air after which running into the robot again is a new meeting
 constexpr double kPlaceDistance = 0.25;  // m
-constexpr int kTries = 2000;
+constexpr int kWalkerTries = 2000;
 
 }  // namespace
 
@@ -37,7 +37,7 @@ Crowd::Crowd(const World& surroundings, const std::vector<Point2>& places, const
     const double distance = parameters_.first_distance + walker.body.radius;
     int tries = 0;
     do {
-      if (++tries > kTries) throw std::invalid_argument("there is no place for a walker away from the robot");
+      if (++tries > kWalkerTries) throw std::invalid_argument("there is no place for a walker away from the robot");
       walker.body.center = drawPlace(walker.body.radius);
     } while (distanceBetween(walker.body.center, robot) < distance);
     walker.destination = drawPlace(walker.body.radius);
@@ -47,7 +47,7 @@ Crowd::Crowd(const World& surroundings, const std::vector<Point2>& places, const
 }
 
 Point2 Crowd::drawPlace(double radius) {
-  for (int i = 0; i < kTries && !places_.empty(); ++i) {
+  for (int i = 0; i < kWalkerTries && !places_.empty(); ++i) {
     const Point2& place = places_[uniformIndex(random_, places_.size())];
     if (!surroundings().touches(place, radius)) return place;
   }

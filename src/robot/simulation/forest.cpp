@@ -12,8 +12,8 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kWall = 0.1;  // m
-constexpr double kEnds = 1.2;  // m at both ends without poles, for starts and goals
+constexpr double kForestWall = 0.1;  // m
+constexpr double kEnds = 1.2;        // m at both ends without poles, for starts and goals
 constexpr int kTriesAPole = 30;
 constexpr std::size_t kFelledAtOnce = 20;  // 1 of so many
 
@@ -29,7 +29,7 @@ class Forester {
     while (covered < parameters_.density * floor && failures < kTriesAPole) {
       const double radius = uniform(random_, parameters_.smallest_radius, parameters_.largest_radius);
       const Circle pole{{uniform(random_, kEnds, parameters_.width - kEnds),
-                         uniform(random_, kWall + radius, parameters_.height - kWall - radius)},
+                         uniform(random_, kForestWall + radius, parameters_.height - kForestWall - radius)},
                         radius};
       if (!fits(pole, poles)) {
         ++failures;
@@ -46,7 +46,7 @@ class Forester {
     const auto cells = [&](double metres) { return static_cast<int>(std::lround(metres / parameters_.resolution)); };
     OccupancyGrid grid(cells(parameters_.width), cells(parameters_.height), parameters_.resolution, {},
                        Cell::kOccupied);
-    const int wall = std::max(1, cells(kWall));
+    const int wall = std::max(1, cells(kForestWall));
     fillBox({wall, wall, grid.columns() - wall, grid.rows() - wall}, Cell::kFree, &grid);
     for (const Circle& pole : poles) draw(pole, &grid);
     return grid;
@@ -65,7 +65,7 @@ class Forester {
  private:
   bool fits(const Circle& pole, const std::vector<Circle>& others) const {
     if (parameters_.gap <= 0.0) return true;
-    const double low = std::min(pole.center.y, parameters_.height - pole.center.y) - kWall - pole.radius;
+    const double low = std::min(pole.center.y, parameters_.height - pole.center.y) - kForestWall - pole.radius;
     // Flush with the wall, or far enough away from it to be passed.
     if (low < parameters_.gap && low > parameters_.resolution) return false;
     return std::none_of(others.begin(), others.end(), [&](const Circle& other) {

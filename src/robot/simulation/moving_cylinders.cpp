@@ -16,7 +16,7 @@ constexpr double kPathStep = 0.1;       // m of x
 constexpr double kShortest = 5.0;       // m of x, of a path
 constexpr double kFirstDistance = 3.0;  // m
 constexpr double kCell = 0.1;           // m
-constexpr int kTries = 1000;
+constexpr int kCylinderTries = 1000;
 constexpr double kOpenFloor = 3.0;  // m of x, in front of the square's open side
 
 /// The polynomial through the points, at x (Lagrange).
@@ -100,7 +100,7 @@ MovingCylinders::MovingCylinders(const World& surroundings, const MovingCylinder
 }
 
 MovingCylinders::Route MovingCylinders::drawRoute(const Point2& robot) {
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kCylinderTries; ++i) {
     Route route;
     route.corners = drawPath();
     if (route.corners.empty()) continue;
@@ -147,7 +147,7 @@ std::vector<Point2> MovingCylinders::drawPath() {
 }
 
 double MovingCylinders::drawSpeed(double mean) {
-  for (int i = 0; i < kTries; ++i) {
+  for (int i = 0; i < kCylinderTries; ++i) {
     const double speed = mean + parameters_.spread * normal(random_);
     if (speed >= parameters_.slowest && speed <= parameters_.fastest) return speed;
   }

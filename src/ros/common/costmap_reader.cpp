@@ -13,8 +13,8 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kLogPeriod = 10.0;  // s
-constexpr double kNear = 1.0;        // m, of what is worth a line
+constexpr double kCostmapLogPeriod = 10.0;  // s
+constexpr double kNear = 1.0;               // m, of what is worth a line
 
 /// m from the origin to the nearest side of the footprint, as inflation has it; 0 for none.
 double inscribedRadius(const std::vector<geometry_msgs::Point>& footprint) {
@@ -54,8 +54,9 @@ void CostmapReader::sayWhatIsNear() const {
   double nearest = kNear;
   for (const Point2& place : obstacles_) nearest = std::min(nearest, std::hypot(place.x, place.y));
   if (nearest < kNear) {
-    ROS_INFO_THROTTLE(
-        kLogPeriod, "the costmap has an obstacle %.2f m from the robot's middle that the scan does not show", nearest);
+    ROS_INFO_THROTTLE(kCostmapLogPeriod,
+                      "the costmap has an obstacle %.2f m from the robot's middle that the scan does not show",
+                      nearest);
   }
 }
 

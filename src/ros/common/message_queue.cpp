@@ -5,11 +5,12 @@
 #include <chrono>
 #include <exception>
 
+#include "ros/common/log_period.hpp"
+
 namespace lstm_planner {
 namespace {
 
 constexpr std::chrono::milliseconds kLongestWait(100);
-constexpr double kLogPeriod = 2.0;  // s
 
 }  // namespace
 

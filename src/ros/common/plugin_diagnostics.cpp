@@ -6,12 +6,12 @@
 #include <exception>
 
 #include "lstm_planner/robot/perception/message_age.hpp"
+#include "ros/common/log_period.hpp"
 
 namespace lstm_planner {
 namespace {
 
 constexpr std::chrono::milliseconds kStatusPeriod(200);
-constexpr double kLogPeriod = 2.0;  // s
 const ros::WallDuration kDiagnosticsPeriod(1.0);
 
 /// How often and how old. `timeout_parameter`: the name of the parameter that limits the age.

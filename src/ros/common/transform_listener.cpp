@@ -4,11 +4,12 @@
 
 #include <exception>
 
+#include "ros/common/log_period.hpp"
+
 namespace lstm_planner {
 namespace {
 
 constexpr int kQueue = 100;
-constexpr double kLogPeriod = 2.0;  // s
 
 void sayLeftOut(const geometry_msgs::TransformStamped& transform, const std::string& publisher, const ros::Time& now) {
   ROS_ERROR_THROTTLE(kLogPeriod,

@@ -9,6 +9,7 @@
 #include "ros/common/costmap_footprint.hpp"
 #include "ros/common/costmap_reader.hpp"
 #include "ros/common/guarded.hpp"
+#include "ros/common/log_period.hpp"
 #include "ros/common/plugin_diagnostics.hpp"
 #include "ros/common/reconfigure_server.hpp"
 #include "ros/controller/plan_follower.hpp"
@@ -19,9 +20,8 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kLogPeriod = 2.0;  // s
-constexpr double kShortStop = 1.0;  // s: nobody needs to be told of a shorter one
-constexpr double kUnasked = 1.0;    // s
+constexpr double kShortStop = 1.0;          // s: nobody needs to be told of a shorter one
+constexpr double kControllerUnasked = 1.0;  // s
 
 }  // namespace
 
@@ -155,7 +155,7 @@ void SteeringController::startDiagnostics(const std::string& name) {
 void SteeringController::describeStop(PluginDiagnostics::Status* status) const {
   using diagnostic_msgs::DiagnosticStatus;
   const MotionCommand& command = answer_.command;
-  const bool is_asked = (ros::WallTime::now() - answer_.time).toSec() <= kUnasked;
+  const bool is_asked = (ros::WallTime::now() - answer_.time).toSec() <= kControllerUnasked;
   if (!plan_follower_) {
     status->summary(DiagnosticStatus::ERROR, "the controller cannot be used: " + why_unusable_);
   } else if (!is_asked) {

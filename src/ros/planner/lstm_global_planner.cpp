@@ -11,6 +11,7 @@
 #include "ros/common/costmap_footprint.hpp"
 #include "ros/common/costmap_reader.hpp"
 #include "ros/common/guarded.hpp"
+#include "ros/common/log_period.hpp"
 #include "ros/common/plugin_diagnostics.hpp"
 #include "ros/common/reconfigure_server.hpp"
 #include "ros/planner/plan_maker.hpp"
@@ -21,8 +22,7 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kLogPeriod = 2.0;  // s
-constexpr double kUnasked = 5.0;    // s; move_base may plan as rarely as every second
+constexpr double kPlannerUnasked = 5.0;  // s; move_base may plan as rarely as every second
 
 }  // namespace
 
@@ -119,7 +119,7 @@ void LstmGlobalPlanner::describeDrive(PluginDiagnostics::Status* status) const {
     return;
   }
   status->add("model", model_);
-  if ((ros::WallTime::now() - answer_.time).toSec() > kUnasked) {
+  if ((ros::WallTime::now() - answer_.time).toSec() > kPlannerUnasked) {
     status->summary(DiagnosticStatus::OK, "nobody asks for plans: there is no goal");
     return;
   }

@@ -64,7 +64,7 @@ struct Serializer<lstm_planner::fuzz::RawMessage> {
 }  // namespace serialization
 }  // namespace ros
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::bag_harness {
 namespace {
 
 /// Writes the messages of a drive, some with other fields or other bytes.
@@ -292,4 +292,4 @@ void convertBag(const std::uint8_t* data, std::size_t size) {
 const Registration registration("bag", &convertBag);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::bag_harness

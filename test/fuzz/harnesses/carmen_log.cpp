@@ -12,7 +12,7 @@
 #include "fuzz/small_memory.hpp"
 #include "lstm_planner/robot/dataset/recording_sink.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::carmen_log_harness {
 namespace {
 
 std::string compressed(const std::string& text) {
@@ -51,4 +51,4 @@ void readLog(const std::uint8_t* data, std::size_t size) {
 const Registration registration("carmen_log", &readLog);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::carmen_log_harness

@@ -5,7 +5,7 @@
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::checkpoint_harness {
 namespace {
 
 void readCheckpoint(const std::uint8_t* data, std::size_t size) {
@@ -22,4 +22,4 @@ void readCheckpoint(const std::uint8_t* data, std::size_t size) {
 const Registration registration("checkpoint", &readCheckpoint);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::checkpoint_harness

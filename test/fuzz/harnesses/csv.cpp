@@ -5,7 +5,7 @@
 #include "fuzz/scratch_file.hpp"
 #include "lstm_planner/base/common/csv_file.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::csv_harness {
 namespace {
 
 void readCsv(const std::uint8_t* data, std::size_t size) {
@@ -23,4 +23,4 @@ void readCsv(const std::uint8_t* data, std::size_t size) {
 const Registration registration("csv", &readCsv);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::csv_harness

@@ -4,7 +4,7 @@
 #include "fuzz/fuzz_input.hpp"
 #include "fuzz/scratch_file.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::dataset_pages_harness {
 namespace {
 
 /// A sound dataset of which some bytes are others, or whose end is missing.
@@ -31,4 +31,4 @@ void readDamaged(const std::uint8_t* data, std::size_t size) {
 const Registration registration("dataset_pages", &readDamaged);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::dataset_pages_harness

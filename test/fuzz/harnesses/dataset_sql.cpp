@@ -11,7 +11,7 @@
 #include "fuzz/fuzz_input.hpp"
 #include "fuzz/scratch_file.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::dataset_sql_harness {
 namespace {
 
 /// SQL that somebody may have run on a dataset, from a small grammar.
@@ -222,4 +222,4 @@ void readHostile(const std::uint8_t* data, std::size_t size) {
 const Registration registration("dataset_sql", &readHostile);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::dataset_sql_harness

@@ -10,7 +10,7 @@
 #include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::learner_state_harness {
 namespace {
 
 template <typename Parameters, typename Make>
@@ -50,4 +50,4 @@ void readState(const std::uint8_t* data, std::size_t size) {
 const Registration registration("learner_state", &readState);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::learner_state_harness

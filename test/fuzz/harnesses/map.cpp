@@ -4,7 +4,7 @@
 #include "fuzz/scratch_file.hpp"
 #include "lstm_planner/base/grid/map_server_map.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::map_harness {
 namespace {
 
 constexpr const char* kImageName = "map.image";  // stands for the image's path in the description
@@ -32,4 +32,4 @@ void readMap(const std::uint8_t* data, std::size_t size) {
 const Registration registration("map", &readMap);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::map_harness

@@ -2,7 +2,7 @@
 #include "fuzz/scratch_file.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::movingai_map_harness {
 namespace {
 
 void readMap(const std::uint8_t* data, std::size_t size) {
@@ -19,4 +19,4 @@ void readMap(const std::uint8_t* data, std::size_t size) {
 const Registration registration("movingai_map", &readMap);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::movingai_map_harness

@@ -4,7 +4,7 @@
 #include "fuzz/scratch_file.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::movingai_scenarios_harness {
 namespace {
 
 bool isInside(const CellIndex& cell, const Scenario& scenario) {
@@ -28,4 +28,4 @@ void readScenarioFile(const std::uint8_t* data, std::size_t size) {
 const Registration registration("movingai_scenarios", &readScenarioFile);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::movingai_scenarios_harness

@@ -14,7 +14,7 @@
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "onnx_subset.pb.h"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::onnx_harness {
 namespace {
 
 using onnx_subset::AttributeProto;
@@ -354,4 +354,4 @@ void readModel(const std::uint8_t* data, std::size_t size) {
 const Registration registration("onnx", &readModel);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::onnx_harness

@@ -11,7 +11,7 @@
 #include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/driving/rollout.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::parameters_harness {
 namespace {
 
 constexpr std::array kLeaders{Decision::Source::kNetwork, Decision::Source::kRoute, Decision::Source::kGreedy};
@@ -172,4 +172,4 @@ void useParameters(const std::uint8_t* data, std::size_t size) {
 const Registration registration("parameters", &useParameters);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::parameters_harness

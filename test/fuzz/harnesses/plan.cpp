@@ -10,7 +10,7 @@
 #include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "lstm_planner/robot/driving/rollout.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::plan_harness {
 namespace {
 
 constexpr int kMostCalls = 8;
@@ -65,4 +65,4 @@ void plan(const std::uint8_t* data, std::size_t size) {
 const Registration registration("plan", &plan);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::plan_harness

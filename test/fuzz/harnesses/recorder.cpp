@@ -7,7 +7,7 @@
 #include "lstm_planner/robot/dataset/drive_recorder.hpp"
 #include "lstm_planner/robot/dataset/event_order.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::recorder_harness {
 namespace {
 
 constexpr int kMostEvents = 200;
@@ -131,4 +131,4 @@ void record(const std::uint8_t* data, std::size_t size) {
 const Registration registration("recorder", &record);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::recorder_harness

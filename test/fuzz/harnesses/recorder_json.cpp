@@ -4,7 +4,7 @@
 #include "fuzz/harness.hpp"
 #include "lstm_planner/robot/dataset/recorder_parameters.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::recorder_json_harness {
 namespace {
 
 /// The parameters that a dataset stores with each recording.
@@ -21,4 +21,4 @@ void readParameters(const std::uint8_t* data, std::size_t size) {
 const Registration registration("recorder_json", &readParameters);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::recorder_json_harness

@@ -8,7 +8,7 @@
 #include "lstm_planner/robot/perception/moving_returns.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
 
-namespace lstm_planner::fuzz {
+namespace lstm_planner::fuzz::scan_harness {
 namespace {
 
 constexpr double kRangeCap = 6.0;       // m
@@ -95,4 +95,4 @@ void seeAndDrive(const std::uint8_t* data, std::size_t size) {
 const Registration registration("scan", &seeAndDrive);
 
 }  // namespace
-}  // namespace lstm_planner::fuzz
+}  // namespace lstm_planner::fuzz::scan_harness

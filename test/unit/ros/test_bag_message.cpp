@@ -9,7 +9,7 @@
 
 #include "ros/recorder/bag_message.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_bag_message {
 namespace {
 
 template <typename Message>
@@ -68,4 +68,4 @@ TEST(BagMessage, MayBeCutOffAnywhere) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_bag_message

@@ -5,7 +5,7 @@
 
 #include "ros/panel/drive_view.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_view {
 namespace {
 
 Report networkDecision() {
@@ -125,4 +125,4 @@ TEST(DriveView, SaysHowTheRecordingGoes) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_view

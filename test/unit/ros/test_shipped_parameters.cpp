@@ -16,7 +16,7 @@
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_shipped_parameters {
 namespace {
 
 /// What a yaml file says of a parameter.
@@ -139,4 +139,4 @@ TEST(ShippedParameters, OfTheScriptedDriverAreAllThatThereAreWithDefaultsAndRang
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_shipped_parameters

@@ -2,7 +2,7 @@
 
 #include "ros/common/stopwatch.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_stopwatch {
 namespace {
 
 class StopwatchTest : public ::testing::Test {
@@ -43,4 +43,4 @@ TEST_F(StopwatchTest, StartsWhenThereIsATime) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_stopwatch

@@ -11,7 +11,7 @@
 
 #include "support/tool_test.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_command_line {
 namespace {
 
 class CommandLineTool : public test::ToolTest {
@@ -163,4 +163,4 @@ TEST_F(CommandLineTool, TheSecondSignalEndsATrainingAtOnce) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_command_line

@@ -18,7 +18,7 @@
 #include "support/real_data.hpp"
 #include "support/tool_test.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_dataset_conversion_tool {
 namespace {
 
 class DatasetConversionTool : public test::ToolTest {
@@ -142,4 +142,4 @@ TEST_F(DatasetConversionTool, BagsWithoutGoalsNameHindsight) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_dataset_conversion_tool

@@ -8,7 +8,7 @@
 #include "lstm_planner/robot/dataset/dataset.hpp"
 #include "support/tool_test.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_dataset_simulate_tool {
 namespace {
 
 class DatasetSimulateTool : public test::ToolTest {
@@ -75,4 +75,4 @@ TEST_F(DatasetSimulateTool, SaysWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_dataset_simulate_tool

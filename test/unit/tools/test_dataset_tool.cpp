@@ -8,7 +8,7 @@
 #include "support/shell.hpp"
 #include "unit/robot/dataset/dataset_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_dataset_tool {
 namespace {
 
 class DatasetTool : public ExampleFileTest {
@@ -99,4 +99,4 @@ TEST_F(DatasetTool, RefusesWhatItCannotDoWithASentence) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_dataset_tool

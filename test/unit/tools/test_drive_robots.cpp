@@ -10,7 +10,7 @@
 
 #include "support/tool_test.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_robots {
 namespace {
 
 std::vector<std::string> robots() {
@@ -138,4 +138,4 @@ TEST_F(DriveRobots, AFileThatMakesNoSenseIsRefusedWithASentence) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_robots

@@ -14,7 +14,7 @@
 #include "support/real_data.hpp"
 #include "support/tool_test.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_tool {
 namespace {
 
 class DriveTool : public test::ToolTest {
@@ -180,4 +180,4 @@ TEST_F(DriveTool, RefusesBadOptionsWithASentence) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_tool

@@ -10,7 +10,7 @@
 #include "support/picture_check.hpp"
 #include "support/tool_test.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_maps_tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ TEST_F(MapsTool, ReportComparesAgentsInTablesAndPictures) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_maps_tool

@@ -6,7 +6,7 @@
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "support/tool_test.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_model_tool {
 namespace {
 
 const std::string kExported = LSTM_PLANNER_SOURCE_DIR "/test/models/pytorch_states.onnx";
@@ -77,4 +77,4 @@ TEST_F(ModelTool, RefusesWhatDoesNotFitAndWritesNothing) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_model_tool

@@ -11,7 +11,7 @@
 
 #include "support/tool_test.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_pages {
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,4 +53,4 @@ INSTANTIATE_TEST_SUITE_P(All, Pages,
                          [](const auto& page) { return std::regex_replace(page.param, std::regex(R"(\W)"), "_"); });
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_pages

@@ -14,7 +14,7 @@
 #include "support/tool_test.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_train_dataset_tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -195,4 +195,4 @@ TEST_F(TrainDatasetTool, BadOptionsAreRefusedWithASentenceBeforeAnythingIsWritte
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_train_dataset_tool

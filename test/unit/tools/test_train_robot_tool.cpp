@@ -4,7 +4,7 @@
 #include "lstm_planner/robot/learning/drive_course.hpp"
 #include "support/tool_test.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_train_robot_tool {
 namespace {
 
 class TrainRobotTool : public test::ToolTest {
@@ -118,4 +118,4 @@ TEST_F(TrainRobotTool, ImitationRefusesTheCheckpointOfAnother) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_train_robot_tool

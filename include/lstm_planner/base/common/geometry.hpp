@@ -23,6 +23,8 @@ struct Twist2 {
   double angular = 0.0;
 };
 
+inline double square(double value) { return value * value; }
+
 /// The angle normalised to (-pi, pi], rad; NaN if the angle is not finite.
 inline double normalizeAngle(double angle) {
   if (angle > -M_PI && angle <= M_PI) return angle;  // nearly always, and the remainder is dear

@@ -2,7 +2,7 @@
 
 #include "lstm_planner/base/common/arc.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_arc {
 namespace {
 
 TEST(Arc, AQuarterOfACircleByItsTurn) {
@@ -34,4 +34,4 @@ TEST(Arc, OdometryGoesStraightInTheMeanHeading) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_arc

@@ -5,7 +5,7 @@
 
 #include "lstm_planner/base/common/boxed.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_boxed {
 namespace {
 
 TEST(Boxed, TakesNoMoreRoomThanAPointer) { EXPECT_EQ(sizeof(Boxed<std::vector<int>>), sizeof(void*)); }
@@ -30,4 +30,4 @@ TEST(Boxed, NoneIsCopiedAsNone) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_boxed

@@ -2,7 +2,7 @@
 
 #include "lstm_planner/base/common/canvas.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_canvas {
 namespace {
 
 const cv::Vec3b kWhite(255, 255, 255);
@@ -48,4 +48,4 @@ TEST(Canvas, ACrossReachesAsFarToEachSide) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_canvas

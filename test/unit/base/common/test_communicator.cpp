@@ -3,7 +3,7 @@
 #include "lstm_planner/base/common/communicator.hpp"
 #include "unit/base/learning/thread_ranks.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_communicator {
 namespace {
 
 TEST(Communicator, SharesAreNeighboursOfEqualSizeGiveOrTakeOne) {
@@ -52,4 +52,4 @@ TEST(Communicator, AllRanksAgreeOnTheLargestNumber) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_communicator

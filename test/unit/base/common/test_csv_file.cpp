@@ -7,7 +7,7 @@
 #include "support/folder_test.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_csv_file {
 namespace {
 
 class CsvFileTest : public test::FolderTest {
@@ -47,4 +47,4 @@ TEST_F(CsvFileTest, RefusesAFileWithoutAColumnThatIsNeeded) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_csv_file

@@ -7,7 +7,7 @@
 
 #include "lstm_planner/base/common/csv_writer.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_csv_writer {
 namespace {
 
 TEST(CsvWriter, WritesRowsOfTextNumbersAndListsInOneOrAFewPieces) {
@@ -67,4 +67,4 @@ TEST(CsvWriter, WhatIsNoFiniteNumberIsEmpty) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_csv_writer

@@ -3,7 +3,7 @@
 #include "lstm_planner/base/common/file_hash.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_file_hash {
 namespace {
 
 TEST(FileHash, IsWhatSha1sumPrints) {
@@ -14,4 +14,4 @@ TEST(FileHash, IsWhatSha1sumPrints) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_file_hash

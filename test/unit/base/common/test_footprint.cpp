@@ -7,7 +7,7 @@
 
 #include "lstm_planner/base/common/footprint.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_footprint {
 namespace {
 
 using ::testing::HasSubstr;
@@ -91,4 +91,4 @@ TEST(Footprint, RefusesWhatIsNoFootprintAndSaysWhy) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_footprint

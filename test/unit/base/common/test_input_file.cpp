@@ -15,7 +15,7 @@
 #include "support/folder_test.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_input_file {
 namespace {
 
 class InputFile : public test::FolderTest {
@@ -72,4 +72,4 @@ TEST_F(InputFile, NoReaderWaitsForAPipeOrReadsADevice) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_input_file

@@ -4,7 +4,7 @@
 
 #include "lstm_planner/base/common/markdown_table.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_markdown_table {
 namespace {
 
 TEST(MarkdownTable, HasHeadingsARuleAndRows) {
@@ -15,4 +15,4 @@ TEST(MarkdownTable, HasHeadingsARuleAndRows) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_markdown_table

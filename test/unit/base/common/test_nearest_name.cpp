@@ -2,7 +2,7 @@
 
 #include "lstm_planner/base/common/nearest_name.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_nearest_name {
 namespace {
 
 const std::vector<std::string> kNames = {"goals", "walkers", "worlds", "iterations", "step/length", "step/turn"};
@@ -30,4 +30,4 @@ TEST(NearestName, EndsASentence) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_nearest_name

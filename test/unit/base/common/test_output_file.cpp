@@ -8,7 +8,7 @@
 #include "lstm_planner/base/common/output_file.hpp"
 #include "support/folder_test.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_output_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -94,4 +94,4 @@ TEST_F(OutputFileTest, DoesNotReplaceWhatIsNotToBeReplaced) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_output_file

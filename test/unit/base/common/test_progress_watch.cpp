@@ -2,7 +2,7 @@
 
 #include "lstm_planner/base/common/progress_watch.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_progress_watch {
 namespace {
 
 TEST(DrivenProgressWatch, CountsWhatIsSpentWithoutProgress) {
@@ -42,4 +42,4 @@ TEST(DrivenProgressWatch, ForgetsWhenCleared) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_progress_watch

@@ -4,7 +4,7 @@
 
 #include "lstm_planner/base/common/quantile.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_quantile {
 namespace {
 
 TEST(Quantile, IsAValueByNearestRank) {
@@ -19,4 +19,4 @@ TEST(Quantile, IsAValueByNearestRank) {
 TEST(Quantile, OfNothingIsNotANumber) { EXPECT_TRUE(std::isnan(quantile({}, 0.5))); }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_quantile

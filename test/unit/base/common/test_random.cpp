@@ -7,7 +7,7 @@
 
 #include "lstm_planner/base/common/random.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_random {
 namespace {
 
 TEST(Random, GivesTheSameNumbersOnEveryMachine) {
@@ -69,4 +69,4 @@ TEST(Random, ShufflesWithoutLosingAnything) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_random

@@ -2,7 +2,7 @@
 
 #include "lstm_planner/base/common/segment.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_segment {
 namespace {
 
 TEST(Segment, TheDistanceIsFromTheNearestPointOfIt) {
@@ -13,4 +13,4 @@ TEST(Segment, TheDistanceIsFromTheNearestPointOfIt) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_segment

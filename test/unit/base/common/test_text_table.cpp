@@ -4,7 +4,7 @@
 
 #include "lstm_planner/base/common/text_table.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_text_table {
 namespace {
 
 TEST(TextTable, CellsEndWhereTheirHeadingsEnd) {
@@ -36,4 +36,4 @@ TEST(TextTable, FixedTextHasAsManyDecimalsAsWanted) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_text_table

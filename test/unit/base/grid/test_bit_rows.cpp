@@ -6,7 +6,7 @@
 #include "lstm_planner/base/grid/bit_rows.hpp"
 #include "support/case_name.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_bit_rows {
 namespace {
 
 /// Bits in a plain array.
@@ -82,4 +82,4 @@ TEST(BitRows, SetsAndResetsOneBit) {
 INSTANTIATE_TEST_SUITE_P(Widths, BitRowsOfWidth, ::testing::Values(63, 64, 65, 100, 128, 130), test::caseName("Bits"));
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_bit_rows

@@ -7,7 +7,7 @@
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/base/grid/distance_field.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_distance_field {
 namespace {
 
 TEST(DistanceField, IsTheDistanceToTheNearestBlockedCentre) {
@@ -92,4 +92,4 @@ TEST(GeodesicField, PrefersTheMiddleWhenReluctant) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_distance_field

@@ -11,7 +11,7 @@
 #include "support/case_name.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_map_generators {
 namespace {
 
 constexpr int kSeeds = 10;
@@ -255,4 +255,4 @@ TEST(MapGenerators, RefuseBadParametersByName) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_map_generators

@@ -15,7 +15,7 @@
 #include "support/real_data.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_map_server_map {
 namespace {
 
 class MapServerMap : public test::FolderTest {
@@ -171,4 +171,4 @@ TEST(RealMaps, CanAllBeRead) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_map_server_map

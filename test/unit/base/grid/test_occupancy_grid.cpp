@@ -6,7 +6,7 @@
 
 #include "lstm_planner/base/grid/occupancy_grid.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_occupancy_grid {
 namespace {
 
 TEST(OccupancyGrid, FindsCellsThroughATurnedOrigin) {
@@ -38,4 +38,4 @@ TEST(OccupancyGrid, RefusesImpossibleGeometry) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_occupancy_grid

@@ -4,7 +4,7 @@
 
 #include "lstm_planner/base/grid/passable_grid.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_passable_grid {
 namespace {
 
 TEST(PassableGrid, RefusesAbsurdSizes) {
@@ -22,4 +22,4 @@ TEST(PassableGrid, ADiagonalMoveNeedsBothItsSidesUnlessCornersMayBeCut) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_passable_grid

@@ -8,7 +8,7 @@
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_actor_critic {
 namespace {
 
 LayerStack network(int outputs, std::uint64_t seed) {
@@ -101,4 +101,4 @@ TEST(ActorCritic, RefusesOtherCheckpointsAndStaysAsItWas) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_actor_critic

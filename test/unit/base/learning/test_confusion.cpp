@@ -12,7 +12,7 @@
 #include "support/picture_check.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_confusion {
 namespace {
 
 namespace fs = std::filesystem;
@@ -61,4 +61,4 @@ TEST(Confusion, PictureIsDrawnAndTheCountsAreBesideIt) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_confusion

@@ -2,7 +2,7 @@
 
 #include "lstm_planner/base/learning/critic.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_critic {
 namespace {
 
 TEST(CriticSums, AllOfTheVarianceIsExplainedWhereThereAreNoErrorsAndNoneWhereTheMeanIsAsGood) {
@@ -38,4 +38,4 @@ TEST(CriticSums, SumsOfPartsAreThoseOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_critic

@@ -9,7 +9,7 @@
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/network/network.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_gradient {
 namespace {
 
 constexpr int kInputs = 3;
@@ -252,4 +252,4 @@ TEST(ParameterVector, RoundTripKeepsEveryParameterAndTellsWeightsFromBiases) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_gradient

@@ -8,7 +8,7 @@
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "unit/base/learning/toy_tasks.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_imitation_rounds {
 namespace {
 
 /// What a course was asked for: round, and the learner's weights.
@@ -133,4 +133,4 @@ TEST(ImitationState, OfManyLevelsIsRefused) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_imitation_rounds

@@ -7,7 +7,7 @@
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_initialisation {
 namespace {
 
 TEST(Initialisation, ForgetGatesStartOpenAndOtherBiasesAtZero) {
@@ -133,4 +133,4 @@ TEST(NetworkShape, RefusesWhatIsNoNetwork) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_initialisation

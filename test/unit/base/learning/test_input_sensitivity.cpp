@@ -9,7 +9,7 @@
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_input_sensitivity {
 namespace {
 
 /// Inputs of zero, at which tanh is the identity to first order.
@@ -89,4 +89,4 @@ TEST(FirstStepSensitivity, RefusesWhatHasNone) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_input_sensitivity

@@ -5,7 +5,7 @@
 
 #include "lstm_planner/base/learning/label_balance.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_label_balance {
 namespace {
 
 Sequence sequenceOf(const std::vector<int>& labels) {
@@ -65,4 +65,4 @@ TEST(LabelBalance, NamesAreReadBack) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_label_balance

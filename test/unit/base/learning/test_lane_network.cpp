@@ -10,7 +10,7 @@
 #include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/network/network.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_lane_network {
 namespace {
 
 constexpr int kLanes = 16;
@@ -124,4 +124,4 @@ TEST(LaneNetwork, ErrorsDoNotPassTheBeginningOfAnEpisode) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_lane_network

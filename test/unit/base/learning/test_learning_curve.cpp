@@ -12,7 +12,7 @@
 #include "support/picture_check.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_learning_curve {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ TEST_F(LearningCurve, UnwritableFileIsNamed) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_learning_curve

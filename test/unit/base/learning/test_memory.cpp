@@ -4,7 +4,7 @@
 #include "lstm_planner/base/learning/trainer.hpp"
 #include "unit/base/learning/toy_tasks.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_memory {
 namespace {
 
 double accuracyAfterTraining(LayerStack layers, const std::vector<Sequence>& training,
@@ -36,4 +36,4 @@ TEST(Memory, StackedLstmLearnsTheParityOfABitStreamAndADenseStackCannot) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_memory

@@ -4,7 +4,7 @@
 
 #include "lstm_planner/base/learning/memory_comparison.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_memory_comparison {
 namespace {
 
 MemoryComparisonParameters shortComparison() {
@@ -54,4 +54,4 @@ TEST(MemoryComparison, RefusesADelayThatIsNotMeasured) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_memory_comparison

@@ -6,7 +6,7 @@
 
 #include "lstm_planner/base/learning/optimiser.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_optimiser {
 namespace {
 
 Eigen::VectorXf vector(std::initializer_list<float> values) {
@@ -144,4 +144,4 @@ TEST(Optimiser, RefusesParametersOutOfRange) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_optimiser

@@ -5,7 +5,7 @@
 
 #include "lstm_planner/base/learning/policy_gradient.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_policy_gradient {
 namespace {
 
 constexpr int kActions = 4;
@@ -78,4 +78,4 @@ TEST(PolicyGradient, SlopesAreTheDerivativesOfGainAndEntropy) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_policy_gradient

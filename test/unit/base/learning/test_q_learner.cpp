@@ -7,7 +7,7 @@
 #include "lstm_planner/base/learning/q_learner.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_q_learner {
 namespace {
 
 QLearner learner(int units = 4) {
@@ -59,4 +59,4 @@ TEST(QLearner, RefusesANetworkOfAnotherSize) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_q_learner

@@ -4,7 +4,7 @@
 
 #include "lstm_planner/base/learning/q_learning_targets.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_q_learning_targets {
 namespace {
 
 QTransition greedyStep(double reward, double value) {
@@ -73,4 +73,4 @@ TEST(QTargets, HuberDerivativeIsTheErrorUpToItsLimit) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_q_learning_targets

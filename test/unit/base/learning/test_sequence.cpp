@@ -7,7 +7,7 @@
 #include "lstm_planner/base/learning/sequence.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_sequence {
 namespace {
 
 Sequence goodSequence() { return {Eigen::MatrixXf::Zero(3, 4), Eigen::VectorXi::Zero(4), Eigen::VectorXf::Ones(4)}; }
@@ -93,4 +93,4 @@ TEST(Sequence, StepsWithWeightAreCounted) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_sequence

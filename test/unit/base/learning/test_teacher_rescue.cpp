@@ -4,7 +4,7 @@
 
 #include "lstm_planner/base/learning/teacher_rescue.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_teacher_rescue {
 namespace {
 
 /// Whether the teacher leads, step by step.
@@ -28,4 +28,4 @@ TEST(TeacherRescue, DoesNotTakeSmallStepsForProgress) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_teacher_rescue

@@ -6,7 +6,7 @@
 #include "lstm_planner/base/learning/tile_exchange.hpp"
 #include "unit/base/learning/thread_ranks.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_tile_exchange {
 namespace {
 
 /// A number, and some more.
@@ -52,4 +52,4 @@ TEST(TileExchange, AllRanksGetWhatOneProcessGets) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_tile_exchange

@@ -8,7 +8,7 @@
 #include "lstm_planner/base/learning/trainer.hpp"
 #include "unit/base/learning/toy_tasks.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_trainer {
 namespace {
 
 LayerStack startingLayers() {
@@ -292,4 +292,4 @@ TEST(Trainer, RefusesBadParametersAndSets) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_trainer

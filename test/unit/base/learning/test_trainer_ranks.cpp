@@ -6,7 +6,7 @@
 #include "unit/base/learning/thread_ranks.hpp"
 #include "unit/base/learning/toy_tasks.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_trainer_ranks {
 namespace {
 
 struct Outcome {
@@ -55,4 +55,4 @@ TEST(Trainer, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_trainer_ranks

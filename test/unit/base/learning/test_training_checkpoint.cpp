@@ -12,7 +12,7 @@
 #include "support/folder_test.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_training_checkpoint {
 namespace {
 
 class TrainingCheckpointFile : public test::FolderTest {
@@ -85,4 +85,4 @@ TEST_F(TrainingCheckpointFile, LeavesTheOldOneWhenItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_training_checkpoint

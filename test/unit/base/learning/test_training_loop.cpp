@@ -16,7 +16,7 @@
 #include "support/folder_test.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_training_loop {
 namespace {
 
 constexpr int kSteps = 12;
@@ -289,4 +289,4 @@ TEST_F(TrainingLoop, RefusesProgressThatIsNone) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_training_loop

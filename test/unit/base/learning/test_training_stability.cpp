@@ -17,7 +17,7 @@
 #include "support/scratch_folder.hpp"
 #include "unit/base/learning/toy_tasks.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_training_stability {
 namespace {
 
 namespace fs = std::filesystem;
@@ -118,4 +118,4 @@ TEST(TrainingStability, PictureShowsTheCurvesAndTheCsvHasALineAnEpoch) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_training_stability

@@ -12,7 +12,7 @@
 #include "support/instruction_sets.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_batch_network {
 namespace {
 
 using test::largestDifference;
@@ -193,4 +193,4 @@ TEST(BatchNetwork, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_batch_network

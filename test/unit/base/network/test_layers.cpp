@@ -8,7 +8,7 @@
 #include "support/refusal.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_layers {
 namespace {
 
 using test::LayerMaker;
@@ -116,4 +116,4 @@ TEST(Layers, CandidateIsTanhOrSigmoid) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_layers

@@ -5,7 +5,7 @@
 #include "unit/base/network/model_file_fixtures.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_model_file {
 namespace {
 
 using test::LayerMaker;
@@ -145,4 +145,4 @@ TEST_F(ModelFile, HugeFilesAreRefusedUnread) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_model_file

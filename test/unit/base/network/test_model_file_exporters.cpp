@@ -6,7 +6,7 @@
 
 // Forms of the same network that other exporters write.
 
-namespace lstm_planner {
+namespace lstm_planner::test_model_file_exporters {
 namespace {
 
 using onnx_subset::ModelProto;
@@ -196,4 +196,4 @@ TEST_F(ModelFileExporters, BatchWithoutANumberAndWeightsAmongTheInputs) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_model_file_exporters

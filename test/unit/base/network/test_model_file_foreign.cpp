@@ -10,7 +10,7 @@
 // Files that PyTorch exported, and files in the forms that tf2onnx gives to Keras models, with the answers that they
 // must give: test/models/export_pytorch.py and keras_forms.py make both.
 
-namespace lstm_planner {
+namespace lstm_planner::test_model_file_foreign {
 namespace {
 
 constexpr int kInputs = 14;
@@ -127,4 +127,4 @@ TEST_F(PytorchRefusals, ConstantsThatWouldFillTheMemory) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_model_file_foreign

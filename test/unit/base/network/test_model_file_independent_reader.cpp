@@ -5,7 +5,7 @@
 #include "unit/base/network/model_file_fixtures.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_model_file_independent_reader {
 namespace {
 
 using test::LayerMaker;
@@ -52,4 +52,4 @@ TEST_F(IndependentReader, AcceptsAndRunsANetThatEndsInAnLstm) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_model_file_independent_reader

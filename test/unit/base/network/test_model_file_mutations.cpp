@@ -5,7 +5,7 @@
 #include "unit/base/network/model_file_fixtures.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_model_file_mutations {
 namespace {
 
 using test::LayerMaker;
@@ -103,4 +103,4 @@ TEST_F(ModelFileMutations, GarbageIsRefused) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_model_file_mutations

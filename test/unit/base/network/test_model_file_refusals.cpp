@@ -4,7 +4,7 @@
 #include "unit/base/network/model_file_fixtures.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_model_file_refusals {
 namespace {
 
 using onnx_subset::ModelProto;
@@ -220,4 +220,4 @@ TEST_F(ModelFileRefusals, NamesThatAreDefinedTwice) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_model_file_refusals

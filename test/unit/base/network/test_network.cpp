@@ -8,7 +8,7 @@
 #include "lstm_planner/base/network/network.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_network {
 namespace {
 
 using Eigen::VectorXf;
@@ -231,4 +231,4 @@ TEST(Network, LayersThatDoNotFitAreRefused) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_network

@@ -5,7 +5,7 @@
 #include "support/heap_count.hpp"
 #include "unit/base/network/network_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_network_allocations {
 namespace {
 
 TEST(NetworkAllocations, NoneInAThousandSteps) {
@@ -45,4 +45,4 @@ TEST(BatchNetworkAllocations, NoneInAThousandSteps) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_network_allocations

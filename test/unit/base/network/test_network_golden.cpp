@@ -12,7 +12,7 @@
 #include "support/real_data.hpp"
 #include "support/thesis_network.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_network_golden {
 namespace {
 
 namespace fs = std::filesystem;
@@ -106,4 +106,4 @@ INSTANTIATE_TEST_SUITE_P(Thesis, GoldenNetwork,
                          [](const auto& info) { return std::string(info.index == 0 ? "EightCells" : "SixteenCells"); });
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_network_golden

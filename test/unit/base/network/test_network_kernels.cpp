@@ -12,7 +12,7 @@
 
 // Every kernel that this machine can run, whichever it would choose by itself.
 
-namespace lstm_planner {
+namespace lstm_planner::test_network_kernels {
 namespace {
 
 using Eigen::VectorXf;
@@ -206,4 +206,4 @@ TEST(NetworkKernel, ThatTheMachineCannotRunIsRefused) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_network_kernels

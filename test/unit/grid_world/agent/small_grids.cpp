@@ -7,12 +7,14 @@
 namespace lstm_planner {
 namespace {
 
-using Random = std::mt19937;
+using SmallGridRandom = std::mt19937;
 
 /// Not std::uniform_int_distribution: its numbers differ between libraries.
-int below(int limit, Random* random) { return static_cast<int>((*random)() % static_cast<std::uint32_t>(limit)); }
+int below(int limit, SmallGridRandom* random) {
+  return static_cast<int>((*random)() % static_cast<std::uint32_t>(limit));
+}
 
-PassableGrid filledGrid(Random* random) {
+PassableGrid filledGrid(SmallGridRandom* random) {
   PassableGrid grid(3 + below(18, random), 3 + below(18, random), true);
   const int percent = 10 + below(41, random);
   for (int row = 0; row < grid.rows(); ++row) {
@@ -32,7 +34,7 @@ void carve(PassableGrid* grid, CellIndex from, CellIndex to, int width) {
 }
 
 /// A spanning tree of corridors by a random walk that backtracks; sometimes a few walls are taken out again.
-PassableGrid mazeGrid(Random* random) {
+PassableGrid mazeGrid(SmallGridRandom* random) {
   const int width = 1 + below(3, random);
   const int pitch = width + 1;
   const int columns = 2 + below(18 / pitch, random);
@@ -62,7 +64,7 @@ PassableGrid mazeGrid(Random* random) {
   return grid;
 }
 
-CellIndex freeCell(const PassableGrid& grid, Random* random) {
+CellIndex freeCell(const PassableGrid& grid, SmallGridRandom* random) {
   for (;;) {
     const CellIndex cell = {below(grid.columns(), random), below(grid.rows(), random)};
     if (grid.passable(cell)) return cell;
@@ -86,7 +88,7 @@ SmallGrid drawnGrid(const std::vector<std::string>& rows) {
 }
 
 SmallGrid smallGrid(std::uint32_t seed) {
-  Random random(seed);
+  SmallGridRandom random(seed);
   SmallGrid world;
   world.grid = seed % 4 == 0 ? mazeGrid(&random) : filledGrid(&random);
   // Two places to stand on, however full the grid is.

@@ -5,7 +5,7 @@
 #include "grid_world/agent/a_star_agent.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_a_star_agent {
 namespace {
 
 /// A wall across the middle with a gap at the far end.
@@ -87,4 +87,4 @@ TEST(AStarAgent, RefusesAGoalInAWall) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_a_star_agent

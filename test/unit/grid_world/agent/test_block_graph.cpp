@@ -3,7 +3,7 @@
 #include "lstm_planner/grid_world/agent/block_graph.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_block_graph {
 namespace {
 
 using Cell = SeenGrid::Cell;
@@ -93,4 +93,4 @@ TEST(BlockGraph, FromWhereTheAgentStandsItCountsWhatTheAgentCanReach) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_block_graph

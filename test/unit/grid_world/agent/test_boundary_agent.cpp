@@ -8,7 +8,7 @@
 #include "unit/grid_world/agent/small_grids.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_boundary_agent {
 namespace {
 
 struct Legs {
@@ -156,4 +156,4 @@ TEST(BoundaryAgent, ArrivesWhenTheTrailHasNoRoomForThePathBack) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_boundary_agent

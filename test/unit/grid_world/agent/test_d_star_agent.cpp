@@ -8,7 +8,7 @@
 #include "unit/base/common/random_grid.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_d_star_agent {
 namespace {
 
 struct Episode {
@@ -114,4 +114,4 @@ TEST(DStarAgent, RefusesEndsOutside) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_d_star_agent

@@ -4,7 +4,7 @@
 #include "unit/grid_world/agent/small_grids.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_greedy_agent {
 namespace {
 
 TEST(GreedyAgent, TakesTheShortestPathInTheOpen) {
@@ -54,4 +54,4 @@ TEST(GreedyAgent, NeverCollides) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_greedy_agent

@@ -7,7 +7,7 @@
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_encoder {
 namespace {
 
 using Inputs = GridEncoderParameters::Inputs;
@@ -102,4 +102,4 @@ TEST(GridEncoder, TravelsInTheMetadata) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_encoder

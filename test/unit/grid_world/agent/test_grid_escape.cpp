@@ -13,7 +13,7 @@
 #include "unit/grid_world/agent/small_grids.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_escape {
 namespace {
 
 /// Some possible move, or kNoPath when shut in.
@@ -193,4 +193,4 @@ TEST(GridEscape, RefusesParametersThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_escape

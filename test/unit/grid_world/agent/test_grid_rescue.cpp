@@ -12,7 +12,7 @@
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "unit/grid_world/agent/small_grids.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_rescue {
 namespace {
 
 /// The rescue alone, from the first step on.
@@ -148,4 +148,4 @@ TEST(GridRescue, RefusesParametersThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_rescue

@@ -7,7 +7,7 @@
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_network_grid_agent {
 namespace {
 
 /// A network that knows nothing: random weights.
@@ -121,4 +121,4 @@ TEST(NetworkGridAgent, NeedsAtMost64KiBWhateverItMeets) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_network_grid_agent

@@ -8,7 +8,7 @@
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_rolling_planner {
 namespace {
 
 PassableGrid randomGrid(int side, double share, std::uint64_t seed) {
@@ -153,4 +153,4 @@ TEST(RollingPlanner, PlansAgainWhenSomebodyElseMadeTheStep) {
 TEST(RollingPlanner, NeedsLessThan26KiB) { EXPECT_LT(RollingPlanner().bytes(), 26u * 1024u); }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_rolling_planner

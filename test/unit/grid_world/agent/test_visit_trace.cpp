@@ -2,7 +2,7 @@
 
 #include "lstm_planner/grid_world/agent/visit_trace.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_visit_trace {
 namespace {
 
 TEST(VisitTrace, KnowsNothingAtFirstAndAfterClearing) {
@@ -58,4 +58,4 @@ TEST(VisitTrace, ForgetsRatherThanTakesOldForNewWhenTheStampsRunOut) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_visit_trace

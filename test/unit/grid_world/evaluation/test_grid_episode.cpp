@@ -8,7 +8,7 @@
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_episode {
 namespace {
 
 /// The cells of the top row can be walked from end to end; the middle of the second row is blocked.
@@ -167,4 +167,4 @@ TEST(GridEpisode, RefusesAStartInAWallAndADecisionThatIsNoDirection) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_episode

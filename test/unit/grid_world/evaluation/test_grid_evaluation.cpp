@@ -13,7 +13,7 @@
 #include "unit/base/learning/thread_ranks.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_evaluation {
 namespace {
 
 /// Maps with random obstacles, and tasks between cells that are connected.
@@ -260,4 +260,4 @@ TEST(GridAgentFactory, RefusesUnknownNamesAndBadScales) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_evaluation

@@ -8,7 +8,7 @@
 #include "support/scratch_folder.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_picture {
 namespace {
 
 constexpr int kTitle = 26;  // pixels above the map
@@ -69,4 +69,4 @@ TEST(GridPicture, RefusesWhatCannotBeDrawnOrWritten) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_picture

@@ -6,7 +6,7 @@
 #include "lstm_planner/grid_world/evaluation/grid_thesis.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_report {
 namespace {
 
 using End = GridEpisode::End;
@@ -151,4 +151,4 @@ TEST(Gallery, FindsDetoursTypicalArrivalsAndMisses) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_report

@@ -10,7 +10,7 @@
 #include "support/folder_test.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_tasks {
 namespace {
 
 namespace fs = std::filesystem;
@@ -156,4 +156,4 @@ TEST_F(GridTasks, RefusesScenariosOfAnotherMap) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_tasks

@@ -5,7 +5,7 @@
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/q_table_comparison.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_q_table_comparison {
 namespace {
 
 QTableComparisonParameters smallComparison() {
@@ -48,4 +48,4 @@ TEST(QTableComparison, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_q_table_comparison

@@ -10,7 +10,7 @@
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/world/range_table.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_shipped_grid_models {
 namespace {
 
 std::string shippedModel(const std::string& name) {
@@ -141,4 +141,4 @@ TEST(ShippedGridModels, TheTwoMainOnesAreNoLargerThanTheThesissAndNeedAtMost64Ki
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_shipped_grid_models

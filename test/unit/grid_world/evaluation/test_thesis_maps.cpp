@@ -8,7 +8,7 @@
 
 #include "lstm_planner/grid_world/evaluation/thesis_maps.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_thesis_maps {
 namespace {
 
 GridSetFiles setOf(const std::string& name, int maps) {
@@ -70,4 +70,4 @@ TEST(ThesisMaps, SaysWhichSetIsMissing) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_thesis_maps

@@ -11,7 +11,7 @@
 #include "support/real_data.hpp"
 #include "support/thesis_network.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_thesis_weights {
 namespace {
 
 /// The agent of the author's program with his weights: his inputs and his order of the moves; the hidden state starts
@@ -95,4 +95,4 @@ TEST(ThesisWeights, ArriveLessOftenThanPrintedOnPathsOfUpTo300Cells) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_thesis_weights

@@ -8,7 +8,7 @@
 #include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 #include "unit/base/learning/thread_ranks.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_actor_critic {
 namespace {
 
 /// Rooms whose doors lie at opposite ends: the straight path to the goal never works.
@@ -133,4 +133,4 @@ TEST(GridActorCritic, LearnsToGoRoundWalls) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_actor_critic

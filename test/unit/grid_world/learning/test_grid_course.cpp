@@ -6,7 +6,7 @@
 
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_course {
 namespace {
 
 GridCourseParameters parametersFor(double min_length, double max_length, double short_share) {
@@ -129,4 +129,4 @@ TEST(GridCourse, RefusesMapsWithoutAPathOfTheWantedLength) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_course

@@ -8,7 +8,7 @@
 #include "lstm_planner/grid_world/learning/grid_dataset.hpp"
 #include "unit/grid_world/learning/grid_learning_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_dataset {
 namespace {
 
 constexpr GridEncoderParameters kThesisInputs{GridEncoderParameters::Inputs::kThesis, 1};
@@ -203,4 +203,4 @@ TEST(GridDataset, RefusesEightViewsAndSizesThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_dataset

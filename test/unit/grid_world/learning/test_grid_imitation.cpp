@@ -8,7 +8,7 @@
 #include "support/refusal.hpp"
 #include "unit/grid_world/learning/grid_learning_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_imitation {
 namespace {
 
 using Sets = std::vector<GridCourse::Set>;
@@ -135,4 +135,4 @@ TEST(GridImitation, RefusesParametersWithWhichNothingIsLearned) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_imitation

@@ -13,7 +13,7 @@
 #include "unit/base/learning/thread_ranks.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_q_learning {
 namespace {
 
 PassableGrid gridFrom(const std::vector<std::string>& lines) {
@@ -268,4 +268,4 @@ TEST(GridQLearning, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_q_learning

@@ -6,7 +6,7 @@
 #include "support/refusal.hpp"
 #include "unit/grid_world/learning/grid_learning_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_reinforcement {
 namespace {
 
 /// Counts.
@@ -83,4 +83,4 @@ TEST(GridReinforcement, RefusesFewerUpdatesThanEpochs) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_reinforcement

@@ -4,7 +4,7 @@
 
 #include "grid_world/learning/grid_reward.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_reward {
 namespace {
 
 TEST(ThesisReward, CountsNearWallsDistanceAndTurnAsCosts) {
@@ -24,4 +24,4 @@ TEST(ThesisReward, CountsNearWallsDistanceAndTurnAsCosts) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_reward

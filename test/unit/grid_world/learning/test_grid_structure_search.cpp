@@ -6,7 +6,7 @@
 #include "lstm_planner/grid_world/learning/grid_structure_search.hpp"
 #include "unit/grid_world/learning/grid_learning_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_structure_search {
 namespace {
 
 GridImitationParameters tinySearch(int threads) {
@@ -85,4 +85,4 @@ TEST(StructureSearch, TablesHaveTheThesisBesideTheOutcome) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_structure_search

@@ -8,7 +8,7 @@
 #include "lstm_planner/grid_world/learning/q_table.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_q_table {
 namespace {
 
 PassableGrid smallMaze() {
@@ -95,4 +95,4 @@ TEST(QTable, RefusesWhatMakesNoSense) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_q_table

@@ -11,7 +11,7 @@
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "unit/base/common/random_grid.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_a_star {
 namespace {
 
 /// Every move of the path is possible, and it leads from start to goal.
@@ -245,4 +245,4 @@ TEST(MoveCost, OrdersNearlyEqualPathsLikeTheirTrueLengths) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_a_star

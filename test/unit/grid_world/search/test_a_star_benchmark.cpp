@@ -11,7 +11,7 @@
 #include "lstm_planner/grid_world/world/movingai.hpp"
 #include "support/real_data.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_a_star_benchmark {
 namespace {
 
 constexpr int kMapsPerSet = 5;
@@ -58,4 +58,4 @@ INSTANTIATE_TEST_SUITE_P(Sets, AStarOnBenchmark,
                          [](const testing::TestParamInfo<const char*>& set) { return std::string(set.param); });
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_a_star_benchmark

@@ -9,7 +9,7 @@
 #include "grid_world/search/d_star.hpp"
 #include "unit/base/common/random_grid.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_d_star {
 namespace {
 
 constexpr CornerCutting kBothRules[] = {CornerCutting::kForbidden, CornerCutting::kAllowed};
@@ -143,4 +143,4 @@ TEST(DStar, RefusesSizesAndCellsThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_d_star

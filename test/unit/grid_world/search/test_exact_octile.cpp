@@ -2,7 +2,7 @@
 
 #include "lstm_planner/grid_world/search/exact_octile.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_exact_octile {
 namespace {
 
 TEST(OctileDistance, CountsStraightAndDiagonalSteps) {
@@ -41,4 +41,4 @@ TEST(OctileDistance, FallsWithEachStepOfAStaircaseToTheGoal) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_exact_octile

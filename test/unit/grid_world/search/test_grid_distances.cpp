@@ -4,7 +4,7 @@
 
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_grid_distances {
 namespace {
 
 TEST(GridDistances, AreOctileWhereNothingIsInTheWay) {
@@ -32,4 +32,4 @@ TEST(GridDistances, AreInfiniteOutsideInWallsAndBehindThem) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_grid_distances

@@ -6,7 +6,7 @@
 
 #include "lstm_planner/grid_world/search/heuristic.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_heuristic {
 namespace {
 
 double cells(const HeuristicParameters& heuristic, CellIndex from, CellIndex to) {
@@ -90,4 +90,4 @@ TEST(Heuristic, IsFoundByItsName) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_heuristic

@@ -6,7 +6,7 @@
 #include "lstm_planner/grid_world/world/map_set.hpp"
 #include "unit/grid_world/world/movingai_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_map_set {
 namespace {
 
 class MapSets : public MovingAiFiles {
@@ -74,4 +74,4 @@ TEST_F(MapSets, AreRefusedWithoutANameACountOrAWay) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_map_set

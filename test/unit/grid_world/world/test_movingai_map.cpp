@@ -10,7 +10,7 @@
 #include "lstm_planner/base/common/random.hpp"
 #include "unit/grid_world/world/movingai_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_movingai_map {
 namespace {
 
 class MovingAiMap : public MovingAiFiles {
@@ -147,4 +147,4 @@ TEST_F(MovingAiMap, IsNotWrittenWithoutCellsOrWhereItCannotBe) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_movingai_map

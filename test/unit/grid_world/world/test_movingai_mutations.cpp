@@ -4,7 +4,7 @@
 #include "lstm_planner/base/common/random.hpp"
 #include "unit/grid_world/world/movingai_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_movingai_mutations {
 namespace {
 
 class MovingAiMutations : public MovingAiFiles {};
@@ -75,4 +75,4 @@ TEST_F(MovingAiMutations, OfScenariosAreReadAsSaidOrRefused) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_movingai_mutations

@@ -4,7 +4,7 @@
 #include "support/real_data.hpp"
 #include "unit/grid_world/world/movingai_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_movingai_real_data {
 namespace {
 
 TEST(MovingAiRealData, EveryScenarioFitsItsMap) {
@@ -25,4 +25,4 @@ TEST(MovingAiRealData, EveryScenarioFitsItsMap) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_movingai_real_data

@@ -3,7 +3,7 @@
 
 #include "unit/grid_world/world/movingai_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_movingai_scenarios {
 namespace {
 
 class MovingAiScenarios : public MovingAiFiles {
@@ -130,4 +130,4 @@ TEST_F(MovingAiScenarios, FindTheirMapInTheBenchmarksFoldersOrBesideThem) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_movingai_scenarios

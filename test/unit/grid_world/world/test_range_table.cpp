@@ -4,7 +4,7 @@
 #include "lstm_planner/grid_world/world/range_table.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_range_table {
 namespace {
 
 TEST(RangeTable, CountsStepsToTheFirstBlockedCellUpToTheCap) {
@@ -51,4 +51,4 @@ TEST(RangeTable, HoldsWhatTheRaysSense) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_range_table

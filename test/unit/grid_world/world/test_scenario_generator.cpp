@@ -12,7 +12,7 @@
 #include "lstm_planner/base/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/world/scenario_generator.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_scenario_generator {
 namespace {
 
 /// Dijkstra's algorithm in its plainest form, in double precision.
@@ -107,4 +107,4 @@ TEST(ScenarioGenerator, RefusesBucketsWithoutScenarios) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_scenario_generator

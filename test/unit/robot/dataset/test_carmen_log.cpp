@@ -13,7 +13,7 @@
 #include "support/scratch_folder.hpp"
 #include "unit/robot/dataset/step_list.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_carmen_log {
 namespace {
 
 /// What all tests of this file write, each under the name that it gives.
@@ -372,4 +372,4 @@ INSTANTIATE_TEST_SUITE_P(Logs, RealCarmenLogTest,
                          nameOf);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_carmen_log

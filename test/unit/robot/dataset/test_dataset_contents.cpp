@@ -9,7 +9,7 @@
 #include "lstm_planner/robot/dataset/dataset_summary.hpp"
 #include "unit/robot/dataset/dataset_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_dataset_contents {
 namespace {
 
 Dataset exampleDataset() {
@@ -249,4 +249,4 @@ TEST(DatasetSplit, GivesEitherPartAnEpisodeAndLeavesDiscardedOnesInTheFirst) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_dataset_contents

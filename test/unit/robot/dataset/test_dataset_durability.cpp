@@ -20,7 +20,7 @@
 #include "robot/dataset/dataset_file.hpp"
 #include "unit/robot/dataset/dataset_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_dataset_durability {
 namespace {
 
 constexpr const char* kRecorderVariable = "LSTM_PLANNER_TEST_RECORDER";
@@ -326,4 +326,4 @@ TEST_F(DatasetDurability, SaysWhenTheFileIsMovedAwayAndWhatIsLost) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_dataset_durability

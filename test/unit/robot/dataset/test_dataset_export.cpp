@@ -9,7 +9,7 @@
 #include "support/shell.hpp"
 #include "unit/robot/dataset/dataset_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_dataset_export {
 namespace {
 
 class DatasetExport : public DatasetTest {
@@ -127,4 +127,4 @@ TEST_F(DatasetExport, SaysWhenTheFileCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_dataset_export

@@ -5,7 +5,7 @@
 #include "robot/dataset/dataset_file.hpp"
 #include "unit/robot/dataset/dataset_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_dataset_rows {
 namespace {
 
 class DatasetRowsTest : public ExampleFileTest {
@@ -105,4 +105,4 @@ TEST_F(DatasetRowsTest, AScanOfZerosWasNotMeasured) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_dataset_rows

@@ -13,7 +13,7 @@
 #include "robot/dataset/step_quantities.hpp"
 #include "unit/robot/dataset/dataset_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_dataset_store {
 namespace {
 
 class DatasetStore : public DatasetTest {
@@ -284,4 +284,4 @@ TEST_F(DatasetStore, ReadsOrRefusesAFileWithWrongBytes) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_dataset_store

@@ -8,7 +8,7 @@
 #include "robot/dataset/dataset_file.hpp"
 #include "unit/robot/dataset/dataset_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_dataset_trust {
 namespace {
 
 class DatasetTrust : public ExampleFileTest {
@@ -100,4 +100,4 @@ TEST_F(DatasetTrust, PagesAreNotUsedTwice) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_dataset_trust

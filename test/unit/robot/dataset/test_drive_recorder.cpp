@@ -8,7 +8,7 @@
 #include "lstm_planner/robot/dataset/drive_recorder.hpp"
 #include "unit/robot/dataset/step_list.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_recorder {
 namespace {
 
 constexpr double kOdometryPeriod = 0.1;  // s
@@ -451,4 +451,4 @@ TEST(DrivenAngle, IsTheTurnOfARobotThatStayedWhereItWas) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_recorder

@@ -5,7 +5,7 @@
 
 #include "lstm_planner/robot/dataset/event_order.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_event_order {
 namespace {
 
 DriveEvent odometryAt(double stamp) { return OdometryHeard{stamp, {}, {}}; }
@@ -73,4 +73,4 @@ TEST(EventOrder, HoldsABoundedNumberOfEventsBackWhereStampsStandStill) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_event_order

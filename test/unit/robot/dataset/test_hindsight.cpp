@@ -6,7 +6,7 @@
 #include "lstm_planner/robot/dataset/hindsight.hpp"
 #include "unit/robot/dataset/step_list.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_hindsight {
 namespace {
 
 /// Odometry of a robot at 10 Hz.
@@ -297,4 +297,4 @@ TEST(HindsightTest, ParametersThatMakeNoSenseAreRefused) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_hindsight

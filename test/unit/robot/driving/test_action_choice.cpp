@@ -5,7 +5,7 @@
 #include "lstm_planner/robot/driving/action_choice.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_action_choice {
 namespace {
 
 class ActionChoiceTest : public ::testing::Test {
@@ -73,4 +73,4 @@ TEST_F(ActionChoiceTest, DrawsTheSameForTheSameSeed) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_action_choice

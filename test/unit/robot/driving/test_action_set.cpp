@@ -7,7 +7,7 @@
 #include "lstm_planner/base/common/geometry.hpp"
 #include "lstm_planner/robot/driving/action_set.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_action_set {
 namespace {
 
 TEST(ActionSet, HasTheSteeringAnglesOfTheThesis) {
@@ -55,4 +55,4 @@ TEST(ActionSet, RefusesSetsThatCannotBeChosenFrom) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_action_set

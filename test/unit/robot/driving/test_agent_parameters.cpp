@@ -9,7 +9,7 @@
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_agent_parameters {
 namespace {
 
 std::string complaintAbout(const std::function<void(AgentParameters*)>& change) {
@@ -123,4 +123,4 @@ TEST(AgentParameters, AWaypointMustNotBeReachedWhereItIsChosen) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_agent_parameters

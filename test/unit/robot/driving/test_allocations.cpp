@@ -11,7 +11,7 @@
 #include "lstm_planner/robot/driving/rollout.hpp"
 #include "support/heap_count.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_allocations {
 namespace {
 
 /// What a planner does in a drive, from the scan to the plan.
@@ -126,4 +126,4 @@ TEST(Allocations, TheAgentWithoutRescueKeepsAtMost64Kibibytes) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_allocations

@@ -9,7 +9,7 @@
 #include "support/scratch_folder.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_policy {
 namespace {
 
 using Metadata = std::map<std::string, std::string>;
@@ -151,4 +151,4 @@ TEST(DrivePolicy, ForgetsWhenReset) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_policy

@@ -11,7 +11,7 @@
 #include "support/heap_count.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_policy_views {
 namespace {
 
 PolicyDescription eightViews() {
@@ -132,4 +132,4 @@ TEST(DrivePolicyViews, RefuseWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_policy_views

@@ -2,7 +2,7 @@
 
 #include "lstm_planner/robot/driving/drive_trace.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_trace {
 namespace {
 
 Observation seen(double free, double goal_distance) {
@@ -85,4 +85,4 @@ TEST(DriveTrace, ForgetsEverythingWithANewGoal) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_trace

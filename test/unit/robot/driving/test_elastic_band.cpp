@@ -10,7 +10,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/memory/memory_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_elastic_band {
 namespace {
 
 const AgentParameters kDefaults;
@@ -169,4 +169,4 @@ TEST_F(ElasticBandAtADoor, LeavesEverythingAloneWithoutClearance) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_elastic_band

@@ -9,7 +9,7 @@
 #include "robot/driving/footprint_sweep.hpp"
 #include "unit/robot/driving/motion_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_footprint_sweep {
 namespace {
 
 using test::jackal;
@@ -123,4 +123,4 @@ TEST(FootprintSweep, AWideArcIsNearlyAStraightLine) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_footprint_sweep

@@ -5,7 +5,7 @@
 
 #include "lstm_planner/robot/driving/goal_tracker.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_goal_tracker {
 namespace {
 
 using Verdict = GoalTracker::Verdict;
@@ -111,4 +111,4 @@ TEST(GoalTrackerTest, RefusesAPatienceThatNeverEnds) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_goal_tracker

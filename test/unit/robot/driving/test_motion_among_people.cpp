@@ -11,7 +11,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/driving/plan_along.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_motion_among_people {
 namespace {
 
 using test::planAlong;
@@ -126,4 +126,4 @@ TEST(MotionAmongPeople, GetsAwayFromAPersonWhoHasComeWithinItsMargin) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_motion_among_people

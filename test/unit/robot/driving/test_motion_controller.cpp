@@ -10,7 +10,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/driving/plan_along.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_motion_controller {
 namespace {
 
 constexpr double kPeriod = 0.1;
@@ -297,4 +297,4 @@ TEST_F(MotionControllerTest, RefusesLimitsThatAreNotPositive) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_motion_controller

@@ -10,7 +10,7 @@
 #include "unit/robot/driving/motion_fixtures.hpp"
 #include "unit/robot/driving/plan_along.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_motion_evading {
 namespace {
 
 using test::planAlong;
@@ -134,4 +134,4 @@ INSTANTIATE_TEST_SUITE_P(Footprints, MotionEvading, ::testing::Bool(),
                          [](const auto& test) { return test.param ? "Polygon" : "Circle"; });
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_motion_evading

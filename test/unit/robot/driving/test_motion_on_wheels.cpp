@@ -11,7 +11,7 @@
 #include "unit/robot/driving/motion_fixtures.hpp"
 #include "unit/robot/driving/plan_along.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_motion_on_wheels {
 namespace {
 
 constexpr double kPeriod = 0.1;  // s
@@ -91,4 +91,4 @@ TEST(MotionOnWheels, TheSlowerItsWheelsTheEarlierARobotBrakesBeforeItTurns) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_motion_on_wheels

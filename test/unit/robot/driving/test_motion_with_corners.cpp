@@ -9,7 +9,7 @@
 #include "unit/robot/driving/motion_fixtures.hpp"
 #include "unit/robot/driving/plan_along.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_motion_with_corners {
 namespace {
 
 using test::jackal;
@@ -147,4 +147,4 @@ TEST_F(MotionWithCorners, NoCommandEndsInWhatIsSeen) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_motion_with_corners

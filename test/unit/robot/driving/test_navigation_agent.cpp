@@ -6,7 +6,7 @@
 #include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_navigation_agent {
 namespace {
 
 using Source = Decision::Source;
@@ -309,4 +309,4 @@ TEST_F(NavigationAgentTest, RefusesAPolicyForAnotherStepLength) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_navigation_agent

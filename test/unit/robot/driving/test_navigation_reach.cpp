@@ -10,7 +10,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/perception/scan_builder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_navigation_reach {
 namespace {
 
 std::string complaintOf(const std::function<void()>& action) {
@@ -73,4 +73,4 @@ TEST_F(NavigationReach, DecidesAmongUtmCoordinatesAsAtTheOrigin) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_navigation_reach

@@ -9,7 +9,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/memory/memory_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_navigation_routes {
 namespace {
 
 using Source = Decision::Source;
@@ -345,4 +345,4 @@ TEST_F(NavigationRoutes, BoundariesAreFollowedAtTheLastResort) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_navigation_routes

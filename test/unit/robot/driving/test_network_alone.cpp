@@ -6,7 +6,7 @@
 #include "lstm_planner/robot/driving/navigation_agent.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_network_alone {
 namespace {
 
 using GoalSeems = Decision::GoalSeems;
@@ -121,4 +121,4 @@ TEST_F(GoalBehindAWallTest, IsSearchedForWithTheRescue) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_network_alone

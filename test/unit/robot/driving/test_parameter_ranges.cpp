@@ -18,7 +18,7 @@
 #include "lstm_planner/robot/simulation/scripted_driver.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_parameter_ranges {
 namespace {
 
 struct Number {
@@ -123,4 +123,4 @@ TEST(ParameterRanges, KeepComfortWithinWhatTheMemoryCanLookAt) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_parameter_ranges

@@ -5,7 +5,7 @@
 
 #include "lstm_planner/robot/driving/place_trace.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_place_trace {
 namespace {
 
 constexpr auto kStep = PlaceTrace::kStep;
@@ -105,4 +105,4 @@ TEST(PlaceTrace, IgnoresPlacesThatAreNowhere) {
 TEST(PlaceTrace, StaysSmall) { EXPECT_LE(PlaceTrace::bytes(), 9500u); }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_place_trace

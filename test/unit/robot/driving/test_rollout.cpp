@@ -7,7 +7,7 @@
 #include "robot/perception/reach.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_rollout {
 namespace {
 
 using test::situationAt;
@@ -153,4 +153,4 @@ TEST_F(Rollout, ForgetsThePlanBefore) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_rollout

@@ -11,7 +11,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/memory/memory_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_rollout_routes {
 namespace {
 
 using Source = Decision::Source;
@@ -131,4 +131,4 @@ TEST(RolloutOnRoutes, EndsBesideAGoalThatLiesInSomething) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_rollout_routes

@@ -9,7 +9,7 @@
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_shield {
 namespace {
 
 constexpr double kRadius = 0.25;
@@ -251,4 +251,4 @@ TEST(Shield, TakesOthersInBesideThoseOfTheScan) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_shield

@@ -9,7 +9,7 @@
 #include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_shield_groups {
 namespace {
 
 // The shield looks at whole groups of returns at once and leaves out those that cannot matter. Its answers must be
@@ -156,4 +156,4 @@ TEST_F(ShieldInRandomScans, GoesAlongAFreeArcThroughNothing) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_shield_groups

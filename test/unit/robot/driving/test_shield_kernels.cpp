@@ -9,7 +9,7 @@
 #include "robot/driving/shield_kernels.hpp"
 #include "support/instruction_sets.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_shield_kernels {
 namespace {
 
 constexpr double kReach = 6.0;
@@ -118,4 +118,4 @@ INSTANTIATE_TEST_SUITE_P(Sets, ShieldKernelsOf, ::testing::ValuesIn(runnableInst
                          test::instructionSetName);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_shield_kernels

@@ -3,7 +3,7 @@
 #include "lstm_planner/robot/driving/step_clock.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_step_clock {
 namespace {
 
 using test::situationAt;
@@ -42,4 +42,4 @@ TEST(StepClock, SaysOnceInAWhileThatTheRobotStandsStill) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_step_clock

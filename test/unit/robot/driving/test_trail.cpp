@@ -5,7 +5,7 @@
 #include "lstm_planner/base/common/arc.hpp"
 #include "lstm_planner/robot/driving/trail.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_trail {
 namespace {
 
 TEST(Trail, LeadsBackAlongTheArcThatTheRobotCame) {
@@ -72,4 +72,4 @@ TEST(Trail, HasNothingAtTheStartAndAfterAJump) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_trail

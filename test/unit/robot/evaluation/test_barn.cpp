@@ -11,7 +11,7 @@
 #include "support/refusal.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_barn {
 namespace {
 
 class BarnFile : public test::FolderTest {
@@ -91,4 +91,4 @@ TEST(RealBarn, HoldsWorldsWithAFreeStartAndReferencePathsOfTenMetresAtLeast) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_barn

@@ -6,7 +6,7 @@
 #include "lstm_planner/robot/evaluation/decision_replay.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_decision_replay {
 namespace {
 
 constexpr double kStepLength = 0.2;  // m, driven in a step
@@ -201,4 +201,4 @@ TEST(DecisionReplayTest, CutsADriveIntoStepsWithTheModelsAnglesAndScans) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_decision_replay

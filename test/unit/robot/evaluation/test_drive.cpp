@@ -9,7 +9,7 @@
 #include "lstm_planner/robot/simulation/crowd.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive {
 namespace {
 
 DriveResult resultOf(DriveResult::End end, double path_length, double shortest, double time = 10.0) {
@@ -249,4 +249,4 @@ TEST(Drive, RefusesParametersWithWhichItWouldNotEnd) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive

@@ -11,7 +11,7 @@
 #include "support/scratch_folder.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_film {
 namespace {
 
 /// A hall of 8 x 4 m, cut in two by a wall with an opening at the upper end.
@@ -93,4 +93,4 @@ TEST(DriveFilm, RefusesWhatCannotBeDrawn) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_film

@@ -9,7 +9,7 @@
 #include "support/case_name.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_escape_drives {
 namespace {
 
 using End = DriveResult::End;
@@ -182,4 +182,4 @@ TEST_P(UselessPolicyDrives, ReachEveryGoalOfAFloorPlan) {
 INSTANTIATE_TEST_SUITE_P(FloorPlans, UselessPolicyDrives, ::testing::Values(1, 2), test::caseName("Seed"));
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_escape_drives

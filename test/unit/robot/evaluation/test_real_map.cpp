@@ -9,7 +9,7 @@
 #include "support/real_data.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_real_map {
 namespace {
 
 /// As far as a drive may go, as a multiple of the shortest path that knows the map.
@@ -64,4 +64,4 @@ TEST(RealMapDrive, ShippedNetworkArrivesInWillowAloneAndAUselessOneNotEvenWithTh
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_real_map

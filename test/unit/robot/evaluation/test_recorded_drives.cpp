@@ -11,7 +11,7 @@
 #include "lstm_planner/robot/evaluation/recorded_drives.hpp"
 #include "unit/robot/dataset/step_list.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_recorded_drives {
 namespace {
 
 const GridWorld& building() {
@@ -174,4 +174,4 @@ TEST(RecordedDrives, NeedAnEnd) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_recorded_drives

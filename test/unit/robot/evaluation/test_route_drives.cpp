@@ -9,7 +9,7 @@
 #include "lstm_planner/robot/simulation/world_generators.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_route_drives {
 namespace {
 
 using End = DriveResult::End;
@@ -139,4 +139,4 @@ TEST(RouteDrives, CrossesAnOpenFieldStraight) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_route_drives

@@ -9,7 +9,7 @@
 #include "support/real_data.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_shipped_robot_model {
 namespace {
 
 struct Score {
@@ -84,4 +84,4 @@ TEST(ShippedRobotModelAlone, FindsTheDoorsOfRoomsWhereUselessPoliciesDoNot) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_shipped_robot_model

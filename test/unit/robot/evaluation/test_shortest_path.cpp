@@ -5,7 +5,7 @@
 #include "robot/evaluation/shortest_path.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_shortest_path {
 namespace {
 
 constexpr double kClearance = 0.25;
@@ -68,4 +68,4 @@ TEST(ShortestPath, IsInfiniteWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_shortest_path

@@ -6,7 +6,7 @@
 #include "lstm_planner/robot/evaluation/trace_picture.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_trace_picture {
 namespace {
 
 /// 100 x 50 cells of 0.1 m from (-2, 1): at 1000 pixels a cell is 10 pixels wide.
@@ -109,4 +109,4 @@ TEST(TracePicture, RefusesWhatCannotBeDrawnOrWritten) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_trace_picture

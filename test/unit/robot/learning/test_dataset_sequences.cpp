@@ -9,7 +9,7 @@
 #include "support/refusal.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_dataset_sequences {
 namespace {
 
 DatasetSequenceParameters parametersFor(const Dataset& dataset) {
@@ -223,4 +223,4 @@ TEST(DatasetSequences, PolicyIsThatOfTheRecordingsAndTheyMayNotDiffer) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_dataset_sequences

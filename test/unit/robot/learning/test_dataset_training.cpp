@@ -8,7 +8,7 @@
 #include "lstm_planner/robot/learning/dataset_training.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_dataset_training {
 namespace {
 
 LayerStack newNetwork(const DatasetTrainingParameters& parameters) {
@@ -99,4 +99,4 @@ TEST(DatasetTraining, EmptySetsAndBadParametersAreRefused) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_dataset_training

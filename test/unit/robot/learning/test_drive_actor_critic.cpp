@@ -14,7 +14,7 @@
 #include "unit/robot/evaluation/drive_learning_fixtures.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_actor_critic {
 namespace {
 
 constexpr std::uint64_t kNetworkSeed = 7;
@@ -124,4 +124,4 @@ TEST(DriveActorCritic, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_actor_critic

@@ -5,7 +5,7 @@
 #include "robot/learning/drive_augmentation.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_augmentation {
 namespace {
 
 const std::vector<double> kAngles = RecorderParameters().action_angles;
@@ -104,4 +104,4 @@ TEST(DriveAugmentation, AnglesOfOneSideCannotBeMirrored) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_augmentation

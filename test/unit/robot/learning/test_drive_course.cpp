@@ -7,7 +7,7 @@
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/learning/drive_course.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_course {
 namespace {
 
 DriveCourseParameters roomsOnly() {
@@ -122,4 +122,4 @@ TEST(DriveCourse, RefusesParametersByName) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_course

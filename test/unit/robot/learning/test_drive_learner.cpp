@@ -4,7 +4,7 @@
 
 #include "lstm_planner/robot/learning/drive_learner.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_learner {
 namespace {
 
 /// Counts.
@@ -51,4 +51,4 @@ TEST(DriveReinforcement, RefusesToDoNothing) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_learner

@@ -15,7 +15,7 @@
 #include "support/refusal.hpp"
 #include "unit/robot/evaluation/drive_learning_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_drive_q_learning {
 namespace {
 
 constexpr std::uint64_t kNetworkSeed = 3;
@@ -260,4 +260,4 @@ TEST_P(DriveQTileWithViews, GoesOnInTheNextWindowAsIfItWereOne) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_drive_q_learning

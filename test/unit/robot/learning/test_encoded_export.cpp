@@ -11,7 +11,7 @@
 #include "support/scratch_folder.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_encoded_export {
 namespace {
 
 using Row = std::vector<std::string>;
@@ -71,4 +71,4 @@ TEST(EncodedExport, NeedsALabelDistanceAndAPlaceToWriteTo) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_encoded_export

@@ -8,7 +8,7 @@
 #include "lstm_planner/robot/learning/imitation.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_imitation {
 namespace {
 
 ImitationParameters tinyImitation(int threads) {
@@ -118,4 +118,4 @@ TEST(Imitation, RefusesParametersWithWhichNothingIsLearned) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_imitation

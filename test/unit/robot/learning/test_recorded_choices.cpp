@@ -4,7 +4,7 @@
 #include "lstm_planner/robot/learning/recorded_choices.hpp"
 #include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_recorded_choices {
 namespace {
 
 /// Prefers the same angle whatever it is told.
@@ -44,4 +44,4 @@ TEST(RecordedChoices, WhatANetworkPrefersIsCountedByWhatTheDriverDid) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_recorded_choices

@@ -5,7 +5,7 @@
 #include "lstm_planner/robot/learning/step_simulator.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_step_simulator {
 namespace {
 
 const CircleWorld kEmptyField({});
@@ -67,4 +67,4 @@ TEST(StepSimulator, IsTheSameForTheSameSeed) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_step_simulator

@@ -5,7 +5,7 @@
 #include "lstm_planner/robot/learning/teacher.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_teacher {
 namespace {
 
 /// A hall of 8 x 4 m with a wall across the middle and a door of 1 m in it, at y = 2.5 .. 3.5.
@@ -98,4 +98,4 @@ TEST(Teacher, IsContentAtTheGoal) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_teacher

@@ -5,7 +5,7 @@
 
 #include "lstm_planner/robot/memory/line_masks.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_line_masks {
 namespace {
 
 TEST(LineMasks, CoverWhatIsNearerToTheLineThanTheRadius) {
@@ -35,4 +35,4 @@ TEST(LineMasks, CoverWhatIsNearerToTheLineThanTheRadius) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_line_masks

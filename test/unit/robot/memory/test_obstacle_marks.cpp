@@ -8,7 +8,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/memory/memory_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_obstacle_marks {
 namespace {
 
 using Passage = ObstacleMemory::Passage;
@@ -93,4 +93,4 @@ TEST_F(ObstacleMarksTest, AreForgottenWithEverythingElse) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_obstacle_marks

@@ -11,7 +11,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/memory/memory_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_obstacle_memory {
 namespace {
 
 using Passage = ObstacleMemory::Passage;
@@ -431,4 +431,4 @@ TEST(ObstacleMemory, DoesNotRememberWhatIsFartherThanItsReach) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_obstacle_memory

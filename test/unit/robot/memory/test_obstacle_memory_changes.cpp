@@ -10,7 +10,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/memory/memory_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_obstacle_memory_changes {
 namespace {
 
 using test::returnsAt;
@@ -236,4 +236,4 @@ TEST(ObstacleMemoryChanges, AreEverythingWhenTheyAreTooManyToBeListed) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_obstacle_memory_changes

@@ -2,7 +2,7 @@
 
 #include "lstm_planner/robot/memory/obstacle_window.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_obstacle_window {
 namespace {
 
 TEST(ObstacleWindow, ACellIsOccupiedAsLongAsOneOfItsSquaresIs) {
@@ -60,4 +60,4 @@ TEST(ObstacleWindow, AKeyIsASquare) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_obstacle_window

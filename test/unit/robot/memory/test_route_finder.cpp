@@ -12,7 +12,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/memory/memory_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_route_finder {
 namespace {
 
 using Passage = ObstacleMemory::Passage;
@@ -391,4 +391,4 @@ TEST_F(RouteFinderTest, CostsAsMuchAsDijkstraFindsInRandomMemories) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_route_finder

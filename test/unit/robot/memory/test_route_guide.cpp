@@ -8,7 +8,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/memory/memory_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_route_guide {
 namespace {
 
 using Source = Decision::Source;
@@ -304,4 +304,4 @@ TEST(RouteGuideWatching, RemembersANewPlaceBetweenDecisionsRatherThanInOne) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_route_guide

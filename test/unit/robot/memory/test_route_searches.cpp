@@ -12,7 +12,7 @@
 #include "unit/robot/driving/agent_fixtures.hpp"
 #include "unit/robot/memory/memory_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_route_searches {
 namespace {
 
 using Source = Decision::Source;
@@ -226,4 +226,4 @@ TEST(CellQueue, GivesEstimatesInOrder) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_route_searches

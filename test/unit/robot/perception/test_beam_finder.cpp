@@ -6,7 +6,7 @@
 
 #include "lstm_planner/robot/perception/beam_finder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_beam_finder {
 namespace {
 
 struct Fan {
@@ -73,4 +73,4 @@ TEST(BeamFinder, AnswersForThePlaceOfTheScannerItself) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_beam_finder

@@ -10,7 +10,7 @@
 #include "robot/perception/scan_kernels.hpp"
 #include "support/instruction_sets.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_beam_kernels {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -119,4 +119,4 @@ TEST_P(BeamKernelsOf, PlaceReturnsInTheOrderOfTheBeamsAndRoundAsTheBaselineDoes)
 INSTANTIATE_TEST_SUITE_P(Sets, BeamKernelsOf, ::testing::ValuesIn(runnableInstructionSets()), test::instructionSetName);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_beam_kernels

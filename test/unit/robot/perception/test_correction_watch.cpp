@@ -4,7 +4,7 @@
 
 #include "lstm_planner/robot/perception/correction_watch.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_correction_watch {
 namespace {
 
 TEST(CorrectionWatch, TheFirstTransformIsNoJump) {
@@ -40,4 +40,4 @@ TEST(CorrectionWatch, ARobotThatIsFoundElsewhereHasJumped) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_correction_watch

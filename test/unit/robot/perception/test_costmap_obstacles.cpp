@@ -6,7 +6,7 @@
 
 #include "lstm_planner/robot/perception/costmap_obstacles.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_costmap_obstacles {
 namespace {
 
 constexpr unsigned char kInscribed = 253;
@@ -130,4 +130,4 @@ TEST_F(CostmapObstaclesTest, WithoutCellsThereIsNothing) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_costmap_obstacles

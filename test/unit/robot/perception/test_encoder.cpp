@@ -7,7 +7,7 @@
 #include "lstm_planner/robot/perception/encoder.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_encoder {
 namespace {
 
 Eigen::VectorXf encode(const EncoderParameters& parameters, const Observation& observation) {
@@ -211,4 +211,4 @@ TEST(EncoderParameters, NameWhatIsWrongInTheMetadata) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_encoder

@@ -7,7 +7,7 @@
 
 #include "lstm_planner/robot/perception/encoder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_encoder_views {
 namespace {
 
 EncoderParameters eightViews(const std::vector<std::string>& layout) {
@@ -130,4 +130,4 @@ TEST(EncoderViews, NeedEveryDirectionOrNone) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_encoder_views

@@ -6,7 +6,7 @@
 #include "lstm_planner/robot/perception/laser_scan.hpp"
 #include "unit/robot/perception/scan_builder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_laser_scan {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -111,4 +111,4 @@ TEST(ToPoints, MirrorsAScannerUpsideDown) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_laser_scan

@@ -11,7 +11,7 @@
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_moving_returns {
 namespace {
 
 constexpr double kPeriod = 0.1;
@@ -204,4 +204,4 @@ TEST_F(MovingReturnsTest, RefusesTimesAndMarginsThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_moving_returns

@@ -6,7 +6,7 @@
 
 #include "lstm_planner/robot/perception/moving_things.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_moving_things {
 namespace {
 
 constexpr double kPeriod = 0.05;
@@ -90,4 +90,4 @@ TEST_F(MovingThingsTest, ATimeThatGoesBackForgetsAll) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_moving_things

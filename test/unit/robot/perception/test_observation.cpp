@@ -5,7 +5,7 @@
 
 #include "lstm_planner/robot/perception/observation.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_observation {
 namespace {
 
 TEST(Observe, GivesDistanceAndSignedBearingInTheRobotFrame) {
@@ -64,4 +64,4 @@ TEST(YawOfQuaternion, IsNanWithoutOrientation) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_observation

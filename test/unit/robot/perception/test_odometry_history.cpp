@@ -3,7 +3,7 @@
 #include "lstm_planner/robot/perception/odometry_history.hpp"
 #include "support/heap_count.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_odometry_history {
 namespace {
 
 TEST(OdometryHistory, KeepsABoundedNumberOfEntriesWhereStampsHardlyGoOn) {
@@ -16,4 +16,4 @@ TEST(OdometryHistory, KeepsABoundedNumberOfEntriesWhereStampsHardlyGoOn) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_odometry_history

@@ -6,7 +6,7 @@
 #include "lstm_planner/robot/perception/out_of_view.hpp"
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_out_of_view {
 namespace {
 
 /// A scanner in the middle of the robot that sees half of what is around.
@@ -84,4 +84,4 @@ TEST_F(OutOfViewTest, ForgetsWhatIsFarAwayAndEverythingAfterAJump) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_out_of_view

@@ -2,7 +2,7 @@
 
 #include "lstm_planner/robot/perception/period_meter.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_period_meter {
 namespace {
 
 constexpr double kFloor = 0.2;   // s
@@ -51,4 +51,4 @@ TEST(TimeoutFor, IsThreePeriodsUnlessThatIsVeryShortOrLong) {
 TEST(TimeoutFor, IsTheShortestAsLongAsThePeriodIsNotKnown) { EXPECT_EQ(timeoutFor(0.0, 0.0, kFloor), kFloor); }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_period_meter

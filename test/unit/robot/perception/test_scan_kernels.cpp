@@ -10,7 +10,7 @@
 #include "robot/perception/scan_kernels.hpp"
 #include "support/instruction_sets.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_scan_kernels {
 namespace {
 
 constexpr std::size_t kPadding = 16;
@@ -184,4 +184,4 @@ TEST_P(ScanKernelsOf, ClearWhatThePlainDefinitionClears) {
 INSTANTIATE_TEST_SUITE_P(Sets, ScanKernelsOf, ::testing::ValuesIn(runnableInstructionSets()), test::instructionSetName);
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_scan_kernels

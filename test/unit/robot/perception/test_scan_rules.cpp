@@ -7,7 +7,7 @@
 #include "lstm_planner/robot/perception/scan_rules.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_scan_rules {
 namespace {
 
 using testing::HasSubstr;
@@ -49,4 +49,4 @@ TEST(ScanRules, NeedAShareThatIsNotZero) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_scan_rules

@@ -7,7 +7,7 @@
 #include "support/refusal.hpp"
 #include "unit/robot/perception/scan_builder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_scanner_watch {
 namespace {
 
 class ScannerWatchTest : public ::testing::Test {
@@ -39,4 +39,4 @@ TEST_F(ScannerWatchTest, OneThatIsCoveredIsNamed) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_scanner_watch

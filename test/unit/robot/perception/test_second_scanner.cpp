@@ -18,7 +18,7 @@
 #include "unit/robot/driving/plan_along.hpp"
 #include "unit/robot/perception/scan_builder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_second_scanner {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -205,4 +205,4 @@ TEST(SecondScannerRefused, ReadingsMeanTheSameAsOfTheFirst) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_second_scanner

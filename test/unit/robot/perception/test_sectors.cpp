@@ -10,7 +10,7 @@
 #include "support/refusal.hpp"
 #include "unit/robot/perception/scan_builder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_sectors {
 namespace {
 
 using testing::HasSubstr;
@@ -213,4 +213,4 @@ TEST(AverageSectors, DoesNotMindWhatIsNotMeasuredBehindTheRobot) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_sectors

@@ -7,7 +7,7 @@
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "unit/robot/perception/scan_builder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_seen_free {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -59,4 +59,4 @@ TEST(SeenFree, ARobotThatDoesNotSeeBehindDoesNotBack) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_seen_free

@@ -8,7 +8,7 @@
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "unit/robot/perception/scan_builder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_silence_watch {
 namespace {
 
 constexpr double kPeriod = 0.1;  // s
@@ -122,4 +122,4 @@ TEST_F(SilenceWatchTest, TurningAndDrivingAwayFromTheLastWallIsNoCover) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_silence_watch

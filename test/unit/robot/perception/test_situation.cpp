@@ -6,7 +6,7 @@
 #include "lstm_planner/robot/perception/situation.hpp"
 #include "unit/robot/perception/scan_builder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_situation {
 namespace {
 
 TEST(Perceive, FillsSectorsAndPointsFromOneScan) {
@@ -45,4 +45,4 @@ TEST(Perceive, RefusesAScannerThatDoesNotSeeAside) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_situation

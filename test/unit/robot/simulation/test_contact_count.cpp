@@ -2,7 +2,7 @@
 
 #include "lstm_planner/robot/simulation/contact_count.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_contact_count {
 namespace {
 
 TEST(ContactCount, TouchingForAWhileIsOneContact) {
@@ -15,4 +15,4 @@ TEST(ContactCount, TouchingForAWhileIsOneContact) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_contact_count

@@ -6,7 +6,7 @@
 
 #include "lstm_planner/robot/simulation/create2.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_create2 {
 namespace {
 
 constexpr double kTickLength = M_PI * 0.072 / 508.8;
@@ -195,4 +195,4 @@ TEST(Create2, RefusesImpossibleParameters) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_create2

@@ -6,7 +6,7 @@
 #include "lstm_planner/robot/simulation/crowd.hpp"
 #include "unit/robot/driving/agent_fixtures.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_crowd {
 namespace {
 
 constexpr double kPeriod = 0.02;  // s
@@ -120,4 +120,4 @@ TEST_F(CrowdTest, RefusesImpossibleParametersAndWorldsWithoutPlace) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_crowd

@@ -8,7 +8,7 @@
 #include "lstm_planner/base/grid/distance_field.hpp"
 #include "lstm_planner/base/grid/map_server_map.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_demo_building {
 namespace {
 
 const std::string kConfig = LSTM_PLANNER_SOURCE_DIR "/config/";
@@ -48,4 +48,4 @@ TEST_F(DemoBuilding, IsClosedToTheOutside) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_demo_building

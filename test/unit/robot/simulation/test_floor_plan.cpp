@@ -12,7 +12,7 @@
 #include "lstm_planner/robot/simulation/floor_plan.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_floor_plan {
 namespace {
 
 constexpr double kRobotRadius = 0.175;
@@ -151,4 +151,4 @@ TEST(FloorPlan, NamesImpossibleParameters) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_floor_plan

@@ -9,7 +9,7 @@
 #include "lstm_planner/robot/simulation/generated_world.hpp"
 #include "lstm_planner/robot/simulation/world_generators.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_generated_world {
 namespace {
 
 constexpr double kFootprint = 0.17425;
@@ -225,4 +225,4 @@ TEST(WorldGenerators, RefuseImpossibleParameters) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_generated_world

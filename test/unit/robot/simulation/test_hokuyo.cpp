@@ -6,7 +6,7 @@
 
 #include "lstm_planner/robot/simulation/hokuyo.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_hokuyo {
 namespace {
 
 HokuyoParameters exact() {
@@ -137,4 +137,4 @@ TEST(Hokuyo, RefusesImpossibleParameters) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_hokuyo

@@ -6,7 +6,7 @@
 #include "lstm_planner/robot/simulation/localiser.hpp"
 #include "lstm_planner/robot/simulation/simulated_robot.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_localiser {
 namespace {
 
 TEST(Localiser, LeavesOdometryAloneUntilItIsWrongByTheJump) {
@@ -50,4 +50,4 @@ TEST(Localiser, KeepsTheBelievedPoseOfARobotWithinTheJumpOfTheTruth) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_localiser

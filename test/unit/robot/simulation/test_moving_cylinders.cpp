@@ -6,7 +6,7 @@
 
 #include "lstm_planner/robot/simulation/moving_cylinders.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_moving_cylinders {
 namespace {
 
 constexpr double kPeriod = 0.02;
@@ -129,4 +129,4 @@ TEST_F(MovingCylindersTest, RefuseImpossibleParameters) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_moving_cylinders

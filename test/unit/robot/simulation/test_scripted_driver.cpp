@@ -10,7 +10,7 @@
 #include "lstm_planner/robot/simulation/scripted_driver.hpp"
 #include "support/refusal.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_scripted_driver {
 namespace {
 
 constexpr double kPeriod = 0.05;  // s between commands
@@ -219,4 +219,4 @@ TEST(ScriptedDriver, RefusesParametersThatMakeNoSenseByName) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_scripted_driver

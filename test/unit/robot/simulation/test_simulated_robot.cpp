@@ -7,7 +7,7 @@
 #include "lstm_planner/robot/simulation/crowd.hpp"
 #include "lstm_planner/robot/simulation/simulated_robot.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_simulated_robot {
 namespace {
 
 TEST(SimulatedRobot, CountsAContactOnceAndStops) {
@@ -188,4 +188,4 @@ TEST(SimulatedRobot, RefusesAPhysicsPeriodWithWhichTimeWouldNotPass) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_simulated_robot

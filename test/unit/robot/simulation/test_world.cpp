@@ -9,7 +9,7 @@
 #include "lstm_planner/base/common/random.hpp"
 #include "lstm_planner/robot/simulation/world.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::test_world {
 namespace {
 
 double castOne(const World& world, const Point2& origin, double direction, double max_range = 1e3) {
@@ -207,4 +207,4 @@ TEST(CircleWorld, APolygonTouchesExactlyAtTheTangent) {
 }
 
 }  // namespace
-}  // namespace lstm_planner
+}  // namespace lstm_planner::test_world
