@@ -36,7 +36,7 @@ struct DiscLine {
   double limit;   ///< longer ones are not asked for
   double wanted;  ///< radius with the clearance
   double hard;    ///< radius into which nothing may come
-  double enough;  ///< something is free for less than that: how much does not matter
+  double enough;  ///< a free length below this need not be exact, only below this
   double blur;    ///< more than what is lost of a coordinate in a float
 };
 
