@@ -31,18 +31,26 @@ Exit status: 0 when no test failed.
 USAGE
 }
 
-# Runs the unit tests that gtest's filter ($1) selects, in one process a processor; shows what the failing ones printed.
-run_unit_tests() {
-  local shards shard processes=() status=0
+unit_test_processes=()
+
+# Starts the unit tests that gtest's filter ($1) selects, in one process a processor. Rostests have priority: they mostly
+# wait, and some of them wait by the computer's clock.
+start_unit_tests() {
+  local shards shard
   shards="$(parallel_jobs)"
   for ((shard = 0; shard < shards; ++shard)); do
     GTEST_FILTER="$1" GTEST_TOTAL_SHARDS="$shards" GTEST_SHARD_INDEX="$shard" \
       GTEST_OUTPUT="xml:$results/gtest-unit_tests_$shard.xml" \
-      "$workspace/devel/lib/lstm_planner/lstm_planner_unit_tests" </dev/null >"$results/unit_tests_$shard.log" 2>&1 &
-    processes+=($!)
+      nice -n 19 "$workspace/devel/lib/lstm_planner/lstm_planner_unit_tests" </dev/null >"$results/unit_tests_$shard.log" 2>&1 &
+    unit_test_processes+=($!)
   done
-  for ((shard = 0; shard < shards; ++shard)); do
-    if ! wait "${processes[shard]}"; then
+}
+
+# Waits for them, and shows what the failing ones printed.
+finish_unit_tests() {
+  local shard status=0
+  for shard in "${!unit_test_processes[@]}"; do
+    if ! wait "${unit_test_processes[shard]}"; then
       status=1
       cat "$results/unit_tests_$shard.log"
     fi
@@ -67,7 +75,7 @@ run_tests() {
   mkdir -p "$results"
   if [ -n "$unit_tests" ]; then
     if [ -z "$filter" ]; then unit_tests='*'; fi
-    run_unit_tests "$unit_tests" || status=1
+    start_unit_tests "$unit_tests"
   fi
   if [ -n "$ros_tests" ]; then
     cd "$workspace/build" || exit 1
@@ -75,6 +83,7 @@ run_tests() {
     ctest --output-on-failure --parallel "$((2 * $(parallel_jobs)))" -R "_rostest_test_ros_($ros_tests)\.test\$" </dev/null ||
       status=1
   fi
+  finish_unit_tests || status=1
   return "$status"
 }
 
