@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
@@ -64,8 +63,7 @@ void DriveStates::watch(NavigationAgent* agent) {
 
 void DriveStates::drawBelow(const std::string& path) const {
   if (steps_.empty()) throw std::invalid_argument("no step of the drive was noted");
-  const cv::Mat drive = cv::imread(path);
-  if (drive.empty()) throw std::runtime_error("picture '" + path + "' cannot be read");
+  const cv::Mat drive = readPicture(path);
   const int steps = static_cast<int>(steps_.size());
   const int actions = static_cast<int>(steps_.front().preferences.size());
   const int cells = static_cast<int>(steps_.front().hidden.size());

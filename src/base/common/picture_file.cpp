@@ -1,19 +1,41 @@
 #include "lstm_planner/base/common/picture_file.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 #include <vector>
 
+#include "base/common/image_codecs.hpp"
+#include "lstm_planner/base/common/input_file.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
 
 namespace lstm_planner {
+namespace {
+
+constexpr std::uintmax_t kLargestPicture = std::uintmax_t{1} << 29;  ///< bytes
+
+}  // namespace
+
+cv::Mat readPicture(const std::string& path) {
+  cv::Mat picture;
+  std::string reason = "expected a .png or .jpg";
+  try {
+    picture = imageCodecs().decode(readInputFile(path, kLargestPicture), cv::IMREAD_COLOR);
+  } catch (const InputFileError& error) {
+    reason = error.what();
+  } catch (const cv::Exception& error) {
+    reason = error.err;
+  }
+  if (picture.empty()) throw std::runtime_error("picture '" + path + "' cannot be read: " + reason);
+  return picture;
+}
 
 void writePicture(const std::string& path, const cv::Mat& picture) {
   std::vector<unsigned char> bytes;
   bool is_encoded = false;
   try {
-    is_encoded = cv::imencode(std::filesystem::path(path).extension().string(), picture, bytes);
+    is_encoded = imageCodecs().encode(std::filesystem::path(path).extension().string(), picture, &bytes);
   } catch (const cv::Exception&) {
     // An extension that OpenCV does not know; said below like any other failure.
   }

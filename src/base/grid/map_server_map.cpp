@@ -10,6 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
+#include "base/common/image_codecs.hpp"
 #include "base/grid/map_image.hpp"
 #include "lstm_planner/base/common/input_file.hpp"
 #include "lstm_planner/base/common/output_file.hpp"
@@ -122,10 +123,11 @@ cv::Mat readImage(const std::string& path) {
   checkMapImage(bytes, path);
   cv::Mat image;
   try {
-    const cv::Mat buffer(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-    image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
+    image = imageCodecs().decode(bytes, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception& error) {
     throw MapFileError("the map image " + path + " cannot be decoded: " + error.err);
+  } catch (const std::runtime_error& error) {
+    throw MapFileError("the map image " + path + " cannot be decoded: " + error.what());
   }
   if (image.empty())
     throw MapFileError("the map image " + path + " cannot be decoded; expected a whole pgm, png or bmp");

@@ -110,6 +110,25 @@ TEST_F(CommandLineTool, SaysItsVersion) {
   EXPECT_TRUE(std::regex_match(success("--version"), std::regex(R"(lstm_planner \d+\.\d+\.\d+\n)")));
 }
 
+TEST_F(CommandLineTool, StartsWithoutTheLibrariesOfImageFormats) {
+  const test::Outcome libraries = test::runShell(std::string("ldd ") + kTool);
+  EXPECT_TRUE(contains(libraries.output, "libopencv_core")) << libraries.output;
+  EXPECT_FALSE(contains(libraries.output, "libopencv_imgcodecs")) << libraries.output;
+}
+
+TEST_F(CommandLineTool, SaysWhichLibraryOfImageFormatsIsMissing) {
+  std::ofstream(in("map.yaml")) << "image: map.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
+                                   "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  std::ofstream(in("map.pgm")) << "P5\n2 2\n255\n1234";
+  const test::Outcome outcome = test::runShell(
+      std::string("base=$(ldd ") + kTool + " | awk '/lstm_planner_base/ {print $3}'); cp $base '" + in("") +
+      "' && LD_LIBRARY_PATH='" + in("") + "' " + kTool + " drive --goals 1 --map '" + in("map.yaml") + "'");
+  EXPECT_EQ(outcome.status, 2) << outcome.output;
+  EXPECT_TRUE(contains(outcome.output, "map.pgm cannot be decoded: the library of image formats '" +
+                                           in("liblstm_planner_image_codecs.so") + "' cannot be loaded"))
+      << outcome.output;
+}
+
 TEST_F(CommandLineTool, NamesTheNearestOfWhatThereIs) {
   EXPECT_TRUE(contains(complaint("drvie"), "there is no command 'drvie'; the nearest is drive"));
   EXPECT_TRUE(contains(complaint("paint"), "expected one of drive, judge"));
