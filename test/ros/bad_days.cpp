@@ -23,8 +23,9 @@
 #include "ros/fixtures/callback_thread.hpp"
 #include "ros/fixtures/fake_robot.hpp"
 #include "ros/fixtures/log_listener.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::bad_days {
 namespace {
 
 using Client = actionlib::SimpleActionClient<move_base_msgs::MoveBaseAction>;
@@ -423,15 +424,10 @@ TEST_F(BadDayTest, DrivesOnWithoutStamps) {
   EXPECT_TRUE(eventually([&] { return relay().speed() > 0.1; }));
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("bad_days", [] {
+  relay();
+  return runTestsBesideSpinner();
+});
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "bad_days");
-  const ros::NodeHandle node_handle;
-  lstm_planner::relay();
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::bad_days

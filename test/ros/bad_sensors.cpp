@@ -15,8 +15,9 @@
 #include "ros/common/sensor_listener.hpp"
 #include "ros/controller/steering_controller.hpp"
 #include "ros/fixtures/planner_fixture.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::bad_sensors {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -264,14 +265,7 @@ TEST_F(BadSensorTest, RefusalsAfterAFatalErrorRepeatItsReason) {
   EXPECT_GE(log_.count("/nowhere/model.onnx"), 2);
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("bad_sensors", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "bad_sensors");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::bad_sensors

@@ -13,8 +13,9 @@
 
 #include "ros/fixtures/bag_golden.hpp"
 #include "ros/fixtures/bag_planner.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::bag_plugin_decisions {
 namespace {
 
 constexpr double kCallPeriod = 0.5;      // s
@@ -152,14 +153,7 @@ INSTANTIATE_TEST_SUITE_P(Bags, BagPluginTest,
                            return info.param.bag + "_at_rate_" + std::to_string(static_cast<int>(info.param.rate));
                          });
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("bag_plugin_decisions", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "bag_plugin_decisions");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::bag_plugin_decisions

@@ -15,8 +15,9 @@
 
 #include "ros/fixtures/bag_golden.hpp"
 #include "ros/fixtures/callback_thread.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::bag_replay_behaviour {
 namespace {
 
 constexpr double kPatience = 60.0;  // s; the slowest of the replays plays for 8 s
@@ -147,12 +148,7 @@ TEST_P(BagReplayTest, PlaysNoFasterThanItIsTold) {
 INSTANTIATE_TEST_SUITE_P(Bags, BagReplayTest, testing::ValuesIn(replays()),
                          [](const auto& info) { return info.param.nameSpace(); });
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("bag_replay_behaviour", &runTests);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "bag_replay_behaviour");
-  const ros::NodeHandle node_handle;
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::bag_replay_behaviour

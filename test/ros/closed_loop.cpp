@@ -8,8 +8,9 @@
 #include <string>
 
 #include "ros/fixtures/closed_loop_fixture.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::closed_loop {
 namespace {
 
 using State = actionlib::SimpleClientGoalState;
@@ -123,14 +124,7 @@ TEST_F(ClosedLoopTest, OdometryJumpIsSurvivedWithoutContact) {
   over(10.0);
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("closed_loop", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "closed_loop");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::closed_loop

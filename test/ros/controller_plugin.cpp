@@ -11,8 +11,9 @@
 #include "ros/controller/steering_controller.hpp"
 #include "ros/fixtures/diagnostics_listener.hpp"
 #include "ros/fixtures/planner_fixture.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::controller_plugin {
 namespace {
 
 Plan straightPlan(const std::string& frame, const Pose2& from, double length) {
@@ -303,14 +304,7 @@ TEST_F(ControllerTest, LoadsByItsNameThroughPluginlib) {
   }));
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("controller_plugin", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "controller_plugin");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::controller_plugin

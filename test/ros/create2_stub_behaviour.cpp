@@ -22,11 +22,11 @@
 #include <thread>
 #include <vector>
 
+#include "ros/fixtures/ros_program.hpp"
 #include "ros/fixtures/waiting.hpp"
 
+namespace lstm_planner::create2_stub_behaviour {
 namespace {
-
-using lstm_planner::eventually;
 
 constexpr double kDeadline = 30.0;        // s of the computer's clock after which a test has failed
 constexpr double kRobotRadius = 0.17425;  // m
@@ -310,12 +310,10 @@ TEST_F(Create2Stub, HoldsTheRobotAtAnObstacleAndCountsTheContactOnce) {
   EXPECT_EQ(contacts_, 2u);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "create2_stub_behaviour");
-  ::testing::InitGoogleTest(&argc, argv);
-  ros::NodeHandle keep_alive;
+const RosProgram program("create2_stub_behaviour", [] {
   const ClockSource clock(ros::param::param("~drive_clock", false));
-  return RUN_ALL_TESTS();
-}
+  return runTests();
+});
+
+}  // namespace
+}  // namespace lstm_planner::create2_stub_behaviour

@@ -4,12 +4,11 @@
 #include <ros/ros.h>
 #include <rosgraph_msgs/Clock.h>
 
+#include "ros/fixtures/ros_program.hpp"
 #include "ros/fixtures/waiting.hpp"
 
+namespace lstm_planner::create2_stub_waits {
 namespace {
-
-using lstm_planner::eventually;
-using lstm_planner::spinBriefly;
 
 constexpr double kDeadline = 30.0;  // s of the computer's clock after which a test has failed
 constexpr double kPeriod = 0.06;    // s, simulated, as in the .test file
@@ -74,10 +73,7 @@ TEST_F(Create2StubWaits, NotForOneThatLetsTheRobotStand) {
   EXPECT_TRUE(eventually([&] { return now_ > begin + 50.0 * kPeriod; }, kDeadline, spinBriefly));
 }
 
-}  // namespace
+const RosProgram program("create2_stub_waits", &runTests);
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "create2_stub_waits");
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::create2_stub_waits

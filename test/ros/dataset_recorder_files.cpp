@@ -4,8 +4,9 @@
 
 #include "lstm_planner/robot/dataset/dataset_check.hpp"
 #include "ros/fixtures/recorder_fixture.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::dataset_recorder_files {
 namespace {
 
 constexpr int kOk = diagnostic_msgs::DiagnosticStatus::OK;
@@ -215,12 +216,7 @@ TEST_F(RecorderTest, AFileThatIsNoDatasetIsLeftAlone) {
   EXPECT_EQ(text, "a shopping list");
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("dataset_recorder_files", &runTests);
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "dataset_recorder_files");
-  testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle node;  // keeps ROS up between tests
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::dataset_recorder_files

@@ -11,8 +11,9 @@
 
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/recorder/drive_messages.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::dataset_recorder_messages {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -221,10 +222,7 @@ TEST_F(DriveMessagesTest, CancellingUpToATimeIsHeardByGoalsOfBefore) {
   EXPECT_FALSE(messages_.recorder().goal());
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("dataset_recorder_messages", &runTests);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::dataset_recorder_messages

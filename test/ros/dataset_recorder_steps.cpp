@@ -1,8 +1,9 @@
 // What the recorder makes of a drive: steps, labels, and the episodes they belong to.
 
 #include "ros/fixtures/recorder_fixture.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::dataset_recorder_steps {
 namespace {
 
 using actionlib_msgs::GoalStatus;
@@ -211,12 +212,7 @@ TEST_F(RecorderTest, WhatIsNotFiniteIsCountedAndNotRecorded) {
   EXPECT_EQ(dataset.recordings.at(0).episodes.size(), 1U);
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("dataset_recorder_steps", &runTests);
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "dataset_recorder_steps");
-  testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle node;  // keeps ROS up between tests
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::dataset_recorder_steps

@@ -14,8 +14,9 @@
 #include "lstm_planner/robot/dataset/dataset.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/fixtures/recorder_process.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::dataset_recorder_stub {
 namespace {
 
 class StubDrive : public testing::Test {
@@ -94,11 +95,7 @@ TEST_F(StubDrive, StraightToAGoalIsRecordedStepByStep) {
   }
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("dataset_recorder_stub", &runTests);
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "dataset_recorder_stub");
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::dataset_recorder_stub

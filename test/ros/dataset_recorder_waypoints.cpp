@@ -3,8 +3,9 @@
 #include <mutex>
 
 #include "ros/fixtures/recorder_fixture.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::dataset_recorder_waypoints {
 namespace {
 
 /// Hears the goals like somebody who is to drive there.
@@ -127,12 +128,7 @@ TEST_F(RecorderWaypointTest, AreAtLeastTwo) {
       << recorder_->printed();
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("dataset_recorder_waypoints", &runTests);
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "dataset_recorder_waypoints");
-  testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle node;  // keeps ROS up between tests
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::dataset_recorder_waypoints

@@ -17,13 +17,12 @@
 #include <string>
 #include <vector>
 
+#include "ros/fixtures/ros_program.hpp"
 #include "ros/fixtures/waiting.hpp"
 #include "support/picture_check.hpp"
 
+namespace lstm_planner::demo_runner_behaviour {
 namespace {
-
-using lstm_planner::eventually;
-using lstm_planner::spinBriefly;
 
 constexpr double kDeadline = 60.0;  // s of the computer's clock after which a test has failed
 
@@ -148,11 +147,7 @@ TEST_F(DemoRunner, CountsEveryWayOfMissingAGoal) {
   EXPECT_TRUE(leg(4)["shortest_m"].is_null()) << "that goal is too near to the wall for the robot";
 }
 
-}  // namespace
+const RosProgram program("demo_runner_behaviour", &runTests);
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "demo_runner_behaviour");
-  ::testing::InitGoogleTest(&argc, argv);
-  ros::NodeHandle keep_alive;
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::demo_runner_behaviour

@@ -17,8 +17,9 @@
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/fixtures/callback_thread.hpp"
 #include "ros/fixtures/fake_robot.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::drive_advice_beside {
 namespace {
 
 constexpr std::size_t kPointsOfAnArrow = 6;
@@ -114,12 +115,7 @@ TEST_F(DriveAdvice, SaysAtEveryStepWhatThePlannerWouldDoAndHowOftenTheDriverDidT
             "same angle at " + std::to_string(green / kPointsOfAnArrow) + " of " + std::to_string(steps) + " steps");
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("drive_advice_beside", &runTests);
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "drive_advice_beside");
-  testing::InitGoogleTest(&argc, argv);
-  const ros::NodeHandle node_handle;
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::drive_advice_beside

@@ -5,8 +5,9 @@
 #include <atomic>
 
 #include "ros/fixtures/closed_loop_fixture.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::localised {
 namespace {
 
 using State = actionlib::SimpleClientGoalState;
@@ -50,14 +51,7 @@ TEST_F(LocalisedTest, ArrivesWhereTheGoalTrulyIsAndForgetsNothing) {
   EXPECT_EQ(log_.count("forgotten"), 0) << "a correction is no jump";
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("localised", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "localised");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::localised

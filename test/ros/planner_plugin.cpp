@@ -16,8 +16,9 @@
 
 #include "ros/fixtures/diagnostics_listener.hpp"
 #include "ros/fixtures/planner_fixture.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::planner_plugin {
 namespace {
 
 constexpr double kGoalTolerance = 1e-9;
@@ -389,14 +390,7 @@ TEST_F(PlannerTest, LoadsByItsNameThroughPluginlib) {
   }));
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("planner_plugin", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "planner_plugin");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::planner_plugin

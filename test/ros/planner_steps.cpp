@@ -4,8 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "ros/fixtures/planner_fixture.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::planner_steps {
 namespace {
 
 const Pose2 kGoal{6.0, 1.0, 0.7};
@@ -120,14 +121,7 @@ TEST_F(PlannerTest, GoalSeekingModelOfTheLaunchFilesIsTheOneMadeByHand) {
   }
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("planner_steps", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "planner_steps");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::planner_steps

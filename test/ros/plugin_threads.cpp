@@ -13,8 +13,9 @@
 #include "ros/fixtures/planner_fixture.hpp"
 #include "ros/fixtures/plugin_loader.hpp"
 #include "ros/fixtures/process_figures.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::plugin_threads {
 namespace {
 
 /// The robot's messages, sent without a pause by a thread of its own, as long as the object lives.
@@ -175,14 +176,7 @@ TEST_F(PluginThreads, TwoPlannersInOneProcessDoNotKnowOfEachOther) {
   EXPECT_EQ(other_different, 0);
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("plugin_threads", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "plugin_threads");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::plugin_threads

@@ -11,9 +11,10 @@
 
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/fixtures/bag_planner.hpp"
+#include "ros/fixtures/ros_program.hpp"
 #include "support/real_data.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::real_bags {
 namespace {
 
 constexpr double kCallPeriod = 0.5;  // s
@@ -237,14 +238,7 @@ INSTANTIATE_TEST_SUITE_P(ShippedBags, RealBagTest,
                                          RecordedBag{"bad_floor.bag", "odom", "", 1.0, false, true}),
                          nameOf);
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("real_bags", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "real_bags");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::real_bags

@@ -12,10 +12,11 @@
 #include <string>
 
 #include "ros/fixtures/hand_made_model.hpp"
+#include "ros/fixtures/ros_program.hpp"
 #include "support/real_data.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::real_map {
 namespace {
 
 void writeGoalsFile(const std::string& path, const DriveTask& task) {
@@ -67,10 +68,7 @@ TEST(RealMap, DemoArrivesInWillowOnAShortPathAndAUselessNetworkOnALongOne) {
   EXPECT_GT(detour(drive(tasks.front(), " leader:=network model:=" + useless.path())), 2.0);
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("real_map", &runTests);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::real_map

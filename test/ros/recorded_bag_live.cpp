@@ -17,9 +17,10 @@
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
 #include "ros/fixtures/drive_bag.hpp"
 #include "ros/fixtures/recorder_process.hpp"
+#include "ros/fixtures/ros_program.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::recorded_bag_live {
 namespace {
 
 /// Publishes a bag's messages in lock step with the node dataset_recorder: the next one when one has been heard. Its
@@ -156,14 +157,7 @@ TEST(RecordedBagLiveTest, ABagGivesWhatTheNodeMakesOfTheSameMessages) {
   EXPECT_GT(steps, 35);  // two a second for some 20 s of driving with a goal
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("recorded_bag_live", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "recorded_bag_live");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::recorded_bag_live

@@ -12,10 +12,11 @@
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
 #include "ros/fixtures/drive_bag.hpp"
+#include "ros/fixtures/ros_program.hpp"
 #include "support/real_data.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::recorded_bags {
 namespace {
 
 std::string pathOf(const std::string& name) {
@@ -379,10 +380,7 @@ INSTANTIATE_TEST_SUITE_P(Bags, RealRecordedBagTest,
                                          RealBag{"urg04lx_odom_2019jan17_expt04.bag", "/odom", 962, 1.0, true, 100}),
                          nameOf);
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("recorded_bags", &runTests);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::recorded_bags

@@ -16,9 +16,10 @@
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
 #include "ros/fixtures/fake_robot.hpp"
+#include "ros/fixtures/ros_program.hpp"
 #include "ros/fixtures/yaml_differences.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::scripted_teleoperator_drives {
 namespace {
 
 constexpr double kDeadline = 60.0;        // s of the computer's clock after which a test has failed
@@ -127,12 +128,7 @@ TEST(ScriptedTeleoperatorYaml, ListsEveryParameterWithItsDefault) {
   EXPECT_EQ(yaml.unknown, std::vector<std::string>()) << "in the yaml, but not a parameter";
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("scripted_teleoperator_drives", &runTests);
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "scripted_teleoperator_drives");
-  ::testing::InitGoogleTest(&argc, argv);
-  ros::NodeHandle keep_alive;
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::scripted_teleoperator_drives

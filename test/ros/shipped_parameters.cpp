@@ -13,9 +13,10 @@
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
+#include "ros/fixtures/ros_program.hpp"
 #include "ros/fixtures/yaml_differences.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::shipped_parameters {
 namespace {
 
 template <typename Parameters, typename VisitAll>
@@ -100,12 +101,7 @@ TEST(ShippedParameters, AMisspeltOneIsWarnedOfWithTheNearestName) {
                                                                       "; the nearest is step/length"}));
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("shipped_parameters", &runTests);
 
-int main(int argc, char** argv) {
-  ros::init(argc, argv, "shipped_parameters");
-  ::testing::InitGoogleTest(&argc, argv);
-  ros::Time::init();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::shipped_parameters

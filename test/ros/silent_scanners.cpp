@@ -17,8 +17,9 @@
 #include "ros/fixtures/faulty_robot.hpp"
 #include "ros/fixtures/log_listener.hpp"
 #include "ros/fixtures/plugin_host.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::silent_scanners {
 namespace {
 
 constexpr float kInf = std::numeric_limits<float>::infinity();
@@ -124,12 +125,7 @@ TEST_F(SilentScannerTest, ALensThatIsCoveredWhileTheScannerPausesIsNoOpenField) 
   expectArrives();
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("silent_scanners", &runTests);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "silent_scanners");
-  const ros::NodeHandle node_handle;
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::silent_scanners

@@ -29,9 +29,10 @@
 #include "ros/fixtures/plugin_host.hpp"
 #include "ros/fixtures/process_figures.hpp"
 #include "ros/fixtures/recorder_process.hpp"
+#include "ros/fixtures/ros_program.hpp"
 #include "support/scratch_folder.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::soak {
 namespace {
 
 /// What was measured in one part of the time, or at its end.
@@ -293,12 +294,7 @@ TEST_F(Soak, NothingGrowsNothingIsTouchedAndEveryDatasetIsSound) {
       samples, "a plan's 99th percentile (s)", [](const Sample& sample) { return sample.p99; }, scatter, 0.0);
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("soak", &runTests);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "soak");
-  const ros::NodeHandle node_handle;
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::soak

@@ -11,8 +11,9 @@
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/fixtures/fake_robot.hpp"
 #include "ros/fixtures/log_listener.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::transform_listener {
 namespace {
 
 class TransformListenerTest : public testing::Test {
@@ -95,14 +96,7 @@ TEST_F(TransformListenerTest, ForgetsAllWhenTheClockIsSetBack) {
   EXPECT_TRUE(log_.eventuallyHas("the clock was set back by 500.000 s: all transforms so far are forgotten"));
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("transform_listener", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "transform_listener");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::transform_listener

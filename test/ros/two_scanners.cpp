@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "ros/fixtures/closed_loop_fixture.hpp"
+#include "ros/fixtures/ros_program.hpp"
 
-namespace lstm_planner {
+namespace lstm_planner::two_scanners {
 namespace {
 
 using State = actionlib::SimpleClientGoalState;
@@ -73,14 +74,7 @@ TEST_F(TwoScannersTest, DiagnosticsTellOfBoth) {
   }
 }
 
-}  // namespace
-}  // namespace lstm_planner
+const RosProgram program("two_scanners", &runTestsBesideSpinner);
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  ros::init(argc, argv, "two_scanners");
-  const ros::NodeHandle node_handle;
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  return RUN_ALL_TESTS();
-}
+}  // namespace
+}  // namespace lstm_planner::two_scanners
