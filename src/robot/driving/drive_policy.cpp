@@ -106,13 +106,14 @@ DrivePolicy DrivePolicy::fromFile(const std::string& path) {
 }
 
 const Eigen::VectorXf& DrivePolicy::advance(const Observation& observation) {
+  if (views_) return advanceViews(observation);
   encoder_.encode(observation, input_);
-  return views_ ? advanceViews(observation) : network_->forward(input_);
+  return network_->forward(input_);
 }
 
 const Eigen::VectorXf& DrivePolicy::advanceViews(const Observation& observation) {
   const ViewBearings bearings = bearingsOf(observation);
-  encoder_.turn(input_.data(), bearings, view_inputs_.data(), kDriveViews);
+  encoder_.encodeViews(observation, bearings, input_.data(), view_inputs_.data(), kDriveViews);
   const BatchNetwork::Values& outputs = views_->forward(view_inputs_);
   for (std::size_t action = 0; action < action_views_.size(); ++action) {
     const int direction = (bearings.ahead + action_views_[action]) % kDriveViews;

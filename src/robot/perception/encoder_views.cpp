@@ -126,41 +126,51 @@ bool Encoder::fillBearings(Feature feature, const ViewBearings& bearings, float*
   }
 }
 
-void Encoder::turn(const float* ahead, const ViewBearings& bearings, float* inputs, int stride) const {
-  const auto rowOf = [&](const Group& group, std::size_t i) { return inputs + group.at[i] * stride; };
-  for (const Group& group : groups_) {
-    switch (group.feature) {
-      case Feature::kSector:
-      case Feature::kEvent:
-      case Feature::kSeen: {
-        // The scanner sees half of the directions. Every second sector lies a view on.
-        Ring even{};
-        Ring odd{};
-        for (std::size_t i = 0; i < kSectorCount; i += kSectorsAView) {
-          even.set(i / kSectorsAView, ahead[group.at[i]]);
-          odd.set(i / kSectorsAView, ahead[group.at[i + 1]]);
-        }
-        for (std::size_t i = 0; i < kSectorCount; ++i) {
-          (i % kSectorsAView == 0 ? even : odd)
-              .copyFrom(static_cast<int>(i) / kSectorsAView - bearings.ahead, rowOf(group, i));
-        }
-        break;
+/// What the view ahead sees, for each view.
+void Encoder::spread(const Group& group, const float* ahead, int direction, float* inputs, int stride) {
+  const auto rowOf = [&](std::size_t i) { return inputs + group.at[i] * stride; };
+  switch (group.feature) {
+    case Feature::kSector:
+    case Feature::kEvent:
+    case Feature::kSeen: {
+      // The scanner sees half of the directions. Every second sector lies a view on.
+      Ring even{};
+      Ring odd{};
+      for (std::size_t i = 0; i < kSectorCount; i += kSectorsAView) {
+        even.set(i / kSectorsAView, ahead[group.at[i]]);
+        odd.set(i / kSectorsAView, ahead[group.at[i + 1]]);
       }
-      case Feature::kVisits:
-      case Feature::kPlaceVisits:
-      case Feature::kPlaceFreshness: {
-        Ring around{};
-        for (std::size_t i = 0; i < kDriveViews; ++i) around.set(i, ahead[group.at[i]]);
-        for (std::size_t i = 0; i < kDriveViews; ++i) {
-          around.copyFrom(static_cast<int>(i) - bearings.ahead, rowOf(group, i));
-        }
-        break;
+      for (std::size_t i = 0; i < kSectorCount; ++i) {
+        (i % kSectorsAView == 0 ? even : odd).copyFrom(static_cast<int>(i) / kSectorsAView - direction, rowOf(i));
       }
-      default:
-        if (!fillBearings(group.feature, bearings, rowOf(group, 0))) {
-          std::fill_n(rowOf(group, 0), kDriveViews, ahead[group.at[0]]);
-        }
+      break;
     }
+    case Feature::kVisits:
+    case Feature::kPlaceVisits:
+    case Feature::kPlaceFreshness: {
+      Ring around{};
+      for (std::size_t i = 0; i < kDriveViews; ++i) around.set(i, ahead[group.at[i]]);
+      for (std::size_t i = 0; i < kDriveViews; ++i) around.copyFrom(static_cast<int>(i) - direction, rowOf(i));
+      break;
+    }
+    default:
+      std::fill_n(rowOf(0), kDriveViews, ahead[group.at[0]]);
+  }
+}
+
+void Encoder::turn(const float* ahead, const ViewBearings& bearings, float* inputs, int stride) const {
+  for (const Group& group : groups_) {
+    if (fillBearings(group.feature, bearings, inputs + group.at[0] * stride)) continue;
+    spread(group, ahead, bearings.ahead, inputs, stride);
+  }
+}
+
+void Encoder::encodeViews(const Observation& observation, const ViewBearings& bearings, float* ahead, float* inputs,
+                          int stride) const {
+  for (const Group& group : groups_) {
+    if (fillBearings(group.feature, bearings, inputs + group.at[0] * stride)) continue;
+    fill(group, observation, ahead);
+    spread(group, ahead, bearings.ahead, inputs, stride);
   }
 }
 

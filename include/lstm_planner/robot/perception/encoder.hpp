@@ -93,6 +93,11 @@ class Encoder {
   /// measured elsewhere, and so the network can learn what to make of it.
   void turn(const float* ahead, const ViewBearings& bearings, float* inputs, int stride) const;
 
+  /// encode() and turn() in one, without what turn() would replace. `bearings`: of the observation. `ahead`: space for
+  /// size() values.
+  void encodeViews(const Observation& observation, const ViewBearings& bearings, float* ahead, float* inputs,
+                   int stride) const;
+
  private:
   /// What one number of the input is.
   enum class Feature : std::uint8_t {
@@ -144,6 +149,7 @@ class Encoder {
   template <typename Value>
   static void fillViews(const ViewBearings& bearings, const Value& value, float* row);
   bool fillBearings(Feature feature, const ViewBearings& bearings, float* row) const;
+  static void spread(const Group& group, const float* ahead, int direction, float* inputs, int stride);
 
   std::shared_ptr<const EncoderParameters> parameters_;
   std::vector<Group> groups_;
