@@ -6,7 +6,7 @@ namespace lstm_planner {
 namespace {
 
 /// In the order of --help.
-const std::vector<Command>& actions() {
+const std::vector<Command>& datasetActions() {
   static const std::vector<Command> all = {
       {"info", "print what a dataset contains, and draw it", datasetInfo},
       {"check", "check a dataset for errors", datasetCheck},
@@ -22,6 +22,6 @@ const std::vector<Command>& actions() {
 
 }  // namespace
 
-int runDataset(const std::vector<std::string>& arguments) { return runAction("dataset", actions(), arguments); }
+int runDataset(const std::vector<std::string>& arguments) { return runAction("dataset", datasetActions(), arguments); }
 
 }  // namespace lstm_planner

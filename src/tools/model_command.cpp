@@ -202,7 +202,7 @@ int modelConvert(const std::vector<std::string>& arguments) {
   return 0;
 }
 
-const std::vector<Command>& actions() {
+const std::vector<Command>& modelActions() {
   static const std::vector<Command> all = {
       {"info", "print what a model file contains", modelInfo},
       {"check", "check whether a model can be used", modelCheck},
@@ -213,6 +213,6 @@ const std::vector<Command>& actions() {
 
 }  // namespace
 
-int runModel(const std::vector<std::string>& arguments) { return runAction("model", actions(), arguments); }
+int runModel(const std::vector<std::string>& arguments) { return runAction("model", modelActions(), arguments); }
 
 }  // namespace lstm_planner

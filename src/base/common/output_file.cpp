@@ -33,7 +33,7 @@ void forget(const std::string& path) {
   }
 }
 
-[[noreturn]] void fail(int reason) { throw OutputFileError(std::strerror(reason)); }
+[[noreturn]] void failWith(int reason) { throw OutputFileError(std::strerror(reason)); }
 
 /// Why no more can be written to a file: a stream does not say.
 int reasonOf(const std::string& path) {
@@ -85,14 +85,14 @@ OutputFile::~OutputFile() {
 std::ostream& OutputFile::stream() {
   if (stream_.is_open()) return stream_;
   stream_.open(part_path_, std::ios::binary | std::ios::trunc);
-  if (!stream_) fail(errno);
+  if (!stream_) failWith(errno);
   return stream_;
 }
 
 void OutputFile::commit() {
   if (stream_.is_open()) {
     stream_.close();
-    if (!stream_) fail(reasonOf(part_path_));
+    if (!stream_) failWith(reasonOf(part_path_));
   }
   if (is_direct_) return;
   sync(part_path_);
@@ -102,11 +102,11 @@ void OutputFile::commit() {
 
 void OutputFile::sync(const std::string& path) const {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) fail(errno);
+  if (descriptor < 0) failWith(errno);
   // Some file systems cannot sync folders.
   const int reason = ::fsync(descriptor) == 0 || errno == EINVAL ? 0 : errno;
   ::close(descriptor);
-  if (reason != 0) fail(reason);
+  if (reason != 0) failWith(reason);
 }
 
 void OutputFile::rename() {

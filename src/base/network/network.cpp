@@ -14,8 +14,6 @@ namespace {
 using Eigen::VectorXf;
 using ConstValues = Eigen::Ref<const VectorXf>;
 
-constexpr std::size_t kFloatsALine = sizeof(CacheLine) / sizeof(float);
-
 }  // namespace
 
 Network::Network(const LayerStack& layers, InstructionSet set)

@@ -13,8 +13,6 @@ using Eigen::Index;
 using Eigen::MatrixXf;
 using Eigen::VectorXf;
 
-constexpr std::size_t kFloatsALine = sizeof(CacheLine) / sizeof(float);
-
 /// Memory a page apart shares its places in the first level of the cache, on all machines that look these up while they
 /// translate the address.
 constexpr std::size_t kFloatsAPage = 4096 / sizeof(float);

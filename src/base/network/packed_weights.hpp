@@ -12,6 +12,7 @@ namespace lstm_planner {
 struct alignas(64) CacheLine {
   float values[16];
 };
+constexpr std::size_t kFloatsALine = sizeof(CacheLine) / sizeof(float);
 
 struct PackedGate {
   int block;     ///< its place in the matrices, whose rows are the gates one above the other

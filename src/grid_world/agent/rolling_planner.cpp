@@ -11,7 +11,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr int kWindowSide = RollingGrid::kSide;
-constexpr std::size_t kLongestPath = 1024;  ///< steps of the path that are kept
+constexpr std::size_t kLongestKeptPath = 1024;  ///< steps of the path that are kept
 
 /// The moves that walls beside leave, both with bit d for direction d.
 unsigned movesBetween(unsigned walls, CornerCutting corner_cutting) {
@@ -46,7 +46,7 @@ struct RollingPlanner::World {
 
 RollingPlanner::RollingPlanner(CornerCutting corner_cutting) : corner_cutting_(corner_cutting) {
   static_assert(RollingGrid::kSide == Search::kSide, "the search covers the window");
-  path_.reserve(kLongestPath);
+  path_.reserve(kLongestKeptPath);
 }
 
 void RollingPlanner::start() {
@@ -57,7 +57,9 @@ void RollingPlanner::start() {
   search_.resetCounter();
 }
 
-std::size_t RollingPlanner::bytes() const { return sizeof(*this) + walls_.bytes() + Search::bytes() + kLongestPath; }
+std::size_t RollingPlanner::bytes() const {
+  return sizeof(*this) + walls_.bytes() + Search::bytes() + kLongestKeptPath;
+}
 
 void RollingPlanner::observe(const GridObservation& observation) {
   const bool is_new = walls_.observe(observation);
@@ -103,7 +105,7 @@ void RollingPlanner::plan(const GridObservation& observation) {
   const int target = search_.find(World{walls_, corner_cutting_, goal}, start);
   if (target < 0) return;
   length_ = static_cast<double>(search_.cost()) / kStraightFifths;
-  search_.pathTo(target, kLongestPath, &path_);
+  search_.pathTo(target, kLongestKeptPath, &path_);
 }
 
 }  // namespace lstm_planner

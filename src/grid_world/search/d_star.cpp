@@ -22,7 +22,7 @@ constexpr std::int64_t kLargestMap = std::int64_t{1} << 26;
 
 constexpr int opposite(int direction) { return (direction + kGridMoveCount / 2) % kGridMoveCount; }
 
-std::string named(CellIndex cell) {
+std::string cellText(CellIndex cell) {
   return "(column " + std::to_string(cell.column) + ", row " + std::to_string(cell.row) + ")";
 }
 
@@ -38,7 +38,7 @@ DStar::DStar(int columns, int rows, CellIndex goal, CornerCutting corner_cutting
   if (columns < 1 || rows < 1 || std::int64_t{columns} * rows > kLargestMap) {
     throw std::invalid_argument("a map of " + size + ", expected positive sizes and at most 2^26 cells");
   }
-  if (!contains(goal)) throw std::invalid_argument("the goal " + named(goal) + " is outside the map of " + size);
+  if (!contains(goal)) throw std::invalid_argument("the goal " + cellText(goal) + " is outside the map of " + size);
   tile_columns_ = (static_cast<std::size_t>(columns) + kTileSide - 1) / kTileSide;
   tiles_.resize(tile_columns_ * ((static_cast<std::size_t>(rows) + kTileSide - 1) / kTileSide));
   insert(goal, state(goal), 0);
@@ -212,7 +212,7 @@ void DStar::raise(CellIndex cell, State& x, const Neighbours& neighbours, MoveCo
 }
 
 bool DStar::plan(CellIndex robot) {
-  if (!contains(robot)) throw std::invalid_argument("the robot's cell " + named(robot) + " is outside the map");
+  if (!contains(robot)) throw std::invalid_argument("the robot's cell " + cellText(robot) + " is outside the map");
   while (leastKey() < costToGoal(robot)) processState();
   return costToGoal(robot) < kUnreachable;
 }

@@ -25,7 +25,7 @@ constexpr std::size_t kMostLines = 1'000'000;
 constexpr const char* kOdometryFrame = "odom";
 constexpr const char* kScanFrame = "laser";
 
-bool isSame(const Pose2& a, const Pose2& b) { return a.x == b.x && a.y == b.y && a.yaw == b.yaw; }
+bool isSamePose(const Pose2& a, const Pose2& b) { return a.x == b.x && a.y == b.y && a.yaw == b.yaw; }
 
 /// Reads the lines of a log, and counts what is not used.
 class LogReader {
@@ -128,7 +128,7 @@ class LogReader {
   }
 
   void keep(CarmenLine line) {
-    if (!lines_.empty() && lines_.back().has_scan && !line.has_scan && isSame(lines_.back().robot, line.robot)) {
+    if (!lines_.empty() && lines_.back().has_scan && !line.has_scan && isSamePose(lines_.back().robot, line.robot)) {
       ++log_->repeated;
       return;
     }

@@ -20,10 +20,10 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr int kPatienceToStart = 5000;    // ms
-constexpr int kPatience = 100;            // ms; longer would hold up whoever records
-constexpr int kPatienceToFinish = 10000;  // ms
-constexpr long kMostWaiting = 10000;      // steps; with scans of 1080 beams some 50 MB
+constexpr int kPatienceToStart = 5000;        // ms
+constexpr int kPatienceWhileRecording = 100;  // ms; longer would hold up whoever records
+constexpr int kPatienceToFinish = 10000;      // ms
+constexpr long kMostWaiting = 10000;          // steps; with scans of 1080 beams some 50 MB
 constexpr std::size_t kMostEntries = 2 * kMostWaiting;
 constexpr long kLostEpisode = -1;    // its steps are lost, too
 constexpr std::size_t kBatch = 200;  // calls a transaction, so that a backlog goes out piece by piece
@@ -129,7 +129,7 @@ class DatasetWriter::Implementation {
     patience_ = kPatienceToFinish;
     file_.reset();
     write();
-    patience_ = kPatience;
+    patience_ = kPatienceWhileRecording;
     if (!waiting_.empty()) {
       throw DatasetError(problem_ + "; " + std::to_string(waiting_steps_ + lost_) + " steps are not in it");
     }
@@ -216,7 +216,7 @@ class DatasetWriter::Implementation {
   std::optional<DatasetFile> file_;
   std::optional<DatasetRows> rows_;
   std::pair<dev_t, ino_t> identity_;
-  int patience_ = kPatience;
+  int patience_ = kPatienceWhileRecording;
   long recording_ = 0;
   long next_episode_ = 0;
   std::vector<long> episodes_;  ///< that are not discarded

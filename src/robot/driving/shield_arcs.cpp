@@ -11,7 +11,7 @@ namespace lstm_planner {
 namespace {
 
 /// Below this, 1/m, an arc of the lengths that matter here is a straight line to a millionth of a millimetre.
-constexpr double kStraight = 1e-9;
+constexpr double kStraightCurvature = 1e-9;
 
 /// An arc in the frame of the pose that it starts at, mirrored where needed so that it bends to the left.
 struct Arc {
@@ -41,7 +41,7 @@ double Shield::freeArc(const Pose2& from, double curvature, double limit, double
   if (!footprint_.isCircle()) {
     return sweep(FootprintSweep::arc(footprint_, curvature, false), from, limit, clearance);
   }
-  if (std::abs(curvature) < kStraight) {
+  if (std::abs(curvature) < kStraightCurvature) {
     return freeDistance({from.x, from.y}, from.yaw, limit, clearance);
   }
   const Arc arc(curvature);
@@ -84,7 +84,7 @@ double Shield::arcGap(const Pose2& from, double curvature, double length) const 
     return sweepGap(FootprintSweep::arc(footprint_, curvature, false), from, length);
   }
   const Pose2 end = alongArc(from, curvature, length);
-  const bool straight = std::abs(curvature) < kStraight;
+  const bool straight = std::abs(curvature) < kStraightCurvature;
   const Arc arc(straight ? 1.0 : curvature);
   const Point2 start{from.x, from.y};
   double nearest_so_far = nearest(start);

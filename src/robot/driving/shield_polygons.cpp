@@ -9,7 +9,7 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kRounding = 1e-6;  // m
+constexpr double kEdgeRounding = 1e-6;  // m
 
 }  // namespace
 
@@ -31,7 +31,8 @@ double Shield::sweep(const FootprintSweep& sweep, const Pose2& from, double limi
       return true;
     }
     // One that it goes away from may come back to where it is now, after a turn.
-    const double nearest = now <= hard ? now - kRounding : std::max(hard, std::min(clearance, now - kShieldTouchSlack));
+    const double nearest =
+        now <= hard ? now - kEdgeRounding : std::max(hard, std::min(clearance, now - kShieldTouchSlack));
     if (nearest > 0.0) free = std::min(free, sweep.freeBefore(local, nearest, free));
     return false;
   });

@@ -14,10 +14,10 @@ namespace {
 constexpr double kRadius = 0.075;  // m
 constexpr Pose2 kStart{-2.25, 3.0, M_PI_2};
 constexpr Point2 kGoal{-2.25, 13.0};
-constexpr double kTimeLimit = 100.0;     // s
-constexpr double kGoalRadius = 1.0;      // m
-constexpr double kReferenceSpeed = 2.0;  // m/s
-constexpr double kSlowest = 8.0;         // times the reference time
+constexpr double kTimeLimit = 100.0;         // s
+constexpr double kGoalRadius = 1.0;          // m
+constexpr double kReferenceSpeed = 2.0;      // m/s
+constexpr double kMostReferenceTimes = 8.0;  // times the reference time
 
 int worldNumber(double value, const std::string& path) {
   if (value < 0.0 || value > 1e6 || value != std::floor(value)) {
@@ -64,7 +64,7 @@ DriveParameters barnRules(DriveParameters parameters) {
 double barnScore(const DriveResult& result, double k) {
   const double reference = result.shortest / kReferenceSpeed;
   if (result.end != DriveResult::End::kReached || result.contacts > 0 || !(reference > 0.0)) return 0.0;
-  return reference / std::clamp(result.time, k * reference, kSlowest * reference);
+  return reference / std::clamp(result.time, k * reference, kMostReferenceTimes * reference);
 }
 
 }  // namespace lstm_planner

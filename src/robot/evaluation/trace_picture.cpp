@@ -22,7 +22,7 @@ const cv::Scalar kWalkerBefore(225, 218, 205);
 const cv::Scalar kContact(200, 0, 200);
 const cv::Scalar kText(0, 0, 0);
 
-constexpr double kTraceWidth = 2.0;  // thousandths of the longer side
+constexpr double kPartWidth = 2.0;  // thousandths of the longer side
 constexpr double kWalkerWidth = 1.0;
 constexpr double kWalkerRadius = 0.25;      // m
 constexpr std::size_t kRecentPlaces = 100;  // 10 s
@@ -199,8 +199,8 @@ void writeTracePicture(const std::string& path, const OccupancyGrid& map, const 
     canvas.circle(circle.center, circle.radius, colours::kObstacle, cv::FILLED);
   drawWalkers(picture, &canvas);
   for (const std::vector<Point2>& trace : picture.traces)
-    canvas.polyline(trace, colorOf(Decision::Source::kNetwork), kTraceWidth);
-  for (const TracePicture::Part& part : picture.parts) canvas.polyline(part.path, colorOf(part.source), kTraceWidth);
+    canvas.polyline(trace, colorOf(Decision::Source::kNetwork), kPartWidth);
+  for (const TracePicture::Part& part : picture.parts) canvas.polyline(part.path, colorOf(part.source), kPartWidth);
   for (const Pose2& start : picture.starts) drawStart(start, picture.robot_radius, &canvas);
   for (const TracePicture::Goal& goal : picture.goals) drawGoal(goal, picture.robot_radius, &canvas);
   for (const Point2& contact : picture.contacts) canvas.cross(contact, picture.robot_radius, kContact, 2.5);

@@ -11,11 +11,11 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kSameAngle = 1e-4;  ///< rad
+constexpr double kMirroredAngle = 1e-4;  ///< rad
 
 void requireSymmetric(const std::vector<double>& actions) {
   for (std::size_t i = 0; i < actions.size(); ++i) {
-    if (std::abs(actions[i] + actions[actions.size() - 1 - i]) < kSameAngle) continue;
+    if (std::abs(actions[i] + actions[actions.size() - 1 - i]) < kMirroredAngle) continue;
     std::ostringstream message;
     message << "the allowed angle of " << actions[i] << " rad has no counterpart on the other side, expected one to "
             << "mirror drives";

@@ -12,7 +12,7 @@ namespace lstm_planner {
 namespace {
 
 /// s; the robot turns while it drives, in pieces of this length.
-constexpr double kPiece = 0.1;
+constexpr double kSimulatedPiece = 0.1;
 
 /// m/s; a faster robot slows down from farther away.
 constexpr double kUsualSpeed = 0.5;
@@ -100,8 +100,8 @@ bool StepSimulator::hasArrived(const Situation& situation, const Decision& decis
 void StepSimulator::carryOut(const Situation&, const Decision& decision, const NavigationAgent& agent) {
   const StepParameters& step = agent.parameters().step;
   const Pose2 start = odometry_;
-  for (double elapsed = 0.0; elapsed < conditions_.period - 1e-9; elapsed += kPiece) {
-    const double period = std::min(kPiece, conditions_.period - elapsed);
+  for (double elapsed = 0.0; elapsed < conditions_.period - 1e-9; elapsed += kSimulatedPiece) {
+    const double period = std::min(kSimulatedPiece, conditions_.period - elapsed);
     if (elapsed + 1e-9 >= conditions_.latency) twist_ = steer(decision, agent, period);
     move(twist_, period);
     time_ += period;

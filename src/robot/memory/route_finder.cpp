@@ -15,7 +15,7 @@ namespace {
 constexpr double kStraightened = 8.0;
 constexpr std::size_t kLongestPull = 24;  ///< cells
 
-constexpr double kDetour = 3.0;  ///< times the tolerance
+constexpr double kWidestDetour = 3.0;  ///< times the tolerance
 
 /// The square nearest to `position` that the footprint fits on, at most `tolerance` away; false when there is none.
 bool nearestPlace(ObstacleMemory& memory, const Point2& position, double tolerance, Point2* place) {
@@ -68,7 +68,7 @@ double lengthOf(const std::vector<Point2>& points) {
 RouteFinder::RouteFinder(double tightness) : tightness_(tightness), cost_to_go_(tightness) {}
 
 bool RouteFinder::isDetour(double distance, double length, double tolerance) {
-  return distance <= tolerance && length > kDetour * tolerance;
+  return distance <= tolerance && length > kWidestDetour * tolerance;
 }
 
 bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance,

@@ -23,11 +23,11 @@ constexpr double kLongAgo = 1.5;
 /// A route is costed by what is remembered as far as this, m.
 constexpr double kLookedAt = 15.0;
 
-constexpr double kFullTurn = 2.0 * M_PI - 0.5;  ///< rad; the scanner sees more than the rest at once
-constexpr int kClosedLooks = 3;                 ///< looks around that must agree that there is no path
-constexpr int kMostForgotten = 4;               ///< without progress in between
+constexpr double kLookedAround = kFullTurn - 0.5;  ///< rad; the scanner sees more than the rest at once
+constexpr int kClosedLooks = 3;                    ///< looks around that must agree that there is no path
+constexpr int kMostForgotten = 4;                  ///< without progress in between
 /// Tolerances within which a goal is near.
-constexpr double kNearGoal = 2.0;
+constexpr double kNearGoalTolerances = 2.0;
 
 constexpr double kBlockedAhead = 0.3;  ///< m to the place that is taken as blocked
 
@@ -126,7 +126,7 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
     found = takeFromLastSearch(here, goal);
   }
   // While it looks around, what lies behind the robot is not known and seems free.
-  const bool still_looking = looking_ && turned_ < kFullTurn;
+  const bool still_looking = looking_ && turned_ < kLookedAround;
   found = found || (!still_looking && findRoute(here, goal, &found_));
   memory_.clearChanges();
   if (!found) {
@@ -141,7 +141,7 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
 double RouteGuide::tolerance() const { return toleranceAfter(driven_, parameters_); }
 
 bool RouteGuide::isGoalBehindObstacle(const Point2& here, const Point2& goal) const {
-  const double near = std::max(kNearGoal * tolerance(), parameters_.goal_in_sight);
+  const double near = std::max(kNearGoalTolerances * tolerance(), parameters_.goal_in_sight);
   return RouteFinder::isDetour(distanceBetween(here, goal), route().length, near);
 }
 
@@ -223,7 +223,7 @@ bool RouteGuide::goalIsAsBefore(const Point2& goal) {
 
 Decision::Source RouteGuide::lookAround(const Situation& situation) {
   route_.clear();
-  if (looking_ && turned_ < kFullTurn) {
+  if (looking_ && turned_ < kLookedAround) {
     return Source::kLookAround;
   }
   if (looking_ && !squeezing_) {

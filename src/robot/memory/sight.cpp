@@ -10,10 +10,10 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kInfiniteRange = std::numeric_limits<float>::infinity();
 
 /// Noise, and beams that graze a wall, must not make it seem cleared.
-constexpr float kBehind = 0.1f;
+constexpr float kBehindObstacle = 0.1f;
 constexpr std::size_t kBeside = 2;
 
 constexpr float kBlur = 1e-3f;  ///< m; more than is lost in floats
@@ -35,9 +35,9 @@ void Sight::measureBeams(const RangeProfile& profile) {
   const std::size_t beams = profile.ranges.size();
   const std::size_t length = roundedUp(beams, kBlock);
   padded_.resize(length + 2 * kBeside);
-  std::fill_n(padded_.begin(), kBeside, kInfinity);
+  std::fill_n(padded_.begin(), kBeside, kInfiniteRange);
   std::copy(profile.ranges.begin(), profile.ranges.end(), padded_.begin() + kBeside);
-  std::fill(padded_.begin() + static_cast<std::ptrdiff_t>(kBeside + beams), padded_.end(), kInfinity);
+  std::fill(padded_.begin() + static_cast<std::ptrdiff_t>(kBeside + beams), padded_.end(), kInfiniteRange);
   limits_.resize(length);
   const std::size_t blocks = length / kBlock;
   blocks_ = blocks + (std::size_t{1} << kLevels) + kLanes;
@@ -49,7 +49,7 @@ void Sight::measureBeams(const RangeProfile& profile) {
     static_assert(kBlock == kLanes, "a block side by side");
     Floats nearest = loadFloats(ranges + i);
     for (std::size_t j = 1; j <= 2 * kBeside; ++j) nearest = minimum(nearest, loadFloats(ranges + i + j));
-    const Floats before = maximum(minimum(nearest, farthest) - allOf(kBehind), Floats{});
+    const Floats before = maximum(minimum(nearest, farthest) - allOf(kBehindObstacle), Floats{});
     store(before * before, limits + i);
     farthest_[i / kBlock] = simd::largestOf(before) + kBlur;
   }

@@ -9,18 +9,16 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kTurn = 2.0 * M_PI;
-
 /// More beams a turn than that are of no use, and would not fit into a float's digits.
-constexpr double kMostBeams = 1e6;
+constexpr double kMostBeamsATurn = 1e6;
 
 }  // namespace
 
 BeamFinder::BeamFinder(const RangeProfile& profile, double yaw) : beams_(static_cast<long>(profile.ranges.size())) {
   const double first = profile.first_direction + yaw;
-  const double beams_a_turn = std::min(kMostBeams, kTurn / std::abs(profile.increment));
+  const double beams_a_turn = std::min(kMostBeamsATurn, kFullTurn / std::abs(profile.increment));
   beams_a_turn_ = static_cast<float>(beams_a_turn);
-  first_.beams_a_radian = static_cast<float>(beams_a_turn / kTurn);
+  first_.beams_a_radian = static_cast<float>(beams_a_turn / kFullTurn);
   first_.along_x = static_cast<float>(std::cos(first));
   first_.along_y = static_cast<float>(std::sin(first));
   first_.aside = profile.increment < 0.0 ? -1.0f : 1.0f;

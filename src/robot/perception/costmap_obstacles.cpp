@@ -12,9 +12,9 @@ namespace {
 constexpr unsigned char kInscribed = 253;
 constexpr unsigned char kLethal = 254;
 
-constexpr double kSpacing = 0.06;  // m between the points of a large cell, at most
-constexpr double kNear = 0.5;      // m within which obstacles count wherever they are
-constexpr int kWord = 64;          // cells
+constexpr double kPointSpacing = 0.06;  // m between the points of a large cell, at most
+constexpr double kNear = 0.5;           // m within which obstacles count wherever they are
+constexpr int kWord = 64;               // cells
 
 /// Whether one of so many costs is an obstacle's; without a jump, for compilers to do many at once.
 bool isAnyOccupied(const unsigned char* costs, int count) {
@@ -139,7 +139,7 @@ std::uint64_t CostmapObstacles::surrounded(int row, int word) const {
 
 void CostmapObstacles::addPoints(const CostGrid& grid, const Pose2& base, double reach,
                                  std::vector<Point2>* obstacles) const {
-  const int parts = static_cast<int>(std::ceil(grid.resolution / kSpacing));
+  const int parts = static_cast<int>(std::ceil(grid.resolution / kPointSpacing));
   const double part = grid.resolution / parts;
   const double half = 0.5 * grid.resolution;
   const double c = std::cos(base.yaw);

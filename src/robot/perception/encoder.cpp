@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSmallestScale = 1e-3;
 constexpr double kLargestScale = 1e6;
-constexpr double kSameAngle = 1e-3;     ///< rad
+constexpr double kSameSpan = 1e-3;      ///< rad
 constexpr double kMostLogSteps = 13.0;  ///< log2 of the longest time in steps that is told apart
 constexpr std::array<const char*, kPlaceScales> kPlaceNames = {"step", "room", "hall"};
 
@@ -76,7 +76,7 @@ void validate(const EncoderParameters& parameters) {
     throw std::invalid_argument("sector_count is " + std::to_string(parameters.sector_count) + ", expected " +
                                 std::to_string(kSectorCount));
   }
-  if (!(std::abs(parameters.angle_span - M_PI) < kSameAngle)) {
+  if (!(std::abs(parameters.angle_span - M_PI) < kSameSpan)) {
     throw std::invalid_argument("angle_span is " + metadataText(parameters.angle_span) + ", expected pi");
   }
   checkScale("range_cap", parameters.range_cap);
@@ -128,7 +128,7 @@ EncoderParameters readEncoderParameters(MetadataReader* metadata) {
   }
   parameters.input_layout.shrink_to_fit();
   parameters.sector_count = metadata->whole("sector_count", kSectorCount, kSectorCount);
-  parameters.angle_span = metadata->number("angle_span", M_PI - kSameAngle, M_PI + kSameAngle);
+  parameters.angle_span = metadata->number("angle_span", M_PI - kSameSpan, M_PI + kSameSpan);
   const auto scale = [metadata](const char* key) { return metadata->number(key, kSmallestScale, kLargestScale); };
   parameters.range_cap = scale("range_cap");
   parameters.distance_scale = scale("distance_scale");

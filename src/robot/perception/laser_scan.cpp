@@ -8,17 +8,16 @@
 namespace lstm_planner {
 
 long RangeProfile::beamTowards(double towards) const {
-  constexpr double kTurn = 2.0 * M_PI;
   if (ranges.empty() || increment == 0.0) return -1;
   const double sense = increment < 0.0 ? -1.0 : 1.0;
-  double turn = std::fmod(sense * (towards - first_direction), kTurn);
-  if (turn < 0.0) turn += kTurn;
+  double turn = std::fmod(sense * (towards - first_direction), kFullTurn);
+  if (turn < 0.0) turn += kFullTurn;
   const double step = std::abs(increment);
   const long beam = std::lround(turn / step);
   const long count = static_cast<long>(ranges.size());
   if (beam < count) return beam;
   // Just before the first beam is nearly a whole turn after it.
-  return kTurn - turn < step ? 0 : (turn / step < static_cast<double>(count) ? count - 1 : -1);
+  return kFullTurn - turn < step ? 0 : (turn / step < static_cast<double>(count) ? count - 1 : -1);
 }
 
 void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, RangeProfile* profile) {

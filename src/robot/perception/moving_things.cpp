@@ -9,7 +9,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kNeighbours = 0.25;    // m between returns of one thing
-constexpr double kLargest = 1.5;        // m; more than that is a wall with something before it
+constexpr double kLargestThing = 1.5;   // m; more than that is a wall with something before it
 constexpr std::size_t kFewest = 3;      // returns that move
 constexpr double kMemory = 0.5;         // s, over which the velocity is measured
 constexpr double kShortestLook = 0.15;  // s; over less it is noise
@@ -62,7 +62,7 @@ void MovingThings::addBody(const std::vector<Point2>& returns, const std::vector
   std::size_t moving = 0;
   for (std::size_t i = first; i < end; ++i) moving += moves[i];
   if (moving < kFewest) return;
-  if (distanceBetween(returns[first], returns[end - 1]) > kLargest) {
+  if (distanceBetween(returns[first], returns[end - 1]) > kLargestThing) {
     while (moves[first] == 0) ++first;
     while (moves[end - 1] == 0) --end;
   }

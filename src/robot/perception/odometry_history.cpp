@@ -10,9 +10,9 @@ namespace {
 constexpr double kKept = 1.0;            // s
 constexpr std::size_t kMostKept = 2000;  // entries: where stamps hardly go on, the oldest are forgotten
 constexpr double kContinued = 0.2;       // s
-constexpr double kSlack = 0.25;          // m, what rounding and late stamps may add
+constexpr double kJumpSlack = 0.25;      // m, what rounding and late stamps may add
 constexpr double kMaxTurnRate = 6.0;     // rad/s
-constexpr double kTurnSlack = 0.5;       // rad
+constexpr double kTurnJumpSlack = 0.5;   // rad
 
 Pose2 between(const OdometryHistory::Entry& a, const OdometryHistory::Entry& b, double stamp) {
   const double share = (stamp - a.stamp) / (b.stamp - a.stamp);
@@ -46,8 +46,8 @@ bool OdometryHistory::follows(const Entry& entry) const {
     return false;
   }
   const double turned = std::abs(normalizeAngle(entry.pose.yaw - newest().pose.yaw));
-  return distanceBetween(newest().pose, entry.pose) <= max_speed_ * elapsed + kSlack &&
-         turned <= kMaxTurnRate * elapsed + kTurnSlack;
+  return distanceBetween(newest().pose, entry.pose) <= max_speed_ * elapsed + kJumpSlack &&
+         turned <= kMaxTurnRate * elapsed + kTurnJumpSlack;
 }
 
 Pose2 OdometryHistory::poseAt(double stamp) const {

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kWindow = M_PI;
 constexpr double kSectorWidth = kWindow / kSectorCount;
-constexpr double kTurn = 2.0 * M_PI;
 
 /// Part of an increment by which a beam may lie before a border and still count as on it. Drivers send angles as floats
 /// or with six digits; over a thousand beams this adds up to some thousandths of an increment.
@@ -38,11 +37,11 @@ BeamFan fanOf(const RangeProfile& profile) {
   double first = profile.first_direction;
   if (fan.reversed) first -= static_cast<double>(beams - 1) * fan.increment;
   // Beams of a second turn look where others have looked already; counting them would weigh these directions twice.
-  const double beams_a_turn = std::ceil(kTurn / fan.increment - kBorderTolerance);
+  const double beams_a_turn = std::ceil(kFullTurn / fan.increment - kBorderTolerance);
   fan.count = static_cast<long>(std::min(static_cast<double>(beams), beams_a_turn));
   const double slack = (0.5 + kBorderTolerance) * fan.increment;
   const double from_edge = first + kWindow / 2.0;
-  fan.start = from_edge - kTurn * std::ceil((from_edge - slack) / kTurn);
+  fan.start = from_edge - kFullTurn * std::ceil((from_edge - slack) / kFullTurn);
   return fan;
 }
 
@@ -53,7 +52,7 @@ long firstBeamFrom(double angle, const BeamFan& fan) {
 }
 
 bool coversTurn(const BeamFan& fan) {
-  return static_cast<double>(fan.count) * fan.increment >= kTurn - (0.5 + kBorderTolerance) * fan.increment;
+  return static_cast<double>(fan.count) * fan.increment >= kFullTurn - (0.5 + kBorderTolerance) * fan.increment;
 }
 
 /// The window is half-open: its last beam lies one increment before the left edge.
@@ -110,7 +109,7 @@ void checkScan(const LaserScan& scan, const SensorMount& mount) {
   if (scan.ranges.size() > kMostBeams) {
     refuse(std::to_string(scan.ranges.size()) + " ranges", "at most " + std::to_string(kMostBeams));
   }
-  if (!is_within(scan.angle_min, kFarthestFirstBeam) || !is_within(scan.angle_increment, kTurn) ||
+  if (!is_within(scan.angle_min, kFarthestFirstBeam) || !is_within(scan.angle_increment, kFullTurn) ||
       is_within(scan.angle_increment, kFinestIncrement)) {
     refuse(
         "angle_min " + std::to_string(scan.angle_min) + " and angle_increment " + std::to_string(scan.angle_increment),
@@ -156,7 +155,7 @@ Sectors averageSectors(const RangeProfile& profile, double least_measured, doubl
   SectorCounts known{};
   addBeams(profile.ranges, range_cap, fan, 0.0, &sectors, &known);
   // A full turn may start inside the window: the rest of the window is then at the start of the fan.
-  if (!coversWindow(fan)) addBeams(profile.ranges, range_cap, fan, -kTurn, &sectors, &known);
+  if (!coversWindow(fan)) addBeams(profile.ranges, range_cap, fan, -kFullTurn, &sectors, &known);
 
   for (int sector = 0; sector < kSectorCount; ++sector) {
     const double from = sector * kSectorWidth - kWindow / 2.0;

@@ -7,11 +7,11 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kSpacing = 0.05;  // m between the places that are looked at
-constexpr double kBehind = 0.05;   // m of air behind a place that is free
+constexpr double kLookSpacing = 0.05;  // m between the places that are looked at
+constexpr double kAirBehind = 0.05;    // m of air behind a place that is free
 
 bool isSeenFree(const RangeProfile& profile, const Point2& place) {
-  const double distance = distanceBetween(profile.origin, place) + kBehind;
+  const double distance = distanceBetween(profile.origin, place) + kAirBehind;
   const long beam = profile.beamTowards(directionTo(profile.origin, place));
   if (beam < 0 || distance > profile.farthest_range) return false;
   const long last = static_cast<long>(profile.ranges.size()) - 1;
@@ -38,11 +38,11 @@ double seenFreeBehind(const Situation& situation, const Footprint& footprint, do
   // To its rearmost point, along the axis: nothing of it is farther behind.
   const double rear = footprint.circumscribedRadius() + margin;
   double back = 0.0;
-  for (; back <= rear + limit; back += kSpacing) {
-    for (double aside = -half_width; aside <= half_width; aside += kSpacing) {
+  for (; back <= rear + limit; back += kLookSpacing) {
+    for (double aside = -half_width; aside <= half_width; aside += kLookSpacing) {
       const Point2 place{-back, aside};
       if (footprint.distanceTo(place) > 0.0 && !isSeenFree(situation, place)) {
-        return std::clamp(back - kSpacing - rear, 0.0, limit);
+        return std::clamp(back - kLookSpacing - rear, 0.0, limit);
       }
     }
   }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kClutterWall = 0.1;  // m
 constexpr double kBlock = 0.15;       // m, side of what the obstacles consist of
-constexpr double kKept = 0.9;         // share of the fill after obstacles are cleared
+constexpr double kKeptFill = 0.9;     // share of the fill after obstacles are cleared
 constexpr double kLeastFill = 0.01;   // below it all of them are cleared
 
 /// Random numbers a block, each averaged with its neighbours up to `grain` blocks away, so that high ones lie together.
@@ -119,7 +119,7 @@ OccupancyGrid generateClutter(const ClutterParameters& parameters, std::uint64_t
   double fill = parameters.fill;
   OccupancyGrid grid = drawClutter(plan, noise, fill);
   while (fill > kLeastFill && !isOpen(plan, grid)) {
-    fill *= kKept;
+    fill *= kKeptFill;
     grid = drawClutter(plan, noise, fill);
   }
   return fill > kLeastFill ? grid : drawClutter(plan, noise, 0.0);

@@ -10,12 +10,12 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kEdge = 0.2;         // m of ground around the corridors
-constexpr double kWallBetween = 0.5;  // m between corridors side by side, at the least
-constexpr double kShortest = 2.5;     // m of corridor
-constexpr int kCorridorTries = 50;    // to find room for another corridor
-constexpr double kExtent = 5.5;       // m along x or y that the corridors reach at the least
-constexpr int kWorlds = 20;           // drawn, of which the last one is taken where none reaches as far
+constexpr double kEdge = 0.2;              // m of ground around the corridors
+constexpr double kWallBetween = 0.5;       // m between corridors side by side, at the least
+constexpr double kShortestCorridor = 2.5;  // m of corridor
+constexpr int kCorridorTries = 50;         // to find room for another corridor
+constexpr double kExtent = 5.5;            // m along x or y that the corridors reach at the least
+constexpr int kWorlds = 20;                // drawn, of which the last one is taken where none reaches as far
 
 /// Where the middle of a corridor runs, m.
 struct Corridor {
@@ -44,7 +44,7 @@ class Digger {
         // Ends are chosen often: that makes bends.
         const double share = uniform(random_) < 0.3 ? 1.0 : uniform(random_);
         const Corridor next = drawAt(from.at(share), !from.along_x);
-        if (std::abs(next.length) < kShortest || runsBeside(next)) continue;
+        if (std::abs(next.length) < kShortestCorridor || runsBeside(next)) continue;
         dig(next);
         break;
       }
@@ -61,7 +61,7 @@ class Digger {
     const double ahead = std::max(0.0, size - kEdge - 0.5 * corridor.width - at);
     const bool forward = uniform(random_) * (back + ahead) >= back;
     const double longest = forward ? ahead : back;
-    corridor.length = (forward ? 1.0 : -1.0) * uniform(random_, std::min(kShortest, longest), longest);
+    corridor.length = (forward ? 1.0 : -1.0) * uniform(random_, std::min(kShortestCorridor, longest), longest);
     return corridor;
   }
 

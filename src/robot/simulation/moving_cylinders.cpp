@@ -10,12 +10,12 @@
 namespace lstm_planner {
 namespace {
 
-constexpr double kRadius = 0.5;         // m
-constexpr double kStretch = 2.0;        // m of x
-constexpr double kPathStep = 0.1;       // m of x
-constexpr double kShortest = 5.0;       // m of x, of a path
-constexpr double kFirstDistance = 3.0;  // m
-constexpr double kCell = 0.1;           // m
+constexpr double kCylinderRadius = 0.5;  // m
+constexpr double kStretch = 2.0;         // m of x
+constexpr double kPathStep = 0.1;        // m of x
+constexpr double kShortestPath = 5.0;    // m of x, of a path
+constexpr double kFirstDistance = 3.0;   // m
+constexpr double kCell = 0.1;            // m
 constexpr int kCylinderTries = 1000;
 constexpr double kOpenFloor = 3.0;  // m of x, in front of the square's open side
 
@@ -94,7 +94,7 @@ MovingCylinders::MovingCylinders(const World& surroundings, const MovingCylinder
     : Traffic(surroundings), parameters_((validate(parameters), parameters)), random_(seed) {
   for (int i = 0; i < parameters_.cylinders; ++i) {
     routes_.push_back(drawRoute(robot));
-    bodies_.push_back({{routes_.back().corners.front(), kRadius}, false});
+    bodies_.push_back({{routes_.back().corners.front(), kCylinderRadius}, false});
   }
   show(bodies_);
 }
@@ -105,7 +105,7 @@ MovingCylinders::Route MovingCylinders::drawRoute(const Point2& robot) {
     route.corners = drawPath();
     if (route.corners.empty()) continue;
     if (uniformIndex(random_, 2) == 0) std::reverse(route.corners.begin(), route.corners.end());
-    if (distanceBetween(route.corners.front(), robot) < kFirstDistance + kRadius) continue;
+    if (distanceBetween(route.corners.front(), robot) < kFirstDistance + kCylinderRadius) continue;
     const double mean = uniform(random_, parameters_.slowest, parameters_.fastest);
     double speed = 0.0;
     double next_stretch = 0.0;
@@ -142,7 +142,7 @@ std::vector<Point2> MovingCylinders::drawPath() {
     piece.push_back({x, y});
     if (piece.size() > longest.size()) longest = piece;
   }
-  if (static_cast<double>(longest.size()) * kPathStep < kShortest) longest.clear();
+  if (static_cast<double>(longest.size()) * kPathStep < kShortestPath) longest.clear();
   return longest;
 }
 

@@ -14,7 +14,7 @@ constexpr double kNearestPath = 0.4;    // m from a place too near to a wall to 
 constexpr double kForesight = 0.7;      // s of driving on that must not lead into anything
 constexpr double kInertia = 0.08;       // s that he knows his robot to take to do what the keys say
 constexpr double kForesightStep = 0.1;  // s
-constexpr double kMargin = 0.04;        // m between footprint and walls that is driven with where there is room
+constexpr double kUsualMargin = 0.04;   // m between footprint and walls that is driven with where there is room
 constexpr double kAimedMargin = 0.02;   // m; by who is aimed well
 constexpr double kTightMargin = 0.005;  // m; and where there is not
 constexpr double kAimed = 0.1;          // rad; nearer to the direction of the path than this is aimed at it
@@ -128,7 +128,7 @@ bool ScriptedDriver::isSafe(const Pose2& pose, const Keys& keys) const {
     return world_.touches(center, parameters_.footprint_radius + margin) ||
            world_.grid().at(world_.grid().cellAt(center)) != Cell::kFree;
   };
-  const double usual = is_aimed_ ? kAimedMargin : kMargin;
+  const double usual = is_aimed_ ? kAimedMargin : kUsualMargin;
   const double margin = touches(pose, usual) ? kTightMargin : usual;
   for (double seconds = kForesightStep; seconds < kForesight; seconds += kForesightStep) {
     if (touches(driveOn(pose, twistOf(keys), seconds), margin)) return false;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::uint64_t kSecondSeed = 0x2545F4914F6CDD1D;  // any: the noise of two scanners differs
 
-constexpr double kSameTime = 1e-6;  // s
-constexpr double kStanding = 0.02;  // m/s; who is slower towards somebody is not driving into him
+constexpr double kSameTime = 1e-6;       // s
+constexpr double kStandingSpeed = 0.02;  // m/s; who is slower towards somebody is not driving into him
 
 /// m/s towards `other`.
 double approachSpeed(const Point2& position, const Point2& velocity, const Point2& other) {
@@ -58,7 +58,7 @@ bool SimulatedRobot::isBrushedBy(const Pose2& pose, const Point2& velocity) cons
   const std::vector<Traffic::Body> bodies = traffic_->bodies();
   return std::all_of(bodies.begin(), bodies.end(), [&](const Traffic::Body& body) {
     const bool touches = airBetween(footprint_, pose, body.circle) < 0.0;
-    return !touches || (body.beside_robot && approachSpeed(position, velocity, body.circle.center) <= kStanding);
+    return !touches || (body.beside_robot && approachSpeed(position, velocity, body.circle.center) <= kStandingSpeed);
   });
 }
 
@@ -80,8 +80,8 @@ void SimulatedRobot::letWalk(double seconds, const Point2& velocity) {
   for (const Circle& walker : traffic_->advance(seconds, footprint_, base_.truePose())) {
     if (contacts_.isTouching()) continue;  // counted already
     const double approach = approachSpeed(here, velocity, walker.center);
-    const bool moves = std::hypot(velocity.x, velocity.y) > kStanding;
-    if (approach > kStanding) {
+    const bool moves = std::hypot(velocity.x, velocity.y) > kStandingSpeed;
+    if (approach > kStandingSpeed) {
       contacts_.add();
     } else {
       ++bumped_;

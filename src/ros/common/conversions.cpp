@@ -129,6 +129,8 @@ void toMessages(const std::vector<Pose2>& poses, const std_msgs::Header& header,
   }
 }
 
+ros::Time stampOr(const ros::Time& stamp, const ros::Time& received) { return stamp.isZero() ? received : stamp; }
+
 std::string frameName(const std::string& frame_id) {
   return !frame_id.empty() && frame_id.front() == '/' ? frame_id.substr(1) : frame_id;
 }

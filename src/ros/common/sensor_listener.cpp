@@ -15,9 +15,6 @@ namespace {
 constexpr int kScanQueue = 3;        // the newest counts, those before it tell the scanner's period
 constexpr int kOdometryQueue = 100;  // a tenth of a second of the fastest
 
-/// When it was received stands in where a driver does not stamp its messages and leaves zero there.
-ros::Time stampOr(const ros::Time& stamp, const ros::Time& received) { return stamp.isZero() ? received : stamp; }
-
 }  // namespace
 
 SensorListener::SensorListener(MessageQueue* messages, const SensorParameters& parameters,

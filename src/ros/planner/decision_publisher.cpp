@@ -10,7 +10,7 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-constexpr int kQueue = 1000;  // a recording that is replayed as fast as possible has many decisions at a time
+constexpr int kDecisionQueue = 1000;  // a recording that is replayed as fast as possible has many decisions at a time
 
 template <typename T>
 std::string text(const T& value) {
@@ -53,7 +53,7 @@ unsigned char levelOf(const Decision& decision) {
 
 DecisionPublisher::DecisionPublisher(ros::NodeHandle node_handle, const ActionSet& actions)
     : action_angles_(listText(actions.angles())),
-      publisher_(node_handle.advertise<diagnostic_msgs::DiagnosticArray>("decision", kQueue)) {}
+      publisher_(node_handle.advertise<diagnostic_msgs::DiagnosticArray>("decision", kDecisionQueue)) {}
 
 void DecisionPublisher::publish(const std_msgs::Header& header, const Situation& situation, const Decision& decision,
                                 const Pose2& goal) {

@@ -18,11 +18,6 @@ constexpr double kForwarded = 2.0;  // s within which a goal that comes again fr
 constexpr double kOldest = 2.0;     // s that a goal may be on its way; an older stamp says when it was thought of
 constexpr double kAhead = 0.5;      // s by which the clocks of two computers may differ
 
-/// Drivers that do not stamp their messages leave zero there.
-double stampOr(const ros::Time& stamp, const ros::Time& received) {
-  return stamp.isZero() ? received.toSec() : stamp.toSec();
-}
-
 /// Goals are made by people and scripts: the stamp is often missing, or of long ago, because tf takes the newest
 /// transform then, or that of another computer's clock.
 double recentStampOr(const ros::Time& stamp, const ros::Time& received) {
@@ -42,7 +37,7 @@ DriveMessages::DriveMessages(const tf2::BufferCore& tf, const std::string& base_
 
 void DriveMessages::hear(const sensor_msgs::LaserScan& scan, const ros::Time& received) {
   ScanHeard heard;
-  heard.stamp = stampOr(scan.header.stamp, received);
+  heard.stamp = stampOr(scan.header.stamp, received).toSec();
   heard.frame = frameName(scan.header.frame_id);
   fromMessage(scan, &heard.scan);
   heard.scan.stamp = heard.stamp;
@@ -56,8 +51,9 @@ void DriveMessages::hear(const sensor_msgs::LaserScan& scan, const ros::Time& re
 
 void DriveMessages::hear(const nav_msgs::Odometry& odometry, const ros::Time& received) {
   const geometry_msgs::Twist& twist = odometry.twist.twist;
-  const OdometryHeard heard{
-      stampOr(odometry.header.stamp, received), fromMessage(odometry.pose.pose), {twist.linear.x, twist.angular.z}};
+  const OdometryHeard heard{stampOr(odometry.header.stamp, received).toSec(),
+                            fromMessage(odometry.pose.pose),
+                            {twist.linear.x, twist.angular.z}};
   if (!isUsable(heard)) return;
   odometry_heard_ = true;
   odometry_frame_ = frameName(odometry.header.frame_id);

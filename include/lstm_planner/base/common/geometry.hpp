@@ -25,11 +25,13 @@ struct Twist2 {
 
 inline double square(double value) { return value * value; }
 
+constexpr double kFullTurn = 2.0 * M_PI;  ///< rad
+
 /// The angle normalised to (-pi, pi], rad; NaN if the angle is not finite.
 inline double normalizeAngle(double angle) {
   if (angle > -M_PI && angle <= M_PI) return angle;  // nearly always, and the remainder is dear
-  const double wrapped = std::remainder(angle, 2.0 * M_PI);
-  return wrapped <= -M_PI ? wrapped + 2.0 * M_PI : wrapped;
+  const double wrapped = std::remainder(angle, kFullTurn);
+  return wrapped <= -M_PI ? wrapped + kFullTurn : wrapped;
 }
 
 inline double degreesToRadians(double degrees) { return degrees * M_PI / 180.0; }

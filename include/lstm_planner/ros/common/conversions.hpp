@@ -51,6 +51,9 @@ void compose(const Pose2& parent, const std::vector<Pose2>& children, std::vecto
 void toMessages(const std::vector<Pose2>& poses, const std_msgs::Header& header,
                 std::vector<geometry_msgs::PoseStamped>* messages);
 
+/// When a message was made: when it was received stands in where a driver leaves its stamp zero.
+ros::Time stampOr(const ros::Time& stamp, const ros::Time& received);
+
 /// Frame without the leading slash that old drivers put there and tf2 refuses.
 std::string frameName(const std::string& frame_id);
 

@@ -164,7 +164,7 @@ TEST(EncoderParameters, SurviveTheMetadataBitForBit) {
 
 TEST(EncoderParameters, TellTheEventRangeOnlyWhereThereAreEvents) {
   std::map<std::string, std::string> metadata;
-  writeMetadata({}, &metadata);
+  writeMetadata(EncoderParameters{}, &metadata);
   EXPECT_EQ(metadata.count("event_range"), 0u) << "a model without events is written as ever";
   EXPECT_EQ(metadata.count("heading_cell"), 0u);
   EncoderParameters written;
@@ -178,7 +178,7 @@ TEST(EncoderParameters, TellTheEventRangeOnlyWhereThereAreEvents) {
 
 TEST(EncoderParameters, NameAllThatIsWrongInTheMetadataAtOnce) {
   std::map<std::string, std::string> metadata;
-  writeMetadata({}, &metadata);
+  writeMetadata(EncoderParameters{}, &metadata);
   metadata.erase("range_cap");
   metadata.erase("angle_scale");
   metadata["distance_scale"] = "far";
@@ -191,7 +191,7 @@ TEST(EncoderParameters, NameAllThatIsWrongInTheMetadataAtOnce) {
 
 TEST(EncoderParameters, NameWhatIsWrongInTheMetadata) {
   std::map<std::string, std::string> good;
-  writeMetadata({}, &good);
+  writeMetadata(EncoderParameters{}, &good);
   const auto refusal = [&good](const std::string& key, const std::string& value) -> std::string {
     std::map<std::string, std::string> metadata = good;
     metadata[key] = value;
