@@ -9,7 +9,8 @@ Usage: bash test/mpi/two_hosts.sh [TOOL]
 Trains with mpirun on two hosts that are network namespaces of this machine with a cable between them, and compares with one process: the same
 model and the same checkpoint, to the byte. Then the cable is pulled out of a longer training: mpirun must end it with a message within a minute,
 and the same command must go on from its checkpoint to the model that one process learns without a break. TOOL is the command-line tool (default:
-lstm_planner). Needs root, ip (iproute2), unshare (util-linux) and Open MPI, no ssh. Takes a minute or two.
+lstm_planner). Needs root, ip (iproute2), unshare (util-linux) and Open MPI. mpirun starts its daemon on the second host through ssh where sshd
+(openssh-server) is installed, otherwise through a script that takes ssh's place. Takes a minute or two.
 
 Exit status: 0 when all of that is so, 77 when something that it needs is missing.
 USAGE
@@ -28,12 +29,14 @@ for needed in ip unshare mpirun cmp; do
 done
 mpirun --version | grep -q 'Open MPI' || missing 'mpirun is not of Open MPI'
 
-readonly first=lstm_host_1 second=lstm_host_2
+readonly first=lstm-host-1 second=lstm-host-2
 folder="$(mktemp -d)"
 job=
+sshd=
 
 clean_up() {
   [ -z "$job" ] || kill -KILL "$job" 2>/dev/null
+  [ -z "$sshd" ] || kill "$sshd" 2>/dev/null
   ip netns del "$first" 2>/dev/null
   ip netns del "$second" 2>/dev/null
   rm -rf "$folder"
@@ -55,14 +58,32 @@ make_hosts() {
 }
 make_hosts || missing 'network namespaces cannot be made here'
 
-# What mpirun calls in place of ssh: HOST COMMAND.
-cat >"$folder/agent.sh" <<AGENT
-#!/bin/sh
-case "\$1" in 10.77.0.1) host=$first ;; *) host=$second ;; esac
-shift
-exec ip netns exec \$host unshare -u sh -c "hostname \$host; \$*"
-AGENT
-chmod +x "$folder/agent.sh"
+# What mpirun calls with HOST COMMAND.
+make_agent() {
+  local command
+  if [ -x /usr/sbin/sshd ]; then
+    start_sshd || fail 'sshd does not start' "$folder/sshd.log"
+    command="exec ssh -i $folder/key -o BatchMode=yes -o StrictHostKeyChecking=no -o UserKnownHostsFile=/dev/null \"\$@\""
+  else
+    command="shift; exec ip netns exec $second unshare -u sh -c \"hostname $second; \$*\""
+  fi
+  printf '#!/bin/sh\n%s\n' "$command" >"$folder/agent.sh"
+  chmod +x "$folder/agent.sh"
+}
+
+# On the second host, for a key of this run.
+start_sshd() {
+  mkdir -p /run/sshd && ssh-keygen -q -N '' -t ed25519 -f "$folder/key" && ssh-keygen -q -N '' -t ed25519 -f "$folder/host_key" || return
+  # shellcheck disable=SC2016
+  ip netns exec "$second" unshare -u sh -c 'hostname "$0"; exec /usr/sbin/sshd "$@"' "$second" -D -e -f /dev/null -h "$folder/host_key" \
+    -o AuthorizedKeysFile="$folder/key.pub" -o StrictModes=no -o UsePAM=no -o PidFile=none 2>"$folder/sshd.log" &
+  sshd=$!
+  until grep -q 'Server listening' "$folder/sshd.log"; do
+    kill -0 "$sshd" 2>/dev/null || return
+    sleep 0.1
+  done
+}
+make_agent
 printf '10.77.0.1 slots=1\n10.77.0.2 slots=1\n' >"$folder/hosts"
 
 # The lines of the page that are not about namespaces are the options of mpirun.
