@@ -8,8 +8,6 @@
 namespace lstm_planner {
 namespace {
 
-constexpr std::int64_t kMostMapCells = std::int64_t{1} << 26;  // as PassableGrid
-
 /// Blocks exactly `count` cells of an open grid, every set of them equally likely (Knuth, volume 2, algorithm S).
 PassableGrid blockAtRandom(int columns, int rows, std::size_t count, Random& random) {
   PassableGrid grid(columns, rows, true);
@@ -58,7 +56,7 @@ void checkMapSize(int columns, int rows, int shortest) {
   const std::string expected = "at least " + std::to_string(shortest);
   checkParameter(columns >= shortest, "columns", columns, expected);
   checkParameter(rows >= shortest, "rows", rows, expected);
-  checkParameter(std::int64_t{columns} * rows <= kMostMapCells, "rows", rows,
+  checkParameter(std::int64_t{columns} * rows <= PassableGrid::kMostCells, "rows", rows,
                  "at most 2^26 cells with " + std::to_string(columns) + " columns");
 }
 

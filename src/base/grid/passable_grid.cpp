@@ -6,8 +6,6 @@
 namespace lstm_planner {
 namespace {
 
-constexpr std::int64_t kLargestGrid = std::int64_t{1} << 26;
-
 int before(int direction) { return (direction + kGridMoveCount - 1) % kGridMoveCount; }
 int after(int direction) { return (direction + 1) % kGridMoveCount; }
 bool isDiagonal(int direction) { return direction % 2 != 0; }
@@ -15,7 +13,7 @@ bool isDiagonal(int direction) { return direction % 2 != 0; }
 }  // namespace
 
 PassableGrid::PassableGrid(int columns, int rows, bool passable) : columns_(columns), rows_(rows) {
-  if (columns < 1 || rows < 1 || std::int64_t{columns} * rows > kLargestGrid) {
+  if (columns < 1 || rows < 1 || std::int64_t{columns} * rows > kMostCells) {
     throw std::invalid_argument("a grid of " + std::to_string(columns) + " x " + std::to_string(rows) +
                                 " cells, expected positive sizes and at most 2^26 cells");
   }

@@ -18,8 +18,6 @@
 namespace lstm_planner {
 namespace {
 
-constexpr std::int64_t kLargestMap = std::int64_t{1} << 26;
-
 constexpr int opposite(int direction) { return (direction + kGridMoveCount / 2) % kGridMoveCount; }
 
 std::string cellText(CellIndex cell) {
@@ -35,7 +33,7 @@ struct DStar::Later {
 DStar::DStar(int columns, int rows, CellIndex goal, CornerCutting corner_cutting)
     : columns_(columns), rows_(rows), corner_cutting_(corner_cutting) {
   const std::string size = std::to_string(columns) + " x " + std::to_string(rows) + " cells";
-  if (columns < 1 || rows < 1 || std::int64_t{columns} * rows > kLargestMap) {
+  if (columns < 1 || rows < 1 || std::int64_t{columns} * rows > PassableGrid::kMostCells) {
     throw std::invalid_argument("a map of " + size + ", expected positive sizes and at most 2^26 cells");
   }
   if (!contains(goal)) throw std::invalid_argument("the goal " + cellText(goal) + " is outside the map of " + size);

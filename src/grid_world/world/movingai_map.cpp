@@ -8,7 +8,6 @@ namespace lstm_planner {
 namespace {
 
 constexpr std::uintmax_t kLargestMapFile = std::uintmax_t{1} << 28;  // the largest grid with room for any line ends
-constexpr std::int64_t kMostCells = std::int64_t{1} << 26;           // as PassableGrid
 
 struct MapSize {
   int rows = 0;
@@ -30,11 +29,11 @@ MapSize readSize(TextLines* lines) {
     if (words.size() == 2 && words[0] == "height" && size.rows == 0) side = &size.rows;
     if (words.size() == 2 && words[0] == "width" && size.columns == 0) side = &size.columns;
     if (side == nullptr) lines->refuse(printable(lines->line()) + ", expected one line 'height N' and one 'width N'");
-    if (!parseInteger(words[1], side) || *side < 1 || *side > kMostCells) {
+    if (!parseInteger(words[1], side) || *side < 1 || *side > PassableGrid::kMostCells) {
       lines->refuse(std::string(words[0]) + " is " + printable(words[1]) + ", expected a whole number from 1 to 2^26");
     }
   }
-  if (std::int64_t{size.rows} * size.columns > kMostCells) {
+  if (std::int64_t{size.rows} * size.columns > PassableGrid::kMostCells) {
     lines->refuse("height and width make " + std::to_string(std::int64_t{size.rows} * size.columns) +
                   " cells, expected at most 2^26");
   }

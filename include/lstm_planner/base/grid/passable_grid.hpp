@@ -14,8 +14,10 @@ namespace lstm_planner {
 /// cells. Cells outside are not passable.
 class PassableGrid {
  public:
+  static constexpr std::int64_t kMostCells = std::int64_t{1} << 26;
+
   PassableGrid() = default;
-  /// Throws std::invalid_argument for a size that is not positive or for more than 2^26 cells.
+  /// Throws std::invalid_argument for a size that is not positive or for more than kMostCells.
   PassableGrid(int columns, int rows, bool passable);
 
   int columns() const { return columns_; }
