@@ -34,8 +34,8 @@ find_ros_flavour() {
 
 # Debian packages the build and the tests need, one a line.
 required_packages() {
-  printf '%s\n' cmake g++ make gnuplot-nox libboost-dev libeigen3-dev libgmock-dev \
-    libgtest-dev libopencv-dev libpoco-dev libprotobuf-dev libsqlite3-dev libyaml-cpp-dev nlohmann-json3-dev \
+  printf '%s\n' cmake g++ gnuplot-nox libboost-dev libeigen3-dev libgmock-dev \
+    libgtest-dev libopencv-dev libpoco-dev libprotobuf-dev libsqlite3-dev libyaml-cpp-dev make ninja-build nlohmann-json3-dev \
     protobuf-compiler python3 "${more_packages[@]}"
   if [ "$1" = noetic ]; then
     printf 'ros-noetic-%s\n' actionlib actionlib-msgs catkin costmap-2d diagnostic-msgs diagnostic-updater geometry-msgs move-base \
@@ -252,18 +252,25 @@ forget_gmock() {
   [ ! -e "$workspace/build/CMakeCache.txt" ] || sed -i '/^GMOCK_FOUND:/d' "$workspace/build/CMakeCache.txt"
 }
 
+# Ninja compiles a library while those that it is linked with are built; make waits for them. A build folder keeps what it began with.
+builder() {
+  local cache="$workspace/build/CMakeCache.txt"
+  if [ ! -e "$cache" ] || grep -q '^CMAKE_GENERATOR:INTERNAL=Ninja$' "$cache"; then echo --use-ninja; fi
+}
+
 build_targets() {
   local log="$workspace/build.log" status
   say "building in $workspace (log: $log)"
   # Optional packages may have been installed since it was configured.
-  catkin_make -C "$workspace" --force-cmake -j"$(parallel_jobs)" -DCMAKE_BUILD_TYPE=Release \
+  # shellcheck disable=SC2046
+  catkin_make -C "$workspace" $(builder) --force-cmake -j"$(parallel_jobs)" -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}" -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "$@" </dev/null 2>&1 | tee "$log" |
-    grep --line-buffered -E '^\[ *[0-9]+%\] (Building|Linking)|warning:|error:|undefined reference|\*\*\*|^CMake Error'
+    grep --line-buffered -E '^\[ *[0-9]+(%|/[0-9]+)\] (Building|Linking)|warning:|error:|undefined reference|\*\*\*|^CMake Error'
   status="${PIPESTATUS[0]}"
   [ "$status" -eq 0 ] || fail "the build failed; its errors are above, everything is in $log."
 }
 
-# All steps; the arguments are make's targets.
+# All steps; the arguments are targets.
 set_up() {
   local flavour
   prepare_workspace
