@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -117,7 +118,8 @@ TEST_F(DatasetConversionTool, NothingIsLeftOfAConversionThatIsInterruptedWhileIt
   const ::pid_t process =
       start({kTool, "dataset", "from-log", drive, "--max-gap", "100", "--output", in("out/it.sqlite")});
   int status = 0;
-  while (!is_writing() && ::waitpid(process, &status, WNOHANG) == 0) std::this_thread::yield();
+  while (!is_writing() && ::waitpid(process, &status, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   ASSERT_FALSE(std::filesystem::exists(in("out/it.sqlite"))) << "it still writes";
   ::kill(process, SIGINT);
   ::waitpid(process, &status, 0);
