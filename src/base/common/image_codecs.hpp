@@ -6,7 +6,7 @@
 
 namespace lstm_planner {
 
-/// OpenCV's readers and writers of image files. They come with some 150 other libraries (GDAL, HDF5, PDF, databases),
+/// OpenCV's readers and writers of image files. They come with 110 other libraries (GDAL, HDF5, PDF, databases),
 /// which take four times as long to load as everything else. So they are in a library of their own, loaded with the
 /// first image: a robot that drives needs none.
 struct ImageCodecs {
