@@ -20,9 +20,10 @@ inline void checkParameter(bool fine, const std::string& name, double value, con
 
 /// Throws std::invalid_argument naming the range unless least <= value <= most.
 inline void checkRange(const std::string& name, double value, double least, double most) {
+  if (value >= least && value <= most) return;
   std::ostringstream expected;
   expected << "a number in [" << least << ", " << most << "]";
-  checkParameter(value >= least && value <= most, name, value, expected.str());
+  checkParameter(false, name, value, expected.str());
 }
 
 inline void checkPositive(const std::string& name, double value) {
