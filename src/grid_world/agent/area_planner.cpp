@@ -59,9 +59,6 @@ struct AreaPlanner::BlockWorld {
   bool isTarget(int node) const {
     return goal_inside ? node == nodeOf(goal_block, graph.origin()) : Search::atEdge(node);
   }
-  Passage leaving(CellIndex block, std::size_t direction) const {
-    return block == agent_block ? from_agent[direction] : graph.passage(block, direction);
-  }
   /// Of a block that was never seen, against one that was.
   double weightOf(CellIndex block) const {
     const CellIndex cell = middleOf(block);
@@ -75,13 +72,11 @@ struct AreaPlanner::BlockWorld {
     return length + static_cast<int>(parameters.doubtful_cost * kStraightFifths / kBlockSide);
   }
   /// Of the passages around the corner, all of which have to be open.
-  Passage passageOnDiagonal(CellIndex block, std::size_t direction) const {
-    const std::size_t side = direction - 1;
-    const std::size_t other = (direction + 1) % kGridRayCount;
-    const Passage first = leaving(block, side);
-    const Passage then = graph.passage(cellBeside(block, static_cast<int>(side)), other);
-    const Passage instead = leaving(block, other);
-    const Passage afterwards = graph.passage(cellBeside(block, static_cast<int>(other)), side);
+  static Passage passageOnDiagonal(const BlockGraph::Surroundings& around, std::size_t direction) {
+    const Passage first = around.out[direction - 1];
+    const Passage then = around.then[direction];
+    const Passage instead = around.out[(direction + 1) % kGridRayCount];
+    const Passage afterwards = around.afterwards[direction];
     const Passage worst = std::max({first, then, instead, afterwards});
     if (worst > Passage::kFree) return Passage::kClosed;
     const bool free = (first == Passage::kFree && then == Passage::kFree) ||
@@ -91,14 +86,17 @@ struct AreaPlanner::BlockWorld {
   template <typename Move>
   void expand(int node, const Move& move) const {
     const CellIndex block = placeOf(node, graph.origin());
-    const double weight = weightOf(block);
+    BlockGraph::Surroundings around = graph.around(block);
+    if (block == agent_block) around.out = from_agent;
+    double weight = 0.0;  // worked out where it is needed
     for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
       const CellIndex next = cellBeside(block, static_cast<int>(direction));
       // Rows and columns of maps count from 0.
       if (next.column < 0 || next.row < 0) continue;
       const bool diagonal = direction % 2 != 0;
-      const Passage passage = diagonal ? passageOnDiagonal(block, direction) : leaving(block, direction);
+      const Passage passage = diagonal ? passageOnDiagonal(around, direction) : around.out[direction];
       if (passage == Passage::kClosed && (diagonal || !through_closed)) continue;
+      if (passage == Passage::kUnknown && weight == 0.0) weight = weightOf(block);
       move(direction, costOf(passage, diagonal ? kDiagonalFifths : kStraightFifths, weight));
     }
   }

@@ -15,10 +15,6 @@ unsigned bitOf(CellIndex cell, CellIndex block) {
   return 1u << ((cell.row - first.row) * kBlockSide + cell.column - first.column);
 }
 
-bool isOpen(SeenGrid::Cell cell, bool through_doubtful) {
-  return cell != SeenGrid::Cell::kWall && (through_doubtful || cell != SeenGrid::Cell::kDoubtful);
-}
-
 /// The cells of `open` that can be reached from `from` by straight moves.
 unsigned filled(unsigned from, unsigned open) {
   constexpr unsigned kNotFirstColumn = 0xeeee;
@@ -48,12 +44,15 @@ unsigned largestPiece(unsigned open) {
   return best;
 }
 
-/// Number `i` of the cells at a block's side.
-CellIndex lastCell(CellIndex first, int i, std::size_t direction) {
+/// Those of a block's cells that lie at its side in a straight direction: four bits, at the same places for the
+/// opposite side of the block beside it.
+unsigned sideOf(unsigned cells, std::size_t direction) {
+  constexpr unsigned kColumn = 0x1111;
+  constexpr unsigned kRow = 0xf;
   constexpr int kLast = kBlockSide - 1;
-  if (direction == 0) return {first.column + kLast, first.row + i};
-  if (direction == 2) return {first.column + i, first.row + kLast};
-  return direction == 4 ? CellIndex{first.column, first.row + i} : CellIndex{first.column + i, first.row};
+  if (direction == 0) return cells >> kLast & kColumn;
+  if (direction == 2) return cells >> kLast * kBlockSide & kRow;
+  return cells & (direction == 4 ? kColumn : kRow);
 }
 
 }  // namespace
@@ -112,17 +111,30 @@ BlockGraph::Passage BlockGraph::passage(CellIndex block, std::size_t direction) 
   return static_cast<Passage>(direction % 4 == kEast ? both & 3u : both >> 2);
 }
 
+BlockGraph::Surroundings BlockGraph::around(CellIndex block) const {
+  const auto at = [&](int columns, int rows) { return passages_.at({block.column + columns, block.row + rows}); };
+  const auto east = [](unsigned both) { return static_cast<Passage>(both & 3u); };
+  const auto north = [](unsigned both) { return static_cast<Passage>(both >> 2); };
+  const unsigned here = at(0, 0);
+  const unsigned west = at(-1, 0);
+  const unsigned south = at(0, -1);
+  const unsigned south_west = at(-1, -1);
+  constexpr Passage kNone = Passage::kClosed;
+  Surroundings all{};
+  all.out = {east(here), kNone, north(here), kNone, east(west), kNone, north(south), kNone};
+  all.then = {kNone, north(at(1, 0)), kNone, east(at(-1, 1)), kNone, north(south_west), kNone, east(south)};
+  all.afterwards = {kNone, east(at(0, 1)), kNone, north(west), kNone, east(south_west), kNone, north(at(1, -1))};
+  return all;
+}
+
 BlockGraph::Passage BlockGraph::passageFrom(const SeenGrid& seen, CellIndex agent, std::size_t direction) const {
   return judge(seen, blockOf(agent), direction, &agent);
 }
 
 unsigned BlockGraph::pieceOf(const SeenGrid& seen, CellIndex block, bool through_doubtful,
                              const CellIndex* inside) const {
-  const CellIndex first = firstCellOf(block);
-  unsigned open = 0;
-  for (int i = 0; i < kBlockSide * kBlockSide; ++i) {
-    if (isOpen(seen.at({first.column + i % kBlockSide, first.row + i / kBlockSide}), through_doubtful)) open |= 1u << i;
-  }
+  const SeenGrid::BlockCells cells = seen.cellsOf(block);
+  const unsigned open = kWholeBlock & ~(cells.wall | (through_doubtful ? 0u : cells.doubtful));
   if (open == kWholeBlock) return open;
   unsigned from = 0;
   // Through doubtful cells it grows, but stays the same piece.
@@ -156,21 +168,16 @@ void BlockGraph::updatePassage(const SeenGrid& seen, CellIndex block, std::size_
 BlockGraph::Passage BlockGraph::judge(const SeenGrid& seen, CellIndex block, std::size_t direction,
                                       const CellIndex* inside) const {
   const CellIndex next = cellBeside(block, static_cast<int>(direction));
-  const CellIndex first = firstCellOf(block);
-  for (const bool through_doubtful : {false, true}) {
-    const unsigned here = pieceOf(seen, block, through_doubtful, inside);
-    const unsigned there = pieceOf(seen, next, through_doubtful);
-    bool open = false;
-    for (int i = 0; i < kBlockSide; ++i) {
-      const CellIndex last = lastCell(first, i, direction);
-      const CellIndex beyond = cellBeside(last, static_cast<int>(direction));
-      if ((here & bitOf(last, block)) == 0 || (there & bitOf(beyond, next)) == 0) continue;
-      if (through_doubtful) return Passage::kDoubtful;
-      if (seen.at(last) == SeenGrid::Cell::kFree && seen.at(beyond) == SeenGrid::Cell::kFree) return Passage::kFree;
-      open = true;
-    }
-    if (open) return Passage::kUnknown;
+  const std::size_t back = (direction + kGridRayCount / 2) % kGridRayCount;
+  const auto open = [&](bool through_doubtful) {
+    return sideOf(pieceOf(seen, block, through_doubtful, inside), direction) &
+           sideOf(pieceOf(seen, next, through_doubtful), back);
+  };
+  if (const unsigned passable = open(false); passable != 0) {
+    const unsigned free = sideOf(seen.cellsOf(block).free, direction) & sideOf(seen.cellsOf(next).free, back);
+    return (passable & free) != 0 ? Passage::kFree : Passage::kUnknown;
   }
+  if (open(true) != 0) return Passage::kDoubtful;
   return Passage::kClosed;
 }
 

@@ -7,7 +7,8 @@
 namespace lstm_planner {
 
 NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
-    : options_(options),
+    : shield_(options.shield),
+      corner_cutting_(options.corner_cutting),
       encoder_(readGridEncoderParameters(model.metadata)),
       inputs_(encoder_.size(), encoder_.parameters().views),
       preferences_(kGridMoveCount) {
@@ -31,7 +32,7 @@ NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
 }
 
 void NetworkGridAgent::start(CellIndex start, CellIndex /*goal*/) {
-  if (!memory_) memory_.emplace(makeGridMemory(encoder_.parameters(), options_.corner_cutting));
+  if (!memory_) memory_.emplace(makeGridMemory(encoder_.parameters(), corner_cutting_));
   memory_->start();
   peak_bytes_ = memory_->bytes();
   if (rescue_) rescue_->start(start);
@@ -73,7 +74,7 @@ int NetworkGridAgent::decide() {
   int best = kNoPath;
   float largest = -std::numeric_limits<float>::infinity();
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    if (options_.shield && !movePossible(memory_->observation().ranges, direction, options_.corner_cutting)) continue;
+    if (shield_ && !movePossible(memory_->observation().ranges, direction, corner_cutting_)) continue;
     if (preferences_[direction] > largest) {
       largest = preferences_[direction];
       best = direction;

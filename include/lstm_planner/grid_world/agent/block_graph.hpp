@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "lstm_planner/grid_world/agent/rolling_window.hpp"
@@ -39,8 +40,17 @@ class BlockGraph {
   /// Learns what has changed in `seen`, and where the agent and the goal are.
   void update(const SeenGrid& seen, CellIndex agent, CellIndex goal);
 
+  /// What there is around a block, by direction.
+  struct Surroundings {
+    std::array<Passage, kGridRayCount> out;         ///< from it to the next one; straight directions only
+    std::array<Passage, kGridRayCount> then;        ///< on a diagonal d: after out[d - 1], on in direction d + 1
+    std::array<Passage, kGridRayCount> afterwards;  ///< and after out[d + 1], on in direction d - 1
+  };
+
   /// From a block to the next one in a straight direction (even).
   Passage passage(CellIndex block, std::size_t direction) const;
+
+  Surroundings around(CellIndex block) const;
 
   /// From the piece of a block where the agent is, as it is now seen.
   Passage passageFrom(const SeenGrid& seen, CellIndex agent, std::size_t direction) const;

@@ -41,7 +41,8 @@ class NetworkGridAgent : public GridAgent {
   void judgeMoves();
   void takeOver(const GridObservation& observation);
 
-  Options options_;
+  bool shield_;
+  CornerCutting corner_cutting_;
   GridEncoder encoder_;
   std::optional<Network> network_;     ///< of the only view
   std::optional<BatchNetwork> views_;  ///< or of several, which go through it side by side

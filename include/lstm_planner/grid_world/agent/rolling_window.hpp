@@ -22,6 +22,7 @@ class RollingWindow {
   void restart(CellIndex middle) {
     std::fill(bytes_.begin(), bytes_.end(), std::uint8_t{0});
     origin_ = {middle.column - kSide / 2, middle.row - kSide / 2};
+    on_torus_ = {onTorus(origin_.column), onTorus(origin_.row)};
   }
 
   /// Rolls in strides, no farther than needed for `place` to stay at least `margin` away from the window's edges.
@@ -50,6 +51,15 @@ class RollingWindow {
     byte = static_cast<std::uint8_t>((byte & ~(kMask << shift)) | value << shift);
   }
 
+  /// The values of as many places as a byte holds, side by side from `first` on, whose column is a multiple of that
+  /// number; the first one in the lowest bits.
+  unsigned byteFrom(CellIndex first) const {
+    if (contains(first) && contains({first.column + kPlaces - 1, first.row})) return bytes_[indexOf(first) / kPlaces];
+    unsigned byte = 0;
+    for (int i = 0; i < kPlaces; ++i) byte |= at({first.column + i, first.row}) << (i * kBits);
+    return byte;
+  }
+
   static constexpr std::size_t bytes() { return static_cast<std::size_t>(kSide * kSide / kPlaces); }
 
  private:
@@ -59,8 +69,12 @@ class RollingWindow {
   static_assert((kBits == 1 || kBits == 2 || kBits == 4) && kSide % kStride == 0, "whole bytes");
 
   static int onTorus(int i) { return ((i % kSide) + kSide) % kSide; }
-  static std::size_t indexOf(CellIndex place) {
-    return static_cast<std::size_t>(onTorus(place.row) * kSide + onTorus(place.column));
+  /// Of a place inside. From the origin's place on the torus, as a division would take longer than the rest.
+  std::size_t indexOf(CellIndex place) const {
+    const int column = on_torus_.column + place.column - origin_.column;
+    const int row = on_torus_.row + place.row - origin_.row;
+    return static_cast<std::size_t>((row < kSide ? row : row - kSide) * kSide +
+                                    (column < kSide ? column : column - kSide));
   }
 
   void rollAlong(int place, int margin, int CellIndex::*axis) {
@@ -80,9 +94,11 @@ class RollingWindow {
       }
     }
     origin_.*axis += sign * kStride;
+    on_torus_.*axis = onTorus(origin_.*axis);
   }
 
   CellIndex origin_;
+  CellIndex on_torus_;  ///< where the origin lies
   std::vector<std::uint8_t> bytes_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
@@ -19,6 +20,13 @@ class SeenGrid {
     kFree,      ///< a ray went through it, or the agent stood there
     kDoubtful,  ///< never seen, but in a gap of at most kWidestGap cells between two walls of a row or column
     kWall       ///< seen to be blocked
+  };
+
+  /// The cells of a block, by what is known of them.
+  struct BlockCells {
+    unsigned free;
+    unsigned doubtful;
+    unsigned wall;
   };
 
   static constexpr int kSide = 160;     ///< of the window, cells
@@ -41,12 +49,28 @@ class SeenGrid {
   bool contains(CellIndex cell) const { return cells_.contains(cell); }
   /// kUnknown outside.
   Cell at(CellIndex cell) const { return static_cast<Cell>(cells_.at(cell)); }
+  /// Of which cells of a block that is true, as bit 4 row + column from its first cell.
+  BlockCells cellsOf(CellIndex block) const {
+    const CellIndex first = firstCellOf(block);
+    std::uint32_t cells = 0;
+    for (int row = 0; row < kBlockSide; ++row) cells |= cells_.byteFrom({first.column, first.row + row}) << (8 * row);
+    constexpr std::uint32_t kLowBits = 0x55555555;
+    const std::uint32_t low = cells & kLowBits;
+    const std::uint32_t high = cells >> 1 & kLowBits;
+    return {everySecondBit(low & ~high), everySecondBit(high & ~low), everySecondBit(high & low)};
+  }
 
   std::size_t bytes() const { return cells_.bytes() + changed_blocks_.capacity() * sizeof(CellIndex); }
 
  private:
   static constexpr std::size_t kMostChanges = 192;  ///< 13 blocks a ray, and those with gaps at its end
 
+  static unsigned everySecondBit(std::uint32_t bits) {
+    bits = (bits | bits >> 1) & 0x33333333;
+    bits = (bits | bits >> 2) & 0x0f0f0f0f;
+    bits = (bits | bits >> 4) & 0x00ff00ff;
+    return (bits | bits >> 8) & 0xffff;
+  }
   void set(CellIndex cell, Cell value);
   void markWall(CellIndex cell);
   bool isInGap(CellIndex cell) const;
