@@ -63,6 +63,7 @@ double octileLength(CellIndex a, CellIndex b) {
 void GridMemory::start() {
   trace_.clear();
   if (planner_) planner_->start();
+  if (walk_) walk_->start();
   previous_direction_ = -1;
   progress_.clear();
 }
@@ -71,6 +72,7 @@ void GridMemory::observe(const GridObservation& observation) {
   observation_ = observation;
   in_new_place_ = trace_.visit(observation.cell);
   if (planner_) planner_->observe(observation);
+  if (walk_) walk_->observe(observation, trace_);
   goal_distance_ = octileLength(observation.cell, observation.goal);
   progress_.note(goal_distance_);
 }
@@ -79,12 +81,13 @@ GridEncoder::GridEncoder(const GridEncoderParameters& parameters) : parameters_(
   if (parameters.views != 1 && parameters.views != kGridRayCount) {
     throw std::invalid_argument("grid_views is " + std::to_string(parameters.views) + ", expected 1 or 8");
   }
+  if (parameters.inputs == GridEncoderParameters::Inputs::kWalk) walk_ = std::make_unique<WalkInputs>();
 }
 
 int GridEncoder::size() const {
   if (parameters_.inputs == GridEncoderParameters::Inputs::kThesis) return kThesisInputs;
   const int map_inputs = parameters_.inputs == GridEncoderParameters::Inputs::kMap ? kMapScalars : 0;
-  return kRayFeatures * kGridRayCount + kTraceScalars + map_inputs;
+  return kRayFeatures * kGridRayCount + kTraceScalars + map_inputs + (walk_ ? kWalkInputs : 0);
 }
 
 void GridEncoder::prepare(const GridMemory& memory) {
@@ -109,6 +112,10 @@ void GridEncoder::prepare(const GridMemory& memory) {
                kLog2(memory.stepsSinceBest() + 1) / kMostLogSteps,
                frequency(trace.at(VisitTrace::kSmallBlock, observation.cell)),
                frequency(trace.at(VisitTrace::kLargeBlock, observation.cell))};
+  if (walk_) {
+    if (memory.walk() == nullptr) throw std::invalid_argument("grid_inputs is walk, expected a memory of the walk");
+    *walk_ = WalkInputs(*memory.walk(), observation, previous_direction_);
+  }
   if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
   const RollingPlanner* planner = memory.planner();
   if (planner == nullptr) throw std::invalid_argument("grid_inputs is map, expected a memory with a planner");
@@ -146,9 +153,11 @@ void GridEncoder::encode(int view, float* input, int stride) const {
     *input = value;
     input += stride;
   };
-  for (std::size_t feature = 0; feature < (thesis ? 1 : rays_.size()); ++feature) {
-    for (int ray = 0; ray < kGridRayCount; ++ray) put(rays_[feature][static_cast<std::size_t>((ray + view) & 7)]);
-  }
+  const auto putRays = [&](const std::array<float, kGridRayCount>& values) {
+    for (int ray = 0; ray < kGridRayCount; ++ray) put(values[static_cast<std::size_t>((ray + view) & 7)]);
+  };
+  for (std::size_t feature = 0; feature < (thesis ? 1 : rays_.size()); ++feature) putRays(rays_[feature]);
+  if (walk_) std::for_each(walk_->rays.begin(), walk_->rays.end(), putRays);
   const bool moved = previous_direction_ >= 0;
   if (thesis) {
     put(goal_distance_ / (goal_distance_ + kDistanceScale));
@@ -164,6 +173,11 @@ void GridEncoder::encode(int view, float* input, int stride) const {
   put(moved ? sineOf(previous_direction_ - view) : 0.0f);
   put(static_cast<float>(view & 1));
   for (const float value : progress_) put(value);
+  if (walk_) {
+    for (const float value : walk_->scalars) put(value);
+    put(walk_->behind_cos * cosineOf(view) + walk_->behind_sin * sineOf(view));
+    put(walk_->behind_sin * cosineOf(view) - walk_->behind_cos * sineOf(view));
+  }
   if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
   const bool has_path = path_direction_ != kNoPath;
   put(has_path ? cosineOf(path_direction_ - view) : 0.0f);
@@ -175,8 +189,8 @@ void GridEncoder::encode(int view, float* input, int stride) const {
 namespace {
 
 using Inputs = GridEncoderParameters::Inputs;
-constexpr std::array<std::pair<const char*, Inputs>, 3> kInputNames = {
-    {{"thesis", Inputs::kThesis}, {"trace", Inputs::kTrace}, {"map", Inputs::kMap}}};
+constexpr std::array<std::pair<const char*, Inputs>, 4> kInputNames = {
+    {{"thesis", Inputs::kThesis}, {"trace", Inputs::kTrace}, {"map", Inputs::kMap}, {"walk", Inputs::kWalk}}};
 
 }  // namespace
 
@@ -189,7 +203,7 @@ GridEncoderParameters::Inputs gridInputsNamed(const std::string& name) {
   for (const auto& [known, inputs] : kInputNames) {
     if (name == known) return inputs;
   }
-  throw std::invalid_argument("grid_inputs is '" + name + "', expected thesis, trace or map");
+  throw std::invalid_argument("grid_inputs is '" + name + "', expected thesis, trace, map or walk");
 }
 
 void writeMetadata(const GridEncoderParameters& parameters, std::map<std::string, std::string>* metadata) {
@@ -216,6 +230,7 @@ GridEncoderParameters readGridEncoderParameters(const std::map<std::string, std:
 }
 
 GridMemory makeGridMemory(const GridEncoderParameters& parameters, CornerCutting corner_cutting) {
+  if (parameters.inputs == GridEncoderParameters::Inputs::kWalk) return GridMemory(std::make_unique<WalkMemory>());
   if (parameters.inputs != GridEncoderParameters::Inputs::kMap) return GridMemory();
   return GridMemory(RollingPlanner(corner_cutting));
 }

@@ -72,7 +72,7 @@ class TaughtAgent : public GridAgent {
   TaughtAgent(const CourseGoal& goal, const GridDatasetParameters& parameters, const GridEncoder& encoder,
               std::unique_ptr<GridAgent> learner)
       : goal_(goal),
-        encoder_(encoder),
+        encoder_(encoder.parameters()),
         memory_(makeGridMemory(encoder.parameters())),
         learner_(std::move(learner)),
         rescue_(kNearer, parameters.stuck_steps, parameters.rescue_steps),

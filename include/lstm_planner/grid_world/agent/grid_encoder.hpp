@@ -2,6 +2,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
 #include "lstm_planner/grid_world/agent/rolling_planner.hpp"
 #include "lstm_planner/grid_world/agent/visit_trace.hpp"
+#include "lstm_planner/grid_world/agent/walk_inputs.hpp"
 
 namespace lstm_planner {
 
@@ -19,6 +21,8 @@ class GridMemory {
   GridMemory() = default;
   /// An agent that also remembers walls, and where they leave a path.
   explicit GridMemory(RollingPlanner planner) : planner_(std::move(planner)) {}
+  /// An agent that also remembers its walk.
+  explicit GridMemory(std::unique_ptr<WalkMemory> walk) : walk_(std::move(walk)) {}
 
   void start();
 
@@ -31,17 +35,21 @@ class GridMemory {
   const GridObservation& observation() const { return observation_; }
   const VisitTrace& trace() const { return trace_; }
   const RollingPlanner* planner() const { return planner_ ? &*planner_ : nullptr; }
+  const WalkMemory* walk() const { return walk_.get(); }
   int previousDirection() const { return previous_direction_; }  ///< -1 before the first step
   double goalDistance() const { return goal_distance_; }         ///< octile, cells
   double bestDistance() const { return progress_.best(); }       ///< the least goalDistance() so far
   int stepsSinceBest() const { return progress_.steps(); }
   bool inNewPlace() const { return in_new_place_; }  ///< a large block of the trace that was not visited before
-  std::size_t bytes() const { return VisitTrace::bytes() + (planner_ ? planner_->bytes() : 0); }
+  std::size_t bytes() const {
+    return VisitTrace::bytes() + (planner_ ? planner_->bytes() : 0) + (walk_ ? WalkMemory::bytes() : 0);
+  }
 
  private:
   GridObservation observation_;
   VisitTrace trace_;
   std::optional<RollingPlanner> planner_;
+  std::unique_ptr<WalkMemory> walk_;
   int previous_direction_ = -1;
   double goal_distance_ = 0.0;
   ProgressWatch progress_{0.0};
@@ -50,11 +58,12 @@ class GridMemory {
 
 /// Which inputs a network for the grid world has, and from how many sides it looks; travels in the model file.
 struct GridEncoderParameters {
-  /// What the inputs tell the network; each adds to the one before.
+  /// What the inputs tell the network.
   enum class Inputs {
     kThesis,  ///< 8 ranges, distance, angle, previous action (thesis 3.2): 11 inputs
     kTrace,   ///< and where the agent has been, around it and along the rays, on the scales of VisitTrace
-    kMap,     ///< and where a RollingPlanner would go
+    kMap,     ///< kTrace, and where a RollingPlanner would go
+    kWalk,    ///< kTrace, and WalkInputs: how it gets back, and what it has left behind; nothing is searched
   };
   Inputs inputs = Inputs::kTrace;
 
@@ -64,7 +73,7 @@ struct GridEncoderParameters {
   int views = 8;
 };
 
-/// "thesis", "trace" or "map"; throws std::invalid_argument for another name.
+/// "thesis", "trace", "map" or "walk"; throws std::invalid_argument for another name.
 const char* nameOf(GridEncoderParameters::Inputs inputs);
 GridEncoderParameters::Inputs gridInputsNamed(const std::string& name);
 
@@ -97,6 +106,7 @@ class GridEncoder {
   static constexpr int kThesisInputs = kGridRayCount + 3;
   static constexpr int kTraceScalars = 10;
   static constexpr int kMapScalars = 4;
+  static constexpr int kWalkInputs = WalkInputs::kRayFeatures * kGridRayCount + WalkInputs::kScalars + 2;
 
  private:
   void lookAlongRays(const GridMemory& memory);
@@ -111,6 +121,7 @@ class GridEncoder {
   std::array<float, 5> progress_{};
   int path_direction_ = kNoPath;  ///< of the planner
   float detour_ = 0.0f;
+  std::unique_ptr<WalkInputs> walk_;  ///< if they are inputs
 };
 
 }  // namespace lstm_planner

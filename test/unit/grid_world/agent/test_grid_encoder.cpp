@@ -69,7 +69,7 @@ TEST(GridEncoder, RemembersWhereItCameFrom) {
 
 TEST(GridEncoder, InputsStayInTheirRangeWhateverIsObserved) {
   Random random(2);
-  GridMemory memory;
+  GridMemory memory = makeGridMemory({Inputs::kWalk, 8});
   for (int episode = 0; episode < 20; ++episode) {
     memory.start();
     CellIndex cell{static_cast<int>(uniformIndex(random, 8000)), static_cast<int>(uniformIndex(random, 8000))};
@@ -78,7 +78,7 @@ TEST(GridEncoder, InputsStayInTheirRangeWhateverIsObserved) {
       GridRanges ranges{};
       for (auto& range : ranges) range = static_cast<std::uint8_t>(1 + uniformIndex(random, kGridRayCap));
       memory.observe({cell, goal, ranges});
-      for (const Inputs inputs : {Inputs::kThesis, Inputs::kTrace}) {
+      for (const Inputs inputs : {Inputs::kThesis, Inputs::kTrace, Inputs::kWalk}) {
         for (const float value : encoded(looking(memory, inputs, 8), step % 8)) {
           ASSERT_TRUE(value >= -1.0f && value <= 1.5f) << value;
         }
@@ -88,6 +88,36 @@ TEST(GridEncoder, InputsStayInTheirRangeWhateverIsObserved) {
       cell = cellBeside(cell, direction);
     }
   }
+}
+
+TEST(GridEncoder, OfTheWalkTellsWhatItsInputsHoldTurnedForEachView) {
+  GridMemory memory = makeGridMemory({Inputs::kWalk, 8});
+  memory.start();
+  const GridRanges open = {50, 50, 50, 50, 50, 50, 50, 50};
+  for (int column = 10; column < 50; ++column) {
+    memory.observe({{column, 10}, {90, 10}, open});
+    memory.step(0);
+  }
+  const GridEncoder encoder = looking(memory, Inputs::kWalk, 8);
+  ASSERT_EQ(encoder.size(), GridEncoder({Inputs::kTrace, 8}).size() + GridEncoder::kWalkInputs);
+  const WalkInputs inputs(*memory.walk(), memory.observation(), 0);
+  const int first = GridEncoder::kRayFeatures * kGridRayCount;
+  EXPECT_GT(inputs.rays[WalkInputs::kNearer][4], 0.5f) << "back west the start is nearer";
+  for (const int view : {0, 3}) {
+    const std::vector<float> input = encoded(encoder, view);
+    for (int ray = 0; ray < kGridRayCount; ++ray) {
+      EXPECT_EQ(input[static_cast<std::size_t>(first + ray)],
+                inputs.rays[WalkInputs::kNearer][static_cast<std::size_t>((ray + view) & 7)]);
+    }
+    EXPECT_EQ(input[input.size() - 7], inputs.scalars[0]);
+  }
+}
+
+TEST(GridEncoder, RefusesToTellOfAWalkThatIsNotRemembered) {
+  GridMemory memory;
+  memory.start();
+  memory.observe({{10, 10}, {10, 40}, {1, 2, 4, 8, 16, 32, 50, 50}});
+  EXPECT_THROW(looking(memory, Inputs::kWalk, 8), std::invalid_argument);
 }
 
 TEST(GridEncoder, TravelsInTheMetadata) {
