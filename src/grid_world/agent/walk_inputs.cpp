@@ -23,16 +23,6 @@ float compared(float behind, float ahead) {
 
 }  // namespace
 
-void WalkMemory::start() {
-  start_distance.clear();
-  openings.clear();
-}
-
-void WalkMemory::observe(const GridObservation& observation, const VisitTrace& trace) {
-  start_distance.observe(observation);
-  openings.observe(observation, trace, start_distance.here());
-}
-
 WalkInputs::WalkInputs(const WalkMemory& memory, const GridObservation& observation, int previous_direction) {
   noteHands(observation.ranges, previous_direction);
   const float ahead = noteRays(memory);

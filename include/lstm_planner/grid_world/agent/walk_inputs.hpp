@@ -2,22 +2,9 @@
 
 #include <array>
 
-#include "lstm_planner/grid_world/agent/opening_memory.hpp"
-#include "lstm_planner/grid_world/agent/start_distance.hpp"
+#include "lstm_planner/grid_world/agent/walk_memory.hpp"
 
 namespace lstm_planner {
-
-/// What an agent remembers of its walk besides where it was how often.
-struct WalkMemory {
-  StartDistance start_distance;
-  OpeningMemory openings;
-
-  void start();
-  /// `trace` has seen the step.
-  void observe(const GridObservation& observation, const VisitTrace& trace);
-
-  static std::size_t bytes() { return StartDistance::bytes() + OpeningMemory::bytes(); }
-};
 
 /// What the memory of the walk tells a network: which rays lead back to the start, which to places that were not
 /// visited, what there is behind, and where a hand on the wall would lead. All within [-1, 1].

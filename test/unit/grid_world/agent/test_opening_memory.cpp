@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "lstm_planner/base/common/random.hpp"
-#include "lstm_planner/grid_world/agent/walk_inputs.hpp"
+#include "lstm_planner/grid_world/agent/walk_memory.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner::test_opening_memory {

@@ -100,8 +100,9 @@ TEST_P(ShippedGridModel, ArrivesEverywhereInAMazeWithoutCollision) {
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedGridModel,
                          testing::Values(Bound{"grid_lstm", 38}, Bound{"grid_lstm_trace", 38},
-                                         Bound{"grid_lstm_2x8", 10}, Bound{"grid_rnn_2x16", 6},
-                                         Bound{"grid_mlp_4x64", 12}, Bound{"grid_qlearning", 34}),
+                                         Bound{"grid_lstm_walk", 38}, Bound{"grid_lstm_2x8", 10},
+                                         Bound{"grid_rnn_2x16", 6}, Bound{"grid_mlp_4x64", 12},
+                                         Bound{"grid_qlearning", 34}),
                          [](const auto& info) { return std::string(info.param.model); });
 
 TEST(ShippedGridModels, TheMainOneNeedsAtMost64KiBInAMazeThatTheTrailHasNoRoomFor) {
@@ -138,6 +139,18 @@ TEST(ShippedGridModels, TheTwoMainOnesAreNoLargerThanTheThesissAndNeedAtMost64Ki
     EXPECT_LE(countWeights(model.layers), 1256u);
     EXPECT_LE(NetworkGridAgent(model, {}).peakBytes(), 64u * 1024u);
   }
+}
+
+TEST(ShippedGridModels, TheOneThatRemembersItsWalkHasNoSearchAndNeedsAtMost64KiBAlone) {
+  const Model model = readModelFile(shippedModel("grid_lstm_walk"));
+  EXPECT_LE(countWeights(model.layers), 4000u);
+  NetworkGridAgent::Options alone;
+  alone.escape = false;
+  NetworkGridAgent agent(model, alone);
+  agent.start({10, 10}, {50, 50});
+  agent.observe({{10, 10}, {50, 50}, {50, 50, 50, 50, 50, 50, 50, 50}});
+  EXPECT_EQ(agent.searchedDirection(), kNoPath);
+  EXPECT_LE(agent.peakBytes(), 64u * 1024u);
 }
 
 }  // namespace
