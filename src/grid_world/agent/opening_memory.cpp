@@ -19,6 +19,11 @@ constexpr float kLeastWalk = 16.0f;  ///< cells to an opening that lies behind
 
 CellIndex placeOf(const Opening& opening) { return {opening.column, opening.row}; }
 
+bool fits(int coordinate) {
+  using Limits = std::numeric_limits<std::int16_t>;
+  return coordinate >= Limits::min() && coordinate <= Limits::max();
+}
+
 bool isAt(const Opening& opening, CellIndex cell) {
   return std::abs(opening.column - cell.column) <= kSamePlace && std::abs(opening.row - cell.row) <= kSamePlace;
 }
@@ -65,6 +70,7 @@ void OpeningMemory::forgetVisited(CellIndex cell) {
 }
 
 void OpeningMemory::note(CellIndex place, float length, CellIndex goal) {
+  if (!fits(place.column) || !fits(place.row)) return;
   const Opening opening{static_cast<std::int16_t>(place.column), static_cast<std::int16_t>(place.row), here_, length};
   const auto known =
       std::find_if(openings_.begin(), openings_.end(), [&](const Opening& other) { return isAt(other, place); });

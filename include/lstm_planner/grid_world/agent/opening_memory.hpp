@@ -17,7 +17,7 @@ namespace lstm_planner {
 /// from the distances to the start (StartDistance) of the two places, as long as it goes back by the path that it came.
 ///
 /// Distances are octile, in cells. 4 KiB: of more openings those are forgotten that lead to the goal by the longest
-/// path.
+/// path, and none is remembered beyond column or row 32,767.
 class OpeningMemory {
  public:
   struct Opening {

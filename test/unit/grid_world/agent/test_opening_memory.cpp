@@ -89,6 +89,17 @@ TEST(OpeningMemory, ARayShowsHowMuchLongerThePathThroughItsOpeningIs) {
   EXPECT_FALSE(detours[kWest]) << "there it came from";
 }
 
+TEST(OpeningMemory, RemembersNoPlaceThatItHasNoNumberFor) {
+  const PassableGrid grid(32900, 9, true);
+  Walker walker(grid, {32740, 4});
+  walker.walk(kEast, 100);
+  // Those to the east are shown by rays only; behind lies the one to the west of the start.
+  ASSERT_TRUE(walker.memory.openings.detours()[kEast]);
+  ASSERT_TRUE(walker.behind());
+  EXPECT_LT(walker.behind()->column, 32740);
+  EXPECT_GT(walker.behind()->column, 32700);
+}
+
 TEST(OpeningMemory, StaysAsLargeAsItIs) {
   // Wide spaces are full of places that are not visited.
   const PassableGrid grid(2000, 2000, true);
