@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "grid_world/agent/along_ray.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -44,11 +46,6 @@ float freshness(const Visit& visit) { return visit.count == 0 ? 0.0f : 1.0f - kL
 float frequency(const Visit& visit) {
   const float count = static_cast<float>(visit.count);
   return count / (count + 2.0f);
-}
-
-CellIndex along(CellIndex cell, int direction, int steps) {
-  const CellIndex step = kGridRaySteps[static_cast<std::size_t>(direction)];
-  return {cell.column + steps * step.column, cell.row + steps * step.row};
 }
 
 /// Rounded as where the shipped networks learned: OctileDistance::length() may differ in the last bit.
@@ -133,9 +130,9 @@ void GridEncoder::lookAlongRays(const GridMemory& memory) {
     const std::size_t ray = static_cast<std::size_t>(direction);
     const int range = observation.ranges[ray];
     const auto probe = [&](VisitTrace::Scale scale, int steps) {
-      return trace.at(scale, along(observation.cell, direction, std::min(range - 1, steps)));
+      return trace.at(scale, alongRay(observation.cell, ray, std::min(range - 1, steps)));
     };
-    const Visit beside = range > 1 ? trace.at(VisitTrace::kCell, along(observation.cell, direction, 1)) : Visit{};
+    const Visit beside = range > 1 ? trace.at(VisitTrace::kCell, alongRay(observation.cell, ray, 1)) : Visit{};
     const Visit large = probe(VisitTrace::kLargeBlock, kLargeProbe);
     rays_[0][ray] = kLog2(range) / 5.643856f;  // log2 of the cap
     rays_[1][ray] = freshness(beside);
