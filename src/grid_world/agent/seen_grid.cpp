@@ -1,13 +1,8 @@
 #include "lstm_planner/grid_world/agent/seen_grid.hpp"
 
+#include "grid_world/agent/along_ray.hpp"
+
 namespace lstm_planner {
-namespace {
-
-CellIndex moved(CellIndex cell, CellIndex step, int steps) {
-  return {cell.column + steps * step.column, cell.row + steps * step.row};
-}
-
-}  // namespace
 
 void SeenGrid::restart(CellIndex agent) {
   cells_.restart(agent);
@@ -30,13 +25,13 @@ void SeenGrid::observe(const GridObservation& observation) {
   set(observation.cell, Cell::kFree);
   for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
     for (int steps = 1; steps < observation.ranges[direction]; ++steps) {
-      set(moved(observation.cell, kGridRaySteps[direction], steps), Cell::kFree);
+      set(alongRay(observation.cell, direction, steps), Cell::kFree);
     }
   }
   // Once all that is free is known: less lies in gaps then.
   for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
     const int range = observation.ranges[direction];
-    if (range < kGridRayCap) markWall(moved(observation.cell, kGridRaySteps[direction], range));
+    if (range < kGridRayCap) markWall(alongRay(observation.cell, direction, range));
   }
 }
 
@@ -53,7 +48,7 @@ void SeenGrid::markWall(CellIndex cell) {
   set(cell, Cell::kWall);
   for (std::size_t direction = 0; direction < kGridRayCount; direction += 2) {
     for (int steps = 1; steps <= kWidestGap; ++steps) {
-      const CellIndex beside = moved(cell, kGridRaySteps[direction], steps);
+      const CellIndex beside = alongRay(cell, direction, steps);
       const Cell seen = at(beside);
       if (seen == Cell::kFree || seen == Cell::kWall) break;
       if (seen == Cell::kUnknown && isInGap(beside)) set(beside, Cell::kDoubtful);
@@ -63,17 +58,17 @@ void SeenGrid::markWall(CellIndex cell) {
 
 bool SeenGrid::isInGap(CellIndex cell) const {
   for (std::size_t direction = 0; direction < kGridRayCount / 2; direction += 2) {
-    const int before = wallWithin(cell, kGridRaySteps[direction]);
+    const int before = wallWithin(cell, direction);
     if (before == 0) continue;
-    const int behind = wallWithin(cell, kGridRaySteps[direction + kGridRayCount / 2]);
+    const int behind = wallWithin(cell, direction + kGridRayCount / 2);
     if (behind != 0 && before + behind - 1 <= kWidestGap) return true;
   }
   return false;
 }
 
-int SeenGrid::wallWithin(CellIndex cell, CellIndex step) const {
+int SeenGrid::wallWithin(CellIndex cell, std::size_t direction) const {
   for (int steps = 1; steps <= kWidestGap; ++steps) {
-    const Cell seen = at(moved(cell, step, steps));
+    const Cell seen = at(alongRay(cell, direction, steps));
     if (seen == Cell::kWall) return steps;
     if (seen == Cell::kFree) return 0;
   }

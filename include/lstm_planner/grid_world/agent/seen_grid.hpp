@@ -74,7 +74,7 @@ class SeenGrid {
   void set(CellIndex cell, Cell value);
   void markWall(CellIndex cell);
   bool isInGap(CellIndex cell) const;
-  int wallWithin(CellIndex cell, CellIndex step) const;
+  int wallWithin(CellIndex cell, std::size_t direction) const;
 
   RollingWindow<kSide, 2> cells_;
   std::vector<CellIndex> changed_blocks_;
