@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Sums up the result files of gtest, rosunit and rostest in a folder.
+"""Sums up the result files of gtest, rosunit and rostest, and the exit statuses of test programs, in a folder.
 
 count_results.py FOLDER SKIPS: prints a line for every case that failed or was skipped, and at the end, alone on its
 line, `N passed, N failed, N skipped`. A case that is skipped for a reason that no line of the file SKIPS allows has
-failed. Exit status 1 when a case failed, 2 when there are no results.
+failed, and so has a program (NAME.status) that crashed. Exit status 1 when a case failed, 2 when there are no results.
 """
 import pathlib
 import re
@@ -69,8 +69,11 @@ def add_folder(results, folder):
         launches.add_file(path)
         results.failed.extend(
             (f"{path.stem}: {name}", text) for name, text in launches.failed if name.rpartition(".")[2] not in told)
-    for path in sorted(folder.glob("gtest-*.xml")):
-        results.add_file(path)
+    failing = {path.stem[len("gtest-"):] for path in sorted(folder.glob("gtest-*.xml")) if results.add_file(path)}
+    for path in sorted(folder.glob("*.status")):
+        status = int(path.read_text(encoding="utf-8"))
+        if status != 0 and path.stem not in failing:
+            results.failed.append((path.stem, f"ended with exit status {status} and no failed case"))
 
 
 def read_allowed_skips(path):

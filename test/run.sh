@@ -46,11 +46,15 @@ start_unit_tests() {
   done
 }
 
-# Waits for them, and shows what the failing ones printed.
+# Waits for them, and shows what the failing ones printed. Leaves their exit statuses beside their results: a process
+# that crashes has no results, or passed ones only.
 finish_unit_tests() {
-  local shard status=0
+  local shard ended status=0
   for shard in "${!unit_test_processes[@]}"; do
-    if ! wait "${unit_test_processes[shard]}"; then
+    ended=0
+    wait "${unit_test_processes[shard]}" || ended=$?
+    echo "$ended" >"$results/unit_tests_$shard.status"
+    if [ "$ended" -ne 0 ]; then
       status=1
       cat "$results/unit_tests_$shard.log"
     fi

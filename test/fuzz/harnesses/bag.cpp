@@ -89,12 +89,13 @@ class BagMaker {
 
  private:
   /// One for many inputs: each new one looks for the plugins that encrypt bags. Not for all, as one keeps the messages
-  /// of every bag that it has written.
+  /// of every bag that it has written. The first is made with its variable: one made later would be destroyed after the
+  /// loader of plugins that it uses until then.
   static rosbag::Bag& writer() {
     constexpr int kBagsAWriter = 1000;
-    static std::optional<rosbag::Bag> bag;
+    static std::optional<rosbag::Bag> bag(std::in_place);
     static int bags = 0;
-    if (bags++ % kBagsAWriter == 0) bag.emplace();
+    if (++bags % kBagsAWriter == 0) bag.emplace();
     return *bag;
   }
 
