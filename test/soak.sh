@@ -61,7 +61,7 @@ SUMMARY
 
 what="${1:-}"
 case "$what" in
-  day) targets=(soak) ;;
+  day) targets=(ros_tests) ;;
   drives) targets=(lstm_planner) ;;
   --help | -h) usage; exit 0 ;;
   *) fail "'$what' is nothing that can be run, expected day or drives; see --help." ;;
