@@ -324,12 +324,11 @@ TEST_F(PlannerTest, PlansOnlyAfterInitializeAndASecondInitializeChangesNothing) 
   EXPECT_EQ(log_.count("LstmGlobalPlanner is already initialised"), 1);
 }
 
-TEST_F(PlannerTest, OutlivesTheCostmap) {
+TEST_F(PlannerTest, MayBeUnloadedAfterTheCostmap) {
   auto planner = makePlanner();
-  const auto robot = start();
+  EXPECT_TRUE(planner->makePlan(start(), stampedPose("odom", kGoal), plan_));
   costmap_.reset();
-  EXPECT_TRUE(planner->makePlan(robot, stampedPose("odom", kGoal), plan_));
-  EXPECT_NO_THROW(planner.reset());
+  EXPECT_NO_THROW(planner.reset()) << "the address sanitizer sees whether it used the costmap";
 }
 
 TEST_F(PlannerTest, PlannerFrequencyOfZeroIsWarnedOfOnce) {

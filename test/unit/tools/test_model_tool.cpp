@@ -47,7 +47,7 @@ TEST_F(ModelTool, FitsAnExportedNetworkWithWhatItNeeds) {
   expectSays("model convert " + kExported + " --output " + in("own.onnx") +
                  " --step-length 0.5 --robot-radius 0.2 --range-cap 5 --made-by 'my script'",
              0, "for      the robot");
-  const PolicyDescription& description = DrivePolicy::fromFile(in("own.onnx")).description();
+  const PolicyDescription description = DrivePolicy::fromFile(in("own.onnx")).description();
   EXPECT_EQ(description.step_length, 0.5);
   EXPECT_EQ(description.footprint_radius, 0.2);
   EXPECT_EQ(description.encoder.range_cap, 5.0);
@@ -60,7 +60,7 @@ TEST_F(ModelTool, KeepsWhatTheModelSaysUnlessAnOptionSaysOtherwise) {
   expectSays("model convert " + in("own.onnx") + " --output " + in("tried.onnx") +
                  " --range-cap 4 --smallest-robot 0.1 --largest-robot 0.5",
              0, "largest_robot    0.5");
-  const PolicyDescription& description = DrivePolicy::fromFile(in("tried.onnx")).description();
+  const PolicyDescription description = DrivePolicy::fromFile(in("tried.onnx")).description();
   EXPECT_EQ(description.step_length, 0.5);
   EXPECT_EQ(description.encoder.range_cap, 4.0);
   EXPECT_EQ(description.smallest_radius, 0.1);
