@@ -32,6 +32,15 @@ CellIndex placeOf(int node, CellIndex origin) {
 
 double crowFlight(CellIndex a, CellIndex b) { return octileDistance(a, b).length(); }
 
+/// On a path of blocks: the direction to the next one, and the passage as it was when the path was planned.
+std::uint8_t blockMove(std::size_t direction, Passage passage) {
+  return static_cast<std::uint8_t>(direction | static_cast<std::size_t>(passage) << 3);
+}
+std::size_t directionOf(std::uint8_t move) { return move & 7u; }
+Passage passageOf(std::uint8_t move) { return static_cast<Passage>(move >> 3); }
+
+bool isWorse(Passage now, Passage before) { return now > Passage::kFree && now > before; }
+
 CellIndex middleOf(CellIndex block) {
   const CellIndex first = firstCellOf(block);
   return {first.column + kBlockSide / 2, first.row + kBlockSide / 2};
@@ -83,18 +92,25 @@ struct AreaPlanner::BlockWorld {
                       (instead == Passage::kFree && afterwards == Passage::kFree);
     return free ? Passage::kFree : Passage::kUnknown;
   }
+  BlockGraph::Surroundings around(CellIndex block) const {
+    BlockGraph::Surroundings all = graph.around(block);
+    if (block == agent_block) all.out = from_agent;
+    return all;
+  }
+  static Passage passageTo(const BlockGraph::Surroundings& around, std::size_t direction) {
+    return direction % 2 != 0 ? passageOnDiagonal(around, direction) : around.out[direction];
+  }
   template <typename Move>
   void expand(int node, const Move& move) const {
     const CellIndex block = placeOf(node, graph.origin());
-    BlockGraph::Surroundings around = graph.around(block);
-    if (block == agent_block) around.out = from_agent;
+    const BlockGraph::Surroundings around_it = around(block);
     double weight = 0.0;  // worked out where it is needed
     for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
       const CellIndex next = cellBeside(block, static_cast<int>(direction));
       // Rows and columns of maps count from 0.
       if (next.column < 0 || next.row < 0) continue;
       const bool diagonal = direction % 2 != 0;
-      const Passage passage = diagonal ? passageOnDiagonal(around, direction) : around.out[direction];
+      const Passage passage = passageTo(around_it, direction);
       if (passage == Passage::kClosed && (diagonal || !through_closed)) continue;
       if (passage == Passage::kUnknown && weight == 0.0) weight = weightOf(block);
       move(direction, costOf(passage, diagonal ? kDiagonalFifths : kStraightFifths, weight));
@@ -184,6 +200,7 @@ void AreaPlanner::restart(CellIndex agent, CellIndex start) {
   start_ = start;
   path_.clear();
   path_step_ = 0;
+  steps_since_blocks_ = kStepsOfPlan;
 }
 
 void AreaPlanner::takeWalls(const RollingGrid& walls) {
@@ -199,6 +216,7 @@ void AreaPlanner::observe(const GridObservation& observation) {
 
 int AreaPlanner::plan() {
   ++steps_since_plan_;
+  ++steps_since_blocks_;
   const bool follows = path_step_ < path_.size() && expected_ == now_.cell && steps_since_plan_ < kStepsOfPlan;
   if (!follows || !isPathFree()) planAnew();
   if (path_step_ >= path_.size()) return kNoPath;
@@ -233,15 +251,50 @@ void AreaPlanner::planAnew() {
   for (std::size_t direction = 0; direction < kGridRayCount; direction += 2) {
     from_agent_[direction] = graph_.passageFrom(seen_, now_.cell, direction);
   }
+  if (keepBlocks()) planCells();
+  if (!path_.empty()) return;
   if (planBlocks(false) || planBlocks(true)) planCells();
 }
 
+AreaPlanner::BlockWorld AreaPlanner::blockWorld(bool through_closed) const {
+  return {graph_, parameters_, from_agent_, blockOf(now_.cell), start_, now_.goal, through_closed};
+}
+
 bool AreaPlanner::planBlocks(bool through_closed) {
-  const BlockWorld world{graph_, parameters_, from_agent_, blockOf(now_.cell), start_, now_.goal, through_closed};
+  const BlockWorld world = blockWorld(through_closed);
+  blocks_.clear();
   const int target = search_.find(world, nodeOf(blockOf(now_.cell), graph_.origin()));
   if (target < 0) return false;
+  steps_since_blocks_ = 0;
   length_ = static_cast<double>(search_.cost()) * kBlockSide / kStraightFifths;
   search_.pathTo(target, kMostBlocks, &blocks_);
+  blocks_from_ = blockOf(now_.cell);
+  CellIndex block = blocks_from_;
+  for (std::uint8_t& move : blocks_) {
+    const std::size_t direction = move;
+    move = blockMove(direction, BlockWorld::passageTo(world.around(block), direction));
+    block = cellBeside(block, static_cast<int>(direction));
+  }
+  return true;
+}
+
+/// Whether the rest of the blocks' path is still the best one as far as is known: the agent is on it, and no passage
+/// on it has become worse. (No other becomes better but those that turn out to be free.)
+bool AreaPlanner::keepBlocks() {
+  if (steps_since_blocks_ >= kStepsOfPlan) return false;
+  auto next = blocks_.begin();
+  CellIndex block = blocks_from_;
+  while (block != blockOf(now_.cell)) {
+    if (next == blocks_.end()) return false;
+    block = cellBeside(block, static_cast<int>(directionOf(*next++)));
+  }
+  blocks_from_ = block;
+  blocks_.erase(blocks_.begin(), next);
+  const BlockWorld world = blockWorld(true);
+  for (const std::uint8_t move : blocks_) {
+    if (isWorse(BlockWorld::passageTo(world.around(block), directionOf(move)), passageOf(move))) return false;
+    block = cellBeside(block, static_cast<int>(directionOf(move)));
+  }
   return true;
 }
 
@@ -251,7 +304,7 @@ void AreaPlanner::planCells() {
   std::size_t count = 0;
   bool through_doubtful = false;
   for (; count < blocks_.size(); ++count) {
-    const std::size_t direction = blocks_[count];
+    const std::size_t direction = directionOf(blocks_[count]);
     const CellIndex next = cellBeside(block, static_cast<int>(direction));
     const CellIndex middle = middleOf(next);
     if (std::max(std::abs(middle.column - now_.cell.column), std::abs(middle.row - now_.cell.row)) > kSight) break;
@@ -271,7 +324,7 @@ void AreaPlanner::planCells() {
   if (planCellsTo(block, true, 0)) return;
   const std::size_t last = std::min(blocks_.size(), count + kBlocksBehind);
   for (std::size_t i = count; i < last; ++i) {
-    block = cellBeside(block, blocks_[i]);
+    block = cellBeside(block, static_cast<int>(directionOf(blocks_[i])));
     if (planCellsTo(block, true, 0)) return;
   }
 }
@@ -287,7 +340,7 @@ bool AreaPlanner::planCellsTo(CellIndex block, bool through_doubtful, std::size_
   CellIndex allowed = blockOf(now_.cell);
   world.allowAround(allowed);
   for (std::size_t i = 0; i < along; ++i) {
-    allowed = cellBeside(allowed, blocks_[i]);
+    allowed = cellBeside(allowed, static_cast<int>(directionOf(blocks_[i])));
     world.allowAround(allowed);
   }
   const int target = search_.find(world, nodeOf(now_.cell, seen_.origin()));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "grid_world/agent/block_patch.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -99,7 +101,9 @@ void BlockGraph::learn(const SeenGrid& seen) {
   const CellIndex first = blockOf(seen.origin());
   for (int row = 0; row < SeenGrid::kSide / kBlockSide; ++row) {
     for (int column = 0; column < SeenGrid::kSide / kBlockSide; ++column) {
-      updateBlock(seen, {first.column + column, first.row + row});
+      const CellIndex block = {first.column + column, first.row + row};
+      updatePassage(seen, block, kEast);
+      updatePassage(seen, block, kNorth);
     }
   }
 }
@@ -145,15 +149,19 @@ unsigned BlockGraph::pieceOf(const SeenGrid& seen, CellIndex block, bool through
 }
 
 void BlockGraph::updateBlock(const SeenGrid& seen, CellIndex block) {
-  // What the window of the cells has forgotten is not judged anew.
-  if (!isSeen(seen, block)) return;
-  for (std::size_t direction = 0; direction < kGridRayCount; direction += 2) updatePassage(seen, block, direction);
+  // Its cells may be a part of the way from one block round to the next beside it.
+  for (int row = -2; row <= 1; ++row) {
+    for (int column = -2; column <= 1; ++column) {
+      const CellIndex first = {block.column + column, block.row + row};
+      if (row > -2) updatePassage(seen, first, kEast);
+      if (column > -2) updatePassage(seen, first, kNorth);
+    }
+  }
 }
 
-void BlockGraph::updatePassage(const SeenGrid& seen, CellIndex block, std::size_t direction) {
-  const bool forward = direction == kEast || direction == kNorth;
-  const CellIndex first = forward ? block : cellBeside(block, static_cast<int>(direction));
-  const std::size_t axis = direction % 4;
+void BlockGraph::updatePassage(const SeenGrid& seen, CellIndex first, std::size_t axis) {
+  // What the window of the cells has forgotten is not judged anew.
+  if (!isSeen(seen, first)) return;
   const CellIndex second = cellBeside(first, static_cast<int>(axis));
   const unsigned both = passages_.at(first);
   const Passage known = static_cast<Passage>(axis == kEast ? both & 3u : both >> 2);
@@ -169,16 +177,35 @@ BlockGraph::Passage BlockGraph::judge(const SeenGrid& seen, CellIndex block, std
                                       const CellIndex* inside) const {
   const CellIndex next = cellBeside(block, static_cast<int>(direction));
   const std::size_t back = (direction + kGridRayCount / 2) % kGridRayCount;
-  const auto open = [&](bool through_doubtful) {
-    return sideOf(pieceOf(seen, block, through_doubtful, inside), direction) &
-           sideOf(pieceOf(seen, next, through_doubtful), back);
-  };
-  if (const unsigned passable = open(false); passable != 0) {
+  const unsigned here = pieceOf(seen, block, false, inside);
+  const unsigned there = pieceOf(seen, next, false);
+  if (const unsigned passable = sideOf(here, direction) & sideOf(there, back); passable != 0) {
     const unsigned free = sideOf(seen.cellsOf(block).free, direction) & sideOf(seen.cellsOf(next).free, back);
     return (passable & free) != 0 ? Passage::kFree : Passage::kUnknown;
   }
-  if (open(true) != 0) return Passage::kDoubtful;
-  return Passage::kClosed;
+  if (leadsRound(seen, block, here, next, there)) return Passage::kFree;
+  const unsigned doubtful_here = pieceOf(seen, block, true, inside);
+  const unsigned doubtful_there = pieceOf(seen, next, true);
+  const bool doubtful = (sideOf(doubtful_here, direction) & sideOf(doubtful_there, back)) != 0;
+  return doubtful ? Passage::kDoubtful : Passage::kClosed;
+}
+
+/// Whether cells that were seen free lead from one piece to the other through the blocks around the two.
+bool BlockGraph::leadsRound(const SeenGrid& seen, CellIndex block, unsigned piece, CellIndex next,
+                            unsigned next_piece) const {
+  const CellIndex low = {std::min(block.column, next.column) - 1, std::min(block.row, next.row) - 1};
+  const CellIndex high = {std::max(block.column, next.column) + 1, std::max(block.row, next.row) + 1};
+  BlockPatch free;
+  for (int row = low.row; row <= high.row; ++row) {
+    for (int column = low.column; column <= high.column; ++column) {
+      free.add(seen.cellsOf({column, row}).free, {column - low.column, row - low.row});
+    }
+  }
+  BlockPatch from;
+  from.add(piece, {block.column - low.column, block.row - low.row});
+  BlockPatch to;
+  to.add(next_piece, {next.column - low.column, next.row - low.row});
+  return from.leadsTo(to, free);
 }
 
 }  // namespace lstm_planner

@@ -59,6 +59,8 @@ class AreaPlanner {
   bool isPathFree() const;
   bool isBlocked(CellIndex cell) const;
   void planAnew();
+  BlockWorld blockWorld(bool through_closed) const;
+  bool keepBlocks();
   bool planBlocks(bool through_closed);
   void planCells();
   bool planCellsTo(CellIndex block, bool through_doubtful, std::size_t along);
@@ -71,12 +73,14 @@ class AreaPlanner {
   CellIndex start_;
   CellIndex expected_;  ///< where the agent is when it follows the path
   int steps_since_plan_ = 0;
+  int steps_since_blocks_ = 0;  ///< were searched
   double length_ = 0.0;
   bool path_is_doubtful_ = false;  ///< it goes through doubtful cells
   std::array<BlockGraph::Passage, kGridRayCount> from_agent_{};
   std::size_t path_step_ = 0;
-  std::vector<std::uint8_t> path_;    ///< directions from where the plan started
-  std::vector<std::uint8_t> blocks_;  ///< from the agent's block, the first of them
+  std::vector<std::uint8_t> path_;  ///< directions from where the plan started
+  CellIndex blocks_from_;
+  std::vector<std::uint8_t> blocks_;  ///< moves from there to the next block, the first of the whole path
 };
 
 }  // namespace lstm_planner

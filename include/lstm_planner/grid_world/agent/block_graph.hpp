@@ -13,7 +13,9 @@ namespace lstm_planner {
 /// a wall one cell thick separates what lies on its two sides.
 ///
 /// A block stands for the largest piece of it that hangs together, or for the piece with the goal in it. What walls cut
-/// off from that piece belongs to no block, so corridors of fewer than 7 cells may look closed.
+/// off from that piece belongs to no block. Two pieces that do not touch are connected where cells that were seen free
+/// lead from one to the other through the blocks around the two: through a door nearby. So corridors of fewer than 7
+/// cells may look closed, if they are longer than that.
 ///
 /// When the agent comes back to a block whose cells it has forgotten, what it sees there may close passages, but opens
 /// none that were closed, unless the agent stands in them.
@@ -68,8 +70,9 @@ class BlockGraph {
 
  private:
   void updateBlock(const SeenGrid& seen, CellIndex block);
-  void updatePassage(const SeenGrid& seen, CellIndex block, std::size_t direction);
+  void updatePassage(const SeenGrid& seen, CellIndex first, std::size_t axis);
   Passage judge(const SeenGrid& seen, CellIndex block, std::size_t direction, const CellIndex* inside) const;
+  bool leadsRound(const SeenGrid& seen, CellIndex block, unsigned piece, CellIndex next, unsigned next_piece) const;
   bool isSeen(const SeenGrid& seen, CellIndex block) const;
   void noteForgotten(CellIndex old_origin, const SeenGrid& seen);
 

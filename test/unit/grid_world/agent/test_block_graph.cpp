@@ -70,6 +70,17 @@ TEST(BlockGraph, AWallOneCellThickSeparatesItsTwoSides) {
   EXPECT_EQ(memory.graph.passage(blockOf({44, 12}), kEast), Passage::kUnknown);
 }
 
+TEST(BlockGraph, ALittleBesideAGapItLeadsThroughTheGap) {
+  const PassableGrid grid = walledGrid(100);
+  Memory memory(grid, {38, 22});
+  memory.walk({38, 22}, {38, 30}, {0, 1});
+  memory.walk({38, 30}, {43, 30}, {1, 0});
+  memory.walk({43, 30}, {43, 22}, {0, -1});
+  EXPECT_EQ(memory.graph.passage(blockOf({36, 28}), kEast), Passage::kFree) << "the gap lies in the block behind";
+  EXPECT_EQ(memory.graph.passage(blockOf({36, 24}), kEast), Passage::kFree) << "beside the block behind";
+  EXPECT_EQ(memory.graph.passage(blockOf({36, 20}), kEast), Passage::kClosed) << "the next but one is too far";
+}
+
 TEST(BlockGraph, RemembersAWallWhoseCellsAreForgotten) {
   const PassableGrid grid = walledGrid(600);
   Memory memory(grid, {30, 8});
