@@ -102,6 +102,7 @@ void BlockGraph::learn(const SeenGrid& seen) {
   for (int row = 0; row < SeenGrid::kSide / kBlockSide; ++row) {
     for (int column = 0; column < SeenGrid::kSide / kBlockSide; ++column) {
       const CellIndex block = {first.column + column, first.row + row};
+      if (!isSeen(seen, block)) continue;
       updatePassage(seen, block, kEast);
       updatePassage(seen, block, kNorth);
     }
@@ -149,28 +150,44 @@ unsigned BlockGraph::pieceOf(const SeenGrid& seen, CellIndex block, bool through
 }
 
 void BlockGraph::updateBlock(const SeenGrid& seen, CellIndex block) {
-  // Its cells may be a part of the way from one block round to the next beside it.
   for (int row = -2; row <= 1; ++row) {
     for (int column = -2; column <= 1; ++column) {
       const CellIndex first = {block.column + column, block.row + row};
-      if (row > -2) updatePassage(seen, first, kEast);
-      if (column > -2) updatePassage(seen, first, kNorth);
+      // What the window of the cells has forgotten is not judged anew.
+      if (!isSeen(seen, first)) continue;
+      const bool leads_east = row == 0 && column >= -1;  // from the block or to it
+      const bool leads_north = column == 0 && row >= -1;
+      if (leads_east) updatePassage(seen, first, kEast);
+      if (leads_north) updatePassage(seen, first, kNorth);
+      if (row > -2 && !leads_east) openRound(seen, first, kEast);
+      if (column > -2 && !leads_north) openRound(seen, first, kNorth);
     }
   }
 }
 
-void BlockGraph::updatePassage(const SeenGrid& seen, CellIndex first, std::size_t axis) {
-  // What the window of the cells has forgotten is not judged anew.
-  if (!isSeen(seen, first)) return;
-  const CellIndex second = cellBeside(first, static_cast<int>(axis));
+void BlockGraph::setPassage(CellIndex first, std::size_t axis, Passage passage) {
   const unsigned both = passages_.at(first);
-  const Passage known = static_cast<Passage>(axis == kEast ? both & 3u : both >> 2);
-  Passage judged = judge(seen, first, axis, nullptr);
-  const bool was_forgotten = forgotten_.at(first) != 0 || forgotten_.at(second) != 0;
-  const bool walked = judged == Passage::kFree && (isIn(agent_, first) || isIn(agent_, second));
-  if (was_forgotten && !walked) judged = std::max(known, judged);
-  const unsigned value = static_cast<unsigned>(judged);
+  const unsigned value = static_cast<unsigned>(passage);
   passages_.set(first, axis == kEast ? (both & ~3u) | value : (both & 3u) | value << 2);
+}
+
+void BlockGraph::updatePassage(const SeenGrid& seen, CellIndex first, std::size_t axis) {
+  const CellIndex second = cellBeside(first, static_cast<int>(axis));
+  Passage judged = judge(seen, first, axis, nullptr);
+  const bool walked = judged == Passage::kFree && (isIn(agent_, first) || isIn(agent_, second));
+  if (isForgotten(first, second) && !walked) judged = std::max(passage(first, axis), judged);
+  setPassage(first, axis, judged);
+}
+
+/// A passage that looked closed is open where a block beside it shows a way round. That is never taken back: what was
+/// seen free stays free.
+void BlockGraph::openRound(const SeenGrid& seen, CellIndex first, std::size_t axis) {
+  if (passage(first, axis) <= Passage::kFree) return;
+  const CellIndex second = cellBeside(first, static_cast<int>(axis));
+  if (isForgotten(first, second)) return;
+  if (leadsRound(seen, first, pieceOf(seen, first, false), second, pieceOf(seen, second, false))) {
+    setPassage(first, axis, Passage::kFree);
+  }
 }
 
 BlockGraph::Passage BlockGraph::judge(const SeenGrid& seen, CellIndex block, std::size_t direction,
@@ -193,6 +210,7 @@ BlockGraph::Passage BlockGraph::judge(const SeenGrid& seen, CellIndex block, std
 /// Whether cells that were seen free lead from one piece to the other through the blocks around the two.
 bool BlockGraph::leadsRound(const SeenGrid& seen, CellIndex block, unsigned piece, CellIndex next,
                             unsigned next_piece) const {
+  if ((piece & seen.cellsOf(block).free) == 0 || (next_piece & seen.cellsOf(next).free) == 0) return false;
   const CellIndex low = {std::min(block.column, next.column) - 1, std::min(block.row, next.row) - 1};
   const CellIndex high = {std::max(block.column, next.column) + 1, std::max(block.row, next.row) + 1};
   BlockPatch free;

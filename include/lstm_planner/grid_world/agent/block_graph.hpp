@@ -71,6 +71,11 @@ class BlockGraph {
  private:
   void updateBlock(const SeenGrid& seen, CellIndex block);
   void updatePassage(const SeenGrid& seen, CellIndex first, std::size_t axis);
+  void openRound(const SeenGrid& seen, CellIndex first, std::size_t axis);
+  void setPassage(CellIndex first, std::size_t axis, Passage passage);
+  bool isForgotten(CellIndex first, CellIndex second) const {
+    return forgotten_.at(first) != 0 || forgotten_.at(second) != 0;
+  }
   Passage judge(const SeenGrid& seen, CellIndex block, std::size_t direction, const CellIndex* inside) const;
   bool leadsRound(const SeenGrid& seen, CellIndex block, unsigned piece, CellIndex next, unsigned next_piece) const;
   bool isSeen(const SeenGrid& seen, CellIndex block) const;

@@ -56,7 +56,8 @@ class DrivePolicy {
   const Eigen::VectorXf& advance(const Observation& observation);
 
   void reset();
-  const PolicyDescription& description() const { return *description_; }
+  const PolicyDescription& description() const& { return *description_; }
+  PolicyDescription description() && { return *description_; }  ///< outlives a policy that is temporary
   /// Of all recurrent cells; with eight views one view behind the other. Allocates.
   Eigen::VectorXf hiddenState() const;
 
