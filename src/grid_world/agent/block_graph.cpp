@@ -179,8 +179,8 @@ void BlockGraph::updatePassage(const SeenGrid& seen, CellIndex first, std::size_
   setPassage(first, axis, judged);
 }
 
-/// A passage that looked closed is open where a block beside it shows a way round. That is never taken back: what was
-/// seen free stays free.
+/// A passage that looked closed is open where a block beside it shows a way round. Passages that are open need not be
+/// judged again for that: what was seen free stays free.
 void BlockGraph::openRound(const SeenGrid& seen, CellIndex first, std::size_t axis) {
   if (passage(first, axis) <= Passage::kFree) return;
   const CellIndex second = cellBeside(first, static_cast<int>(axis));

@@ -27,7 +27,7 @@ TEST(AreaPlanner, SearchesTheBlocksAnewOnlyWhereThePathHasBecomeWorse) {
   EXPECT_GT(second, 0u) << "cells";
   EXPECT_LT(second, kBlocksToTheGoal);
 
-  // Now nothing can: the agent stands in a room.
+  // A wall from edge to edge, of which the agent sees more and more, closes passages on the path.
   for (int i = 0; i <= 100; ++i) grid.set({22, i}, false);
   look({21, 50});
   for (int row = 1; row < 100; ++row) look({21, row});
