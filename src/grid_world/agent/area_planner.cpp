@@ -38,6 +38,9 @@ std::uint8_t blockMove(std::size_t direction, Passage passage) {
 }
 std::size_t directionOf(std::uint8_t move) { return move & 7u; }
 Passage passageOf(std::uint8_t move) { return static_cast<Passage>(move >> 3); }
+CellIndex blockBehind(CellIndex block, std::uint8_t move) {
+  return cellBeside(block, static_cast<int>(directionOf(move)));
+}
 
 bool isWorse(Passage now, Passage before) { return now > Passage::kFree && now > before; }
 
@@ -273,7 +276,7 @@ bool AreaPlanner::planBlocks(bool through_closed) {
   for (std::uint8_t& move : blocks_) {
     const std::size_t direction = move;
     move = blockMove(direction, BlockWorld::passageTo(world.around(block), direction));
-    block = cellBeside(block, static_cast<int>(direction));
+    block = blockBehind(block, move);
   }
   return true;
 }
@@ -286,14 +289,14 @@ bool AreaPlanner::keepBlocks() {
   CellIndex block = blocks_from_;
   while (block != blockOf(now_.cell)) {
     if (next == blocks_.end()) return false;
-    block = cellBeside(block, static_cast<int>(directionOf(*next++)));
+    block = blockBehind(block, *next++);
   }
   blocks_from_ = block;
   blocks_.erase(blocks_.begin(), next);
   const BlockWorld world = blockWorld(true);
   for (const std::uint8_t move : blocks_) {
     if (isWorse(BlockWorld::passageTo(world.around(block), directionOf(move)), passageOf(move))) return false;
-    block = cellBeside(block, static_cast<int>(directionOf(move)));
+    block = blockBehind(block, move);
   }
   return true;
 }
@@ -305,7 +308,7 @@ void AreaPlanner::planCells() {
   bool through_doubtful = false;
   for (; count < blocks_.size(); ++count) {
     const std::size_t direction = directionOf(blocks_[count]);
-    const CellIndex next = cellBeside(block, static_cast<int>(direction));
+    const CellIndex next = blockBehind(block, blocks_[count]);
     const CellIndex middle = middleOf(next);
     if (std::max(std::abs(middle.column - now_.cell.column), std::abs(middle.row - now_.cell.row)) > kSight) break;
     const BlockGraph::Passage passage = count == 0 ? from_agent_[direction] : graph_.passage(block, direction);
@@ -324,7 +327,7 @@ void AreaPlanner::planCells() {
   if (planCellsTo(block, true, 0)) return;
   const std::size_t last = std::min(blocks_.size(), count + kBlocksBehind);
   for (std::size_t i = count; i < last; ++i) {
-    block = cellBeside(block, static_cast<int>(directionOf(blocks_[i])));
+    block = blockBehind(block, blocks_[i]);
     if (planCellsTo(block, true, 0)) return;
   }
 }
@@ -340,7 +343,7 @@ bool AreaPlanner::planCellsTo(CellIndex block, bool through_doubtful, std::size_
   CellIndex allowed = blockOf(now_.cell);
   world.allowAround(allowed);
   for (std::size_t i = 0; i < along; ++i) {
-    allowed = cellBeside(allowed, static_cast<int>(directionOf(blocks_[i])));
+    allowed = blockBehind(allowed, blocks_[i]);
     world.allowAround(allowed);
   }
   const int target = search_.find(world, nodeOf(now_.cell, seen_.origin()));
