@@ -6,8 +6,8 @@ usage() {
   cat <<'USAGE'
 Usage: bash test/mpi/two_hosts.sh [TOOL]
 
-Trains with mpirun on two hosts that are network namespaces of this machine with a cable between them, and compares with one process: the same
-model and the same checkpoint, to the byte. Then the cable is pulled out of a longer training: mpirun must end it with a message within a minute,
+Trains and evaluates with mpirun on two hosts that are network namespaces of this machine with a cable between them, and compares with one
+process: the same model and the same checkpoint, to the byte, and the same episodes. Then the cable is pulled out of a longer training: mpirun must end it with a message within a minute,
 and the same command must go on from its checkpoint to the model that one process learns without a break. TOOL is the command-line tool (default:
 lstm_planner). Needs root, ip (iproute2), unshare (util-linux) and Open MPI. mpirun starts its daemon on the second host through ssh where sshd
 (openssh-server) is installed, otherwise through a script that takes ssh's place. Takes a minute or two.
@@ -121,6 +121,18 @@ run_in two on_two_hosts $(training 2)
 expect_same one two 'two hosts'
 received="$(ip netns exec "$second" cat /sys/class/net/cable2/statistics/rx_bytes)"
 [ "$received" -gt 1000000 ] || fail "only $received bytes went over the cable: the ranks did not share the work"
+
+run_in maps "$tool" maps --kind maze --count 2 --columns 128 --rows 128 --output set
+evaluation="$tool evaluate --agent boundary --scenarios $folder/maps/set --count 200 --max-steps 0 --threads 1 --details details.csv"
+# shellcheck disable=SC2086
+run_in one_evaluates $evaluation
+# shellcheck disable=SC2086
+run_in two_evaluates on_two_hosts $evaluation
+for evaluated in one two; do # without the times
+  cut -d, -f1-10,12- "$folder/${evaluated}_evaluates/details.csv" >"$folder/$evaluated.csv"
+done
+cmp "$folder/one.csv" "$folder/two.csv" || fail 'two hosts: their episodes are not those of one process'
+echo "two_hosts: two hosts: the same $(($(wc -l <"$folder/two.csv") - 1)) episodes as by one process."
 
 mkdir "$folder/broken"
 # shellcheck disable=SC2046

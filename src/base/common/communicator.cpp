@@ -1,10 +1,26 @@
 #include "lstm_planner/base/common/communicator.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 namespace lstm_planner {
+namespace {
+
+class LocalTickets : public Tickets {
+ public:
+  explicit LocalTickets(std::size_t count) : count_(count) {}
+  std::size_t draw() override { return std::min(next_++, count_); }
+
+ private:
+  std::size_t count_;
+  std::atomic<std::size_t> next_{0};
+};
+
+}  // namespace
 
 void Communicator::exchangeBytes(void* /*values*/, const std::vector<std::size_t>& /*bytes*/) {}
+
+std::unique_ptr<Tickets> Communicator::tickets(std::size_t count) { return std::make_unique<LocalTickets>(count); }
 
 Share shareOf(int count, int rank, int size) {
   const int pieces = count / size;

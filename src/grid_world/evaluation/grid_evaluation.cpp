@@ -1,7 +1,6 @@
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
@@ -13,63 +12,107 @@
 namespace lstm_planner {
 namespace {
 
-/// Tasks [first, last), dealt to ranks in blocks: those beside each other share a map, whose range table is costly, and
-/// as they are sorted by length in the benchmark's files, each rank gets many blocks.
-std::vector<std::vector<std::size_t>> dealTasks(std::size_t first, std::size_t last, int ranks) {
-  constexpr std::size_t kBlocksARank = 16;
-  std::vector<std::vector<std::size_t>> hands(static_cast<std::size_t>(ranks));
-  const std::size_t block = std::max<std::size_t>(1, (last - first) / (kBlocksARank * hands.size()));
-  for (std::size_t i = first; i < last; ++i) hands[(i - first) / block % hands.size()].push_back(i);
-  return hands;
+/// Tasks that a thread runs one after another, all in one map, whose range table is costly.
+struct Batch {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// Tasks [first, last) in the order in which they are run: the last ones first, as they are sorted by length in the
+/// benchmark's files and nobody is to wait for a long one at the end; and ever smaller batches.
+std::vector<Batch> batchesOf(const GridTaskSet& set, std::size_t first, std::size_t last, std::size_t workers) {
+  constexpr std::size_t kLargest = 512;
+  constexpr std::size_t kBatchesAWorker = 8;  // of what is left
+  std::vector<Batch> batches;
+  while (last > first) {
+    const std::size_t wanted = std::clamp<std::size_t>((last - first) / (kBatchesAWorker * workers), 1, kLargest);
+    std::size_t begin = last - 1;
+    while (begin > first && last - begin < wanted && set.tasks[begin - 1].map == set.tasks[begin].map) --begin;
+    batches.push_back({begin, last});
+    last = begin;
+  }
+  return batches;
 }
 
-/// Range tables of the maps in use: made by the first task of a map, dropped after its last, so that a set of a hundred
-/// maps needs no more memory than the few that are being run in.
+/// Range tables of the maps in which threads are at work: a set of a hundred maps needs no more memory than these.
 class RangeTables {
  public:
-  RangeTables(const GridTaskSet& set, const std::vector<std::size_t>& tasks) : set_(set), entries_(set.maps.size()) {
-    for (const std::size_t i : tasks) ++entries_[set.tasks[i].map].tasks_left;
-  }
+  explicit RangeTables(const GridTaskSet& set) : set_(set), entries_(set.maps.size()) {}
   std::shared_ptr<const RangeTable> take(std::size_t map) {
     Entry& entry = entries_[map];
     const std::lock_guard<std::mutex> lock(entry.mutex);
-    if (!entry.table) entry.table = std::make_shared<RangeTable>(set_.maps[map]);
-    std::shared_ptr<const RangeTable> table = entry.table;
-    if (--entry.tasks_left == 0) entry.table.reset();
+    std::shared_ptr<const RangeTable> table = entry.table.lock();
+    if (!table) {
+      table = std::make_shared<RangeTable>(set_.maps[map]);
+      entry.table = table;
+    }
     return table;
   }
 
  private:
   struct Entry {
     std::mutex mutex;
-    std::size_t tasks_left = 0;
-    std::shared_ptr<const RangeTable> table;
+    std::weak_ptr<const RangeTable> table;
   };
   const GridTaskSet& set_;
   std::vector<Entry> entries_;
 };
 
-/// The episodes of these tasks, in their order.
-std::vector<GridEpisode> runTasks(const GridTaskSet& set, const std::vector<std::size_t>& tasks,
-                                  const GridAgentMaker& make_agent, const GridEvaluationOptions& options) {
-  RangeTables tables(set, tasks);
-  std::vector<GridEpisode> episodes(tasks.size());
-  std::atomic<std::size_t> done{0};
-  parallelFor(static_cast<int>(tasks.size()), options.threads, [&](int index, int thread) {
-    const auto i = static_cast<std::size_t>(index);
-    const GridTask& task = set.tasks[tasks[i]];
-    const PassableGrid& grid = set.maps[task.map];
-    const std::shared_ptr<const RangeTable> ranges = tables.take(task.map);
-    const std::unique_ptr<GridAgent> agent = make_agent(grid);
-    episodes[i] = runGridEpisode(grid, *ranges, task.start, task.goal, options.rules, agent.get());
-    episodes[i].optimal_length = task.optimal_length;
-    ++done;
-    if (thread == 0 && options.progress) {
-      options.progress(static_cast<double>(done) / static_cast<double>(episodes.size()));
+/// An episode and which task it is of.
+struct TaskEpisode {
+  std::size_t task = 0;
+  GridEpisode episode;
+};
+static_assert(std::is_trivially_copyable_v<TaskEpisode>, "episodes are sent as bytes");
+
+/// The tasks [first, last), which threads of all ranks run batch by batch.
+class SharedTasks {
+ public:
+  SharedTasks(const GridTaskSet& set, std::size_t first, std::size_t last, const GridAgentMaker& make_agent,
+              const GridEvaluationOptions& options, std::size_t threads)
+      : set_(set),
+        make_agent_(make_agent),
+        options_(options),
+        batches_(batchesOf(set, first, last, threads * static_cast<std::size_t>(options.communicator->size()))),
+        tickets_(options.communicator->tickets(batches_.size())),
+        tables_(set) {}
+
+  /// One thread's part.
+  void run(bool tells_progress, std::vector<TaskEpisode>* episodes) {
+    std::shared_ptr<const RangeTable> ranges;  // kept until the next batch has its own, which may be the same
+    for (std::size_t drawn = tickets_->draw(); drawn < batches_.size(); drawn = tickets_->draw()) {
+      const Batch& batch = batches_[drawn];
+      ranges = tables_.take(set_.tasks[batch.first].map);
+      for (std::size_t i = batch.last; i-- > batch.first;) {
+        episodes->push_back({i, episodeOf(set_.tasks[i], *ranges)});
+        tickets_->letOthersDraw();
+        if (tells_progress && options_.progress) options_.progress(shareBefore(i));
+      }
     }
-  });
-  return episodes;
-}
+  }
+
+ private:
+  GridEpisode episodeOf(const GridTask& task, const RangeTable& ranges) const {
+    const PassableGrid& grid = set_.maps[task.map];
+    const std::unique_ptr<GridAgent> agent = make_agent_(grid);
+    GridEpisode episode = runGridEpisode(grid, ranges, task.start, task.goal, options_.rules, agent.get());
+    episode.optimal_length = task.optimal_length;
+    return episode;
+  }
+
+  /// Of the tasks, as they are run from the last one on.
+  double shareBefore(std::size_t task) const {
+    const std::size_t last = batches_.front().last;
+    return static_cast<double>(last - task) / static_cast<double>(last - batches_.back().first);
+  }
+
+  const GridTaskSet& set_;
+  const GridAgentMaker& make_agent_;
+  const GridEvaluationOptions& options_;
+  std::vector<Batch> batches_;
+  std::unique_ptr<Tickets> tickets_;
+  RangeTables tables_;
+};
 
 double mean(const std::vector<double>& values) {
   double sum = 0.0;
@@ -90,26 +133,15 @@ std::vector<double> ofArrived(const std::vector<GridEpisode>& episodes, const Va
 
 std::vector<GridEpisode> evaluateGridTasks(const GridTaskSet& set, std::size_t first, std::size_t last,
                                            const GridAgentMaker& make_agent, const GridEvaluationOptions& options) {
-  static_assert(std::is_trivially_copyable_v<GridEpisode>, "episodes are sent as bytes");
-  Communicator& ranks = *options.communicator;
-  const std::vector<std::vector<std::size_t>> hands = dealTasks(first, last, ranks.size());
-  std::vector<GridEpisode> by_rank(last - first);
-  std::vector<std::size_t> bytes;
-  auto next = by_rank.begin();
-  for (std::size_t rank = 0; rank < hands.size(); ++rank) {
-    bytes.push_back(hands[rank].size() * sizeof(GridEpisode));
-    if (static_cast<int>(rank) == ranks.rank()) {
-      const std::vector<GridEpisode> own = runTasks(set, hands[rank], make_agent, options);
-      std::copy(own.begin(), own.end(), next);
-    }
-    next += static_cast<std::ptrdiff_t>(hands[rank].size());
-  }
-  ranks.exchangeBytes(by_rank.data(), bytes);
-  std::vector<GridEpisode> episodes(by_rank.size());
-  next = by_rank.begin();
-  for (const std::vector<std::size_t>& hand : hands) {
-    for (const std::size_t i : hand) episodes[i - first] = *next++;
-  }
+  const int threads = std::max(1, options.threads);
+  SharedTasks tasks(set, first, last, make_agent, options, static_cast<std::size_t>(threads));
+  std::vector<std::vector<TaskEpisode>> by_thread(static_cast<std::size_t>(threads));
+  parallelFor(threads, threads,
+              [&](int part, int thread) { tasks.run(thread == 0, &by_thread[static_cast<std::size_t>(part)]); });
+  std::vector<TaskEpisode> own;
+  for (const auto& part : by_thread) own.insert(own.end(), part.begin(), part.end());
+  std::vector<GridEpisode> episodes(last - first);
+  for (const TaskEpisode& done : gatherFromRanks(options.communicator, own)) episodes[done.task - first] = done.episode;
   return episodes;
 }
 

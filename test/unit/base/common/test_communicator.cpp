@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+
 #include "lstm_planner/base/common/communicator.hpp"
+#include "lstm_planner/base/common/parallel_for.hpp"
 #include "unit/base/learning/thread_ranks.hpp"
 
 namespace lstm_planner::test_communicator {
@@ -49,6 +53,40 @@ TEST(Communicator, EveryRankGetsTheSharesOfAll) {
 TEST(Communicator, AllRanksAgreeOnTheLargestNumber) {
   const auto largest = [](Communicator* ranks) { return largestOfRanks(ranks, ranks->rank() == 1 ? 15 : -1); };
   EXPECT_EQ(onRanks(3, largest), (std::vector<int>{15, 15, 15}));
+}
+
+TEST(Communicator, EachTicketGoesToOneOfTheRanksAndTheirThreads) {
+  constexpr std::size_t kTickets = 1000;
+  const auto draw = [](Communicator* ranks) {
+    const std::unique_ptr<Tickets> tickets = ranks->tickets(kTickets);
+    std::vector<std::vector<std::size_t>> drawn(3);
+    parallelFor(3, 3, [&](int part, int) {
+      for (std::size_t i = tickets->draw(); i < kTickets; i = tickets->draw()) {
+        drawn[static_cast<std::size_t>(part)].push_back(i);
+      }
+    });
+    std::vector<std::size_t> own;
+    for (const auto& part : drawn) own.insert(own.end(), part.begin(), part.end());
+    return gatherFromRanks(ranks, own);
+  };
+  std::vector<std::size_t> all(kTickets);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  for (const int ranks : {1, 3}) {
+    for (std::vector<std::size_t> drawn : onRanks(ranks, draw)) {
+      std::sort(drawn.begin(), drawn.end());
+      EXPECT_EQ(drawn, all);
+    }
+  }
+  std::vector<std::size_t> drawn = draw(oneProcess());
+  std::sort(drawn.begin(), drawn.end());
+  EXPECT_EQ(drawn, all);
+}
+
+TEST(Communicator, WhatRanksGatherMayBeOfDifferentSizes) {
+  const auto gather = [](Communicator* ranks) {
+    return gatherFromRanks(ranks, std::vector<int>(static_cast<std::size_t>(ranks->rank()), 10 + ranks->rank()));
+  };
+  for (const std::vector<int>& values : onRanks(3, gather)) EXPECT_EQ(values, (std::vector<int>{11, 12, 12}));
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <mutex>
 #include <numeric>
 #include <stdexcept>
@@ -34,6 +37,21 @@ class RankTable {
     wait();
   }
 
+  std::unique_ptr<Tickets> tickets(int rank, std::size_t count) {
+    class SharedTickets : public Tickets {
+     public:
+      SharedTickets(std::atomic<std::size_t>* next, std::size_t count) : next_(next), count_(count) {}
+      std::size_t draw() override { return std::min((*next_)++, count_); }
+
+     private:
+      std::atomic<std::size_t>* next_;
+      std::size_t count_;
+    };
+    if (rank == 0) next_ticket_ = 0;
+    wait();
+    return std::make_unique<SharedTickets>(&next_ticket_, count);
+  }
+
  private:
   void wait() {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -55,6 +73,7 @@ class RankTable {
   std::vector<std::size_t> agreed_;
   int waiting_ = 0;
   int round_ = 0;
+  std::atomic<std::size_t> next_ticket_{0};
 };
 
 /// A rank that is a thread: what mpirun does with processes, without it.
@@ -66,6 +85,7 @@ class ThreadRank : public Communicator {
   void exchangeBytes(void* values, const std::vector<std::size_t>& bytes) override {
     table_->exchange(rank_, static_cast<std::uint8_t*>(values), bytes);
   }
+  std::unique_ptr<Tickets> tickets(std::size_t count) override { return table_->tickets(rank_, count); }
 
  private:
   int rank_;
