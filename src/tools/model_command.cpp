@@ -163,8 +163,8 @@ bool readConversion(const std::vector<std::string>& arguments, Conversion* conve
   line.add("views", &conversion->views, {1, 8},
            "1: one output per action; 8: one output, evaluated for each of eight directions")
       .default_text = "1";
-  line.addChoice("grid-inputs", &conversion->grid_inputs, {"thesis", "trace", "map", "walk"},
-                 "inputs of a network for the grid world: thesis, trace, map or walk");
+  line.addChoice("grid-inputs", &conversion->grid_inputs, gridInputNames(),
+                 "inputs of a network for the grid world, as those of train");
   line.add("made-by", &conversion->made_by, "how the network was trained; is stored in the file as training_command");
   addRobotOptions(conversion, &line);
   line.whenParsed([conversion] {

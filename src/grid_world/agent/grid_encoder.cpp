@@ -41,6 +41,12 @@ class Logarithms {
 };
 const Logarithms kLog2;
 
+WalkInputs::Parts walkPartsOf(GridEncoderParameters::Inputs inputs) {
+  using Inputs = GridEncoderParameters::Inputs;
+  const bool all = inputs == Inputs::kWalk;
+  return {all || inputs == Inputs::kStart, all || inputs == Inputs::kOpenings, all || inputs == Inputs::kHands};
+}
+
 float freshness(const Visit& visit) { return visit.count == 0 ? 0.0f : 1.0f - kLog2(visit.age + 1) / kMostLogSteps; }
 
 float frequency(const Visit& visit) {
@@ -78,13 +84,13 @@ GridEncoder::GridEncoder(const GridEncoderParameters& parameters) : parameters_(
   if (parameters.views != 1 && parameters.views != kGridRayCount) {
     throw std::invalid_argument("grid_views is " + std::to_string(parameters.views) + ", expected 1 or 8");
   }
-  if (parameters.inputs == GridEncoderParameters::Inputs::kWalk) walk_ = std::make_unique<WalkInputs>();
+  if (walkPartsOf(parameters.inputs).any()) walk_ = std::make_unique<WalkInputs>();
 }
 
 int GridEncoder::size() const {
   if (parameters_.inputs == GridEncoderParameters::Inputs::kThesis) return kThesisInputs;
   const int map_inputs = parameters_.inputs == GridEncoderParameters::Inputs::kMap ? kMapScalars : 0;
-  return kRayFeatures * kGridRayCount + kTraceScalars + map_inputs + (walk_ ? kWalkInputs : 0);
+  return kRayFeatures * kGridRayCount + kTraceScalars + map_inputs + WalkInputs::size(walkPartsOf(parameters_.inputs));
 }
 
 void GridEncoder::prepare(const GridMemory& memory) {
@@ -110,7 +116,10 @@ void GridEncoder::prepare(const GridMemory& memory) {
                frequency(trace.at(VisitTrace::kSmallBlock, observation.cell)),
                frequency(trace.at(VisitTrace::kLargeBlock, observation.cell))};
   if (walk_) {
-    if (memory.walk() == nullptr) throw std::invalid_argument("grid_inputs is walk, expected a memory of the walk");
+    if (memory.walk() == nullptr) {
+      throw std::invalid_argument(std::string("grid_inputs is ") + nameOf(parameters_.inputs) +
+                                  ", expected a memory of the walk");
+    }
     *walk_ = WalkInputs(*memory.walk(), observation, previous_direction_);
   }
   if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
@@ -154,7 +163,8 @@ void GridEncoder::encode(int view, float* input, int stride) const {
     for (int ray = 0; ray < kGridRayCount; ++ray) put(values[static_cast<std::size_t>((ray + view) & 7)]);
   };
   for (std::size_t feature = 0; feature < (thesis ? 1 : rays_.size()); ++feature) putRays(rays_[feature]);
-  if (walk_) std::for_each(walk_->rays.begin(), walk_->rays.end(), putRays);
+  const WalkInputs::Parts walk_parts = walkPartsOf(parameters_.inputs);
+  if (walk_) walk_->visitRays(walk_parts, putRays);
   const bool moved = previous_direction_ >= 0;
   if (thesis) {
     put(goal_distance_ / (goal_distance_ + kDistanceScale));
@@ -170,8 +180,8 @@ void GridEncoder::encode(int view, float* input, int stride) const {
   put(moved ? sineOf(previous_direction_ - view) : 0.0f);
   put(static_cast<float>(view & 1));
   for (const float value : progress_) put(value);
-  if (walk_) {
-    for (const float value : walk_->scalars) put(value);
+  if (walk_) walk_->visitScalars(walk_parts, put);
+  if (walk_parts.openings) {
     put(walk_->behind_cos * cosineOf(view) + walk_->behind_sin * sineOf(view));
     put(walk_->behind_sin * cosineOf(view) - walk_->behind_cos * sineOf(view));
   }
@@ -186,8 +196,13 @@ void GridEncoder::encode(int view, float* input, int stride) const {
 namespace {
 
 using Inputs = GridEncoderParameters::Inputs;
-constexpr std::array<std::pair<const char*, Inputs>, 4> kInputNames = {
-    {{"thesis", Inputs::kThesis}, {"trace", Inputs::kTrace}, {"map", Inputs::kMap}, {"walk", Inputs::kWalk}}};
+constexpr std::array<std::pair<const char*, Inputs>, 7> kInputNames = {{{"thesis", Inputs::kThesis},
+                                                                        {"trace", Inputs::kTrace},
+                                                                        {"map", Inputs::kMap},
+                                                                        {"walk", Inputs::kWalk},
+                                                                        {"start", Inputs::kStart},
+                                                                        {"openings", Inputs::kOpenings},
+                                                                        {"hands", Inputs::kHands}}};
 
 }  // namespace
 
@@ -196,11 +211,18 @@ const char* nameOf(GridEncoderParameters::Inputs inputs) {
       ->first;
 }
 
+std::vector<std::string> gridInputNames() {
+  std::vector<std::string> names;
+  for (const auto& name : kInputNames) names.emplace_back(name.first);
+  return names;
+}
+
 GridEncoderParameters::Inputs gridInputsNamed(const std::string& name) {
   for (const auto& [known, inputs] : kInputNames) {
     if (name == known) return inputs;
   }
-  throw std::invalid_argument("grid_inputs is '" + name + "', expected thesis, trace, map or walk");
+  throw std::invalid_argument("grid_inputs is '" + name +
+                              "', expected thesis, trace, map, walk, start, openings or hands");
 }
 
 void writeMetadata(const GridEncoderParameters& parameters, std::map<std::string, std::string>* metadata) {
@@ -227,7 +249,7 @@ GridEncoderParameters readGridEncoderParameters(const std::map<std::string, std:
 }
 
 GridMemory makeGridMemory(const GridEncoderParameters& parameters, CornerCutting corner_cutting) {
-  if (parameters.inputs == GridEncoderParameters::Inputs::kWalk) return GridMemory(std::make_unique<WalkMemory>());
+  if (walkPartsOf(parameters.inputs).any()) return GridMemory(std::make_unique<WalkMemory>());
   if (parameters.inputs != GridEncoderParameters::Inputs::kMap) return GridMemory();
   return GridMemory(RollingPlanner(corner_cutting));
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lstm_planner/base/common/progress_watch.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
@@ -64,6 +65,10 @@ struct GridEncoderParameters {
     kTrace,   ///< and where the agent has been, around it and along the rays, on the scales of VisitTrace
     kMap,     ///< kTrace, and where a RollingPlanner would go
     kWalk,    ///< kTrace, and WalkInputs: how it gets back, and what it has left behind; nothing is searched
+    // One part of kWalk each, to see what it is worth:
+    kStart,     ///< kTrace, and how far the start is
+    kOpenings,  ///< kTrace, and the openings that were not visited
+    kHands,     ///< kTrace, and where a hand on the wall would lead
   };
   Inputs inputs = Inputs::kTrace;
 
@@ -73,8 +78,9 @@ struct GridEncoderParameters {
   int views = 8;
 };
 
-/// "thesis", "trace", "map" or "walk"; throws std::invalid_argument for another name.
+/// "thesis", "trace", "map", "walk", "start", "openings" or "hands"; throws std::invalid_argument for another name.
 const char* nameOf(GridEncoderParameters::Inputs inputs);
+std::vector<std::string> gridInputNames();
 GridEncoderParameters::Inputs gridInputsNamed(const std::string& name);
 
 /// The memory that an agent with such inputs needs.
@@ -106,7 +112,6 @@ class GridEncoder {
   static constexpr int kThesisInputs = kGridRayCount + 3;
   static constexpr int kTraceScalars = 10;
   static constexpr int kMapScalars = 4;
-  static constexpr int kWalkInputs = WalkInputs::kRayFeatures * kGridRayCount + WalkInputs::kScalars + 2;
 
  private:
   void lookAlongRays(const GridMemory& memory);
@@ -121,7 +126,7 @@ class GridEncoder {
   std::array<float, 5> progress_{};
   int path_direction_ = kNoPath;  ///< of the planner
   float detour_ = 0.0f;
-  std::unique_ptr<WalkInputs> walk_;  ///< if they are inputs
+  std::unique_ptr<WalkInputs> walk_;  ///< if any part of them is an input
 };
 
 }  // namespace lstm_planner

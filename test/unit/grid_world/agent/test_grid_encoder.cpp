@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "lstm_planner/base/common/random.hpp"
@@ -99,7 +101,7 @@ TEST(GridEncoder, OfTheWalkTellsWhatItsInputsHoldTurnedForEachView) {
     memory.step(0);
   }
   const GridEncoder encoder = looking(memory, Inputs::kWalk, 8);
-  ASSERT_EQ(encoder.size(), GridEncoder({Inputs::kTrace, 8}).size() + GridEncoder::kWalkInputs);
+  ASSERT_EQ(encoder.size(), GridEncoder({Inputs::kTrace, 8}).size() + WalkInputs::size({true, true, true}));
   const WalkInputs inputs(*memory.walk(), memory.observation(), 0);
   const int first = GridEncoder::kRayFeatures * kGridRayCount;
   EXPECT_GT(inputs.rays[WalkInputs::kNearer][4], 0.5f) << "back west the start is nearer";
@@ -111,6 +113,31 @@ TEST(GridEncoder, OfTheWalkTellsWhatItsInputsHoldTurnedForEachView) {
     }
     EXPECT_EQ(input[input.size() - 7], inputs.scalars[0]);
   }
+}
+
+TEST(GridEncoder, APartOfTheWalkHasTheValuesOfTheWholeInTheirOrder) {
+  GridMemory memory = makeGridMemory({Inputs::kWalk, 8});
+  memory.start();
+  for (int column = 10; column < 50; ++column) {
+    memory.observe({{column, 10}, {90, 10}, {50, 50, 50, 9, 7, 8, 1, 1}});
+    memory.step(0);
+  }
+  const std::vector<float> whole = encoded(looking(memory, Inputs::kWalk, 8), 3);
+  std::size_t of_parts = 0;
+  for (const auto& [inputs, size] : {std::pair<Inputs, std::size_t>{Inputs::kStart, 2 * kGridRayCount + 1},
+                                     {Inputs::kOpenings, kGridRayCount + 4 + 2},
+                                     {Inputs::kHands, 2 * kGridRayCount}}) {
+    const std::vector<float> part = encoded(looking(memory, inputs, 8), 3);
+    EXPECT_EQ(part.size(), encoded(looking(memory, Inputs::kTrace, 8), 3).size() + size);
+    auto next = whole.begin();
+    for (const float value : part) {
+      next = std::find(next, whole.end(), value);
+      ASSERT_NE(next, whole.end()) << nameOf(inputs);
+      ++next;
+    }
+    of_parts += size;
+  }
+  EXPECT_EQ(of_parts, static_cast<std::size_t>(WalkInputs::size({true, true, true})));
 }
 
 TEST(GridEncoder, RefusesToTellOfAWalkThatIsNotRemembered) {
