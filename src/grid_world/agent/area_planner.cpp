@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "grid_world/agent/moves_between.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
 #include "lstm_planner/grid_world/search/exact_octile.hpp"
 
@@ -13,7 +14,6 @@ namespace {
 
 using Passage = BlockGraph::Passage;
 
-constexpr int kAreaSide = SeenGrid::kSide;
 // Costs are in fifths of a block, or of a cell.
 constexpr int kClosedCost = 100;     ///< what looks closed is tried last
 constexpr double kShortPath = 40.0;  ///< cells; a shorter path from start to goal counts as one of this length
@@ -23,11 +23,10 @@ constexpr std::size_t kLongestPath = 64;
 constexpr std::size_t kMostBlocks = 64;
 constexpr std::size_t kBlocksBehind = 12;  ///< that are tried where the nearest cannot be reached
 
-int nodeOf(CellIndex place, CellIndex origin) {
-  return (place.row - origin.row) * kAreaSide + place.column - origin.column;
-}
-CellIndex placeOf(int node, CellIndex origin) {
-  return {origin.column + node % kAreaSide, origin.row + node / kAreaSide};
+/// Counted from there.
+CellIndex inWindow(CellIndex place, CellIndex origin) { return {place.column - origin.column, place.row - origin.row}; }
+CellIndex outOfWindow(CellIndex place, CellIndex origin) {
+  return {origin.column + place.column, origin.row + place.row};
 }
 
 double crowFlight(CellIndex a, CellIndex b) { return octileDistance(a, b).length(); }
@@ -64,13 +63,12 @@ struct AreaPlanner::BlockWorld {
   CellIndex goal_block = blockOf(goal);
   bool goal_inside = graph.contains(goal_block);
 
-  int estimate(int node) const {
-    const CellIndex block = placeOf(node, graph.origin());
-    return octileFifths(goal_block.column - block.column, goal_block.row - block.row);
+  CellIndex goal_in_window = inWindow(goal_block, graph.origin());
+
+  int estimate(CellIndex place) const {
+    return octileFifths(goal_in_window.column - place.column, goal_in_window.row - place.row);
   }
-  bool isTarget(int node) const {
-    return goal_inside ? node == nodeOf(goal_block, graph.origin()) : Search::atEdge(node);
-  }
+  bool isTarget(CellIndex place) const { return goal_inside ? place == goal_in_window : Search::atEdge(place); }
   /// Of a block that was never seen, against one that was.
   double weightOf(CellIndex block) const {
     const CellIndex cell = middleOf(block);
@@ -104,8 +102,8 @@ struct AreaPlanner::BlockWorld {
     return direction % 2 != 0 ? passageOnDiagonal(around, direction) : around.out[direction];
   }
   template <typename Move>
-  void expand(int node, const Move& move) const {
-    const CellIndex block = placeOf(node, graph.origin());
+  void expand(CellIndex place, const Move& move) const {
+    const CellIndex block = outOfWindow(place, graph.origin());
     const BlockGraph::Surroundings around_it = around(block);
     double weight = 0.0;  // worked out where it is needed
     for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
@@ -148,36 +146,26 @@ struct AreaPlanner::CellWorld {
       }
     }
   }
-  int estimate(int node) const {
-    const CellIndex cell = placeOf(node, seen.origin());
-    const CellIndex first = firstCellOf(block);
+  CellIndex target = inWindow(firstCellOf(block), seen.origin());
+
+  int estimate(CellIndex place) const {
     const auto beside = [](int x, int low) { return std::max({0, low - x, x - low - (kBlockSide - 1)}); };
-    return octileFifths(beside(cell.column, first.column), beside(cell.row, first.row));
+    return octileFifths(beside(place.column, target.column), beside(place.row, target.row));
   }
-  bool isTarget(int node) const {
-    const CellIndex cell = placeOf(node, seen.origin());
-    const CellIndex first = firstCellOf(block);
-    if (blockOf(cell) != block) return false;
-    return (piece >> ((cell.row - first.row) * kBlockSide + cell.column - first.column) & 1u) != 0;
-  }
-  bool isOpen(CellIndex cell) const {
-    const SeenGrid::Cell is = seen.at(cell);
-    return is != SeenGrid::Cell::kWall && (through_doubtful || is != SeenGrid::Cell::kDoubtful);
+  bool isTarget(CellIndex place) const {
+    const int column = place.column - target.column;
+    const int row = place.row - target.row;
+    if (column < 0 || row < 0 || column >= kBlockSide || row >= kBlockSide) return false;
+    return (piece >> (row * kBlockSide + column) & 1u) != 0;
   }
   template <typename Move>
-  void expand(int node, const Move& move) const {
-    const CellIndex cell = placeOf(node, seen.origin());
-    std::array<bool, kGridRayCount> open{};
+  void expand(CellIndex place, const Move& move) const {
+    const CellIndex cell = outOfWindow(place, seen.origin());
+    const unsigned moves = movesBetween(seen.wallsBeside(cell, through_doubtful), corner_cutting);
     for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
-      open[direction] = isOpen(cellBeside(cell, static_cast<int>(direction)));
-    }
-    for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
-      if (!open[direction]) continue;
-      const bool diagonal = direction % 2 != 0;
-      const bool past_corner = diagonal && !(open[direction - 1] && open[(direction + 1) % kGridRayCount]);
-      if (past_corner && corner_cutting == CornerCutting::kForbidden) continue;
+      if ((moves >> direction & 1u) == 0) continue;
       if (!anywhere && !along[indexOf(blockOf(cellBeside(cell, static_cast<int>(direction))))]) continue;
-      move(direction, diagonal ? kDiagonalFifths : kStraightFifths);
+      move(direction, direction % 2 != 0 ? kDiagonalFifths : kStraightFifths);
     }
   }
 };
@@ -266,11 +254,10 @@ AreaPlanner::BlockWorld AreaPlanner::blockWorld(bool through_closed) const {
 bool AreaPlanner::planBlocks(bool through_closed) {
   const BlockWorld world = blockWorld(through_closed);
   blocks_.clear();
-  const int target = search_.find(world, nodeOf(blockOf(now_.cell), graph_.origin()));
-  if (target < 0) return false;
+  if (!search_.find(world, inWindow(blockOf(now_.cell), graph_.origin()))) return false;
   steps_since_blocks_ = 0;
   length_ = static_cast<double>(search_.cost()) * kBlockSide / kStraightFifths;
-  search_.pathTo(target, kMostBlocks, &blocks_);
+  search_.path(kMostBlocks, &blocks_);
   blocks_from_ = blockOf(now_.cell);
   CellIndex block = blocks_from_;
   for (std::uint8_t& move : blocks_) {
@@ -346,9 +333,8 @@ bool AreaPlanner::planCellsTo(CellIndex block, bool through_doubtful, std::size_
     allowed = blockBehind(allowed, blocks_[i]);
     world.allowAround(allowed);
   }
-  const int target = search_.find(world, nodeOf(now_.cell, seen_.origin()));
-  if (target < 0) return false;
-  search_.pathTo(target, kLongestPath, &path_);
+  if (!search_.find(world, inWindow(now_.cell, seen_.origin()))) return false;
+  search_.path(kLongestPath, &path_);
   path_is_doubtful_ = through_doubtful;
   return !path_.empty();
 }

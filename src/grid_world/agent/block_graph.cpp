@@ -1,6 +1,8 @@
 #include "lstm_planner/grid_world/agent/block_graph.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "grid_world/agent/block_patch.hpp"
 
@@ -59,6 +61,61 @@ unsigned sideOf(unsigned cells, std::size_t direction) {
 
 }  // namespace
 
+/// Passages that a change may have changed, each once however many changes there were: bits by column of the blocks
+/// whose cells are remembered, row by row. One place more on each side is needed than there are blocks, or two.
+class BlockGraph::Marks {
+ public:
+  using Row = std::uint64_t;
+
+  explicit Marks(CellIndex seen_origin) {
+    const CellIndex first = blockOf(seen_origin);
+    low_ = {first.column - kRoom, first.row - kRoom};
+  }
+
+  /// What the cells of a block are part of: the passages from it and to it, and those around which it may lead.
+  void changed(CellIndex block) {
+    const int column = block.column - low_.column;
+    const int row = block.row - low_.row;
+    if (column < kRoom || row < kRoom || column >= kSide - kRoom || row >= kSide - kRoom) return;
+    for (int i = -2; i <= 1; ++i) {
+      const auto beside = static_cast<std::size_t>(row + i);
+      const auto bits = [&](Row from_two_before) { return from_two_before << (column - 2); };
+      if (i == 0) anew_[kEastAxis][beside] |= bits(0b1110);
+      if (i >= -1) anew_[kNorthAxis][beside] |= bits(0b0100);
+      if (i >= -1) round_[kEastAxis][beside] |= bits(0b1111);
+      round_[kNorthAxis][beside] |= bits(0b1110);
+    }
+  }
+
+  /// visit(block, axis, whether it is to be judged anew; else it may only have been opened)
+  template <typename Visit>
+  void visit(const Visit& visit) const {
+    for (std::size_t row = 0; row < kSide; ++row) {
+      for (const std::size_t axis : {kEastAxis, kNorthAxis}) {
+        const Row anew = anew_[axis][row];
+        Row left = anew | round_[axis][row];
+        for (int column = 0; left != 0; ++column, left >>= 1) {
+          if ((left & 1) == 0) continue;
+          const CellIndex block{low_.column + column, low_.row + static_cast<int>(row)};
+          visit(block, axis == kEastAxis ? kEast : kNorth, (anew >> column & 1) != 0);
+        }
+      }
+    }
+  }
+
+ private:
+  static constexpr int kRoom = 2;
+  static constexpr int kSide = SeenGrid::kSide / kBlockSide + 1 + 2 * kRoom;
+  static_assert(kSide <= 64, "a row fits");
+  static constexpr std::size_t kEastAxis = 0;
+  static constexpr std::size_t kNorthAxis = 1;
+  using Rows = std::array<Row, kSide>;
+
+  CellIndex low_;
+  std::array<Rows, 2> anew_{};
+  std::array<Rows, 2> round_{};
+};
+
 void BlockGraph::restart(CellIndex agent) {
   passages_.restart(blockOf(agent));
   forgotten_.restart(blockOf(agent));
@@ -71,13 +128,18 @@ void BlockGraph::update(const SeenGrid& seen, CellIndex agent, CellIndex goal) {
   forgotten_.keepInside(blockOf(agent), kMargin);
   if (seen.origin() != seen_origin_) noteForgotten(seen_origin_, seen);
   agent_ = agent;
+  Marks marks(seen.origin());
   if (goal != goal_) {
-    const CellIndex old_goal = goal_;
+    marks.changed(blockOf(goal_));
+    marks.changed(blockOf(goal));
     goal_ = goal;
-    updateBlock(seen, blockOf(old_goal));
-    updateBlock(seen, blockOf(goal));
   }
-  for (const CellIndex block : seen.changedBlocks()) updateBlock(seen, block);
+  for (const CellIndex block : seen.changedBlocks()) marks.changed(block);
+  marks.visit([&](CellIndex block, std::size_t axis, bool anew) {
+    // What the window of the cells has forgotten is not judged anew.
+    if (!isSeen(seen, block)) return;
+    anew ? updatePassage(seen, block, axis) : openRound(seen, block, axis);
+  });
 }
 
 bool BlockGraph::isSeen(const SeenGrid& seen, CellIndex block) const {
@@ -117,7 +179,8 @@ BlockGraph::Passage BlockGraph::passage(CellIndex block, std::size_t direction) 
 }
 
 BlockGraph::Surroundings BlockGraph::around(CellIndex block) const {
-  const auto at = [&](int columns, int rows) { return passages_.at({block.column + columns, block.row + rows}); };
+  const std::array<unsigned, 9> beside = passages_.around(block);
+  const auto at = [&](int columns, int rows) { return beside[static_cast<std::size_t>((rows + 1) * 3 + columns + 1)]; };
   const auto east = [](unsigned both) { return static_cast<Passage>(both & 3u); };
   const auto north = [](unsigned both) { return static_cast<Passage>(both >> 2); };
   const unsigned here = at(0, 0);
@@ -147,22 +210,6 @@ unsigned BlockGraph::pieceOf(const SeenGrid& seen, CellIndex block, bool through
   if (from == 0 && inside != nullptr) from = bitOf(*inside, block) & open;
   if (from == 0 && isIn(goal_, block)) from = bitOf(goal_, block) & open;
   return from != 0 ? filled(from, open) : largestPiece(open);
-}
-
-void BlockGraph::updateBlock(const SeenGrid& seen, CellIndex block) {
-  for (int row = -2; row <= 1; ++row) {
-    for (int column = -2; column <= 1; ++column) {
-      const CellIndex first = {block.column + column, block.row + row};
-      // What the window of the cells has forgotten is not judged anew.
-      if (!isSeen(seen, first)) continue;
-      const bool leads_east = row == 0 && column >= -1;  // from the block or to it
-      const bool leads_north = column == 0 && row >= -1;
-      if (leads_east) updatePassage(seen, first, kEast);
-      if (leads_north) updatePassage(seen, first, kNorth);
-      if (row > -2 && !leads_east) openRound(seen, first, kEast);
-      if (column > -2 && !leads_north) openRound(seen, first, kNorth);
-    }
-  }
 }
 
 void BlockGraph::setPassage(CellIndex first, std::size_t axis, Passage passage) {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <bitset>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "lstm_planner/grid_world/agent/grid_block.hpp"
 
@@ -14,38 +15,37 @@ class BlockPatch {
   void add(unsigned cells, CellIndex block) {
     constexpr unsigned kRow = 0xf;
     for (int row = 0; row < kBlockSide; ++row) {
-      const int first = (block.row * kBlockSide + row) * static_cast<int>(kSide) + block.column * kBlockSide;
-      cells_ |= Cells(cells >> (row * kBlockSide) & kRow) << static_cast<std::size_t>(first);
+      const unsigned bits = (cells >> (row * kBlockSide) & kRow) << (block.column * kBlockSide);
+      std::uint16_t& whole = rows_[static_cast<std::size_t>(block.row * kBlockSide + row)];
+      whole = static_cast<std::uint16_t>(whole | bits);
     }
   }
 
   /// Whether straight moves inside `open` lead from one of these cells to one of `to`.
   bool leadsTo(const BlockPatch& to, const BlockPatch& open) const {
-    Cells reached = cells_ & open.cells_;
-    while ((reached & to.cells_).none()) {
-      const Cells beside =
-          (reached << 1 & notColumn(0)) | (reached >> 1 & notColumn(kSide - 1)) | reached << kSide | reached >> kSide;
-      const Cells wider = (reached | beside) & open.cells_;
-      if (wider == reached) return false;
-      reached = wider;
+    // Beyond the first and the last row nothing is open.
+    std::array<unsigned, kSide + 2> reached{};
+    for (std::size_t row = 0; row < kSide; ++row) reached[row + 1] = rows_[row] & open.rows_[row];
+    for (bool wider = true; wider;) {
+      unsigned grown = 0;
+      unsigned arrived = 0;
+      for (std::size_t row = 0; row < kSide; ++row) {
+        unsigned& here = reached[row + 1];
+        const unsigned next = (here | here << 1 | here >> 1 | reached[row] | reached[row + 2]) & open.rows_[row];
+        grown |= next ^ here;
+        here = next;
+        arrived |= here & to.rows_[row];
+      }
+      if (arrived != 0) return true;
+      wider = grown != 0;
     }
-    return true;
+    return false;
   }
 
  private:
   static constexpr std::size_t kSide = 4 * kBlockSide;
-  using Cells = std::bitset<kSide * kSide>;
 
-  static Cells notColumn(std::size_t column) {
-    static const Cells first_column = [] {
-      Cells cells;
-      for (std::size_t row = 0; row < kSide; ++row) cells.set(row * kSide);
-      return cells;
-    }();
-    return ~(first_column << column);
-  }
-
-  Cells cells_;
+  std::array<std::uint16_t, kSide> rows_{};  ///< bit by column
 };
 
 }  // namespace lstm_planner

@@ -4,24 +4,14 @@
 #include <cstdlib>
 #include <limits>
 
+#include "grid_world/agent/moves_between.hpp"
 #include "lstm_planner/grid_world/search/exact_octile.hpp"
 
 namespace lstm_planner {
 
 namespace {
 
-constexpr int kWindowSide = RollingGrid::kSide;
 constexpr std::size_t kLongestKeptPath = 1024;  ///< steps of the path that are kept
-
-/// The moves that walls beside leave, both with bit d for direction d.
-unsigned movesBetween(unsigned walls, CornerCutting corner_cutting) {
-  constexpr unsigned kDiagonals = 0xaa;
-  unsigned blocked = walls;
-  if (corner_cutting == CornerCutting::kForbidden) {
-    blocked |= (walls << 1 | walls >> 7 | walls >> 1 | walls << 7) & kDiagonals;
-  }
-  return ~blocked & 0xff;
-}
 
 }  // namespace
 
@@ -31,13 +21,11 @@ struct RollingPlanner::World {
   CornerCutting corner_cutting;
   CellIndex goal;
 
-  int estimate(int cell) const { return octileFifths(goal.column - cell % kWindowSide, goal.row - cell / kWindowSide); }
-  bool isTarget(int cell) const {
-    return Search::atEdge(cell) || (cell % kWindowSide == goal.column && cell / kWindowSide == goal.row);
-  }
+  int estimate(CellIndex cell) const { return octileFifths(goal.column - cell.column, goal.row - cell.row); }
+  bool isTarget(CellIndex cell) const { return Search::atEdge(cell) || cell == goal; }
   template <typename Move>
-  void expand(int cell, const Move& move) const {
-    const unsigned moves = movesBetween(walls.wallsBeside(cell % kWindowSide, cell / kWindowSide), corner_cutting);
+  void expand(CellIndex cell, const Move& move) const {
+    const unsigned moves = movesBetween(walls.wallsBeside(cell.column, cell.row), corner_cutting);
     for (std::size_t direction = 0; direction < kGridMoveCount; ++direction) {
       if ((moves >> direction & 1u) != 0) move(direction, direction % 2 != 0 ? kDiagonalFifths : kStraightFifths);
     }
@@ -101,11 +89,10 @@ void RollingPlanner::plan(const GridObservation& observation) {
   path_.clear();
   path_step_ = 0;
   length_ = 0.0;
-  const int start = (observation.cell.row - origin.row) * kWindowSide + observation.cell.column - origin.column;
-  const int target = search_.find(World{walls_, corner_cutting_, goal}, start);
-  if (target < 0) return;
+  const CellIndex start{observation.cell.column - origin.column, observation.cell.row - origin.row};
+  if (!search_.find(World{walls_, corner_cutting_, goal}, start)) return;
   length_ = static_cast<double>(search_.cost()) / kStraightFifths;
-  search_.pathTo(target, kLongestKeptPath, &path_);
+  search_.path(kLongestKeptPath, &path_);
 }
 
 }  // namespace lstm_planner

@@ -69,7 +69,8 @@ class BlockGraph {
   static constexpr std::size_t bytes() { return RollingWindow<kSide, 4>::bytes() + RollingWindow<kSide, 1>::bytes(); }
 
  private:
-  void updateBlock(const SeenGrid& seen, CellIndex block);
+  class Marks;
+
   void updatePassage(const SeenGrid& seen, CellIndex first, std::size_t axis);
   void openRound(const SeenGrid& seen, CellIndex first, std::size_t axis);
   void setPassage(CellIndex first, std::size_t axis, Passage passage);

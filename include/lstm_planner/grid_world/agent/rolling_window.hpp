@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -39,8 +40,7 @@ class RollingWindow {
   /// 0 outside.
   unsigned at(CellIndex place) const {
     if (!contains(place)) return 0;
-    const std::size_t i = indexOf(place);
-    return bytes_[i / kPlaces] >> (i % kPlaces * kBits) & kMask;
+    return valueAt(indexOf(place));
   }
   /// Does nothing outside.
   void set(CellIndex place, unsigned value) {
@@ -60,6 +60,36 @@ class RollingWindow {
     return byte;
   }
 
+  /// byteFrom() of four rows, the first one in the lowest byte.
+  std::uint32_t fourBytesFrom(CellIndex first) const {
+    std::uint32_t bytes = 0;
+    const bool inside = contains(first) && contains({first.column + kPlaces - 1, first.row + 3});
+    for (int row = 0; row < 4; ++row) {
+      const CellIndex place{first.column, first.row + row};
+      bytes |= (inside ? bytes_[indexOf(place) / kPlaces] : byteFrom(place)) << (8 * row);
+    }
+    return bytes;
+  }
+
+  /// The values of a place and of those beside it: nine, row by row.
+  std::array<unsigned, 9> around(CellIndex place) const {
+    std::array<unsigned, 9> values;
+    const bool inside = contains({place.column - 1, place.row - 1}) && contains({place.column + 1, place.row + 1});
+    if (!inside) {
+      for (int i = 0; i < 9; ++i) {
+        values[static_cast<std::size_t>(i)] = at({place.column + i % 3 - 1, place.row + i / 3 - 1});
+      }
+      return values;
+    }
+    const std::size_t columns[3] = {columnOf(place.column - 1), columnOf(place.column), columnOf(place.column + 1)};
+    std::size_t next = 0;
+    for (int row = place.row - 1; row <= place.row + 1; ++row) {
+      const std::size_t first = rowOf(row) * kSide;
+      for (const std::size_t column : columns) values[next++] = valueAt(first + column);
+    }
+    return values;
+  }
+
   static constexpr std::size_t bytes() { return static_cast<std::size_t>(kSide * kSide / kPlaces); }
 
  private:
@@ -69,13 +99,12 @@ class RollingWindow {
   static_assert((kBits == 1 || kBits == 2 || kBits == 4) && kSide % kStride == 0, "whole bytes");
 
   static int onTorus(int i) { return ((i % kSide) + kSide) % kSide; }
-  /// Of a place inside. From the origin's place on the torus, as a division would take longer than the rest.
-  std::size_t indexOf(CellIndex place) const {
-    const int column = on_torus_.column + place.column - origin_.column;
-    const int row = on_torus_.row + place.row - origin_.row;
-    return static_cast<std::size_t>((row < kSide ? row : row - kSide) * kSide +
-                                    (column < kSide ? column : column - kSide));
-  }
+  // Of a place inside. From the origin's place on the torus, as a division would take longer than the rest.
+  std::size_t columnOf(int column) const { return wrapped(on_torus_.column + column - origin_.column); }
+  std::size_t rowOf(int row) const { return wrapped(on_torus_.row + row - origin_.row); }
+  static std::size_t wrapped(int i) { return static_cast<std::size_t>(i < kSide ? i : i - kSide); }
+  std::size_t indexOf(CellIndex place) const { return rowOf(place.row) * kSide + columnOf(place.column); }
+  unsigned valueAt(std::size_t index) const { return bytes_[index / kPlaces] >> (index % kPlaces * kBits) & kMask; }
 
   void rollAlong(int place, int margin, int CellIndex::*axis) {
     while (place < origin_.*axis + margin) moveOrigin(-1, axis);

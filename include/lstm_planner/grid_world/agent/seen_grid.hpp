@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -49,11 +50,21 @@ class SeenGrid {
   bool contains(CellIndex cell) const { return cells_.contains(cell); }
   /// kUnknown outside.
   Cell at(CellIndex cell) const { return static_cast<Cell>(cells_.at(cell)); }
+  /// The cells beside one that are walls or, unless `through_doubtful`, may be: bit d for direction d.
+  unsigned wallsBeside(CellIndex cell, bool through_doubtful) const {
+    const std::array<unsigned, 9> around = cells_.around(cell);
+    constexpr std::array<std::size_t, kGridRayCount> kPlaces = {5, 8, 7, 6, 3, 0, 1, 2};
+    const unsigned least = static_cast<unsigned>(through_doubtful ? Cell::kWall : Cell::kDoubtful);
+    unsigned walls = 0;
+    for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
+      walls |= (around[kPlaces[direction]] >= least ? 1u : 0u) << direction;
+    }
+    return walls;
+  }
   /// Of which cells of a block that is true, as bit 4 row + column from its first cell.
   BlockCells cellsOf(CellIndex block) const {
-    const CellIndex first = firstCellOf(block);
-    std::uint32_t cells = 0;
-    for (int row = 0; row < kBlockSide; ++row) cells |= cells_.byteFrom({first.column, first.row + row}) << (8 * row);
+    static_assert(kBlockSide == 4, "a byte a row");
+    const std::uint32_t cells = cells_.fourBytesFrom(firstCellOf(block));
     constexpr std::uint32_t kLowBits = 0x55555555;
     const std::uint32_t low = cells & kLowBits;
     const std::uint32_t high = cells >> 1 & kLowBits;

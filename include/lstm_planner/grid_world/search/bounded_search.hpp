@@ -15,10 +15,11 @@ namespace lstm_planner {
 /// and a fixed number of open nodes on lists by their cost. If they are used up, further ones are left out, and the
 /// path may be longer than the shortest.
 ///
-/// A `World` has `int estimate(int node)` (the least cost to a target; it may fall by no more than a move costs),
-/// `bool isTarget(int node)`, and `expand(int node, move)` that calls `move(int direction, int cost)` for every move
-/// that is possible from a node that does not lie at the square's edge. kMostOpen: nodes that are open at a time;
-/// kMostRise: by which a move may raise cost + estimate.
+/// Places are counted from the square's corner. A `World` has `int estimate(CellIndex place)` (the least cost to a
+/// target; it may fall by no more than a move costs), `bool isTarget(CellIndex place)`, and `expand(CellIndex place,
+/// move)` that calls `move(std::size_t direction, int cost)` for every move that is possible from a place that does not
+/// lie at the square's edge. kMostOpen: nodes that are open at a time; kMostRise: by which a move may raise cost +
+/// estimate.
 template <std::size_t kMostOpen, int kMostRise>
 class BoundedSearch {
  public:
@@ -26,15 +27,14 @@ class BoundedSearch {
 
   BoundedSearch() : reached_by_(static_cast<std::size_t>(kSide * kSide) / 2), open_(kMostOpen) {}
 
-  /// The target that was reached, or -1.
+  /// Whether a target was reached.
   template <typename World>
-  int find(const World& world, int start);
+  bool find(const World& world, CellIndex start);
 
-  /// Of the path to the target that was reached last.
+  // Of the path to the target that was reached last.
   int cost() const { return cost_; }
-
-  /// Directions from the start of the latest search to a node that it has reached, the first `most` of them.
-  void pathTo(int node, std::size_t most, std::vector<std::uint8_t>* directions) const;
+  /// The first `most` of its directions.
+  void path(std::size_t most, std::vector<std::uint8_t>* directions) const;
 
   std::size_t expandedNodes() const { return expanded_; }
   void resetCounter() { expanded_ = 0; }
@@ -43,14 +43,8 @@ class BoundedSearch {
     return static_cast<std::size_t>(kSide * kSide) / 2 + kMostOpen * sizeof(OpenNode);
   }
 
-  static int beside(int node, std::size_t direction) {
-    const CellIndex step = kGridRaySteps[direction];
-    return node + step.row * kSide + step.column;
-  }
-  static bool atEdge(int node) {
-    const int column = node % kSide;
-    const int row = node / kSide;
-    return column == 0 || row == 0 || column == kSide - 1 || row == kSide - 1;
+  static bool atEdge(CellIndex place) {
+    return place.column == 0 || place.row == 0 || place.column == kSide - 1 || place.row == kSide - 1;
   }
 
  private:
@@ -67,6 +61,8 @@ class BoundedSearch {
   };
   static_assert(kSide * kSide <= 1 << 16 && kMostOpen < kNone, "they fit");
 
+  static int nodeOf(CellIndex place) { return place.row * kSide + place.column; }
+
   void clear();
   void push(int total, int node, std::size_t direction);
   int pop(std::uint16_t* bucket);  ///< -1 for a node that was reached sooner
@@ -77,46 +73,49 @@ class BoundedSearch {
 
   std::vector<std::uint8_t> reached_by_;  ///< two nodes a byte
   std::vector<OpenNode> open_;            ///< on lists: one a bucket and the free ones
-  std::uint16_t free_ = kNone;
+  std::uint16_t free_ = kNone;            ///< the first that was open and is no more
+  std::size_t fresh_ = 0;                 ///< the first that never was
   std::array<std::uint16_t, kBuckets> buckets_{};
   std::size_t expanded_ = 0;
   int cost_ = 0;
+  int target_ = 0;
 };
 
 template <std::size_t kMostOpen, int kMostRise>
 template <typename World>
-int BoundedSearch<kMostOpen, kMostRise>::find(const World& world, int start) {
+bool BoundedSearch<kMostOpen, kMostRise>::find(const World& world, CellIndex start) {
   clear();
   int total = world.estimate(start);
-  push(total, start, kRoot);
+  push(total, nodeOf(start), kRoot);
   for (std::size_t empty_in_a_row = 0; empty_in_a_row < kBuckets; ++total) {
     std::uint16_t& bucket = buckets_[static_cast<std::size_t>(total) % kBuckets];
     empty_in_a_row = bucket == kNone ? empty_in_a_row + 1 : 0;
     while (bucket != kNone) {
       const int node = pop(&bucket);
       if (node < 0) continue;
-      if (world.isTarget(node)) {
+      const CellIndex place{node % kSide, node / kSide};
+      if (world.isTarget(place)) {
         cost_ = total;
-        return node;
+        target_ = node;
+        return true;
       }
-      if (atEdge(node)) continue;
-      const int cost = total - world.estimate(node);
-      world.expand(node, [&](std::size_t direction, int length) {
-        const int next = beside(node, direction);
-        if (reachedBy(next) == kUnreached) push(cost + length + world.estimate(next), next, direction);
+      if (atEdge(place)) continue;
+      const int cost = total - world.estimate(place);
+      world.expand(place, [&](std::size_t direction, int length) {
+        const CellIndex next = cellBeside(place, static_cast<int>(direction));
+        if (reachedBy(nodeOf(next)) != kUnreached) return;
+        push(cost + length + world.estimate(next), nodeOf(next), direction);
       });
     }
   }
-  return -1;
+  return false;
 }
 
 template <std::size_t kMostOpen, int kMostRise>
 void BoundedSearch<kMostOpen, kMostRise>::clear() {
   std::fill(reached_by_.begin(), reached_by_.end(), std::uint8_t{kUnreached << 4 | kUnreached});
-  for (std::size_t entry = 0; entry < kMostOpen; ++entry) {
-    open_[entry].next = (entry + 1 < kMostOpen ? static_cast<std::uint32_t>(entry + 1) : kNone) & 0xfffu;
-  }
-  free_ = 0;
+  free_ = kNone;
+  fresh_ = 0;
   buckets_.fill(kNone);
 }
 
@@ -128,11 +127,11 @@ void BoundedSearch<kMostOpen, kMostRise>::setReachedBy(int node, unsigned direct
 
 template <std::size_t kMostOpen, int kMostRise>
 void BoundedSearch<kMostOpen, kMostRise>::push(int total, int node, std::size_t direction) {
-  if (free_ == kNone) return;
+  if (free_ == kNone && fresh_ == kMostOpen) return;
   std::uint16_t& bucket = buckets_[static_cast<std::size_t>(total) % kBuckets];
-  const std::uint16_t entry = free_;
+  const auto entry = free_ != kNone ? free_ : static_cast<std::uint16_t>(fresh_++);
   OpenNode& open = open_[entry];
-  free_ = open.next;
+  if (entry == free_) free_ = open.next;
   open.node = static_cast<std::uint32_t>(node) & 0xffffu;
   open.direction = static_cast<std::uint32_t>(direction) & 0xfu;
   open.next = bucket & 0xfffu;
@@ -154,17 +153,13 @@ int BoundedSearch<kMostOpen, kMostRise>::pop(std::uint16_t* bucket) {
 }
 
 template <std::size_t kMostOpen, int kMostRise>
-void BoundedSearch<kMostOpen, kMostRise>::pathTo(int node, std::size_t most,
-                                                 std::vector<std::uint8_t>* directions) const {
-  const auto before = [&](int later) {
-    const CellIndex step = kGridRaySteps[reachedBy(later)];
-    return later - step.row * kSide - step.column;
-  };
+void BoundedSearch<kMostOpen, kMostRise>::path(std::size_t most, std::vector<std::uint8_t>* directions) const {
+  const auto before = [&](int later) { return later - nodeOf(kGridRaySteps[reachedBy(later)]); };
   directions->clear();
   std::size_t steps = 0;
-  for (int at = node; reachedBy(at) != kRoot; at = before(at)) ++steps;
-  for (; reachedBy(node) != kRoot; node = before(node)) {
-    if (--steps < most) directions->push_back(reachedBy(node));
+  for (int at = target_; reachedBy(at) != kRoot; at = before(at)) ++steps;
+  for (int at = target_; reachedBy(at) != kRoot; at = before(at)) {
+    if (--steps < most) directions->push_back(reachedBy(at));
   }
   std::reverse(directions->begin(), directions->end());
 }
