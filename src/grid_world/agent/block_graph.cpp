@@ -62,7 +62,7 @@ unsigned sideOf(unsigned cells, std::size_t direction) {
 }  // namespace
 
 /// Passages that a change may have changed, each once however many changes there were: bits by column of the blocks
-/// whose cells are remembered, row by row. One place more on each side is needed than there are blocks, or two.
+/// whose cells are remembered, row by row, with room for the blocks around them.
 class BlockGraph::Marks {
  public:
   using Row = std::uint64_t;
