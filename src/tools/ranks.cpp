@@ -40,31 +40,29 @@ class TicketOffice : public Tickets {
 
   std::size_t draw() override {
     const std::lock_guard<std::mutex> lock(mutex_);
-    while (request(false)) answer();
+    answerWaiting();
     const std::int64_t drawn = next();
     // The others know that there is none left only when they are told.
-    while (drawn == count_ && others_ > 0 && request(true)) answer();
+    while (drawn == count_ && others_ > 0) {
+      MPI_Probe(MPI_ANY_SOURCE, kRequestTag, MPI_COMM_WORLD, &from_);
+      answer();
+    }
     return static_cast<std::size_t>(drawn);
   }
 
   void letOthersDraw() override {
     const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
-    if (!lock) return;
-    while (request(false)) answer();
+    if (lock) answerWaiting();
   }
 
  private:
   std::int64_t next() { return next_ < count_ ? next_++ : count_; }
 
-  /// Whether there is a request, or waits for one.
-  bool request(bool wait) {
-    int here = 1;
-    if (wait) {
-      MPI_Probe(MPI_ANY_SOURCE, kRequestTag, MPI_COMM_WORLD, &from_);
-    } else {
+  void answerWaiting() {
+    for (int here = 1; here != 0;) {
       MPI_Iprobe(MPI_ANY_SOURCE, kRequestTag, MPI_COMM_WORLD, &here, &from_);
+      if (here != 0) answer();
     }
-    return here != 0;
   }
 
   void answer() {

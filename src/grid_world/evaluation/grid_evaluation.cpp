@@ -86,7 +86,7 @@ class SharedTasks {
       for (std::size_t i = batch.last; i-- > batch.first;) {
         episodes->push_back({i, episodeOf(set_.tasks[i], *ranges)});
         tickets_->letOthersDraw();
-        if (tells_progress && options_.progress) options_.progress(shareBefore(i));
+        if (tells_progress && options_.progress) options_.progress(shareDone(i));
       }
     }
   }
@@ -100,8 +100,8 @@ class SharedTasks {
     return episode;
   }
 
-  /// Of the tasks, as they are run from the last one on.
-  double shareBefore(std::size_t task) const {
+  /// With this task, as the last ones are run first.
+  double shareDone(std::size_t task) const {
     const std::size_t last = batches_.front().last;
     return static_cast<double>(last - task) / static_cast<double>(last - batches_.back().first);
   }

@@ -54,6 +54,7 @@ class SeenGrid {
   unsigned wallsBeside(CellIndex cell, bool through_doubtful) const {
     const std::array<unsigned, 9> around = cells_.around(cell);
     constexpr std::array<std::size_t, kGridRayCount> kPlaces = {5, 8, 7, 6, 3, 0, 1, 2};
+    static_assert(Cell::kUnknown < Cell::kDoubtful && Cell::kFree < Cell::kDoubtful && Cell::kDoubtful < Cell::kWall);
     const unsigned least = static_cast<unsigned>(through_doubtful ? Cell::kWall : Cell::kDoubtful);
     unsigned walls = 0;
     for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
