@@ -6,8 +6,6 @@
 namespace lstm_planner {
 namespace {
 
-int turned(int direction, int by) { return (direction + by + kGridMoveCount) % kGridMoveCount; }
-
 int directionTo(int columns, int rows) {
   const int column = (columns > 0) - (columns < 0);
   const int row = (rows > 0) - (rows < 0);

@@ -1,9 +1,9 @@
 #include "lstm_planner/grid_world/agent/boundary_follower.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/grid_world/agent/nearer_cell.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -13,6 +13,10 @@ void checkNotNegative(const char* name, double value) {
 }
 
 }  // namespace
+
+bool BoundaryParameters::turnsBack(double leg, double path_back, double farther) const {
+  return leg > std::max(first_leg, leg_growth * path_back) + goal_weight * farther;
+}
 
 BoundaryFollower::BoundaryFollower(const BoundaryParameters& parameters)
     : parameters_(parameters), trail_(parameters.corner_cutting) {
@@ -51,7 +55,7 @@ int BoundaryFollower::nextDirection() {
     state_ = State::kGoing;
   }
   if (state_ == State::kGoing) {
-    const int direction = nearerNeighbour();
+    const int direction = directionToNearerNeighbour(now_, best_, parameters_.corner_cutting);
     if (direction != kNoPath) return direction;
     meetBoundary();
   }
@@ -69,36 +73,8 @@ int BoundaryFollower::nextDirection() {
   return directionAlong(end);
 }
 
-int BoundaryFollower::nearerNeighbour() const {
-  const OctileDistance distance = octileDistance(now_.cell, now_.goal);
-  OctileDistance nearest = distance;
-  int best = kNoPath;
-  std::int64_t longest = 0;
-  for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    if (!movePossible(now_.ranges, direction, parameters_.corner_cutting)) continue;
-    const OctileDistance next = octileDistance(cellBeside(now_.cell, direction), now_.goal);
-    // Of the two directions of a shortest path, if both are possible, the one that can be kept for longer.
-    const bool diagonal = direction % 2 != 0;
-    if (next == (diagonal ? OctileDistance{distance.straight, distance.diagonal - 1}
-                          : OctileDistance{distance.straight - 1, distance.diagonal})) {
-      const std::int64_t needed = diagonal ? distance.diagonal : distance.straight;
-      const std::int64_t open = std::min<std::int64_t>(needed, now_.ranges[static_cast<std::size_t>(direction)] - 1);
-      if (open > longest) {
-        longest = open;
-        best = direction;
-      }
-    } else if (longest == 0 && next < nearest) {
-      nearest = next;
-      best = direction;
-    }
-  }
-  return best;
-}
-
 void BoundaryFollower::meetBoundary() {
-  const int columns = now_.goal.column - now_.cell.column;
-  const int rows = now_.goal.row - now_.cell.row;
-  const int wall = std::abs(columns) >= std::abs(rows) ? (columns > 0 ? 0 : 4) : (rows > 0 ? 2 : 6);
+  const int wall = directionOfObstacle(now_);
   for (End& end : ends_) {
     end.edge = {now_.cell, wall};
     end.cells.clear();
@@ -106,10 +82,7 @@ void BoundaryFollower::meetBoundary() {
   ends_[0].side = WallSide::kRight;
   ends_[1].side = WallSide::kLeft;
   trail_.clear();
-
-  // First to the side that is open for longer: a wall across it would lead back, away from the goal.
-  const auto range = [&](int turn) { return now_.ranges[static_cast<std::size_t>((wall + turn) % kGridRayCount)]; };
-  startLeg(range(2) >= range(6) ? 0 : 1);
+  startLeg(firstWallSide(now_, wall) == ends_[0].side ? 0 : 1);
 }
 
 void BoundaryFollower::startLeg(int end) {
@@ -121,23 +94,11 @@ void BoundaryFollower::startLeg(int end) {
 }
 
 bool BoundaryFollower::seesNearerCell() {
-  // Going straight, the distance falls until abreast of the goal and grows from there on.
-  bool found = false;
-  int fewest = 0;
-  for (int direction = 0; direction < kGridRayCount; direction += 2) {
-    const CellIndex step = kGridRaySteps[static_cast<std::size_t>(direction)];
-    const int abreast =
-        (now_.goal.column - now_.cell.column) * step.column + (now_.goal.row - now_.cell.row) * step.row;
-    const int steps = std::min(abreast, now_.ranges[static_cast<std::size_t>(direction)] - 1);
-    if (steps < 1 || (found && steps >= fewest)) continue;
-    const CellIndex seen = {now_.cell.column + steps * step.column, now_.cell.row + steps * step.row};
-    if (!(octileDistance(seen, now_.goal) < best_)) continue;
-    found = true;
-    fewest = steps;
-    leaving_direction_ = direction;
-  }
-  if (found) state_ = State::kLeaving;
-  return found;
+  const int direction = directionToNearerCell(now_, best_);
+  if (direction == kNoPath) return false;
+  leaving_direction_ = direction;
+  state_ = State::kLeaving;
+  return true;
 }
 
 bool BoundaryFollower::follow(End* end, const BoundaryEdge& other) {
@@ -181,8 +142,7 @@ bool BoundaryFollower::shouldTurnBack() const {
   // Longer towards the goal than away from it.
   const double here = octileDistance(now_.cell, now_.goal).length();
   const double there = octileDistance(ends_[static_cast<std::size_t>(1 - end_)].edge.cell, now_.goal).length();
-  return leg_ > std::max(parameters_.first_leg, parameters_.leg_growth * path_back_) +
-                    parameters_.goal_weight * (there - here);
+  return parameters_.turnsBack(leg_, path_back_, there - here);
 }
 
 std::size_t BoundaryFollower::peakBytes() const { return sizeof(*this) + 2 * (kMostCells + 3) * sizeof(CellIndex); }

@@ -38,6 +38,9 @@ inline int octileFifths(int columns, int rows) {
   return kStraightFifths * steps.straight + kDiagonalFifths * steps.diagonal;
 }
 
+/// The direction so many eighths of a turn to the left of another; of any sign.
+inline int turned(int direction, int eighths) { return (direction + eighths) & (kGridRayCount - 1); }
+
 /// The index in kGridRaySteps of the step from one cell to the other; -1 if there is none.
 inline int rayBetween(CellIndex from, CellIndex to) {
   const auto found = std::find_if(kGridRaySteps.begin(), kGridRaySteps.end(), [&](CellIndex step) {
