@@ -13,9 +13,11 @@ int trainGridByActorCritic(const std::vector<std::string>& arguments) {
                    "trains a network for the grid world by actor-critic learning");
   addGridReinforcementOptions("actor-critic", arguments, &plan, &parameters, &line);
   visitActorCriticParameters(parameters, "cells", line.everyParameter());
+  visitGridActorCriticParameters(parameters, line.everyParameter());
   if (!line.parse(arguments)) return 0;
   finishGridReinforcement(&plan, &parameters);
   visitActorCriticParameters(parameters, "cells", noteIn(&plan.settings));
+  visitGridActorCriticParameters(parameters, noteIn(&plan.settings));
   LayerStack layers = firstLayers(&plan.options);
   parameters.encoder = plan.options.encoder;
   const auto learner = makeGridActorCritic(parameters, std::move(layers));

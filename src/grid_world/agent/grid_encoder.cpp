@@ -41,12 +41,6 @@ class Logarithms {
 };
 const Logarithms kLog2;
 
-WalkInputs::Parts walkPartsOf(GridEncoderParameters::Inputs inputs) {
-  using Inputs = GridEncoderParameters::Inputs;
-  const bool all = inputs == Inputs::kWalk;
-  return {all || inputs == Inputs::kStart, all || inputs == Inputs::kOpenings, all || inputs == Inputs::kHands};
-}
-
 float freshness(const Visit& visit) { return visit.count == 0 ? 0.0f : 1.0f - kLog2(visit.age + 1) / kMostLogSteps; }
 
 float frequency(const Visit& visit) {
@@ -66,7 +60,7 @@ double octileLength(CellIndex a, CellIndex b) {
 void GridMemory::start() {
   trace_.clear();
   if (planner_) planner_->start();
-  if (walk_) walk_->start();
+  if (boundary_) boundary_->start();
   previous_direction_ = -1;
   progress_.clear();
 }
@@ -75,7 +69,7 @@ void GridMemory::observe(const GridObservation& observation) {
   observation_ = observation;
   in_new_place_ = trace_.visit(observation.cell);
   if (planner_) planner_->observe(observation);
-  if (walk_) walk_->observe(observation, trace_);
+  if (boundary_) boundary_->observe(observation);
   goal_distance_ = octileLength(observation.cell, observation.goal);
   progress_.note(goal_distance_);
 }
@@ -84,13 +78,22 @@ GridEncoder::GridEncoder(const GridEncoderParameters& parameters) : parameters_(
   if (parameters.views != 1 && parameters.views != kGridRayCount) {
     throw std::invalid_argument("grid_views is " + std::to_string(parameters.views) + ", expected 1 or 8");
   }
-  if (walkPartsOf(parameters.inputs).any()) walk_ = std::make_unique<WalkInputs>();
+  if (parameters.inputs == GridEncoderParameters::Inputs::kBoundary) boundary_ = std::make_unique<BoundaryInputs>();
 }
 
 int GridEncoder::size() const {
-  if (parameters_.inputs == GridEncoderParameters::Inputs::kThesis) return kThesisInputs;
-  const int map_inputs = parameters_.inputs == GridEncoderParameters::Inputs::kMap ? kMapScalars : 0;
-  return kRayFeatures * kGridRayCount + kTraceScalars + map_inputs + WalkInputs::size(walkPartsOf(parameters_.inputs));
+  constexpr int kTraceInputs = kRayFeatures * kGridRayCount + kTraceScalars;
+  switch (parameters_.inputs) {
+    case GridEncoderParameters::Inputs::kThesis:
+      return kThesisInputs;
+    case GridEncoderParameters::Inputs::kTrace:
+      break;
+    case GridEncoderParameters::Inputs::kMap:
+      return kTraceInputs + kMapScalars;
+    case GridEncoderParameters::Inputs::kBoundary:
+      return kTraceInputs + BoundaryInputs::kCount;
+  }
+  return kTraceInputs;
 }
 
 void GridEncoder::prepare(const GridMemory& memory) {
@@ -115,12 +118,11 @@ void GridEncoder::prepare(const GridMemory& memory) {
                kLog2(memory.stepsSinceBest() + 1) / kMostLogSteps,
                frequency(trace.at(VisitTrace::kSmallBlock, observation.cell)),
                frequency(trace.at(VisitTrace::kLargeBlock, observation.cell))};
-  if (walk_) {
-    if (memory.walk() == nullptr) {
-      throw std::invalid_argument(std::string("grid_inputs is ") + nameOf(parameters_.inputs) +
-                                  ", expected a memory of the walk");
+  if (boundary_) {
+    if (memory.boundary() == nullptr) {
+      throw std::invalid_argument("grid_inputs is boundary, expected a memory of the boundary");
     }
-    *walk_ = WalkInputs(*memory.walk(), observation, previous_direction_);
+    *boundary_ = BoundaryInputs(*memory.boundary(), observation);
   }
   if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
   const RollingPlanner* planner = memory.planner();
@@ -153,56 +155,73 @@ void GridEncoder::lookAlongRays(const GridMemory& memory) {
   }
 }
 
-void GridEncoder::encode(int view, float* input, int stride) const {
+/// Calls put(value) for each input in its order, where value(view) is what a view sees.
+template <typename Put>
+void GridEncoder::forEachInput(const Put& put) const {
   const bool thesis = parameters_.inputs == GridEncoderParameters::Inputs::kThesis;
-  const auto put = [&](float value) {
-    *input = value;
-    input += stride;
+  const auto putRays = [&put](const std::array<float, kGridRayCount>& values) {
+    // Twice one after the other: turned for a view they lie in one piece.
+    std::array<float, 2 * kGridRayCount> twice;
+    std::copy(values.begin(), values.end(), twice.begin());
+    std::copy(values.begin(), values.end(), twice.begin() + kGridRayCount);
+    for (int ray = 0; ray < kGridRayCount; ++ray) {
+      put([&](int view) { return twice[static_cast<std::size_t>(ray + view)]; });
+    }
   };
-  const auto putRays = [&](const std::array<float, kGridRayCount>& values) {
-    for (int ray = 0; ray < kGridRayCount; ++ray) put(values[static_cast<std::size_t>((ray + view) & 7)]);
-  };
+  const auto putForAllViews = [&put](float value) { put([value](int) { return value; }); };
   for (std::size_t feature = 0; feature < (thesis ? 1 : rays_.size()); ++feature) putRays(rays_[feature]);
-  const WalkInputs::Parts walk_parts = walkPartsOf(parameters_.inputs);
-  if (walk_) walk_->visitRays(walk_parts, putRays);
-  const bool moved = previous_direction_ >= 0;
+  if (boundary_) std::for_each(boundary_->rays.begin(), boundary_->rays.end(), putRays);
+  const int previous = previous_direction_;
+  const float moved = previous >= 0 ? 1.0f : 0.0f;
   if (thesis) {
-    put(goal_distance_ / (goal_distance_ + kDistanceScale));
-    const float turn = std::remainder(goal_angle_ - static_cast<float>(view) * static_cast<float>(M_PI_4),
-                                      static_cast<float>(2.0 * M_PI));
-    put(turn / static_cast<float>(M_PI));
-    put(moved ? static_cast<float>((previous_direction_ - view) & 7) / 4.0f - 1.0f : 0.0f);
+    putForAllViews(goal_distance_ / (goal_distance_ + kDistanceScale));
+    put([&](int view) {
+      const float turn = std::remainder(goal_angle_ - static_cast<float>(view) * static_cast<float>(M_PI_4),
+                                        static_cast<float>(2.0 * M_PI));
+      return turn / static_cast<float>(M_PI);
+    });
+    put([&](int view) { return moved * (static_cast<float>(turned(previous, -view)) / 4.0f - 1.0f); });
     return;
   }
-  put(goal_cos_ * cosineOf(view) + goal_sin_ * sineOf(view));
-  put(goal_sin_ * cosineOf(view) - goal_cos_ * sineOf(view));
-  put(moved ? cosineOf(previous_direction_ - view) : 0.0f);
-  put(moved ? sineOf(previous_direction_ - view) : 0.0f);
-  put(static_cast<float>(view & 1));
-  for (const float value : progress_) put(value);
-  if (walk_) walk_->visitScalars(walk_parts, put);
-  if (walk_parts.openings) {
-    put(walk_->behind_cos * cosineOf(view) + walk_->behind_sin * sineOf(view));
-    put(walk_->behind_sin * cosineOf(view) - walk_->behind_cos * sineOf(view));
-  }
+  put([&](int view) { return goal_cos_ * cosineOf(view) + goal_sin_ * sineOf(view); });
+  put([&](int view) { return goal_sin_ * cosineOf(view) - goal_cos_ * sineOf(view); });
+  put([&](int view) { return moved * cosineOf(previous - view); });
+  put([&](int view) { return moved * sineOf(previous - view); });
+  put([](int view) { return static_cast<float>(view & 1); });
+  std::for_each(progress_.begin(), progress_.end(), putForAllViews);
+  if (boundary_) std::for_each(boundary_->scalars.begin(), boundary_->scalars.end(), putForAllViews);
   if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
-  const bool has_path = path_direction_ != kNoPath;
-  put(has_path ? cosineOf(path_direction_ - view) : 0.0f);
-  put(has_path ? sineOf(path_direction_ - view) : 0.0f);
-  put(path_direction_ == view ? 1.0f : 0.0f);
-  put(detour_);
+  const int path = path_direction_;
+  const float has_path = path != kNoPath ? 1.0f : 0.0f;
+  put([&](int view) { return has_path * cosineOf(path - view); });
+  put([&](int view) { return has_path * sineOf(path - view); });
+  put([&](int view) { return path == view ? 1.0f : 0.0f; });
+  putForAllViews(detour_);
+}
+
+void GridEncoder::encode(int view, float* input, int stride) const {
+  forEachInput([&](const auto& value) {
+    *input = value(view);
+    input += stride;
+  });
+}
+
+void GridEncoder::encodeViews(float* input, int stride) const {
+  if (parameters_.views == 1) {
+    encode(0, input, stride);
+    return;
+  }
+  forEachInput([&](const auto& value) {
+    for (int view = 0; view < kGridRayCount; ++view) input[view] = value(view);
+    input += stride;
+  });
 }
 
 namespace {
 
 using Inputs = GridEncoderParameters::Inputs;
-constexpr std::array<std::pair<const char*, Inputs>, 7> kInputNames = {{{"thesis", Inputs::kThesis},
-                                                                        {"trace", Inputs::kTrace},
-                                                                        {"map", Inputs::kMap},
-                                                                        {"walk", Inputs::kWalk},
-                                                                        {"start", Inputs::kStart},
-                                                                        {"openings", Inputs::kOpenings},
-                                                                        {"hands", Inputs::kHands}}};
+constexpr std::array<std::pair<const char*, Inputs>, 4> kInputNames = {
+    {{"thesis", Inputs::kThesis}, {"trace", Inputs::kTrace}, {"map", Inputs::kMap}, {"boundary", Inputs::kBoundary}}};
 
 }  // namespace
 
@@ -221,8 +240,7 @@ GridEncoderParameters::Inputs gridInputsNamed(const std::string& name) {
   for (const auto& [known, inputs] : kInputNames) {
     if (name == known) return inputs;
   }
-  throw std::invalid_argument("grid_inputs is '" + name +
-                              "', expected thesis, trace, map, walk, start, openings or hands");
+  throw std::invalid_argument("grid_inputs is '" + name + "', expected thesis, trace, map or boundary");
 }
 
 void writeMetadata(const GridEncoderParameters& parameters, std::map<std::string, std::string>* metadata) {
@@ -249,7 +267,9 @@ GridEncoderParameters readGridEncoderParameters(const std::map<std::string, std:
 }
 
 GridMemory makeGridMemory(const GridEncoderParameters& parameters, CornerCutting corner_cutting) {
-  if (walkPartsOf(parameters.inputs).any()) return GridMemory(std::make_unique<WalkMemory>());
+  if (parameters.inputs == GridEncoderParameters::Inputs::kBoundary) {
+    return GridMemory(std::make_unique<BoundaryMemory>(corner_cutting));
+  }
   if (parameters.inputs != GridEncoderParameters::Inputs::kMap) return GridMemory();
   return GridMemory(RollingPlanner(corner_cutting));
 }

@@ -63,8 +63,7 @@ void NetworkGridAgent::takeOver(const GridObservation& observation) {
 
 void NetworkGridAgent::judgeMoves() {
   encoder_.prepare(*memory_);
-  const int views = encoder_.parameters().views;
-  for (int view = 0; view < views; ++view) encoder_.encode(view, inputs_.data() + view, views);
+  encoder_.encodeViews(inputs_.data(), encoder_.parameters().views);
   if (network_) preferences_ = network_->forward(Eigen::Map<const Eigen::VectorXf>(inputs_.data(), inputs_.rows()));
   if (views_) preferences_ = views_->forward(inputs_).row(0);
 }

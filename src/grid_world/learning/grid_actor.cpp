@@ -9,6 +9,12 @@ void GridActor::startEpisode() {
   memory_.start();
 }
 
+/// Without weight, in single precision as where the shipped networks learned.
+double GridActor::progress(float before, bool arrived, const GridRewards& rewards) const {
+  if (rewards.distance_weight == 1.0) return static_cast<double>(before - distance());
+  return static_cast<double>(before) - (arrived ? 0.0 : rewards.distance_weight * static_cast<double>(distance()));
+}
+
 GridActor::Outcome GridActor::step(int direction, const GridRewards& rewards, int max_steps) {
   const float before = distance();
   walk_.move(direction);
@@ -17,7 +23,7 @@ GridActor::Outcome GridActor::step(int direction, const GridRewards& rewards, in
   Outcome outcome;
   outcome.arrived = walk_.isNear(1);
   outcome.timed_out = !outcome.arrived && walk_.moves() >= max_steps;
-  outcome.reward = static_cast<double>(before - distance()) - rewards.step_cost;
+  outcome.reward = progress(before, outcome.arrived, rewards) - rewards.step_cost;
   if (outcome.arrived) {
     outcome.reward += rewards.arrival_bonus;
     outcome.ratio = walked_ / static_cast<double>(episode_.goal->distances.at(episode_.start));

@@ -8,6 +8,10 @@ namespace lstm_planner {
 
 /// Rewards of reinforcement learning in the grid world, in cells.
 struct GridRewards {
+  /// What the distance to the goal after a step counts: with the discount of the returns, what the agent comes nearer
+  /// does not change which policy is the best one (Ng et al., "Policy invariance under reward transformations", ICML
+  /// 1999).
+  double distance_weight = 1.0;
   double step_cost = 0.2;       ///< of every step, besides what it brings the agent nearer to the goal
   double arrival_bonus = 10.0;  ///< for coming within one cell of the goal
 };
@@ -48,6 +52,7 @@ class GridActor {
 
  private:
   void startEpisode();
+  double progress(float before, bool arrived, const GridRewards& rewards) const;
 
   const GridCourse* course_;
   Random random_;

@@ -1,6 +1,8 @@
 #include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "grid_world/learning/grid_actor_critic_tile.hpp"
@@ -38,9 +40,9 @@ class GridActorCritic final : public GridLearner {
 
   void update() override {
     std::vector<double>& variances = learner_.advantageVariances();
-    const double entropy_weight = learner_.entropyWeight();
+    const GridActorCriticLesson lesson = lessonOf(learner_.updates());
     const auto run = [&](GridActorCriticTileRunner* runner, GridActorCriticTile* tile) {
-      return runner->run(learner_.policy(), learner_.critic(), entropy_weight, variances, tile);
+      return runner->run(learner_.policy(), learner_.critic(), lesson, variances, tile);
     };
     const GridActorCriticSums sums = tiles_.run(GridActorCriticSums(variances.size()), run);
     const Eigen::VectorXf policy_gradient =
@@ -75,6 +77,15 @@ class GridActorCritic final : public GridLearner {
   void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
 
  private:
+  GridActorCriticLesson lessonOf(int update) const {
+    GridActorCriticLesson lesson;
+    lesson.entropy_weight = learner_.entropyWeight();
+    lesson.taught = update < parameters_.taught_updates;
+    // In the last third of the lessons all moves are the network's.
+    if (lesson.taught) lesson.network_share = std::min(1.0, 1.5 * update / parameters_.taught_updates);
+    return lesson;
+  }
+
   GridActorCriticParameters parameters_;
   mutable LayerStack policy_;  ///< gets its weights when it is asked for
   LayerStack critic_;
@@ -88,9 +99,14 @@ class GridActorCritic final : public GridLearner {
 void validate(const GridActorCriticParameters& parameters) {
   validate(static_cast<const ActorCriticParameters&>(parameters));
   visitGridLearnerParameters(parameters, RangeCheck());
+  visitGridActorCriticParameters(parameters, RangeCheck());
 }
 
 std::unique_ptr<GridLearner> makeGridActorCritic(const GridActorCriticParameters& parameters, LayerStack layers) {
+  if (parameters.taught_updates > 0 && parameters.encoder.inputs != GridEncoderParameters::Inputs::kBoundary) {
+    throw std::invalid_argument("taught-updates is " + std::to_string(parameters.taught_updates) + " with the inputs " +
+                                nameOf(parameters.encoder.inputs) + ", expected 0 or the inputs boundary");
+  }
   return std::make_unique<GridActorCritic>(parameters, std::move(layers));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grid_world/learning/boundary_teacher.hpp"
 #include "lstm_planner/base/learning/actor_critic.hpp"
 #include "lstm_planner/base/learning/lane_kernels.hpp"
 #include "lstm_planner/base/learning/policy_gradient.hpp"
@@ -49,13 +50,17 @@ GridActorCriticTileRunner::GridActorCriticTileRunner(const GridActorCriticParame
       lanes_(parameters.encoder),
       policy_(policy, GridLanes::kCount, parameters.window),
       critic_(critic, roundedUp(actors() * (parameters.window + 1), kLaneGroup), 1),
+      rewards_{parameters.potential ? parameters.discount : 1.0, parameters.step_cost, parameters.arrival_bonus},
       steps_(static_cast<std::size_t>(actors() * parameters.window)) {}
 
 GridActorCriticSums GridActorCriticTileRunner::run(const Eigen::VectorXf& policy_parameters,
-                                                   const Eigen::VectorXf& critic_parameters, double entropy_weight,
+                                                   const Eigen::VectorXf& critic_parameters,
+                                                   const GridActorCriticLesson& lesson,
                                                    const std::vector<double>& advantage_variances,
                                                    GridActorCriticTile* tile) {
   sums_ = GridActorCriticSums(advantage_variances.size());
+  lesson_ = lesson;
+  tile->led_by_teacher.resize(tile->actors.size(), true);
   tile->policy_gradient.setZero(policy_parameters.size());
   tile->critic_gradient.setZero(critic_parameters.size());
   if (tile->state.empty()) tile->state.assign(policy_.state().size(), 0.0f);
@@ -64,7 +69,7 @@ GridActorCriticSums GridActorCriticTileRunner::run(const Eigen::VectorXf& policy
   for (int step = 0; step < window; ++step) walk(policy_parameters, step, tile);
   for (int actor = 0; actor < actors(); ++actor) observe(window, actor, &tile->actors[static_cast<std::size_t>(actor)]);
   const float* values = critic_.forward(critic_parameters, 0);
-  for (int actor = 0; actor < actors(); ++actor) judge(values, actor, entropy_weight, advantage_variances);
+  for (int actor = 0; actor < actors(); ++actor) judge(values, actor, advantage_variances);
   std::fill_n(critic_.outputGradient(0) + window * actors(), critic_.lanes() - window * actors(), 0.0f);
   policy_.backward(policy_parameters, window, tile->policy_gradient);
   critic_.backward(critic_parameters, 1, tile->critic_gradient);
@@ -92,7 +97,7 @@ void GridActorCriticTileRunner::walk(const Eigen::VectorXf& policy_parameters, i
   }
   const float* preferences = policy_.forward(policy_parameters, step);
   for (int actor = 0; actor < actors(); ++actor) {
-    act(preferences, step, actor, &tile->actors[static_cast<std::size_t>(actor)]);
+    act(preferences, step, actor, tile);
   }
 }
 
@@ -103,18 +108,31 @@ void GridActorCriticTileRunner::choose(const float* preferences, int actor, Grid
   done.direction = drawByChances(kGridMoveCount, total, &walker.random(), done.probabilities.data());
 }
 
-void GridActorCriticTileRunner::act(const float* preferences, int step, int actor, GridActor* walker) {
+/// The teacher and the network take turns, so that the network learns where its own moves lead, too.
+void GridActorCriticTileRunner::teach(GridActor* walker, std::vector<bool>::reference led_by_teacher,
+                                      Step* done) const {
+  constexpr double kMovesATurn = 32.0;
+  const int move = taughtMove(*walker->memory().boundary(), walker->memory().observation());
+  if (move != kNoPath && walker->possible(move)) done->taught = move;
+  if (uniform(walker->random()) * kMovesATurn < 1.0) {
+    led_by_teacher = uniform(walker->random()) >= lesson_.network_share;
+  }
+  if (led_by_teacher && done->taught != kNoPath) done->direction = done->taught;
+}
+
+void GridActorCriticTileRunner::act(const float* preferences, int step, int actor, GridActorCriticTile* tile) {
+  GridActor* walker = &tile->actors[static_cast<std::size_t>(actor)];
   Step& done = stepOf(step, actor);
   choose(preferences, actor, *walker, done);
+  done.taught = kNoPath;
+  if (lesson_.taught) teach(walker, tile->led_by_teacher[static_cast<std::size_t>(actor)], &done);
   done.set = walker->set();
-  done.outcome =
-      walker->step(done.direction, {parameters_.step_cost, parameters_.arrival_bonus}, parameters_.max_steps);
+  done.outcome = walker->step(done.direction, rewards_, parameters_.max_steps);
   sums_.episodes.count(done.outcome);
 }
 
 /// Advantages from the last step back, and from them the derivatives by the outputs of both networks.
-void GridActorCriticTileRunner::judge(const float* values, int actor, double entropy_weight,
-                                      const std::vector<double>& advantage_variances) {
+void GridActorCriticTileRunner::judge(const float* values, int actor, const std::vector<double>& advantage_variances) {
   Advantages advantages(parameters_.discount, parameters_.advantage_decay,
                         kValueScale * static_cast<double>(values[parameters_.window * actors() + actor]));
   for (int step = parameters_.window; step-- > 0;) {
@@ -126,23 +144,24 @@ void GridActorCriticTileRunner::judge(const float* values, int actor, double ent
                                                     : Advantages::End::kNone;
     const double advantage = advantages.before(outcome.reward, value, end);
     critic_.outputGradient(0)[step * actors() + actor] = static_cast<float>(-advantage / kValueScale);
-    const double entropy =
-        fillPolicyGradient(done, step, actor, advantage / std::sqrt(advantage_variances[done.set]), entropy_weight);
+    const double entropy = fillPolicyGradient(done, step, actor, advantage / std::sqrt(advantage_variances[done.set]));
     sums_.reward += outcome.reward;
     sums_.entropy += entropy;
     sums_.judged.count(done.set, value, advantage);
   }
 }
 
-double GridActorCriticTileRunner::fillPolicyGradient(const Step& done, int step, int actor, double advantage,
-                                                     double entropy_weight) {
+double GridActorCriticTileRunner::fillPolicyGradient(const Step& done, int step, int actor, double advantage) {
   const double entropy = entropyOf(kGridMoveCount, done.probabilities.data());
   float* gradient = policy_.outputGradient(step);
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
     const double probability = static_cast<double>(done.probabilities[static_cast<std::size_t>(direction)]);
-    const double slope = probability > 0.0
-                             ? policySlope(probability, direction == done.direction, advantage, entropy_weight, entropy)
-                             : 0.0;
+    double slope = 0.0;
+    if (done.taught != kNoPath) {
+      slope = imitationSlope(probability, direction == done.taught);
+    } else if (probability > 0.0) {
+      slope = policySlope(probability, direction == done.direction, advantage, lesson_.entropy_weight, entropy);
+    }
     gradient[lanes_.outputAt(actor, direction)] = static_cast<float>(slope);
   }
   return entropy;

@@ -25,8 +25,16 @@ struct GridActorCriticSums {
 };
 std::vector<double*> numbersOf(GridActorCriticSums* sums);
 
+/// What is done in a window.
+struct GridActorCriticLesson {
+  double entropy_weight = 0.0;
+  bool taught = false;         ///< the network is to choose what taughtMove() says
+  double network_share = 1.0;  ///< of the moves, while it is taught: the others are the teacher's
+};
+
 struct GridActorCriticTile : GridTile {
-  Eigen::VectorXf policy_gradient;  ///< sums over the window's steps
+  std::vector<bool> led_by_teacher;  ///< by agent, while the network is taught
+  Eigen::VectorXf policy_gradient;   ///< sums over the window's steps
   Eigen::VectorXf critic_gradient;
 };
 
@@ -45,7 +53,7 @@ class GridActorCriticTileRunner {
 
   /// `advantage_variances` by set of the course.
   GridActorCriticSums run(const Eigen::VectorXf& policy_parameters, const Eigen::VectorXf& critic_parameters,
-                          double entropy_weight, const std::vector<double>& advantage_variances,
+                          const GridActorCriticLesson& lesson, const std::vector<double>& advantage_variances,
                           GridActorCriticTile* tile);
 
  private:
@@ -53,6 +61,7 @@ class GridActorCriticTileRunner {
   struct Step {
     std::array<float, kGridMoveCount> probabilities{};
     int direction = 0;
+    int taught = kNoPath;  ///< what the network is to choose
     std::size_t set = 0;
     GridActor::Outcome outcome;
   };
@@ -61,14 +70,17 @@ class GridActorCriticTileRunner {
   void observe(int step, int actor, GridActor* walker);
   void walk(const Eigen::VectorXf& policy_parameters, int step, GridActorCriticTile* tile);
   void choose(const float* preferences, int actor, GridActor& walker, Step& done) const;
-  void act(const float* preferences, int step, int actor, GridActor* walker);
-  void judge(const float* values, int actor, double entropy_weight, const std::vector<double>& advantage_variances);
-  double fillPolicyGradient(const Step& done, int step, int actor, double advantage, double entropy_weight);
+  void act(const float* preferences, int step, int actor, GridActorCriticTile* tile);
+  void teach(GridActor* walker, std::vector<bool>::reference led_by_teacher, Step* done) const;
+  void judge(const float* values, int actor, const std::vector<double>& advantage_variances);
+  double fillPolicyGradient(const Step& done, int step, int actor, double advantage);
 
   const GridActorCriticParameters& parameters_;
   GridLanes lanes_;
   LaneNetwork policy_;
   LaneNetwork critic_;
+  GridRewards rewards_;
+  GridActorCriticLesson lesson_;
   std::vector<Step> steps_;
   GridActorCriticSums sums_;  ///< of the window
 };

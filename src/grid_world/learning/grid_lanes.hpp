@@ -22,9 +22,7 @@ class GridLanes {
 
   /// Shows a network in step `step` what agent number `index` sees.
   void show(int index, int step, LaneNetwork* network) const {
-    for (int view = 0; view < views_; ++view) {
-      encoder_.encode(view, network->inputs(step) + index * views_ + view, kCount);
-    }
+    encoder_.encodeViews(network->inputs(step) + index * views_, kCount);
   }
 
   /// The hidden state of agent number `index` starts anew in step `step`.

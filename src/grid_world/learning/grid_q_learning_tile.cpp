@@ -111,8 +111,8 @@ void QTileRunner::move(int step, int actor, double epsilon, GridActor* walker) {
   transition.estimate = parameters_.value_scale *
                         static_cast<double>(network_.outputs(step)[lanes_.outputAt(actor, transition.direction)]);
   const double thesis_reward = thesisReward(walker->memory(), parameters_.thesis_reward);
-  const GridActor::Outcome outcome =
-      walker->step(transition.direction, {parameters_.step_cost, parameters_.arrival_bonus}, parameters_.max_steps);
+  const GridActor::Outcome outcome = walker->step(
+      transition.direction, {1.0, parameters_.step_cost, parameters_.arrival_bonus}, parameters_.max_steps);
   const bool by_progress = parameters_.reward == GridQLearningParameters::Reward::kProgress;
   transition.reward = by_progress ? outcome.reward : thesis_reward;
   transition.arrived = outcome.arrived;

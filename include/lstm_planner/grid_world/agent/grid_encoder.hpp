@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "lstm_planner/base/common/progress_watch.hpp"
+#include "lstm_planner/grid_world/agent/boundary_inputs.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
 #include "lstm_planner/grid_world/agent/rolling_planner.hpp"
 #include "lstm_planner/grid_world/agent/visit_trace.hpp"
-#include "lstm_planner/grid_world/agent/walk_inputs.hpp"
 
 namespace lstm_planner {
 
@@ -22,8 +22,8 @@ class GridMemory {
   GridMemory() = default;
   /// An agent that also remembers walls, and where they leave a path.
   explicit GridMemory(RollingPlanner planner) : planner_(std::move(planner)) {}
-  /// An agent that also remembers its walk.
-  explicit GridMemory(std::unique_ptr<WalkMemory> walk) : walk_(std::move(walk)) {}
+  /// An agent that also remembers the boundary between it and the goal.
+  explicit GridMemory(std::unique_ptr<BoundaryMemory> boundary) : boundary_(std::move(boundary)) {}
 
   void start();
 
@@ -36,21 +36,21 @@ class GridMemory {
   const GridObservation& observation() const { return observation_; }
   const VisitTrace& trace() const { return trace_; }
   const RollingPlanner* planner() const { return planner_ ? &*planner_ : nullptr; }
-  const WalkMemory* walk() const { return walk_.get(); }
+  const BoundaryMemory* boundary() const { return boundary_.get(); }
   int previousDirection() const { return previous_direction_; }  ///< -1 before the first step
   double goalDistance() const { return goal_distance_; }         ///< octile, cells
   double bestDistance() const { return progress_.best(); }       ///< the least goalDistance() so far
   int stepsSinceBest() const { return progress_.steps(); }
   bool inNewPlace() const { return in_new_place_; }  ///< a large block of the trace that was not visited before
   std::size_t bytes() const {
-    return VisitTrace::bytes() + (planner_ ? planner_->bytes() : 0) + (walk_ ? WalkMemory::bytes() : 0);
+    return VisitTrace::bytes() + (planner_ ? planner_->bytes() : 0) + (boundary_ ? sizeof(*boundary_) : 0);
   }
 
  private:
   GridObservation observation_;
   VisitTrace trace_;
   std::optional<RollingPlanner> planner_;
-  std::unique_ptr<WalkMemory> walk_;
+  std::unique_ptr<BoundaryMemory> boundary_;
   int previous_direction_ = -1;
   double goal_distance_ = 0.0;
   ProgressWatch progress_{0.0};
@@ -61,14 +61,10 @@ class GridMemory {
 struct GridEncoderParameters {
   /// What the inputs tell the network.
   enum class Inputs {
-    kThesis,  ///< 8 ranges, distance, angle, previous action (thesis 3.2): 11 inputs
-    kTrace,   ///< and where the agent has been, around it and along the rays, on the scales of VisitTrace
-    kMap,     ///< kTrace, and where a RollingPlanner would go
-    kWalk,    ///< kTrace, and WalkInputs: how it gets back, and what it has left behind; nothing is searched
-    // One part of kWalk each, to see what it is worth:
-    kStart,     ///< kTrace, and how far the start is
-    kOpenings,  ///< kTrace, and the openings that were not visited
-    kHands,     ///< kTrace, and where a hand on the wall would lead
+    kThesis,    ///< 8 ranges, distance, angle, previous action (thesis 3.2): 11 inputs
+    kTrace,     ///< and where the agent has been, around it and along the rays, on the scales of VisitTrace
+    kMap,       ///< kTrace, and where a RollingPlanner would go
+    kBoundary,  ///< kTrace, and BoundaryInputs: what a bug algorithm remembers; nothing is searched
   };
   Inputs inputs = Inputs::kTrace;
 
@@ -78,7 +74,7 @@ struct GridEncoderParameters {
   int views = 8;
 };
 
-/// "thesis", "trace", "map", "walk", "start", "openings" or "hands"; throws std::invalid_argument for another name.
+/// "thesis", "trace", "map" or "boundary"; throws std::invalid_argument for another name.
 const char* nameOf(GridEncoderParameters::Inputs inputs);
 std::vector<std::string> gridInputNames();
 GridEncoderParameters::Inputs gridInputsNamed(const std::string& name);
@@ -108,6 +104,9 @@ class GridEncoder {
   /// Input i of a view goes to input[i * stride].
   void encode(int view, float* input, int stride) const;
 
+  /// Input i of each view goes to input[i * stride + view].
+  void encodeViews(float* input, int stride) const;
+
   static constexpr int kRayFeatures = 7;
   static constexpr int kThesisInputs = kGridRayCount + 3;
   static constexpr int kTraceScalars = 10;
@@ -115,6 +114,8 @@ class GridEncoder {
 
  private:
   void lookAlongRays(const GridMemory& memory);
+  template <typename Put>
+  void forEachInput(const Put& put) const;
 
   GridEncoderParameters parameters_;
   std::array<std::array<float, kGridRayCount>, kRayFeatures> rays_{};
@@ -126,7 +127,7 @@ class GridEncoder {
   std::array<float, 5> progress_{};
   int path_direction_ = kNoPath;  ///< of the planner
   float detour_ = 0.0f;
-  std::unique_ptr<WalkInputs> walk_;  ///< if any part of them is an input
+  std::unique_ptr<BoundaryInputs> boundary_;  ///< if they are inputs
 };
 
 }  // namespace lstm_planner

@@ -71,7 +71,7 @@ TEST(GridEncoder, RemembersWhereItCameFrom) {
 
 TEST(GridEncoder, InputsStayInTheirRangeWhateverIsObserved) {
   Random random(2);
-  GridMemory memory = makeGridMemory({Inputs::kWalk, 8});
+  GridMemory memory = makeGridMemory({Inputs::kBoundary, 8});
   for (int episode = 0; episode < 20; ++episode) {
     memory.start();
     CellIndex cell{static_cast<int>(uniformIndex(random, 8000)), static_cast<int>(uniformIndex(random, 8000))};
@@ -80,7 +80,7 @@ TEST(GridEncoder, InputsStayInTheirRangeWhateverIsObserved) {
       GridRanges ranges{};
       for (auto& range : ranges) range = static_cast<std::uint8_t>(1 + uniformIndex(random, kGridRayCap));
       memory.observe({cell, goal, ranges});
-      for (const Inputs inputs : {Inputs::kThesis, Inputs::kTrace, Inputs::kWalk}) {
+      for (const Inputs inputs : {Inputs::kThesis, Inputs::kTrace, Inputs::kBoundary}) {
         for (const float value : encoded(looking(memory, inputs, 8), step % 8)) {
           ASSERT_TRUE(value >= -1.0f && value <= 1.5f) << value;
         }
@@ -92,59 +92,59 @@ TEST(GridEncoder, InputsStayInTheirRangeWhateverIsObserved) {
   }
 }
 
-TEST(GridEncoder, OfTheWalkTellsWhatItsInputsHoldTurnedForEachView) {
-  GridMemory memory = makeGridMemory({Inputs::kWalk, 8});
+TEST(GridEncoder, OfTheBoundaryTellsWhatItsInputsHoldTurnedForEachView) {
+  GridMemory memory = makeGridMemory({Inputs::kBoundary, 8});
   memory.start();
-  const GridRanges open = {50, 50, 50, 50, 50, 50, 50, 50};
-  for (int column = 10; column < 50; ++column) {
-    memory.observe({{column, 10}, {90, 10}, open});
-    memory.step(0);
+  // An obstacle to the east, which it follows to the north.
+  const GridRanges walled = {1, 1, 50, 50, 50, 50, 50, 1};
+  for (int row = 10; row < 15; ++row) {
+    memory.observe({{10, row}, {90, 10}, walled});
+    memory.step(2);
   }
-  const GridEncoder encoder = looking(memory, Inputs::kWalk, 8);
-  ASSERT_EQ(encoder.size(), GridEncoder({Inputs::kTrace, 8}).size() + WalkInputs::size({true, true, true}));
-  const WalkInputs inputs(*memory.walk(), memory.observation(), 0);
-  const int first = GridEncoder::kRayFeatures * kGridRayCount;
-  EXPECT_GT(inputs.rays[WalkInputs::kNearer][4], 0.5f) << "back west the start is nearer";
+  const GridEncoder encoder = looking(memory, Inputs::kBoundary, 8);
+  ASSERT_EQ(encoder.size(), GridEncoder({Inputs::kTrace, 8}).size() + BoundaryInputs::kCount);
+  const BoundaryInputs inputs(*memory.boundary(), memory.observation());
+  const std::size_t first = GridEncoder::kRayFeatures * kGridRayCount;
+  EXPECT_EQ(inputs.rays[BoundaryInputs::kRightHand][2], 1.0f);
+  EXPECT_EQ(inputs.rays[BoundaryInputs::kOtherEnd][6], 1.0f);
   for (const int view : {0, 3}) {
     const std::vector<float> input = encoded(encoder, view);
-    for (int ray = 0; ray < kGridRayCount; ++ray) {
-      EXPECT_EQ(input[static_cast<std::size_t>(first + ray)],
-                inputs.rays[WalkInputs::kNearer][static_cast<std::size_t>((ray + view) & 7)]);
+    for (std::size_t feature = 0; feature < BoundaryInputs::kRayFeatures; ++feature) {
+      for (int ray = 0; ray < kGridRayCount; ++ray) {
+        EXPECT_EQ(input[first + feature * kGridRayCount + static_cast<std::size_t>(ray)],
+                  inputs.rays[feature][static_cast<std::size_t>((ray + view) & 7)]);
+      }
     }
-    EXPECT_EQ(input[input.size() - 7], inputs.scalars[0]);
+    EXPECT_TRUE(std::equal(inputs.scalars.begin(), inputs.scalars.end(), input.end() - BoundaryInputs::kScalars));
   }
 }
 
-TEST(GridEncoder, APartOfTheWalkHasTheValuesOfTheWholeInTheirOrder) {
-  GridMemory memory = makeGridMemory({Inputs::kWalk, 8});
+TEST(GridEncoder, AllViewsAtOnceSeeWhatEachSees) {
+  GridMemory memory = makeGridMemory({Inputs::kBoundary, 8});
   memory.start();
-  for (int column = 10; column < 50; ++column) {
-    memory.observe({{column, 10}, {90, 10}, {50, 50, 50, 9, 7, 8, 1, 1}});
-    memory.step(0);
+  for (int row = 10; row < 15; ++row) {
+    memory.observe({{10, row}, {90, 40}, {1, 1, 50, 9, 7, 8, 20, 1}});
+    memory.step(2);
   }
-  const std::vector<float> whole = encoded(looking(memory, Inputs::kWalk, 8), 3);
-  std::size_t of_parts = 0;
-  for (const auto& [inputs, size] : {std::pair<Inputs, std::size_t>{Inputs::kStart, 2 * kGridRayCount + 1},
-                                     {Inputs::kOpenings, kGridRayCount + 4 + 2},
-                                     {Inputs::kHands, 2 * kGridRayCount}}) {
-    const std::vector<float> part = encoded(looking(memory, inputs, 8), 3);
-    EXPECT_EQ(part.size(), encoded(looking(memory, Inputs::kTrace, 8), 3).size() + size);
-    auto next = whole.begin();
-    for (const float value : part) {
-      next = std::find(next, whole.end(), value);
-      ASSERT_NE(next, whole.end()) << nameOf(inputs);
-      ++next;
+  for (const Inputs inputs : {Inputs::kThesis, Inputs::kTrace, Inputs::kBoundary}) {
+    const GridEncoder encoder = looking(memory, inputs, 8);
+    constexpr int kStride = 11;
+    std::vector<float> all(static_cast<std::size_t>(encoder.size() * kStride));
+    encoder.encodeViews(all.data(), kStride);
+    for (int view = 0; view < 8; ++view) {
+      const std::vector<float> one = encoded(encoder, view);
+      for (std::size_t i = 0; i < one.size(); ++i) {
+        ASSERT_EQ(all[i * kStride + static_cast<std::size_t>(view)], one[i]) << nameOf(inputs) << ' ' << i;
+      }
     }
-    of_parts += size;
   }
-  EXPECT_EQ(of_parts, static_cast<std::size_t>(WalkInputs::size({true, true, true})));
 }
 
-TEST(GridEncoder, RefusesToTellOfAWalkThatIsNotRemembered) {
+TEST(GridEncoder, RefusesToTellOfABoundaryThatIsNotRemembered) {
   GridMemory memory;
   memory.start();
   memory.observe({{10, 10}, {10, 40}, {1, 2, 4, 8, 16, 32, 50, 50}});
-  EXPECT_THROW(looking(memory, Inputs::kWalk, 8), std::invalid_argument);
+  EXPECT_THROW(looking(memory, Inputs::kBoundary, 8), std::invalid_argument);
 }
 
 TEST(GridEncoder, TravelsInTheMetadata) {

@@ -1,12 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
+#include "grid_world/learning/boundary_teacher.hpp"
+#include "grid_world/learning/grid_actor.hpp"
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/learning/parameter_vector.hpp"
+#include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 #include "unit/base/learning/thread_ranks.hpp"
+#include "unit/grid_world/learning/grid_learning_fixtures.hpp"
 
 namespace lstm_planner::test_grid_actor_critic {
 namespace {
@@ -110,6 +115,90 @@ TEST(GridActorCritic, RefusesParametersOutOfRange) {
   parameters = smallTraining(1);
   parameters.discount = 1.5;
   EXPECT_THROW(validate(parameters), std::invalid_argument);
+}
+
+/// Share of the moves on another map in which the network would choose what following the boundary would.
+double agreementWithTeacher(const LayerStack& layers, const GridEncoderParameters& encoder) {
+  Model model;
+  model.layers = layers;
+  writeMetadata(encoder, &model.metadata);
+  NetworkGridAgent::Options options;
+  options.escape = false;
+  NetworkGridAgent agent(model, options);
+  const CourseGoal goal = goalOn(smallCave(3), {16, 16});
+  int moves = 0;
+  int agreed = 0;
+  for (int column = 0; column < 32; ++column) {
+    CellIndex cell{column, 4};
+    if (!std::isfinite(goal.distances.at(cell))) continue;
+    BoundaryMemory memory;
+    agent.start(cell, goal.goal);
+    for (int step = 0; step < 100 && cell != goal.goal; ++step) {
+      const GridObservation observation{cell, goal.goal, goal.map->ranges.at(cell)};
+      memory.observe(observation);
+      agent.observe(observation);
+      const int taught = taughtMove(memory, observation);
+      ++moves;
+      agreed += agent.decide() == taught ? 1 : 0;
+      cell = cellBeside(cell, taught);
+      agent.step(taught, true);
+    }
+  }
+  return static_cast<double>(agreed) / moves;
+}
+
+TEST(GridActorCritic, ANetworkThatIsTaughtComesToChooseWhatFollowingTheBoundaryWould) {
+  GridActorCriticParameters parameters = smallTraining(2);
+  parameters.encoder.inputs = GridEncoderParameters::Inputs::kBoundary;
+  parameters.agents = 64;
+  parameters.updates = 200;
+  parameters.learning_rate = 0.01;
+  const auto agreementAfterLessons = [&](int lessons) {
+    parameters.taught_updates = lessons;
+    const auto training = makeGridActorCritic(parameters, smallPolicy(parameters));
+    const GridCourse caves(smallCourse(), {{{smallCave(1), smallCave(2)}, 1.0}}, 1, 2);
+    training->startEpoch(0, caves);
+    for (int update = 0; update < parameters.updates; ++update) training->update();
+    return agreementWithTeacher(training->layers(), parameters.encoder);
+  };
+  const double taught = agreementAfterLessons(parameters.updates);
+  const double untaught = agreementAfterLessons(0);
+  EXPECT_LT(1.0 - taught, 0.5 * (1.0 - untaught)) << "rewards alone: " << untaught;
+  EXPECT_GT(taught, 0.8);
+}
+
+TEST(GridActorCritic, RefusesLessonsForANetworkThatDoesNotRememberTheBoundary) {
+  GridActorCriticParameters parameters = smallTraining(1);
+  parameters.taught_updates = 10;
+  try {
+    makeGridActorCritic(parameters, smallPolicy(parameters));
+    FAIL() << "was not refused";
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_STREQ(refusal.what(), "taught-updates is 10 with the inputs trace, expected 0 or the inputs boundary");
+  }
+}
+
+TEST(GridActor, WithTheDiscountAsWeightWhatProgressBringsDependsOnTheEndsOfAPathAlone) {
+  const GridCourse maps = course(1);
+  GridActor actor(maps, {}, 7);
+  Random random(5);
+  const GridRewards rewards{0.99, 0.0, 0.0};
+  const double first = static_cast<double>(actor.distance());
+  double sum = 0.0;
+  double weight = 1.0;
+  for (int step = 0; step < 200; ++step) {
+    actor.observe();
+    int direction = 0;
+    do {
+      direction = static_cast<int>(uniformIndex(random, kGridMoveCount));
+    } while (!actor.possible(direction));
+    const GridActor::Outcome outcome = actor.step(direction, rewards, 1000000);
+    sum += weight * outcome.reward;
+    weight *= rewards.distance_weight;
+    const double last = outcome.arrived ? 0.0 : static_cast<double>(actor.distance());
+    ASSERT_NEAR(sum, first - weight * last, 1e-6 * first) << step;
+    if (outcome.arrived) break;
+  }
 }
 
 TEST(GridActorCritic, LearnsToGoRoundWalls) {
