@@ -28,6 +28,9 @@ void finish(GridOptions* options) {
   options->agent.costs = moveCosts(options->straight_cost, options->diagonal_cost);
 }
 
+/// As many steps as of the robot (AgentParameters::draw_after).
+constexpr int kDrawAfter = 60;
+
 }  // namespace
 
 void addGridOptions(GridOptions* options, CommandLine* line) {
@@ -35,6 +38,7 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
   GridEpisodeRules& rules = options->evaluation.rules;
   GridAgentOptions& agent = options->agent;
   selection.count = 0;
+  agent.draw_after = kDrawAfter;
   line->addFiles(
           "scenarios", &options->folders,
           "folders: sets of the MovingAI benchmark (with Maps and Scenarios in them), their Scenarios folders, or "
@@ -55,6 +59,9 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
   line->addFlag("thesis-terrain", &selection.rule, PassableRule::kThesis, "only '.' is passable, not 'G' and 'S'");
   line->addFlag("no-shield", &agent.shield, false, "a network may choose moves into obstacles, which end the episode");
   line->addFlag("no-escape", &agent.escape, false, "no rescue if a network gets into difficulties");
+  line->add("draw-after", &agent.draw_after, {0, 1e9},
+            "with --no-escape: steps without progress after which a network's moves are drawn with the probabilities "
+            "that it gives, so that it leaves circles; 0 = never");
   line->add("patience", &agent.patience, kAnySteps, "steps without progress after which the rescue leads");
   line->addText(
       "heuristic", "octile", [&](const std::string& name) { agent.heuristic.kind = heuristicNamed(name); },

@@ -1,13 +1,19 @@
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
+
+#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/base/learning/policy_gradient.hpp"
 
 namespace lstm_planner {
 
 NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
     : shield_(options.shield),
+      draw_after_(options.draw_after),
       corner_cutting_(options.corner_cutting),
       encoder_(readGridEncoderParameters(model.metadata)),
       inputs_(encoder_.size(), encoder_.parameters().views),
@@ -43,6 +49,7 @@ void NetworkGridAgent::start(CellIndex start, CellIndex /*goal*/) {
 void NetworkGridAgent::observe(const GridObservation& observation) {
   if (memory_) {
     memory_->observe(observation);
+    known_steps_ = memory_->inNewPlace() || memory_->stepsSinceBest() == 0 ? 0 : known_steps_ + 1;
     const double detour = memory_->planner() != nullptr ? memory_->planner()->detour(observation) : 0.0;
     if (rescue_ && rescue_->isNeeded(observation, memory_->inNewPlace(), detour)) takeOver(observation);
   }
@@ -70,16 +77,34 @@ void NetworkGridAgent::judgeMoves() {
 
 int NetworkGridAgent::decide() {
   if (isRescued()) return rescue_->decide();
+  const bool draws = draw_after_ > 0 && !rescue_ && known_steps_ >= draw_after_;
+  return draws ? drawnMove() : preferredMove();
+}
+
+bool NetworkGridAgent::mayMove(int direction) const {
+  return !shield_ || movePossible(memory_->observation().ranges, direction, corner_cutting_);
+}
+
+int NetworkGridAgent::preferredMove() const {
   int best = kNoPath;
   float largest = -std::numeric_limits<float>::infinity();
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
-    if (shield_ && !movePossible(memory_->observation().ranges, direction, corner_cutting_)) continue;
-    if (preferences_[direction] > largest) {
+    if (mayMove(direction) && preferences_[direction] > largest) {
       largest = preferences_[direction];
       best = direction;
     }
   }
   return best;
+}
+
+int NetworkGridAgent::drawnMove() const {
+  // By the number of steps alone: the same walk every time, and the same move when asked twice.
+  Random random(static_cast<std::uint64_t>(memory_->stepsSinceBest()));
+  std::array<float, kGridMoveCount> chances{};
+  const float total = fillChances(
+      kGridMoveCount, [this](int direction) { return mayMove(direction); },
+      [this](int direction) { return preferences_[direction]; }, chances.data());
+  return total > 0.0f ? drawByChances(kGridMoveCount, total, &random, chances.data()) : kNoPath;
 }
 
 int NetworkGridAgent::searchedDirection() const {

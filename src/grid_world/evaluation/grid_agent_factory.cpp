@@ -71,6 +71,7 @@ GridAgentMaker networkMaker(const GridAgentOptions& options) {
   NetworkGridAgent::Options settings;
   settings.shield = options.shield;
   settings.escape = options.escape;
+  settings.draw_after = options.draw_after;
   settings.rescue.patience = options.patience;
   settings.corner_cutting = options.corner_cutting;
   const auto model = std::make_shared<const Model>(readModelFile(options.model));

@@ -20,6 +20,9 @@ class NetworkGridAgent : public GridAgent {
   struct Options {
     bool shield = true;  ///< off: the preferred move is tried even where it was sensed to be blocked
     bool escape = true;
+    /// Without escape: steps in which the agent has come no nearer to the goal than before, after which moves are drawn
+    /// with the probabilities that the network gives, so that it leaves circles. 0: never.
+    int draw_after = 0;
     GridRescueParameters rescue;
     CornerCutting corner_cutting = CornerCutting::kForbidden;
   };
@@ -39,9 +42,14 @@ class NetworkGridAgent : public GridAgent {
 
  private:
   void judgeMoves();
+  bool mayMove(int direction) const;
+  int preferredMove() const;
+  int drawnMove() const;
   void takeOver(const GridObservation& observation);
 
   bool shield_;
+  int draw_after_;
+  int known_steps_ = 0;  ///< since the agent came to a new place, or nearer to the goal than ever
   CornerCutting corner_cutting_;
   GridEncoder encoder_;
   std::optional<Network> network_;     ///< of the only view

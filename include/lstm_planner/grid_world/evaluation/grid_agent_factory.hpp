@@ -21,6 +21,7 @@ struct GridAgentOptions {
   bool diagonal_moves = true;                      ///< of A*; false: it has four moves
   bool shield = true;                              ///< of a network: moves into something sensed are not chosen
   bool escape = true;                              ///< of a network: boundary following when it gets nowhere
+  int draw_after = 0;                              ///< of a network without escape: see NetworkGridAgent::Options
   int patience = GridRescueParameters().patience;  ///< steps without progress before the rescue leads
 };
 

@@ -56,6 +56,20 @@ TEST(NetworkGridAgent, NeverRunsIntoWhatItSensedHoweverBadTheNetworkIs) {
   }
 }
 
+TEST(NetworkGridAgent, LeavesCirclesByDrawingItsMovesEachTimeTheSameOnes) {
+  const PassableGrid hall(12, 12, true);
+  NetworkGridAgent::Options options;
+  options.escape = false;
+  constexpr int kMostSteps = 2000;
+  NetworkGridAgent circling(randomModel(1, GridEncoderParameters::Inputs::kThesis), options);
+  ASSERT_EQ(stepsToArrive(circling, hall, {3, 3}, {9, 9}, kMostSteps), kMostSteps) << "no network that circles";
+  options.draw_after = 20;
+  NetworkGridAgent drawing(randomModel(1, GridEncoderParameters::Inputs::kThesis), options);
+  const int steps = stepsToArrive(drawing, hall, {3, 3}, {9, 9}, kMostSteps);
+  EXPECT_LT(steps, kMostSteps);
+  EXPECT_EQ(stepsToArrive(drawing, hall, {3, 3}, {9, 9}, kMostSteps), steps);
+}
+
 TEST(NetworkGridAgent, ArrivesByTheEscapeHoweverBadTheNetworkIs) {
   NetworkGridAgent::Options options;
   options.rescue.patience = 50;
