@@ -32,7 +32,7 @@ int nearestImpossible(const GridRanges& ranges, int direction, int turn, CornerC
 
 int directionNearestTo(CellIndex from, CellIndex to) {
   const double angle = std::atan2(to.row - from.row, to.column - from.column);
-  return turned(static_cast<int>(std::lround(angle / M_PI_4)), 0);
+  return turned(0, static_cast<int>(std::lround(angle / M_PI_4)));
 }
 
 }  // namespace
@@ -60,8 +60,6 @@ void BoundaryMemory::observe(const GridObservation& observation) {
     const bool leads = !trail_.lost() && !trail_.atEnd(end);
     to_ends_[static_cast<std::size_t>(end)] = leads ? trail_.directionTo(end, now_.cell) : kNoPath;
   }
-  other_farther_ =
-      hand_ ? octileDistance(ends_[indexOf(opposite(*hand_))].cell, now_.goal).length() - distance.length() : 0.0;
 }
 
 void BoundaryMemory::startHere() {
@@ -133,6 +131,12 @@ int BoundaryMemory::wallBeside() const {
 
 double BoundaryMemory::lengthToEnd(WallSide hand) const {
   return trail_.lost() ? 0.0 : trail_.lengthTo(static_cast<int>(indexOf(hand)), now_.cell);
+}
+
+double BoundaryMemory::otherEndFarther() const {
+  if (!hand_) return 0.0;
+  const CellIndex other = ends_[indexOf(opposite(*hand_))].cell;
+  return octileDistance(other, now_.goal).length() - octileDistance(now_.cell, now_.goal).length();
 }
 
 }  // namespace lstm_planner

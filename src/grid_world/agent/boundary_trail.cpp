@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "lstm_planner/grid_world/agent/nearer_cell.hpp"
+
 namespace lstm_planner {
 namespace {
 
@@ -99,11 +101,7 @@ void BoundaryTrail::shorten(int end, const GridObservation& observation) {
   const CellIndex cell = observation.cell;
   std::array<int, kGridRayCount> reach{};
   for (int direction = 0; direction < kGridRayCount; ++direction) {
-    // A diagonal ray passes between blocked cells where the agent may not.
-    const bool straight = direction % 2 == 0 || corner_cutting_ == CornerCutting::kAllowed;
-    const int free_steps = observation.ranges[static_cast<std::size_t>(direction)] - 1;
-    reach[static_cast<std::size_t>(direction)] =
-        straight ? free_steps : (movePossible(observation.ranges, direction, corner_cutting_) ? 1 : 0);
+    reach[static_cast<std::size_t>(direction)] = openSteps(observation, direction, corner_cutting_);
   }
   std::size_t& count = counts_[index(end)];
   for (std::size_t i = 0; i + 1 < count; ++i) {

@@ -82,18 +82,9 @@ GridEncoder::GridEncoder(const GridEncoderParameters& parameters) : parameters_(
 }
 
 int GridEncoder::size() const {
-  constexpr int kTraceInputs = kRayFeatures * kGridRayCount + kTraceScalars;
-  switch (parameters_.inputs) {
-    case GridEncoderParameters::Inputs::kThesis:
-      return kThesisInputs;
-    case GridEncoderParameters::Inputs::kTrace:
-      break;
-    case GridEncoderParameters::Inputs::kMap:
-      return kTraceInputs + kMapScalars;
-    case GridEncoderParameters::Inputs::kBoundary:
-      return kTraceInputs + BoundaryInputs::kCount;
-  }
-  return kTraceInputs;
+  if (parameters_.inputs == GridEncoderParameters::Inputs::kThesis) return kThesisInputs;
+  const int map_inputs = parameters_.inputs == GridEncoderParameters::Inputs::kMap ? kMapScalars : 0;
+  return kRayFeatures * kGridRayCount + kTraceScalars + map_inputs + (boundary_ ? BoundaryInputs::kCount : 0);
 }
 
 void GridEncoder::prepare(const GridMemory& memory) {

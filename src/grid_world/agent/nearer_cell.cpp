@@ -13,14 +13,6 @@ int rangeOf(const GridObservation& observation, int direction) {
   return observation.ranges[static_cast<std::size_t>(direction)];
 }
 
-/// How many steps an agent can go straight on.
-int openSteps(const GridObservation& observation, int direction, CornerCutting corner_cutting) {
-  const bool passes_corners = direction % 2 == 0 || corner_cutting == CornerCutting::kAllowed;
-  if (passes_corners) return rangeOf(observation, direction) - 1;
-  // A diagonal ray passes between blocked cells where the agent may not.
-  return movePossible(observation.ranges, direction, corner_cutting) ? 1 : 0;
-}
-
 }  // namespace
 
 int directionToNearerNeighbour(const GridObservation& observation, OctileDistance best, CornerCutting corner_cutting) {
@@ -48,6 +40,12 @@ int directionToNearerNeighbour(const GridObservation& observation, OctileDistanc
     }
   }
   return found;
+}
+
+int openSteps(const GridObservation& observation, int direction, CornerCutting corner_cutting) {
+  const bool passes_corners = direction % 2 == 0 || corner_cutting == CornerCutting::kAllowed;
+  if (passes_corners) return rangeOf(observation, direction) - 1;
+  return movePossible(observation.ranges, direction, corner_cutting) ? 1 : 0;
 }
 
 int stepsToNearestCell(const GridObservation& observation, int direction, CornerCutting corner_cutting) {

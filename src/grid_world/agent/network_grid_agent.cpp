@@ -42,6 +42,7 @@ void NetworkGridAgent::start(CellIndex start, CellIndex /*goal*/) {
   memory_->start();
   peak_bytes_ = memory_->bytes();
   if (rescue_) rescue_->start(start);
+  watch_.start();
   if (network_) network_->reset();
   if (views_) views_->reset();
 }
@@ -49,7 +50,7 @@ void NetworkGridAgent::start(CellIndex start, CellIndex /*goal*/) {
 void NetworkGridAgent::observe(const GridObservation& observation) {
   if (memory_) {
     memory_->observe(observation);
-    known_steps_ = memory_->inNewPlace() || memory_->stepsSinceBest() == 0 ? 0 : known_steps_ + 1;
+    if (!rescue_) watch_.observe(observation, memory_->inNewPlace());
     const double detour = memory_->planner() != nullptr ? memory_->planner()->detour(observation) : 0.0;
     if (rescue_ && rescue_->isNeeded(observation, memory_->inNewPlace(), detour)) takeOver(observation);
   }
@@ -77,7 +78,8 @@ void NetworkGridAgent::judgeMoves() {
 
 int NetworkGridAgent::decide() {
   if (isRescued()) return rescue_->decide();
-  const bool draws = draw_after_ > 0 && !rescue_ && known_steps_ >= draw_after_;
+  constexpr int kAnyDetour = std::numeric_limits<int>::max();
+  const bool draws = draw_after_ > 0 && !rescue_ && watch_.isExhausted(draw_after_, kAnyDetour);
   return draws ? drawnMove() : preferredMove();
 }
 

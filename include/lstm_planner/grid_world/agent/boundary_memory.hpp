@@ -51,7 +51,7 @@ class BoundaryMemory {
   double pathBack() const { return path_back_; }
 
   /// How much farther than the agent the other hand's end is from the goal.
-  double otherEndFarther() const { return other_farther_; }
+  double otherEndFarther() const;
 
  private:
   /// A place on the boundary, and the direction of the obstacle there.
@@ -77,7 +77,6 @@ class BoundaryMemory {
   bool has_returned_ = false;  ///< by the last step
   double leg_ = 0.0;
   double path_back_ = 0.0;
-  double other_farther_ = 0.0;
   std::array<int, 2> by_hand_{kNoPath, kNoPath};
   std::array<int, 2> to_ends_{kNoPath, kNoPath};
   std::array<End, 2> ends_{};

@@ -12,6 +12,9 @@ namespace lstm_planner {
 /// To the neighbour that is nearer to the goal than `best`; of several, where the path to the goal can be kept longest.
 int directionToNearerNeighbour(const GridObservation& observation, OctileDistance best, CornerCutting corner_cutting);
 
+/// How many steps an agent can go straight on: a diagonal ray passes between blocked cells where the agent may not.
+int openSteps(const GridObservation& observation, int direction, CornerCutting corner_cutting);
+
 /// How many steps ahead along a ray the cell lies that is nearest to the goal, as far as the agent can go straight.
 int stepsToNearestCell(const GridObservation& observation, int direction, CornerCutting corner_cutting);
 

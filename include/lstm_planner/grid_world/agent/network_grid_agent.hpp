@@ -7,6 +7,7 @@
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/base/network/network.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
+#include "lstm_planner/grid_world/agent/grid_progress_watch.hpp"
 #include "lstm_planner/grid_world/agent/grid_rescue.hpp"
 
 namespace lstm_planner {
@@ -20,8 +21,8 @@ class NetworkGridAgent : public GridAgent {
   struct Options {
     bool shield = true;  ///< off: the preferred move is tried even where it was sensed to be blocked
     bool escape = true;
-    /// Without escape: steps in which the agent has come no nearer to the goal than before, after which moves are drawn
-    /// with the probabilities that the network gives, so that it leaves circles. 0: never.
+    /// Without escape: steps in which the agent has come neither nearer to the goal nor to a new place, after which
+    /// moves are drawn with the probabilities that the network gives, so that it leaves circles. 0: never.
     int draw_after = 0;
     GridRescueParameters rescue;
     CornerCutting corner_cutting = CornerCutting::kForbidden;
@@ -49,13 +50,13 @@ class NetworkGridAgent : public GridAgent {
 
   bool shield_;
   int draw_after_;
-  int known_steps_ = 0;  ///< since the agent came to a new place, or nearer to the goal than ever
   CornerCutting corner_cutting_;
   GridEncoder encoder_;
   std::optional<Network> network_;     ///< of the only view
   std::optional<BatchNetwork> views_;  ///< or of several, which go through it side by side
   std::optional<GridMemory> memory_;   ///< until the rescue takes over
   std::optional<GridRescue> rescue_;
+  GridProgressWatch watch_;      ///< without rescue
   std::size_t peak_bytes_ = 0;   ///< of what is not needed at the same time
   BatchNetwork::Values inputs_;  ///< a column a view
   Eigen::VectorXf preferences_;
