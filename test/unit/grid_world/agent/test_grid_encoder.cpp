@@ -144,7 +144,12 @@ TEST(GridEncoder, RefusesToTellOfABoundaryThatIsNotRemembered) {
   GridMemory memory;
   memory.start();
   memory.observe({{10, 10}, {10, 40}, {1, 2, 4, 8, 16, 32, 50, 50}});
-  EXPECT_THROW(looking(memory, Inputs::kBoundary, 8), std::invalid_argument);
+  try {
+    looking(memory, Inputs::kBoundary, 8);
+    FAIL() << "was not refused";
+  } catch (const std::invalid_argument& refusal) {
+    EXPECT_STREQ(refusal.what(), "grid_inputs is boundary, expected a memory of the boundary");
+  }
 }
 
 TEST(GridEncoder, TravelsInTheMetadata) {
