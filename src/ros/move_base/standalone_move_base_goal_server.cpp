@@ -4,6 +4,7 @@
 #include <ros/ros.h>
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -11,6 +12,8 @@
 
 namespace lstm_planner {
 namespace {
+
+constexpr double kDrivesOn = 1.0;  // s after the last plan, without one to the new goal
 
 std::string withUnit(double value, const char* unit) {
   std::ostringstream text;
@@ -48,7 +51,7 @@ StandaloneMoveBase::GoalServer::~GoalServer() {
 }
 
 void StandaloneMoveBase::GoalServer::pursue(const move_base_msgs::MoveBaseGoalConstPtr& goal) {
-  if (!start(*goal)) return;
+  if (!start(*goal, State::kPlanning)) return;
   ros::Rate rate(parameters_.controller_frequency);
   while (ros::ok() && !finished_ && server_.isActive()) {
     if (!handlePreemption() || !step()) return;
@@ -58,7 +61,7 @@ void StandaloneMoveBase::GoalServer::pursue(const move_base_msgs::MoveBaseGoalCo
   if (server_.isActive()) server_.setAborted({}, "The node has been shut down.");
 }
 
-bool StandaloneMoveBase::GoalServer::start(const move_base_msgs::MoveBaseGoal& goal) {
+bool StandaloneMoveBase::GoalServer::start(const move_base_msgs::MoveBaseGoal& goal, State state) {
   geometry_msgs::PoseStamped target;
   try {
     target = goalInFrame(goal.target_pose, plugins_.globalFrame(), tf_);
@@ -66,11 +69,12 @@ bool StandaloneMoveBase::GoalServer::start(const move_base_msgs::MoveBaseGoal& g
     abort(std::string("The goal was refused: ") + exception.what() + ".");
     return false;
   }
-  state_ = State::kPlanning;
+  state_ = state;
+  plan_is_to_goal_ = false;
   last_valid_plan_.restart();
   last_valid_control_.restart();
   last_progress_.restart();
-  stopRobot();
+  if (state == State::kPlanning) stopRobot();
   planner_.start(target);
   current_goal_publisher_.publish(target);
   return true;
@@ -78,7 +82,7 @@ bool StandaloneMoveBase::GoalServer::start(const move_base_msgs::MoveBaseGoal& g
 
 bool StandaloneMoveBase::GoalServer::handlePreemption() {
   if (!server_.isPreemptRequested()) return true;
-  if (server_.isNewGoalAvailable()) return start(*server_.acceptNewGoal());
+  if (server_.isNewGoalAvailable()) return start(*server_.acceptNewGoal(), state_);
   planner_.stop();
   stopRobot();
   server_.setPreempted({}, "The goal was cancelled.");
@@ -102,13 +106,15 @@ bool StandaloneMoveBase::GoalServer::step() {
 }
 
 bool StandaloneMoveBase::GoalServer::takePlan() {
-  Plan plan;
-  if (!planner_.takePlan(plan)) return true;
-  if (!plugins_.setPlan(plan)) {
+  const std::optional<MadePlan> made = planner_.takePlan();
+  if (!made) return true;
+  if (!plugins_.setPlan(made->plan)) {
     abort("The controller refused the plan.");
     return false;
   }
-  last_valid_plan_.restart();
+  plan_is_to_goal_ = made->is_to_goal;
+  last_plan_.restart();
+  if (plan_is_to_goal_) last_valid_plan_.restart();
   state_ = State::kControlling;
   return true;
 }
@@ -125,7 +131,12 @@ bool StandaloneMoveBase::GoalServer::waitForPlan() {
 }
 
 bool StandaloneMoveBase::GoalServer::drive() {
-  if (plugins_.isGoalReached()) {
+  if (!plan_is_to_goal_ && !mayDriveOn()) {
+    stopRobot();
+    state_ = State::kPlanning;
+    return true;
+  }
+  if (plan_is_to_goal_ && plugins_.isGoalReached()) {
     succeed();
     return false;
   }
@@ -134,6 +145,11 @@ bool StandaloneMoveBase::GoalServer::drive() {
   last_valid_control_.restart();
   velocity_publisher_.publish(velocity);
   return true;
+}
+
+/// Along a plan to an earlier goal.
+bool StandaloneMoveBase::GoalServer::mayDriveOn() {
+  return planner_.failures() == 0 && !last_plan_.isLongerAgo(kDrivesOn);
 }
 
 bool StandaloneMoveBase::GoalServer::recoverController() {

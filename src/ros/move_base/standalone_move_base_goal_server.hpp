@@ -19,7 +19,8 @@
 namespace lstm_planner {
 
 /// Takes the goals and pursues one at a time: looks for a plan, drives along it, looks for a new one when the
-/// controller finds no velocity.
+/// controller finds no velocity. A goal that takes another one's place does not stop the robot: it drives on along the
+/// last plan until there is one to the new goal.
 class StandaloneMoveBase::GoalServer {
  public:
   explicit GoalServer(tf2_ros::Buffer& tf);
@@ -40,12 +41,13 @@ class StandaloneMoveBase::GoalServer {
 
   // In the action's thread. Those that return bool say whether the goal is still pursued.
   void pursue(const move_base_msgs::MoveBaseGoalConstPtr& goal);
-  bool start(const move_base_msgs::MoveBaseGoal& goal);
+  bool start(const move_base_msgs::MoveBaseGoal& goal, State state);
   bool handlePreemption();
   bool step();
   bool takePlan();
   bool waitForPlan();
   bool drive();
+  bool mayDriveOn();
   bool recoverController();
   bool isOscillating(const geometry_msgs::PoseStamped& robot);
 
@@ -63,7 +65,9 @@ class StandaloneMoveBase::GoalServer {
   PlannerThread planner_;
 
   State state_ = State::kPlanning;
-  Stopwatch last_valid_plan_;
+  bool plan_is_to_goal_ = false;  ///< the controller's plan
+  Stopwatch last_plan_;           ///< to this goal or to an earlier one
+  Stopwatch last_valid_plan_;     ///< to this goal
   Stopwatch last_valid_control_;
   Stopwatch last_progress_;
   geometry_msgs::PoseStamped progress_pose_;

@@ -31,7 +31,7 @@ void PlannerThread::start(const geometry_msgs::PoseStamped& goal) {
     const std::lock_guard<std::mutex> lock(mutex_);
     goal_ = goal;
     ++goal_number_;
-    have_plan_ = false;
+    if (made_) made_->is_to_goal = false;
     failures_ = 0;
     running_ = true;
     due_at_once_ = true;
@@ -51,17 +51,14 @@ void PlannerThread::request() {
 
 void PlannerThread::stop() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  ++goal_number_;
+  ++stops_;
   running_ = false;
-  have_plan_ = false;
+  made_.reset();
 }
 
-bool PlannerThread::takePlan(Plan& plan) {
+std::optional<MadePlan> PlannerThread::takePlan() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!have_plan_) return false;
-  have_plan_ = false;
-  plan = std::move(plan_);
-  return true;
+  return std::exchange(made_, std::nullopt);
 }
 
 int PlannerThread::failures() const {
@@ -97,19 +94,17 @@ void PlannerThread::run() {
   std::unique_lock<std::mutex> lock(mutex_);
   while (waitUntilDue(lock)) {
     const std::uint64_t goal_number = goal_number_;
+    const std::uint64_t stops = stops_;
     const geometry_msgs::PoseStamped goal = goal_;
     lock.unlock();
-    Plan plan;
-    const bool made = make_plan_(goal, plan);
+    MadePlan made;
+    const bool is_made = make_plan_(goal, made.plan);
     lock.lock();
-    if (goal_number != goal_number_) continue;
-    if (!made) {
-      ++failures_;
-      continue;
-    }
-    failures_ = 0;
-    plan_ = std::move(plan);
-    have_plan_ = true;
+    if (stops != stops_) continue;
+    made.is_to_goal = goal_number == goal_number_;
+    if (made.is_to_goal) failures_ = is_made ? 0 : failures_ + 1;
+    if (!is_made) continue;
+    made_ = std::move(made);
     if (frequency_ <= 0.0 && !due_at_once_) running_ = false;
   }
 }

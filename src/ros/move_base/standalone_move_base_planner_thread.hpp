@@ -7,11 +7,18 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "ros/move_base/standalone_move_base_plugins.hpp"
 
 namespace lstm_planner {
+
+/// A plan, and whether it leads to the present goal or to the one before.
+struct MadePlan {
+  Plan plan;
+  bool is_to_goal = false;
+};
 
 /// Makes plans to a goal in a thread of its own, at a rate or on request.
 class PlannerThread {
@@ -28,16 +35,18 @@ class PlannerThread {
   PlannerThread(const PlannerThread&) = delete;
   PlannerThread& operator=(const PlannerThread&) = delete;
 
-  /// Plans to this goal from now on; what is being made for an earlier goal is discarded.
+  /// Plans to this goal from now on. Until stop(), the newest plan to an earlier goal remains: where goals come faster
+  /// than plans, the robot would never have one.
   void start(const geometry_msgs::PoseStamped& goal);
 
   /// A plan to the same goal is needed at once.
   void request();
 
+  /// No more plans; those to the goals until now are discarded.
   void stop();
 
-  /// The newest plan, once; false when there is none since the last call.
-  bool takePlan(Plan& plan);
+  /// The newest plan, once; none when there is none since the last call.
+  std::optional<MadePlan> takePlan();
 
   /// Failures since the last plan, start() or request().
   int failures() const;
@@ -54,13 +63,13 @@ class PlannerThread {
   bool finished_ = false;
   bool running_ = false;
   bool due_at_once_ = false;
-  bool have_plan_ = false;
   int failures_ = 0;
   std::uint64_t goal_number_ = 0;
+  std::uint64_t stops_ = 0;
   ros::Time last_start_;
   geometry_msgs::PoseStamped goal_;
-  Plan plan_;
-  std::thread thread_;  // last: it uses all of the above
+  std::optional<MadePlan> made_;  ///< not taken yet
+  std::thread thread_;            // last: it uses all of the above
 };
 
 }  // namespace lstm_planner
