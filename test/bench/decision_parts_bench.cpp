@@ -49,7 +49,7 @@ class Parts {
     times->moving_returns.measure([&] { moving_.show(situation_.profile, situation_.pose, situation_.time); });
     times->memory.measure([&] { memory_.add(situation_); });
     memory_.clearChanges();
-    times->memory_and_route.measure([&] { guide_.update(situation_, goal_); });
+    times->memory_and_route.measure([&] { guide_.update(situation_, goal_, parameters_.goal_tolerance); });
     times->observe_and_network.measure([&] {
       const Observation observation =
           observe(situation_, goal_, 0.0, policy_.description().encoder.position_cell, &trace_);

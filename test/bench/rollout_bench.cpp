@@ -76,7 +76,8 @@ void keepRoute(benchmark::State& state, const std::string& world) {
   const Situation situation = situationOf(drive, drive.steps.front());
   RouteGuide guide(kAgent);
   guide.start();
-  for (auto _ : state) benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}, kAgent.goal_tolerance));
   state.counters["searches"] = static_cast<double>(guide.searches());
 }
 BENCHMARK_CAPTURE(keepRoute, office, "office");
@@ -95,7 +96,7 @@ void updateRoute(benchmark::State& state, const std::string& world) {
     guide.start();
     const long before = guide.searches();
     for (const Situation& situation : situations)
-      benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}));
+      benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}, kAgent.goal_tolerance));
     updates += static_cast<long>(situations.size());
     searches += guide.searches() - before;
   }

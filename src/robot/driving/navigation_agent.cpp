@@ -287,8 +287,7 @@ bool NavigationAgent::isBesideGoal(const Situation& situation) const {
   if (is_rescued || !parameters_.shield_enabled || !isOutOfPatience(kPatienceBesideGoal)) return false;
   const double distance = distanceBetween(situation.pose, goal_);
   const double direction = directionTo(situation.pose, goal_);
-  return distance <= toleranceAfter(driven_, parameters_) && isInView(situation, direction) &&
-         !isFreeUpTo(situation, direction, distance);
+  return distance <= reachedWithin() && isInView(situation, direction) && !isFreeUpTo(situation, direction, distance);
 }
 
 void NavigationAgent::stopBesideGoal(const Situation& situation) {
@@ -350,7 +349,7 @@ void NavigationAgent::decide(const Situation& situation) {
   if (decision_.on_route) {
     guide_->pointsAhead(distanceBetween(clock_.pose(), decision_.waypoint), &decision_.path_on);
   } else if (isOneStep(decision_) && guide_ && parameters_.memory.completes_plan) {
-    guide_->searchFrom(decision_.waypoint, goal_, &decision_.path_on);
+    guide_->searchFrom(decision_.waypoint, goal_, reachedWithin(), &decision_.path_on);
   }
 }
 
@@ -364,7 +363,8 @@ Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Sourc
   if (!decision_.on_route) return GoalSeems::kReachable;
   if (distanceBetween(guide_->end(), goal_) > guide_->memory().cellSize()) return GoalSeems::kInObstacle;
   const Point2 here{situation.pose.x, situation.pose.y};
-  return guide_->isGoalBehindObstacle(here, goal_) ? GoalSeems::kBehindObstacle : GoalSeems::kReachable;
+  return guide_->isGoalBehindObstacle(here, goal_, parameters_.goal_in_sight) ? GoalSeems::kBehindObstacle
+                                                                              : GoalSeems::kReachable;
 }
 
 /// Whether the path through what is remembered is asked for.
@@ -382,7 +382,7 @@ NavigationAgent::Source NavigationAgent::guide(const Situation& situation) {
     guide_->watch(situation, true);
     return Source::kRoute;
   }
-  const Source guidance = guide_->update(situation, goal_);
+  const Source guidance = guide_->update(situation, goal_, reachedWithin());
   if (guidance == Source::kRoute) decision_.destination = guide_->end();
   return guidance;
 }

@@ -51,7 +51,6 @@ RouteGuide::RouteGuide(const AgentParameters& parameters)
 void RouteGuide::start() {
   route_.clear();
   has_costs_ = false;
-  driven_ = 0.0;
   looking_ = false;
   closed_in_a_row_ = 0;
   noteProgress();
@@ -72,21 +71,16 @@ void RouteGuide::noteProgress() {
 void RouteGuide::forget() {
   memory_.forget();
   route_.clear();
-  has_pose_ = false;
   has_watched_ = false;
 }
 
-void RouteGuide::noteMotion(const Situation& situation) {
-  if (has_pose_) {
-    driven_ += distanceBetween(last_pose_, situation.pose);
-    turned_ += std::abs(normalizeAngle(situation.pose.yaw - last_pose_.yaw));
-  }
-  last_pose_ = situation.pose;
-  has_pose_ = true;
+void RouteGuide::noteTurn(const Situation& situation) {
+  turned_ += std::abs(normalizeAngle(situation.pose.yaw - last_yaw_));
+  last_yaw_ = situation.pose.yaw;
 }
 
 void RouteGuide::watch(const Situation& situation, bool decides) {
-  noteMotion(situation);
+  noteTurn(situation);
   const double times = decides ? kLongAgo : 1.0;
   const bool is_new_place = !has_watched_ || distanceBetween(watched_pose_, situation.pose) >= times * kNewPlace ||
                             std::abs(normalizeAngle(situation.pose.yaw - watched_pose_.yaw)) >= times * kNewView;
@@ -101,16 +95,17 @@ void RouteGuide::watch(const Situation& situation, bool decides) {
   has_costs_ = false;
 }
 
-void RouteGuide::searchFrom(const Point2& from, const Point2& goal, std::vector<Point2>* points) {
+void RouteGuide::searchFrom(const Point2& from, const Point2& goal, double tolerance, std::vector<Point2>* points) {
   ++searches_;
   has_costs_ = false;
   points->clear();
-  if (!finder_.find(memory_, from, goal, tolerance(), &found_)) return;
+  if (!finder_.find(memory_, from, goal, tolerance, &found_)) return;
   points->insert(points->end(), found_.points.begin() + 1, found_.points.end());
 }
 
-Decision::Source RouteGuide::update(const Situation& situation, const Point2& goal) {
-  noteMotion(situation);
+Decision::Source RouteGuide::update(const Situation& situation, const Point2& goal, double tolerance) {
+  tolerance_ = tolerance;
+  noteTurn(situation);
   has_watched_ = false;
   memory_.add(situation);
   const Point2 here{situation.pose.x, situation.pose.y};
@@ -138,16 +133,14 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
   return Source::kRoute;
 }
 
-double RouteGuide::tolerance() const { return toleranceAfter(driven_, parameters_); }
-
-bool RouteGuide::isGoalBehindObstacle(const Point2& here, const Point2& goal) const {
-  const double near = std::max(kNearGoalTolerances * tolerance(), parameters_.goal_in_sight);
-  return RouteFinder::isDetour(distanceBetween(here, goal), route().length, near);
+bool RouteGuide::isGoalBehindObstacle(const Point2& here, const Point2& goal, double near) const {
+  return RouteFinder::isDetour(distanceBetween(here, goal), route().length,
+                               std::max(kNearGoalTolerances * tolerance_, near));
 }
 
 bool RouteGuide::findRoute(const Point2& start, const Point2& goal, Route* route) {
   ++searches_;
-  const bool found = finder_.find(memory_, start, goal, tolerance(), route);
+  const bool found = finder_.find(memory_, start, goal, tolerance_, route);
   has_costs_ = found && finder_.endsAtGoal();
   bounds_.noteSearch(memory_, start, goal);
   return found;
@@ -180,7 +173,7 @@ bool RouteGuide::costsHold(const Point2& here, const Point2& goal) {
     route_.note(memory_, change);
   }
   return has_costs_ && goalIsAsBefore(goal) &&
-         !RouteFinder::isDetour(distanceBetween(here, goal), route_.route().length, tolerance());
+         !RouteFinder::isDetour(distanceBetween(here, goal), route_.route().length, tolerance_);
 }
 
 bool RouteGuide::isWorthKeeping(const Point2& here, const Point2& goal, double cost) const {
@@ -197,7 +190,7 @@ bool RouteGuide::takeFromLastSearch(const Point2& here, const Point2& goal) {
   found_.points.back() = end();
   found_.length = lengthOf(found_.points);
   return isHardlyCostlier(found_.cost, bounds_.throughFreed(memory_)) &&
-         !RouteFinder::isDetour(distanceBetween(here, goal), found_.length, tolerance());
+         !RouteFinder::isDetour(distanceBetween(here, goal), found_.length, tolerance_);
 }
 
 /// False when a search might end elsewhere.
@@ -205,7 +198,7 @@ bool RouteGuide::goalIsAsBefore(const Point2& goal) {
   const bool at_goal = distanceBetween(end(), goal) == 0.0;
   const Point2& searched_goal = bounds_.searchedGoal();
   const double moved = distanceBetween(goal, searched_goal);
-  const double reach = KeptRoute::reachOfChanges(parameters_) + (at_goal ? 0.0 : tolerance() + memory_.cellSize());
+  const double reach = KeptRoute::reachOfChanges(parameters_) + (at_goal ? 0.0 : tolerance_ + memory_.cellSize());
   const bool changed = moved > 0.0 || std::any_of(memory_.changes().begin(), memory_.changes().end(),
                                                   [&](const ObstacleMemory::Change& change) {
                                                     const double x = change.place.x - goal.x;

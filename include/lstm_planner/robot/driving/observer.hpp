@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "lstm_planner/robot/driving/drive_trace.hpp"
 #include "lstm_planner/robot/memory/route_guide.hpp"
 #include "lstm_planner/robot/perception/observation.hpp"
@@ -32,6 +34,8 @@ class Observer {
   RouteGuide guide_;
   Point2 goal_;  ///< where it lay when it was observed last
   DriveTrace trace_;
+  std::optional<Pose2> last_pose_;  ///< of the drive to this goal
+  double driven_ = 0.0;             ///< m since it was set, from step to step
 };
 
 }  // namespace lstm_planner

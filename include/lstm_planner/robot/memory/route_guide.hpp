@@ -32,20 +32,20 @@ class RouteGuide {
   /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
   void noteProgress();
 
-  /// Only remembers: what is seen from a new place (with MemoryParameters::completes_plan: from every place), and how
-  /// far the robot has driven. Searches nothing. `decides`: the robot waits for a decision. A place is new sooner
-  /// between two decisions, so that these hardly ever take the time.
+  /// Only remembers what is seen from a new place (with MemoryParameters::completes_plan: from every place). Searches
+  /// nothing. `decides`: the robot waits for a decision. A place is new sooner between two decisions, so that these
+  /// hardly ever take the time.
   void watch(const Situation& situation, bool decides);
 
   /// Searches a path through what is remembered from a place where the robot is not; does not become route(). `points`:
-  /// its corners behind `from`; empty when there is no path.
-  void searchFrom(const Point2& from, const Point2& goal, std::vector<Point2>* points);
+  /// its corners behind `from`; empty when there is no path. `tolerance`: as update()'s.
+  void searchFrom(const Point2& from, const Point2& goal, double tolerance, std::vector<Point2>* points);
 
   /// Takes in the situation and searches a new path where that may change it; one that is hardly better than the last
   /// one is not taken. kRoute: follow route(); kLookAround: turn on the spot, so that everything around is seen;
   /// kNoPath: no path leads to the goal from here; kEscape: the memory was wrong too often, the goal must be found by
-  /// other means.
-  Decision::Source update(const Situation& situation, const Point2& goal);
+  /// other means. `tolerance`: how near (m) to a goal in or behind an obstacle the route may end.
+  Decision::Source update(const Situation& situation, const Point2& goal, double tolerance);
 
   /// The start of the route turned out to be blocked although the memory does not know why.
   void blockAhead();
@@ -66,8 +66,9 @@ class RouteGuide {
   /// The corners of the route farther along than `distance` (m).
   void pointsAhead(double distance, std::vector<Point2>* points) const;
 
-  /// Whether the goal is near, but the route to it is long: odometry may have moved the goal behind a wall.
-  bool isGoalBehindObstacle(const Point2& here, const Point2& goal) const;
+  /// Whether the goal is near (at least `near` m count as that), but the route to it is long: odometry may have moved
+  /// the goal behind a wall.
+  bool isGoalBehindObstacle(const Point2& here, const Point2& goal, double near) const;
 
   /// Where the route ends, of which there must be one.
   const Point2& end() const { return route().points.back(); }
@@ -84,8 +85,7 @@ class RouteGuide {
   long searches() const { return searches_; }
 
  private:
-  double tolerance() const;
-  void noteMotion(const Situation& situation);
+  void noteTurn(const Situation& situation);
   bool findRoute(const Point2& start, const Point2& goal, Route* route);
   bool costsHold(const Point2& here, const Point2& goal);
   bool goalIsAsBefore(const Point2& goal);
@@ -105,11 +105,10 @@ class RouteGuide {
   bool has_costs_ = false;  ///< of a search: the finder's costToGo() holds, but for what has changed since
   Pose2 watched_pose_;      ///< where the last scan was taken in
   bool has_watched_ = false;
-  Pose2 last_pose_;
-  bool has_pose_ = false;
-  double driven_ = 0.0;     ///< m since the goal was set
+  double tolerance_ = 0.0;  ///< of the last update()
   bool looking_ = false;    ///< turning, after everything was forgotten
   double turned_ = 0.0;     ///< rad, while looking
+  double last_yaw_ = 0.0;   ///< rad
   bool squeezing_ = false;  ///< no path was found otherwise
   int closed_in_a_row_ = 0;
   int forgotten_ = 0;  ///< times since the last progress

@@ -237,6 +237,53 @@ TEST_F(NavigationRoutes, AGoalThatTheRobotStandsBesideSeemsToLieBehindAnObstacle
   EXPECT_EQ(agent.update(returnsAt(long_wall)).goal_seems, Decision::GoalSeems::kBehindObstacle);
 }
 
+/// A goal in a pillar, shown to a robot that has driven up and down for so many steps. `tolerance`: a changed
+/// goal_tolerance.
+struct BesideThePillar {
+  BesideThePillar(int steps, double tolerance) : agent(stubbornPolicy(), test::routeLed()) {
+    AgentParameters changed = agent.parameters();
+    changed.goal_tolerance = tolerance;
+    agent.change(changed);
+    const Point2 goal{8.0, 0.0};
+    std::vector<Point2> pillar;
+    for (const double radius : {0.3, 0.15}) {
+      for (const Point2& point : test::ring(radius)) pillar.push_back({goal.x + point.x, point.y});
+    }
+    agent.setGoal({0.0, 9.0});
+    agent.update(returnsAt({}));
+    agent.setGoal(goal);  // what was driven before does not count
+    for (int step = 0; step <= steps; ++step) {
+      const Pose2 pose{step % 2 == 0 ? 4.0 : 4.5, 0.0, 0.0};
+      Situation situation = step < steps ? returnsAt({}, pose) : returnsAt(pillar, pose);
+      situation.time = 0.5 * step;
+      agent.update(situation);
+    }
+    is_to_be_reached = agent.decision().source == Source::kRoute;
+    end = distanceBetween(agent.decision().destination, goal);
+  }
+
+  NavigationAgent agent;
+  bool is_to_be_reached;
+  double end;  ///< m from the goal to the end of the path
+};
+
+TEST_F(NavigationRoutes, TheToleranceThatIsNamedIsTheOneThatEndsTheDrive) {
+  const double tolerance = defaults_.goal_tolerance;
+  const BesideThePillar far(100, tolerance);
+  ASSERT_TRUE(far.is_to_be_reached);
+  ASSERT_GT(far.end, 0.3 + defaults_.shield.footprint_radius);
+  for (int steps = 0; steps < 40; ++steps) {
+    const BesideThePillar drive(steps, tolerance);
+    EXPECT_NEAR(drive.agent.reachedWithin(), tolerance + 0.5 * steps * defaults_.goal_drift, 1e-9);
+    EXPECT_EQ(drive.is_to_be_reached, far.end <= drive.agent.reachedWithin()) << steps;
+  }
+}
+
+TEST_F(NavigationRoutes, AToleranceThatIsChangedOnTheWayEndsTheDrive) {
+  EXPECT_FALSE(BesideThePillar(0, 0.4).is_to_be_reached);
+  EXPECT_TRUE(BesideThePillar(0, 0.8).is_to_be_reached);
+}
+
 TEST_F(NavigationRoutes, AskingTwiceChangesNothing) {
   const Decision first = agent_.update(returnsAt(kWall));
   const Network::HiddenState hidden = agent_.policy().hiddenState();

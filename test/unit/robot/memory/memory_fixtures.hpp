@@ -61,9 +61,10 @@ class GuideFixture : public ::testing::Test {
     guide_.moveGoal(goal_, goal);
     goal_ = goal;
   }
-  Decision::Source update(const Situation& situation) { return guide_.update(situation, goal_); }
+  Decision::Source update(const Situation& situation) { return guide_.update(situation, goal_, tolerance_); }
 
   RouteGuide guide_{AgentParameters()};
+  double tolerance_ = AgentParameters().goal_tolerance;  ///< m
 
  private:
   Point2 goal_;

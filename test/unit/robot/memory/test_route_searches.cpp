@@ -129,9 +129,9 @@ TEST_F(RouteSearches, OneIsMadeForABlockedPathFromBesideADoorPost) {
   }
   RouteGuide guide(kDefaults);
   guide.start();
-  ASSERT_EQ(guide.update(returnsAt(places, pose), goal), Source::kRoute);
+  ASSERT_EQ(guide.update(returnsAt(places, pose), goal, kDefaults.goal_tolerance), Source::kRoute);
   for (const Point2& point : test::wall({3.0, -1.0}, {3.0, 1.0})) places.push_back(point);
-  ASSERT_EQ(guide.update(returnsAt(places, pose), goal), Source::kRoute);
+  ASSERT_EQ(guide.update(returnsAt(places, pose), goal, kDefaults.goal_tolerance), Source::kRoute);
   const std::vector<Point2>& points = guide.route().points;
   for (std::size_t i = 2; i < points.size(); ++i) {
     EXPECT_TRUE(guide.isPassable(points[i - 1], points[i])) << "piece " << i;
@@ -179,8 +179,8 @@ TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
     }
     memory.add(situation);
     searching.start();  // knows no route: searches
-    const Source kept = keeping.update(situation, goal);
-    if (searching.update(situation, goal) != Source::kRoute) break;
+    const Source kept = keeping.update(situation, goal, kDefaults.goal_tolerance);
+    if (searching.update(situation, goal, kDefaults.goal_tolerance) != Source::kRoute) break;
     ASSERT_EQ(kept, Source::kRoute) << "step " << step;
     const double cost = test::costOf(keeping.route(), finder, &memory);
     const double least = test::costOf(searching.route(), finder, &memory);
