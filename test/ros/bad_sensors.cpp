@@ -180,6 +180,20 @@ TEST_F(BadSensorTest, UnstampedScansHaveTheTimeWhenTheyWereReceived) {
   EXPECT_TRUE(eventuallyBothGoOn());
 }
 
+TEST_F(BadSensorTest, AnOdometryThatNamesItsOwnFrameAsTheRobotsIsUsedAndSaid) {
+  robot_.alter_odometry = [](auto* odometry) { odometry->child_frame_id = odometry->header.frame_id; };
+  robot_.moveTo({5.0, 1.0, 0.5}, 30.0);
+  EXPECT_TRUE(
+      log_.eventuallyHas("the odometry on /odom contradicts itself: odom is its frame_id and its child_frame_id"));
+  EXPECT_TRUE(eventuallyBothGoOn());
+}
+
+TEST_F(BadSensorTest, AScanWhoseLastAngleDoesNotFitIsUsedAndSaid) {
+  robot_.alter_scan = [](auto* scan) { scan->angle_max += 1.0F; };
+  EXPECT_TRUE(eventuallyBothGoOn());
+  EXPECT_TRUE(log_.eventuallyHas("the scans on /scan contradict themselves: 271 beams from angle_min = -2.35"));
+}
+
 /// A transform between odometry and the plan's frame.
 geometry_msgs::TransformStamped localisation(const ros::Time& stamp) {
   geometry_msgs::TransformStamped transform;

@@ -94,7 +94,7 @@ std::string shownOnThePage(const std::string& format) {
 TEST(Troubleshooting, TellsOfEveryWarningAndError) {
   const std::string page = contentOf(inSource("launch/troubleshooting.md"));
   std::vector<std::string> messages =
-      found(messageSources(), "ROS_(?:WARN|ERROR|FATAL)(?:_THROTTLE)?\\(\\s*(?:[\\w.]+,\\s*)?\"([^\"]*)\"");
+      found(messageSources(), "ROS_(?:WARN|ERROR|FATAL)(?:_THROTTLE|_ONCE)?\\(\\s*(?:[\\w.]+,\\s*)?\"([^\"]*)\"");
   EXPECT_GT(messages.size(), 25u);
   const std::vector<std::string> aborts =
       found(messageSources(), "abort\\((?:\\w+ \\? )?(?:std::string\\()?\"([^\"]*)\"");

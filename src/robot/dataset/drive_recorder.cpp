@@ -211,7 +211,7 @@ void DriveRecorder::startStep(const ScanHeard& scan) {
   step.number = number_++;
   step.stamp = scan.stamp;
   step.pose = situation_->pose;
-  step.twist = history_.newest().twist;
+  step.twist = history_.twist();
   step.goal = goal_position_;
   step.observation = observer_.observe(*situation_, goal_position_, previous_action_);
   step.minimum_ranges = situation_->sectors.nearest;

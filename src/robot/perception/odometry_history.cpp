@@ -26,10 +26,12 @@ void OdometryHistory::restart() {
   if (entries_.empty()) return;
   ++jumps_;
   entries_.clear();
+  twist_.restart();
 }
 
 void OdometryHistory::add(const Entry& entry) {
   if (!entries_.empty() && !follows(entry)) restart();
+  twist_.note(entry.stamp, entry.pose, entry.twist);
   if (!entries_.empty() && entry.stamp == newest().stamp) {
     entries_.back() = entry;
     return;

@@ -135,4 +135,9 @@ std::string frameName(const std::string& frame_id) {
   return !frame_id.empty() && frame_id.front() == '/' ? frame_id.substr(1) : frame_id;
 }
 
+std::string robotFrameOf(const nav_msgs::Odometry& odometry) {
+  const std::string frame = frameName(odometry.child_frame_id);
+  return frame == frameName(odometry.header.frame_id) ? "" : frame;
+}
+
 }  // namespace lstm_planner

@@ -23,7 +23,9 @@ void describe(const SensorHealth& sensor, const std::string& timeout_parameter,
     return;
   }
   const std::string problem = ageProblem(sensor.age, sensor.timeout, timeout_parameter);
-  if (problem.empty()) {
+  if (problem.empty() && sensor.contradicts_itself) {
+    status->summary(DiagnosticStatus::WARN, "messages come in time; their twist contradicts their poses, which count");
+  } else if (problem.empty()) {
     status->summary(DiagnosticStatus::OK, "messages come in time");
   } else {
     status->summary(DiagnosticStatus::ERROR, "the newest message on " + sensor.topic + " is " + problem);

@@ -12,8 +12,9 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr int kScanQueue = 3;        // the newest counts, those before it tell the scanner's period
-constexpr int kOdometryQueue = 100;  // a tenth of a second of the fastest
+constexpr int kScanQueue = 3;         // the newest counts, those before it tell the scanner's period
+constexpr int kOdometryQueue = 100;   // a tenth of a second of the fastest
+constexpr double kAngleSlack = 0.02;  // rad
 
 }  // namespace
 
@@ -49,6 +50,7 @@ void SensorListener::hear(const ScanEvent& event, Scanner* scanner) {
   const ros::Time received = event.getReceiptTime();
   scanner->watch.hear(scanner->scan, parameters_.scan_rules, stampOr(scanner->message->header.stamp, received).toSec(),
                       received.toSec(), history_.empty() ? Pose2() : history_.newest().pose);
+  sayContradictions(*scanner->message, scanner->watch.topic());
 }
 
 void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event) {
@@ -65,10 +67,39 @@ void SensorListener::onOdometry(const ros::MessageEvent<nav_msgs::Odometry const
     history_.restart();
     odometry_frame_ = frameName(odometry->header.frame_id);
   }
-  mounts_.setBaseFrame(frameName(odometry->child_frame_id));
+  mounts_.setBaseFrame(robotFrameOf(*odometry));
   if (odometry_is_finite_) {
     history_.add(entry);
   }
+  sayContradictions(*odometry);
+}
+
+void SensorListener::sayContradictions(const sensor_msgs::LaserScan& scan, const std::string& topic) const {
+  const double last = scan.angle_min + (static_cast<double>(scan.ranges.size()) - 1.0) * scan.angle_increment;
+  if (!(std::abs(last - scan.angle_max) > std::max(kAngleSlack, 2.0 * std::abs(scan.angle_increment)))) return;
+  ROS_WARN_ONCE(
+      "the scans on %s contradict themselves: %zu beams from angle_min = %.4f rad, one every angle_increment = %.6f "
+      "rad, end at %.4f rad, but angle_max is %.4f rad. angle_max is not used; are the others right?",
+      topic.c_str(), scan.ranges.size(), static_cast<double>(scan.angle_min), static_cast<double>(scan.angle_increment),
+      last, static_cast<double>(scan.angle_max));
+}
+
+void SensorListener::sayContradictions(const nav_msgs::Odometry& odometry) const {
+  const std::string topic = odometry_subscriber_.getTopic();
+  if (!odometry.child_frame_id.empty() && robotFrameOf(odometry).empty()) {
+    ROS_WARN_ONCE(
+        "the odometry on %s contradicts itself: %s is its frame_id and its child_frame_id. The costmap's "
+        "robot_base_frame is taken for the robot's frame",
+        topic.c_str(), odometry_frame_.c_str());
+  }
+  const auto& contradiction = history_.twistWatch().contradiction();
+  if (!contradiction) return;
+  const auto& [said, shown] = *contradiction;
+  ROS_WARN_ONCE(
+      "the odometry on %s contradicts itself: its twist says %.3f m/s and %.3f rad/s, its poses move by %.3f m/s and "
+      "%.3f rad/s. From now on the speed is taken from the poses. See nav_msgs/Odometry and REP 103: the twist is the "
+      "robot's, in child_frame_id (x ahead), in m/s and rad/s",
+      topic.c_str(), said.linear, said.angular, shown.linear, shown.angular);
 }
 
 SensorReading SensorListener::read(const ros::Time& now) {
@@ -87,7 +118,7 @@ SensorReading SensorListener::read(const ros::Time& now) {
   }
   reading.odometry_frame = odometry_frame_;
   reading.newest_pose = history_.newest().pose;
-  reading.twist = history_.newest().twist;
+  reading.twist = history_.twist();
   reading.jumps = history_.jumps();
   return reading;
 }
@@ -105,14 +136,15 @@ SensorHealth SensorListener::healthOf(const Scanner& scanner, const ros::Time& n
   messages_.handOut();
   const std::lock_guard<std::mutex> lock(mutex_);
   const ScannerWatch& watch = scanner.watch;
-  return {watch.topic(), now.toSec() - watch.stamp(), watch.period(), watch.timeout(), watch.isHeard()};
+  return {watch.topic(), now.toSec() - watch.stamp(), watch.period(), watch.timeout(), watch.isHeard(), false};
 }
 
 SensorHealth SensorListener::odometryHealth(const ros::Time& now) {
   messages_.handOut();
   const std::lock_guard<std::mutex> lock(mutex_);
-  return {odometry_subscriber_.getTopic(), secondsBetween(odometry_stamp_, now), odometry_period_.period(),
-          odometryTimeout(), !odometry_stamp_.isZero()};
+  return {odometry_subscriber_.getTopic(), secondsBetween(odometry_stamp_, now),
+          odometry_period_.period(),       odometryTimeout(),
+          !odometry_stamp_.isZero(),       history_.twistWatch().contradiction().has_value()};
 }
 
 double SensorListener::odometryTimeout() const {

@@ -36,7 +36,7 @@ struct SensorReading {
   double scan_period = 0.0;           ///< s, the longer one, as measured; 0 as long as it is not known
   std::string odometry_frame;
   Pose2 newest_pose;  ///< base in the odometry frame, newest
-  Twist2 twist;       ///< newest, base frame
+  Twist2 twist;       ///< newest, base frame; by the poses where the messages' twist contradicts them
   long jumps = 0;     ///< how often the odometry has jumped so far
 };
 
@@ -46,7 +46,8 @@ struct SensorHealth {
   double age = 0.0;     ///< s, of the newest message; negative: stamped in the future
   double period = 0.0;  ///< s, as measured; 0 as long as it is not known
   double timeout = 0.0;
-  bool is_heard = false;  ///< something has come
+  bool is_heard = false;            ///< something has come
+  bool contradicts_itself = false;  ///< an odometry whose twist is not believed
 };
 
 /// Keeps the newest scan of one scanner or two, and the odometry around it. Never waits for any. Thread safe.
@@ -81,6 +82,8 @@ class SensorListener {
   void hear(const ScanEvent& event, Scanner* scanner);
   void onOdometry(const ros::MessageEvent<nav_msgs::Odometry const>& event);
   void checkOdometry(const ros::Time& now) const;
+  void sayContradictions(const sensor_msgs::LaserScan& scan, const std::string& topic) const;
+  void sayContradictions(const nav_msgs::Odometry& odometry) const;
   void sayTimeoutsOnce();
   double odometryTimeout() const;
   ScannerWatch watchFor(const std::string& topic) const;

@@ -153,7 +153,8 @@ class Survey : public BagListener {
     note(received);
     ++result.odometry;
     result.odometry_frame = frameName(odometry.header.frame_id);
-    if (!odometry.child_frame_id.empty()) base_frame_ = frameName(odometry.child_frame_id);
+    const std::string robot_frame = robotFrameOf(odometry);
+    if (!robot_frame.empty()) base_frame_ = robot_frame;
     const ros::Time stamp = odometry.header.stamp.isZero() ? received : odometry.header.stamp;
     const OdometryHeard heard{stamp.toSec(), fromMessage(odometry.pose.pose), {}};
     if (isFinite(heard.pose)) put(heard);

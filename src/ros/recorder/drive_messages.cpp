@@ -57,7 +57,7 @@ void DriveMessages::hear(const nav_msgs::Odometry& odometry, const ros::Time& re
   if (!isUsable(heard)) return;
   odometry_heard_ = true;
   odometry_frame_ = frameName(odometry.header.frame_id);
-  mounts_.setBaseFrame(frameName(odometry.child_frame_id));
+  mounts_.setBaseFrame(robotFrameOf(odometry));
   add(heard);
 }
 

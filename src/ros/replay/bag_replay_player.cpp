@@ -60,7 +60,7 @@ void BagReplayPlayer::readClock() {
     } else if (const auto odometry = messageOf<nav_msgs::Odometry>(message)) {
       header = odometry->header;
       if (odometry_frame_.empty()) odometry_frame_ = frameName(header.frame_id);
-      if (base_frame_.empty()) base_frame_ = frameName(odometry->child_frame_id);
+      if (base_frame_.empty()) base_frame_ = robotFrameOf(*odometry);
     }
     if (!header.stamp.isZero()) {
       clock_difference_ = std::min(clock_difference_, message.getTime() - header.stamp);

@@ -3,17 +3,19 @@
 #include <deque>
 
 #include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/robot/perception/twist_watch.hpp"
 
 namespace lstm_planner {
 
-/// The odometry of the last second: gives the pose at the moment a scan was taken, and notices jumps.
+/// The odometry of the last second: gives the pose at the moment a scan was taken, notices jumps, and says how fast the
+/// robot is.
 class OdometryHistory {
  public:
   /// One measurement.
   struct Entry {
     double stamp = 0.0;  ///< s
     Pose2 pose;          ///< base in the odometry frame
-    Twist2 twist;
+    Twist2 twist;        ///< as the message says it, base frame
   };
 
   /// `max_speed`: m/s; what moves faster has jumped.
@@ -32,6 +34,10 @@ class OdometryHistory {
   /// last two. The nearest known pose for anything farther away. Requires !empty().
   Pose2 poseAt(double stamp) const;
 
+  /// The robot's speed, which is not always what the newest entry says.
+  Twist2 twist() const { return twist_.twist(); }
+  const TwistWatch& twistWatch() const { return twist_; }
+
   /// Number of jumps so far.
   long jumps() const { return jumps_; }
 
@@ -40,6 +46,7 @@ class OdometryHistory {
 
   double max_speed_;
   std::deque<Entry> entries_;
+  TwistWatch twist_;
   long jumps_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Transform.h>
 #include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Odometry.h>
 #include <sensor_msgs/LaserScan.h>
 #include <std_msgs/Header.h>
 
@@ -56,5 +57,8 @@ ros::Time stampOr(const ros::Time& stamp, const ros::Time& received);
 
 /// Frame without the leading slash that old drivers put there and tf2 refuses.
 std::string frameName(const std::string& frame_id);
+
+/// The robot's frame, as odometry names it: child_frame_id. Empty where that is empty or the odometry's own frame.
+std::string robotFrameOf(const nav_msgs::Odometry& odometry);
 
 }  // namespace lstm_planner
