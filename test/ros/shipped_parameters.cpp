@@ -87,6 +87,20 @@ TEST(ShippedParameters, NumbersOutOfTheirRangeAreRefusedByName) {
       "DriverRanges", [](auto& p, const auto& visit) { visitTeleoperatorParameters(p, visit); }, loadDriver);
 }
 
+TEST(ShippedParameters, AHalfWidthOfATenthOfAMetreIsTakenByAllThree) {
+  const ros::NodeHandle node("~/Tenth");
+  node.setParam("footprint_radius", 0.1);
+  node.setParam("shield/footprint_radius", 0.1);
+  EXPECT_DOUBLE_EQ(loadGlobalPlannerParameters(node).agent.memory.resolution, 0.029);
+  EXPECT_DOUBLE_EQ(loadSteeringControllerParameters(node).footprint_radius, 0.1);
+  EXPECT_DOUBLE_EQ(loadRecorderNodeParameters(node).recorder.agent.memory.resolution, 0.029);
+  const std::string square = "[[0.1, 0.1], [0.1, -0.1], [-0.1, -0.1], [-0.1, 0.1]]";
+  node.setParam("footprint", square);
+  node.setParam("shield/footprint", square);
+  EXPECT_DOUBLE_EQ(loadGlobalPlannerParameters(node).agent.memory.resolution, 0.029);
+  EXPECT_EQ(loadSteeringControllerParameters(node).footprint, square);
+}
+
 TEST(ShippedParameters, AMisspeltOneIsWarnedOfWithTheNearestName) {
   const ros::NodeHandle node("~/Misspelt");
   node.setParam("step/lenght", 0.5);

@@ -50,6 +50,8 @@ RecorderParameters recorderParametersFromJson(const nlohmann::json& json) {
   visitRecorderParameters(parameters, [&](const std::string& name, auto& value, Range, const char*, const char*) {
     if (json.contains(storedName(name))) json.at(storedName(name)).get_to(value);
   });
+  // The smallest robots have less comfort than the default, which is not stored.
+  parameters.agent = fittedToFootprint(parameters.agent);
   return parameters;
 }
 

@@ -20,6 +20,17 @@ constexpr double kCoarsest = 0.29;
 
 constexpr double kSameRadius = 1e-6;  // m
 
+constexpr double kMillimetres = 1000.0;  // a metre
+constexpr double kOfAMillimetre = 1e-6;  // a length that is so much shorter or longer counts as whole millimetres
+
+/// m, of a memory that suits this footprint.
+double coarsestResolution(const ShieldParameters& shield) { return kCoarsest * shield.footprint_radius; }
+
+/// m from the middle of the robot within which obstacles may matter to its paths.
+double farthestRadius(double resolution) { return kMostNearSquares * resolution; }
+
+double widestMemory(double resolution) { return kMostSquaresASide * resolution; }
+
 /// m from the middle of the robot within which obstacles matter to its paths.
 double widestRadius(const AgentParameters& parameters) {
   const ShieldParameters& shield = parameters.shield;
@@ -43,19 +54,23 @@ Footprint footprintOf(const ShieldParameters& shield) {
 }
 
 AgentParameters fittedToFootprint(AgentParameters parameters) {
-  constexpr double kMillimetres = 1000.0;
   ShieldParameters& shield = parameters.shield;
   if (!shield.footprint.empty()) shield.footprint_radius = footprintOf(shield).passingRadius();
-  MemoryParameters& memory = parameters.memory;
-  const double around = widestRadius(parameters);
-  const double finest = std::ceil(kMillimetres * around / kMostNearSquares) / kMillimetres;
-  const double coarsest = std::floor(kMillimetres * kCoarsest * shield.footprint_radius) / kMillimetres;
-  if (finest > coarsest || !(memory.resolution > 0.0)) return parameters;
-  if (memory.resolution < finest || memory.resolution > kCoarsest * shield.footprint_radius) {
-    memory.resolution = std::clamp(memory.resolution, finest, coarsest);
+  AgentParameters fitted = parameters;
+  MemoryParameters& memory = fitted.memory;
+  const double coarsest = coarsestResolution(shield);
+  if (memory.comfort <= MemoryParameters().comfort) {  // nobody wanted more
+    memory.comfort = std::min(memory.comfort, farthestRadius(coarsest) - shield.footprint_radius);
   }
-  memory.width = std::min(memory.width, kMostSquaresASide * memory.resolution);
-  return parameters;
+  const double finest = widestRadius(fitted) / kMostNearSquares;
+  if (!isAtMost(finest, coarsest) || !(memory.resolution > 0.0)) return parameters;
+  if (!isAtMost(finest, memory.resolution) || !isAtMost(memory.resolution, coarsest)) {
+    const double least = std::ceil(kMillimetres * finest - kOfAMillimetre) / kMillimetres;
+    const double most = std::floor(kMillimetres * coarsest + kOfAMillimetre) / kMillimetres;
+    memory.resolution = least <= most ? std::clamp(memory.resolution, least, most) : coarsest;
+  }
+  memory.width = std::min(memory.width, widestMemory(memory.resolution));
+  return fitted;
 }
 
 void validate(const AgentParameters& parameters) {
@@ -79,23 +94,23 @@ void validate(const AgentParameters& parameters) {
                  "shield/footprint_radius", shield.footprint_radius,
                  "as far as shield/footprint reaches to the side = " + std::to_string(footprint.passingRadius()));
   const double needed_reach = parameters.step.length + footprint.circumscribedRadius() + shield.clearance;
-  checkParameter(shield.reach >= needed_reach, "shield/reach", shield.reach,
+  checkParameter(isAtMost(needed_reach, shield.reach), "shield/reach", shield.reach,
                  "at least step, footprint radius and clearance together = " + std::to_string(needed_reach));
 
   const MemoryParameters& memory = parameters.memory;
-  const double coarsest = kCoarsest * shield.footprint_radius;
-  checkParameter(memory.resolution <= coarsest, "memory/resolution", memory.resolution,
+  const double coarsest = coarsestResolution(shield);
+  checkParameter(isAtMost(memory.resolution, coarsest), "memory/resolution", memory.resolution,
                  "at most 0.29 shield/footprint_radius = " + std::to_string(coarsest));
-  const double widest = kMostSquaresASide * memory.resolution;
-  checkParameter(memory.width <= widest, "memory/width", memory.width,
+  const double widest = widestMemory(memory.resolution);
+  checkParameter(isAtMost(memory.width, widest), "memory/width", memory.width,
                  "at most 2000 memory/resolution = " + std::to_string(widest));
-  const double farthest = kMostNearSquares * memory.resolution;
-  checkParameter(shield.footprint_radius + memory.comfort <= farthest, "memory/comfort", memory.comfort,
+  const double farthest = farthestRadius(memory.resolution);
+  checkParameter(isAtMost(shield.footprint_radius + memory.comfort, farthest), "memory/comfort", memory.comfort,
                  "with shield/footprint_radius at most 16 memory/resolution = " + std::to_string(farthest));
-  checkParameter(shield.footprint_radius + shield.clearance <= farthest, "shield/clearance", shield.clearance,
+  checkParameter(isAtMost(shield.footprint_radius + shield.clearance, farthest), "shield/clearance", shield.clearance,
                  "with shield/footprint_radius at most 16 memory/resolution = " + std::to_string(farthest));
   checkParameter(
-      widestRadius(parameters) <= farthest, "shield/tight_clearance", shield.tight_clearance,
+      isAtMost(widestRadius(parameters), farthest), "shield/tight_clearance", shield.tight_clearance,
       "with the farthest corner of shield/footprint at most 16 memory/resolution = " + std::to_string(farthest));
 
   checkParameter(parameters.step.reached < parameters.goal_tolerance, "step/reached", parameters.step.reached,

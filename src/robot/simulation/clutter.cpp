@@ -99,9 +99,9 @@ bool isOpen(const Plan& plan, const OccupancyGrid& grid) {
 void validate(const ClutterParameters& parameters) {
   checkRange("passage", parameters.passage, 0.05, 0.5);
   checkRange("width", parameters.width, 2.0, 50.0);
-  checkRange("bay", parameters.bay, 2.0 * parameters.passage + 0.5, 50.0);
+  checkRangeFrom(2.0 * parameters.passage + 0.5, "bay", parameters.bay, 50.0);
   checkRange("depth", parameters.depth, 1.0, 50.0);
-  checkRange("beyond", parameters.beyond, 2.0 * parameters.passage + 0.5, 50.0);
+  checkRangeFrom(2.0 * parameters.passage + 0.5, "beyond", parameters.beyond, 50.0);
   checkRange("around", parameters.around, 0.0, 50.0);
   checkRange("fill", parameters.fill, 0.0, 0.5);
   checkParameter(parameters.grain >= 0 && parameters.grain <= 10, "grain", parameters.grain, "0 to 10 blocks");

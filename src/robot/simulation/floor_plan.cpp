@@ -12,7 +12,7 @@ void validate(const FloorPlanParameters& parameters) {
   const auto atLeast = [](const char* name, double value, double least) {
     std::ostringstream expected;
     expected << "at least " << least;
-    checkParameter(value >= least, name, value, expected.str());
+    checkParameter(isAtMost(least, value), name, value, expected.str());
   };
   atLeast("wall_thickness", parameters.wall_thickness, parameters.resolution);
   atLeast("smallest_room", parameters.smallest_room, parameters.door_width + 0.6);

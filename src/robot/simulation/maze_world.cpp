@@ -73,7 +73,7 @@ void validate(const RoomsWorldParameters& parameters) {
   checkRange("rows", parameters.rows, 1, 100);
   checkRange("resolution", parameters.resolution, 0.01, 0.2);
   checkRange("door_width", parameters.door_width, 0.6, 5.0);
-  checkRange("room_size", parameters.room_size, parameters.door_width + 2.0 * parameters.resolution, 50.0);
+  checkRangeFrom(parameters.door_width + 2.0 * parameters.resolution, "room_size", parameters.room_size, 50.0);
   checkRange("extra_doors", parameters.extra_doors, 0.0, 1.0);
 }
 

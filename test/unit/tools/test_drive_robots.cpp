@@ -89,6 +89,20 @@ TEST_F(DriveRobots, WorldsThatARobotDoesNotFitIntoAreLeftOutAndCounted) {
   EXPECT_NE(none.output.find("the map has no"), std::string::npos) << none.output;
 }
 
+TEST_F(DriveRobots, ARobotOfAnySizeIsTaken) {
+  for (const std::string& half : {"0.02", "0.033", "0.1", "0.2", "0.293", "0.5", "1.0"}) {
+    const std::string corners = "[[" + half + ", " + half + "], [" + half + ", -" + half + "], [-" + half + ", -" +
+                                half + "], [-" + half + ", " + half + "]]";
+    for (const std::string& robot : {"LstmGlobalPlanner: {shield: {footprint_radius: " + half +
+                                         "}}\nSteeringController: {footprint_radius: " + half + "}\n",
+                                     "LstmGlobalPlanner: {shield: {footprint: " + corners +
+                                         "}}\nSteeringController: {footprint: " + corners + "}\n"}) {
+      const test::Outcome outcome = drive("--worlds open --goals 1 --time-limit 0.1 --robot " + fileWith(robot));
+      EXPECT_EQ(outcome.status, 0) << robot << outcome.output;
+    }
+  }
+}
+
 TEST_F(DriveRobots, AJackalThatGoesBackInAMazeTouchesNothing) {
   // It backed off the way that it had come, into a wall that it did not see: 86 contacts in this maze.
   const test::Outcome outcome =

@@ -18,12 +18,25 @@ inline void checkParameter(bool fine, const std::string& name, double value, con
   throw std::invalid_argument(message.str());
 }
 
+/// Whether value <= limit. A limit that is computed from other parameters may be wrong in its last digits, so a value
+/// that exceeds it by no more than that keeps it.
+inline bool isAtMost(double value, double limit) {
+  constexpr double kRounding = 1e-9;  // of the limit
+  return value <= limit + kRounding * std::abs(limit);
+}
+
 /// Throws std::invalid_argument naming the range unless least <= value <= most.
 inline void checkRange(const std::string& name, double value, double least, double most) {
   if (value >= least && value <= most) return;
   std::ostringstream expected;
   expected << "a number in [" << least << ", " << most << "]";
   checkParameter(false, name, value, expected.str());
+}
+
+/// The same for a least value that is computed from other parameters.
+inline void checkRangeFrom(double least, const std::string& name, double value, double most) {
+  if (value < least && isAtMost(least, value)) return;
+  checkRange(name, value, least, most);
 }
 
 inline void checkPositive(const std::string& name, double value) {

@@ -149,7 +149,7 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
       "memory/completes_plan", memory.completes_plan, {}, "",
       "while the network leads, the plan goes on behind its waypoint along the path through the remembered obstacles; "
       "for local planners that look farther ahead than to the waypoint; takes a search a step");
-  visit("memory/resolution", memory.resolution, {0.01, 1.0}, "m",
+  visit("memory/resolution", memory.resolution, {0.005, 1.0}, "m",
         "side of a square of the memory; at most 0.29 footprint radii, or paths would lead through walls");
   visit("memory/width", memory.width, {4.0, 1000.0}, "m",
         "side of the square around the robot in which obstacles are remembered; larger finds longer paths, and takes "
@@ -198,8 +198,8 @@ inline double toleranceAfter(double driven, const AgentParameters& parameters) {
   return parameters.goal_tolerance + parameters.goal_drift * driven;
 }
 
-/// The same parameters with memory/resolution and memory/width adapted to the footprint, for robots of other sizes than
-/// that of the defaults. If no values fit, they stay as they are. For a polygon the radius is the one that it needs to
+/// The same parameters with memory/resolution, memory/width and, for the smallest robots, memory/comfort adapted to the
+/// footprint, for robots of other sizes than that of the defaults. If no values fit, they stay as they are. For a polygon the radius is the one that it needs to
 /// pass through a gap (Footprint::passingRadius()). Throws as footprintOf().
 AgentParameters fittedToFootprint(AgentParameters parameters);
 

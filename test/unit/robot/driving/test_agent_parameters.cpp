@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -104,6 +105,46 @@ TEST(AgentParameters, TheMemoryFollowsTheFootprint) {
   EXPECT_NEAR(burger.memory.resolution, 0.03, 1e-9) << "0.29 * 0.105 = 0.03045, to a millimetre";
   EXPECT_NEAR(burger.memory.width, 60.0, 1e-9);
   EXPECT_NEAR(shippedFor(1.5).memory.resolution, 0.102, 1e-9) << "(1.5 + 0.12) / 16 = 0.10125";
+}
+
+/// A square around the origin, as it stands in a yaml file.
+std::string squareOf(double half_width) {
+  std::ostringstream text;
+  const auto corner = [&](double x, double y) { text << '[' << x << ", " << y << ']'; };
+  text << '[';
+  corner(half_width, half_width);
+  text << ", ";
+  corner(half_width, -half_width);
+  text << ", ";
+  corner(-half_width, -half_width);
+  text << ", ";
+  corner(-half_width, half_width);
+  text << ']';
+  return text.str();
+}
+
+TEST(AgentParameters, EveryFootprintToTheMillimetreHasAMemory) {
+  for (int millimetres = 20; millimetres <= 1000; ++millimetres) {
+    AgentParameters parameters;
+    parameters.shield.footprint_radius = millimetres / 1000.0;
+    for (const std::string& footprint : {std::string(), squareOf(millimetres / 1000.0)}) {
+      parameters.shield.footprint = footprint;
+      const AgentParameters fitted = fittedToFootprint(parameters);
+      EXPECT_NO_THROW(validate(fitted)) << millimetres << " mm " << footprint;
+      const AgentParameters again = fittedToFootprint(fitted);
+      EXPECT_EQ(again.memory.resolution, fitted.memory.resolution) << millimetres << " mm " << footprint;
+      EXPECT_EQ(again.memory.width, fitted.memory.width) << millimetres << " mm " << footprint;
+      EXPECT_EQ(again.memory.comfort, fitted.memory.comfort) << millimetres << " mm " << footprint;
+    }
+  }
+}
+
+TEST(AgentParameters, OnlyTheSmallestRobotsHaveLessComfort) {
+  EXPECT_EQ(shippedFor(0.034).memory.comfort, MemoryParameters().comfort);
+  EXPECT_NEAR(shippedFor(0.02).memory.comfort, 16.0 * 0.29 * 0.02 - 0.02, 1e-12);
+  AgentParameters wished;
+  wished.memory.comfort = 1.2;
+  EXPECT_EQ(fittedToFootprint(wished).memory.comfort, 1.2) << "to be refused, not to be overheard";
 }
 
 TEST(AgentParameters, AMemoryThatSuitsTheFootprintStaysAsItIs) {
