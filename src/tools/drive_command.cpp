@@ -1,6 +1,7 @@
 #include <atomic>
 #include <iostream>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,10 +39,15 @@ DriveResult driveOnce(const DriveOptions& options, const DriveWorld& world, cons
   return drive(&crowd, exercise.task, rules, exercise.seed, &agent, listener);
 }
 
-/// Only a network that leads is read: the others need no file.
+/// Only a network that leads is read: the others need no file. Says what the planner would warn of.
 DrivePolicy policyOf(const DriveOptions& options) {
-  if (options.agent.leader == Decision::Source::kNetwork) return DrivePolicy::fromFile(options.model);
-  return noPolicy();
+  if (options.agent.leader != Decision::Source::kNetwork) return noPolicy();
+  DrivePolicy policy = DrivePolicy::fromFile(options.model);
+  for (const std::string& warning : {sizeWarning(policy.description(), options.agent.shield.footprint_radius),
+                                     standInWarning(policy.description(), options.drive.robot.scanner.range_max)}) {
+    if (!warning.empty()) std::cout << "warning: " << warning << "\n";
+  }
+  return policy;
 }
 
 DriveResults driveAll(const DriveOptions& options, const DriveCourse& course, DriveStates* states) {

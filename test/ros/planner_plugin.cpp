@@ -150,10 +150,28 @@ TEST_F(PlannerTest, ScanNarrowerThanTheSectorsGivesNoPlan) {
   expectNoPlan(planner.get(), stampedPose("odom", kGoal), "the scan covers -45");
 }
 
-TEST_F(PlannerTest, ScannerThatReachesLessThanHalfTheRangeCapGivesNoPlan) {
-  auto planner = makePlanner();
+TEST_F(PlannerTest, AScannerThatIsTooShortForTheNetworkIsLedByTheRouteAndOneLineSaysSo) {
+  ros::param::set("~/LstmGlobalPlanner/leader", "network");
   robot_.range_max = 2.0;  // the model's range cap is 6 m
-  expectNoPlan(planner.get(), stampedPose("odom", kGoal), "the scanner reaches 2.000000 m");
+  robot_.range = [](double) { return 1.9F; };
+  DecisionListener decisions("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  const auto goal = stampedPose("odom", kGoal);
+  announce(goal, planner.get(), &decisions);
+  EXPECT_EQ(decisions.newest().at("leader"), "route");
+  moveTo(planner.get(), {0.1, 0.0, 0.0}, 2.0 * kLogPeriod);
+  log_.flush();
+  EXPECT_EQ(log_.count("the scanner reaches 2.000000 m*the path through the remembered obstacles leads in its place"),
+            1);
+}
+
+TEST_F(PlannerTest, AModelIsNeededOnlyToLead) {
+  ros::param::set("~/LstmGlobalPlanner/leader", "route");
+  ros::param::set("~/LstmGlobalPlanner/model", "/no/such/model.onnx");
+  auto planner = makePlanner();
+  ASSERT_TRUE(planner);
+  EXPECT_TRUE(plan(planner.get(), stampedPose("odom", kGoal)));
+  EXPECT_TRUE(log_.eventuallyHas("no network can lead, only the route: /no/such/model.onnx"));
 }
 
 TEST_F(PlannerTest, ScannerUpsideDownSeesTheSame) {
@@ -230,7 +248,8 @@ TEST_F(PlannerTest, TwoThreadsMayAskAtOnce) {
   EXPECT_EQ(second, 200);
 }
 
-TEST_F(PlannerTest, MissingOrDamagedModelRefusesEveryPlanAndThrowsNothing) {
+TEST_F(PlannerTest, MissingOrDamagedModelThatIsToLeadRefusesEveryPlanAndThrowsNothing) {
+  ros::param::set("~/LstmGlobalPlanner/leader", "network");
   model_.truncate();
   expectUnusable(model_.path() + ": ");
   for (const char* path : {"/no/such/model.onnx", "package://no_such_package/model.onnx"}) {

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lstm_planner/base/common/parameter_check.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -144,16 +146,25 @@ DrivePolicy noPolicy() {
   return DrivePolicy(description, {layer});
 }
 
-void checkFits(const PolicyDescription& description, double step_length, double range_max) {
+void checkFits(const PolicyDescription& description, double step_length) {
   if (std::abs(description.step_length - step_length) > 0.01) {
     throw std::invalid_argument("the model was trained for steps of " + std::to_string(description.step_length) +
                                 " m, step/length is " + std::to_string(step_length) + " m");
   }
-  if (range_max > 0.0 && range_max < 0.5 * description.encoder.range_cap) {
-    throw std::invalid_argument("the scanner reaches " + std::to_string(range_max) +
-                                " m, the model was trained with a range cap of " +
-                                std::to_string(description.encoder.range_cap) + " m and needs at least half of it");
-  }
+}
+
+bool reachesFarEnough(const PolicyDescription& description, double reach) {
+  return isAtMost(0.5 * description.encoder.range_cap, reach);
+}
+
+std::string reachProblem(const PolicyDescription& description, double reach) {
+  return "the scanner reaches " + std::to_string(reach) + " m, the model was trained with a range cap of " +
+         std::to_string(description.encoder.range_cap) + " m and needs at least half of it";
+}
+
+std::string standInWarning(const PolicyDescription& description, double reach) {
+  if (reachesFarEnough(description, reach)) return "";
+  return reachProblem(description, reach) + ": the path through the remembered obstacles leads in its place";
 }
 
 std::string sizeWarning(const PolicyDescription& description, double footprint_radius) {

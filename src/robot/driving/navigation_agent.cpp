@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "lstm_planner/robot/driving/observer.hpp"
@@ -31,12 +32,19 @@ const char* const kChosen = "the parameter leader was changed";
 const char* const kNearerThanEver = "nearer to the goal than ever";
 const char* const kNoProgress = "no progress";
 const char* const kNoProgressForLong = "no progress for very long";
+const char* const kTooShort = "the scanner does not reach as far as the network needs";
+const char* const kFarEnough = "the scanner reaches as far as the network needs";
 const char* const kMemoryWrong = "what is remembered was wrong too often";
 
 /// The goal is so near that the robot would go straight to it (m), but something that is remembered is in between.
 bool isHidden(const ObstacleMemory& memory, const Pose2& pose, const Point2& goal, double near) {
   if (distanceBetween(pose, goal) > near) return false;
   return !memory.isFree({pose.x, pose.y}, goal, ObstacleMemory::Passage::kTight);
+}
+
+/// Only a network that leads must fit.
+void checkLeader(const PolicyDescription& description, const AgentParameters& parameters) {
+  if (parameters.leader == Decision::Source::kNetwork) checkFits(description, parameters.step.length);
 }
 
 std::optional<OutOfView> outOfViewOf(const Shield& shield) {
@@ -50,6 +58,7 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
     : policy_(std::move(policy)),
       parameters_((validate(parameters), parameters)),
       rules_((validate(rules), rules)),
+      chosen_(parameters.leader),
       shield_(footprintOf(parameters.shield), parameters.shield.tight_clearance, parameters.shield.reach),
       out_of_view_(outOfViewOf(shield_)),
       actions_(parameters),
@@ -57,7 +66,7 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
       guide_(parameters.memory.enabled ? Boxed<RouteGuide>(RouteGuide(parameters)) : Boxed<RouteGuide>()),
       clock_(parameters.step),
       progress_(parameters.escape.progress) {
-  checkFits(policy_.description(), parameters.step.length);
+  checkLeader(policy_.description(), parameters);
   const auto actions = static_cast<std::size_t>(policy_.description().actions.size());
   decision_.preferences.resize(actions);
   decision_.allowed.resize(actions);
@@ -73,15 +82,33 @@ void NavigationAgent::change(const AgentParameters& parameters) {
   changed.escape.patience_distance = parameters.escape.patience_distance;
   changed.escape.last_resort = parameters.escape.last_resort;
   validate(changed);
-  const bool is_led_as_chosen = decision_.leader == parameters_.leader;
-  if (is_led_as_chosen && changed.leader != parameters_.leader) lead(changed.leader, kChosen);
+  checkLeader(policy_.description(), changed);
+  const Source leader = leaderBy(changed);
   parameters_ = changed;
+  choose(leader, kChosen);
+}
+
+/// As the parameters say; but the path through what is remembered in place of a network that sees too little.
+NavigationAgent::Source NavigationAgent::leaderBy(const AgentParameters& parameters) const {
+  const bool is_network = parameters.leader == Source::kNetwork && reach_ > 0.0;
+  if (!is_network || reachesFarEnough(policy_.description(), reach_)) return parameters.leader;
+  if (!guide_) throw std::invalid_argument(reachProblem(policy_.description(), reach_));
+  return Source::kRoute;
+}
+
+void NavigationAgent::choose(Source leader, const char* why) {
+  const bool is_led_as_chosen = decision_.leader == chosen_;
+  if (is_led_as_chosen && leader != chosen_) lead(leader, why);
+  chosen_ = leader;
+}
+
+std::string NavigationAgent::standInWarning() const {
+  return chosen_ == parameters_.leader ? "" : lstm_planner::standInWarning(policy_.description(), reach_);
 }
 
 void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time,
                                const TakenScan* second) {
   checkPose(pose);
-  checkFits(policy_.description(), parameters_.step.length, scan.range_max);
   lstm_planner::perceive(scan, mount, rules_, policy_.description().encoder.range_cap, &situation_);
   situation_.pose = pose;
   situation_.time = time;
@@ -90,6 +117,9 @@ void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, 
 }
 
 void NavigationAgent::show(const Situation& situation) {
+  reach_ = std::max(reach_, situation.profile.farthest_range);
+  const Source leader = leaderBy(parameters_);
+  choose(leader, leader == parameters_.leader ? kFarEnough : kTooShort);
   shield_.show(situation.obstacles);
   if (!out_of_view_) return;
   out_of_view_->show(situation);
@@ -142,7 +172,7 @@ void NavigationAgent::setGoal(const Point2& goal) {
   progress_.clear();
   driven_ = 0.0;
   look_around_turn_ = 0.0;
-  lead(parameters_.leader, kNewGoal);
+  lead(chosen_, kNewGoal);
   decision_.source = Source::kLookAround;
   decision_.action = -1;
   decision_.preferred = -1;
@@ -252,7 +282,7 @@ void NavigationAgent::startFrom(const Situation& situation, const char* why) {
   best_position_ = {situation.pose.x, situation.pose.y};
   progress_.restart(distanceBetween(best_position_, goal_));
   if (guide_) guide_->noteProgress();
-  lead(parameters_.leader, why);
+  lead(chosen_, why);
 }
 
 void NavigationAgent::lead(Source leader, const char* why) {
@@ -320,7 +350,7 @@ double NavigationAgent::previousAction() const {
 }
 
 void NavigationAgent::advanceNetwork(const Observation& observation) {
-  if (parameters_.leader != Source::kNetwork) {
+  if (chosen_ != Source::kNetwork) {
     preferBearing(policy_.description().actions, observation.goal_bearing, &decision_.preferences);
     return;
   }

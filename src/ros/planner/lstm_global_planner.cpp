@@ -56,12 +56,13 @@ void LstmGlobalPlanner::setUp(const std::string& name, costmap_2d::Costmap2DROS*
   shield.footprint_radius = footprint.circumscribedRadius();
   shield.footprint = textOf(footprint);
   parameters.agent = fittedToFootprint(parameters.agent);
-  model_ = resolvePackagePath(parameters.model);
   plan_maker_ = std::make_unique<PlanMaker>(name, parameters, costmap_ros->getGlobalFrameID(),
                                             costmap_ros->getBaseFrameID(), costmap_ros);
+  const bool has_model = plan_maker_->modelProblem().empty();
+  model_ = has_model ? resolvePackagePath(parameters.model) : "none";
   costmap_ = parameters.use_costmap ? costmap_ros : nullptr;
   ROS_INFO("%s plans in %s with the model %s", name.c_str(), costmap_ros->getGlobalFrameID().c_str(),
-           parameters.model.c_str());
+           has_model ? parameters.model.c_str() : model_.c_str());
   startReconfigure(name);
 }
 
@@ -154,9 +155,14 @@ void LstmGlobalPlanner::describeModel(PluginDiagnostics::Status* status) {
     status->summary(DiagnosticStatus::ERROR, "the planner cannot be used: " + why_unusable_);
     return;
   }
+  if (!plan_maker_->modelProblem().empty()) {
+    status->summary(DiagnosticStatus::OK, "no network can lead: " + plan_maker_->modelProblem());
+    return;
+  }
+  const std::string warning = plan_maker_->agent().standInWarning();
+  status->summary(warning.empty() ? DiagnosticStatus::OK : DiagnosticStatus::WARN, warning.empty() ? model_ : warning);
   if (model_hash_.empty()) model_hash_ = sha1OfFile(model_);
   const PolicyDescription& description = plan_maker_->agent().policy().description();
-  status->summary(DiagnosticStatus::OK, model_);
   status->add("sha1", model_hash_);
   status->add("steering angles", description.actions.size());
   status->add("step length (m)", description.step_length);

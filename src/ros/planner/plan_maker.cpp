@@ -25,14 +25,24 @@ double goalPatience() {
   return 5.0;
 }
 
+/// Only a network that leads must be there. `problem`: why it is not.
+DrivePolicy policyOf(const GlobalPlannerParameters& parameters, std::string* problem) {
+  try {
+    return DrivePolicy::fromFile(resolvePackagePath(parameters.model));
+  } catch (const std::exception& error) {
+    if (parameters.agent.leader == Decision::Source::kNetwork) throw;
+    *problem = error.what();
+    return noPolicy();
+  }
+}
+
 }  // namespace
 
 PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& parameters,
                      const std::string& global_frame, const std::string& base_frame, costmap_2d::Costmap2DROS* costmap)
     : parameters_(parameters),
       global_frame_(frameName(global_frame)),
-      agent_(DrivePolicy::fromFile(resolvePackagePath(parameters.model)), parameters.agent,
-             parameters.sensors.scan_rules),
+      agent_(policyOf(parameters, &model_problem_), parameters.agent, parameters.sensors.scan_rules),
       tf_listener_(&tf_, messages_.nodeHandle()),
       frames_(tf_, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf_),
@@ -42,13 +52,23 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       markers_(ros::NodeHandle("~/" + name), agent_.policy().description(), parameters.trace_length),
       decisions_(ros::NodeHandle("~/" + name), agent_.policy().description().actions),
       plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)) {
-  if (parameters.agent.leader != Decision::Source::kNetwork) return;
-  const std::string warning = sizeWarning(agent_.policy().description(), parameters.agent.shield.footprint_radius);
+  if (!model_problem_.empty()) ROS_WARN("no network can lead, only the route: %s", model_problem_.c_str());
+  warnOfTheNetwork();
+}
+
+void PlanMaker::warnOfTheNetwork() const {
+  const AgentParameters& agent = agent_.parameters();
+  if (agent.leader != Decision::Source::kNetwork) return;
+  const std::string warning = sizeWarning(agent_.policy().description(), agent.shield.footprint_radius);
   if (!warning.empty()) ROS_WARN("%s", warning.c_str());
 }
 
 void PlanMaker::change(const GlobalPlannerParameters& parameters) {
+  const bool is_to_lead = parameters.agent.leader == Decision::Source::kNetwork;
+  if (is_to_lead && !model_problem_.empty()) throw std::invalid_argument(model_problem_);
+  const bool is_new_leader = parameters.agent.leader != agent_.parameters().leader;
   agent_.change(parameters.agent);
+  if (is_new_leader) warnOfTheNetwork();
   markers_.setTraceLength(parameters.trace_length);
   parameters_ = parameters;
 }
@@ -74,6 +94,7 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   checkStart(start, compose(global_from_odometry_, reading.newest_pose));
   corrections_.note(global_from_odometry_, reading.newest_pose);
   perceive(reading);
+  sayThatTheScannerIsTooShort();
 
   Pose2 global_goal =
       compose(frames_.transformAt(global_frame_, goal.frame, goal_message.header.stamp, now_), goal.pose);
@@ -160,6 +181,13 @@ const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading
       break;
   }
   return agent_.decision();
+}
+
+/// Once, and again if a scan reached far enough in between.
+void PlanMaker::sayThatTheScannerIsTooShort() {
+  const std::string warning = agent_.standInWarning();
+  if (!warning.empty() && !said_too_short_) ROS_WARN("%s", warning.c_str());
+  said_too_short_ = !warning.empty();
 }
 
 void PlanMaker::sayWhoLeads(const Decision& decision) {

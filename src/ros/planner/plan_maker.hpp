@@ -39,7 +39,7 @@ class PlanMaker {
  public:
   /// `name`: of the plugin; its topics live in "~/" + name. `global_frame`: the frame of the plans. `base_frame`: the
   /// robot's, where the odometry does not name it. `costmap`: in the global frame; null where there is none. Throws
-  /// when the model cannot be used with these parameters.
+  /// when a model that is to lead cannot be used with these parameters.
   PlanMaker(const std::string& name, const GlobalPlannerParameters& parameters, const std::string& global_frame,
             const std::string& base_frame, costmap_2d::Costmap2DROS* costmap = nullptr);
 
@@ -48,12 +48,15 @@ class PlanMaker {
   void makePlan(const geometry_msgs::PoseStamped& start, const geometry_msgs::PoseStamped& goal,
                 std::vector<geometry_msgs::PoseStamped>* plan);
 
-  /// From the next plan on, as NavigationAgent::change(), and trace_length.
+  /// From the next plan on, as NavigationAgent::change(), and trace_length. Throws std::invalid_argument, too, if the
+  /// network is to lead and there is no model.
   void change(const GlobalPlannerParameters& parameters);
   const GlobalPlannerParameters& parameters() const { return parameters_; }
 
   /// How the drive is led.
   const NavigationAgent& agent() const { return agent_; }
+  /// Why there is no model, which no network that leads needs; empty if there is one.
+  const std::string& modelProblem() const { return model_problem_; }
   SensorListener& sensors() { return sensors_; }
 
  private:
@@ -64,6 +67,8 @@ class PlanMaker {
   GoalTracker::Verdict ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
   const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
   const Decision& preview(const Pose2& goal);
+  void warnOfTheNetwork() const;
+  void sayThatTheScannerIsTooShort();
   void sayWhoLeads(const Decision& decision);
   void sayWhereGoalSeems(const Decision& decision);
   void sayWhatIsInTheWay(const Decision& decision) const;
@@ -72,6 +77,7 @@ class PlanMaker {
 
   GlobalPlannerParameters parameters_;
   std::string global_frame_;
+  std::string model_problem_;  ///< empty if the model can be used
   NavigationAgent agent_;
   ElasticBand band_;
 
@@ -96,6 +102,7 @@ class PlanMaker {
   std::vector<Pose2> plan_;                               ///< of the current call, global frame
   Pose2 driven_goal_;                                     ///< global frame
   Decision::Source leader_ = Decision::Source::kArrived;  ///< that was said last; none of the leaders at first
+  bool said_too_short_ = false;                           ///< of the scanner, that it is so for the network
   std::set<Decision::GoalSeems> said_of_goal_;            ///< since it was set
 };
 

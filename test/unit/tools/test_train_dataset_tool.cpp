@@ -49,7 +49,7 @@ TEST_F(TrainDatasetTool, WritesAModelThatThePlannerTakesAndSaysWhatItCan) {
     EXPECT_NE(outcome.output.find(said), std::string::npos) << said << "\n" << outcome.output;
   }
   const DrivePolicy policy = DrivePolicy::fromFile(in("model.onnx"));
-  EXPECT_NO_THROW(checkFits(policy.description(), 0.4, 30.0));
+  EXPECT_NO_THROW(checkFits(policy.description(), 0.4));
   EXPECT_EQ(policy.description().encoder.input_layout.size(), 22u);
   const Model model = readModelFile(in("model.onnx"));
   EXPECT_NE(model.metadata.at("training_command").find("train --dataset drives.dataset"), std::string::npos);

@@ -199,8 +199,9 @@ inline double toleranceAfter(double driven, const AgentParameters& parameters) {
 }
 
 /// The same parameters with memory/resolution, memory/width and, for the smallest robots, memory/comfort adapted to the
-/// footprint, for robots of other sizes than that of the defaults. If no values fit, they stay as they are. For a polygon the radius is the one that it needs to
-/// pass through a gap (Footprint::passingRadius()). Throws as footprintOf().
+/// footprint, for robots of other sizes than that of the defaults. If no values fit, they stay as they are. For a
+/// polygon the radius is the one that it needs to pass through a gap (Footprint::passingRadius()). Throws as
+/// footprintOf().
 AgentParameters fittedToFootprint(AgentParameters parameters);
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

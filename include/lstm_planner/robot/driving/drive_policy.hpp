@@ -80,9 +80,18 @@ class DrivePolicy {
 DrivePolicy noPolicy();
 
 /// Throws std::invalid_argument with one sentence that says what differs when a model made for another step length
-/// would drive with these parameters. `range_max` is the scanner's (m, 0 = not known yet): it must reach as far as half
-/// the model's range cap.
-void checkFits(const PolicyDescription& description, double step_length, double range_max = 0.0);
+/// would lead.
+void checkFits(const PolicyDescription& description, double step_length);
+
+/// Whether a scanner that reaches so far (m) shows a network what it needs: half of what the model's ranges are capped
+/// at.
+bool reachesFarEnough(const PolicyDescription& description, double reach);
+
+/// Why it does not, in one sentence.
+std::string reachProblem(const PolicyDescription& description, double reach);
+
+/// A warning, in one sentence, if it does not and another leader takes the network's place; empty otherwise.
+std::string standInWarning(const PolicyDescription& description, double reach);
 
 /// A warning, in one sentence, if a robot is smaller or larger than all that the model was tried with; empty otherwise.
 /// The shield keeps such a robot safe. Without known limits, any radius up to 0.05 m more than the model's own is fine.

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "lstm_planner/base/common/boxed.hpp"
@@ -47,17 +48,22 @@ class NavigationAgent {
     kGoalMoved  ///< the goal moved farther than localisation corrects while the odometry is sound
   };
 
-  /// `rules`: what the scanner's readings mean. Throws std::invalid_argument for bad parameters or a policy that does
-  /// not fit them.
+  /// `rules`: what the scanner's readings mean. Throws std::invalid_argument for bad parameters, or a network that is
+  /// to lead and does not fit them.
   NavigationAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules = {});
 
   /// Changes leader, goal_tolerance, goal_in_sight and the escape's patience, from the next decision on; all other
-  /// parameters stay. Throws std::invalid_argument, and changes nothing, if a value cannot be used.
+  /// parameters stay. Throws std::invalid_argument, and changes nothing, if a value cannot be used, or as the
+  /// constructor.
   void change(const AgentParameters& parameters);
 
   /// What the scanner sees at `time` (s) from `pose`: situation(). `second`: what a second scanner saw last, null where
-  /// there is none; the network does not see it. Throws UnusableScan, or std::invalid_argument when the model was made
-  /// for another scanner or robot or the pose is out of reach (checkPose).
+  /// there is none; the network does not see it. Throws UnusableScan, or std::invalid_argument when the pose is out of
+  /// reach (checkPose).
+  ///
+  /// Where the scanner does not reach as far as the network needs, the path through what is remembered leads in its
+  /// place. Some drivers send the largest reading as range_max, so the largest one so far counts. Throws
+  /// std::invalid_argument if nothing is remembered (memory/enabled is false).
   void perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time,
                 const TakenScan* second = nullptr);
 
@@ -115,6 +121,8 @@ class NavigationAgent {
   /// m from the goal within which it counts as reached where it lies in or behind an obstacle (goal_drift).
   double reachedWithin() const { return toleranceAfter(driven_, parameters_); }
   double bestDistance() const { return progress_.best(); }  ///< m to the goal, from where the robot was nearest to it
+  /// Why the remembered path leads in place of the network that the parameters name; empty if it does not.
+  std::string standInWarning() const;
 
  private:
   using Source = Decision::Source;
@@ -131,6 +139,8 @@ class NavigationAgent {
   bool isBesideGoal(const Situation& situation) const;
   void stopBesideGoal(const Situation& situation);
   bool isOutOfPatience(double times) const;
+  Source leaderBy(const AgentParameters& parameters) const;
+  void choose(Source leader, const char* why);
   void lead(Source leader, const char* why);
   void startStep(const Situation& situation);
   void advanceNetwork(const Observation& observation);
@@ -159,6 +169,9 @@ class NavigationAgent {
   Situation situation_;
   bool is_new_goal_ = false;  ///< nothing was decided for it
   long jumps_ = 0;            ///< that were heard of
+
+  Source chosen_;       ///< who is to lead: as the parameters say, or in place of a network that cannot
+  double reach_ = 0.0;  ///< m, the largest range_max so far
 
   Point2 goal_;
   Decision decision_;
