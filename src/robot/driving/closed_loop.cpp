@@ -1,5 +1,7 @@
 #include "lstm_planner/robot/driving/closed_loop.hpp"
 
+#include "lstm_planner/robot/driving/arrival.hpp"
+
 namespace lstm_planner {
 
 ClosedLoop::End ClosedLoop::run(const Point2& goal, const std::function<bool()>& goes_on,
@@ -11,7 +13,7 @@ ClosedLoop::End ClosedLoop::run(const Point2& goal, const std::function<bool()>&
     if (!robot_.sense(range_cap, &situation_)) continue;
     const Decision& decision = agent_.update(situation_);
     if (decision.source == Decision::Source::kNoPath) return End::kNoPath;
-    if (robot_.hasArrived(situation_, decision)) return End::kArrived;
+    if (robot_.hasArrived(situation_, endOfPlan(decision, goal, agent_.parameters()))) return End::kArrived;
     note(decision);
     robot_.carryOut(situation_, decision, agent_);
   }

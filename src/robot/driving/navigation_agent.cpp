@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lstm_planner/robot/driving/arrival.hpp"
 #include "lstm_planner/robot/driving/observer.hpp"
 #include "robot/perception/reach.hpp"
 
@@ -214,9 +215,7 @@ const Decision& NavigationAgent::decideAbout(const Situation& situation) {
     return decision_;
   }
   if (distanceBetween(situation.pose, decision_.destination) <= parameters_.goal_tolerance) {
-    goTo(situation, Source::kArrived, directionTo(situation.pose, decision_.destination),
-         distanceBetween(situation.pose, decision_.destination));
-    decision_.path_on.clear();
+    arrive(situation);
     return decision_;
   }
   if (!clock_.hasStep() || stepIsOver(situation)) {
@@ -241,6 +240,13 @@ const Decision& NavigationAgent::decideAbout(const Situation& situation) {
     guide_->watch(situation, false);
   }
   return decision_;
+}
+
+void NavigationAgent::arrive(const Situation& situation) {
+  const Source source = countsAsArrival(decision_, goal_, parameters_) ? Source::kArrived : Source::kNoPath;
+  goTo(situation, source, directionTo(situation.pose, decision_.destination),
+       distanceBetween(situation.pose, decision_.destination));
+  decision_.path_on.clear();
 }
 
 Decision NavigationAgent::preview(const Situation& situation, const Point2& goal) const {
@@ -321,9 +327,9 @@ bool NavigationAgent::isBesideGoal(const Situation& situation) const {
 }
 
 void NavigationAgent::stopBesideGoal(const Situation& situation) {
-  goTo(situation, Source::kArrived, directionTo(situation.pose, goal_), 0.0);
-  decision_.destination = decision_.waypoint;
+  decision_.destination = {situation.pose.x, situation.pose.y};
   decision_.goal_seems = Decision::GoalSeems::kBehindObstacle;
+  arrive(situation);
 }
 
 void NavigationAgent::startStep(const Situation& situation) {
@@ -390,8 +396,8 @@ Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Sourc
     const bool is_hidden = isHidden(guide_->memory(), situation.pose, goal_, parameters_.goal_in_sight);
     return is_hidden ? GoalSeems::kInObstacle : GoalSeems::kEnclosed;
   }
+  if (endsBesideGoal()) return GoalSeems::kInObstacle;
   if (!decision_.on_route) return GoalSeems::kReachable;
-  if (distanceBetween(guide_->end(), goal_) > guide_->memory().cellSize()) return GoalSeems::kInObstacle;
   const Point2 here{situation.pose.x, situation.pose.y};
   return guide_->isGoalBehindObstacle(here, goal_, parameters_.goal_in_sight) ? GoalSeems::kBehindObstacle
                                                                               : GoalSeems::kReachable;

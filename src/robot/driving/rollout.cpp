@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lstm_planner/robot/driving/action_set.hpp"
+#include "lstm_planner/robot/driving/arrival.hpp"
 
 namespace lstm_planner {
 
@@ -165,8 +166,10 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
     }
   }
   line.lineTo(decision.destination);
+  const Point2 end = endOfPlan(decision, {goal.x, goal.y}, agent);
+  line.lineTo(end);
   line.finish();
-  const Pose2 last{decision.destination.x, decision.destination.y, goal.yaw};
+  const Pose2 last{end.x, end.y, goal.yaw};
   if (plan->size() == 1) {
     plan->push_back(last);
   }

@@ -42,8 +42,8 @@ class ControlledRobot : public LoopRobot {
     return true;
   }
 
-  bool hasArrived(const Situation& situation, const Decision& decision) const override {
-    return tracker_.goalReached(situation.pose, {decision.destination.x, decision.destination.y, 0.0});
+  bool hasArrived(const Situation& situation, const Point2& end) const override {
+    return tracker_.goalReached(situation.pose, {end.x, end.y, 0.0});
   }
 
   void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) override {

@@ -93,8 +93,8 @@ bool StepSimulator::sense(double range_cap, Situation* situation) {
   return true;
 }
 
-bool StepSimulator::hasArrived(const Situation& situation, const Decision& decision) const {
-  return distanceBetween(situation.pose, decision.destination) <= MotionParameters().position_tolerance;
+bool StepSimulator::hasArrived(const Situation& situation, const Point2& end) const {
+  return distanceBetween(situation.pose, end) <= MotionParameters().position_tolerance;
 }
 
 void StepSimulator::carryOut(const Situation&, const Decision& decision, const NavigationAgent& agent) {

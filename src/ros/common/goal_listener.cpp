@@ -4,13 +4,15 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {
 
-GoalListener::GoalListener(ros::NodeHandle private_node_handle)
-    : subscriber_(private_node_handle.subscribe("current_goal", 1, &GoalListener::onGoal, this)) {}
+GoalListener::GoalListener(ros::NodeHandle node_handle, ros::NodeHandle private_node_handle)
+    : goal_subscriber_(private_node_handle.subscribe("current_goal", 1, &GoalListener::onGoal, this)),
+      result_subscriber_(node_handle.subscribe("move_base/result", 1, &GoalListener::onResult, this)) {}
 
 void GoalListener::onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
   try {
@@ -20,6 +22,16 @@ void GoalListener::onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
   } catch (const std::invalid_argument& error) {
     ROS_WARN_THROTTLE(2.0, "an announced goal is not used: %s", error.what());
   }
+}
+
+void GoalListener::onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  has_succeeded_ = has_succeeded_ || result->status.status == actionlib_msgs::GoalStatus::SUCCEEDED;
+}
+
+bool GoalListener::takeSuccess() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(has_succeeded_, false);
 }
 
 std::optional<GoalInFrame> GoalListener::takeAnnouncement() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <geometry_msgs/PoseStamped.h>
+#include <move_base_msgs/MoveBaseActionResult.h>
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 
@@ -11,21 +12,27 @@
 
 namespace lstm_planner {
 
-/// Hears the goals that the executor accepts: move_base publishes each on ~current_goal. Thread safe.
+/// Hears the goals that the executor accepts, and that it reports as reached: move_base publishes each on
+/// ~current_goal, and how it ended on move_base/result. Thread safe.
 class GoalListener {
  public:
-  /// `private_node_handle`: of the executor, in the thread that the messages come in.
-  explicit GoalListener(ros::NodeHandle private_node_handle);
+  /// `node_handle`, `private_node_handle`: of the executor, in the thread that the messages come in.
+  GoalListener(ros::NodeHandle node_handle, ros::NodeHandle private_node_handle);
 
   /// The newest announcement since the last call, if there was any.
   std::optional<GoalInFrame> takeAnnouncement();
+  /// Whether a goal was reported as reached since the last call.
+  bool takeSuccess();
 
  private:
   void onGoal(const geometry_msgs::PoseStamped::ConstPtr& goal);
+  void onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result);
 
   std::mutex mutex_;
   std::optional<GoalInFrame> announcement_;
-  ros::Subscriber subscriber_;
+  bool has_succeeded_ = false;
+  ros::Subscriber goal_subscriber_;
+  ros::Subscriber result_subscriber_;
 };
 
 /// Checks a goal and reads it. A zero quaternion is taken as heading 0, with a warning. Throws std::invalid_argument

@@ -128,6 +128,12 @@ ScanReading SensorListener::readingOf(const Scanner& scanner) {
   return {scanner.message, stamp, mountOf(scanner), history_.poseAt(stamp)};
 }
 
+std::optional<Pose2> SensorListener::newestPose() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (history_.empty()) return std::nullopt;
+  return history_.newest().pose;
+}
+
 SensorHealth SensorListener::scanHealth(const ros::Time& now) { return healthOf(first_, now); }
 
 SensorHealth SensorListener::secondScanHealth(const ros::Time& now) { return healthOf(second_.value(), now); }

@@ -62,6 +62,9 @@ class SensorListener {
   /// is covered (SilenceWatch) or its place is not known.
   SensorReading read(const ros::Time& now);
 
+  /// Base in the odometry frame, newest, however old; none before the first odometry.
+  std::optional<Pose2> newestPose();
+
   bool hasSecondScanner() const { return second_.has_value(); }
   SensorHealth scanHealth(const ros::Time& now);
   SensorHealth secondScanHealth(const ros::Time& now);  ///< only where there is one

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "lstm_planner/robot/driving/arrival.hpp"
 #include "ros/move_base/standalone_move_base_goal.hpp"
 
 namespace lstm_planner {
@@ -75,6 +76,7 @@ bool StandaloneMoveBase::GoalServer::start(const move_base_msgs::MoveBaseGoal& g
   last_valid_control_.restart();
   last_progress_.restart();
   if (state == State::kPlanning) stopRobot();
+  goal_ = target;
   planner_.start(target);
   current_goal_publisher_.publish(target);
   return true;
@@ -113,6 +115,7 @@ bool StandaloneMoveBase::GoalServer::takePlan() {
     return false;
   }
   plan_is_to_goal_ = made->is_to_goal;
+  if (plan_is_to_goal_) plan_end_ = made->plan.back();
   last_plan_.restart();
   if (plan_is_to_goal_) last_valid_plan_.restart();
   state_ = State::kControlling;
@@ -178,7 +181,15 @@ void StandaloneMoveBase::GoalServer::stopRobot() { velocity_publisher_.publish(g
 void StandaloneMoveBase::GoalServer::succeed() {
   planner_.stop();
   stopRobot();
-  server_.setSucceeded({}, "Goal reached.");
+  server_.setSucceeded({}, arrivalText());
+}
+
+/// A plan that ends beside the goal is one to a goal in or behind an obstacle.
+std::string StandaloneMoveBase::GoalServer::arrivalText() const {
+  geometry_msgs::PoseStamped robot;
+  const bool is_beside = distanceBetweenPoses(plan_end_, goal_) > AgentParameters().goal_tolerance;
+  if (!is_beside || !plugins_.robotPose(robot)) return "Goal reached.";
+  return "Goal reached: " + besideGoalText(distanceBetweenPoses(robot, goal_)) + ".";
 }
 
 void StandaloneMoveBase::GoalServer::abort(const std::string& text) {

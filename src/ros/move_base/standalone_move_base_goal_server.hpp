@@ -53,6 +53,7 @@ class StandaloneMoveBase::GoalServer {
 
   void stopRobot();
   void succeed();
+  std::string arrivalText() const;
   void abort(const std::string& text);
 
   ros::NodeHandle node_;
@@ -65,9 +66,11 @@ class StandaloneMoveBase::GoalServer {
   PlannerThread planner_;
 
   State state_ = State::kPlanning;
-  bool plan_is_to_goal_ = false;  ///< the controller's plan
-  Stopwatch last_plan_;           ///< to this goal or to an earlier one
-  Stopwatch last_valid_plan_;     ///< to this goal
+  geometry_msgs::PoseStamped goal_;      ///< global frame
+  geometry_msgs::PoseStamped plan_end_;  ///< of the last plan to it, global frame
+  bool plan_is_to_goal_ = false;         ///< the controller's plan
+  Stopwatch last_plan_;                  ///< to this goal or to an earlier one
+  Stopwatch last_valid_plan_;            ///< to this goal
   Stopwatch last_valid_control_;
   Stopwatch last_progress_;
   geometry_msgs::PoseStamped progress_pose_;

@@ -107,11 +107,17 @@ void LstmGlobalPlanner::startReconfigure(const std::string& name) {
 void LstmGlobalPlanner::startDiagnostics(const std::string& name) {
   if (diagnostics_) return;
   using Status = PluginDiagnostics::Status;
-  diagnostics_ = std::make_unique<PluginDiagnostics>(name, &mutex_, [this](Status& status) { describeDrive(&status); });
+  const auto describe = [this](Status& status) {
+    if (plan_maker_) plan_maker_->noteEnd(isUnasked());
+    describeDrive(&status);
+  };
+  diagnostics_ = std::make_unique<PluginDiagnostics>(name, &mutex_, describe);
   diagnostics_->add("model", [this](Status& status) { describeModel(&status); });
   diagnostics_->addSensors([this] { return plan_maker_ ? &plan_maker_->sensors() : nullptr; });
   diagnostics_->start();
 }
+
+bool LstmGlobalPlanner::isUnasked() const { return (ros::WallTime::now() - answer_.time).toSec() > kPlannerUnasked; }
 
 void LstmGlobalPlanner::describeDrive(PluginDiagnostics::Status* status) const {
   using diagnostic_msgs::DiagnosticStatus;
@@ -120,11 +126,14 @@ void LstmGlobalPlanner::describeDrive(PluginDiagnostics::Status* status) const {
     return;
   }
   status->add("model", model_);
-  if ((ros::WallTime::now() - answer_.time).toSec() > kPlannerUnasked) {
-    status->summary(DiagnosticStatus::OK, "nobody asks for plans: there is no goal");
+  const Decision& decision = plan_maker_->agent().decision();
+  const std::optional<DriveEnd>& end = plan_maker_->end();
+  if (isUnasked() || (end && end->is_arrival)) {
+    const std::string last = end ? "; the last drive " + end->text() : "";
+    status->summary(end && end->is_beside ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
+                    "nobody asks for plans: there is no goal" + last);
     return;
   }
-  const Decision& decision = plan_maker_->agent().decision();
   if (!answer_.refusal.empty()) {
     const bool is_final = decision.source == Decision::Source::kNoPath;
     status->summary(is_final ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN, "no plan");

@@ -60,6 +60,7 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
   bool refusePlan(std::vector<geometry_msgs::PoseStamped>* plan, const std::string& reason);
   void startReconfigure(const std::string& name);
   void startDiagnostics(const std::string& name);
+  bool isUnasked() const;
   void describeDrive(diagnostic_updater::DiagnosticStatusWrapper* status) const;
   void describeModel(diagnostic_updater::DiagnosticStatusWrapper* status);
 

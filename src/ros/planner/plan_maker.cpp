@@ -13,6 +13,9 @@ namespace lstm_planner {
 
 namespace {
 
+/// m; a robot that is farther from the end of its plan has not reached it.
+constexpr double kFarthestEnd = 1.0;
+
 /// How long the driven goal may go without a call before another one can take its place, s. Warns if it is never asked
 /// for again.
 double goalPatience() {
@@ -47,10 +50,11 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
       frames_(tf_, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf_),
       costmap_(parameters.use_costmap ? costmap : nullptr, parameters.agent.shield.reach),
-      goals_(messages_.nodeHandle("~")),
+      goals_(messages_.nodeHandle(), messages_.nodeHandle("~")),
       tracker_(goalPatience()),
       markers_(ros::NodeHandle("~/" + name), agent_.policy().description(), parameters.trace_length),
       decisions_(ros::NodeHandle("~/" + name), agent_.policy().description().actions),
+      arrival_(ros::NodeHandle("~/" + name)),
       plan_publisher_(ros::NodeHandle("~/" + name).advertise<nav_msgs::Path>("plan", 1)) {
   if (!model_problem_.empty()) ROS_WARN("no network can lead, only the route: %s", model_problem_.c_str());
   warnOfTheNetwork();
@@ -99,6 +103,7 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   Pose2 global_goal =
       compose(frames_.transformAt(global_frame_, goal.frame, goal_message.header.stamp, now_), goal.pose);
   const GoalTracker::Verdict verdict = ask(goal, &global_goal);
+  if (verdict == GoalTracker::Verdict::kNewGoal) noteEnd(false);
   const bool driven = verdict != GoalTracker::Verdict::kQuestion;
   const Decision& decision =
       driven ? drive(global_goal, reading, verdict == GoalTracker::Verdict::kNewGoal) : preview(global_goal);
@@ -110,9 +115,26 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
     sayWhereGoalSeems(decision);
     publish(decision, global_goal, *plan);
   }
-  if (decision.source == Decision::Source::kNoPath) {
-    throw PlanRefused("there is no path to the goal: obstacles enclose the goal or the robot");
-  }
+  if (decision.source != Decision::Source::kNoPath) return;
+  if (driven) noteEnd(false);
+  if (driven && end_) throw PlanRefused(end_->text());
+  throw PlanRefused("there is no path to the goal: obstacles enclose the goal or the robot");
+}
+
+void PlanMaker::noteEnd(bool is_unasked) {
+  const bool is_reported = goals_.takeSuccess();
+  const Decision::Source source = agent_.decision().source;
+  const bool is_refused = source == Decision::Source::kNoPath && agent_.endsBesideGoal();
+  const Pose2 robot = compose(global_from_odometry_, sensors_.newestPose().value_or(Pose2()));
+  // A report that is late may be about the goal before.
+  const bool is_at_end = distanceBetween(robot, agent_.decision().destination) <= kFarthestEnd;
+  const bool is_over =
+      is_refused || (is_reported && is_at_end) || (is_unasked && source == Decision::Source::kArrived);
+  if (!is_driving_ || !is_over) return;
+  is_driving_ = false;
+  end_ = DriveEnd{agent_.goal(), distanceBetween(robot, agent_.goal()), agent_.endsBesideGoal(), !is_refused};
+  arrival_.publish(*end_, global_frame_);
+  if (end_->is_beside) ROS_WARN("%s", end_->text().c_str());
 }
 
 void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const {
@@ -166,6 +188,8 @@ const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading
       ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
       markers_.clearTrace();
       said_of_goal_.clear();
+      is_driving_ = true;
+      end_.reset();
       break;
     case NavigationAgent::Fresh::kJump:
       ROS_WARN(
@@ -221,7 +245,7 @@ void PlanMaker::sayWhereGoalSeems(const Decision& decision) {
 }
 
 void PlanMaker::sayWhatIsInTheWay(const Decision& decision) const {
-  if (decision.on_route) {
+  if (agent_.endsBesideGoal()) {
     ROS_WARN("the goal seems to lie in an obstacle, or odometry has moved it there: the path ends %.2f m from it",
              distanceBetween(decision.destination, agent_.goal()));
     return;

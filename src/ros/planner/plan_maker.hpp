@@ -4,6 +4,7 @@
 #include <ros/time.h>
 #include <tf2_ros/buffer.h>
 
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,7 @@
 #include "ros/common/goal_listener.hpp"
 #include "ros/common/message_queue.hpp"
 #include "ros/common/sensor_listener.hpp"
+#include "ros/planner/arrival_publisher.hpp"
 
 namespace lstm_planner {
 
@@ -52,6 +54,12 @@ class PlanMaker {
   /// network is to lead and there is no model.
   void change(const GlobalPlannerParameters& parameters);
   const GlobalPlannerParameters& parameters() const { return parameters_; }
+
+  /// Says how the drive ended, once the executor reports the goal as reached; to be called now and then. `is_unasked`:
+  /// nobody has asked for a plan for long, so that the drive is over in any case.
+  void noteEnd(bool is_unasked);
+  /// Of the last drive; none since a new goal.
+  const std::optional<DriveEnd>& end() const { return end_; }
 
   /// How the drive is led.
   const NavigationAgent& agent() const { return agent_; }
@@ -92,15 +100,18 @@ class PlanMaker {
   GoalTracker tracker_;
   MarkerPublisher markers_;
   DecisionPublisher decisions_;
+  ArrivalPublisher arrival_;
   ros::Publisher plan_publisher_;
 
   ros::Time now_;  ///< of the current call
   CorrectionWatch corrections_;
-  Pose2 global_from_odometry_;                            ///< of the current call
-  LaserScan scan_, second_scan_;                          ///< of the current call
-  Decision preview_;                                      ///< of the last question
-  std::vector<Pose2> plan_;                               ///< of the current call, global frame
-  Pose2 driven_goal_;                                     ///< global frame
+  Pose2 global_from_odometry_;    ///< of the current call
+  LaserScan scan_, second_scan_;  ///< of the current call
+  Decision preview_;              ///< of the last question
+  std::vector<Pose2> plan_;       ///< of the current call, global frame
+  Pose2 driven_goal_;             ///< global frame
+  bool is_driving_ = false;       ///< a goal was set, and it is not known how it ended
+  std::optional<DriveEnd> end_;
   Decision::Source leader_ = Decision::Source::kArrived;  ///< that was said last; none of the leaders at first
   bool said_too_short_ = false;                           ///< of the scanner, that it is so for the network
   std::set<Decision::GoalSeems> said_of_goal_;            ///< since it was set

@@ -81,6 +81,7 @@ struct AgentParameters {
   double goal_tolerance = 0.15;
   double goal_in_sight = 1.5;
   double goal_drift = 0.03;
+  bool arrive_beside_goal = true;
   int draw_after = 60;
 };
 
@@ -107,6 +108,9 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
         "out to lie in or behind an obstacle counts as reached from that distance; larger searches less often for a "
         "path to the other side of a wall, and misses more goals that really are there; 0 if odometry is corrected by"
         " a localisation");
+  visit("arrive_beside_goal", agent.arrive_beside_goal, {}, "",
+        "whether a robot that stops in front of such a goal has arrived; false: it drives there all the same, then the "
+        "planner says that it stopped beside the goal and makes no plan, so that move_base reports ABORTED");
   visit("draw_after", agent.draw_after, {0, 1000000}, "",
         "steps without a new best distance to the goal, after which the network's steering angle is drawn with the "
         "probabilities that the network gives, as in training, so that the robot leaves circles; with the rescue only "

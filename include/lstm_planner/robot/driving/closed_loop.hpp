@@ -19,8 +19,8 @@ class LoopRobot {
   /// Drives as was decided until the agent is to look again. `agent` has been shown the situation.
   virtual void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) = 0;
 
-  /// Whether it says itself that it has arrived.
-  virtual bool hasArrived(const Situation& situation, const Decision& decision) const = 0;
+  /// Whether it says itself that it has arrived at the end of its plan (odometry frame).
+  virtual bool hasArrived(const Situation& situation, const Point2& end) const = 0;
 };
 
 /// Sense, decide, drive, sense again: the loop in which networks practise and in which they are judged. What happens

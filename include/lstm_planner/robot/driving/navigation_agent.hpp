@@ -9,6 +9,7 @@
 #include "lstm_planner/base/common/progress_watch.hpp"
 #include "lstm_planner/robot/driving/action_choice.hpp"
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
+#include "lstm_planner/robot/driving/arrival.hpp"
 #include "lstm_planner/robot/driving/decision.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/driving/drive_trace.hpp"
@@ -120,6 +121,8 @@ class NavigationAgent {
   const DrivePolicy& policy() const { return policy_; }
   /// m from the goal within which it counts as reached where it lies in or behind an obstacle (goal_drift).
   double reachedWithin() const { return toleranceAfter(driven_, parameters_); }
+  /// Whether the path that was decided last ends beside the goal, which lies in or behind an obstacle.
+  bool endsBesideGoal() const { return lstm_planner::endsBesideGoal(decision_, goal_, parameters_); }
   double bestDistance() const { return progress_.best(); }  ///< m to the goal, from where the robot was nearest to it
   /// Why the remembered path leads in place of the network that the parameters name; empty if it does not.
   std::string standInWarning() const;
@@ -136,6 +139,7 @@ class NavigationAgent {
   void noteProgress(const Situation& situation);
   void startFrom(const Situation& situation, const char* why);
   void losePatience();
+  void arrive(const Situation& situation);
   bool isBesideGoal(const Situation& situation) const;
   void stopBesideGoal(const Situation& situation);
   bool isOutOfPatience(double times) const;

@@ -38,8 +38,8 @@ constexpr std::size_t kMostPlanPoses = 10000;
 constexpr std::size_t kMostDensePlanPoses = 8000;
 
 /// The plan of a decision: from the robot's pose through the waypoint, on towards the goal through what the scan shows
-/// free, then straight to the goal. Dense up to kMostDensePlanPoses; starts exactly at the pose and ends exactly at the
-/// goal with the goal's yaw; all other poses look along the plan. Overwrites `plan`, reusing its memory.
+/// free, then straight to the end (endOfPlan()). Dense up to kMostDensePlanPoses; starts exactly at the pose and ends
+/// exactly there with the goal's yaw; all other poses look along the plan. Overwrites `plan`, reusing its memory.
 void rollOut(const Situation& situation, const Decision& decision, const Shield& shield, const Pose2& goal,
              const AgentParameters& agent, const RolloutParameters& parameters, std::vector<Pose2>* plan);
 

@@ -52,7 +52,7 @@ class StepSimulator : private LoopRobot {
  private:
   bool sense(double range_cap, Situation* situation) override;
   void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) override;
-  bool hasArrived(const Situation& situation, const Decision& decision) const override;
+  bool hasArrived(const Situation& situation, const Point2& end) const override;
   Twist2 steer(const Decision& decision, const NavigationAgent& agent, double period) const;
   void move(const Twist2& twist, double seconds);
 
