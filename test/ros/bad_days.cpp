@@ -177,7 +177,9 @@ class BadDayTest : public testing::Test {
   }
   void TearDown() override {
     relay().use({});
+    // The next test has a client of its own: a cancellation still on its way would take that one's goal away.
     client_.cancelAllGoals();
+    EXPECT_TRUE(eventually([&] { return client_.getState().isDone() && relay().speed() < kStill; }));
     EXPECT_EQ(relay().contacts(), 0u);
   }
 

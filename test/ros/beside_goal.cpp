@@ -28,29 +28,35 @@ class BesideGoalTest : public ClosedLoopTest {
   void onArrival(const diagnostic_msgs::DiagnosticStatus::ConstPtr& arrival) {
     const std::lock_guard<std::mutex> lock(mutex_);
     arrival_ = *arrival;
-    ++arrivals_;
   }
 
-  /// What is said of the end of this drive.
+  /// What is said of the end of the drive to this goal; the topic is latched, and may still tell of the one before.
   diagnostic_msgs::DiagnosticStatus driveTo(const Pose2& goal) {
-    const int before = arrivals();
     send("map", goal);
     EXPECT_TRUE(over(60.0));
-    EXPECT_TRUE(eventually([&] { return arrivals() > before; }));
+    EXPECT_TRUE(eventually([&] { return distanceBetween(goalOf(arrival()), goal) < 0.1; }));
+    return arrival();
+  }
+
+  diagnostic_msgs::DiagnosticStatus arrival() {
     const std::lock_guard<std::mutex> lock(mutex_);
     return arrival_;
   }
 
-  int arrivals() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return arrivals_;
+  static std::string valueOf(const diagnostic_msgs::DiagnosticStatus& arrival, const std::string& key) {
+    for (const auto& value : arrival.values) {
+      if (value.key == key) return value.value;
+    }
+    return "nan, nan";
   }
 
   static double distanceOf(const diagnostic_msgs::DiagnosticStatus& arrival) {
-    for (const auto& value : arrival.values) {
-      if (value.key == "distance") return std::stod(value.value);
-    }
-    return -1.0;
+    return std::stod(valueOf(arrival, "distance"));
+  }
+
+  static Point2 goalOf(const diagnostic_msgs::DiagnosticStatus& arrival) {
+    const std::string goal = valueOf(arrival, "goal");
+    return {std::stod(goal), std::stod(goal.substr(goal.find(',') + 1))};
   }
 
   static bool contains(const std::string& text, const std::string& part) {
@@ -64,7 +70,6 @@ class BesideGoalTest : public ClosedLoopTest {
  private:
   std::mutex mutex_;
   diagnostic_msgs::DiagnosticStatus arrival_;
-  int arrivals_ = 0;
   CallbackThread callbacks_;
   ros::Subscriber subscriber_;
 };
