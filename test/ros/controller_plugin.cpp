@@ -228,7 +228,21 @@ TEST_F(ControllerTest, TheCostmapCountsForNothingWhereItIsNotToBeUsed) {
   EXPECT_GT(velocity_.linear.x, 0.0);
 }
 
+TEST_F(ControllerTest, SaysNoOnceItHasStoodBeforeAnObstacleForLongerThanThePatience) {
+  robot_.range = [](double angle) { return std::abs(angle) < 0.3 ? 0.0943F : 4.0F; };
+  EXPECT_TRUE(eventually([&] {
+    stand(0.1);
+    return controller_->computeVelocityCommands(velocity_);
+  })) << "it waits";
+  expectStands("it has not got away from this place for longer than patience", [&] {
+    stand(5.0);
+    controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
+  });
+}
+
 TEST_F(ControllerTest, SaysThatAnObstacleStopsIt) {
+  ros::param::set("~/SteeringController/patience", 0.0);
+  initialise();
   DiagnosticsListener listener("SteeringController");
   robot_.range = [](double angle) { return std::abs(angle) < 0.3 ? 0.0943F : 4.0F; };
   const std::string reason = "the robot stands: an obstacle is within the safety margin";

@@ -30,9 +30,17 @@ MotionCommand MotionController::compute(const MotionSituation& situation, const 
   const auto& [plan, pose, current, shield, period] = situation;
   if (plan.empty()) return {{}, StopReason::kNoPlan};
   if (!isFinite(pose)) return {{}, StopReason::kUnusableData};
-  const bool has_corners = !shield.footprint().isCircle();
   const Persons persons(shield.footprint(), yieldingReach(shield.footprintRadius()), moving, resting);
-  const Moment now{situation, persons, history};
+  const Moment now{situation, persons, history, (history.has_stood ? kLeastMargin : 1.0) * parameters_.safety_margin};
+  const MotionCommand command = choose(now, moving);
+  return shield.footprint().isCircle() ? command : checked(command, now);
+}
+
+MotionCommand MotionController::choose(const Moment& now, const std::vector<Point2>& moving) const {
+  const MotionSituation& situation = now;
+  const auto& [plan, pose, current, shield, period] = situation;
+  const Persons& persons = now.persons;
+  const bool has_corners = !shield.footprint().isCircle();
   const Pose2& goal = plan.back();
   const double to_goal = distanceBetween(pose, goal);
   if (to_goal <= parameters_.position_tolerance) {

@@ -13,6 +13,9 @@ constexpr double kSpeedError = 0.02;
 constexpr double kCreep = 0.005;  ///< m/s; slower is standing
 constexpr double kSlack = 1e-9;   ///< m or rad of rounding
 
+/// Share of the safety margin that is kept in any case: the margin is at least three times the noise of the scanner.
+constexpr double kLeastMargin = 0.5;
+
 inline double clampMagnitude(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
 
 /// What moves, and what has moved and stands.
@@ -30,10 +33,11 @@ struct MotionController::Persons {
   bool near;  ///< there is somebody
 };
 
-/// What a robot with corners has to know of the moment.
+/// What a command depends on.
 struct MotionController::Moment : MotionSituation {
   const Persons& persons;
   const MotionHistory& history;
+  double margin;  ///< m, that a robot with corners keeps
 };
 
 /// Which motions of a robot with corners, braking included, come no nearer to a return than `margin` (m). Controller

@@ -8,7 +8,8 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kTurning = 0.01;     // m/s; who is slower turns in place
+constexpr double kStillSpeed = 0.01;  // m/s; an odometry may say so of a robot that stands
+constexpr double kCreeping = 0.05;    // m/s, of the fastest wheel, where less than the safety margin is kept
 constexpr double kSlowest = 0.05;     // m/s; a robot that may only go slower than this rather turns in place
 constexpr double kTurnSlack = 0.02;   // rad of an angle to turn by that need not be free
 constexpr double kLeastTurn = 0.05;   // rad that are worth a turn
@@ -16,7 +17,6 @@ constexpr double kSlowestTurn = 0.1;  // rad/s; slower is standing
 constexpr double kEnough = 0.5;       // rad of a turn for which the robot need not go farther back
 constexpr double kTurnsOnly = 0.01;   // m; a path back that is shorter is a turn in place
 constexpr double kFastestBack = 0.2;  // m/s; faster it would leave the path that it came before it sees that
-constexpr double kWhereItWas = 0.5;   // of the safety margin: it was there already
 constexpr double kShares[] = {1.0, 0.75, 0.5, 0.35, 0.2, 0.1, 0.05};
 constexpr double kNarrower[] = {0.7, 0.45, 0.2, 0.0};
 
@@ -32,13 +32,34 @@ std::optional<Twist2> fastestShare(const Twist2& wanted, const IsFine& isFine) {
   return std::nullopt;
 }
 
+/// The measured motion without its noise: who stands must not be stopped by it.
+Twist2 goingOn(const Twist2& current) {
+  return {std::abs(current.linear) < kStillSpeed ? 0.0 : current.linear, current.angular};
+}
+
 }  // namespace
+
+/// No motion leaves without having been looked at, whoever decided it.
+MotionCommand MotionController::checked(const MotionCommand& command, const Moment& now) const {
+  MotionCommand answer = command;
+  if (now.margin < parameters_.safety_margin) {
+    const double rim = std::abs(command.linear) + 0.5 * parameters_.axle_length * std::abs(command.angular);
+    const double share = rim > kCreeping ? kCreeping / rim : 1.0;
+    answer.linear *= share;
+    answer.angular *= share;
+  }
+  const double margin = command.goes_back ? kLeastMargin * parameters_.safety_margin : now.margin;
+  const bool stands = answer.linear == 0.0 && answer.angular == 0.0;
+  if (!stands && SafeMotion(*this, now, margin)(answer)) return answer;
+  return {{}, command.stop == StopReason::kNone ? StopReason::kObstacle : command.stop};
+}
 
 MotionCommand MotionController::driveWithCorners(const Twist2& wanted, double error, const Moment& now) const {
   StopReason stop = StopReason::kNone;
   if (now.history.goes_back) return makeRoom(error, now);
   const double speed = fastest(wanted, now, &stop);
-  if (speed >= kSlowest || speed >= wanted.linear - kCreep) return {withinWheelLimits({speed, wanted.angular}), stop};
+  const bool drives = speed >= kSlowest || (speed >= kCreep && speed >= wanted.linear - kCreep);
+  if (drives) return {withinWheelLimits({speed, wanted.angular}), stop};
   const bool heads_there = std::abs(error) < kLeastTurn;
   if (stop == StopReason::kPerson || heads_there) return {{}, stop};
   return turnWithCorners(error, now);
@@ -47,10 +68,10 @@ MotionCommand MotionController::driveWithCorners(const Twist2& wanted, double er
 MotionCommand MotionController::turnWithCorners(double error, const Moment& now) const {
   const double turning = yieldingTurn(now.persons);
   if (turning < kSlowestTurn) return {{}, StopReason::kPerson};
-  const double room = now.shield.freeTurn({}, error, parameters_.safety_margin);
+  const double room = now.shield.freeTurn({}, error, now.margin);
   if (room >= std::abs(error) - kTurnSlack) return {{0.0, turningSpeed(error, now)}, StopReason::kNone};
   const double other = error - std::copysign(2.0 * M_PI, error);
-  if (now.shield.freeTurn({}, other, parameters_.safety_margin) >= std::abs(other) - kTurnSlack) {
+  if (now.shield.freeTurn({}, other, now.margin) >= std::abs(other) - kTurnSlack) {
     return {{0.0, turningSpeed(other, now)}, StopReason::kNone};
   }
   if (!now.history.goes_back && std::abs(error) < M_PI_2) {
@@ -67,15 +88,17 @@ MotionCommand MotionController::turnWithCorners(double error, const Moment& now)
 }
 
 MotionCommand MotionController::makeRoom(double error, const Moment& now) const {
-  const double room = now.shield.freeTurn({}, error, parameters_.safety_margin);
-  const bool can_turn = room >= std::min(std::abs(error), kEnough) - kTurnSlack;
+  const double room = now.shield.freeTurn({}, error, now.margin);
+  const double turn = room >= kLeastTurn ? turningSpeed(std::copysign(room, error), now) : 0.0;
+  // Room for a turn that is not safe at any speed is none: who took it for some would go back and stand in turns.
+  const bool can_turn = turn != 0.0 && room >= std::min(std::abs(error), kEnough) - kTurnSlack;
   // Behind it somebody may have come to where the robot was.
   if (now.persons.near) return {{}, StopReason::kPerson};
   if (!now.history.goes_back || !can_turn) {
     if (const std::optional<MotionCommand> back = goBack(now)) return *back;
   }
-  if (room >= kLeastTurn) return {{0.0, turningSpeed(std::copysign(room, error), now)}, StopReason::kNone};
-  const SafeMotion isSafe(*this, now, parameters_.safety_margin);
+  if (turn != 0.0) return {{0.0, turn}, StopReason::kNone};
+  const SafeMotion isSafe(*this, now, now.margin);
   const auto out = fastestShare({slowSpeed(parameters_), 0.0}, [&](const Twist2& twist) {
     return yieldingSpeed(twist, now.persons) >= twist.linear && isSafe(twist);
   });
@@ -93,7 +116,7 @@ std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
     wanted = {-std::min(slowSpeed(parameters_), kFastestBack), 0.0};
     wanted.angular = clampMagnitude(wanted.linear * 2.0 * back.y / (away * away), parameters_.max_angular);
   }
-  const SafeMotion isSafe(*this, now, kWhereItWas * parameters_.safety_margin);
+  const SafeMotion isSafe(*this, now, kLeastMargin * parameters_.safety_margin);  // it was there already
   const auto twist = fastestShare(wanted, [&](const Twist2& share) {
     const Twist2 limited = withinWheelLimits(share);
     // Not beyond that place: it came there from elsewhere.
@@ -107,7 +130,7 @@ std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
 double MotionController::turningSpeed(double angle, const Moment& now) const {
   const double most = std::min(parameters_.max_angular, yieldingTurn(now.persons));
   const double wanted = clampMagnitude(parameters_.heading_gain * angle, most);
-  const auto twist = fastestShare({0.0, wanted}, SafeMotion(*this, now, parameters_.safety_margin));
+  const auto twist = fastestShare({0.0, wanted}, SafeMotion(*this, now, now.margin));
   return twist ? twist->angular : 0.0;
 }
 
@@ -123,7 +146,7 @@ double MotionController::yieldingTurn(const Persons& persons) const {
 double MotionController::fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const {
   const double cautious = std::min(wanted.linear, cautiousSpeed(wanted, now.shield));
   *stop = cautious < wanted.linear ? StopReason::kObstacle : StopReason::kNone;
-  const SafeMotion isSafe(*this, now, parameters_.safety_margin);
+  const SafeMotion isSafe(*this, now, now.margin);
   for (const double share : kShares) {
     const Twist2 twist{share * cautious, wanted.angular};
     if (twist.linear < kCreep) break;
@@ -151,7 +174,7 @@ MotionController::SafeMotion::SafeMotion(const MotionController& controller, con
       margin_(margin),
       delay_(std::max(0.0, controller.reaction_time_ - situation.period)),
       later_(alongTurn({}, situation.current.linear * delay_, situation.current.angular * delay_)),
-      can_go_on_(isFree({}, situation.current, delay_)) {}
+      can_go_on_(isFree({}, goingOn(situation.current), delay_)) {}
 
 bool MotionController::SafeMotion::operator()(const Twist2& twist) const {
   // The robot may go on as it does now until the last moment.
@@ -168,7 +191,7 @@ bool MotionController::SafeMotion::operator()(const Twist2& twist) const {
 bool MotionController::SafeMotion::isFree(const Pose2& from, const Twist2& twist, double time) const {
   const double length = std::abs(twist.linear) * time;
   const double angle = twist.angular * time;
-  if (length < kSlack || std::abs(twist.linear) < kTurning) {
+  if (length < kSlack) {
     return std::abs(angle) < kSlack || situation_.shield.freeTurn(from, angle, margin_) >= std::abs(angle) - kSlack;
   }
   const double curvature = twist.angular / twist.linear;

@@ -14,6 +14,8 @@ const char* toString(StopReason reason) {
       return "an obstacle is within the safety margin of where it would drive";
     case StopReason::kPerson:
       return "it yields to somebody who moves, or has just moved";
+    case StopReason::kStuck:
+      return "it has not got away from this place for longer than patience";
     case StopReason::kOldPlan:
       return "the plan is too old";
     case StopReason::kUnusableData:

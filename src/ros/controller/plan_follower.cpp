@@ -3,6 +3,8 @@
 #include <ros/time.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "lstm_planner/ros/common/conversions.hpp"
@@ -14,6 +16,8 @@ namespace {
 
 /// Farther returns do not change a command of a slow robot; not looking at them keeps the controller cheap.
 constexpr double kLeastReach = 2.0;  // m
+
+constexpr double kNearMark = 0.3;  // m; farther obstacles of the costmap hardly block
 
 /// m, of what changes a command: as far as the robot needs to stop behind a slow scanner, and to steer.
 double reachOf(const SteeringControllerParameters& parameters) {
@@ -81,7 +85,21 @@ MotionCommand PlanFollower::compute() {
   perceive(reading, now);
   const double period = 1.0 / parameters_.controller_frequency;
   tracker_.expectReactionTime(reading.scan_period, period);
+  speed_ = std::abs(reading.twist.linear);
   return tracker_.compute(odometry_plan_, seen_, reading.twist, shield_, period);
+}
+
+std::string PlanFollower::whatBlocks(const std::string& why) const {
+  const auto nearest = [this](const std::vector<Point2>& points) {
+    double gap = reach_;
+    for (const Point2& point : points) gap = std::min(gap, shield_.footprint().distanceTo(point));
+    return gap;
+  };
+  const double marked = nearest(marked_);
+  if (marked >= nearest(seen_.obstacles) || marked > kNearMark) return why;
+  char text[120];
+  std::snprintf(text, sizeof(text), "an obstacle of the costmap, which the scan does not show, is %.2f m away", marked);
+  return why.empty() ? text : why + "; " + text;
 }
 
 bool PlanFollower::goalReached() {
@@ -144,7 +162,8 @@ void PlanFollower::perceive(const SensorReading& reading, const ros::Time& now) 
     if (!shield_.footprint().isCircle()) {
       known_.insert(known_.end(), out_of_view_.points().begin(), out_of_view_.points().end());
     }
-    shield_.add(costmap_.read(compose(costmap_from_odometry, seen_.pose), known_));
+    marked_ = costmap_.read(compose(costmap_from_odometry, seen_.pose), known_);
+    shield_.add(marked_);
   }
 }
 

@@ -53,6 +53,11 @@ class PlanFollower {
 
   SensorListener& sensors() { return sensors_; }
 
+  /// `why`, and the distance of an obstacle of the costmap that the scan does not show, if it is the nearest one.
+  std::string whatBlocks(const std::string& why) const;
+  /// Measured at the last command, m/s, 0 or more.
+  double speed() const { return speed_; }
+
  private:
   void checkPlanAge(const ros::Time& now) const;
   Pose2 odometryFromPlan(const std::string& odometry_frame, const ros::Time& now) const;
@@ -77,6 +82,8 @@ class PlanFollower {
   std::vector<Pose2> odometry_plan_;  ///< of the current call
   LaserScan scan_, second_scan_;      ///< of the current call
   Situation seen_;                    ///< by the scans of the current call
+  std::vector<Point2> marked_;        ///< of the costmap, not of the scans; base frame, m
+  double speed_ = 0.0;                ///< m/s
   long jumps_ = 0;                    ///< of the odometry, until the last call
 };
 

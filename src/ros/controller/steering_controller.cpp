@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kShortStop = 1.0;          // s: nobody needs to be told of a shorter one
 constexpr double kControllerUnasked = 1.0;  // s
+constexpr double kBraking = 0.03;           // m/s; slower is standing
 
 }  // namespace
 
@@ -98,6 +99,9 @@ bool SteeringController::computeVelocityCommands(geometry_msgs::Twist& cmd_vel) 
 bool SteeringController::follow(geometry_msgs::Twist* cmd_vel) {
   try {
     const MotionCommand command = plan_follower_->compute();
+    if (command.stop == StopReason::kStuck) {
+      return stand(StopReason::kStuck, plan_follower_->whatBlocks(toString(StopReason::kStuck)));
+    }
     noteStop(command);
     cmd_vel->linear.x = command.linear;
     cmd_vel->angular.z = command.angular;
@@ -123,7 +127,9 @@ void SteeringController::noteStop(const MotionCommand& command) {
   } else if (answer_.stopped_since.isZero()) {
     answer_.stopped_since = answer_.time;
   } else if ((answer_.time - answer_.stopped_since).toSec() > kShortStop) {
-    ROS_WARN_THROTTLE(kLogPeriod, "the robot stands: %s", toString(command.stop));
+    answer_.why = plan_follower_->whatBlocks("");
+    const std::string reason = toString(command.stop) + (answer_.why.empty() ? "" : ": " + answer_.why);
+    ROS_WARN_THROTTLE(kLogPeriod, "the robot stands: %s", reason.c_str());
   }
 }
 
@@ -163,7 +169,9 @@ void SteeringController::describeStop(PluginDiagnostics::Status* status) const {
   } else if (command.stop == StopReason::kNone || command.stop == StopReason::kArrived) {
     status->summary(DiagnosticStatus::OK, toString(command.stop));
   } else {
-    status->summary(DiagnosticStatus::WARN, std::string("the robot stands: ") + toString(command.stop));
+    const bool brakes = plan_follower_->speed() > kBraking;
+    status->summary(DiagnosticStatus::WARN,
+                    std::string(brakes ? "the robot brakes: " : "the robot stands: ") + toString(command.stop));
     if (!answer_.why.empty()) status->add("why", answer_.why);
   }
   status->add("linear (m/s)", is_asked ? command.linear : 0.0);

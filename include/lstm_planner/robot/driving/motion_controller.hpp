@@ -26,6 +26,7 @@ struct MotionParameters {
   double heading_gain = 2.5;
   double reaction_time = 0.25;
   double safety_margin = 0.03;
+  double patience = 15.0;
   double slow_gap = 0.15;
   double slow_speed = 0.15;
   MovingReturnsParameters moving;  ///< how people are found
@@ -67,6 +68,10 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
         "time from a measurement to the motion of the wheels, with the driver's loop; longer stops earlier");
   visit("safety_margin", motion.safety_margin, {0.001, 5.0}, "m",
         "distance kept between the footprint and every return; at least three times the noise of the scanner");
+  visit("patience", motion.patience, {0.0, 3600.0}, "s",
+        "time for which the robot may stand before an obstacle, with no person near; after half of it a robot with "
+        "corners creeps out with half the safety_margin, after all of it the controller says no, so that move_base "
+        "recovers or aborts; about move_base's controller_patience; 0: it waits for ever");
   visit("slow_gap", motion.slow_gap, {0.001, 20.0}, "m",
         "the robot slows down if its path leads nearer to an obstacle than this; larger is slower");
   visit("slow_speed", motion.slow_speed, {0.001, 10.0}, "m/s",
@@ -113,6 +118,7 @@ struct MotionHistory {
   std::optional<Pose2> back;                       ///< the next pose back, base frame
   bool goes_back = false;                          ///< it was told to, last
   std::optional<Twist2> commanded = std::nullopt;  ///< last; it may not have reached the wheels yet
+  bool has_stood = false;                          ///< for so long that half the safety margin must do
 };
 
 /// Turns and drives along a plan; never commands a motion which, braking included, comes nearer to a return than the
@@ -174,6 +180,8 @@ class MotionController {
 
   // Of a robot with corners.
   class SafeMotion;
+  MotionCommand choose(const Moment& now, const std::vector<Point2>& moving) const;
+  MotionCommand checked(const MotionCommand& command, const Moment& now) const;
   MotionCommand driveWithCorners(const Twist2& wanted, double error, const Moment& now) const;
   MotionCommand turnWithCorners(double error, const Moment& now) const;
   MotionCommand makeRoom(double error, const Moment& now) const;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "lstm_planner/robot/driving/stand_watch.hpp"
 #include "lstm_planner/robot/driving/trail.hpp"
 #include "lstm_planner/robot/perception/moving_surroundings.hpp"
 #include "lstm_planner/robot/perception/seen_free.hpp"
@@ -11,7 +12,8 @@
 namespace lstm_planner {
 
 /// What follows a plan among people, in the robot and in simulation: sees by scan after scan what moves, and asks the
-/// controller for a command.
+/// controller for a command. Gives up (StopReason::kStuck) where the robot has stood for longer than the patience,
+/// until it is moved, has another goal, or three times the patience has passed.
 class PathTracker {
  public:
   /// Throws as MotionController.
@@ -36,6 +38,7 @@ class PathTracker {
           seenFreeBehind(situation, shield.footprint(), limits.safety_margin, limits.max_linear * limits.evade_time);
       command = controller_.evade(command, motion, moving_.follow(situation), free_behind);
     }
+    command = withPatience(command, plan, situation);
     history_.goes_back = command.goes_back;
     history_.commanded = command;
     return command;
@@ -57,6 +60,7 @@ class PathTracker {
   void forget() {
     moving_.reset();
     trail_.clear();
+    stand_.clear();
     history_ = {};
   }
 
@@ -64,9 +68,29 @@ class PathTracker {
   bool goalReached(const Pose2& pose, const Pose2& goal) const { return controller_.goalReached(pose, goal); }
 
  private:
+  static constexpr double kGivesUpFor = 3.0;  ///< times the patience
+
+  MotionCommand withPatience(const MotionCommand& command, const std::vector<Pose2>& plan, const Situation& situation) {
+    const double patience = controller_.parameters().patience;
+    if (plan.empty()) {
+      stand_.clear();
+      return command;
+    }
+    stand_.note(situation.pose, situation.time, {plan.back().x, plan.back().y},
+                command.linear != 0.0 || command.angular != 0.0);
+    const bool is_excused = command.stop == StopReason::kPerson || command.stop == StopReason::kArrived;
+    if (is_excused) stand_.excuse(situation.time);
+    history_.has_stood = patience > 0.0 && stand_.stood() > 0.5 * patience;
+    const bool is_stuck = command.stop == StopReason::kObstacle ? stand_.stood() > patience : stand_.tried() > patience;
+    // Whoever hears of it has given up by then, or expects another try.
+    if (is_stuck && stand_.stood() > kGivesUpFor * patience) stand_.clear();
+    return patience > 0.0 && is_stuck ? MotionCommand{{}, StopReason::kStuck} : command;
+  }
+
   MotionController controller_;
   Trail trail_;
   MotionHistory history_;
+  StandWatch stand_;
   MovingSurroundings moving_;
 };
 
