@@ -19,7 +19,7 @@ Options:
 Arguments of launch/demo.launch, among them:
   map:=FILE      a map as map_server reads it (yaml); default: the building that comes with the package
   goals:=FILE    the goals to drive to, in the map's frame
-  leader:=NAME   who leads: network, or route (the default)
+  leader:=NAME   who leads: network (the default), or route
   All of them:   roslaunch lstm_planner demo.launch --ros-args
 
 Environment:

@@ -57,10 +57,15 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
       "leader", nameOfLeader(agent.leader), [&](const std::string& name) { agent.leader = leaderNamed(name); },
       "network; route: the path through the remembered obstacles; none: the allowed angle nearest to the goal's "
       "bearing");
+  visitAgentParameters(agent,
+                       line->parameters({{"detour/allowance", "detour-allowance"}, {"detour/share", "detour-share"}}));
+  line->addFlag("no-memory", &agent.memory.enabled, false,
+                "remember no obstacles: nothing limits the network's detours, and without progress the robot follows "
+                "boundaries");
   line->add("patience", &agent.escape.patience_steps, kAnyCount,
-            "steps without progress after which the rescue leads; also after this number times 0.2 m");
-  line->addFlag("no-escape", &agent.escape.enabled, false, "switch the rescue off");
-  line->addFlag("no-memory", &agent.memory.enabled, false, "remember no obstacles: the rescue follows boundaries");
+            "steps without progress after which the robot follows boundaries, where no obstacles are remembered; also "
+            "after this number times 0.2 m");
+  line->addFlag("no-escape", &agent.escape.enabled, false, "never follow boundaries");
   line->addFlag("no-shield", &agent.shield_enabled, false, "switch the shield off");
 }
 
@@ -105,7 +110,6 @@ void check(const DriveOptions& options) {
 
 bool readDriveOptions(const std::vector<std::string>& arguments, DriveOptions* options) {
   options->drive.robot.latency = kLatency;
-  options->agent.leader = kDefaultLeader;
   options->crowd.walkers = 0;
   CommandLine line("drive",
                    "drives a simulated robot (default: a Create 2) to random goals, and prints how well it does");

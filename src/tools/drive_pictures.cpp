@@ -75,7 +75,9 @@ std::vector<TracePicture::Part> partsOf(const DriveResult& result) {
   for (std::size_t i = 0; i < result.trace.size(); ++i) {
     const Point2 here{result.trace[i].x, result.trace[i].y};
     if (!parts.empty()) parts.back().path.push_back(here);
-    if (parts.empty() || parts.back().source != result.led[i]) parts.push_back({result.led[i], {here}});
+    const bool on_path = result.on_path[i] != 0;
+    const bool goes_on = !parts.empty() && parts.back().source == result.led[i] && parts.back().on_path == on_path;
+    if (!goes_on) parts.push_back({result.led[i], on_path, {here}});
   }
   return parts;
 }

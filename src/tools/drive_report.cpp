@@ -59,10 +59,23 @@ void printLeaders(std::ostream& out, const std::vector<DriveResult>& results) {
     const double share = shareOf(source, results);
     if (share > 0.0) out << "  " << toString(source) << ' ' << 100.0 * share << " %";
   }
-  if (shareOf(Decision::Source::kNetwork, results) > 0.0) {
-    out << "; the network was overruled in " << 100.0 * overruledShare(results) << " %";
-  }
   out << "\n";
+}
+
+/// What became of the answers of a network that leads.
+void printNetwork(std::ostream& out, const std::vector<DriveResult>& results) {
+  double regret = 0.0;
+  double driven = 0.0;
+  for (const DriveResult& result : results) {
+    regret += result.regret;
+    driven += result.path_length;
+  }
+  out << "of the steps without the goal in sight the network decided "
+      << 100.0 * shareOutOfSight(Decision::Source::kNetwork, results) << " %; of all steps it decided "
+      << 100.0 * shareOnPath(results) << " % along the remembered path, and was overruled by the shield in "
+      << 100.0 * shareOf(Decision::Overruled::kByShield, results) << " %, by the bound in "
+      << 100.0 * shareOf(Decision::Overruled::kByBound, results) << " %; its detours were "
+      << (driven > 0.0 ? 100.0 * regret / driven : 0.0) << " % of the driven paths\n";
 }
 
 /// A line for each class of DynaBARN's worlds.
@@ -107,7 +120,10 @@ nlohmann::json toJson(const std::vector<DriveResult>& results, bool is_barn) {
     const auto source = static_cast<Decision::Source>(i);
     json["led"][toString(source)] = shareOf(source, results);
   }
-  json["overruled"] = overruledShare(results);
+  json["led_on_path"] = shareOnPath(results);
+  json["network_of_steps_out_of_sight"] = shareOutOfSight(Decision::Source::kNetwork, results);
+  json["overruled_by_shield"] = shareOf(Decision::Overruled::kByShield, results);
+  json["overruled_by_bound"] = shareOf(Decision::Overruled::kByBound, results);
   if (is_barn && hasReferencePaths(results)) {
     json["barn_score_k4"] = meanBarnScore(results, 4.0);
     json["barn_score_k2"] = meanBarnScore(results, 2.0);
@@ -148,6 +164,7 @@ void printDriveSummary(std::ostream& out, const DriveCourse& course, const Drive
   const std::vector<DriveResult> all = together(results);
   out << lineOf(table, leftText(course.worlds.size() == 1 ? course.worlds[0].name : "all", width), summarize(all));
   printLeaders(out, all);
+  if (shareOf(Decision::Source::kNetwork, all) > 0.0) printNetwork(out, all);
   if (course.is_barn) printBarnScore(out, all);
   if (course.left_out > 0)
     out << "worlds left out, because the robot does not fit into them: " << course.left_out << '\n';
@@ -189,7 +206,8 @@ std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
   std::ostringstream text;
   CsvWriter csv(&text);
   csv.add("world", "number", "start_x", "start_y", "start_yaw", "goal_x", "goal_y", "end", "contacts", "bumped",
-          "bumped_moving", "time_s", "path_m", "shortest_m", "goal_error_m", "goal_seemed", "steps", "overruled_steps");
+          "bumped_moving", "time_s", "path_m", "shortest_m", "goal_error_m", "goal_seemed", "steps", "on_path",
+          "overruled_by_shield", "overruled_by_bound", "regret_m");
   for (std::size_t i = 0; i < kDecisionSources; ++i) csv.add("by_" + columnName(static_cast<Decision::Source>(i)));
   csv.endRow();
   for (std::size_t i = 0; i < course.worlds.size(); ++i) {
@@ -200,7 +218,8 @@ std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
       csv.add(course.worlds[i].name, exercise.number, task.start.x, task.start.y, task.start.yaw, task.goal.x,
               task.goal.y, toString(result.end), result.contacts, result.bumped, result.bumped_moving, result.time,
               result.path_length, result.shortest, result.goal_error, toString(result.goal_seemed), result.steps,
-              result.overruled_steps);
+              result.steps_on_path, result.overruled[static_cast<std::size_t>(Decision::Overruled::kByShield)],
+              result.overruled[static_cast<std::size_t>(Decision::Overruled::kByBound)], result.regret);
       csv.addAll(result.steps_by);
       csv.endRow();
     }

@@ -151,7 +151,7 @@ double heapInUse() {
 /// call of a drive forgets all that was seen in the one before; it is left out. Cold: with caches that other programs
 /// have used since the last call. agent_bytes: what the agent holds of the heap after the drives.
 void plan(benchmark::State& state, int rollout_steps, bool cold, const std::string& world,
-          Decision::Source leader = kDefaultLeader) {
+          Decision::Source leader = Decision::Source::kRoute) {
   std::vector<Replay> replays;
   for (const RecordedDrive& drive : recordedDrives()) {
     if (world.empty() || drive.world == world) replays.emplace_back(drive, rollout_steps, cold);

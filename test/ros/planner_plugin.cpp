@@ -171,7 +171,8 @@ TEST_F(PlannerTest, AModelIsNeededOnlyToLead) {
   auto planner = makePlanner();
   ASSERT_TRUE(planner);
   EXPECT_TRUE(plan(planner.get(), stampedPose("odom", kGoal)));
-  EXPECT_TRUE(log_.eventuallyHas("no network can lead, only the route: /no/such/model.onnx"));
+  EXPECT_TRUE(
+      log_.eventuallyHas("no network can lead, only the route: model file /no/such/model.onnx: it cannot be read"));
 }
 
 TEST_F(PlannerTest, ScannerUpsideDownSeesTheSame) {

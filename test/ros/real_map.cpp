@@ -52,7 +52,7 @@ double detour(const nlohmann::json& result) {
   return leg.at("path_m").get<double>() / leg.at("shortest_m").get<double>();
 }
 
-TEST(RealMap, DemoArrivesInWillowOnAShortPathAndAUselessNetworkOnALongOne) {
+TEST(RealMap, DemoArrivesInWillowOnAShortPathWithAnyNetwork) {
   SKIP_WITHOUT_REAL_DATA(willowMap());
   const GridWorld world(readMapServerMap(willowMap(), kWillowFreeThreshold));
   const std::vector<DriveTask> tasks = drawTasksBetween(world, 1, 6.0, 8.0);
@@ -63,9 +63,9 @@ TEST(RealMap, DemoArrivesInWillowOnAShortPathAndAUselessNetworkOnALongOne) {
   EXPECT_EQ(result.at("contacts"), 0);
   EXPECT_LT(detour(result), 1.5);
 
-  // The escape brings any network to the goal, some time.
+  // The bound keeps the path of any network short.
   const TemporaryModelFile useless(straightAheadModel());
-  EXPECT_GT(detour(drive(tasks.front(), " leader:=network model:=" + useless.path())), 2.0);
+  EXPECT_LT(detour(drive(tasks.front(), " leader:=network model:=" + useless.path())), 1.5);
 }
 
 const RosProgram program("real_map", &runTests);

@@ -63,7 +63,7 @@ class Reconfigure(unittest.TestCase):
 
     def test_who_leads_changes_while_it_drives(self):
         # The reason that is told is the newest one: the robot may have come nearer to the goal than ever meanwhile.
-        for leader in ("network", "route"):
+        for leader in ("route", "network"):
             del self.log[:]
             self.planner.update_configuration({"leader": leader})
             self.assertTrue(self.logged("the %s leads: " % leader), leader)

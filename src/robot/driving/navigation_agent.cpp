@@ -20,6 +20,11 @@ constexpr double kFarthestAside = 1.05;
 /// Places ahead that are taken as blocked, one after the other, before the robot looks around.
 constexpr int kBlocks = 3;
 
+constexpr double kSamePlace = 1e-6;  // m
+
+/// A turn by so much (rad) counts as much as a whole step of a detour.
+constexpr double kTurnOfAStep = M_PI;
+
 /// m; a goal that moves farther between two calls is another goal.
 constexpr double kGoalShift = 0.25;
 
@@ -65,6 +70,7 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
       actions_(parameters),
       escape_(parameters.escape, parameters.shield),
       guide_(parameters.memory.enabled ? Boxed<RouteGuide>(RouteGuide(parameters)) : Boxed<RouteGuide>()),
+      bound_(parameters.detour),
       clock_(parameters.step),
       progress_(parameters.escape.progress) {
   checkLeader(policy_.description(), parameters);
@@ -168,6 +174,7 @@ void NavigationAgent::setGoal(const Point2& goal) {
   goal_ = goal;
   policy_.reset();
   if (guide_) guide_->start();
+  bound_.start();
   trace_.clear();
   clock_.clear();
   progress_.clear();
@@ -179,6 +186,8 @@ void NavigationAgent::setGoal(const Point2& goal) {
   decision_.preferred = -1;
   decision_.destination = goal;
   decision_.goal_seems = Decision::GoalSeems::kReachable;
+  decision_.overruled = Decision::Overruled::kNo;
+  decision_.regret = 0.0;
   decision_.path_on.clear();
   decision_.step = 0;
 }
@@ -231,13 +240,14 @@ const Decision& NavigationAgent::decideAbout(const Situation& situation) {
     if (decision_.on_route) {
       guide_->blockAhead();
       decide(situation);
+    } else if (guide_ && isOneStep(decision_)) {
+      guide_->blockTowards({situation.pose.x, situation.pose.y}, decision_.waypoint);
+      decide(situation);
     } else {
       lookAround(situation);
     }
   } else if (!pathIsFree(situation)) {
     decide(situation);
-  } else if (guide_ && !guideLeads()) {
-    guide_->watch(situation, false);
   }
   return decision_;
 }
@@ -306,20 +316,14 @@ bool NavigationAgent::isOutOfPatience(double times) const {
 }
 
 void NavigationAgent::losePatience() {
-  if (!parameters_.escape.enabled) {
-    return;
-  }
-  if (!guideLeads() && isOutOfPatience(1.0)) {
-    lead(guide_ ? Source::kRoute : Source::kEscape, kNoProgress);
-  }
-  if (decision_.leader != Source::kEscape && isOutOfPatience(parameters_.escape.last_resort)) {
-    lead(Source::kEscape, kNoProgressForLong);
-  }
+  if (!parameters_.escape.enabled || decision_.leader == Source::kEscape) return;
+  if (guide_ && isOutOfPatience(parameters_.escape.last_resort)) lead(Source::kEscape, kNoProgressForLong);
+  if (!guide_ && isOutOfPatience(1.0)) lead(Source::kEscape, kNoProgress);
 }
 
 /// Nothing rescues the leader, the goal is near, and it seems to lie in or behind an obstacle.
 bool NavigationAgent::isBesideGoal(const Situation& situation) const {
-  const bool is_rescued = parameters_.escape.enabled || decision_.leader == Source::kRoute;
+  const bool is_rescued = parameters_.escape.enabled || guide_;
   if (is_rescued || !parameters_.shield_enabled || !isOutOfPatience(kPatienceBesideGoal)) return false;
   const double distance = distanceBetween(situation.pose, goal_);
   const double direction = directionTo(situation.pose, goal_);
@@ -337,11 +341,20 @@ void NavigationAgent::startStep(const Situation& situation) {
   const Observation observation = observe(situation, goal_, previousAction(), cell, &trace_);
   imposed_action_.reset();
   advanceNetwork(observation);
+  bound_.endStep(drivenShare(situation));
   clock_.start(situation);
   ++decision_.step;
   if (!step_listener_) return;
   const std::optional<int> steered = step_listener_(situation, observation);
   if (steered) imposed_action_ = steered;
+}
+
+/// Of the step that ends here. Turning counts, too: else a network that turns on the spot would never be stopped.
+double NavigationAgent::drivenShare(const Situation& situation) const {
+  if (!clock_.hasStep()) return 0.0;
+  const double planned = std::max(kSamePlace, distanceBetween(clock_.pose(), decision_.waypoint));
+  const double turned = std::abs(normalizeAngle(situation.pose.yaw - clock_.pose().yaw));
+  return std::min(1.0, clock_.moved(situation) / planned + turned / kTurnOfAStep);
 }
 
 double NavigationAgent::previousAction() const {
@@ -365,7 +378,7 @@ void NavigationAgent::advanceNetwork(const Observation& observation) {
   Eigen::Index preferred = 0;
   preferences.maxCoeff(&preferred);
   decision_.preferred = static_cast<int>(preferred);
-  if (parameters_.draw_after > 0 && progress_.steps() >= parameters_.draw_after) {
+  if (!guide_ && parameters_.draw_after > 0 && progress_.steps() >= parameters_.draw_after) {
     imposed_action_ = drawAction(decision_.preferences, static_cast<std::uint64_t>(decision_.step));
     decision_.preferred = *imposed_action_;
   }
@@ -377,21 +390,26 @@ void NavigationAgent::decide(const Situation& situation) {
     lead(Source::kEscape, kMemoryWrong);
   }
   decision_.on_route = false;
+  decision_.overruled = Decision::Overruled::kNo;
+  decision_.regret = 0.0;
+  decision_.path_on.clear();
+  bound_.choose(0.0);
   if (!chooseGoalInSight(situation)) {
     chooseAsLed(situation, guidance);
   }
+  decision_.regret_used = bound_.used();
+  decision_.regret_allowed = bound_.allowed(driven_);
   decision_.goal_seems = judgeGoal(situation, guidance);
-  decision_.path_on.clear();
   if (decision_.on_route) {
     guide_->pointsAhead(distanceBetween(clock_.pose(), decision_.waypoint), &decision_.path_on);
-  } else if (isOneStep(decision_) && guide_ && parameters_.memory.completes_plan) {
-    guide_->searchFrom(decision_.waypoint, goal_, reachedWithin(), &decision_.path_on);
+  } else if (!isOneStep(decision_)) {
+    decision_.path_on.clear();
   }
 }
 
 Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Source guidance) const {
   using GoalSeems = Decision::GoalSeems;
-  if (decision_.leader != Source::kRoute) return GoalSeems::kReachable;
+  if (!guide_ || decision_.leader == Source::kEscape) return GoalSeems::kReachable;
   if (guidance == Source::kLookAround || guidance == Source::kNoPath) {
     const bool is_hidden = isHidden(guide_->memory(), situation.pose, goal_, parameters_.goal_in_sight);
     return is_hidden ? GoalSeems::kInObstacle : GoalSeems::kEnclosed;
@@ -403,21 +421,12 @@ Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Sourc
                                                                               : GoalSeems::kReachable;
 }
 
-/// Whether the path through what is remembered is asked for.
-bool NavigationAgent::guideLeads() const {
-  return decision_.leader == Source::kRoute || decision_.leader == Source::kEscape;
-}
-
-/// Remembers what is seen; where the route leads, or would, what it says: kRoute, kLookAround, kNoPath, or kEscape.
+/// Remembers what is seen, and searches the path through it: kRoute, kLookAround, kNoPath, or kEscape.
 NavigationAgent::Source NavigationAgent::guide(const Situation& situation) {
   if (!guide_) {
     return Source::kRoute;
   }
   decision_.destination = goal_;
-  if (!guideLeads()) {
-    guide_->watch(situation, true);
-    return Source::kRoute;
-  }
   const Source guidance = guide_->update(situation, goal_, reachedWithin());
   if (guidance == Source::kRoute) decision_.destination = guide_->end();
   return guidance;
@@ -451,23 +460,61 @@ void NavigationAgent::chooseAsLed(const Situation& situation, Source guidance) {
     chooseRoute(situation, guidance);
   } else if (decision_.leader == Source::kEscape) {
     chooseEscape(situation);
+  } else if (guide_) {
+    chooseWithinBound(situation, guidance);
   } else {
     chooseAction(situation);
   }
 }
 
+std::optional<ActionChoice::Action> NavigationAgent::chooseAmongActions(const Situation& situation) {
+  const auto chosen = actions_.choose(policy_.description().actions, clock_.pose().yaw, situation.pose.yaw, shield_,
+                                      decision_.preferences, imposed_action_, &decision_.allowed);
+  const bool is_preferred = chosen && (decision_.preferred < 0 || chosen->index == decision_.preferred);
+  if (!is_preferred) decision_.overruled = Decision::Overruled::kByShield;
+  return chosen;
+}
+
 void NavigationAgent::chooseAction(const Situation& situation) {
-  const ActionSet& actions = policy_.description().actions;
-  const std::optional<ActionChoice::Action> chosen =
-      actions_.choose(actions, clock_.pose().yaw, situation.pose.yaw, shield_, decision_.preferences, imposed_action_,
-                      &decision_.allowed);
-  if (!chosen) {
+  const std::optional<ActionChoice::Action> chosen = chooseAmongActions(situation);
+  if (chosen) {
+    takeAction(situation, *chosen);
+  } else {
     lookAround(situation);
+  }
+}
+
+void NavigationAgent::takeAction(const Situation& situation, const ActionChoice::Action& action) {
+  goTo(situation, decision_.leader, clock_.pose().yaw + policy_.description().actions.angle(action.index), action.free);
+  decision_.action = action.index;
+  look_around_turn_ = 0.0;
+}
+
+void NavigationAgent::chooseWithinBound(const Situation& situation, Source guidance) {
+  const std::optional<ActionChoice::Action> chosen =
+      guidance == Source::kRoute ? chooseAmongActions(situation) : std::nullopt;
+  if (!chosen) {
+    chooseRoute(situation, guidance);
     return;
   }
-  goTo(situation, decision_.leader, clock_.pose().yaw + actions.angle(chosen->index), chosen->free);
-  decision_.action = chosen->index;
-  look_around_turn_ = 0.0;
+  const ActionSet& actions = policy_.description().actions;
+  const double step_yaw = clock_.pose().yaw;
+  const Pose2 step_pose{situation.pose.x, situation.pose.y, step_yaw};
+  const bool is_along_path = actions.nearest(guide_->bearingAhead(step_pose, parameters_.step.length)) == chosen->index;
+  if (is_along_path && !imposed_action_ && followRoute(situation, decision_.leader)) {
+    decision_.action = chosen->index;
+    return;
+  }
+  const Point2 here{situation.pose.x, situation.pose.y};
+  const Point2 next = pointAlong(situation.pose, step_yaw + actions.angle(chosen->index), chosen->free);
+  decision_.regret = guide_->regretOf(here, next, goal_, &decision_.path_on);
+  if (imposed_action_ || bound_.allows(decision_.regret, driven_)) {
+    bound_.choose(decision_.regret);
+    takeAction(situation, *chosen);
+  } else {
+    decision_.overruled = Decision::Overruled::kByBound;
+    chooseRoute(situation, guidance);
+  }
 }
 
 void NavigationAgent::chooseRoute(const Situation& situation, Source guidance) {
@@ -479,7 +526,7 @@ void NavigationAgent::chooseRoute(const Situation& situation, Source guidance) {
     if (guidance != Source::kRoute) {
       break;
     }
-    if (followRoute(situation)) {
+    if (followRoute(situation, Source::kRoute)) {
       return;
     }
     guide_->blockAhead();
@@ -488,7 +535,7 @@ void NavigationAgent::chooseRoute(const Situation& situation, Source guidance) {
   lookAround(situation);
 }
 
-bool NavigationAgent::followRoute(const Situation& situation) {
+bool NavigationAgent::followRoute(const Situation& situation, Source source) {
   const ShieldParameters& shield = parameters_.shield;
   for (const double ahead : {1.0, 0.5}) {
     const Point2 target = guide_->pointAhead(ahead * parameters_.step.length);
@@ -500,7 +547,7 @@ bool NavigationAgent::followRoute(const Situation& situation) {
         const double free =
             freeDistance(situation, direction + side * aside, std::max(distance, wanted), shield.tight_clearance);
         if (free >= wanted && (free >= 0.9 * distance || ahead < 1.0)) {
-          goTo(situation, Source::kRoute, direction + side * aside, free);
+          goTo(situation, source, direction + side * aside, free);
           decision_.on_route = true;
           look_around_turn_ = 0.0;
           return true;

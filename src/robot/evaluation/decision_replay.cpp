@@ -162,11 +162,12 @@ void writeDecisions(const std::vector<ReplayedDecision>& decisions, std::ostream
   constexpr int kAngleDecimals = 4;
   constexpr int kStampDecimals = 6;
   CsvWriter csv(out);
-  csv.row("episode", "stamp", "source", "action", "steering_angle", "driven_action", "driven_angle", "preferences");
+  csv.row("episode", "stamp", "source", "overruled", "action", "steering_angle", "driven_action", "driven_angle",
+          "preferences");
   for (const ReplayedDecision& replayed : decisions) {
     csv.add(replayed.episode);
     csv.addFixed(replayed.stamp, kStampDecimals);
-    csv.add(toString(replayed.decision.source), replayed.decision.action);
+    csv.add(toString(replayed.decision.source), toString(replayed.decision.overruled), replayed.decision.action);
     csv.addFixed(replayed.steering_angle, kAngleDecimals);
     csv.add(replayed.driven_action);
     csv.addFixed(replayed.driven_angle, kAngleDecimals);

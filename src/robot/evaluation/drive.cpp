@@ -146,12 +146,17 @@ class Run {
   void note(const Decision& decision) {
     if (decision.step != result_.steps) {
       ++result_.steps_by.at(static_cast<std::size_t>(decision.source));
-      result_.overruled_steps += decision.isOverruled() ? 1 : 0;
+      const bool is_by_leader =
+          decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy;
+      result_.steps_on_path += is_by_leader && decision.on_route ? 1 : 0;
+      ++result_.overruled.at(static_cast<std::size_t>(decision.overruled));
     }
     if (result_.goal_seemed == Decision::GoalSeems::kReachable) result_.goal_seemed = decision.goal_seems;
     result_.steps = decision.step;
+    result_.regret = decision.regret_used;
     result_.trace.push_back(robot_.truePose());
     result_.led.push_back(decision.source);
+    result_.on_path.push_back(decision.on_route);
     if (traffic_ == nullptr) return;
     const std::vector<Traffic::Body> bodies = traffic_->bodies();
     for (std::size_t i = 0; i < bodies.size(); ++i) result_.walker_traces[i].push_back(bodies[i].circle.center);
@@ -193,8 +198,19 @@ double shareOf(Decision::Source source, const std::vector<DriveResult>& results)
       results, [source](const DriveResult& result) { return result.steps_by[static_cast<std::size_t>(source)]; });
 }
 
-double overruledShare(const std::vector<DriveResult>& results) {
-  return shareOfSteps(results, [](const DriveResult& result) { return result.overruled_steps; });
+double shareOf(Decision::Overruled overruled, const std::vector<DriveResult>& results) {
+  return shareOfSteps(results, [overruled](const DriveResult& result) {
+    return result.overruled[static_cast<std::size_t>(overruled)];
+  });
+}
+
+double shareOutOfSight(Decision::Source source, const std::vector<DriveResult>& results) {
+  const double out_of_sight = 1.0 - shareOf(Decision::Source::kGoalInSight, results);
+  return out_of_sight > 0.0 ? shareOf(source, results) / out_of_sight : 0.0;
+}
+
+double shareOnPath(const std::vector<DriveResult>& results) {
+  return shareOfSteps(results, [](const DriveResult& result) { return result.steps_on_path; });
 }
 
 DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,

@@ -48,6 +48,7 @@ class DriveFilm::Screen {
  private:
   struct Part {
     Decision::Source source;
+    bool on_path;
     std::vector<Point2> path;
   };
 
@@ -74,8 +75,10 @@ class DriveFilm::Screen {
   void noteTrace() {
     const Point2 here{moment_->pose.x, moment_->pose.y};
     const Decision::Source source = moment_->agent.decision().source;
+    const bool on_path = moment_->agent.decision().on_route;
     if (!parts_.empty()) parts_.back().path.push_back(here);
-    if (parts_.empty() || parts_.back().source != source) parts_.push_back({source, {here}});
+    const bool goes_on = !parts_.empty() && parts_.back().source == source && parts_.back().on_path == on_path;
+    if (!goes_on) parts_.push_back({source, on_path, {here}});
   }
 
   void draw() {
@@ -83,7 +86,7 @@ class DriveFilm::Screen {
     canvas_.image().setTo(colours::kFree, seen_);
     drawMemory();
     drawScan();
-    for (const Part& part : parts_) canvas_.polyline(part.path, colorOf(part.source), kTraceWidth);
+    for (const Part& part : parts_) canvas_.polyline(part.path, colorOf(part.source, part.on_path), kTraceWidth);
     drawPlan();
     const double radius = moment_->agent.parameters().shield.footprint_radius;
     canvas_.circle(task_.goal, radius, colours::kGoal, cv::FILLED);

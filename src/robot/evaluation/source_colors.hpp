@@ -6,11 +6,11 @@
 
 namespace lstm_planner {
 
-/// In which colour the path is drawn that somebody decided; blue, green, red.
-inline cv::Scalar colorOf(Decision::Source source) {
+/// In which colour the path is drawn that somebody decided, along the remembered path or not; blue, green, red.
+inline cv::Scalar colorOf(Decision::Source source, bool on_path = true) {
   switch (source) {
     case Decision::Source::kNetwork:
-      return {40, 40, 220};
+      return on_path ? cv::Scalar(40, 40, 220) : cv::Scalar(0, 150, 255);
     case Decision::Source::kGreedy:
       return {170, 60, 120};
     case Decision::Source::kRoute:

@@ -105,10 +105,13 @@ std::vector<LegendEntry> legendOf(const TracePicture& picture, const MapCanvas& 
     return std::any_of(picture.parts.begin(), picture.parts.end(),
                        [source](const TracePicture::Part& part) { return part.source == source; });
   };
+  const auto isDetour = [](const TracePicture::Part& part) { return part.source == Source::kNetwork && !part.on_path; };
   const auto addSource = [&](Source source, const char* text) { add(decided(source), text, colorOf(source), dash); };
-  addSource(Source::kNetwork, "led by the network");
+  addSource(Source::kNetwork, "decided by the network");
+  add(std::any_of(picture.parts.begin(), picture.parts.end(), isDetour), "by the network, beside the remembered path",
+      colorOf(Source::kNetwork, false), dash);
   addSource(Source::kGreedy, "going for the goal");
-  addSource(Source::kRoute, "led by the remembered path");
+  addSource(Source::kRoute, "decided by the remembered path");
   addSource(Source::kEscape, "along a boundary");
   add(decided(Source::kGoalInSight) || decided(Source::kLookAround), "goal in sight, or turning",
       colorOf(Source::kGoalInSight), dash);
@@ -200,7 +203,8 @@ void writeTracePicture(const std::string& path, const OccupancyGrid& map, const 
   drawWalkers(picture, &canvas);
   for (const std::vector<Point2>& trace : picture.traces)
     canvas.polyline(trace, colorOf(Decision::Source::kNetwork), kPartWidth);
-  for (const TracePicture::Part& part : picture.parts) canvas.polyline(part.path, colorOf(part.source), kPartWidth);
+  for (const TracePicture::Part& part : picture.parts)
+    canvas.polyline(part.path, colorOf(part.source, part.on_path), kPartWidth);
   for (const Pose2& start : picture.starts) drawStart(start, picture.robot_radius, &canvas);
   for (const TracePicture::Goal& goal : picture.goals) drawGoal(goal, picture.robot_radius, &canvas);
   for (const Point2& contact : picture.contacts) canvas.cross(contact, picture.robot_radius, kContact, 2.5);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lstm_planner {
 
@@ -13,12 +14,6 @@ using Source = Decision::Source;
 /// robot turn back and forth between two paths of the same length.
 constexpr double kWorthTurning = 0.08;
 constexpr double kWorthTurningMetres = 0.3;
-
-/// A scan is remembered, where nobody asks for the path, when the robot has moved so far, m, or turned so far, rad.
-constexpr double kNewPlace = 1.0;
-constexpr double kNewView = 1.0;
-/// So many times that where the robot waits for a decision.
-constexpr double kLongAgo = 1.5;
 
 /// A route is costed by what is remembered as far as this, m.
 constexpr double kLookedAt = 15.0;
@@ -71,7 +66,6 @@ void RouteGuide::noteProgress() {
 void RouteGuide::forget() {
   memory_.forget();
   route_.clear();
-  has_watched_ = false;
 }
 
 void RouteGuide::noteTurn(const Situation& situation) {
@@ -79,34 +73,9 @@ void RouteGuide::noteTurn(const Situation& situation) {
   last_yaw_ = situation.pose.yaw;
 }
 
-void RouteGuide::watch(const Situation& situation, bool decides) {
-  noteTurn(situation);
-  const double times = decides ? kLongAgo : 1.0;
-  const bool is_new_place = !has_watched_ || distanceBetween(watched_pose_, situation.pose) >= times * kNewPlace ||
-                            std::abs(normalizeAngle(situation.pose.yaw - watched_pose_.yaw)) >= times * kNewView;
-  if (!is_new_place && !(decides && parameters_.memory.completes_plan)) {
-    return;
-  }
-  watched_pose_ = situation.pose;
-  has_watched_ = true;
-  memory_.add(situation);
-  memory_.clearChanges();
-  route_.clear();
-  has_costs_ = false;
-}
-
-void RouteGuide::searchFrom(const Point2& from, const Point2& goal, double tolerance, std::vector<Point2>* points) {
-  ++searches_;
-  has_costs_ = false;
-  points->clear();
-  if (!finder_.find(memory_, from, goal, tolerance, &found_)) return;
-  points->insert(points->end(), found_.points.begin() + 1, found_.points.end());
-}
-
 Decision::Source RouteGuide::update(const Situation& situation, const Point2& goal, double tolerance) {
   tolerance_ = tolerance;
   noteTurn(situation);
-  has_watched_ = false;
   memory_.add(situation);
   const Point2 here{situation.pose.x, situation.pose.y};
   bool found = false;
@@ -131,6 +100,22 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
   closed_in_a_row_ = 0;
   takeBetter(here);
   return Source::kRoute;
+}
+
+double RouteGuide::regretOf(const Point2& here, const Point2& next, const Point2& goal, std::vector<Point2>* path_on) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const auto lengthFrom = [&](const Point2& place) {
+    const bool is_known = has_costs_ && takeFromLastSearch(place, goal);
+    return is_known || findRoute(place, goal, &found_) ? found_.length : kNone;
+  };
+  path_on->clear();
+  // Searches begin anywhere, also where the robot cannot be.
+  if (!isPassable(next, next)) return kNone;
+  // The route may be longer than the shortest path, as it is kept for a while: compared with it, going away is free.
+  const double from_here = std::min(route().length, lengthFrom(here));
+  const double from_next = lengthFrom(next);
+  if (from_next < kNone) path_on->insert(path_on->end(), found_.points.begin() + 1, found_.points.end());
+  return std::max(0.0, distanceBetween(here, next) + from_next - from_here);
 }
 
 bool RouteGuide::isGoalBehindObstacle(const Point2& here, const Point2& goal, double near) const {
@@ -241,6 +226,10 @@ void RouteGuide::blockAhead() {
   if (!route_.isEmpty()) {
     memory_.block(pointAhead(kBlockedAhead));
   }
+}
+
+void RouteGuide::blockTowards(const Point2& here, const Point2& next) {
+  memory_.block(pointAlong(here, directionTo(here, next), kBlockedAhead));
 }
 
 Point2 RouteGuide::pointAhead(double distance) const {

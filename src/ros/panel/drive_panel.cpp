@@ -62,6 +62,7 @@ DrivePanel::DrivePanel(QWidget* parent) : rviz::Panel(parent) {
   model_ = addLine("Model", "model", above);
   goal_ = addLine("Goal", "goal", above);
   leader_ = addLine("Planner", "planner", above);
+  decided_ = addLine("This step", "decided", above);
   bars_ = new ActionBars;
   removed_ = addLine("Shield removed", "removed", below);
   robot_ = addLine("Controller", "controller", below);
@@ -184,6 +185,7 @@ void DrivePanel::refresh() {
   model_->setText(QString::fromStdString(view_.model()));
   goal_->setText(QString::fromStdString(view_.goal(now())));
   showLine(view_.leader(now()), leader_);
+  decided_->setText(QString::fromStdString(view_.decided(now())));
   bars_->setActions(view_.actions(now()));
   removed_->setText(QString::fromStdString(view_.removed(now())));
   showLine(view_.controller(), robot_);

@@ -59,6 +59,7 @@ class DrivePanel : public rviz::Panel {
   QLabel* model_;
   QLabel* goal_;
   QLabel* leader_;
+  QLabel* decided_;
   ActionBars* bars_;
   QLabel* removed_;
   QLabel* robot_;

@@ -69,6 +69,11 @@ ViewLine DriveView::leader(double now) const {
   return {decision->level, "the " + valueOf("leader", *decision) + " leads: " + valueOf("why", *decision)};
 }
 
+std::string DriveView::decided(double now) const {
+  const Report* decision = freshDecision(now);
+  return decision == nullptr ? "" : valueOf("what", *decision);
+}
+
 std::string DriveView::goal(double now) const {
   const Report* decision = freshDecision(now);
   if (decision == nullptr) return "";
@@ -79,8 +84,9 @@ std::string DriveView::goal(double now) const {
 
 std::vector<ViewAction> DriveView::actions(double now) const {
   const Report* decision = freshDecision(now);
-  // Preferences and the shield's word are of this moment only while the network leads and decides.
-  if (decision == nullptr || valueOf("leader", *decision) != "network" || decision->message != "network") return {};
+  // Preferences and the shield's word are of this moment only where the network chose, even if it was overruled.
+  if (decision == nullptr || valueOf("leader", *decision) != "network") return {};
+  if (decision->message != "network" && valueOf("overruled", *decision) != "by the bound") return {};
   const std::vector<double> angles = numbersOf("action_angles", *decision);
   const std::vector<double> preferences = numbersOf("preferences", *decision);
   const std::vector<double> allowed = numbersOf("allowed", *decision);

@@ -42,6 +42,8 @@ class DriveView {
   std::string model() const;
   /// Who leads and why, or why there is no plan. Where only decisions are published (bag_replay), by them.
   ViewLine leader(double now) const;
+  /// Who decided the present step, and who overruled the leader.
+  std::string decided(double now) const;
   /// How far the goal is, and where.
   std::string goal(double now) const;
   /// From left to right; empty where the network is not asked.

@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+#include "lstm_planner/robot/driving/decision_text.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -42,8 +44,6 @@ unsigned char levelOf(const Decision& decision) {
     case Decision::Source::kLookAround:
     case Decision::Source::kEscape:
       return DiagnosticStatus::WARN;
-    case Decision::Source::kRoute:
-      return decision.preferred >= 0 ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
     default:
       return DiagnosticStatus::OK;
   }
@@ -64,6 +64,7 @@ void DecisionPublisher::publish(const std_msgs::Header& header, const Situation&
   status.level = levelOf(decision);
   status.name = "lstm_planner: decision";
   status.message = toString(decision.source);
+  add("what", describe(decision), &status);
   add("leader", toString(decision.leader), &status);
   add("why", decision.why, &status);
   add("step", text(decision.step), &status);
@@ -71,7 +72,11 @@ void DecisionPublisher::publish(const std_msgs::Header& header, const Situation&
   add("goal_bearing", text(normalizeAngle(directionTo(situation.pose, goal) - situation.pose.yaw)), &status);
   add("action", text(decision.action), &status);
   add("preferred", text(decision.preferred), &status);
-  add("overruled", decision.isOverruled() ? "true" : "false", &status);
+  add("overruled", toString(decision.overruled), &status);
+  add("on_remembered_path", decision.on_route ? "yes" : "no", &status);
+  add("regret", text(decision.regret), &status);
+  add("regret_used", text(decision.regret_used), &status);
+  add("regret_allowed", text(decision.regret_allowed), &status);
   add("steering_angle", text(normalizeAngle(decision.direction - situation.pose.yaw)), &status);
   add("route_points", text(decision.path_on.size()), &status);
   add("destination", text(decision.destination.x) + ", " + text(decision.destination.y), &status);

@@ -7,6 +7,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "lstm_planner/base/common/file_hash.hpp"
+#include "lstm_planner/robot/driving/decision_text.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "ros/common/costmap_footprint.hpp"
 #include "ros/common/costmap_reader.hpp"
@@ -144,6 +145,7 @@ void LstmGlobalPlanner::describeDrive(PluginDiagnostics::Status* status) const {
                     std::string("the ") + toString(decision.leader) + " leads: " + decision.why);
   }
   status->add("decided by", toString(decision.source));
+  status->add("what was decided", describe(decision));
   status->add("step", decision.step);
   status->add("the goal seems", toString(decision.goal_seems));
   status->add("the goal counts as reached within (m)", plan_maker_->agent().reachedWithin());
@@ -151,7 +153,9 @@ void LstmGlobalPlanner::describeDrive(PluginDiagnostics::Status* status) const {
   if (decision.preferred >= 0) {  // else neither network nor shield were asked about actions
     status->add("actions that the shield removed",
                 std::count(decision.allowed.begin(), decision.allowed.end(), static_cast<char>(0)));
-    status->add("overruled", decision.isOverruled() ? "true" : "false");
+    status->add("overruled", toString(decision.overruled));
+    status->add("detours of the network (m)", decision.regret_used);
+    status->add("detours that are allowed (m)", decision.regret_allowed);
   }
   status->add("searches for a path", plan_maker_->agent().searches());
   status->add("time for the plan (ms)", 1e3 * answer_.duration);

@@ -128,8 +128,7 @@ void PlanMaker::noteEnd(bool is_unasked) {
   const Pose2 robot = compose(global_from_odometry_, sensors_.newestPose().value_or(Pose2()));
   // A report that is late may be about the goal before.
   const bool is_at_end = distanceBetween(robot, agent_.decision().destination) <= kFarthestEnd;
-  const bool is_over =
-      is_refused || (is_reported && is_at_end) || (is_unasked && source == Decision::Source::kArrived);
+  const bool is_over = is_refused || (is_reported && is_at_end) || (is_unasked && source == Decision::Source::kArrived);
   if (!is_driving_ || !is_over) return;
   is_driving_ = false;
   end_ = DriveEnd{agent_.goal(), distanceBetween(robot, agent_.goal()), agent_.endsBesideGoal(), !is_refused};

@@ -72,6 +72,18 @@ TEST(DriveView, ShowsNoActionsWhereTheNetworkDoesNotDecide) {
   }
 }
 
+TEST(DriveView, ShowsTheActionsOfANetworkThatTheBoundOverruled) {
+  DriveView view;
+  Report decision = networkDecision();
+  decision.message = "route";
+  decision.values["overruled"] = "by the bound";
+  decision.values["what"] = "the remembered path decided: the leader's detour would exceed the bound";
+  view.hearDecision(decision, 10.0);
+  EXPECT_EQ(view.actions(10.0).size(), 5u);
+  EXPECT_EQ(view.decided(10.0), decision.values["what"]);
+  EXPECT_EQ(view.decided(13.0), "");
+}
+
 TEST(DriveView, ShowsNoActionsOfADecisionThatDoesNotNameThem) {
   DriveView view;
   for (const char* key : {"preferences", "allowed", "action_angles"}) {

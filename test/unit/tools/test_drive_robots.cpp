@@ -90,7 +90,7 @@ TEST_F(DriveRobots, WorldsThatARobotDoesNotFitIntoAreLeftOutAndCounted) {
 }
 
 TEST_F(DriveRobots, ARobotOfAnySizeIsTaken) {
-  for (const std::string& half : {"0.02", "0.033", "0.1", "0.2", "0.293", "0.5", "1.0"}) {
+  for (const std::string half : {"0.02", "0.033", "0.1", "0.2", "0.293", "0.5", "1.0"}) {
     const std::string corners = "[[" + half + ", " + half + "], [" + half + ", -" + half + "], [-" + half + ", -" +
                                 half + "], [-" + half + ", " + half + "]]";
     for (const std::string& robot : {"LstmGlobalPlanner: {shield: {footprint_radius: " + half +

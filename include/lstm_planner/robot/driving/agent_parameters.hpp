@@ -32,10 +32,15 @@ struct ShieldParameters {
   double reach = 6.0;
 };
 
+/// How much longer than the remembered path the network may make the path (DetourBound).
+struct DetourParameters {
+  double allowance = 0.1;
+  double share = 0.08;
+};
+
 /// What is remembered of the obstacles that were seen, and how paths through them are found.
 struct MemoryParameters {
   bool enabled = true;
-  bool completes_plan = false;
   double width = 70.4;
   double resolution = 0.05;
   double reach = 12.0;
@@ -43,7 +48,7 @@ struct MemoryParameters {
   double tightness = 3.0;
 };
 
-/// The way out when the network makes no progress: boundary following with the doubling search.
+/// The last resort without progress: boundary following with the doubling search.
 struct EscapeParameters {
   bool enabled = true;
   int patience_steps = 40;
@@ -59,22 +64,17 @@ struct EscapeParameters {
   double loop_length = 3.0;
 };
 
-/// Who leads. kNetwork: the network while there is progress, otherwise the path through the remembered obstacles.
-/// kRoute: always that path; the network is not used. kGreedy: the allowed action nearest to the goal's bearing.
-///
-/// The planner's default is kRoute, because its paths are shorter than those of the network, as measured in
-/// models/README.md.
-constexpr Decision::Source kDefaultLeader = Decision::Source::kRoute;
-/// Their names among the parameters: "network", "route", and "none" for kGreedy.
+/// The leaders' names among the parameters: "network", "route", and "none" for kGreedy.
 std::string nameOfLeader(Decision::Source leader);
 /// Throws std::invalid_argument with the names there are.
 Decision::Source leaderNamed(const std::string& name);
 
 /// All parameters of NavigationAgent.
 struct AgentParameters {
-  Decision::Source leader = Decision::Source::kNetwork;  ///< see kDefaultLeader
+  Decision::Source leader = Decision::Source::kNetwork;
   StepParameters step;
   ShieldParameters shield;
+  DetourParameters detour;
   MemoryParameters memory;
   EscapeParameters escape;
   bool shield_enabled = true;
@@ -96,8 +96,8 @@ template <typename Parameters, typename Visitor>
 void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   std::string leader = nameOfLeader(agent.leader);
   visit("leader", leader, {}, "",
-        "who chooses the steps: network (while the robot makes progress, no path is searched), route (the path through "
-        "the remembered obstacles; it is shorter) or none (the allowed angle nearest to the goal's bearing)");
+        "who chooses the steps: network (detour/allowance and detour/share limit its detours), route (the path through "
+        "the remembered obstacles) or none (the allowed angle nearest to the goal's bearing, with the same limit)");
   if constexpr (!std::is_const_v<Parameters>) agent.leader = leaderNamed(leader);
   visit("goal_tolerance", agent.goal_tolerance, {0.01, 10.0}, "m",
         "nearer to the goal than this the robot has arrived; not more than the controller's position_tolerance");
@@ -112,9 +112,9 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
         "whether a robot that stops in front of such a goal has arrived; false: it drives there all the same, then the "
         "planner says that it stopped beside the goal and makes no plan, so that move_base reports ABORTED");
   visit("draw_after", agent.draw_after, {0, 1000000}, "",
-        "steps without a new best distance to the goal, after which the network's steering angle is drawn with the "
-        "probabilities that the network gives, as in training, so that the robot leaves circles; with the rescue only "
-        "if it is more than escape/patience_steps; 0: the most probable angle always");
+        "only if memory/enabled is false: steps without a new best distance to the goal, after which the network's "
+        "steering angle is drawn with the probabilities that the network gives, as in training, so that the robot "
+        "leaves circles; 0: the most probable angle always");
   auto& step = agent.step;
   visit("step/length", step.length, {0.05, 5.0}, "m",
         "distance to the waypoint; a step ends when the robot has moved this far; must be that of the model");
@@ -146,13 +146,16 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   visit(
       "shield/reach", shield.reach, {0.1, 100.0}, "m",
       "returns farther away are ignored; a larger value takes more time, a smaller one follows boundaries for longer");
+  auto& detour = agent.detour;
+  visit("detour/allowance", detour.allowance, {0.0, 1e5}, "m",
+        "detours that the network may make in a drive: the sum of what its steps cost more than the path through the "
+        "remembered obstacles; more lets the network decide more often, on longer paths");
+  visit("detour/share", detour.share, {0.0, 100.0}, "",
+        "detours that the network may make in addition, as a share of the driven distance");
   auto& memory = agent.memory;
   visit("memory/enabled", memory.enabled, {}, "",
-        "false: no obstacles are remembered, and without progress the robot follows boundaries");
-  visit(
-      "memory/completes_plan", memory.completes_plan, {}, "",
-      "while the network leads, the plan goes on behind its waypoint along the path through the remembered obstacles; "
-      "for local planners that look farther ahead than to the waypoint; takes a search a step");
+        "false: no obstacles are remembered: nothing limits the network's detours, and without progress the robot "
+        "follows boundaries (escape)");
   visit("memory/resolution", memory.resolution, {0.005, 1.0}, "m",
         "side of a square of the memory; at most 0.29 footprint radii, or paths would lead through walls");
   visit("memory/width", memory.width, {4.0, 1000.0}, "m",
@@ -169,12 +172,12 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   auto& escape = agent.escape;
   visit("escape/enabled", escape.enabled, {}, "", "false: the robot may stay in a dead end forever");
   visit("escape/patience_steps", escape.patience_steps, {1, 1000000}, "",
-        "steps without a new best distance to the goal, after which the path through the remembered obstacles leads "
-        "instead of the network; fewer leaves dead ends sooner, but also interrupts detours of the network");
+        "steps without a new best distance to the goal, after which the robot follows boundaries; fewer leaves dead "
+        "ends sooner, but also interrupts detours that lead on");
   visit("escape/patience_distance", escape.patience_distance, {0.1, 1e5}, "m",
         "distance driven without a new best distance, with the same effect");
   visit("escape/last_resort", escape.last_resort, {1.0, 1e6}, "",
-        "after this many times the patience the robot follows boundaries instead");
+        "where obstacles are remembered, this many times the patience");
   visit("escape/progress", escape.progress, {0.01, 100.0}, "m",
         "a distance to the goal is a new best one if it is shorter than all earlier ones by at least this");
   visit("escape/follow_step", escape.follow_step, {0.05, 5.0}, "m",

@@ -15,14 +15,21 @@ struct Decision {
     kNetwork,      ///< leads: the allowed action that the network prefers
     kGreedy,       ///< leads: the allowed action nearest to the goal's bearing
     kGoalInSight,  ///< the goal is near and the straight path free
-    kRoute,        ///< leads: the path through what is remembered
+    kRoute,        ///< leads, or overrules the network: the path through what is remembered
     kEscape,       ///< leads: boundary following
     kLookAround,   ///< nothing is free in sight, or all around must be seen: turn
     kArrived,      ///< within the goal tolerance
     kNoPath        ///< the goal cannot be reached: no path through what was seen leads there
   };
 
-  /// What the remembered obstacles say about the goal, while the path through them leads.
+  /// Who did not let the leader do what it preferred of all.
+  enum class Overruled {
+    kNo,        ///< nobody, or it has no preference
+    kByShield,  ///< something is in the way: another steering angle was taken, or none was free
+    kByBound    ///< the detour would be too long (DetourBound): the path through what is remembered was taken
+  };
+
+  /// What the remembered obstacles say about the goal.
   enum class GoalSeems {
     kReachable,       ///< or not known yet
     kInObstacle,      ///< the path ends beside it; or it is near, an obstacle is before it, and no path is known
@@ -41,25 +48,32 @@ struct Decision {
   std::vector<float> preferences;       ///< the network's, one an action
   std::vector<char> allowed;            ///< the shield's word, one an action
   bool on_route = false;                ///< the waypoint lies on, or beside, the path through what is remembered
+  Overruled overruled = Overruled::kNo;
+  double regret = 0.0;       ///< m by which the preferred, allowed action is longer than the remembered path; +inf:
+                             ///< no path is known from its end
+  double regret_used = 0.0;  ///< m, sum of the regrets that were carried out since the goal was set, this one included
+  double regret_allowed = 0.0;  ///< m, the bound of that sum
   Point2 destination;           ///< where the plan ends: the goal, or where the footprint still fits when the goal
                                 ///< lies in something (AgentParameters::goal_drift)
-  std::vector<Point2> path_on;  ///< from the waypoint to the destination through what is remembered; empty unless the
-                                ///< waypoint is on it, or MemoryParameters::completes_plan asks for it
+  std::vector<Point2> path_on;  ///< from the waypoint to the destination through what is remembered; empty where
+                                ///< nothing is remembered, and where no such path was asked for
   GoalSeems goal_seems = GoalSeems::kReachable;
   long step = 0;  ///< counts the steps since the goal was set
-
-  /// The network's favourite was not taken: the shield forbids it, or the network does not lead.
-  bool isOverruled() const { return preferred >= 0 && action != preferred; }
 };
 
 /// Whether only a direction was decided, by one who does not look behind the waypoint.
 inline bool isOneStep(const Decision& decision) {
-  return decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy;
+  const bool is_by_action =
+      decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy;
+  return is_by_action && !decision.on_route;
 }
 
 constexpr std::size_t kDecisionSources = 8;
+constexpr std::size_t kOverruledKinds = 3;
 /// "network", "greedy", "goal in sight", "route", "escape", "look around", "arrived", "no path".
 const char* toString(Decision::Source source);
+/// "no", "by the shield", "by the bound".
+const char* toString(Decision::Overruled overruled);
 /// "reachable", "in an obstacle", "behind an obstacle", "enclosed".
 const char* toString(Decision::GoalSeems goal_seems);
 

@@ -11,6 +11,7 @@
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
 #include "lstm_planner/robot/driving/arrival.hpp"
 #include "lstm_planner/robot/driving/decision.hpp"
+#include "lstm_planner/robot/driving/detour_bound.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/driving/drive_trace.hpp"
 #include "lstm_planner/robot/driving/escape.hpp"
@@ -24,17 +25,21 @@
 
 namespace lstm_planner {
 
-/// Decides, step by step, where the robot goes: network -> shield -> rescue.
+/// Decides, step by step, where the robot goes: network -> shield -> bound.
 ///
-/// The inputs of the network are what the robot senses and where it has been. While the robot comes nearer to the goal,
-/// obstacles are remembered but no path is searched. Without progress the rescue leads: the path through the remembered
-/// obstacles (RouteGuide), until the robot is nearer to the goal than ever before; as the last resort, boundary
-/// following (Escape). Each time that the network takes over again, the robot is nearer to the goal than before.
+/// The inputs of the network are what the robot senses and where it has been; its answer is a preference over five
+/// steering angles. The shield takes those away that would hit something. The path through the remembered obstacles
+/// (RouteGuide) tells what the preferred one of the others costs more than the best: it is carried out while the sum of
+/// these detours stays within a bound (DetourBound), otherwise that path decides the step. If the path leaves in the
+/// direction of the preferred angle, the waypoint lies on the path. Where the remembered obstacles were wrong too
+/// often, the last resort is boundary following (Escape).
 ///
-/// With AgentParameters::leader the route, or only the goal's bearing, leads instead of the network.
+/// With AgentParameters::leader the path, or only the goal's bearing, leads instead of the network.
 ///
-/// Without rescue, a network that makes no progress draws its steps (AgentParameters::draw_after), and in the end a
-/// goal counts as reached in front of an obstacle in which, or behind which, odometry may have moved it (goal_drift).
+/// Where nothing is remembered (memory/enabled is false), nothing limits detours, and boundary following leads when the
+/// robot makes no progress. Without that, too (escape/enabled is false), a network that makes no progress draws its
+/// steps (AgentParameters::draw_after), and in the end a goal counts as reached in front of an obstacle in which, or
+/// behind which, odometry may have moved it (goal_drift).
 ///
 /// The hidden state advances once a step (StepClock) and at no other time: asking twice gives the same answer. Not
 /// thread safe. All poses and goals are in one frame, in which the robot moves without jumps: the odometry frame, or
@@ -149,19 +154,22 @@ class NavigationAgent {
   void startStep(const Situation& situation);
   void advanceNetwork(const Observation& observation);
   double previousAction() const;
+  double drivenShare(const Situation& situation) const;
 
   // A decision.
   void decide(const Situation& situation);
   Decision::GoalSeems judgeGoal(const Situation& situation, Source guidance) const;
-  bool guideLeads() const;
   Source guide(const Situation& situation);
   static bool isInView(const Situation& situation, double direction);
   bool isFreeUpTo(const Situation& situation, double direction, double distance) const;
   bool chooseGoalInSight(const Situation& situation);
   void chooseAsLed(const Situation& situation, Source guidance);
+  std::optional<ActionChoice::Action> chooseAmongActions(const Situation& situation);
   void chooseAction(const Situation& situation);
+  void chooseWithinBound(const Situation& situation, Source guidance);
+  void takeAction(const Situation& situation, const ActionChoice::Action& action);
   void chooseRoute(const Situation& situation, Source guidance);
-  bool followRoute(const Situation& situation);
+  bool followRoute(const Situation& situation, Source source);
   void chooseEscape(const Situation& situation);
   void lookAround(const Situation& situation);
   void goTo(const Situation& situation, Source source, double direction, double distance);
@@ -184,6 +192,7 @@ class NavigationAgent {
   ActionChoice actions_;
   Escape escape_;
   Boxed<RouteGuide> guide_;  ///< none where nothing is to be remembered
+  DetourBound bound_;
   DriveTrace trace_;
   StepClock clock_;
   DrivenProgressWatch progress_;

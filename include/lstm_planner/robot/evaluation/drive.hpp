@@ -76,17 +76,24 @@ struct DriveResult {
   Decision::GoalSeems goal_seemed = Decision::GoalSeems::kReachable;
   long steps = 0;
   std::array<long, kDecisionSources> steps_by{};   ///< of these, by Decision::Source
-  long overruled_steps = 0;                        ///< in which another action than the network's favourite was taken
+  long steps_on_path = 0;                          ///< of these, decided by the leader along the remembered path
+  std::array<long, kOverruledKinds> overruled{};   ///< of these, by Decision::Overruled
+  double regret = 0.0;                             ///< m, Decision::regret_used in the end
   std::vector<Pose2> trace;                        ///< true poses, one a command
   std::vector<Decision::Source> led;               ///< who decided, one a pose of the trace
+  std::vector<char> on_path;                       ///< whether along the remembered path, one a pose of the trace
   std::vector<Point2> contact_places;              ///< where the robot was
   std::vector<std::vector<Point2>> walker_traces;  ///< by walker, one place a pose of the trace
 };
 
 /// Share of the steps of all drives that a source decided.
 double shareOf(Decision::Source source, const std::vector<DriveResult>& results);
-/// Share of the steps in which another action than the network's favourite was taken.
-double overruledShare(const std::vector<DriveResult>& results);
+/// Share of the steps in which the leader was overruled so.
+double shareOf(Decision::Overruled overruled, const std::vector<DriveResult>& results);
+/// Share of the steps that a source decided among those without the goal in sight.
+double shareOutOfSight(Decision::Source source, const std::vector<DriveResult>& results);
+/// Share of the steps that the leader decided along the remembered path.
+double shareOnPath(const std::vector<DriveResult>& results);
 
 /// Drives one task with agent and controller in closed loop, without ROS. The agent is given the goal anew. `listener`,
 /// if there is one, is shown every moment.

@@ -21,10 +21,12 @@ struct TracePicture {
   /// A part of a path, in the colour of who decided it.
   struct Part {
     Decision::Source source = Decision::Source::kNetwork;
+    bool on_path = true;  ///< along the remembered path
     std::vector<Point2> path;
   };
   std::vector<std::vector<Point2>> traces;  ///< red, as in the thesis's figures
-  std::vector<Part> parts;  ///< over them: network red, greedy violet, route blue, escape teal, others grey
+  std::vector<Part>
+      parts;  ///< over them: network red (detours orange), greedy violet, route blue, escape teal, others grey
   std::vector<std::vector<Point2>>
       walkers;                    ///< thin grey paths of people, pale but for the last 100 places; a disc at the end
   std::vector<Circle> circles;    ///< obstacles that are not in the map

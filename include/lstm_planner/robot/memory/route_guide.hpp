@@ -32,23 +32,21 @@ class RouteGuide {
   /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
   void noteProgress();
 
-  /// Only remembers what is seen from a new place (with MemoryParameters::completes_plan: from every place). Searches
-  /// nothing. `decides`: the robot waits for a decision. A place is new sooner between two decisions, so that these
-  /// hardly ever take the time.
-  void watch(const Situation& situation, bool decides);
-
-  /// Searches a path through what is remembered from a place where the robot is not; does not become route(). `points`:
-  /// its corners behind `from`; empty when there is no path. `tolerance`: as update()'s.
-  void searchFrom(const Point2& from, const Point2& goal, double tolerance, std::vector<Point2>* points);
-
   /// Takes in the situation and searches a new path where that may change it; one that is hardly better than the last
   /// one is not taken. kRoute: follow route(); kLookAround: turn on the spot, so that everything around is seen;
   /// kNoPath: no path leads to the goal from here; kEscape: the memory was wrong too often, the goal must be found by
   /// other means. `tolerance`: how near (m) to a goal in or behind an obstacle the route may end.
   Decision::Source update(const Situation& situation, const Point2& goal, double tolerance);
 
+  /// What it costs to go straight to `next` first, m: how much longer that and the shortest path from there are than
+  /// the shortest path from `here`, never below 0; +inf where no path leads on from there. To be asked when update()
+  /// has found a route, which stays the same. `path_on`: the corners of the path behind `next`.
+  double regretOf(const Point2& here, const Point2& next, const Point2& goal, std::vector<Point2>* path_on);
+
   /// The start of the route turned out to be blocked although the memory does not know why.
   void blockAhead();
+  /// Likewise the straight way from `here` to `next`.
+  void blockTowards(const Point2& here, const Point2& next);
 
   /// As update() found it, until it finds none: from the robot to the goal, or to where the footprint still fits when
   /// the goal lies in something.
@@ -103,8 +101,6 @@ class RouteGuide {
   Route found_;
   long searches_ = 0;
   bool has_costs_ = false;  ///< of a search: the finder's costToGo() holds, but for what has changed since
-  Pose2 watched_pose_;      ///< where the last scan was taken in
-  bool has_watched_ = false;
   double tolerance_ = 0.0;  ///< of the last update()
   bool looking_ = false;    ///< turning, after everything was forgotten
   double turned_ = 0.0;     ///< rad, while looking

@@ -30,7 +30,6 @@ struct SensorParameters {
 
 /// Parameters of LstmGlobalPlanner, in "~/LstmGlobalPlanner"; config/lstm_planner.yaml explains each.
 struct GlobalPlannerParameters {
-  GlobalPlannerParameters() { agent.leader = kDefaultLeader; }
   std::string model = "package://lstm_planner/models/create2_lstm.onnx";
   SensorParameters sensors;
   AgentParameters agent;

@@ -13,11 +13,11 @@ namespace lstm_planner {
 
 /// Publishes each decision and where it came from as diagnostic_msgs/DiagnosticArray on `decision`.
 ///
-/// One status, whose message is the decision's source; a warning when the leader does not decide (looking around,
-/// boundary following, the route in the network's place), an error when there is no path. Values: step, goal_distance
-/// (m), goal_bearing (rad), action (its index, -1 for none), preferred (the network's favourite, -1 when none is
-/// asked), overruled (whether another action was taken than that), steering_angle (rad), preferences, allowed,
-/// action_angles (rad, those of the actions).
+/// One status, whose message is the decision's source; a warning while the robot looks around or follows a
+/// boundary, an error when there is no path. Values: what (a sentence: describe()), step, goal_distance (m),
+/// goal_bearing (rad), action (its index, -1 for none), preferred (the network's favourite, -1 when none is asked),
+/// overruled (no, by the shield, by the bound), on_remembered_path (yes or no), regret, regret_used and regret_allowed
+/// (m: DetourBound), steering_angle (rad), preferences, allowed, action_angles (rad, those of the actions).
 class DecisionPublisher {
  public:
   DecisionPublisher(ros::NodeHandle node_handle, const ActionSet& actions);

@@ -85,13 +85,14 @@ TEST_F(ElasticBandAtADoor, GoesRoundThePostInAnArc) {
 
 TEST_F(ElasticBandAtADoor, BendsNoStepOfTheNetworkButWhatComesBehindIt) {
   AgentParameters parameters;
-  parameters.memory.completes_plan = true;
+  parameters.detour.allowance = 10.0;
   NavigationAgent agent(test::straightAheadPolicy(), parameters);
-  const Pose2 pose{1.8, 0.9, M_PI_4};
+  const Pose2 pose{1.8, 0.9, 0.0};
   agent.setGoal({4.6, 1.0});
   const Situation situation = test::seenFrom(world_, pose);
   const Decision& decision = agent.update(situation);
   ASSERT_EQ(decision.source, Decision::Source::kNetwork);
+  ASSERT_FALSE(decision.on_route);
   std::vector<Pose2> plan;
   rollOut(situation, band_.bend(agent, pose, decision, kClearance), agent.shield(), {4.6, 1.0, 0.0}, parameters, {},
           &plan);
@@ -152,7 +153,9 @@ TEST_F(ElasticBandAtADoor, KeepsTheClearanceWhereThereIsRoom) {
 }
 
 TEST_F(ElasticBandAtADoor, LeavesAloneWhatFollowsNoPath) {
-  NavigationAgent agent(test::straightAheadPolicy(), kDefaults);
+  AgentParameters forgetful;
+  forgetful.memory.enabled = false;
+  NavigationAgent agent(test::straightAheadPolicy(), forgetful);
   agent.setGoal({4.6, 1.0});
   const Pose2 pose{1.8, 0.9, M_PI_4};
   const Decision& decision = agent.update(test::seenFrom(world_, pose));

@@ -53,7 +53,7 @@ TEST_F(NetworkAloneTest, DrawsItsStepsOnceItHasMadeNoProgressForLong) {
   NavigationAgent agent = agentTo({10.0, 0.0});
   EXPECT_EQ(stepToAndFro({}, parameters_.draw_after, {}, &agent), std::set<int>{kStraight});
   EXPECT_EQ(stepToAndFro({}, 100, {}, &agent), (std::set<int>{0, 1, 2, 3, 4}));
-  EXPECT_FALSE(agent.decision().isOverruled()) << "what was drawn is the network's answer";
+  EXPECT_EQ(agent.decision().overruled, Decision::Overruled::kNo) << "what was drawn is the network's answer";
 }
 
 TEST_F(NetworkAloneTest, DrawsNothingIfItIsNotAllowed) {
@@ -112,12 +112,11 @@ TEST_F(GoalBehindAWallTest, IsNotReachedIfOdometryIsRight) {
   EXPECT_NE(after(10 * parameters_.escape.patience_steps, wall_).source, Source::kArrived);
 }
 
-TEST_F(GoalBehindAWallTest, IsSearchedForWithTheRescue) {
-  parameters_.memory.enabled = true;
+TEST_F(GoalBehindAWallTest, IsSearchedForByFollowingBoundaries) {
   parameters_.escape.enabled = true;
   const Decision decision = after(parameters_.escape.patience_steps, wall_);
   EXPECT_NE(decision.source, Source::kArrived);
-  EXPECT_EQ(decision.leader, Source::kRoute);
+  EXPECT_EQ(decision.leader, Source::kEscape);
 }
 
 }  // namespace

@@ -14,7 +14,14 @@ using test::situationAt;
 
 class Rollout : public ::testing::Test {
  protected:
-  Rollout() : agent_(test::straightAheadPolicy(), {}) {}
+  Rollout() : agent_(test::straightAheadPolicy(), forgetful()) {}
+
+  /// Without remembered obstacles the plan behind the waypoint is what is tested here.
+  static AgentParameters forgetful() {
+    AgentParameters parameters;
+    parameters.memory.enabled = false;
+    return parameters;
+  }
 
   const std::vector<Pose2>& planFor(const Situation& situation, const Pose2& goal) {
     agent_.setGoal({goal.x, goal.y});

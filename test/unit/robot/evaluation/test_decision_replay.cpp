@@ -13,7 +13,11 @@ constexpr double kStepLength = 0.2;  // m, driven in a step
 constexpr double kPeriod = 0.5;      // s
 
 /// Prefers the left, then straight on; the driver of these tests goes straight on.
-DecisionReplay leftwards() { return DecisionReplay(test::policyPreferring({0.1f, 0.2f, 0.3f, 0.9f, 0.4f}), {}, {}); }
+DecisionReplay leftwards() {
+  AgentParameters parameters;
+  parameters.memory.enabled = false;  // in a closed hall no path would lead to the goals
+  return DecisionReplay(test::policyPreferring({0.1f, 0.2f, 0.3f, 0.9f, 0.4f}), parameters, {});
+}
 
 /// The n-th step of a drive straight along x, in a hall whose walls are 5 m away.
 DriveStep step(int n) {
@@ -172,7 +176,7 @@ TEST(DecisionReplayTest, StepsWithoutScansAreRefused) {
 }
 
 TEST(DecisionReplayTest, AScannerThatIsTooShortForTheModelIsLedByTheRoute) {
-  DecisionReplay replay = leftwards();
+  DecisionReplay replay(test::straightAheadPolicy(), {}, {});
   replay.startEpisode(episodeTo(20.0));
   DriveStep short_sighted = step(0);
   short_sighted.geometry.range_max = 1.0;  // less than half the model's range cap
@@ -186,8 +190,8 @@ TEST(DecisionReplayTest, WritesARowADecision) {
   replay.startEpisode(episodeTo(20.0));
   drive(0, 1, &replay);
   EXPECT_EQ(asText(replay),
-            "episode,stamp,source,action,steering_angle,driven_action,driven_angle,preferences\n"
-            "0,100.000000,network,3,0.7854,2,0.0000,0.1000 0.2000 0.3000 0.9000 0.4000\n");
+            "episode,stamp,source,overruled,action,steering_angle,driven_action,driven_angle,preferences\n"
+            "0,100.000000,network,no,3,0.7854,2,0.0000,0.1000 0.2000 0.3000 0.9000 0.4000\n");
 }
 
 TEST(DecisionReplayTest, CutsADriveIntoStepsWithTheModelsAnglesAndScans) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "lstm_planner/robot/memory/route_guide.hpp"
@@ -275,30 +276,29 @@ TEST_F(RouteGuideTest, EndsBesideAGoalInAnObstacleIfTheToleranceAllowsIt) {
   EXPECT_LE(distanceBetween(guide_.end(), Point2{8.0, 0.0}), tolerance_);
 }
 
-TEST_F(RouteGuideTest, WatchingRemembersWithoutSearching) {
-  start({4.0, 0.0});
-  guide_.watch(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})), true);
-  for (int step = 1; step <= 20; ++step) guide_.watch(returnsAt({}, {-0.1 * step, 0.0, 0.0}), true);
-  EXPECT_EQ(guide_.searches(), 0);
+TEST_F(RouteGuideTest, TheRegretOfAStepIsHowMuchLongerThePathThroughItsEndIs) {
+  const Point2 goal{4.0, 0.0};
+  start(goal);
   ASSERT_EQ(update(returnsAt({})), Source::kRoute);
-  EXPECT_EQ(guide_.searches(), 1);
-  EXPECT_GT(guide_.route().length, 2.0 * std::hypot(2.0, 1.0)) << "round the wall that it was only shown";
+  // A path from cell to cell is up to 8 % longer than the straight line; both ends of the difference are.
+  const double rounding = 0.08 * 0.4 + guide_.memory().cellSize();
+  std::vector<Point2> path_on;
+  EXPECT_NEAR(guide_.regretOf({}, {0.4, 0.0}, goal, &path_on), 0.0, rounding);
+  EXPECT_NEAR(guide_.regretOf({}, {0.0, 0.4}, goal, &path_on), 0.4, rounding);
+  EXPECT_NEAR(guide_.regretOf({}, {-0.4, 0.0}, goal, &path_on), 0.8, rounding);
+  ASSERT_FALSE(path_on.empty());
+  EXPECT_EQ(distanceBetween(path_on.back(), goal), 0.0);
+  EXPECT_EQ(guide_.route().points.size(), 2u) << "asking changes nothing";
 }
 
-TEST(RouteGuideWatching, RemembersANewPlaceBetweenDecisionsRatherThanInOne) {
-  const auto length_after = [](double moved, bool decides) {
-    RouteGuide guide{AgentParameters()};
-    guide.start();
-    guide.watch(returnsAt({}), true);
-    guide.watch(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0}), {-moved, 0.0, 0.0}), decides);
-    EXPECT_EQ(guide.update(returnsAt({}), {4.0, 0.0}, AgentParameters().goal_tolerance), Decision::Source::kRoute);
-    return guide.route().length;
-  };
-  const double around = 4.2;  // m; the straight path has 4 m, the one around the wall at least 4.5 m
-  EXPECT_LT(length_after(0.9, false), around) << "no new place yet";
-  EXPECT_GT(length_after(1.2, false), around);
-  EXPECT_LT(length_after(1.2, true), around) << "while the robot waits, it can wait";
-  EXPECT_GT(length_after(1.6, true), around) << "it must not be missed, either";
+TEST_F(RouteGuideTest, AStepIntoAClosedPlaceIsRegrettedWithoutEnd) {
+  start({4.0, 0.0});
+  std::vector<Point2> ring;
+  for (const Point2& point : test::ring(0.6)) ring.push_back({-2.0 + point.x, point.y});
+  ASSERT_EQ(update(returnsAt(ring)), Source::kRoute);
+  std::vector<Point2> path_on;
+  EXPECT_EQ(guide_.regretOf({}, {-2.0, 0.0}, {4.0, 0.0}, &path_on), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(path_on.empty());
 }
 
 }  // namespace
