@@ -19,6 +19,7 @@ Options:
 Arguments of launch/demo.launch, among them:
   map:=FILE      a map as map_server reads it (yaml); default: the building that comes with the package
   goals:=FILE    the goals to drive to, in the map's frame
+  picture:=FILE  where to draw the picture, or none; default: ~/lstm_planner_demo.png
   leader:=NAME   who leads: network (the default), or route
   All of them:   roslaunch lstm_planner demo.launch --ros-args
 
@@ -76,9 +77,11 @@ checked_argument() {
   local name="${1%%:=*}" value="${1#*:=}"
   grep -qF "<arg name=\"$name\" default" "$source_dir/launch/demo.launch" ||
     fail "demo.launch has no argument '$name'; expected one of those that --help names."
+  # roslaunch ignores an argument without a value.
+  [ -n "$value" ] || fail "the argument $name:= has no value."
   case "$name" in
     map | goals | model | picture)
-      case "$value" in '' | default | /* | *://*) ;; *) value="$PWD/$value" ;; esac ;;
+      case "$value" in default | none | /* | *://*) ;; *) value="$PWD/$value" ;; esac ;;
   esac
   echo "$name:=$value"
 }

@@ -285,3 +285,11 @@ set_up() {
   exec 9>&-
   source_setup "$workspace/devel/setup.bash"
 }
+
+# For tests: whatever they write is in the workspace.
+stay_in_workspace() {
+  rm -rf "${workspace:?}/home" "${workspace:?}/tmp"
+  mkdir -p "$workspace/home" "$workspace/tmp" || fail "cannot create folders for the tests in the workspace $workspace."
+  export HOME="$workspace/home" TMPDIR="$workspace/tmp" PYTHONDONTWRITEBYTECODE=1
+  unset XDG_CACHE_HOME XDG_CONFIG_HOME XDG_DATA_HOME XDG_RUNTIME_DIR XDG_STATE_HOME
+}

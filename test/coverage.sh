@@ -35,6 +35,7 @@ export CXXFLAGS="${CXXFLAGS:-} --coverage -fprofile-update=atomic"
 set_up lstm_planner lstm_planner_unit_tests
 
 export LSTM_PLANNER_SHARED="${LSTM_PLANNER_SHARED:-$source_dir/../shared}"
+stay_in_workspace
 find "$workspace/build" -name '*.gcda' -delete
 log="$workspace/unit_tests.log"
 say "running the unit tests, log in $log"

@@ -22,6 +22,9 @@ esac
 cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 status=0
 
+scratch="$(mktemp -d)"
+trap 'rm -rf "$scratch"' EXIT
+
 left_out() { echo "lint: $1 is left out: $2"; }
 
 # Files of the package with one of the endings ($@), one a line; works without git, too.
@@ -56,7 +59,7 @@ if ! command -v doxygen >/dev/null; then
 elif ! doxygen --version | grep -q '^1\.9'; then
   left_out doxygen "version 1.9 is needed, this is $(doxygen --version)"
 else
-  pages="$(mktemp -d)"
+  pages="$scratch/pages"
   mkdir -p "$pages/workspace/src"
   ln -s "$PWD" "$pages/workspace/src/lstm_planner"
   doxygen - <<DOXYGEN || status=1
@@ -81,12 +84,11 @@ DOXYGEN
     head -n 20 <<<"$differing" >&2
     status=1
   fi
-  rm -r "$pages"
 fi
 
-# It fails with variables of a newer ROS. The package's dependencies are those of Noetic.
+# It fails with variables of a newer ROS. The package's dependencies are those of Noetic. It leaves a cache in the home.
 if command -v catkin_lint >/dev/null; then
-  found="$(ROS_DISTRO=noetic catkin_lint -W1 --strict --offline . 2>&1 | grep -v -e "rosdep database" -e "unknown dependencies" \
+  found="$(HOME="$scratch" ROS_DISTRO=noetic catkin_lint -W1 --strict --offline . 2>&1 | grep -v -e "rosdep database" -e "unknown dependencies" \
     -e "additional notices" -e "have been ignored" -e "^catkin_lint: checked")"
   if [ -n "$found" ]; then
     echo "$found"

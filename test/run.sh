@@ -15,7 +15,8 @@ Usage: bash test/run.sh [--build-only] [FILTER]
 Installs what is missing, builds the package and its tests in a workspace outside the source tree, and runs them: the
 unit tests in as many processes as there are processors, then the rostests, twice as many at a time, each under a ROS
 master of its own; without FILTER also the linters (test/lint.sh). The last line counts the test cases. A test that is skipped
-counts as a failure, unless test/skips.txt allows it.
+counts as a failure, unless test/skips.txt allows it. HOME and TMPDIR of the tests are folders in the workspace, and what a
+test leaves in its HOME is a failure.
 
 Arguments:
   FILTER         an extended regular expression on names: unit tests are Suite.Case, rostests are files in test/ros
@@ -29,6 +30,14 @@ Environment:
 
 Exit status: 0 when no test failed.
 USAGE
+}
+
+# Fails when the tests left something in their home: without this script, that is the user's.
+check_home() {
+  local left
+  left="$(find "$HOME" -mindepth 1 -not -type d)"
+  [ -z "$left" ] || echo "FAILED home: the tests left ${left//$'\n'/, }" >&2
+  [ -z "$left" ]
 }
 
 unit_test_processes=()
@@ -109,10 +118,12 @@ set_up all tests
 if [ "$build_only" = true ]; then exit 0; fi
 
 export LSTM_PLANNER_SHARED="${LSTM_PLANNER_SHARED:-$source_dir/../shared}"
+stay_in_workspace
 results="$workspace/build/test_results/lstm_planner"
 rm -rf "$results"
 status=0
 if [ -z "$filter" ]; then bash "$source_dir/test/lint.sh" || status=1; fi
 run_tests "$filter" || status=1
+check_home || status=1
 /usr/bin/python3 "$source_dir/test/count_results.py" "$results" "$source_dir/test/skips.txt" || status=1
 exit "$status"

@@ -83,6 +83,7 @@ set_up "-DLSTM_PLANNER_SANITIZER=$kind" lstm_planner_plugins "${targets[@]}"
 if [ "$build_only" = true ]; then exit 0; fi
 
 export LSTM_PLANNER_SHARED="${LSTM_PLANNER_SHARED:-$source_dir/../shared}"
+stay_in_workspace
 export ASAN_OPTIONS="detect_stack_use_after_return=1:${ASAN_OPTIONS:-}"
 export LSAN_OPTIONS="suppressions=$source_dir/test/sanitize/leaks.supp:print_suppressions=0:${LSAN_OPTIONS:-}"
 export UBSAN_OPTIONS="print_stacktrace=1:${UBSAN_OPTIONS:-}"

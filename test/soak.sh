@@ -86,4 +86,5 @@ done
 
 set_up "${targets[@]}"
 if [ "$build_only" = true ]; then exit 0; fi
+stay_in_workspace
 if [ "$what" = day ]; then soak; else drive; fi

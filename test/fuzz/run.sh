@@ -81,6 +81,7 @@ more_optional_packages=(libclang-rt-dev)
 set_up -DLSTM_PLANNER_FUZZERS=ON -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ "${names[@]/#/fuzz_}"
 if [ "$build_only" = true ]; then exit 0; fi
 
+stay_in_workspace
 failed=()
 for name in "${names[@]}"; do run_fuzzer "$name" || failed+=("$name"); done
 [ "${#failed[@]}" -eq 0 ] || fail "failures in: ${failed[*]}"

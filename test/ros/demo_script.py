@@ -64,10 +64,11 @@ class DemoScript(unittest.TestCase):
 
     def test_a_goal_that_is_missed_is_a_failure(self):
         self.write_goals(IN_THE_BOX)
-        status, output = self.demo("goals:=goals.yaml", "picture:=")
+        status, output = self.demo("goals:=goals.yaml", "picture:=none")
         self.assertEqual(status, 1)
         self.assertIn("the demo did not succeed", output)
         self.assertNotIn("every goal was reached", output)
+        self.assertEqual([name for name in os.listdir(self.folder) if name.endswith(".png")], [], "the folder is HOME, too")
 
     def test_build_only_does_not_drive(self):
         status, output = self.demo("--build-only")
@@ -87,8 +88,9 @@ class DemoScript(unittest.TestCase):
         self.assertIn("the build failed", output)
         self.assertNotIn("demo:", output)
 
-    def test_arguments_that_demo_launch_lacks_are_refused_before_anything_is_done(self):
+    def test_arguments_that_mean_nothing_are_refused_before_anything_is_done(self):
         for argument, complaint in (("gaols:=x", "demo.launch has no argument 'gaols'"),
+                                    ("picture:=", "the argument picture:= has no value"),
                                     ("--fast", "unknown argument '--fast'")):
             status, output = self.demo(argument, catkin_make=FAILS)
             self.assertEqual(status, 1)

@@ -60,7 +60,7 @@ class InstalledSpace(unittest.TestCase):
     def test_the_demo_reaches_every_goal(self):
         host = os.path.exists(os.path.join(self.moved, "lib", "lstm_planner", "standalone_move_base"))
         result = os.path.join(self.folder.name, "result")
-        self.run_there("roslaunch lstm_planner demo.launch rviz:=false picture:= real_time_factor:=6 move_base:=%s result:=%s"
+        self.run_there("roslaunch lstm_planner demo.launch rviz:=false picture:=none real_time_factor:=6 move_base:=%s result:=%s"
                        % ("standalone" if host else "real", result))
         with open(result, encoding="utf-8") as file:
             self.assertEqual(file.readline().strip(), "0")

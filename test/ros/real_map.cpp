@@ -34,7 +34,7 @@ nlohmann::json drive(const DriveTask& task, const std::string& arguments) {
   const test::ScratchFolder folder;
   writeGoalsFile(folder / "goals.yaml", task);
   const std::string command =
-      "timeout --signal=INT 100 roslaunch lstm_planner demo.launch rviz:=false picture:= "
+      "timeout --signal=INT 100 roslaunch lstm_planner demo.launch rviz:=false picture:=none "
       "real_time_factor:=4 map:=" +
       willowMap() + " free_threshold:=" + std::to_string(kWillowFreeThreshold) + " goals:=" + (folder / "goals.yaml") +
       " result:=" + (folder / "result") + " move_base:=" + moveBase() + arguments;

@@ -138,7 +138,7 @@ class Restarts(unittest.TestCase):
             goals, result = (os.path.join(folder, name) for name in ("goals.yaml", "result"))
             with open(goals, "w", encoding="utf-8") as file:
                 file.write(GOALS_FILE)
-            demo = launch("demo.launch", "goals:=" + goals, "result:=" + result, "picture:=", "rviz:=false")
+            demo = launch("demo.launch", "goals:=" + goals, "result:=" + result, "picture:=none", "rviz:=false")
             self.addCleanup(end, demo)
             demo.wait(PATIENCE)
             with open(result, encoding="utf-8") as file:
