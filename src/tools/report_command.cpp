@@ -63,7 +63,7 @@ void drawTrainingPicture(const ReportOptions& options, const GridComparison& com
   constexpr std::size_t kCandidates = 15;
   selection.count = kCandidates;
   const GridSetFiles files = findGridSets(options.grid.folders.front()).front();
-  if (selectScenarioFiles(files, MapSelection::kTrain).empty()) return;
+  if (selectMaps(files, MapSelection::kTrain).empty()) return;
   training.sets = {drawGridTasks(files, selection)};
   const GridTaskSet& set = training.sets.front();
   const ReportPicture first = trainingPicture(training, 0, 0);

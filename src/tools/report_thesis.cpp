@@ -96,6 +96,13 @@ ReportAgent aStarAgent() {
   return {{"A*", gridAgentMaker(options)}, true};
 }
 
+/// A scenario file of each map.
+std::vector<std::string> filesOf(const std::vector<GridMapFiles>& maps) {
+  std::vector<std::string> files;
+  for (const GridMapFiles& map : maps) files.push_back(map.scenario_files.front());
+  return files;
+}
+
 /// Trains all networks, writes them, and appends their accuracies to the report; A* and they as agents.
 std::vector<ReportAgent> trainAgents(const ThesisOptions& options, const ThesisMaps& maps, std::ostream& report) {
   const Interruption interruption;
@@ -110,7 +117,7 @@ std::vector<ReportAgent> trainAgents(const ThesisOptions& options, const ThesisM
       return !interruption.wanted();
     };
     const ThesisNetworkResult trained =
-        trainThesisNetwork(network, options.training, maps.training, maps.validation, progress);
+        trainThesisNetwork(network, options.training, filesOf(maps.training), filesOf(maps.validation), progress);
     if (interruption.wanted()) throw std::runtime_error("interrupted while " + network.name + " was trained");
     const std::string file = options.output + "/" + network.file;
     if (isFirstRank()) writeModelFile(file, trained.model);
@@ -205,8 +212,9 @@ int runThesisReport(const std::vector<std::string>& arguments) {
   std::ostringstream report;
   report << "# The thesis under its own rules\n\n"
          << options.training.dataset.steps << " steps, " << options.training.trainer.epochs << " epochs; trained on "
-         << fileNames(maps.training) << "; best epoch chosen on " << fileNames(maps.validation) << ". "
-         << options.selection.count << " tasks of each set in at most ten maps, " << options.evaluation.rules.max_steps
+         << fileNames(filesOf(maps.training)) << "; best epoch chosen on " << fileNames(filesOf(maps.validation))
+         << ". " << options.selection.count << " tasks of each set in at most ten maps, "
+         << options.evaluation.rules.max_steps
          << " steps, corners may be cut, no shield, no escape, arrival within one cell; seed " << options.training.seed
          << ".\n\n";
   const std::vector<ReportAgent> agents = trainAgents(options, maps, report);

@@ -41,8 +41,8 @@ WeightedFolder parseFolder(const std::string& text) {
 void addSet(const GridSetFiles& files, double weight, const GridTrainingOptions& options, GridTrainingMaps* maps) {
   GridCourse::Set training;
   training.weight = weight;
-  for (const std::string& scenarios : selectScenarioFiles(files, MapSelection::kTrain)) {
-    training.maps.push_back(readMovingAiMap(mapOfScenarioFile(scenarios), options.rule));
+  for (const GridMapFiles& map : selectMaps(files, MapSelection::kTrain)) {
+    training.maps.push_back(readMovingAiMap(mapOfScenarioFile(map.scenario_files.front()), options.rule));
   }
   if (training.maps.empty()) throw std::invalid_argument("set " + files.name + " has no training maps");
   ScenarioSelection selection;

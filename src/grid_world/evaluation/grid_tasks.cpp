@@ -19,13 +19,29 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLargestNumberedSet = 20;
 constexpr int kTrainMaps = 6;
 
-std::vector<std::string> scenarioFilesIn(const fs::path& folder) {
+/// The name, without folders and ending, of the map that a scenario file is for.
+std::string mapName(const std::string& scenario_file) {
+  const fs::path named = mapNamedIn(scenario_file);
+  const fs::path map = named.empty() ? fs::path(scenario_file).stem() : named.filename();
+  return (map.extension() == ".map" ? map.stem() : map).string();
+}
+
+/// In the order of the files' names.
+std::vector<GridMapFiles> mapsIn(const fs::path& folder) {
   std::vector<std::string> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".scen" && entry.is_regular_file()) files.push_back(entry.path().string());
   }
   std::sort(files.begin(), files.end());
-  return files;
+  std::vector<GridMapFiles> maps;
+  std::map<std::string, std::size_t> places;
+  for (const std::string& file : files) {
+    const std::string name = mapName(file);
+    const std::size_t place = places.emplace(name, maps.size()).first->second;
+    if (place == maps.size()) maps.push_back({name, {}});
+    maps[place].scenario_files.push_back(file);
+  }
+  return maps;
 }
 
 /// The set that a folder is, if it is one.
@@ -33,24 +49,17 @@ std::optional<GridSetFiles> setIn(const fs::path& folder) {
   const fs::path scenarios = folder / "Scenarios";
   GridSetFiles files;
   if (fs::is_directory(scenarios)) {
-    files = {folder.filename().string(), scenarioFilesIn(scenarios)};
+    files = {folder.filename().string(), mapsIn(scenarios)};
   } else {
     const bool is_scenarios = folder.filename() == scenarios.filename();
-    files = {(is_scenarios ? folder.parent_path() : folder).filename().string(), scenarioFilesIn(folder)};
+    files = {(is_scenarios ? folder.parent_path() : folder).filename().string(), mapsIn(folder)};
   }
-  if (files.scenario_files.empty()) return std::nullopt;
+  if (files.maps.empty()) return std::nullopt;
   return files;
 }
 
-/// NAME of NAME.map.scen.
-std::string mapName(const std::string& scenario_file) {
-  fs::path name = fs::path(scenario_file).stem();
-  return (name.extension() == ".map" ? name.stem() : name).string();
-}
-
-/// NAME of NAME-3.map.scen; empty for a name that does not end in a hyphen and a number.
-std::string numberedName(const std::string& scenario_file) {
-  const std::string name = mapName(scenario_file);
+/// NAME of NAME-3; empty for a name that does not end in a hyphen and a number.
+std::string numberedName(const std::string& name) {
   const std::size_t hyphen = name.rfind('-');
   if (hyphen == std::string::npos || hyphen + 1 == name.size()) return "";
   return name.find_first_not_of("0123456789", hyphen + 1) == std::string::npos ? name.substr(0, hyphen) : "";
@@ -59,11 +68,11 @@ std::string numberedName(const std::string& scenario_file) {
 /// The benchmark's archives hold several sets in one folder (maze512-1-0 ... maze512-32-9): one set a name then.
 std::vector<GridSetFiles> splitByName(const GridSetFiles& files) {
   std::map<std::string, GridSetFiles> sets;
-  for (const std::string& file : files.scenario_files) {
-    const std::string name = numberedName(file);
+  for (const GridMapFiles& map : files.maps) {
+    const std::string name = numberedName(map.name);
     if (name.empty()) return {files};
     sets[name].name = name;
-    sets[name].scenario_files.push_back(file);
+    sets[name].maps.push_back(map);
   }
   if (sets.size() == 1) return {files};
   std::vector<GridSetFiles> split;
@@ -81,7 +90,8 @@ int mapNumber(const std::string& name, std::size_t place) {
 }
 
 struct DrawnScenario {
-  std::size_t file = 0;
+  const GridMapFiles* map = nullptr;
+  const std::string* file = nullptr;
   std::size_t line = 0;
   Scenario scenario;
 };
@@ -132,55 +142,61 @@ std::vector<GridSetFiles> findGridSets(const std::string& folder) {
   return sets;
 }
 
-std::vector<std::string> selectScenarioFiles(const GridSetFiles& files, MapSelection selection) {
-  if (selection == MapSelection::kAll) return files.scenario_files;
-  const std::size_t maps = files.scenario_files.size();
-  std::vector<std::string> selected;
+std::vector<GridMapFiles> selectMaps(const GridSetFiles& files, MapSelection selection) {
+  if (selection == MapSelection::kAll) return files.maps;
+  const std::size_t maps = files.maps.size();
+  std::vector<GridMapFiles> selected;
   for (std::size_t place = 0; place < maps; ++place) {
-    const std::string& file = files.scenario_files[place];
-    const bool train = maps > kLargestNumberedSet ? place < maps / 2 : mapNumber(mapName(file), place) < kTrainMaps;
-    if (train == (selection == MapSelection::kTrain)) selected.push_back(file);
+    const GridMapFiles& map = files.maps[place];
+    const bool train = maps > kLargestNumberedSet ? place < maps / 2 : mapNumber(map.name, place) < kTrainMaps;
+    if (train == (selection == MapSelection::kTrain)) selected.push_back(map);
   }
   return selected;
 }
 
 GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& selection) {
-  const std::vector<std::string> scenario_files = selectScenarioFiles(files, selection.maps);
+  const std::vector<GridMapFiles> maps = selectMaps(files, selection.maps);
   GridTaskSet set;
   set.name = files.name;
   std::vector<DrawnScenario> drawn;
-  for (std::size_t file = 0; file < scenario_files.size(); ++file) {
-    std::vector<Scenario> scenarios = readScenarios(scenario_files[file]);
-    for (std::size_t i = 0; i < scenarios.size(); ++i) {
-      const double length = scenarios[i].optimal_length;
-      if (length < selection.min_length || length > selection.max_length) continue;
-      if (length == 0.0 && scenarios[i].start != scenarios[i].goal) {
-        ++set.without_path;
-        continue;
+  for (const GridMapFiles& map : maps) {
+    for (const std::string& file : map.scenario_files) {
+      std::vector<Scenario> scenarios = readScenarios(file);
+      for (std::size_t i = 0; i < scenarios.size(); ++i) {
+        const double length = scenarios[i].optimal_length;
+        if (length < selection.min_length || length > selection.max_length) continue;
+        if (length == 0.0 && scenarios[i].start != scenarios[i].goal) {
+          ++set.without_path;
+          continue;
+        }
+        drawn.push_back({&map, &file, i + kFirstScenarioLine, std::move(scenarios[i])});
       }
-      drawn.push_back({file, i + 1, std::move(scenarios[i])});
     }
   }
   keepSome(selection.count, selection.seed, &drawn);
 
-  std::size_t loaded = scenario_files.size();
+  const std::string* file = nullptr;
+  std::string loaded;
   for (const DrawnScenario& one : drawn) {
     const Scenario& scenario = one.scenario;
-    const std::string& path = scenario_files[one.file];
-    if (one.file != loaded) {
-      loaded = one.file;
-      set.maps.push_back(readMovingAiMap(mapOfScenarioFile(path), selection.rule));
-      set.map_names.push_back(mapName(path));
+    if (one.file != file) {
+      file = one.file;
+      const std::string path = mapOfScenarioFile(*file);
+      if (path != loaded) {
+        loaded = path;
+        set.maps.push_back(readMovingAiMap(path, selection.rule));
+        set.map_names.push_back(one.map->name);
+      }
     }
     const PassableGrid& map = set.maps.back();
     const bool swamp_ends = selection.rule == PassableRule::kThesis && map.contains(scenario.start) &&
                             map.contains(scenario.goal) &&
                             !(map.passable(scenario.start) && map.passable(scenario.goal));
     if (swamp_ends) continue;
-    checkScenario(scenario, one.line, map, path);
+    checkScenario(scenario, one.line, map, *one.file);
     set.tasks.push_back({set.maps.size() - 1, scenario.start, scenario.goal, scenario.optimal_length});
   }
-  if (set.tasks.empty()) throw std::invalid_argument(noScenarioMessage(files, selection, scenario_files.size()));
+  if (set.tasks.empty()) throw std::invalid_argument(noScenarioMessage(files, selection, maps.size()));
   return set;
 }
 

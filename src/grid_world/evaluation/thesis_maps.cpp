@@ -29,11 +29,11 @@ GridSetFiles trainingSet(std::vector<GridSetFiles>* sets, const std::string& kin
                          Random& random) {
   for (GridSetFiles& set : *sets) {
     if (!isSet(set.name, kind, number)) continue;
-    if (set.scenario_files.size() < 2) {
-      throw std::invalid_argument("set " + set.name + " has " + std::to_string(set.scenario_files.size()) +
+    if (set.maps.size() < 2) {
+      throw std::invalid_argument("set " + set.name + " has " + std::to_string(set.maps.size()) +
                                   " maps, expected at least 2 for the thesis's training");
     }
-    shuffle(&set.scenario_files, random);
+    shuffle(&set.maps, random);
     return set;
   }
   throw std::invalid_argument("there is no set of " + kind + " " + number +
@@ -41,8 +41,9 @@ GridSetFiles trainingSet(std::vector<GridSetFiles>* sets, const std::string& kin
                               "Random25, Random40) for the thesis's training");
 }
 
-bool contains(const std::vector<std::string>& files, const std::string& file) {
-  return std::find(files.begin(), files.end(), file) != files.end();
+bool contains(const std::vector<GridMapFiles>& maps, const GridMapFiles& map) {
+  return std::any_of(maps.begin(), maps.end(),
+                     [&](const GridMapFiles& other) { return other.scenario_files == map.scenario_files; });
 }
 
 }  // namespace
@@ -56,21 +57,22 @@ ThesisMaps chooseThesisMaps(const std::vector<GridSetFiles>& sets, std::uint64_t
   }
   ThesisMaps maps;
   for (std::size_t i = 0; i < kTrainingMaps + kValidationMaps; ++i) {
-    std::vector<std::string>& files = i < kTrainingMaps ? maps.training : maps.validation;
-    files.push_back(trained[i % trained.size()].scenario_files[i / trained.size()]);
+    std::vector<GridMapFiles>& chosen = i < kTrainingMaps ? maps.training : maps.validation;
+    chosen.push_back(trained[i % trained.size()].maps[i / trained.size()]);
   }
   for (const GridSetFiles& set : sets) {
     if (thesisTableOf(set.name) == nullptr) continue;
     GridSetFiles test = set;
-    const auto used = [&](const std::string& file) {
-      return contains(maps.training, file) || contains(maps.validation, file);
+    const auto used = [&](const GridMapFiles& map) {
+      return contains(maps.training, map) || contains(maps.validation, map);
     };
-    std::vector<std::string>& files = test.scenario_files;
-    files.erase(std::remove_if(files.begin(), files.end(), used), files.end());
-    shuffle(&files, random);
-    if (files.size() > kTestMaps) files.resize(kTestMaps);
-    std::sort(files.begin(), files.end());
-    if (!files.empty()) maps.tests.push_back(std::move(test));
+    std::vector<GridMapFiles>& tests = test.maps;
+    tests.erase(std::remove_if(tests.begin(), tests.end(), used), tests.end());
+    shuffle(&tests, random);
+    if (tests.size() > kTestMaps) tests.resize(kTestMaps);
+    std::sort(tests.begin(), tests.end(),
+              [](const auto& a, const auto& b) { return a.scenario_files.front() < b.scenario_files.front(); });
+    if (!tests.empty()) maps.tests.push_back(std::move(test));
   }
   if (maps.tests.empty()) {
     throw std::invalid_argument(

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
+#include <limits>
 #include <locale>
 #include <sstream>
 
@@ -35,14 +36,14 @@ class ScenarioReader {
     number_.imbue(std::locale::classic());
   }
 
-  std::vector<Scenario> read() {
+  std::vector<Scenario> read(std::size_t most = std::numeric_limits<std::size_t>::max()) {
     lines_.next();
     const std::vector<std::string_view> version = wordsOf(lines_.line().substr(0, kLongestLine));
     if (version.size() != 2 || version[0] != "version" || (version[1] != "1" && version[1] != "1.0")) {
       lines_.refuse(printable(lines_.line()) + ", expected 'version 1'");
     }
     std::vector<Scenario> scenarios;
-    while (!lines_.onlyEmptyLinesFollow()) {
+    while (scenarios.size() < most && !lines_.onlyEmptyLinesFollow()) {
       lines_.next();
       scenarios.push_back(scenario());
     }
@@ -129,7 +130,41 @@ void writeLines(const std::vector<Scenario>& scenarios, std::ostream* file) {
   }
 }
 
+/// The map that all scenarios of a file name; empty where there is none.
+std::string commonMap(const std::string& path) {
+  const std::vector<Scenario> scenarios = readScenarios(path);
+  for (std::size_t i = 1; i < scenarios.size(); ++i) {
+    if (scenarios[i].map == scenarios[0].map) continue;
+    throw MovingAiFileError("the scenario file " + path + ", line " + std::to_string(i + kFirstScenarioLine) +
+                            ": the map is " + printable(scenarios[i].map) + ", but that of the lines before is " +
+                            printable(scenarios[0].map) + ", expected one map a file");
+  }
+  return scenarios.empty() ? "" : scenarios[0].map;
+}
+
+/// Where the map may be, the likeliest first.
+std::vector<std::filesystem::path> placesOfMap(const std::string& named, const std::filesystem::path& scenario_path) {
+  namespace fs = std::filesystem;
+  const fs::path folder = scenario_path.parent_path();
+  std::vector<fs::path> places;
+  const auto add = [&](const fs::path& place) {
+    const fs::path normal = place.lexically_normal();
+    if (std::find(places.begin(), places.end(), normal) == places.end()) places.push_back(normal);
+  };
+  for (const fs::path& map : {fs::path(named), fs::path(named).filename(), scenario_path.stem()}) {
+    if (map.empty()) continue;
+    for (const fs::path& from : {folder, folder / "..", folder / ".." / "Maps"})
+      add(from / map);  // or map, if absolute
+  }
+  return places;
+}
+
 }  // namespace
+
+std::string mapNamedIn(const std::string& scenario_path) {
+  const std::vector<Scenario> first = ScenarioReader(scenario_path).read(1);
+  return first.empty() ? "" : first[0].map;
+}
 
 std::vector<Scenario> readScenarios(const std::string& path) { return ScenarioReader(path).read(); }
 
@@ -167,18 +202,16 @@ void checkScenario(const Scenario& scenario, std::size_t line, const PassableGri
 }
 
 std::string mapOfScenarioFile(const std::string& scenario_path) {
-  namespace fs = std::filesystem;
-  const fs::path path(scenario_path);
-  if (path.extension() != ".scen") {
-    throw MovingAiFileError("the scenario file " + scenario_path + " has another ending, expected NAME.map.scen");
+  const std::string named = commonMap(scenario_path);
+  std::string looked;
+  for (const std::filesystem::path& place : placesOfMap(named, scenario_path)) {
+    std::error_code error;  // what cannot be looked at is no map
+    if (std::filesystem::is_regular_file(place, error)) return place.string();
+    looked += (looked.empty() ? "" : ", ") + place.string();
   }
-  const fs::path beside = fs::path(path).replace_extension();
-  const fs::path of_the_set = (path.parent_path() / ".." / "Maps" / beside.filename()).lexically_normal();
-  std::error_code error;  // what cannot be looked at does not exist
-  if (fs::exists(beside, error)) return beside.string();
-  if (fs::exists(of_the_set, error)) return of_the_set.string();
-  throw MovingAiFileError("the scenario file " + scenario_path + " has no map: neither " + beside.string() + " nor " +
-                          of_the_set.string() + " exists");
+  throw MovingAiFileError("the scenario file " + scenario_path + " names " +
+                          (named.empty() ? "no map" : "the map " + printable(named)) +
+                          ", and there is none of these: " + looked);
 }
 
 }  // namespace lstm_planner

@@ -10,16 +10,22 @@
 
 namespace lstm_planner {
 
-/// A benchmark set: the scenario files of one folder, in the order of their names.
+/// A map of a benchmark set. The benchmark for several agents (MAPF) has 50 scenario files for each.
+struct GridMapFiles {
+  std::string name;                         ///< as the scenarios name it, without folders and `.map`
+  std::vector<std::string> scenario_files;  ///< in the order of their names, at least one
+};
+
+/// A benchmark set: the maps that the scenario files of one folder name, in the order of the files' names.
 struct GridSetFiles {
   std::string name;  ///< of the folder above `Scenarios`; else of the folder itself
-  std::vector<std::string> scenario_files;
+  std::vector<GridMapFiles> maps;
 };
 
 /// The sets in a folder: `folder` is a set with `Scenarios` and `Maps` in it, or its `Scenarios`, or holds `.scen`
-/// files beside their maps, or is a folder of such sets. Where the names are NAME-NUMBER with several NAMEs, as in the
-/// benchmark's archives of mazes and of random maps, each is a set of its own. Throws std::invalid_argument when there
-/// is no scenario file.
+/// files beside their maps, or is a folder of such sets. Where the maps' names are NAME-NUMBER with several NAMEs, as
+/// in the benchmark's archives of mazes and of random maps, each is a set of its own. Throws std::invalid_argument when
+/// there is no scenario file, and MovingAiFileError when the first scenario of a file cannot be read.
 std::vector<GridSetFiles> findGridSets(const std::string& folder);
 
 /// Which maps of a set take part. Learning keeps to the maps numbered 0 to 5 of a set (the number at the end of the
@@ -37,8 +43,8 @@ struct ScenarioSelection {
   PassableRule rule = PassableRule::kBenchmark;  ///< kThesis leaves out scenarios that start or end in swamp
 };
 
-/// The scenario files of the selected maps.
-std::vector<std::string> selectScenarioFiles(const GridSetFiles& files, MapSelection selection);
+/// The maps that take part.
+std::vector<GridMapFiles> selectMaps(const GridSetFiles& files, MapSelection selection);
 
 /// A path that an agent has to find.
 struct GridTask {

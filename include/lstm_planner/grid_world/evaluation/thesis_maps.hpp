@@ -10,8 +10,8 @@ namespace lstm_planner {
 
 /// The maps of the thesis's training (Table 3.1) and of its tests (Tables 3.7-3.9).
 struct ThesisMaps {
-  std::vector<std::string> training;  ///< scenario files of five maps: mazes of width 2 and 4, random fill 25 and 40 %
-  std::vector<std::string> validation;  ///< of three others of these sets
+  std::vector<GridMapFiles> training;    ///< five maps: mazes of width 2 and 4, random fill 25 and 40 %
+  std::vector<GridMapFiles> validation;  ///< three others of these sets
   /// Of each set that has a table in the thesis at most ten maps, none of them one of the training.
   std::vector<GridSetFiles> tests;
 };

@@ -39,7 +39,7 @@ void writeMovingAiMap(const std::string& path, const PassableGrid& grid);
 /// One line of a `.scen` file, version 1.
 struct Scenario {
   int bucket = 0;   ///< floor(optimal length / 4) in the benchmark's files
-  std::string map;  ///< as written in the file
+  std::string map;  ///< as written in the file, often with folders: see mapOfScenarioFile()
   int columns = 0;  ///< size of the map that the scenario is meant for
   int rows = 0;
   CellIndex start;
@@ -62,9 +62,14 @@ void writeScenarios(const std::string& path, const std::vector<Scenario>& scenar
 /// another size, start or goal outside or in a wall.
 void checkScenario(const Scenario& scenario, std::size_t line, const PassableGrid& grid, const std::string& path);
 
-/// The map file that a scenario file of the benchmark's folders belongs to: `<set>/Scenarios/NAME.map.scen` is about
-/// `<set>/Maps/NAME.map`; a map beside the scenario file comes first. Throws MovingAiFileError when neither exists or
-/// the name does not end in `.scen`.
+/// The map that a scenario file names, as written in its first scenario; empty where it has none. Throws
+/// MovingAiFileError for a file whose first scenario cannot be read.
+std::string mapNamedIn(const std::string& scenario_path);
+
+/// The file of the map that all scenarios of a file name: that path, absolute or from the scenario file's folder, the
+/// folder above it, or `Maps` beside it; else the name alone in these folders; else, because a map may have been
+/// renamed with its scenario file, NAME.map of NAME.map.scen. Throws MovingAiFileError that lists where it has looked,
+/// or when the scenarios name several maps.
 std::string mapOfScenarioFile(const std::string& scenario_path);
 
 }  // namespace lstm_planner

@@ -8,6 +8,7 @@
 
 #include "lstm_planner/grid_world/evaluation/grid_tasks.hpp"
 #include "support/folder_test.hpp"
+#include "support/refusal.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
 
 namespace lstm_planner::test_grid_tasks {
@@ -54,7 +55,7 @@ TEST_F(GridTasks, NamesASetAfterTheFolderAboveScenarios) {
     const std::vector<GridSetFiles> sets = findGridSets(given.string());
     ASSERT_EQ(sets.size(), 1u) << given;
     EXPECT_EQ(sets[0].name, "Rows") << given;
-    EXPECT_EQ(sets[0].scenario_files.size(), 1u) << given;
+    EXPECT_EQ(sets[0].maps.size(), 1u) << given;
   }
 }
 
@@ -75,10 +76,26 @@ TEST_F(GridTasks, TellsTheSetsOfOneArchiveApartByTheirNames) {
   ASSERT_EQ(sets.size(), 2u);
   EXPECT_EQ(sets[0].name, "maze512-16");
   EXPECT_EQ(sets[1].name, "maze512-8");
-  EXPECT_EQ(sets[1].scenario_files.size(), 2u);
+  EXPECT_EQ(sets[1].maps.size(), 2u);
   EXPECT_EQ(findGridSets(rows_.parent_path().string()).size(), 2u) << "also in a folder of sets";
   addMap("arena");
   EXPECT_EQ(findGridSets(rows_.string()).size(), 1u) << "names without numbers are one set";
+}
+
+TEST_F(GridTasks, GoesByTheMapsThatScenariosNameNotByTheNamesOfTheirFiles) {
+  addMaps(0, 7);
+  // As the benchmark for several agents names them: 2 files a map here, with numbers of their own.
+  const fs::path scenarios = rows_ / "Scenarios";
+  for (int i = 0; i < 8; ++i) {
+    const std::string map = "row-" + std::to_string(i);
+    fs::copy(scenarios / (map + ".map.scen"), scenarios / (map + "-random-9.scen"));
+    fs::rename(scenarios / (map + ".map.scen"), scenarios / (map + "-even-1.scen"));
+  }
+  EXPECT_EQ(mapsOf(MapSelection::kValidation), (std::vector<std::string>{"row-6", "row-7"}))
+      << "not a map whose other scenarios were learnt from, and none twice";
+  const GridTaskSet all = drawGridTasks(files(), {});
+  EXPECT_EQ(all.maps.size(), 8u);
+  EXPECT_EQ(all.tasks.size(), 8u * 2u * 40u);
 }
 
 TEST_F(GridTasks, RefusesFoldersWithoutScenarios) {
@@ -152,7 +169,9 @@ TEST_F(GridTasks, LeavesOutGoalsThatCannotBeReached) {
 TEST_F(GridTasks, RefusesScenariosOfAnotherMap) {
   addMap("row-0", 40);
   writeMovingAiMap((rows_ / "Maps" / "row-0.map").string(), PassableGrid(30, 1, true));
-  EXPECT_THROW(drawGridTasks(files(), {}), MovingAiFileError);
+  EXPECT_EQ(test::refusalOf<MovingAiFileError>([&] { drawGridTasks(files(), {}); }),
+            "the scenario file " + (fs::canonical(rows_) / "Scenarios" / "row-0.map.scen").string() +
+                ", line 2: a scenario for a map of 40 x 1 cells, but the map has 30 x 1 cells");
 }
 
 }  // namespace

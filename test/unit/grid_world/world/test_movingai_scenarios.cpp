@@ -117,16 +117,51 @@ TEST_F(MovingAiScenarios, AreCheckedAgainstTheirMap) {
   EXPECT_EQ(saidOf(other), where + "a scenario for a map of 5 x 3 cells, but the map has 4 x 3 cells");
 }
 
-TEST_F(MovingAiScenarios, FindTheirMapInTheBenchmarksFoldersOrBesideThem) {
-  const std::string scenarios = write("set/Scenarios/a.map.scen", "version 1\n");
+TEST_F(MovingAiScenarios, FindTheMapThatTheyName) {
+  const auto scenariosFor = [&](const std::string& map) {
+    return write("set/Scenarios/b-random-1.scen", "version 1\n0\t" + map + "\t1\t1\t0\t0\t0\t0\t0\n");
+  };
+  const std::string above = write("set/a.map", "type octile\n");
+  EXPECT_EQ(mapOfScenarioFile(scenariosFor("a.map")), above);
+  const std::string of_the_set = write("set/Maps/b.map", "type octile\n");
+  EXPECT_EQ(mapOfScenarioFile(scenariosFor("b.map")), of_the_set);
+  EXPECT_EQ(mapOfScenarioFile(scenariosFor("maps/dao/b.map")), of_the_set) << "folders of the benchmark's authors";
+  const std::string beside = write("set/Scenarios/b.map", "type octile\n");
+  EXPECT_EQ(mapOfScenarioFile(scenariosFor("b.map")), beside);
+  const std::string in_folder = write("set/Scenarios/maps/dao/b.map", "type octile\n");
+  EXPECT_EQ(mapOfScenarioFile(scenariosFor("maps/dao/b.map")), in_folder);
+  const std::string elsewhere = write("elsewhere/b.map", "type octile\n");
+  EXPECT_EQ(mapOfScenarioFile(scenariosFor(std::filesystem::absolute(elsewhere).string())),
+            std::filesystem::absolute(elsewhere).string());
+  EXPECT_EQ(mapNamedIn(scenariosFor("maps/dao/b.map")), "maps/dao/b.map");
+}
+
+TEST_F(MovingAiScenarios, GoByTheirFilesNameOnlyWhereTheMapTheyNameIsNotFound) {
+  const std::string scenarios = write("set/Scenarios/a.map.scen", "version 1\n0 c.map 1 1 0 0 0 0 0\n");
   EXPECT_EQ(refusal([&] { mapOfScenarioFile(scenarios); }),
-            "the scenario file set/Scenarios/a.map.scen has no map: neither set/Scenarios/a.map nor set/Maps/a.map "
-            "exists");
-  const std::string of_the_set = write("set/Maps/a.map", "type octile\n");
-  EXPECT_EQ(mapOfScenarioFile(scenarios), of_the_set);
-  const std::string beside = write("set/Scenarios/a.map", "type octile\n");
+            "the scenario file set/Scenarios/a.map.scen names the map 'c.map', and there is none of these: "
+            "set/Scenarios/c.map, set/c.map, set/Maps/c.map, set/Scenarios/a.map, set/a.map, set/Maps/a.map");
+  const std::string renamed = write("set/Maps/a.map", "type octile\n");
+  EXPECT_EQ(mapOfScenarioFile(scenarios), renamed);
+  const std::string named = write("set/Maps/c.map", "type octile\n");
+  EXPECT_EQ(mapOfScenarioFile(scenarios), named) << "although there is an a.map, too";
+}
+
+TEST_F(MovingAiScenarios, WithoutAnyAreForTheMapOfTheirFilesName) {
+  const std::string scenarios = write("a.map.scen", "version 1\n");
+  EXPECT_EQ(mapNamedIn(scenarios), "");
+  EXPECT_EQ(refusal([&] { mapOfScenarioFile(scenarios); }).substr(0, 66),
+            "the scenario file a.map.scen names no map, and there is none of th");
+  const std::string beside = write("a.map", "type octile\n");
   EXPECT_EQ(mapOfScenarioFile(scenarios), beside);
-  EXPECT_THROW(mapOfScenarioFile(beside), MovingAiFileError);
+}
+
+TEST_F(MovingAiScenarios, AreForOneMap) {
+  const std::string scenarios = write("a.scen", "version 1\n0 a.map 1 1 0 0 0 0 0\n0 b.map 1 1 0 0 0 0 0\n");
+  EXPECT_EQ(
+      refusal([&] { mapOfScenarioFile(scenarios); }),
+      "the scenario file a.scen, line 3: the map is 'b.map', but that of the lines before is 'a.map', expected one "
+      "map a file");
 }
 
 }  // namespace
