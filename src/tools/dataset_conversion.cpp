@@ -1,8 +1,10 @@
 #include "tools/dataset_conversion.hpp"
 
+#include <algorithm>
 #include <array>
 #include <ctime>
 #include <iostream>
+#include <map>
 #include <utility>
 
 #include "lstm_planner/robot/dataset/dataset_summary.hpp"
@@ -11,6 +13,37 @@
 namespace lstm_planner {
 
 namespace {
+
+/// Counts why something became no step.
+class ExplainedSink : public RecordingSink {
+ public:
+  using RecordingSink::RecordingSink;
+
+  void explain(Rejection rejection, const std::string& why) override {
+    // Sentences that differ in their numbers alone say the same.
+    std::string words = why;
+    words.erase(std::remove_if(words.begin(), words.end(), [](char c) { return c >= '0' && c <= '9'; }), words.end());
+    Reason& reason = reasons_[rejection].emplace(words, Reason{why, 0}).first->second;
+    ++reason.count;
+  }
+
+  void printReasons() const {
+    for (const auto& [rejection, reasons] : reasons_) {
+      const auto commonest = std::max_element(
+          reasons.begin(), reasons.end(), [](const auto& a, const auto& b) { return a.second.count < b.second.count; });
+      const Reason& reason = commonest->second;
+      std::cout << "    " << toString(rejection) << ", " << reason.count << " times: " << reason.sentence << "\n";
+    }
+  }
+
+ private:
+  struct Reason {
+    std::string sentence;  ///< the first of its kind
+    long count = 0;
+  };
+
+  std::map<Rejection, std::map<std::string, Reason>> reasons_;
+};
 
 void printOutcome(const Recording& recording) {
   Dataset dataset;
@@ -39,9 +72,9 @@ void printOutcome(const Recording& recording) {
 
 }  // namespace
 
-void convertIntoDataset(const std::vector<std::string>& files, const RecorderParameters& parameters,
-                        const std::string& output,
-                        const std::function<void(const std::string& file, RecordingSink* sink)>& convert) {
+int convertIntoDataset(const std::vector<std::string>& files, const RecorderParameters& parameters,
+                       const std::string& output,
+                       const std::function<void(const std::string& file, RecordingSink* sink)>& convert) {
   validate(parameters);
   Dataset dataset;
   for (const std::string& file : files) {
@@ -49,15 +82,21 @@ void convertIntoDataset(const std::vector<std::string>& files, const RecorderPar
     description.parameters = parameters;
     description.software_version = softwareVersion();
     description.source = file;
-    RecordingSink sink(description);
+    ExplainedSink sink(description);
     std::cout << file << "\n";
     convert(file, &sink);
     sink.recording().finished = true;
     printOutcome(sink.recording());
+    sink.printReasons();
     dataset.recordings.push_back(std::move(sink.recording()));
+  }
+  if (stepCount(dataset) == 0) {
+    std::cerr << output << " is not written: there is no step; the lines \"no steps\" above say why\n";
+    return 1;
   }
   writeDataset(output, dataset);
   std::cout << output << ": " << stepCount(dataset) << " steps" << std::endl;
+  return 0;
 }
 
 std::string utcTime(double seconds_since_1970) {

@@ -65,13 +65,13 @@ void print(const BagDriveResult& result, const BagDriveOptions& options) {
 int datasetFromBag(const std::vector<std::string>& arguments) {
   FromBagOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  convertIntoDataset(options.bags, options.recorder, options.output, [&](const std::string& bag, RecordingSink* sink) {
-    const BagDriveResult result = recordBag(bag, options.drive, options.recorder, sink);
-    sink->recording().description.odometry_frame = result.odometry_frame;
-    sink->recording().description.begun = utcTime(result.start);
-    print(result, options.drive);
-  });
-  return 0;
+  return convertIntoDataset(options.bags, options.recorder, options.output,
+                            [&](const std::string& bag, RecordingSink* sink) {
+                              const BagDriveResult result = recordBag(bag, options.drive, options.recorder, sink);
+                              sink->recording().description.odometry_frame = result.odometry_frame;
+                              sink->recording().description.begun = utcTime(result.start);
+                              print(result, options.drive);
+                            });
 }
 
 }  // namespace lstm_planner

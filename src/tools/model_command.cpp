@@ -22,6 +22,27 @@ namespace {
 /// Which of the two worlds a model says that it was made for.
 bool isForGrid(const Model& model) { return model.metadata.count("grid_inputs") > 0; }
 
+/// What is wrong with the metadata, in addition to a graph that cannot be read; empty when nothing is.
+std::string faultsOfMetadata(const std::string& file) {
+  try {
+    const Model model{{}, readModelMetadata(file)};
+    if (!isForGrid(model)) readPolicyDescription(model.metadata);
+  } catch (const ModelFileError&) {
+    return "";  // no more can be said of such a file
+  } catch (const std::invalid_argument& error) {
+    return std::string("; ") + error.what();
+  }
+  return "";
+}
+
+Model readToCheck(const std::string& file) {
+  try {
+    return readModelFile(file);
+  } catch (const ModelFileError& error) {
+    throw ModelFileError(error.what() + faultsOfMetadata(file));
+  }
+}
+
 /// Throws std::invalid_argument with all that is missing or does not fit.
 void checkModel(const Model& model) {
   if (isForGrid(model)) {
@@ -92,7 +113,7 @@ int modelCheck(const std::vector<std::string>& arguments) {
   const std::string file = fileOf(
       "check", "checks whether a model can be used; if not, prints everything that is missing or wrong", arguments);
   if (file.empty()) return 0;
-  const Model model = readModelFile(file);
+  const Model model = readToCheck(file);
   try {
     checkModel(model);
   } catch (const std::invalid_argument& error) {

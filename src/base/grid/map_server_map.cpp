@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <locale>
 #include <opencv2/imgcodecs.hpp>
+#include <sstream>
 #include <vector>
 
 #include "base/common/image_codecs.hpp"
@@ -136,6 +137,26 @@ cv::Mat readImage(const std::string& path) {
   return image;
 }
 
+void checkHasFreeCell(const OccupancyGrid& grid, const MapDescription& map, double free_below,
+                      const std::string& path) {
+  long occupied = 0;
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      const Cell cell = grid.at({column, row});
+      if (cell == Cell::kFree) return;
+      occupied += cell == Cell::kOccupied ? 1 : 0;
+    }
+  }
+  std::ostringstream message;
+  message << "the map " << path << " has no free cell by map_server's rule: " << occupied << " of "
+          << static_cast<long>(grid.columns()) * grid.rows()
+          << " are occupied (above occupied_thresh = " << map.occupied_threshold
+          << "), the others unknown, none is below free_thresh = " << free_below << "; with negate = " << map.negate
+          << ' ' << (map.negate ? "light" : "dark")
+          << " is occupied, and the mean of all channels counts, alpha included";
+  throw MapFileError(message.str());
+}
+
 void writeImage(const OccupancyGrid& grid, std::ostream* image) {
   image->imbue(std::locale::classic());
   *image << "P5\n" << grid.columns() << " " << grid.rows() << "\n255\n";
@@ -187,6 +208,7 @@ OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_thresho
       }
     }
   }
+  checkHasFreeCell(grid, map, free_below, yaml_path);
   return grid;
 }
 

@@ -25,6 +25,16 @@ std::string readWholeFile(const std::string& path) {
   }
 }
 
+onnx_subset::ModelProto parsed(const std::string& path) {
+  const std::string bytes = readWholeFile(path);
+  onnx::checkFieldCount(bytes);
+  onnx_subset::ModelProto file;
+  if (!file.ParseFromString(bytes)) {
+    throw ModelFileError("it is truncated or not protobuf, expected an ONNX model");
+  }
+  return file;
+}
+
 /// Two serialised messages one after the other are one message. With the graph last, no truncated file is complete in
 /// itself: cut off between two fields, the file would still be valid and only lack metadata.
 std::string serialise(const Model& model) {
@@ -59,18 +69,20 @@ void replaceFile(const std::string& path, const std::string& bytes) {
 
 Model readModelFile(const std::string& path) {
   try {
-    const std::string bytes = readWholeFile(path);
-    onnx::checkFieldCount(bytes);
-    onnx_subset::ModelProto file;
-    if (!file.ParseFromString(bytes)) {
-      throw ModelFileError("it is truncated or not protobuf, expected an ONNX model");
-    }
-    Model model = onnx::readModel(file);
+    Model model = onnx::readModel(parsed(path));
     validateLayers(model.layers);
     return model;
   } catch (const ModelFileError& error) {
     throw ModelFileError(fileName(path) + error.what());
   } catch (const std::invalid_argument& error) {
+    throw ModelFileError(fileName(path) + error.what());
+  }
+}
+
+std::map<std::string, std::string> readModelMetadata(const std::string& path) {
+  try {
+    return onnx::readMetadata(parsed(path));
+  } catch (const ModelFileError& error) {
     throw ModelFileError(fileName(path) + error.what());
   }
 }

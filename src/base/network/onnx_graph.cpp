@@ -25,15 +25,64 @@ bool isStackOfStates(const Shape& shape) { return shape.size() == 3 && shape[0] 
 
 bool isStandardDomain(const std::string& domain) { return domain.empty() || domain == "ai.onnx"; }
 
+const std::map<std::string, GraphReader::ReadNode>& GraphReader::operators() {
+  static const std::map<std::string, ReadNode> all = {
+      {"Add", &GraphReader::readAdd},
+      {"Concat", &GraphReader::readConcat},
+      {"Constant", &GraphReader::readConstant},
+      {"Gather", &GraphReader::readShapeNode},
+      {"Gemm", &GraphReader::readGemm},
+      {"Identity", &GraphReader::readShapeNode},
+      {"LSTM", &GraphReader::readLstm},
+      {"MatMul", &GraphReader::readMatMul},
+      {"RNN", &GraphReader::readRnn},
+      {"Shape", &GraphReader::readShape},
+      {"Relu", &GraphReader::readActivation},
+      {"Reshape", &GraphReader::readShapeNode},
+      {"Sigmoid", &GraphReader::readActivation},
+      {"Slice", &GraphReader::readSlice},
+      {"Softmax", &GraphReader::readSoftmax},
+      {"Squeeze", &GraphReader::readShapeNode},
+      {"Tanh", &GraphReader::readActivation},
+      {"Transpose", &GraphReader::readShapeNode},
+      {"Unsqueeze", &GraphReader::readShapeNode},
+  };
+  return all;
+}
+
 LayerStack GraphReader::read() {
   for (const auto& tensor : graph_.initializer()) addConstant(tensor.name(), tensor);
+  std::string faults = unknownOperators();
   for (const auto& input : graph_.input()) {
     // Old files list the stored tensors among the inputs.
-    if (constants_.count(input.name()) == 0) addGraphInput(input);
+    if (constants_.count(input.name()) > 0) continue;
+    try {
+      addGraphInput(input);
+    } catch (const ModelFileError& error) {
+      faults += (faults.empty() ? "" : "; ") + std::string(error.what());
+    }
   }
+  if (!faults.empty()) throw ModelFileError(faults);
   for (const auto& node : graph_.node()) readNode(node);
   requireOutputs();
   return std::move(layers_);
+}
+
+/// What the operators are that the planner does not know; empty where there is none.
+std::string GraphReader::unknownOperators() const {
+  std::set<std::string> unknown;
+  for (const auto& node : graph_.node()) {
+    const bool is_standard = isStandardDomain(node.domain());
+    if (is_standard && (operators().count(node.op_type()) > 0 || isFoldable(node.op_type()))) continue;
+    unknown.insert(quoted(node.op_type()) + (is_standard ? "" : " of the domain " + quoted(node.domain())));
+  }
+  if (unknown.empty()) return "";
+  std::string listed;
+  for (const std::string& name : unknown) listed += (listed.empty() ? "" : ", ") + name;
+  return (unknown.size() == 1 ? "the operator " + listed + " is" : "the operators " + listed + " are") +
+         " not known to the planner, expected LSTM, RNN, Gemm, MatMul with Add, Relu, Tanh, Sigmoid, Softmax or one "
+         "that "
+         "changes only the shape";
 }
 
 void GraphReader::addConstant(const std::string& name, const onnx_subset::TensorProto& tensor) {
@@ -73,42 +122,16 @@ const GraphReader::Value& GraphReader::valueNamed(const std::string& name, const
 }
 
 void GraphReader::readNode(const onnx_subset::NodeProto& proto) {
-  using Read = void (GraphReader::*)(Node&);
-  static const std::map<std::string, Read> kOperators = {
-      {"Add", &GraphReader::readAdd},
-      {"Concat", &GraphReader::readConcat},
-      {"Constant", &GraphReader::readConstant},
-      {"Gather", &GraphReader::readShapeNode},
-      {"Gemm", &GraphReader::readGemm},
-      {"Identity", &GraphReader::readShapeNode},
-      {"LSTM", &GraphReader::readLstm},
-      {"MatMul", &GraphReader::readMatMul},
-      {"RNN", &GraphReader::readRnn},
-      {"Shape", &GraphReader::readShape},
-      {"Relu", &GraphReader::readActivation},
-      {"Reshape", &GraphReader::readShapeNode},
-      {"Sigmoid", &GraphReader::readActivation},
-      {"Slice", &GraphReader::readSlice},
-      {"Softmax", &GraphReader::readSoftmax},
-      {"Squeeze", &GraphReader::readShapeNode},
-      {"Tanh", &GraphReader::readActivation},
-      {"Transpose", &GraphReader::readShapeNode},
-      {"Unsqueeze", &GraphReader::readShapeNode},
-  };
   if (isConstant(proto)) {
     Node node(proto, constants_);
     fold(node);
     return node.finish();
   }
-  const auto found = kOperators.find(proto.op_type());
-  if (found == kOperators.end() || !isStandardDomain(proto.domain())) {
-    const std::string domain = isStandardDomain(proto.domain()) ? "" : " of the domain " + quoted(proto.domain());
-    throw ModelFileError(
-        "the operator " + quoted(proto.op_type()) + domain +
-        " is not known to the planner, expected LSTM, RNN, Gemm, MatMul with Add, Relu, Tanh, Sigmoid, "
-        "Softmax or one that changes only the shape");
-  }
   Node node(proto, constants_);
+  const auto found = operators().find(proto.op_type());
+  if (found == operators().end()) {
+    throw ModelFileError(node.name() + " computes something, expected it to change or make constants only");
+  }
   (this->*found->second)(node);
   node.finish();
 }

@@ -33,6 +33,10 @@ class GraphReader {
     std::string graph_input;  ///< the graph input that it is, in whatever shape; else empty
   };
 
+  using ReadNode = void (GraphReader::*)(Node&);
+  static const std::map<std::string, ReadNode>& operators();
+  std::string unknownOperators() const;
+
   void addConstant(const std::string& name, const onnx_subset::TensorProto& tensor);
   void addGraphInput(const onnx_subset::ValueInfoProto& input);
   void define(const std::string& name, const Value& value);

@@ -22,17 +22,23 @@ std::int64_t opsetVersion(const onnx_subset::ModelProto& file) {
 
 }  // namespace
 
+std::map<std::string, std::string> readMetadata(const onnx_subset::ModelProto& file) {
+  std::map<std::string, std::string> metadata;
+  for (const auto& entry : file.metadata_props()) {
+    if (!metadata.emplace(entry.key(), entry.value()).second) {
+      throw ModelFileError("the metadata hold " + quoted(entry.key()) + " twice, expected once");
+    }
+  }
+  return metadata;
+}
+
 Model readModel(const onnx_subset::ModelProto& file) {
   if (file.ir_version() < 1 || !file.has_graph()) {
     throw ModelFileError("there is no graph in it, expected an ONNX model");
   }
   Model model;
   model.layers = GraphReader(file.graph(), opsetVersion(file)).read();
-  for (const auto& entry : file.metadata_props()) {
-    if (!model.metadata.emplace(entry.key(), entry.value()).second) {
-      throw ModelFileError("the metadata hold " + quoted(entry.key()) + " twice, expected once");
-    }
-  }
+  model.metadata = readMetadata(file);
   return model;
 }
 

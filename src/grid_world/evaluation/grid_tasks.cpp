@@ -96,12 +96,32 @@ struct DrawnScenario {
   Scenario scenario;
 };
 
-std::string noScenarioMessage(const GridSetFiles& files, const ScenarioSelection& selection, std::size_t maps) {
+/// Scenarios that were left out, by the reason.
+struct LeftOut {
+  std::size_t shorter = 0;
+  std::size_t longer = 0;
+  std::size_t without_path = 0;
+  std::size_t in_swamp = 0;
+};
+
+std::string noScenarioMessage(const GridSetFiles& files, const ScenarioSelection& selection, std::size_t maps,
+                              const LeftOut& left_out) {
   static const char* const kSelections[] = {"", "training ", "validation "};
   std::ostringstream message;
-  message << "set " << files.name << " has no scenario to run with an optimal length from " << selection.min_length
-          << " to " << selection.max_length << " in its " << maps << ' '
+  message << "set " << files.name << " has no scenario to run in its " << maps << ' '
           << kSelections[static_cast<std::size_t>(selection.maps)] << "maps";
+  const char* separator = ": ";
+  const auto add = [&](std::size_t count, const auto&... why) {
+    if (count == 0) return;
+    message << separator << count;
+    (message << ... << why);
+    separator = ", ";
+  };
+  add(left_out.shorter, " shorter than ", selection.min_length, " cells");
+  add(left_out.longer, " longer than ", selection.max_length, " cells");
+  add(left_out.without_path, " of the optimal length 0 although start and goal differ: there is no path");
+  add(left_out.in_swamp, " with start or goal in swamp");
+  if (*separator == ':') message << ": the files name none";
   return message.str();
 }
 
@@ -158,21 +178,26 @@ GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& se
   const std::vector<GridMapFiles> maps = selectMaps(files, selection.maps);
   GridTaskSet set;
   set.name = files.name;
+  LeftOut left_out;
   std::vector<DrawnScenario> drawn;
   for (const GridMapFiles& map : maps) {
     for (const std::string& file : map.scenario_files) {
       std::vector<Scenario> scenarios = readScenarios(file);
       for (std::size_t i = 0; i < scenarios.size(); ++i) {
         const double length = scenarios[i].optimal_length;
-        if (length < selection.min_length || length > selection.max_length) continue;
-        if (length == 0.0 && scenarios[i].start != scenarios[i].goal) {
-          ++set.without_path;
-          continue;
+        if (length < selection.min_length) {
+          ++left_out.shorter;
+        } else if (length > selection.max_length) {
+          ++left_out.longer;
+        } else if (length == 0.0 && scenarios[i].start != scenarios[i].goal) {
+          ++left_out.without_path;
+        } else {
+          drawn.push_back({&map, &file, i + kFirstScenarioLine, std::move(scenarios[i])});
         }
-        drawn.push_back({&map, &file, i + kFirstScenarioLine, std::move(scenarios[i])});
       }
     }
   }
+  set.without_path = left_out.without_path;
   keepSome(selection.count, selection.seed, &drawn);
 
   const std::string* file = nullptr;
@@ -192,11 +217,14 @@ GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& se
     const bool swamp_ends = selection.rule == PassableRule::kThesis && map.contains(scenario.start) &&
                             map.contains(scenario.goal) &&
                             !(map.passable(scenario.start) && map.passable(scenario.goal));
-    if (swamp_ends) continue;
+    if (swamp_ends) {
+      ++left_out.in_swamp;
+      continue;
+    }
     checkScenario(scenario, one.line, map, *one.file);
     set.tasks.push_back({set.maps.size() - 1, scenario.start, scenario.goal, scenario.optimal_length});
   }
-  if (set.tasks.empty()) throw std::invalid_argument(noScenarioMessage(files, selection, maps.size()));
+  if (set.tasks.empty()) throw std::invalid_argument(noScenarioMessage(files, selection, maps.size(), left_out));
   return set;
 }
 

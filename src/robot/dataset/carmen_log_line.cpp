@@ -67,6 +67,16 @@ void guessAngles(int count, LaserScan* scan) {
   scan->angle_min = -0.5 * span;
 }
 
+/// The angle between readings (rad). Some loggers write how many there are in the field of view instead.
+double angleBetween(double resolution, double field_of_view, std::size_t readings) {
+  const double count = static_cast<double>(readings);
+  const bool is_count =
+      resolution >= 2.0 && resolution == std::floor(resolution) && std::abs(resolution - count) <= 1.0;
+  if (!is_count) return resolution;
+  const bool counts_both_ends = resolution == count && readings % 2 == 1;
+  return field_of_view / (counts_both_ends ? count - 1.0 : resolution);
+}
+
 }  // namespace
 
 CarmenLine parseCarmenOdometry(const std::string& text) {
@@ -99,11 +109,12 @@ CarmenLine parseCarmenRobotLaser(const std::string& text) {
   line.has_scan = true;
   words.skip(1, "the type");
   line.scan.angle_min = words.number("the first angle");
-  words.skip(1, "the field of view");
-  line.scan.angle_increment = words.number("the angle between readings");
+  const double field_of_view = words.number("the field of view");
+  const double resolution = words.number("the angle between readings");
   line.scan.range_max = below(words.number("the longest range"));
   words.skip(2, "accuracy and remission mode");
   readRanges(&words, words.count("a number of readings", 2), &line.scan);
+  line.scan.angle_increment = angleBetween(resolution, field_of_view, line.scan.ranges.size());
   words.skip(words.count("a number of remissions", 0), "a remission");
   line.laser = words.pose("the laser's pose");
   line.robot = words.pose("the robot's pose");

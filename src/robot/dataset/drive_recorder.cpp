@@ -31,8 +31,9 @@ DriveRecorder::DriveRecorder(const RecorderParameters& parameters, StepSink* sin
       observer_(parameters.agent) {}
 
 void DriveRecorder::add(DriveEvent event) {
-  if (!flawOf(event).empty()) {
+  if (const std::string flaw = flawOf(event); !flaw.empty()) {
     sink_->reject(Rejection::kNotFinite);
+    sink_->explain(Rejection::kNotFinite, flaw);
     return;
   }
   const bool is_sensed = std::holds_alternative<OdometryHeard>(event) || std::holds_alternative<ScanHeard>(event);
@@ -131,9 +132,12 @@ void DriveRecorder::sample(const ScanHeard& scan) {
   // Counted from the clock's zero rather than from the first scan, so that a bag that starts earlier gives the same.
   const double number = std::floor(scan.stamp / parameters_.period);
   if (last_sample_ && number <= *last_sample_) return;
-  if (!see(scan)) {
+  if (const std::string flaw = see(scan); !flaw.empty()) {
     // The next scan may do; how many did not, within one sample, depends on the scanner's rate alone.
-    if (last_unusable_ != number) sink_->reject(Rejection::kUnusableScan);
+    if (last_unusable_ != number) {
+      sink_->reject(Rejection::kUnusableScan);
+      sink_->explain(Rejection::kUnusableScan, flaw);
+    }
     last_unusable_ = number;
     return;
   }
@@ -170,17 +174,17 @@ void DriveRecorder::sample(const ScanHeard& scan) {
   }
 }
 
-bool DriveRecorder::see(const ScanHeard& scan) {
+std::string DriveRecorder::see(const ScanHeard& scan) {
   if (!situation_) situation_.emplace();
-  if (silence_.isCovered()) return false;
+  if (silence_.isCovered()) return "the scanner counts as covered: the returns of all beams went at once";
   try {
     perceive(scan.scan, scan.mount, parameters_.scan_rules, parameters_.range_cap, &*situation_);
-  } catch (const UnusableScan&) {
-    return false;
+  } catch (const UnusableScan& error) {
+    return error.what();
   }
   situation_->time = scan.stamp;
   situation_->pose = history_.poseAt(scan.stamp);
-  return true;
+  return "";
 }
 
 bool DriveRecorder::hasMovedSinceStep() const {

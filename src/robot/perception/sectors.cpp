@@ -84,16 +84,31 @@ void addBeams(const std::vector<float>& ranges, double range_cap, const BeamFan&
   throw UnusableScan("the scan has " + what_it_has + ", expected " + expected);
 }
 
+/// Why beams of the scan may not have been measured.
+std::string reasonsOf(const std::vector<float>& ranges) {
+  const auto too_near = std::count(ranges.begin(), ranges.end(), -std::numeric_limits<float>::infinity());
+  const auto not_measured = std::count(ranges.begin(), ranges.end(), 0.0f);
+  std::string reasons;
+  if (too_near > 0) {
+    reasons = ": " + std::to_string(too_near) +
+              " readings of the scan are -inf, which means that something is nearer " + "than range_min (REP-117)";
+  }
+  if (not_measured > 0) {
+    reasons += ": the scanner is covered, or its driver sends other readings for no return (no_return)";
+  }
+  return reasons;
+}
+
 /// A sector begins at `from` (rad around the robot's heading).
-void checkSector(double from, double width, int beams, int known, double least_measured, double increment) {
+void checkSector(double from, double width, int beams, int known, double least_measured, const RangeProfile& profile) {
   if (beams == 0) {
-    refuse("an increment of " + degrees(increment), "at least one beam in each sector of " + degrees(width));
+    refuse("an increment of " + degrees(std::abs(profile.increment)),
+           "at least one beam in each sector of " + degrees(width));
   }
   if (known == 0 || known < least_measured * beams) {
     refuse(std::to_string(known) + " of " + std::to_string(beams) + " beams measured from " + degrees(from) + " to " +
                degrees(from + width) + " around the robot's heading",
-           "at least the share least_measured = " + std::to_string(least_measured) +
-               ": the scanner is covered, or its driver sends other readings for no return (no_return)");
+           "at least the share least_measured = " + std::to_string(least_measured) + reasonsOf(profile.ranges));
   }
 }
 
@@ -159,7 +174,7 @@ Sectors averageSectors(const RangeProfile& profile, double least_measured, doubl
 
   for (int sector = 0; sector < kSectorCount; ++sector) {
     const double from = sector * kSectorWidth - kWindow / 2.0;
-    checkSector(from, kSectorWidth, sectors.beams[sector], known[sector], least_measured, fan.increment);
+    checkSector(from, kSectorWidth, sectors.beams[sector], known[sector], least_measured, profile);
     sectors.range[sector] /= known[sector];
   }
   return sectors;
@@ -177,7 +192,7 @@ void checkMeasured(const RangeProfile& profile, double least_measured) {
     const float* const first = profile.ranges.data() + (fan.reversed ? beams - end : begin);
     const int known = end > begin ? scanKernels().sum(first, static_cast<std::size_t>(end - begin), 1.0).known : 0;
     const double from = normalizeAngle(fan.start - kWindow / 2.0 + static_cast<double>(section) * width);
-    checkSector(from, width, static_cast<int>(end - begin), known, least_measured, fan.increment);
+    checkSector(from, width, static_cast<int>(end - begin), known, least_measured, profile);
   }
 }
 

@@ -27,11 +27,11 @@ class DatasetConversionTool : public test::ToolTest {
   static test::Outcome convert(const std::string& arguments) { return runTool("dataset " + arguments); }
 
   /// A robot that drives straight ahead at 0.5 m/s, with a scan every half metre.
-  std::string log(const std::string& name, int last = 10) const {
+  std::string log(const std::string& name, int last = 10, const std::string& reading = "3.5") const {
     std::ofstream file(in(name));
     for (int i = 0; i <= last; ++i) {
       file << "FLASER 180";
-      for (int beam = 0; beam < 180; ++beam) file << " 3.5";
+      for (int beam = 0; beam < 180; ++beam) file << " " << reading;
       const std::string pose = " " + std::to_string(0.5 * i) + " 0 0";
       file << pose << pose << " " << 100 + i << " host " << 100 + i << "\n";
     }
@@ -102,6 +102,14 @@ TEST_F(DatasetConversionTool, WhatCannotBeConvertedIsRefusedAndNothingIsWritten)
     ::_exit(127);
   }
   return process;
+}
+
+TEST_F(DatasetConversionTool, WithoutAnyStepItSaysWhyAndFails) {
+  const test::Outcome outcome = convert("from-log " + log("dark.log", 10, "0.0") + " --output " + in("out.sqlite"));
+  EXPECT_EQ(outcome.status, 1) << outcome.output;
+  EXPECT_NE(outcome.output.find("unusable scan, 11 times: the scan has 0 of "), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("out.sqlite is not written: there is no step"), std::string::npos) << outcome.output;
+  EXPECT_FALSE(std::filesystem::exists(in("out.sqlite")));
 }
 
 TEST_F(DatasetConversionTool, NothingIsLeftOfAConversionThatIsInterruptedWhileItWrites) {

@@ -1,5 +1,7 @@
 // The command `lstm_planner model` as a user runs it.
 
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "lstm_planner/base/network/model_file.hpp"
@@ -41,6 +43,15 @@ TEST_F(ModelTool, SaysAllThatAModelLacksAtOnce) {
   expectSays("model check " + kExported, 2,
              "the metadata lack input_layout, sector_count, angle_span, range_cap, distance_scale, angle_scale, "
              "action_scale, position_cell, action_angles, step_length, robot_radius");
+}
+
+TEST_F(ModelTool, SaysWhatTheMetadataLackEvenIfTheGraphCannotBeRead) {
+  std::ifstream exported(kExported, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(exported), {});
+  for (std::size_t at; (at = bytes.find("LSTM")) != std::string::npos;) bytes.replace(at, 4, "GRUs");
+  std::ofstream(in("gru.onnx"), std::ios::binary) << bytes;
+  expectSays("model check " + in("gru.onnx"), 2, ": the operator \"GRUs\" is not known to the planner, expected LSTM");
+  expectSays("model check " + in("gru.onnx"), 2, "; the metadata lack input_layout, sector_count,");
 }
 
 TEST_F(ModelTool, FitsAnExportedNetworkWithWhatItNeeds) {

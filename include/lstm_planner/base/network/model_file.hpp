@@ -32,8 +32,13 @@ class ModelFileError : public std::runtime_error {
 /// candidate, output) are Sigmoid, Tanh, Tanh or Sigmoid, Sigmoid, Tanh.
 ///
 /// Throws ModelFileError for a file that is missing, truncated or not ONNX, for an unknown operator or attribute, for
-/// wrong shapes, weights that are not finite, and networks with more than 256 layers or 2^24 weights.
+/// wrong shapes, weights that are not finite, and networks with more than 256 layers or 2^24 weights. All unknown
+/// operators and all graph inputs of a wrong shape are named together; else the first fault.
 Model readModelFile(const std::string& path);
+
+/// The metadata of an ONNX file, whatever its graph is. Throws ModelFileError for a file that is missing, truncated or
+/// not ONNX, and for a key that is there twice.
+std::map<std::string, std::string> readModelMetadata(const std::string& path);
 
 /// Writes an ONNX file (opset 14, one step, batch 1, hidden states as inputs and outputs of the graph). An existing
 /// file is replaced only when the new one is complete. Throws ModelFileError if the layers are not valid or the file

@@ -42,6 +42,8 @@ struct CarmenLog {
 /// - Speeds are differences of poses, since correcting these leaves none that fit.
 /// - FLASER does not say its angles: 180 or 181 readings are 1 degree apart, 360 or 361 half a degree, 400 or 401 a
 ///   quarter, others 180 degrees altogether, ahead in the middle, as CARMEN itself guesses for SICK's scanners.
+/// - ROBOTLASER1 says the angle between two readings (angular_resolution, rad). Where that field is the number of
+///   readings, or of the angles between them, the angle is that part of the field of view.
 /// - Nothing came back where a reading is the largest possible or more. FLASER does not say that either: 50 m, at which
 ///   some logs are cut, less than the scanner's own codes (81.83, 81.91).
 /// - The scanner sits at `mount`; else where ROBOTLASER1 has laser and robot; else at PARAM robot_frontlaser_offset (m

@@ -60,7 +60,8 @@ class DriveRecorder {
   void work(const ScanHeard& scan);
   void workOnWhatIsDue(bool all);
   void sample(const ScanHeard& scan);
-  bool see(const ScanHeard& scan);
+  /// Why the scan cannot be used; empty when it can.
+  std::string see(const ScanHeard& scan);
   bool hasMovedSinceStep() const;
   bool isAt(const Point2& goal, const Pose2& pose) const;
   void startEpisode();

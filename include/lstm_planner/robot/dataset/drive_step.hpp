@@ -120,6 +120,8 @@ class StepSink {
   virtual void addStep(const DriveStep& step) = 0;  ///< of the episode that was started last
   virtual void endEpisode(double stamp, EpisodeEnd end) = 0;
   virtual void reject(Rejection rejection) = 0;
+  /// Why a message or a scan was rejected, where more can be said than its kind; told after reject().
+  virtual void explain(Rejection /*rejection*/, const std::string& /*why*/) {}
 };
 
 }  // namespace lstm_planner

@@ -77,6 +77,17 @@ TEST_F(MapServerMap, AveragesTheChannelsOfAColourImage) {
   EXPECT_EQ(grid.at({2, 0}), Cell::kUnknown);
 }
 
+TEST_F(MapServerMap, SaysWhyNoCellIsFree) {
+  // Grey and alpha: whatever the grey, the mean with an opaque alpha is light, and light is occupied if negated.
+  write("map.pgm", std::string("P5\n2 1\n255\n\xC0\xFF", 13));
+  EXPECT_EQ(
+      refusal(writeYaml("map.pgm", "negate: 1\n")),
+      "the map " + in("map.yaml") +
+          " has no free cell by map_server's rule: 2 of 2 are occupied (above occupied_thresh = 0.65), the others "
+          "unknown, none is below free_thresh = 0.196; with negate = 1 light is occupied, and the mean of all "
+          "channels counts, alpha included");
+}
+
 TEST_F(MapServerMap, NamesWhatIsWrongInTheYaml) {
   write("map.pgm", kImage);
   EXPECT_NE(refusal(in("absent.yaml")).find("absent.yaml"), std::string::npos);

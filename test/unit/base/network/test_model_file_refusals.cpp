@@ -35,6 +35,21 @@ TEST_F(ModelFileRefusals, UnknownOperatorsAreNamed) {
                  "com.microsoft");
 }
 
+TEST_F(ModelFileRefusals, AllUnknownOperatorsAndInputsAreNamedTogetherTheOperatorsFirst) {
+  const std::string said = refusalAfter([](ModelProto& file) {
+    nodeNamed(file, "layer_1").set_op_type("GRU");  // exported with a sequence of 5
+    nodeNamed(file, "layer_2").set_op_type("Conv");
+    auto& type = *file.mutable_graph()->mutable_input(0)->mutable_type()->mutable_tensor_type();
+    type.mutable_shape()->mutable_dim(0)->set_dim_value(5);
+  });
+  EXPECT_EQ(
+      said.find("model file " + path_ + ": the operators \"Conv\", \"GRU\" are not known to the planner, expected"), 0u)
+      << said;
+  EXPECT_NE(said.find("; graph input \"observation\" has the shape [5, 3], expected one step of one robot"),
+            std::string::npos)
+      << said;
+}
+
 TEST_F(ModelFileRefusals, OperatorSetsOutsideTheReadOnes) {
   EXPECT_REFUSED(refusalAfter([](ModelProto& file) { file.clear_opset_import(); }), "operator set");
   for (const int version : {6, 23, -1}) {

@@ -166,6 +166,32 @@ TEST_F(GridTasks, LeavesOutGoalsThatCannotBeReached) {
   EXPECT_EQ(set.without_path, 1u);
 }
 
+TEST_F(GridTasks, SaysWhatWasLeftOutIfNothingIsLeft) {
+  addMap("row-0", 6);
+  const std::string path = (rows_ / "Scenarios" / "row-0.map.scen").string();
+  std::vector<Scenario> scenarios = readScenarios(path);
+  scenarios[3].optimal_length = 0.0;
+  writeScenarios(path, scenarios);
+  ScenarioSelection selection;
+  const auto refusal = [&] {
+    return test::refusalOf<std::invalid_argument>([&] { drawGridTasks(files(), selection); });
+  };
+  selection.max_length = 1.5;
+  selection.min_length = 1.2;
+  EXPECT_EQ(refusal(),
+            "set Rows has no scenario to run in its 1 maps: 3 shorter than 1.2 cells, 3 longer than 1.5 cells");
+  for (Scenario& scenario : scenarios) scenario.optimal_length = 0.0;
+  scenarios.erase(scenarios.begin());
+  writeScenarios(path, scenarios);
+  EXPECT_EQ(
+      test::refusalOf<std::invalid_argument>([&] { drawGridTasks(files(), {}); }),
+      "set Rows has no scenario to run in its 1 maps: 5 of the optimal length 0 although start and goal differ: there "
+      "is no path");
+  writeScenarios(path, {});
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { drawGridTasks(files(), {}); }),
+            "set Rows has no scenario to run in its 1 maps: the files name none");
+}
+
 TEST_F(GridTasks, RefusesScenariosOfAnotherMap) {
   addMap("row-0", 40);
   writeMovingAiMap((rows_ / "Maps" / "row-0.map").string(), PassableGrid(30, 1, true));

@@ -147,6 +147,18 @@ TEST(CarmenLogTest, RobotLaserSaysAnglesRangeAndMount) {
   EXPECT_DOUBLE_EQ(all<OdometryHeard>(log).at(0).pose.x, 5.0);
 }
 
+TEST(CarmenLogTest, RobotLaserMayCountItsReadingsInsteadOfSayingTheirAngle) {
+  const auto increment = [](const std::string& resolution) {
+    const std::string line =
+        "ROBOTLASER1 0 -1.5 3.0 " + resolution + " 30.0 0.1 0 5 1 2 3 4 5 0 0 0 0 0 0 0 0.5 0.1 0 0 0 976.5 host 7.5\n";
+    return all<ScanHeard>(parsed(line)).at(0).scan.angle_increment;
+  };
+  EXPECT_DOUBLE_EQ(increment("0.75"), 0.75);
+  EXPECT_DOUBLE_EQ(increment("4.0"), 0.75) << "4 angles between 5 readings share 3 rad";
+  EXPECT_DOUBLE_EQ(increment("5"), 0.75) << "5 readings, one at each end";
+  EXPECT_DOUBLE_EQ(increment("17"), 17.0) << "no count of these readings: the scan is refused, with this number";
+}
+
 TEST(CarmenLogTest, TheMountIsWhatIsGivenOrElseWhatTheLogSays) {
   const std::string scan = frontLaser(1.0, "0 0 0", "0 0 0");
   const std::string offset = "PARAM robot_frontlaser_offset 0.21 nohost 0\n";

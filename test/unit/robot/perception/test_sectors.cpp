@@ -206,6 +206,16 @@ TEST(AverageSectors, RefusesASectorOfWhichLessThanTheLeastShareWasMeasured) {
   EXPECT_EQ(refusal(scan, {}, tolerant), "");
 }
 
+TEST(AverageSectors, SaysThatSomethingIsTooNearWhereTheReadingsSaySo) {
+  LaserScan scan = makeHokuyoScan(2.0f);
+  for (std::size_t beam = 270; beam < 270 + 50; ++beam) scan.ranges[beam] = -kInf;  // of the 90 beams of sector 1
+  EXPECT_THAT(refusal(scan), HasSubstr(": 50 readings of the scan are -inf, which means that something is nearer than "
+                                       "range_min (REP-117)"));
+  EXPECT_THAT(refusal(scan), Not(HasSubstr("no_return"))) << "-inf is none of the readings that it may list";
+  scan.ranges[0] = kNan;
+  EXPECT_THAT(refusal(scan), HasSubstr("(REP-117): the scanner is covered, or its driver sends other readings"));
+}
+
 TEST(AverageSectors, DoesNotMindWhatIsNotMeasuredBehindTheRobot) {
   LaserScan scan = makeHokuyoScan(2.0f);
   for (std::size_t beam = 0; beam < 180; ++beam) scan.ranges[beam] = kNan;
