@@ -78,12 +78,12 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(self.parameter(config, "/create2_stub/real_time_factor"), 3)
         self.assertGreater(self.parameter(config, "/create2_stub/command_period"), 0)
         self.assertEqual(self.parameter(config, "/create2_stub/robot/slip"), 0.1)
+        self.assertTrue(self.parameter(config, "/use_sim_time"))
 
     def test_the_demo_draws_no_picture_if_none_is_wanted(self):
         drawn = load("demo.launch", "rviz:=false")
         self.assertEqual(self.parameter(drawn, "/demo_runner/picture"), os.environ["HOME"] + "/lstm_planner_demo.png")
         self.assertNotIn("/demo_runner/picture", load("demo.launch", "rviz:=false", "picture:=none").params)
-        self.assertTrue(self.parameter(config, "/use_sim_time"))
 
     def test_the_real_robot_gets_our_plugins_and_plans_while_it_drives(self):
         for move_base in ("real", "standalone"):
