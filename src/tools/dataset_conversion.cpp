@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <exception>
 #include <iostream>
 #include <map>
 #include <utility>
@@ -70,32 +71,47 @@ void printOutcome(const Recording& recording) {
   std::cout << std::endl;
 }
 
+Recording converted(const Parts& parts, const RecorderParameters& parameters, const Converter& convert) {
+  RecordingDescription description;
+  description.parameters = parameters;
+  description.software_version = softwareVersion();
+  for (const std::string& part : parts) {
+    description.source += (description.source.empty() ? "" : ", ") + part;
+    std::cout << part << "\n";
+  }
+  ExplainedSink sink(description);
+  convert(parts, &sink);
+  sink.recording().finished = true;
+  printOutcome(sink.recording());
+  sink.printReasons();
+  return std::move(sink.recording());
+}
+
 }  // namespace
 
-int convertIntoDataset(const std::vector<std::string>& files, const RecorderParameters& parameters,
-                       const std::string& output,
-                       const std::function<void(const std::string& file, RecordingSink* sink)>& convert) {
+int convertIntoDataset(const std::vector<Parts>& sources, const RecorderParameters& parameters,
+                       const std::string& output, const Converter& convert) {
   validate(parameters);
   Dataset dataset;
-  for (const std::string& file : files) {
-    RecordingDescription description;
-    description.parameters = parameters;
-    description.software_version = softwareVersion();
-    description.source = file;
-    ExplainedSink sink(description);
-    std::cout << file << "\n";
-    convert(file, &sink);
-    sink.recording().finished = true;
-    printOutcome(sink.recording());
-    sink.printReasons();
-    dataset.recordings.push_back(std::move(sink.recording()));
+  std::exception_ptr error;
+  for (const Parts& parts : sources) {
+    try {
+      dataset.recordings.push_back(converted(parts, parameters, convert));
+    } catch (const std::exception&) {
+      error = std::current_exception();
+      break;
+    }
   }
-  if (stepCount(dataset) == 0) {
+  const long steps = stepCount(dataset);
+  if (error && steps == 0) std::rethrow_exception(error);
+  if (steps == 0) {
     std::cerr << output << " is not written: there is no step; the lines \"no steps\" above say why\n";
     return 1;
   }
   writeDataset(output, dataset);
-  std::cout << output << ": " << stepCount(dataset) << " steps" << std::endl;
+  std::cout << output << ": " << steps << " steps" << (error ? " of what was converted before the error" : "")
+            << std::endl;
+  if (error) std::rethrow_exception(error);
   return 0;
 }
 

@@ -9,12 +9,17 @@
 
 namespace lstm_planner {
 
-/// Makes a new dataset, one recording of each file, and says what became of each. `convert` records a file and prints
-/// what it found; it may complete the description. Throws what it throws; nothing is written then. Returns the exit
-/// status: 1, and nothing is written, if there is no step.
-int convertIntoDataset(const std::vector<std::string>& files, const RecorderParameters& parameters,
-                       const std::string& output,
-                       const std::function<void(const std::string& file, RecordingSink* sink)>& convert);
+/// Files that are one recording.
+using Parts = std::vector<std::string>;
+
+/// Records what the files hold, and prints what it found; it may complete the description.
+using Converter = std::function<void(const Parts& parts, RecordingSink* sink)>;
+
+/// Makes a new dataset, one recording of each source, and says what became of each. Returns the exit status: 1, and
+/// nothing is written, if there is no step. What `convert` throws ends the work and is thrown again when the recordings
+/// before it are written.
+int convertIntoDataset(const std::vector<Parts>& sources, const RecorderParameters& parameters,
+                       const std::string& output, const Converter& convert);
 
 /// UTC, as RecordingDescription::begun.
 std::string utcTime(double seconds_since_1970);

@@ -21,7 +21,12 @@ bool readOptions(const std::vector<std::string>& arguments, FromBagOptions* opti
   BagDriveOptions& drive = options->drive;
   CommandLine line("dataset from-bag",
                    "makes a dataset from bags, as dataset_recorder would have made it from their messages");
-  line.addFiles("bag", &options->bags, "the bags; the word --bag may be left out").required().standsAlone();
+  line.addFiles(
+          "bag", &options->bags,
+          "bags and folders of bags; the word --bag may be left out. A bag that begins within --max-gap of the end of "
+          "another one is taken for its next part (rosbag record --split)")
+      .required()
+      .standsAlone();
   line.addNewFile("output", &options->output, "the new dataset; the file must not exist").required();
   line.add("scan-topic", &drive.scan_topic, "sensor_msgs/LaserScan; default: the bag's only one");
   line.add("odometry-topic", &drive.odometry_topic,
@@ -55,9 +60,6 @@ void print(const BagDriveResult& result, const BagDriveOptions& options) {
     std::cout << "  " << result.skipped << " messages are broken: left out, the first on " << result.first_skipped
               << "\n";
   }
-  if (!result.mount_known) {
-    std::cout << "  the bag has no pose of the scanner: the base's origin is used, looking ahead (--mount)\n";
-  }
 }
 
 }  // namespace
@@ -65,13 +67,13 @@ void print(const BagDriveResult& result, const BagDriveOptions& options) {
 int datasetFromBag(const std::vector<std::string>& arguments) {
   FromBagOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  return convertIntoDataset(options.bags, options.recorder, options.output,
-                            [&](const std::string& bag, RecordingSink* sink) {
-                              const BagDriveResult result = recordBag(bag, options.drive, options.recorder, sink);
-                              sink->recording().description.odometry_frame = result.odometry_frame;
-                              sink->recording().description.begun = utcTime(result.start);
-                              print(result, options.drive);
-                            });
+  const std::vector<BagParts> recordings = bagRecordings(options.bags, options.recorder.max_gap);
+  return convertIntoDataset(recordings, options.recorder, options.output, [&](const Parts& parts, RecordingSink* sink) {
+    const BagDriveResult result = recordBags(parts, options.drive, options.recorder, sink);
+    sink->recording().description.odometry_frame = result.odometry_frame;
+    sink->recording().description.begun = utcTime(result.start);
+    print(result, options.drive);
+  });
 }
 
 }  // namespace lstm_planner

@@ -56,13 +56,14 @@ void print(const CarmenLog& log) {
 int datasetFromLog(const std::vector<std::string>& arguments) {
   FromLogOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  return convertIntoDataset(options.logs, options.recorder, options.output,
-                            [&](const std::string& path, RecordingSink* sink) {
-                              const CarmenLog log = readCarmenLog(path, options.mount);
-                              recordCarmenLog(log, options.hindsight, options.recorder, sink);
-                              sink->recording().description.odometry_frame = "odom";
-                              print(log);
-                            });
+  std::vector<Parts> logs;
+  for (const std::string& log : options.logs) logs.push_back({log});
+  return convertIntoDataset(logs, options.recorder, options.output, [&](const Parts& parts, RecordingSink* sink) {
+    const CarmenLog log = readCarmenLog(parts.front(), options.mount);
+    recordCarmenLog(log, options.hindsight, options.recorder, sink);
+    sink->recording().description.odometry_frame = "odom";
+    print(log);
+  });
 }
 
 }  // namespace lstm_planner

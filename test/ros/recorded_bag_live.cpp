@@ -127,7 +127,7 @@ TEST(RecordedBagLiveTest, ABagGivesWhatTheNodeMakesOfTheSameMessages) {
   content.clock_ahead = 8.0 * 24.0 * 3600.0;
   DriveBag::write(path, content);
   RecordingSink sink({});
-  recordBag(path, {}, {}, &sink);
+  recordBags({path}, {}, {}, &sink);
   const Recording& from_bag = sink.recording();
 
   const Dataset live = LiveBag(path).record();

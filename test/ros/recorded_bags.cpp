@@ -41,19 +41,24 @@ struct Outcome {
   }
 };
 
-Outcome recorded(const std::string& path, const BagDriveOptions& options = {},
-                 const RecorderParameters& parameters = {}) {
+Outcome recordedParts(const BagParts& parts, const BagDriveOptions& options = {},
+                      const RecorderParameters& parameters = {}) {
   RecordingSink sink({});
   Outcome outcome;
-  outcome.result = recordBag(path, options, parameters, &sink);
+  outcome.result = recordBags(parts, options, parameters, &sink);
   outcome.recording = std::move(sink.recording());
   return outcome;
+}
+
+Outcome recorded(const std::string& path, const BagDriveOptions& options = {},
+                 const RecorderParameters& parameters = {}) {
+  return recordedParts({path}, options, parameters);
 }
 
 std::string refusalOf(const std::string& path, const BagDriveOptions& options = {}) {
   RecordingSink sink({});
   try {
-    recordBag(path, options, {}, &sink);
+    recordBags({path}, options, {}, &sink);
   } catch (const std::invalid_argument& error) {
     EXPECT_TRUE(sink.recording().episodes.empty());
     const std::string named = "the bag " + path + ": ";
@@ -62,6 +67,13 @@ std::string refusalOf(const std::string& path, const BagDriveOptions& options = 
   }
   return "";
 }
+
+std::string bytesOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void writeBytes(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 
 /// The poses of a bag's odometry, and the one at a time between two of them.
 class BagOdometry {
@@ -110,7 +122,6 @@ TEST(RecordedBagTest, GoalsAndTheirEndsAreThoseOfTheBag) {
   EXPECT_EQ(outcome.result.odometry, 320);
   EXPECT_NEAR(outcome.result.start, DriveBag::kStart, 0.2);
   EXPECT_NEAR(outcome.result.duration, 32.0, 0.2);
-  EXPECT_TRUE(outcome.result.mount_known);
 
   const auto& episodes = outcome.recording.episodes;
   ASSERT_EQ(episodes.size(), 5u);
@@ -159,19 +170,90 @@ TEST(RecordedBagTest, TransformsAreOdometryWhereThereIsNoOther) {
   }
 }
 
-TEST(RecordedBagTest, TheMountIsTheTransformsOrTheGivenOneOrElseTheBasesOrigin) {
+TEST(RecordedBagTest, TheMountIsTheTransformsOrTheGivenOneAndNeverGuessed) {
   DriveBagContent content;
   content.mount = false;
   const std::string path = written("mount.bag", content);
-  const Outcome unknown = recorded(path);
-  EXPECT_FALSE(unknown.result.mount_known);
-  EXPECT_EQ(unknown.recording.episodes.at(0).steps.at(0).geometry.mount.pose.x, 0.0);
-  EXPECT_EQ(unknown.rejected(Rejection::kNoTransform), 0);
   BagDriveOptions options;
+  for (const bool hindsight : {false, true}) {
+    options.hindsight = hindsight;
+    EXPECT_EQ(refusalOf(path, options),
+              "has no transform from base_footprint to the scanner's frame base_scan: expected it on /tf_static or "
+              "/tf, in this "
+              "part or, if the recording was split, in one that is given with it, or the scanner's pose as --mount");
+  }
+  options = {};
   options.mount = SensorMount{{-0.3, 0.1, 0.0}, false};
   const Outcome given = recorded(path, options);
-  EXPECT_TRUE(given.result.mount_known);
   EXPECT_EQ(given.recording.episodes.at(0).steps.at(0).geometry.mount.pose.x, -0.3);
+  EXPECT_EQ(given.rejected(Rejection::kNoTransform), 0);
+}
+
+/// What `rosbag record --split` makes of a recording: everything up to `seconds` after its begin, and the rest.
+BagParts split(const std::string& path, double seconds) {
+  const std::string name = path.substr(0, path.rfind('.'));
+  BagParts parts = {name + "_0.bag", name + "_1.bag"};
+  rosbag::Bag whole(path);
+  rosbag::Bag first(parts[0], rosbag::bagmode::Write);
+  rosbag::Bag second(parts[1], rosbag::bagmode::Write);
+  rosbag::View view(whole);
+  const ros::Time end = view.getBeginTime() + ros::Duration(seconds);
+  for (const rosbag::MessageInstance& message : view) {
+    (message.getTime() < end ? first : second).write(message.getTopic(), message.getTime(), message);
+  }
+  return parts;
+}
+
+TEST(RecordedBagTest, PartsAreOneTimeline) {
+  const std::string path = written("split.bag");
+  const BagParts parts = split(path, 4.0);  // while the robot drives to its first goal
+  const Outcome whole = recorded(path);
+  const Outcome joined = recordedParts(parts);
+  ASSERT_EQ(joined.recording.episodes.size(), whole.recording.episodes.size());
+  for (std::size_t i = 0; i < whole.recording.episodes.size(); ++i) {
+    const auto& expected = whole.recording.episodes[i].steps;
+    const auto& steps = joined.recording.episodes[i].steps;
+    ASSERT_EQ(steps.size(), expected.size()) << i;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      EXPECT_EQ(steps[k].stamp, expected[k].stamp);
+      EXPECT_EQ(steps[k].label, expected[k].label);
+      EXPECT_EQ(steps[k].geometry.mount.pose.x, DriveBag::kMount);
+    }
+  }
+  EXPECT_EQ(joined.recording.rejections, whole.recording.rejections);
+  BagDriveOptions options;
+  options.hindsight = true;
+  EXPECT_EQ(refusalOf(parts[1], options).find("has no transform from base_footprint to the scanner's frame base_scan"),
+            0u)
+      << "part 0 has the static transforms";
+}
+
+TEST(RecordedBagTest, WhatFollowsInTimeIsOneRecordingAlsoInAFolder) {
+  const test::ScratchFolder folder;
+  const auto write = [&](const std::string& name, double begin, double end) {
+    rosbag::Bag bag(folder / name, rosbag::bagmode::Write);
+    for (const double time : {begin, end}) bag.write("/odom", ros::Time(time), nav_msgs::Odometry());
+    return folder / name;
+  };
+  const std::string later = write("a_later_day.bag", 90000.0, 90010.0);
+  const std::string second = write("b_1.bag", 110.1, 120.0);
+  const std::string first = write("c_0.bag", 100.0, 110.0);
+  const std::string third = write("d_2.bag", 119.9, 130.0);
+  const std::string beside = write("e_other_robot.bag", 104.0, 115.0);
+  const std::string broken = folder / "f_broken.bag";
+  writeBytes(broken, "this is no bag");
+  const std::vector<BagParts> expected = {{first, second, third}, {beside}, {later}, {broken}};
+  EXPECT_EQ(bagRecordings({folder.path().string()}, 2.0), expected);
+  EXPECT_EQ(bagRecordings({broken, later, third, beside, first, second}, 2.0), expected);
+  EXPECT_EQ(bagRecordings({first, second}, 0.05).size(), 2u) << "a longer pause is the end of a recording";
+  const test::ScratchFolder empty;
+  try {
+    bagRecordings({empty.path().string()}, 2.0);
+    FAIL() << "a folder without bags";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "the folder " + empty.path().string() + " holds no bags, expected files *.bag");
+  }
 }
 
 TEST(RecordedBagTest, HindsightTakesThePlacesThatWereDrivenTo) {
@@ -226,13 +308,6 @@ TEST(RecordedBagTest, WhatIsMissingOrAmbiguousIsRefusedInASentence) {
                 .find("has no topic /path/goal of geometry_msgs/PoseStamped or move_base_msgs/MoveBaseActionGoal, but"),
             0u);
 }
-
-std::string bytesOf(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void writeBytes(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 
 TEST(RecordedBagTest, FilesThatAreNoBagsAreRefusedInASentence) {
   EXPECT_EQ(refusalOf(pathOf("none.bag")).find("cannot be read: "), 0u);
@@ -344,6 +419,8 @@ TEST_P(RealRecordedBagTest, ConvertsWithHindsight) {
   EXPECT_EQ(refusalOf(path).find("has no goals"), 0u);
   BagDriveOptions options;
   options.hindsight = true;
+  EXPECT_EQ(refusalOf(path, options).find("has no transform from ") == 0, !bag.mount_known);
+  if (!bag.mount_known) options.mount = SensorMount();
   RecorderParameters parameters;
   parameters.max_speed = bag.max_speed;
   parameters.scan_rules = urgNodeRules();
@@ -351,7 +428,6 @@ TEST_P(RealRecordedBagTest, ConvertsWithHindsight) {
   const Outcome outcome = recorded(path, options, parameters);
   EXPECT_EQ(outcome.result.scans, bag.scans);
   EXPECT_EQ(outcome.result.odometry_source, bag.odometry);
-  EXPECT_EQ(outcome.result.mount_known, bag.mount_known);
   EXPECT_GE(outcome.steps(), bag.least_steps);
   expectPosesOf(outcome.recording, BagOdometry(path, bag.odometry));
 

@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <new>
 #include <stdexcept>
 
@@ -33,6 +34,13 @@ namespace lstm_planner {
 
 namespace {
 
+using OpenBags = std::vector<std::unique_ptr<rosbag::Bag>>;
+
+std::unique_ptr<rosbag::Bag> openBag(const std::string& path) {
+  checkInputFile(path, std::numeric_limits<std::uintmax_t>::max());
+  return std::make_unique<rosbag::Bag>(path, rosbag::bagmode::Read);
+}
+
 /// What hears a bag's messages.
 class BagListener {
  public:
@@ -43,13 +51,13 @@ class BagListener {
   virtual void hearEnd(const rosbag::MessageInstance& message) = 0;
 };
 
-/// Plays a bag's messages, as often as is wanted.
+/// Plays the messages of a recording, as often as is wanted.
 class BagPlayer {
  public:
-  BagPlayer(const std::string& path, const BagDriveOptions& options) : options_(options) {
-    checkInputFile(path, std::numeric_limits<std::uintmax_t>::max());
-    bag_.open(path, rosbag::bagmode::Read);
-    topics_ = chooseTopics(bag_, options);
+  BagPlayer(const OpenBags& bags, const BagDriveOptions& options) : options_(options), bags_(bags) {
+    rosbag::View view;
+    for (const auto& bag : bags_) view.addQuery(*bag);
+    topics_ = chooseTopics(&view, options);
   }
 
   const BagTopics& topics() const { return topics_; }
@@ -59,7 +67,8 @@ class BagPlayer {
     OdometryFromTransforms odometry(options_.odometry_frame, options_.base_frame);
     stamps_ = StampCheck();
     skipped_ = 0;
-    rosbag::View view(bag_, rosbag::TopicQuery(topics_.all()));
+    rosbag::View view;
+    for (const auto& bag : bags_) view.addQuery(*bag, rosbag::TopicQuery(topics_.all()));
     for (const rosbag::MessageInstance& message : view) {
       try {
         play(message, tf, &odometry, listener);
@@ -130,7 +139,7 @@ class BagPlayer {
   }
 
   const BagDriveOptions& options_;
-  rosbag::Bag bag_;
+  const OpenBags& bags_;
   BagTopics topics_;
   StampCheck stamps_;
   long skipped_ = 0;
@@ -173,14 +182,13 @@ class Survey : public BagListener {
     return std::move(path_);
   }
 
-  /// Empty when it is not known.
-  std::optional<SensorMount> mount(const tf2::BufferCore& tf) const {
-    if (scan_frame_ == base_frame_) return SensorMount{};
-    try {
-      return mountFromMessage(tf.lookupTransform(base_frame_, scan_frame_, ros::Time(0)).transform);
-    } catch (const tf2::TransformException&) {
-      return std::nullopt;
-    }
+  /// A guess would make steps that look right and are wrong.
+  void requireMount(const tf2::BufferCore& tf) const {
+    if (scan_frame_ == base_frame_ || tf.canTransform(base_frame_, scan_frame_, ros::Time(0))) return;
+    throw std::invalid_argument(
+        "has no transform from " + base_frame_ + " to the scanner's frame " + scan_frame_ +
+        ": expected it on /tf_static or /tf, in this part or, if the recording was split, in one "
+        "that is given with it, or the scanner's pose as --mount");
   }
 
   BagDriveResult result;
@@ -268,9 +276,9 @@ void checkContent(const BagDriveResult& result, const BagDriveOptions& options) 
   }
 }
 
-BagDriveResult record(const std::string& path, const BagDriveOptions& options, const RecorderParameters& parameters,
+BagDriveResult record(const OpenBags& bags, const BagDriveOptions& options, const RecorderParameters& parameters,
                       StepSink* sink) {
-  BagPlayer player(path, options);
+  BagPlayer player(bags, options);
   Survey survey(options, parameters);
   tf2::BufferCore all_transforms;
   player.play(&all_transforms, &survey);
@@ -279,6 +287,7 @@ BagDriveResult record(const std::string& path, const BagDriveOptions& options, c
   result.odometry_source = player.topics().odometry.empty() ? "tf" : player.topics().odometry;
   result.goal_topics = player.topics().goals;
   checkContent(result, options);
+  if (!options.mount) survey.requireMount(all_transforms);
 
   std::vector<DriveEvent> goals;
   if (options.hindsight) {
@@ -286,13 +295,8 @@ BagDriveResult record(const std::string& path, const BagDriveOptions& options, c
     result.goals = std::count_if(goals.begin(), goals.end(),
                                  [](const DriveEvent& event) { return std::holds_alternative<GoalHeard>(event); });
   }
-  std::optional<SensorMount> mount = options.mount;
-  if (!mount && !survey.mount(all_transforms)) {
-    result.mount_known = false;
-    mount.emplace();
-  }
   tf2::BufferCore tf;
-  Recorder recorder(tf, options, mount, parameters, std::move(goals), sink);
+  Recorder recorder(tf, options, options.mount, parameters, std::move(goals), sink);
   player.play(&tf, &recorder);
   recorder.finish();
   result.skipped = player.skipped();
@@ -300,25 +304,40 @@ BagDriveResult record(const std::string& path, const BagDriveOptions& options, c
   return result;
 }
 
+/// What `work` returns; what it throws becomes a sentence that begins with the bag's name.
+template <typename Work>
+auto naming(const std::string& bag, const Work& work) {
+  try {
+    return work();
+  } catch (const rosbag::BagUnindexedException&) {
+    throw std::invalid_argument(bag + ": has no index, as when recording was cut off: rosbag reindex makes one");
+  } catch (const ros::Exception& error) {
+    throw std::invalid_argument(bag + ": cannot be read: " + error.what());
+  } catch (const InputFileError& error) {
+    throw std::invalid_argument(bag + ": cannot be read: " + error.what());
+  } catch (const std::bad_alloc&) {
+    throw std::invalid_argument(bag + ": cannot be read: it is damaged");
+  } catch (const std::exception& error) {
+    throw std::invalid_argument(bag + ": " + error.what());
+  }
+}
+
+std::string nameOf(const BagParts& parts) {
+  std::string name = parts.size() == 1 ? "the bag " : "the bags ";
+  for (const std::string& part : parts) name += (&part == &parts.front() ? "" : ", ") + part;
+  return name;
+}
+
 }  // namespace
 
-BagDriveResult recordBag(const std::string& path, const BagDriveOptions& options, const RecorderParameters& parameters,
-                         StepSink* sink) {
+BagDriveResult recordBags(const BagParts& parts, const BagDriveOptions& options, const RecorderParameters& parameters,
+                          StepSink* sink) {
   validate(parameters);
-  const std::string bag = "the bag " + path + ": ";
-  try {
-    return record(path, options, parameters, sink);
-  } catch (const rosbag::BagUnindexedException&) {
-    throw std::invalid_argument(bag + "has no index, as when recording was cut off: rosbag reindex makes one");
-  } catch (const ros::Exception& error) {
-    throw std::invalid_argument(bag + "cannot be read: " + error.what());
-  } catch (const InputFileError& error) {
-    throw std::invalid_argument(bag + "cannot be read: " + error.what());
-  } catch (const std::bad_alloc&) {
-    throw std::invalid_argument(bag + "cannot be read: it is damaged");
-  } catch (const std::exception& error) {
-    throw std::invalid_argument(bag + error.what());
+  OpenBags bags;
+  for (const std::string& part : parts) {
+    bags.push_back(naming(nameOf({part}), [&] { return openBag(part); }));
   }
+  return naming(nameOf(parts), [&] { return record(bags, options, parameters, sink); });
 }
 
 }  // namespace lstm_planner

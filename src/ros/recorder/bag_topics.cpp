@@ -119,9 +119,8 @@ std::vector<std::string> BagTopics::all() const {
   return topics;
 }
 
-BagTopics chooseTopics(const rosbag::Bag& bag, const BagDriveOptions& options) {
-  rosbag::View view(bag);
-  const Connections connections = view.getConnections();
+BagTopics chooseTopics(rosbag::View* view, const BagDriveOptions& options) {
+  const Connections connections = view->getConnections();
   BagTopics topics;
   topics.scan = choose<sensor_msgs::LaserScan>(connections, options.scan_topic, "--scan-topic");
   if (topics.scan.empty()) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <rosbag/bag.h>
+#include <rosbag/view.h>
 
 #include <string>
 #include <vector>
@@ -20,7 +20,8 @@ struct BagTopics {
   std::vector<std::string> all() const;
 };
 
-/// Throws std::invalid_argument, without the bag's name, where there is none or several to choose from.
-BagTopics chooseTopics(const rosbag::Bag& bag, const BagDriveOptions& options);
+/// `view`: of all messages. Throws std::invalid_argument, without the bag's name, where there is none or several to
+/// choose from.
+BagTopics chooseTopics(rosbag::View* view, const BagDriveOptions& options);
 
 }  // namespace lstm_planner

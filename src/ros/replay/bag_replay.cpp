@@ -18,8 +18,8 @@ BagReplay::BagReplay(const BagReplayParameters& parameters)
     : parameters_(parameters),
       replay_(DrivePolicy::fromFile(resolvePackagePath(parameters.planner.model)), parameters.planner.agent,
               parameters.planner.sensors.scan_rules),
-      drive_(recordBag(
-          parameters.bag, parameters.drive,
+      drive_(recordBags(
+          {parameters.bag}, parameters.drive,
           replayParameters(replay_.description(), parameters.planner.agent, parameters.planner.sensors.scan_rules),
           &replay_)),
       player_(parameters.bag, {drive_.scan_topic, drive_.odometry_source == "tf" ? "" : drive_.odometry_source}),
@@ -28,12 +28,8 @@ BagReplay::BagReplay(const BagReplayParameters& parameters)
     throw std::invalid_argument("there is no step to decide about in '" + parameters_.bag +
                                 "': " + describeReplay(replay_));
   }
-  if (!drive_.mount_known) {
-    ROS_WARN("'%s' has no pose of the scanner: it is assumed at the robot's centre, looking ahead",
-             parameters_.bag.c_str());
-  }
-  if (parameters_.drive.mount || !drive_.mount_known) {
-    player_.placeScanner(parameters_.drive.mount.value_or(SensorMount()),
+  if (parameters_.drive.mount) {
+    player_.placeScanner(*parameters_.drive.mount,
                          player_.baseFrame().empty() ? parameters_.drive.base_frame : player_.baseFrame());
   }
   if (!parameters_.decisions.empty()) {

@@ -284,7 +284,7 @@ void convertBag(const std::uint8_t* data, std::size_t size) {
   BagMaker(file.path(), &input).make();
   expectRefusal<std::invalid_argument>([&] {
     RecordingSink sink{RecordingDescription{}};
-    const BagDriveResult result = recordBag(file.path(), options, smallWorld(), &sink);
+    const BagDriveResult result = recordBags({file.path()}, options, smallWorld(), &sink);
     require(std::isfinite(result.start) && std::isfinite(result.duration), "a bag has a duration");
     for (const RecordedEpisode& episode : sink.recording().episodes) {
       require(isFinite(episode.episode.goal.pose), "goals are finite");

@@ -37,19 +37,28 @@ struct BagDriveResult {
   std::vector<std::string> goal_topics;  ///< those of the bag that were listened to
   long skipped = 0;                      ///< messages that are broken or have a stamp far ahead of the others
   std::string first_skipped;             ///< topic, time and why
-  bool mount_known = true;  ///< false: no transform; the scanner was taken to sit at the base's origin, looking ahead
 };
 
-/// Replays a bag into a recorder, in the order and with the clock of its messages: the steps are those that the node
-/// dataset_recorder would have made of them. Beside goals move_base's cancel and result are heard, and tf: /tf and
-/// /tf_static, also of the type tf/tfMessage of old. Needs no master, nor ros::init().
+/// The bags that are parts of one recording (rosbag record --split), in the order of their times.
+using BagParts = std::vector<std::string>;
+
+/// The recordings among bags and folders of bags (files *.bag, without their folders): bags that begin within `max_gap`
+/// (s) of the end of another one go on with it. In the order of their times; a bag that cannot be read, or is empty,
+/// stands alone at the end. Throws std::invalid_argument for a folder without a bag.
+std::vector<BagParts> bagRecordings(const std::vector<std::string>& paths, double max_gap);
+
+/// Replays a recording into a recorder, in the order and with the clock of its messages: the steps are those that the
+/// node dataset_recorder would have made of them. The parts are one timeline: goals and static transforms of one hold
+/// in those behind it. Beside goals move_base's cancel and result are heard, and tf: /tf and /tf_static, also of the
+/// type tf/tfMessage of old. Needs no master, nor ros::init().
 ///
 /// Odometry from tf has a message for each transform of `odometry_frame`, and the speeds between them. Goals in
 /// hindsight are found in what the recorder would hear of the odometry: see hindsightGoals().
 ///
-/// Throws std::invalid_argument, naming the bag and what was expected, when it cannot be read or has no scans, no
-/// odometry, several topics to choose from, or no goals; `sink` has not been told anything then.
-BagDriveResult recordBag(const std::string& path, const BagDriveOptions& options, const RecorderParameters& parameters,
-                         StepSink* sink);
+/// Throws std::invalid_argument, naming the bags and what was expected, when one cannot be read, or they have no scans,
+/// no odometry, several topics to choose from, no goals, or neither options nor transforms say where the scanner sits;
+/// `sink` has not been told anything then.
+BagDriveResult recordBags(const BagParts& parts, const BagDriveOptions& options, const RecorderParameters& parameters,
+                          StepSink* sink);
 
 }  // namespace lstm_planner
