@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/base/common/parameter_visitors.hpp"
+#include "lstm_planner/base/common/words.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -45,8 +46,7 @@ std::string noReturnText(const ScanRules& rules) {
 
 void setNoReturn(const std::string& text, ScanRules* rules) {
   ScanRules read;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
+  for (const std::string& word : wordsOf(text)) {
     if (word == "nan") {
       read.nan_is_no_return = true;
     } else if (word == "zero") {

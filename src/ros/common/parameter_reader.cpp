@@ -3,32 +3,14 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "lstm_planner/base/common/nearest_name.hpp"
+#include "ros/common/parameter_value.hpp"
 
 namespace lstm_planner {
-
-namespace {
-
-/// A list as yaml has it: [[1, 2], [3, 4]].
-std::string textOf(XmlRpc::XmlRpcValue list) {
-  std::ostringstream text;
-  text << '[';
-  for (int i = 0; i < list.size(); ++i) {
-    text << (i > 0 ? ", " : "");
-    if (list[i].getType() == XmlRpc::XmlRpcValue::TypeArray) {
-      text << textOf(list[i]);
-    } else {
-      list[i].write(text);
-    }
-  }
-  text << ']';
-  return text.str();
-}
-
-}  // namespace
 
 bool ParameterReader::isSet(const std::string& name) {
   know(name);
@@ -44,32 +26,33 @@ void ParameterReader::knowGroup(const std::string& name) {
   }
 }
 
-template <typename T>
-void ParameterReader::readAs(const std::string& name, const char* type, T* value) {
-  if (!isSet(name)) return;
-  if (!node_handle_.getParam(name, *value)) {
-    throw std::invalid_argument("parameter " + node_handle_.resolveName(name) + " is not " + type);
+template <typename T, typename Convert>
+void ParameterReader::readAs(const std::string& name, const char* type, const Convert& convert, T* value) {
+  XmlRpc::XmlRpcValue set;
+  if (!isSet(name) || !node_handle_.getParam(name, set)) return;
+  const std::optional<T> converted = convert(set);
+  if (!converted) {
+    std::ostringstream text;
+    text << "parameter " << node_handle_.resolveName(name) << " is " << set << ", expected " << type;
+    throw std::invalid_argument(text.str());
   }
+  *value = *converted;
 }
 
-void ParameterReader::read(const std::string& name, double* value) { readAs(name, "a number", value); }
+void ParameterReader::read(const std::string& name, double* value) { readAs(name, "a number", asNumber, value); }
 
-void ParameterReader::read(const std::string& name, int* value) { readAs(name, "a whole number", value); }
+void ParameterReader::read(const std::string& name, int* value) {
+  readAs(name, "a whole number", asWholeNumber, value);
+}
 
-void ParameterReader::read(const std::string& name, bool* value) { readAs(name, "true or false", value); }
+void ParameterReader::read(const std::string& name, bool* value) { readAs(name, "true or false", asTruth, value); }
 
 void ParameterReader::read(const std::string& name, std::string* value) {
-  XmlRpc::XmlRpcValue list;
-  if (node_handle_.getParam(name, list) && list.getType() == XmlRpc::XmlRpcValue::TypeArray) {
-    if (!isSet(name)) return;
-    *value = textOf(list);
-    return;
-  }
-  readAs(name, "a text", value);
+  readAs(name, "a text, a number or a list of them", asText, value);
 }
 
 void ParameterReader::read(const std::string& name, std::vector<double>* value) {
-  readAs(name, "a list of numbers", value);
+  readAs(name, "a list of numbers", asNumbers, value);
 }
 
 void ParameterReader::read(const std::string& name, std::uint64_t* seed) {

@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "lstm_planner/base/common/words.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {
@@ -60,10 +60,8 @@ Create2Stub::Create2Stub(const Create2StubParameters& parameters)
 }
 
 void Create2Stub::watchOthers() {
-  std::istringstream topics(parameters_.others);
-  std::string topic;
-  for (std::size_t robot = 0; topics >> topic; ++robot) {
-    const auto move = [this, robot](const nav_msgs::Odometry::ConstPtr& truth) {
+  for (const std::string& topic : wordsOf(parameters_.others)) {
+    const auto move = [this, robot = other_subscribers_.size()](const nav_msgs::Odometry::ConstPtr& truth) {
       world_.moveRobot(robot, {truth->pose.pose.position.x, truth->pose.pose.position.y});
     };
     other_subscribers_.push_back(node_.subscribe<nav_msgs::Odometry>(topic, 1, move));

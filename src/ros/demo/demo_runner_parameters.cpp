@@ -5,6 +5,7 @@
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/pose_parameter.hpp"
 #include "lstm_planner/ros/demo/demo_runner.hpp"
+#include "ros/common/parameter_value.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -16,16 +17,11 @@ DemoParameters::Goal readGoal(XmlRpc::XmlRpcValue value, const std::string& name
   using XmlRpc::XmlRpcValue;
   DemoParameters::Goal goal{std::to_string(number), poseFromParameter(value, name), time_limit};
   if (value.getType() != XmlRpcValue::TypeStruct) return goal;
-  if (value.hasMember("name") && value["name"].getType() == XmlRpcValue::TypeString) {
-    goal.name += " " + static_cast<std::string&>(value["name"]);
-  }
+  if (value.hasMember("name")) goal.name += " " + asText(value["name"]).value_or("");
   if (value.hasMember("time_limit")) {
-    XmlRpcValue& limit = value["time_limit"];
-    const bool whole = limit.getType() == XmlRpcValue::TypeInt;
-    if (!whole && limit.getType() != XmlRpcValue::TypeDouble) {
-      throw std::invalid_argument(name + "/time_limit is not a number");
-    }
-    goal.time_limit = whole ? static_cast<int&>(limit) : static_cast<double&>(limit);
+    const auto limit = asNumber(value["time_limit"]);
+    if (!limit) throw std::invalid_argument(name + "/time_limit is not a number");
+    goal.time_limit = *limit;
     checkRange(name + "/time_limit", goal.time_limit, 0.1, kLongest);
   }
   return goal;

@@ -27,7 +27,8 @@ ScanRules urgNodeRules();
 /// The readings in place of +inf as text: the words "nan", "zero", "below" and "beyond" and one number (m), separated
 /// by spaces; empty for REP-117 alone.
 std::string noReturnText(const ScanRules& rules);
-/// Reads that text into `rules`. Throws std::invalid_argument with the word and what was expected.
+/// Reads that text, or a list of the words ("[nan, 65.53]"), into `rules`. Throws std::invalid_argument with the word
+/// and what was expected.
 void setNoReturn(const std::string& text, ScanRules* rules);
 
 /// Visits every parameter; see parameter_visitors.hpp.

@@ -22,12 +22,12 @@ class ParameterReader {
     return [this](const std::string& name, auto& value, Range, const char*, const char*) { read(name, &value); };
   }
 
-  /// Leaves `value` alone when the parameter is not set. Throws std::invalid_argument naming the parameter and the
-  /// expected type when it is set to something else.
+  /// Leaves `value` alone when the parameter is not set. Whatever can be meant is accepted: 1 for a number, 30.0 or a
+  /// list for a text. Throws std::invalid_argument naming the parameter, its value and what was expected.
   void read(const std::string& name, double* value);
   void read(const std::string& name, int* value);
   void read(const std::string& name, bool* value);
-  void read(const std::string& name, std::string* value);  ///< a text, or a list, as its text
+  void read(const std::string& name, std::string* value);  ///< a number or a list as its text
   void read(const std::string& name, std::vector<double>* value);
   void read(const std::string& name, std::uint64_t* seed);  ///< a whole number
   void read(const std::string& name, Pose2* pose);          ///< see poseFromParameter()
@@ -45,8 +45,8 @@ class ParameterReader {
 
  private:
   bool isSet(const std::string& name);
-  template <typename T>
-  void readAs(const std::string& name, const char* type, T* value);
+  template <typename T, typename Convert>
+  void readAs(const std::string& name, const char* type, const Convert& convert, T* value);
 
   ros::NodeHandle node_handle_;
   std::set<std::string> known_;

@@ -1,0 +1,100 @@
+#include "ros/common/parameter_value.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace lstm_planner {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+/// With as many digits as it takes to read the same number again.
+std::string textOfNumber(double number) {
+  std::string text;
+  for (int digits = std::numeric_limits<double>::digits10; digits <= std::numeric_limits<double>::max_digits10;
+       ++digits) {
+    std::ostringstream stream;
+    stream.precision(digits);
+    stream << number;
+    text = stream.str();
+    double again = 0.0;
+    std::istringstream(text) >> again;
+    if (again == number) break;
+  }
+  return text;
+}
+
+std::optional<std::string> textOfList(XmlRpcValue list) {
+  std::string text = "[";
+  for (int i = 0; i < list.size(); ++i) {
+    const auto entry = asText(list[i]);
+    if (!entry) return std::nullopt;
+    text += (i > 0 ? ", " : "") + *entry;
+  }
+  return text + "]";
+}
+
+}  // namespace
+
+std::optional<double> asNumber(XmlRpcValue value) {
+  switch (value.getType()) {
+    case XmlRpcValue::TypeDouble:
+      return static_cast<double&>(value);
+    case XmlRpcValue::TypeInt:
+      return static_cast<int&>(value);
+    case XmlRpcValue::TypeString: {
+      const auto numbers = asNumbers(value);
+      return numbers && numbers->size() == 1 ? std::optional(numbers->front()) : std::nullopt;
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<std::vector<double>> asNumbers(XmlRpcValue value) {
+  std::vector<double> numbers;
+  if (value.getType() == XmlRpcValue::TypeString) {
+    std::istringstream text(static_cast<std::string&>(value));
+    for (double number; text >> number;) numbers.push_back(number);
+    if (!text.eof()) return std::nullopt;
+  } else if (value.getType() == XmlRpcValue::TypeArray) {
+    for (int i = 0; i < value.size(); ++i) {
+      const auto number = asNumber(value[i]);
+      if (!number) return std::nullopt;
+      numbers.push_back(*number);
+    }
+  } else {
+    return std::nullopt;
+  }
+  return numbers;
+}
+
+std::optional<int> asWholeNumber(XmlRpcValue value) {
+  const auto number = asNumber(value);
+  if (!number || *number != std::floor(*number)) return std::nullopt;
+  if (std::abs(*number) > std::numeric_limits<int>::max()) return std::nullopt;
+  return static_cast<int>(*number);
+}
+
+std::optional<bool> asTruth(XmlRpcValue value) {
+  if (value.getType() != XmlRpcValue::TypeBoolean) return std::nullopt;
+  return static_cast<bool&>(value);
+}
+
+std::optional<std::string> asText(XmlRpcValue value) {
+  switch (value.getType()) {
+    case XmlRpcValue::TypeString:
+      return static_cast<std::string&>(value);
+    case XmlRpcValue::TypeInt:
+      return std::to_string(static_cast<int&>(value));
+    case XmlRpcValue::TypeDouble:
+      return textOfNumber(static_cast<double&>(value));
+    case XmlRpcValue::TypeArray:
+      return textOfList(value);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace lstm_planner
