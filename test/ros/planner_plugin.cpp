@@ -11,6 +11,7 @@
 #include <map>
 #include <mutex>
 #include <pluginlib/class_loader.hpp>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -377,23 +378,42 @@ TEST_F(PlannerTest, TellsInDiagnosticsWhoLeadsAndWithWhichModel) {
   DiagnosticsListener listener("LstmGlobalPlanner");
   auto planner = makePlanner();
   EXPECT_TRUE(eventually([&] {
-    preview(planner.get());
-    return !DiagnosticsListener::valueOf("time for the plan (ms)", listener.task("LstmGlobalPlanner")).empty();
+    plan(planner.get(), stampedPose("odom", kGoal));
+    return !DiagnosticsListener::valueOf("step", listener.task("LstmGlobalPlanner")).empty();
   }));
   EXPECT_EQ(listener.latched().message.find("the network leads: "), 0u) << listener.latched().message;
+  std::set<std::string> latched;
+  for (const auto& value : listener.latched().values) latched.insert(value.key);
+  EXPECT_EQ(latched, std::set<std::string>{"model"}) << "what is latched has no figures, which would grow old";
   EXPECT_TRUE(eventually([&] { return listener.task("LstmGlobalPlanner model").message == model_.path(); }));
   EXPECT_EQ(DiagnosticsListener::valueOf("sha1", listener.task("LstmGlobalPlanner model")).size(), 40u);
+}
+
+TEST_F(PlannerTest, APlanThatSomebodyAsksForTellsNothingOfTheDrive) {
+  DiagnosticsListener listener("LstmGlobalPlanner");
+  auto planner = makePlanner();
+  EXPECT_TRUE(eventually([&] {
+    EXPECT_TRUE(preview(planner.get()));
+    return listener.latched().message == "nobody asks for plans: there is no goal";
+  })) << listener.latched().message;
 }
 
 TEST_F(PlannerTest, TellsInDiagnosticsWhyThereIsNoPlan) {
   DiagnosticsListener listener("LstmGlobalPlanner");
   auto planner = makePlanner();
+  const auto expect_why = [&](const std::string& why) {
+    EXPECT_TRUE(eventually([&] {
+      EXPECT_FALSE(preview(planner.get()));
+      return DiagnosticsListener::valueOf("why", listener.latched()).find(why) == 0;
+    })) << DiagnosticsListener::valueOf("why", listener.latched());
+    EXPECT_EQ(listener.latched().message, "no plan");
+  };
   robot_.wait(1000.0);
-  EXPECT_TRUE(eventually([&] {
-    EXPECT_FALSE(preview(planner.get()));
-    return listener.latched().message == "no plan";
-  }));
-  EXPECT_EQ(DiagnosticsListener::valueOf("why", listener.latched()).find("the newest message on /scan is "), 0u);
+  expect_why("the newest message on /scan is ");
+  robot_.alter_scan = [](auto* scan) { scan->angle_increment = 0.0F; };
+  robot_.again();
+  expect_why("the scan has angle_min");
+  EXPECT_EQ(DiagnosticsListener::valueOf("step", listener.task("LstmGlobalPlanner")), "") << "nothing was decided";
 }
 
 TEST_F(PlannerTest, LoadsByItsNameThroughPluginlib) {

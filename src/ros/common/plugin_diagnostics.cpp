@@ -2,6 +2,7 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 
@@ -36,16 +37,28 @@ void describe(const SensorHealth& sensor, const std::string& timeout_parameter,
   status->add("oldest that is used (s)", sensor.timeout);
 }
 
+bool isSame(const diagnostic_msgs::DiagnosticStatus& a, const diagnostic_msgs::DiagnosticStatus& b) {
+  const auto is_same_value = [](const diagnostic_msgs::KeyValue& one, const diagnostic_msgs::KeyValue& other) {
+    return one.key == other.key && one.value == other.value;
+  };
+  return a.level == b.level && a.message == b.message &&
+         std::equal(a.values.begin(), a.values.end(), b.values.begin(), b.values.end(), is_same_value);
+}
+
 }  // namespace
 
-PluginDiagnostics::PluginDiagnostics(const std::string& name, std::mutex* mutex, const Report& status)
+PluginDiagnostics::PluginDiagnostics(const std::string& name, std::mutex* mutex, const Report& state,
+                                     const Report& figures)
     : name_(name),
       mutex_(*mutex),
-      status_(locked(status)),
+      state_(locked(state)),
       diagnostics_publisher_(ros::NodeHandle().advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
       status_publisher_(ros::NodeHandle("~/" + name).advertise<diagnostic_msgs::DiagnosticStatus>("status", 1, true)) {
   updater_.setHardwareID("none");
-  updater_.add(name_, status_);
+  updater_.add(name_, locked([state, figures](Status& status) {
+                 state(status);
+                 figures(status);
+               }));
 }
 
 void PluginDiagnostics::start() { thread_ = std::thread(&PluginDiagnostics::tellNowAndThen, this); }
@@ -98,11 +111,11 @@ void PluginDiagnostics::tellNowAndThen() {
 }
 
 void PluginDiagnostics::tell() {
-  Status status;
-  status_(status);
-  if (status.message != published_.message || status.level != published_.level) {
-    published_ = status;
-    published_.name = name_;
+  Status state;
+  state.name = name_;
+  state_(state);
+  if (!isSame(state, published_)) {
+    published_ = state;
     status_publisher_.publish(published_);
   }
   const ros::WallTime now = ros::WallTime::now();

@@ -16,15 +16,18 @@ namespace lstm_planner {
 
 /// Says on /diagnostics, once a second, and on "~/NAME/status", latched and whenever it changes, how a plugin is.
 ///
+/// What is latched has no figures that change while the state stays: nobody could tell how old they are.
+///
 /// Has a thread of its own: nothing is done where the plugin works, and little where nobody listens.
 class PluginDiagnostics {
  public:
   using Status = diagnostic_updater::DiagnosticStatusWrapper;
   using Report = std::function<void(Status&)>;
 
-  /// `mutex` is held while a report is made. `status`: the report that is latched, too. Construct, call and
-  /// destroy this without holding the mutex: diagnostic_updater has a lock of its own, which is taken before it.
-  PluginDiagnostics(const std::string& name, std::mutex* mutex, const Report& status);
+  /// `mutex` is held while a report is made. `state`: the report that is latched, too. `figures`: what /diagnostics has
+  /// of the same moment in addition. Construct, call and destroy this without holding the mutex: diagnostic_updater has
+  /// a lock of its own, which is taken before it.
+  PluginDiagnostics(const std::string& name, std::mutex* mutex, const Report& state, const Report& figures);
   ~PluginDiagnostics();
   PluginDiagnostics(const PluginDiagnostics&) = delete;
   PluginDiagnostics& operator=(const PluginDiagnostics&) = delete;
@@ -42,7 +45,7 @@ class PluginDiagnostics {
 
   std::string name_;
   std::mutex& mutex_;
-  Report status_;
+  Report state_;
   ros::Publisher diagnostics_publisher_;  ///< tells whether somebody listens
   ros::Publisher status_publisher_;
   diagnostic_updater::Updater updater_;

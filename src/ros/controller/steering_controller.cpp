@@ -153,18 +153,21 @@ void SteeringController::startReconfigure(const std::string& name) {
 void SteeringController::startDiagnostics(const std::string& name) {
   if (diagnostics_) return;
   using Status = PluginDiagnostics::Status;
-  diagnostics_ = std::make_unique<PluginDiagnostics>(name, &mutex_, [this](Status& status) { describeStop(&status); });
+  diagnostics_ = std::make_unique<PluginDiagnostics>(
+      name, &mutex_, [this](Status& status) { describeStop(&status); },
+      [this](Status& status) { describeCommand(&status); });
   diagnostics_->addSensors([this] { return plan_follower_ ? &plan_follower_->sensors() : nullptr; });
   diagnostics_->start();
 }
 
+bool SteeringController::isAsked() const { return (ros::WallTime::now() - answer_.time).toSec() <= kControllerUnasked; }
+
 void SteeringController::describeStop(PluginDiagnostics::Status* status) const {
   using diagnostic_msgs::DiagnosticStatus;
   const MotionCommand& command = answer_.command;
-  const bool is_asked = (ros::WallTime::now() - answer_.time).toSec() <= kControllerUnasked;
   if (!plan_follower_) {
     status->summary(DiagnosticStatus::ERROR, "the controller cannot be used: " + why_unusable_);
-  } else if (!is_asked) {
+  } else if (!isAsked()) {
     status->summary(DiagnosticStatus::OK, "nobody asks for commands: there is no goal, or no plan to it");
   } else if (command.stop == StopReason::kNone || command.stop == StopReason::kArrived) {
     status->summary(DiagnosticStatus::OK, toString(command.stop));
@@ -174,8 +177,11 @@ void SteeringController::describeStop(PluginDiagnostics::Status* status) const {
                     std::string(brakes ? "the robot brakes: " : "the robot stands: ") + toString(command.stop));
     if (!answer_.why.empty()) status->add("why", answer_.why);
   }
-  status->add("linear (m/s)", is_asked ? command.linear : 0.0);
-  status->add("angular (rad/s)", is_asked ? command.angular : 0.0);
+}
+
+void SteeringController::describeCommand(PluginDiagnostics::Status* status) const {
+  status->add("linear (m/s)", isAsked() ? answer_.command.linear : 0.0);
+  status->add("angular (rad/s)", isAsked() ? answer_.command.angular : 0.0);
 }
 
 }  // namespace lstm_planner

@@ -63,7 +63,9 @@ class SteeringController : public nav_core::BaseLocalPlanner {
   void refuse(const std::string& name, const std::string& reason);
   void startReconfigure(const std::string& name);
   void startDiagnostics(const std::string& name);
+  bool isAsked() const;
   void describeStop(diagnostic_updater::DiagnosticStatusWrapper* status) const;
+  void describeCommand(diagnostic_updater::DiagnosticStatusWrapper* status) const;
   void noteStop(const MotionCommand& command);
   bool follow(geometry_msgs::Twist* cmd_vel);
   bool stand(StopReason reason, const std::string& why);

@@ -77,26 +77,34 @@ bool LstmGlobalPlanner::makePlan(const geometry_msgs::PoseStamped& start, const 
   plan.clear();
   const CostmapLock costmap_lock(costmap_);
   const std::lock_guard<std::mutex> lock(mutex_);
-  answer_.time = ros::WallTime::now();
   if (!plan_maker_) {
     ROS_ERROR_THROTTLE(kLogPeriod, "no plan: the planner cannot be used: %s", why_unusable_.c_str());
     return false;
   }
+  const ros::WallTime begin = ros::WallTime::now();
   const auto make = [&] {
     plan_maker_->makePlan(start, goal, &plan);
-    answer_.refusal.clear();
-    answer_.duration = (ros::WallTime::now() - answer_.time).toSec();
-    answer_.longest = std::max(answer_.longest, answer_.duration);
+    note("", begin);
     return true;
   };
-  return guarded(make, [&](const std::string& why) { return refusePlan(&plan, why); });
+  const auto refuse_plan = [&](const std::string& why) {
+    plan.clear();
+    note(why, begin);
+    ROS_WARN_THROTTLE(kLogPeriod, "no plan: %s", why.c_str());
+    return false;
+  };
+  return guarded(make, refuse_plan);
 }
 
-bool LstmGlobalPlanner::refusePlan(std::vector<geometry_msgs::PoseStamped>* plan, const std::string& reason) {
-  plan->clear();
-  answer_.refusal = reason;
-  ROS_WARN_THROTTLE(kLogPeriod, "no plan: %s", reason.c_str());
-  return false;
+/// A plan that somebody asked for tells nothing about the drive.
+void LstmGlobalPlanner::note(const std::string& refusal, const ros::WallTime& begin) {
+  const auto verdict = plan_maker_->verdict();
+  if (verdict == GoalTracker::Verdict::kQuestion) return;
+  answer_.refusal = refusal;
+  answer_.is_decided = verdict.has_value();
+  answer_.time = ros::WallTime::now();
+  answer_.duration = (answer_.time - begin).toSec();
+  answer_.longest = std::max(answer_.longest, answer_.duration);
 }
 
 void LstmGlobalPlanner::startReconfigure(const std::string& name) {
@@ -108,19 +116,22 @@ void LstmGlobalPlanner::startReconfigure(const std::string& name) {
 void LstmGlobalPlanner::startDiagnostics(const std::string& name) {
   if (diagnostics_) return;
   using Status = PluginDiagnostics::Status;
-  const auto describe = [this](Status& status) {
-    if (plan_maker_) plan_maker_->noteEnd(isUnasked());
-    describeDrive(&status);
+  const auto describe_state = [this](Status& status) {
+    if (plan_maker_) plan_maker_->noteEnd(!isAsked());
+    describeState(&status);
   };
-  diagnostics_ = std::make_unique<PluginDiagnostics>(name, &mutex_, describe);
+  diagnostics_ = std::make_unique<PluginDiagnostics>(name, &mutex_, describe_state,
+                                                     [this](Status& status) { describeFigures(&status); });
   diagnostics_->add("model", [this](Status& status) { describeModel(&status); });
   diagnostics_->addSensors([this] { return plan_maker_ ? &plan_maker_->sensors() : nullptr; });
   diagnostics_->start();
 }
 
-bool LstmGlobalPlanner::isUnasked() const { return (ros::WallTime::now() - answer_.time).toSec() > kPlannerUnasked; }
+bool LstmGlobalPlanner::isAsked() const {
+  return plan_maker_ && (ros::WallTime::now() - answer_.time).toSec() <= kPlannerUnasked;
+}
 
-void LstmGlobalPlanner::describeDrive(PluginDiagnostics::Status* status) const {
+void LstmGlobalPlanner::describeState(PluginDiagnostics::Status* status) const {
   using diagnostic_msgs::DiagnosticStatus;
   if (!plan_maker_) {
     status->summary(DiagnosticStatus::ERROR, "the planner cannot be used: " + why_unusable_);
@@ -129,21 +140,30 @@ void LstmGlobalPlanner::describeDrive(PluginDiagnostics::Status* status) const {
   status->add("model", model_);
   const Decision& decision = plan_maker_->agent().decision();
   const std::optional<DriveEnd>& end = plan_maker_->end();
-  if (isUnasked() || (end && end->is_arrival)) {
+  if (!isAsked() || (end && end->is_arrival)) {
     const std::string last = end ? "; the last drive " + end->text() : "";
     status->summary(end && end->is_beside ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
                     "nobody asks for plans: there is no goal" + last);
     return;
   }
   if (!answer_.refusal.empty()) {
-    const bool is_final = decision.source == Decision::Source::kNoPath;
+    const bool is_final = answer_.is_decided && decision.source == Decision::Source::kNoPath;
     status->summary(is_final ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN, "no plan");
     status->add("why", answer_.refusal);
   } else {
     const bool is_rescue = decision.leader == Decision::Source::kEscape;
+    // Why it leads is of the step with which it began to.
+    const bool is_reachable = decision.goal_seems == Decision::GoalSeems::kReachable;
+    const std::string why =
+        is_reachable ? decision.why : std::string("the goal seems ") + toString(decision.goal_seems);
     status->summary(is_rescue ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
-                    std::string("the ") + toString(decision.leader) + " leads: " + decision.why);
+                    std::string("the ") + toString(decision.leader) + " leads: " + why);
   }
+}
+
+void LstmGlobalPlanner::describeFigures(PluginDiagnostics::Status* status) const {
+  if (!isAsked() || !answer_.is_decided) return;
+  const Decision& decision = plan_maker_->agent().decision();
   status->add("decided by", toString(decision.source));
   status->add("what was decided", describe(decision));
   status->add("step", decision.step);

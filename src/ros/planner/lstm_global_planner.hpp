@@ -47,9 +47,10 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
                 std::vector<geometry_msgs::PoseStamped>& plan) override;
 
  private:
-  /// What was answered last, and when.
+  /// What was answered last about the goal that the robot drives to, and when.
   struct Answer {
-    std::string refusal;  ///< empty: there was a plan
+    std::string refusal;      ///< empty: there was a plan
+    bool is_decided = false;  ///< the decision is of that moment, too: the answer was not refused before
     ros::WallTime time;
     double duration = 0.0;  ///< s
     double longest = 0.0;   ///< s, of all so far
@@ -57,11 +58,12 @@ class LstmGlobalPlanner : public nav_core::BaseGlobalPlanner {
 
   void setUp(const std::string& name, costmap_2d::Costmap2DROS* costmap_ros);
   void refuse(const std::string& name, const std::string& reason);
-  bool refusePlan(std::vector<geometry_msgs::PoseStamped>* plan, const std::string& reason);
+  void note(const std::string& refusal, const ros::WallTime& begin);
   void startReconfigure(const std::string& name);
   void startDiagnostics(const std::string& name);
-  bool isUnasked() const;
-  void describeDrive(diagnostic_updater::DiagnosticStatusWrapper* status) const;
+  bool isAsked() const;
+  void describeState(diagnostic_updater::DiagnosticStatusWrapper* status) const;
+  void describeFigures(diagnostic_updater::DiagnosticStatusWrapper* status) const;
   void describeModel(diagnostic_updater::DiagnosticStatusWrapper* status);
 
   /// Null until initialised, or if not used. Its mutex is taken before the other one.

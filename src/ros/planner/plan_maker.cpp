@@ -92,6 +92,7 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
                                         const geometry_msgs::PoseStamped& goal_message,
                                         std::vector<geometry_msgs::PoseStamped>* plan) {
   now_ = ros::Time::now();
+  verdict_.reset();
   const GoalInFrame goal = goalFromMessage(goal_message);
   const SensorReading reading = sensors_.read(now_);
   global_from_odometry_ = frames_.transform(global_frame_, reading.odometry_frame, now_);
@@ -102,11 +103,11 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
 
   Pose2 global_goal =
       compose(frames_.transformAt(global_frame_, goal.frame, goal_message.header.stamp, now_), goal.pose);
-  const GoalTracker::Verdict verdict = ask(goal, &global_goal);
-  if (verdict == GoalTracker::Verdict::kNewGoal) noteEnd(false);
-  const bool driven = verdict != GoalTracker::Verdict::kQuestion;
+  ask(goal, &global_goal);
+  if (verdict_ == GoalTracker::Verdict::kNewGoal) noteEnd(false);
+  const bool driven = verdict_ != GoalTracker::Verdict::kQuestion;
   const Decision& decision =
-      driven ? drive(global_goal, reading, verdict == GoalTracker::Verdict::kNewGoal) : preview(global_goal);
+      driven ? drive(global_goal, reading, verdict_ == GoalTracker::Verdict::kNewGoal) : preview(global_goal);
   const Decision& bent = band_.bend(agent_, agent_.situation().pose, decision, parameters_.rollout.clearance);
   rollOut(agent_.situation(), bent, agent_.shield(), global_goal, parameters_.agent, parameters_.rollout, &plan_);
   toMessages(plan_, header(), plan);
@@ -166,18 +167,17 @@ void PlanMaker::perceive(const SensorReading& reading) {
   agent_.mark(costmap_.read(agent_.situation().pose, known_));
 }
 
-GoalTracker::Verdict PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
+void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
   if (const auto announced = goals_.takeAnnouncement()) {
     tracker_.announce(*announced);
   }
-  const GoalTracker::Verdict verdict = tracker_.ask(goal, now_.toSec());
-  if (verdict == GoalTracker::Verdict::kNewGoal) {
+  verdict_ = tracker_.ask(goal, now_.toSec());
+  if (verdict_ == GoalTracker::Verdict::kNewGoal) {
     driven_goal_ = *goal_in_global_frame;
-  } else if (verdict == GoalTracker::Verdict::kDriven) {
+  } else if (verdict_ == GoalTracker::Verdict::kDriven) {
     // A goal given in a frame that moves (the robot's own) stays where it was when it was given.
     *goal_in_global_frame = driven_goal_;
   }
-  return verdict;
 }
 
 const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading, bool is_new) {

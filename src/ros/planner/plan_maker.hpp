@@ -55,6 +55,9 @@ class PlanMaker {
   void change(const GlobalPlannerParameters& parameters);
   const GlobalPlannerParameters& parameters() const { return parameters_; }
 
+  /// What the goal of the last call was; none: it was refused before that was known.
+  std::optional<GoalTracker::Verdict> verdict() const { return verdict_; }
+
   /// Says how the drive ended, once the executor reports the goal as reached; to be called now and then. `is_unasked`:
   /// nobody has asked for a plan for long, so that the drive is over in any case.
   void noteEnd(bool is_unasked);
@@ -72,7 +75,7 @@ class PlanMaker {
                                std::vector<geometry_msgs::PoseStamped>* plan);
   void checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const;
   void perceive(const SensorReading& reading);
-  GoalTracker::Verdict ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
+  void ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
   const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
   const Decision& preview(const Pose2& goal);
   void warnOfTheNetwork() const;
@@ -103,7 +106,8 @@ class PlanMaker {
   ArrivalPublisher arrival_;
   ros::Publisher plan_publisher_;
 
-  ros::Time now_;  ///< of the current call
+  ros::Time now_;                                ///< of the current call
+  std::optional<GoalTracker::Verdict> verdict_;  ///< of the current call
   CorrectionWatch corrections_;
   Pose2 global_from_odometry_;    ///< of the current call
   LaserScan scan_, second_scan_;  ///< of the current call
