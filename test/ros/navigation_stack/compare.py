@@ -56,13 +56,13 @@ def load_runs(path):
         groups = yaml.safe_load(file)
     runs = []
     for group in groups:
-        kind = "circles" if "circles" in group else "map"
-        file = find_file(group[kind])
-        if file is None:
+        kind = next((kind for kind in ("circles", "map") if kind in group), None)  # None: the simulator has its own world
+        file = kind and find_file(group[kind])
+        if kind and file is None:
             print("SKIPPED: %s, there is no %s" % (group["name"], group[kind]), file=sys.stderr)
             continue
         common = {key: group[key] for key in ("radius", "time_limit")}
-        common.update(group=group["name"], pass_by=group.get("pass_by", False), world=["%s:=%s" % (kind, file)])
+        common.update(group=group["name"], pass_by=group.get("pass_by", False), world=["%s:=%s" % (kind, file)] if kind else [])
         if kind == "circles":
             for world in group["worlds"]:
                 runs.append(dict(common, name=str(world), start=group["start"], goal=group["goal"],
@@ -107,7 +107,8 @@ def run_once(run, combination, real_time_factor, log_folder, extra=()):
                       "real_time_factor:=%g" % real_time_factor, "start:=%s" % run["start"]] + run["world"] + list(extra)
     launch_command += ["%s:=%s" % setting for setting in settings.items()]
     driver_command = ["/usr/bin/python3", os.path.join(FOLDER, "drive_to_goal.py"), "--radius", str(run["radius"]),
-                      "--time-limit", str(run["time_limit"]), "--start"] + [str(value) for value in run["start"]]
+                      "--time-limit", str(run["time_limit"]), "--start"]
+    driver_command += [str(value) for value in run.get("origin", run["start"])]
     driver_command += ["--goal"] + [str(value) for value in run["goal"]] + (["--pass-by"] if run["pass_by"] else [])
     log_path = os.path.join(log_folder, "%s_%s_%s.log" % (combination, run["group"].replace(" ", "_"), run["name"]))
     with open(log_path, "w") as log:
@@ -127,7 +128,7 @@ def run_once(run, combination, real_time_factor, log_folder, extra=()):
     return dict(result, combination=combination, group=run["group"], run=run["name"])
 
 
-def run_all(runs, combinations, arguments, extra=()):
+def run_all(runs, combinations, arguments, extra=(), run_one=run_once):
     """All results, those in arguments.results from earlier included; it grows line by line."""
     results = []
     if arguments.results and os.path.exists(arguments.results):
@@ -150,7 +151,7 @@ def run_all(runs, combinations, arguments, extra=()):
                 return
             begin = time.monotonic()
             for _ in range(ATTEMPTS):
-                result = run_once(run, combination, arguments.real_time_factor, arguments.logs, extra)
+                result = run_one(run, combination, arguments.real_time_factor, arguments.logs, extra)
                 if "error" not in result:
                     break
             result["wall"] = time.monotonic() - begin
@@ -222,12 +223,13 @@ def table(results, groups, combinations):
     return "\n".join(lines)
 
 
-def parse(argv=None):
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--combinations", nargs="+", default=COMBINATIONS, metavar="GLOBAL+LOCAL",
+def parse(argv=None, doc=__doc__, combinations=COMBINATIONS, runs=os.path.join(FOLDER, "runs.yaml"), robot=None):
+    """The last three are defaults."""
+    parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--combinations", nargs="+", default=combinations, metavar="GLOBAL+LOCAL",
                         help="of %s + %s; default: %s" % (", ".join(GLOBAL_PLANNERS), ", ".join(LOCAL_PLANNERS),
-                                                          " ".join(COMBINATIONS)))
-    parser.add_argument("--runs", default=os.path.join(FOLDER, "runs.yaml"), help="default: runs.yaml beside this file")
+                                                          " ".join(combinations)))
+    parser.add_argument("--runs", default=runs, help="default: " + runs)
     parser.add_argument("--only", nargs="+", metavar="GROUP", help="these of its groups")
     parser.add_argument("--jobs", type=int, default=1, help="runs at a time")
     parser.add_argument("--seed", type=int, default=1, help="of the simulated noise and slip; default 1")
@@ -237,8 +239,8 @@ def parse(argv=None):
     parser.add_argument("--logs", default=os.path.join(tempfile.gettempdir(), "lstm_planner_compare"),
                         help="folder of the runs' output")
     parser.add_argument("--model", help="ONNX file of our planner's network; default: the planner's own")
-    parser.add_argument("--robot",
-                        help="a file of config/robots (without .yaml), for SteeringController; default: Create 2 with a Hokuyo")
+    parser.add_argument("--robot", default=robot, help="a file of config/robots (without .yaml), for SteeringController; default: %s"
+                        % (robot or "Create 2 with a Hokuyo"))
     parser.add_argument("--print-only", action="store_true", help="only the table of what the results file holds")
     arguments = parser.parse_args(argv)
     for combination in arguments.combinations:
@@ -248,19 +250,19 @@ def parse(argv=None):
     return arguments
 
 
-def main():
-    arguments = parse()
+def compare(arguments, run_one=run_once):
+    """Prints the table; 1 where a run has no result."""
     runs = load_runs(arguments.runs)
     if arguments.only:
         runs = [run for run in runs if run["group"] in arguments.only]
     extra = ["seed:=%d" % arguments.seed]
     extra += ["model:=" + os.path.abspath(arguments.model)] if arguments.model else []
     extra += ["robot:=" + arguments.robot] if arguments.robot else []
-    results = run_all([] if arguments.print_only else runs, arguments.combinations, arguments, extra)
+    results = run_all([] if arguments.print_only else runs, arguments.combinations, arguments, extra, run_one)
     groups = list(dict.fromkeys(run["group"] for run in runs))
     print(table(results, groups, arguments.combinations))
     return 1 if any("error" in result for result in results) else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(compare(parse()))
