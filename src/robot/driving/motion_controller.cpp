@@ -224,4 +224,36 @@ double MotionController::allowedSpeed(const Twist2& twist, const MotionSituation
   return allowed;
 }
 
+/// A command to a circle, such that it is free where the robot really goes. Where it is not, the robot turns less, then
+/// brakes.
+Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const {
+  // The margin is also for what cannot be foreseen.
+  WheelMotion motion(parameters_, now, now.history, reaction_time_, kLeastMargin * parameters_.safety_margin);
+  Twist2 best = twist;
+  double farthest = motion.free(twist);
+  const auto tryCommand = [&](const Twist2& command) {
+    if (farthest == WheelMotion::kFree) return;
+    const double free = motion.free(command);
+    if (free <= farthest) return;
+    farthest = free;
+    best = command;
+  };
+  // The robot may turn faster than it may be told to, as when somebody turns it.
+  const std::vector<Twist2>& commanded = now.history.commanded;
+  const Twist2& last = commanded.empty() ? now.current : commanded.back();
+  const double before = clampMagnitude(last.angular, parameters_.max_angular);
+  for (const double linear : {twist.linear, 0.0}) {
+    if (linear > 0.0 && now.persons.near) continue;  // on another arc it would have to yield anew
+    for (const double share : {0.5, 0.25, 0.0}) tryCommand({linear, before + share * (twist.angular - before)});
+  }
+  tryCommand({});
+  return best;
+}
+
+void MotionHistory::note(const Twist2& command, double time, double period) {
+  const auto most = static_cast<std::size_t>(std::ceil(time / period)) + 1;
+  commanded.push_back(command);
+  if (commanded.size() > most) commanded.erase(commanded.begin(), commanded.end() - static_cast<std::ptrdiff_t>(most));
+}
+
 }  // namespace lstm_planner

@@ -25,7 +25,8 @@ Point2 farOn(const std::vector<Pose2>& plan, const Pose2& pose, double distance)
 }  // namespace
 
 MotionCommand MotionController::evade(const MotionCommand& command, const MotionSituation& situation,
-                                      const std::vector<MovingThing>& things, double free_behind) const {
+                                      const std::vector<MovingThing>& things, double free_behind,
+                                      const MotionHistory& history) const {
   const auto& [plan, pose, current, shield, period] = situation;
   if (parameters_.evade_time <= 0.0 || things.empty() || plan.empty()) return command;
   if (command.stop == StopReason::kUnusableData) return command;
@@ -39,7 +40,7 @@ MotionCommand MotionController::evade(const MotionCommand& command, const Motion
            kTouchWeight * outlook.touch / parameters_.evade_time - distanceBetween(outlook.end, target) / distance;
   };
   std::optional<SafeMotion> isSafe;
-  if (!shield.footprint().isCircle()) isSafe.emplace(*this, situation, parameters_.safety_margin);
+  if (!shield.footprint().isCircle()) isSafe.emplace(*this, situation, history, parameters_.safety_margin);
   const auto keepsFromObstacles = [&](const Twist2& twist) {
     if (isSafe) return (*isSafe)(twist);
     return twist.linear <= 0.0 || allowedSpeed(twist, situation) >= twist.linear;

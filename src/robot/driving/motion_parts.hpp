@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "robot/driving/wheel_motion.hpp"
 
 namespace lstm_planner {
 
@@ -40,12 +41,13 @@ struct MotionController::Moment : MotionSituation {
   double margin;  ///< m, that a robot with corners keeps
 };
 
-/// Which motions of a robot with corners, braking included, come no nearer to a return than `margin` (m). Controller
-/// and situation must outlive it.
+/// Which motions of a robot with corners, braking included, come no nearer to a return than `margin` (m). The
+/// arguments must outlive it.
 class MotionController::SafeMotion {
  public:
-  SafeMotion(const MotionController& controller, const MotionSituation& situation, double margin);
-  bool operator()(const Twist2& twist) const;
+  SafeMotion(const MotionController& controller, const MotionSituation& situation, const MotionHistory& history,
+             double margin);
+  bool operator()(const Twist2& twist);
 
  private:
   bool isFree(const Pose2& from, const Twist2& twist, double time) const;
@@ -56,6 +58,7 @@ class MotionController::SafeMotion {
   double delay_;    ///< s, for which the robot may go on as it does now
   Pose2 later_;     ///< where it is then, base frame
   bool can_go_on_;  ///< until then
+  WheelMotion wheels_;
 };
 
 }  // namespace lstm_planner

@@ -24,7 +24,7 @@ double slowSpeed(const MotionParameters& parameters) { return std::min(parameter
 
 /// The fastest share of a motion that `isFine(twist)`, none where not even the slowest is.
 template <typename IsFine>
-std::optional<Twist2> fastestShare(const Twist2& wanted, const IsFine& isFine) {
+std::optional<Twist2> fastestShare(const Twist2& wanted, IsFine&& isFine) {
   for (const double share : kShares) {
     const Twist2 twist{share * wanted.linear, share * wanted.angular};
     if (isFine(twist)) return twist;
@@ -50,7 +50,7 @@ MotionCommand MotionController::checked(const MotionCommand& command, const Mome
   }
   const double margin = command.goes_back ? kLeastMargin * parameters_.safety_margin : now.margin;
   const bool stands = answer.linear == 0.0 && answer.angular == 0.0;
-  if (!stands && SafeMotion(*this, now, margin)(answer)) return answer;
+  if (!stands && SafeMotion(*this, now, now.history, margin)(answer)) return answer;
   return {{}, command.stop == StopReason::kNone ? StopReason::kObstacle : command.stop};
 }
 
@@ -98,7 +98,7 @@ MotionCommand MotionController::makeRoom(double error, const Moment& now) const 
     if (const std::optional<MotionCommand> back = goBack(now)) return *back;
   }
   if (turn != 0.0) return {{0.0, turn}, StopReason::kNone};
-  const SafeMotion isSafe(*this, now, now.margin);
+  SafeMotion isSafe(*this, now, now.history, now.margin);
   const auto out = fastestShare({slowSpeed(parameters_), 0.0}, [&](const Twist2& twist) {
     return yieldingSpeed(twist, now.persons) >= twist.linear && isSafe(twist);
   });
@@ -116,7 +116,7 @@ std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
     wanted = {-std::min(slowSpeed(parameters_), kFastestBack), 0.0};
     wanted.angular = clampMagnitude(wanted.linear * 2.0 * back.y / (away * away), parameters_.max_angular);
   }
-  const SafeMotion isSafe(*this, now, kLeastMargin * parameters_.safety_margin);  // it was there already
+  SafeMotion isSafe(*this, now, now.history, kLeastMargin * parameters_.safety_margin);  // it was there already
   const auto twist = fastestShare(wanted, [&](const Twist2& share) {
     const Twist2 limited = withinWheelLimits(share);
     // Not beyond that place: it came there from elsewhere.
@@ -130,7 +130,7 @@ std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
 double MotionController::turningSpeed(double angle, const Moment& now) const {
   const double most = std::min(parameters_.max_angular, yieldingTurn(now.persons));
   const double wanted = clampMagnitude(parameters_.heading_gain * angle, most);
-  const auto twist = fastestShare({0.0, wanted}, SafeMotion(*this, now, now.margin));
+  const auto twist = fastestShare({0.0, wanted}, SafeMotion(*this, now, now.history, now.margin));
   return twist ? twist->angular : 0.0;
 }
 
@@ -146,7 +146,7 @@ double MotionController::yieldingTurn(const Persons& persons) const {
 double MotionController::fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const {
   const double cautious = std::min(wanted.linear, cautiousSpeed(wanted, now.shield));
   *stop = cautious < wanted.linear ? StopReason::kObstacle : StopReason::kNone;
-  const SafeMotion isSafe(*this, now, now.margin);
+  SafeMotion isSafe(*this, now, now.history, now.margin);
   for (const double share : kShares) {
     const Twist2 twist{share * cautious, wanted.angular};
     if (twist.linear < kCreep) break;
@@ -168,15 +168,16 @@ double MotionController::brakingTime(const Twist2& twist) const {
 }
 
 MotionController::SafeMotion::SafeMotion(const MotionController& controller, const MotionSituation& situation,
-                                         double margin)
+                                         const MotionHistory& history, double margin)
     : controller_(controller),
       situation_(situation),
       margin_(margin),
       delay_(std::max(0.0, controller.reaction_time_ - situation.period)),
       later_(alongTurn({}, situation.current.linear * delay_, situation.current.angular * delay_)),
-      can_go_on_(isFree({}, goingOn(situation.current), delay_)) {}
+      can_go_on_(isFree({}, goingOn(situation.current), delay_)),
+      wheels_(controller.parameters_, situation, history, controller.reaction_time_, margin) {}
 
-bool MotionController::SafeMotion::operator()(const Twist2& twist) const {
+bool MotionController::SafeMotion::operator()(const Twist2& twist) {
   // The robot may go on as it does now until the last moment.
   if (!can_go_on_) return false;
   const double reaction_time = controller_.reaction_time_;
@@ -185,7 +186,8 @@ bool MotionController::SafeMotion::operator()(const Twist2& twist) const {
   // Or the command acts at once: a higher present speed is then braked away along the new arc.
   const double faster = std::max(0.0, std::abs(situation_.current.linear) + kSpeedError - std::abs(twist.linear));
   const double longer = twist.linear == 0.0 ? 0.0 : faster / std::abs(twist.linear);
-  return isFree({}, twist, (1.0 + longer) * reaction_time + braking_time);
+  if (!isFree({}, twist, (1.0 + longer) * reaction_time + braking_time)) return false;
+  return wheels_.free(twist) == WheelMotion::kFree;
 }
 
 bool MotionController::SafeMotion::isFree(const Pose2& from, const Twist2& twist, double time) const {

@@ -115,19 +115,23 @@ struct MotionSituation {
 
 /// What was commanded before, and the path that a robot with corners came (Trail).
 struct MotionHistory {
-  std::optional<Pose2> back;                       ///< the next pose back, base frame
-  bool goes_back = false;                          ///< it was told to, last
-  std::optional<Twist2> commanded = std::nullopt;  ///< last; it may not have reached the wheels yet
-  bool has_stood = false;                          ///< for so long that half the safety margin must do
+  std::optional<Pose2> back;           ///< the next pose back, base frame
+  bool goes_back = false;              ///< it was told to, last
+  std::vector<Twist2> commanded = {};  ///< newest last, a period apart; they may not have reached the wheels
+  bool has_stood = false;              ///< for so long that half the safety margin must do
+
+  /// That was commanded. Keeps those that may still be on their way for `time` s.
+  void note(const Twist2& command, double time, double period);
 };
 
 /// Turns and drives along a plan; never commands a motion which, braking included, comes nearer to a return than the
 /// safety margin. What is looked at is the path that the robot really takes: on with the present twist until the
 /// command acts, which may be at once or after the reaction time, then along the commanded arc until it stands.
+/// And what its wheels make of it, which take time: while one of them brakes and the other one speeds up for a turn,
+/// the robot does not become slower, and a turn that goes on while it starts to drive swings its corners.
 ///
-/// A circle may always turn in place. While it still drives, it turns only as its wheels can without carrying it on
-/// into something: a wheel that speeds up for the turn makes up for one that brakes. A polygon turns where its corners
-/// have room; else it drives on along a wider arc, or back along the path it came until it can turn.
+/// A circle may always turn in place. A polygon turns where its corners have room; else it drives on along a wider arc,
+/// or back along the path it came until it can turn.
 ///
 /// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
 /// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves
@@ -145,10 +149,12 @@ class MotionController {
   /// the robot went on so. If there is no way out it does not drive towards a touch. It backs away, straight, only as
   /// far as `free_behind` (m): seenFreeBehind().
   MotionCommand evade(const MotionCommand& command, const MotionSituation& situation,
-                      const std::vector<MovingThing>& things, double free_behind = 0.0) const;
+                      const std::vector<MovingThing>& things, double free_behind = 0.0,
+                      const MotionHistory& history = {}) const;
 
   /// From now on it takes at least so long from a measurement to the wheels, s: the scanner is slow.
   void expectReactionTime(double least) { reaction_time_ = std::max(parameters_.reaction_time, least); }
+  double reactionTime() const { return reaction_time_; }  ///< s, from a measurement to the motion of the wheels
 
   /// At the plan's last pose within the tolerances.
   bool goalReached(const Pose2& pose, const Pose2& goal) const;
@@ -173,9 +179,6 @@ class MotionController {
   double yieldingReach(double footprint_radius) const;
 
   struct Moment;
-
-  // What wheels do that change their speed.
-  class WheelMotion;
   Twist2 steadied(const Twist2& twist, const Moment& now) const;
 
   // Of a robot with corners.

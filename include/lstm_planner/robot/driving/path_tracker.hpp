@@ -36,11 +36,11 @@ class PathTracker {
       const MotionParameters& limits = controller_.parameters();
       const double free_behind =
           seenFreeBehind(situation, shield.footprint(), limits.safety_margin, limits.max_linear * limits.evade_time);
-      command = controller_.evade(command, motion, moving_.follow(situation), free_behind);
+      command = controller_.evade(command, motion, moving_.follow(situation), free_behind, history_);
     }
     command = withPatience(command, plan, situation);
     history_.goes_back = command.goes_back;
-    history_.commanded = command;
+    history_.note(command, controller_.reactionTime(), period);
     return command;
   }
 

@@ -72,7 +72,7 @@ int wallsThatHinder(double wheel_acceleration) {
   const Twist2 before{1.2, -1.2};
   const std::vector<Pose2> plan = test::planAlong({{0.0, 0.0}, pointAlong(Point2{}, 1.0, 3.0)});
   const auto command = [&] {
-    return controller.compute({plan, {}, before, shield, kPeriod}, {}, {}, {std::nullopt, false, before});
+    return controller.compute({plan, {}, before, shield, kPeriod}, {}, {}, {std::nullopt, false, {before}});
   };
   const double free_turn = command().angular;
   int walls = 0;
