@@ -10,7 +10,7 @@ more_optional_packages=()
 wants_rviz="${DISPLAY:-}"
 source_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)"
 workspace="${LSTM_PLANNER_WS:-${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/lstm_planner}"
-noetic_setup=/opt/ros/noetic/setup.bash
+ros_folder=/opt/ros
 
 say() { printf 'lstm_planner: %s\n' "$*"; }
 
@@ -21,15 +21,30 @@ fail() {
 
 # ------------------------------------------------------------------------------ prerequisites
 
-# noetic: packages ros-noetic-*; distribution: ROS 1 as Debian and Ubuntu 22.04 package it.
+# noetic, one: packages ros-noetic-*, ros-one-* in /opt/ros; distribution: ROS 1 as Debian and Ubuntu 22.04 package it.
+# The one whose environment this shell has, else one that is installed, else one that apt could install.
 find_ros_flavour() {
-  if [ -r "$noetic_setup" ]; then
-    echo noetic
-  elif [ -r /etc/os-release ] && grep -q '^VERSION_CODENAME=focal' /etc/os-release; then
-    echo noetic
-  else
-    echo distribution
-  fi
+  local flavour
+  for flavour in "${ROS_DISTRO:-}" noetic one; do
+    case "$flavour" in
+      noetic | one) if [ -r "$ros_folder/$flavour/setup.bash" ]; then echo "$flavour"; return; fi ;;
+    esac
+  done
+  for flavour in noetic one; do
+    if [ -n "$(echo "ros-$flavour-catkin" | installable)" ]; then echo "$flavour"; return; fi
+  done
+  if grep -qs '^VERSION_CODENAME=focal' /etc/os-release; then echo noetic; else echo distribution; fi
+}
+
+# What the real move_base needs, of a flavour that has it.
+navigation_packages() { printf "ros-$1-%s\n" costmap-2d move-base nav-core; }
+
+# The development files of the Qt that the rviz in the package $1 is linked with.
+qt_of_rviz() {
+  local libraries
+  libraries="$(apt-cache depends "$1" 2>/dev/null | awk '/ Depends: .*rviz/ {print $2}')"
+  # shellcheck disable=SC2086  # one word a package
+  if apt-cache depends "$1" $libraries 2>/dev/null | grep -q 'Depends: libqt6'; then echo qt6-base-dev; else echo qtbase5-dev; fi
 }
 
 # Debian packages the build and the tests need, one a line.
@@ -37,10 +52,11 @@ required_packages() {
   printf '%s\n' cmake g++ gnuplot-nox libboost-dev libeigen3-dev libgmock-dev \
     libgtest-dev libopencv-dev libpoco-dev libprotobuf-dev libsqlite3-dev libyaml-cpp-dev make ninja-build nlohmann-json3-dev \
     protobuf-compiler python3 "${more_packages[@]}"
-  if [ "$1" = noetic ]; then
-    printf 'ros-noetic-%s\n' actionlib actionlib-msgs catkin costmap-2d diagnostic-msgs diagnostic-updater geometry-msgs move-base \
-      move-base-msgs nav-core nav-msgs pluginlib rosbag rosbash roscpp rosgraph-msgs roslaunch roslib rosparam \
-      rosservice rostest sensor-msgs std-msgs std-srvs tf2 tf2-geometry-msgs tf2-msgs tf2-ros visualization-msgs
+  if [ "$1" != distribution ]; then
+    printf "ros-$1-%s\n" actionlib actionlib-msgs catkin diagnostic-msgs diagnostic-updater geometry-msgs move-base-msgs nav-msgs \
+      pluginlib rosbag rosbash roscpp rosgraph-msgs roslaunch roslib rosparam rosservice rostest sensor-msgs std-msgs \
+      std-srvs tf2 tf2-geometry-msgs tf2-msgs tf2-ros visualization-msgs
+    [ "$1" != noetic ] || navigation_packages "$1"
   else
     printf '%s\n' catkin libactionlib-dev libactionlib-msgs-dev libdiagnostic-msgs-dev libdiagnostic-updater-dev libgeometry-msgs-dev \
       libmove-base-msgs-dev libnav-msgs-dev libros-rosgraph-msgs-dev librosbag-dev libroscpp-dev librostest-dev \
@@ -58,12 +74,20 @@ required_packages() {
 # with, MPI for several processes, Google Benchmark, and rviz with its headers, for the panel, where somebody can see it.
 optional_packages() {
   printf '%s\n' libbenchmark-dev libopenmpi-dev openmpi-bin python3-onnx "${more_optional_packages[@]}"
-  # Debian packages static_transform_publisher, which navigation.launch starts, with tf2's tools.
-  [ "$1" = noetic ] || printf '%s\n' libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure tf2-tools
-  [ "$1" = noetic ] && printf 'ros-noetic-%s\n' create-msgs dwa-local-planner dynamic-reconfigure global-planner
+  if [ "$1" = distribution ]; then
+    # Debian packages static_transform_publisher, which navigation.launch starts, with tf2's tools.
+    printf '%s\n' libdynamic-reconfigure-config-init-mutex-dev python3-dynamic-reconfigure tf2-tools
+  else
+    navigation_packages "$1"
+    printf "ros-$1-%s\n" create-msgs dwa-local-planner dynamic-reconfigure global-planner
+  fi
   if [ -n "$wants_rviz" ]; then
-    printf '%s\n' libopengl-dev qtbase5-dev  # not all distributions' headers of rviz bring what they need
-    if [ "$1" = noetic ]; then echo ros-noetic-rviz; else printf '%s\n' rviz librviz-dev; fi
+    # Not all distributions' headers of rviz bring what they need.
+    if [ "$1" = distribution ]; then
+      printf '%s\n' libopengl-dev rviz librviz-dev "$(qt_of_rviz librviz-dev)"
+    else
+      printf '%s\n' libopengl-dev "ros-$1-rviz" "$(qt_of_rviz "ros-$1-rviz")"
+    fi
   fi
 }
 
@@ -101,9 +125,9 @@ check_can_become_root() {
 # rosdep knows the names where its database has been initialised and updated; what it leaves is installed by name.
 install_with_rosdep() {
   command -v rosdep >/dev/null && [ -e "${ROS_HOME:-$HOME/.ros}/rosdep/sources.cache/index" ] || return 0
-  [ "$1" = noetic ] || return 0
+  [ "$1" != distribution ] || return 0
   say "asking rosdep to install the dependencies in package.xml"
-  rosdep install --from-paths "$source_dir" --ignore-src --rosdistro noetic -r -y </dev/null || true
+  ROS_DISTRO="$1" rosdep install --from-paths "$source_dir" --ignore-src --rosdistro "$1" -r -y </dev/null || true
 }
 
 # The first of many words, for a sentence that should stay readable.
@@ -143,8 +167,8 @@ check_installable() {
   unknown="$(some_of $unknown)"
   [ "$updated" = true ] ||
     fail "apt-get does not know the packages $unknown and could not update its lists: $(apt_complaint)"
-  fail "apt-get has no package $unknown; ROS 1 is packaged for Debian 12 and," \
-    "from packages.ros.org (see wiki.ros.org/noetic/Installation/Ubuntu), for Ubuntu 20.04."
+  fail "apt-get has no package $unknown; ROS 1 is packaged for Debian 11 to 13, from packages.ros.org" \
+    "(see wiki.ros.org/noetic/Installation/Ubuntu) for Ubuntu 20.04, and by ROS One for Ubuntu 22.04 and 24.04."
 }
 
 # Whether this user becomes root without a password.
@@ -201,9 +225,7 @@ enter_ros() {
   # ROS's python modules belong to the system's python3, whatever pyenv or conda put in front of it.
   export PATH="/usr/bin:/bin:$PATH"
   unset PYTHONHOME
-  if [ "${ROS_VERSION:-}" != 1 ] && [ -r "$noetic_setup" ]; then
-    source_setup "$noetic_setup"
-  fi
+  if [ "${ROS_VERSION:-}" != 1 ] && [ -r "$ros_folder/$1/setup.bash" ]; then source_setup "$ros_folder/$1/setup.bash"; fi
   command -v catkin_make >/dev/null || fail "catkin_make not found although ROS 1's packages are installed."
   export ROS_HOME="$workspace/ros_home"
   export ROS_HOSTNAME=localhost
@@ -270,19 +292,28 @@ build_targets() {
   [ "$status" -eq 0 ] || fail "the build failed; its errors are above, everything is in $log."
 }
 
+# Where ROS has the real one, the package's own move_base should surprise nobody.
+say_which_move_base() {
+  [ "$1" != distribution ] && [ -x "$workspace/devel/lib/lstm_planner/standalone_move_base" ] || return 0
+  say "ATTENTION: the navigation stack is not installed. This package's standalone_move_base was built in place of" \
+    "move_base; it has no costmaps. To get the real one, run this again after:" \
+    "sudo apt-get install $(navigation_packages "$1" | paste -sd' ')"
+}
+
 # All steps; the arguments are targets.
 set_up() {
   local flavour
   prepare_workspace
   flavour="$(find_ros_flavour)"
   install_missing_packages "$flavour"
-  enter_ros
+  enter_ros "$flavour"
   exec 9>"$workspace/lock"
   flock 9 || fail "cannot lock the workspace $workspace."
   link_checkout
   forget_gmock
   build_targets "$@"
   exec 9>&-
+  say_which_move_base "$flavour"
   source_setup "$workspace/devel/setup.bash"
 }
 
