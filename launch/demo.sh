@@ -30,19 +30,13 @@ Exit status: 0 if every goal was reached and nothing was touched.
 USAGE
 }
 
-# The package has its own host for the plugins if it was built without the navigation stack.
-move_base_to_launch() {
-  if [ -x "$workspace/devel/lib/lstm_planner/standalone_move_base" ]; then echo standalone; else echo real; fi
-}
-
 # roslaunch always ends with 0, so the demo runner writes its exit status to a file.
 drive() {
   local result status
   result="$(mktemp "${TMPDIR:-/tmp}/lstm_planner_demo.XXXXXX")"
   # shellcheck disable=SC2064  # the name is known now
   trap "rm -f '$result'" EXIT
-  PYTHONUNBUFFERED=1 roslaunch lstm_planner demo.launch "result:=$result" "move_base:=$(move_base_to_launch)" "$@" \
-    </dev/null
+  PYTHONUNBUFFERED=1 roslaunch lstm_planner demo.launch "result:=$result" "$@" </dev/null
   status="$(head -n 1 "$result" | grep -oE '^[0-9]+$')" || fail "the demo ended before it had a result."
   # roslaunch's last lines name processes that ended, also after success.
   [ "$status" -eq 0 ] || fail "the demo did not succeed; the lines 'demo:' and errors above say why."

@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <sstream>
@@ -18,6 +19,8 @@
 
 namespace lstm_planner {
 namespace {
+
+constexpr double kSameDiameter = 0.001;  // m
 
 /// Reads one group of a file into variables that hold their defaults.
 class GroupReader {
@@ -56,7 +59,7 @@ class GroupReader {
   static void assign(const YAML::Node& node, Value* value) {
     *value = node.as<Value>();
   }
-  /// A footprint is a list, and the text of it.
+  /// A list, such as a footprint, is the text of it.
   static void assign(const YAML::Node& node, std::string* value) {
     YAML::Emitter text;
     text << YAML::Flow << node;
@@ -126,6 +129,21 @@ void checkSecondScanner(const std::string& path, const SensorParameters& planner
   }
 }
 
+/// Or another robot would be tried than the one that drives.
+void checkBody(const std::string& path, const ShieldParameters& shield, const Create2Parameters& simulated) {
+  const auto refuse = [&](const std::string& name, const std::string& value, const std::string& expected) {
+    throw std::invalid_argument(path + ": create2_stub/robot/" + name + " is " + value + ", expected " + expected +
+                                " as for LstmGlobalPlanner/shield");
+  };
+  if (simulated.footprint != shield.footprint) {
+    refuse("footprint", "'" + simulated.footprint + "'", "'" + shield.footprint + "'");
+  }
+  const double diameter = 2.0 * shield.footprint_radius;
+  if (shield.footprint.empty() && std::abs(simulated.base_diameter - diameter) > kSameDiameter) {
+    refuse("base_diameter", std::to_string(simulated.base_diameter), std::to_string(diameter));
+  }
+}
+
 }  // namespace
 
 void readRobotFile(const std::string& name, DriveParameters* drive, AgentParameters* agent) {
@@ -156,12 +174,19 @@ void readRobotFile(const std::string& name, DriveParameters* drive, AgentParamet
   // Both look at the same shield here: the larger one is safe for both.
   agent->shield.footprint_radius = std::max(agent->shield.footprint_radius, controller.footprint_radius);
 
+  // What the file does not say of the simulated robot is as for the plugins.
+  Create2Parameters& base = drive->robot.base;
+  base.footprint = agent->shield.footprint;
+  base.base_diameter = 2.0 * agent->shield.footprint_radius;
+  base.axle_length = controller.motion.axle_length;
+  base.max_wheel_speed = controller.motion.max_wheel_speed;
   GroupReader simulation(path, root, "create2_stub");
   const auto visit = simulation.visitor();
   visitCreate2Parameters(drive->robot.base, withPrefix("robot/", visit));
   visitHokuyoParameters(drive->robot.scanner, withPrefix("laser/", visit));
   drive->robot.second_scanner = readSecondScanner(visit);
   simulation.refuseUnknown();
+  checkBody(path, agent->shield, drive->robot.base);
   checkSecondScanner(path, planner.sensors, controller.sensors, drive->robot.second_scanner.has_value());
 }
 

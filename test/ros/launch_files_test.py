@@ -3,6 +3,7 @@
 import glob
 import os
 import unittest
+import unittest.mock
 
 import roslaunch.arg_dump
 import roslaunch.config
@@ -96,6 +97,16 @@ class LaunchFiles(unittest.TestCase):
             self.assertNotIn("/use_sim_time", config.params)
         self.check(load("navigation.launch"))
 
+    def test_starts_the_move_base_that_the_package_was_built_with(self):
+        has_stack = "nav_core" in rospkg.RosPack().list()
+        built = ("move_base", "move_base") if has_stack else ("lstm_planner", "standalone_move_base")
+        for distribution in ("noetic", "one", "debian"):
+            with unittest.mock.patch.dict(os.environ, ROS_DISTRO=distribution):
+                for name in ("demo.launch", "navigation.launch", "two_machines.launch", "two_robots.launch"):
+                    config = load(name, "rviz:=false", *(["on:=desktop"] if name == "two_machines.launch" else []))
+                    started = {(node.package, node.type) for node in config.nodes if node.name == "move_base"}
+                    self.assertEqual(started, {built}, name)
+
     def test_a_robot_that_already_runs_gets_nothing_but_move_base(self):
         config = load("navigation.launch", "base:=false", "laser:=false", "tf:=false", "robot:=turtlebot3_burger",
                       "scan_topic:=front", "second_scan_topic:=rear", "odom_topic:=wheels", "cmd_vel_topic:=drive", "odom_frame:=o", "base_frame:=b")
@@ -143,7 +154,7 @@ class LaunchFiles(unittest.TestCase):
                 self.assertLess(marked, sight, name)
 
     def test_several_robots_have_namespaces_and_frames_of_their_own(self):
-        config = load("two_robots.launch", "move_base:=standalone", "rviz:=true", "start2:=[3.0, 3.0, 0.0]")
+        config = load("two_robots.launch", "rviz:=true", "start2:=[3.0, 3.0, 0.0]")
         self.check(config)
         for robot, other in (("robot1", "robot2"), ("robot2", "robot1")):
             self.assertEqual(self.parameter(config, "/%s/create2_stub/odom_frame" % robot), robot + "/odom")

@@ -1,7 +1,6 @@
 // The demo, in a real building: simulated robot, plugins behind the action, one goal some rooms away.
 
 #include <gtest/gtest.h>
-#include <ros/package.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -26,9 +25,6 @@ void writeGoalsFile(const std::string& path, const DriveTask& task) {
                       << "goals: [{name: office, x: " << task.goal.x << ", y: " << task.goal.y << ", yaw: 0.0}]\n";
 }
 
-/// move_base where the package has no host for its plugins of its own, because it was built with the navigation stack.
-std::string moveBase() { return ros::package::getPath("nav_core").empty() ? "standalone" : "real"; }
-
 /// What the demo says of a drive to the task's goal.
 nlohmann::json drive(const DriveTask& task, const std::string& arguments) {
   const test::ScratchFolder folder;
@@ -37,7 +33,7 @@ nlohmann::json drive(const DriveTask& task, const std::string& arguments) {
       "timeout --signal=INT 100 roslaunch lstm_planner demo.launch rviz:=false picture:=none "
       "real_time_factor:=4 map:=" +
       willowMap() + " free_threshold:=" + std::to_string(kWillowFreeThreshold) + " goals:=" + (folder / "goals.yaml") +
-      " result:=" + (folder / "result") + " move_base:=" + moveBase() + arguments;
+      " result:=" + (folder / "result") + arguments;
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   std::ifstream file(folder / "result");
   int exit_code = -1;

@@ -146,6 +146,10 @@ TEST_F(DriveRobots, AFileThatMakesNoSenseIsRefusedWithASentence) {
                        "SteeringController/second_scan_topic is '', expected 'rear'"));
   EXPECT_TRUE(contains(complaint(fileWith("LstmGlobalPlanner: " + second + "\nSteeringController: " + second)),
                        "create2_stub/second_laser/is_mounted is false, expected true"));
+  EXPECT_TRUE(contains(complaint(fileWith("create2_stub: {robot: {base_diameter: 0.5}}")),
+                       "create2_stub/robot/base_diameter is 0.500000, expected 0.348500"));
+  EXPECT_TRUE(contains(complaint(fileWith("create2_stub: {robot: {footprint: [[1, 1], [1, -1], [-1, 0]]}}")),
+                       "create2_stub/robot/footprint is '[[1, 1], [1, -1], [-1, 0]]', expected ''"));
   EXPECT_TRUE(contains(complaint(fileWith("LstmGlobalPlanner: 3")), "LstmGlobalPlanner is not a group"));
   EXPECT_TRUE(contains(complaint(fileWith("just a text")), "expected groups of parameters"));
   EXPECT_TRUE(contains(complaint(fileWith("a: [")), "robot.yaml"));
