@@ -34,7 +34,7 @@ GridAgentOptions optionsFrom(const std::string& text, GridAgentOptions options, 
     if (part == "no-shield") {
       options.shield = false;
     } else if (part == "no-escape") {
-      options.escape = false;
+      options.guided = false;
     } else {
       throw std::invalid_argument("agent '" + text + "' has the flag '" + part + "', expected no-shield or no-escape");
     }

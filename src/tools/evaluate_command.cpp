@@ -91,7 +91,7 @@ void writeDetails(const GridTaskSet& set, const std::vector<GridEpisode>& episod
              toString(episode.end), task.optimal_length, episode.length(), episode.steps(), episode.seconds,
              episode.expanded, episode.peak_bytes);
     csv->addAll(episode.led);
-    csv->row(episode.as_searched);
+    csv->row(episode.on_path, episode.overruled_by_shield, episode.overruled_by_bound);
   }
 }
 
@@ -139,7 +139,7 @@ int runEvaluate(const std::vector<std::string>& arguments) {
   CsvWriter csv(&details);
   csv.row("set", "map", "start_column", "start_row", "goal_column", "goal_row", "end", "optimum", "length", "steps",
           "seconds", "expanded", "peak_bytes", "network_steps", "search_steps", "boundary_steps", "greedy_steps",
-          "as_searched");
+          "network_steps_on_path", "steps_overruled_by_shield", "steps_overruled_by_bound");
   std::vector<GridSetSummary> summaries;
   for (const GridTaskSet& set : sets) {
     GridEvaluationOptions evaluation = options.grid.evaluation;

@@ -58,11 +58,16 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
                 "diagonal moves may pass blocked cells at their sides");
   line->addFlag("thesis-terrain", &selection.rule, PassableRule::kThesis, "only '.' is passable, not 'G' and 'S'");
   line->addFlag("no-shield", &agent.shield, false, "a network may choose moves into obstacles, which end the episode");
-  line->addFlag("no-escape", &agent.escape, false, "no rescue if a network gets into difficulties");
+  line->addFlag(
+      "no-escape", &agent.guided, false,
+      "nothing is remembered for a network, and no bound limits its detours: the network and the shield alone");
+  line->add("detour-allowance", &agent.detour.allowance, kAnyLength,
+            "cells; the regrets of a network's moves since the start, against the remembered path, may be as large as "
+            "this and --detour-share of the path walked");
+  line->add("detour-share", &agent.detour.share, kAnyShare, "share of the path walked; see --detour-allowance");
   line->add("draw-after", &agent.draw_after, {0, 1e9},
             "with --no-escape: steps without progress after which a network's moves are drawn with the probabilities "
             "that it gives, so that it leaves circles; 0 = never");
-  line->add("patience", &agent.patience, kAnySteps, "steps without progress after which the rescue leads");
   line->addText(
       "heuristic", "octile", [&](const std::string& name) { agent.heuristic.kind = heuristicNamed(name); },
       "heuristic of A*: manhattan, chebyshev, octile, euclidean or scaled_euclidean");

@@ -34,7 +34,7 @@ bool readOptions(const std::vector<std::string>& arguments, ReportOptions* optio
   line.addFolder("output", &options->output, "folder for report.md, CSV files and pictures").required();
   line.add("agents", &options->agents,
            "agents: NAME or NAME=MODEL, each with ,no-shield or ,no-escape after it if you want; NAME is astar, dstar, "
-           "rolling, rolling_escape, greedy, boundary, lstm, rnn, mlp, qlearning or network; without =MODEL the "
+           "rolling_escape, greedy, boundary, lstm, rnn, mlp, qlearning or network; without =MODEL the "
            "network of the package is used; the pictures show the first agent that does not search")
       .required();
   addGridOptions(&options->grid, &line);

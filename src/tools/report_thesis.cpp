@@ -83,7 +83,7 @@ ReportAgent networkAgent(const std::string& name, const std::string& file, bool 
   options.model = file;
   options.corner_cutting = CornerCutting::kAllowed;
   options.shield = shield;
-  options.escape = false;
+  options.guided = false;
   return {{name, gridAgentMaker(options)}, false};
 }
 

@@ -19,7 +19,7 @@ GridScore GridJudge::judge(const LayerStack& layers) const {
   model.layers = layers;
   writeMetadata(options_.encoder, &model.metadata);
   NetworkGridAgent::Options shield_alone;
-  shield_alone.escape = false;
+  shield_alone.guided = false;
   shield_alone.corner_cutting = options_.corner_cutting;
   const auto make_agent = [&](const PassableGrid&) { return std::make_unique<NetworkGridAgent>(model, shield_alone); };
   GridEvaluationOptions evaluation;

@@ -54,9 +54,8 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
   addActivationOptions(&o.shape, line);
   line->add(
       "inputs", &o.inputs,
-      "inputs: thesis (ranges, distance, angle, previous action), trace (also where the agent has been), boundary "
-      "(also how far it has followed the boundary between it and the goal, and the trail back) or map (trace, and the "
-      "direction of the path between the remembered walls)");
+      "inputs: thesis (ranges, distance, angle, previous action), trace (also where the agent has been) or boundary "
+      "(also how far it has followed the boundary between it and the goal, and the trail back)");
   line->add("views", &o.encoder.views, {1, 8}, "1, or 8: the same network is evaluated for each of eight directions");
   line->addFile("from", &o.from, "ONNX file to start from, instead of random weights; it determines layers and inputs");
   line->addOutput("output", &o.output, "ONNX file to write: the best so far on the validation maps").required();

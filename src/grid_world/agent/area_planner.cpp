@@ -4,6 +4,8 @@
 #include <bitset>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <utility>
 
 #include "grid_world/agent/moves_between.hpp"
 #include "lstm_planner/base/common/parameter_check.hpp"
@@ -28,6 +30,8 @@ CellIndex inWindow(CellIndex place, CellIndex origin) { return {place.column - o
 CellIndex outOfWindow(CellIndex place, CellIndex origin) {
   return {origin.column + place.column, origin.row + place.row};
 }
+
+int costOfMove(std::size_t direction) { return direction % 2 != 0 ? kDiagonalFifths : kStraightFifths; }
 
 double crowFlight(CellIndex a, CellIndex b) { return octileDistance(a, b).length(); }
 
@@ -114,7 +118,7 @@ struct AreaPlanner::BlockWorld {
       const Passage passage = passageTo(around_it, direction);
       if (passage == Passage::kClosed && (diagonal || !through_closed)) continue;
       if (passage == Passage::kUnknown && weight == 0.0) weight = weightOf(block);
-      move(direction, costOf(passage, diagonal ? kDiagonalFifths : kStraightFifths, weight));
+      move(direction, costOf(passage, costOfMove(direction), weight));
     }
   }
 };
@@ -165,10 +169,33 @@ struct AreaPlanner::CellWorld {
     for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
       if ((moves >> direction & 1u) == 0) continue;
       if (!anywhere && !along[indexOf(blockOf(cellBeside(cell, static_cast<int>(direction))))]) continue;
-      move(direction, direction % 2 != 0 ? kDiagonalFifths : kStraightFifths);
+      move(direction, costOfMove(direction));
     }
   }
 };
+
+/// From cell to cell, to the goal or the edge of the window.
+struct AreaPlanner::NearWorld {
+  const SeenGrid& seen;
+  CornerCutting corner_cutting;
+  CellIndex goal;
+
+  int estimate(CellIndex place) const { return octileFifths(goal.column - place.column, goal.row - place.row); }
+  bool isTarget(CellIndex place) const { return Search::atEdge(place) || place == goal; }
+  template <typename Move>
+  void expand(CellIndex place, const Move& move) const {
+    const unsigned moves = movesBetween(seen.wallsBeside(outOfWindow(place, seen.origin()), true), corner_cutting);
+    for (std::size_t direction = 0; direction < kGridRayCount; ++direction) {
+      if ((moves >> direction & 1u) != 0) move(direction, costOfMove(direction));
+    }
+  }
+};
+
+void AreaPlanner::Plan::goOn() {
+  const std::size_t direction = moves[step++];
+  from = cellBeside(from, static_cast<int>(direction));
+  cost -= costOfMove(direction);
+}
 
 AreaPlanner::AreaPlanner(const AreaPlannerParameters& parameters) : parameters_(parameters) {
   static_assert(SeenGrid::kSide == Search::kSide && BlockGraph::kSide == Search::kSide, "one search serves both");
@@ -180,23 +207,28 @@ AreaPlanner::AreaPlanner(const AreaPlannerParameters& parameters) : parameters_(
                  parameters.most_far_weight, "a number from 0 to 30");
   checkParameter(parameters.doubtful_cost >= 0.0 && parameters.doubtful_cost <= 150.0, "doubtful_cost",
                  parameters.doubtful_cost, "a number from 0 to 150");
-  path_.reserve(kLongestPath);
+  checkNotNegative("most_detour", parameters.most_detour);
+  plan_.moves.reserve(kLongestPath);
+  other_.moves.reserve(kLongestPath);
   blocks_.reserve(kMostBlocks);
 }
 
-void AreaPlanner::restart(CellIndex agent, CellIndex start) {
-  seen_.restart(agent);
-  graph_.restart(agent);
+void AreaPlanner::restart(CellIndex start) {
+  seen_.restart(start);
+  graph_.restart(seen_, start);
   search_.resetCounter();
   start_ = start;
-  path_.clear();
-  path_step_ = 0;
-  steps_since_blocks_ = kStepsOfPlan;
+  plan_.clear();
+  other_.clear();
+  searches_blocks_ = false;
+  through_doubtful_ = true;
 }
 
-void AreaPlanner::takeWalls(const RollingGrid& walls) {
-  seen_.takeWalls(walls);
-  graph_.learn(seen_);
+void AreaPlanner::searchBlocks() {
+  searches_blocks_ = true;
+  steps_since_blocks_ = kStepsOfPlan;
+  plan_.clear();
+  other_.clear();
 }
 
 void AreaPlanner::observe(const GridObservation& observation) {
@@ -208,23 +240,42 @@ void AreaPlanner::observe(const GridObservation& observation) {
 int AreaPlanner::plan() {
   ++steps_since_plan_;
   ++steps_since_blocks_;
-  const bool follows = path_step_ < path_.size() && expected_ == now_.cell && steps_since_plan_ < kStepsOfPlan;
-  if (!follows || !isPathFree()) planAnew();
-  if (path_step_ >= path_.size()) return kNoPath;
-  const int direction = path_[path_step_++];
-  expected_ = cellBeside(now_.cell, direction);
-  return direction;
+  followAgent();
+  const bool is_recent = !searches_blocks_ || steps_since_plan_ < kStepsOfPlan;
+  if (plan_.empty() || !is_recent || !isPathFree()) planAnew();
+  if (!searches_blocks_ && isLong()) {
+    searchBlocks();
+    planAnew();
+  }
+  return plan_.empty() ? kNoPath : plan_.moves[plan_.step];
+}
+
+/// Keeps the path that starts where the agent has gone.
+void AreaPlanner::followAgent() {
+  if (!plan_.empty() && now_.cell != plan_.from) plan_.goOn();
+  if (now_.cell != plan_.from) std::swap(plan_, other_);
+  if (now_.cell != plan_.from) plan_.clear();
+  other_.clear();
+}
+
+double AreaPlanner::regretOf(int direction) {
+  if (plan_.empty()) return std::numeric_limits<double>::infinity();
+  if (direction == plan_.moves[plan_.step]) return 0.0;
+  const CellIndex next = cellBeside(now_.cell, direction);
+  if (!findCells(next, &other_)) return std::numeric_limits<double>::infinity();
+  const int longer = costOfMove(static_cast<std::size_t>(direction)) + other_.cost - plan_.cost;
+  return static_cast<double>(std::max(0, longer)) / kStraightFifths;
 }
 
 bool AreaPlanner::isBlocked(CellIndex cell) const {
   const SeenGrid::Cell is = seen_.at(cell);
-  return is == SeenGrid::Cell::kWall || (is == SeenGrid::Cell::kDoubtful && !path_is_doubtful_);
+  return is == SeenGrid::Cell::kWall || (is == SeenGrid::Cell::kDoubtful && !through_doubtful_);
 }
 
 bool AreaPlanner::isPathFree() const {
   CellIndex cell = now_.cell;
-  for (std::size_t step = path_step_; step < path_.size(); ++step) {
-    const CellIndex next = cellBeside(cell, path_[step]);
+  for (std::size_t step = plan_.step; step < plan_.moves.size(); ++step) {
+    const CellIndex next = cellBeside(cell, plan_.moves[step]);
     if (isBlocked(next)) return false;
     if (parameters_.corner_cutting == CornerCutting::kForbidden &&
         (isBlocked({next.column, cell.row}) || isBlocked({cell.column, next.row}))) {
@@ -235,15 +286,24 @@ bool AreaPlanner::isPathFree() const {
   return true;
 }
 
+/// The path among the near cells, or there is none.
+bool AreaPlanner::isLong() const {
+  const double detour = static_cast<double>(plan_.cost) / kStraightFifths - crowFlight(now_.cell, now_.goal);
+  return plan_.empty() || detour > parameters_.most_detour;
+}
+
 void AreaPlanner::planAnew() {
-  path_.clear();
-  path_step_ = 0;
+  plan_.clear();
   steps_since_plan_ = 0;
+  if (!searches_blocks_) {
+    if (findCells(now_.cell, &plan_)) length_ = static_cast<double>(plan_.cost) / kStraightFifths;
+    return;
+  }
   for (std::size_t direction = 0; direction < kGridRayCount; direction += 2) {
     from_agent_[direction] = graph_.passageFrom(seen_, now_.cell, direction);
   }
   if (keepBlocks()) planCells();
-  if (!path_.empty()) return;
+  if (!plan_.empty()) return;
   if (planBlocks(false) || planBlocks(true)) planCells();
 }
 
@@ -319,28 +379,48 @@ void AreaPlanner::planCells() {
   }
 }
 
-/// `along`: so many of the blocks are not to be left; 0 where it may go anywhere.
 bool AreaPlanner::planCellsTo(CellIndex block, bool through_doubtful, std::size_t along) {
-  const bool at_goal = block == blockOf(now_.goal);
-  const CellIndex first = firstCellOf(block);
-  unsigned piece = graph_.pieceOf(seen_, block, through_doubtful);
+  target_ = block;
+  through_doubtful_ = through_doubtful;
+  along_ = along;
+  return findCells(now_.cell, &plan_) && !plan_.empty();
+}
+
+bool AreaPlanner::findCells(CellIndex from, Plan* plan) {
+  if (searches_blocks_) return find(cellWorld(from), from, plan);
+  return find(NearWorld{seen_, parameters_.corner_cutting, inWindow(now_.goal, seen_.origin())}, from, plan);
+}
+
+AreaPlanner::CellWorld AreaPlanner::cellWorld(CellIndex from) const {
+  const bool at_goal = target_ == blockOf(now_.goal);
+  const CellIndex first = firstCellOf(target_);
+  unsigned piece = graph_.pieceOf(seen_, target_, through_doubtful_);
   if (at_goal) piece = 1u << ((now_.goal.row - first.row) * kBlockSide + now_.goal.column - first.column);
-  CellWorld world{seen_, parameters_.corner_cutting, through_doubtful, block, piece == 0 ? 0xffffu : piece};
-  world.anywhere = along == 0;
-  CellIndex allowed = blockOf(now_.cell);
+  CellWorld world{seen_, parameters_.corner_cutting, through_doubtful_, target_, piece == 0 ? 0xffffu : piece};
+  world.anywhere = along_ == 0;
+  world.allowAround(blockOf(from));
+  CellIndex allowed = blocks_from_;
   world.allowAround(allowed);
-  for (std::size_t i = 0; i < along; ++i) {
+  for (std::size_t i = 0; i < along_; ++i) {
     allowed = blockBehind(allowed, blocks_[i]);
     world.allowAround(allowed);
   }
-  if (!search_.find(world, inWindow(now_.cell, seen_.origin()))) return false;
-  search_.path(kLongestPath, &path_);
-  path_is_doubtful_ = through_doubtful;
-  return !path_.empty();
+  return world;
+}
+
+template <typename World>
+bool AreaPlanner::find(const World& world, CellIndex from, Plan* plan) {
+  plan->clear();
+  if (!search_.find(world, inWindow(from, seen_.origin()))) return false;
+  plan->from = from;
+  plan->cost = search_.cost();
+  plan->step = 0;
+  search_.path(kLongestPath, &plan->moves);
+  return true;
 }
 
 std::size_t AreaPlanner::bytes() const {
-  return sizeof(*this) + seen_.bytes() + BlockGraph::bytes() + Search::bytes() + kLongestPath + kMostBlocks;
+  return sizeof(*this) + seen_.bytes() + BlockGraph::bytes() + Search::bytes() + 2 * kLongestPath + kMostBlocks;
 }
 
 }  // namespace lstm_planner

@@ -116,9 +116,10 @@ class BlockGraph::Marks {
   std::array<Rows, 2> round_{};
 };
 
-void BlockGraph::restart(CellIndex agent) {
+void BlockGraph::restart(const SeenGrid& seen, CellIndex agent) {
   passages_.restart(blockOf(agent));
   forgotten_.restart(blockOf(agent));
+  seen_origin_ = seen.origin();
   agent_ = agent;
   goal_ = agent;
 }
@@ -156,19 +157,6 @@ void BlockGraph::noteForgotten(CellIndex old_origin, const SeenGrid& seen) {
     }
   }
   seen_origin_ = seen.origin();
-}
-
-void BlockGraph::learn(const SeenGrid& seen) {
-  seen_origin_ = seen.origin();
-  const CellIndex first = blockOf(seen.origin());
-  for (int row = 0; row < SeenGrid::kSide / kBlockSide; ++row) {
-    for (int column = 0; column < SeenGrid::kSide / kBlockSide; ++column) {
-      const CellIndex block = {first.column + column, first.row + row};
-      if (!isSeen(seen, block)) continue;
-      updatePassage(seen, block, kEast);
-      updatePassage(seen, block, kNorth);
-    }
-  }
 }
 
 BlockGraph::Passage BlockGraph::passage(CellIndex block, std::size_t direction) const {

@@ -58,8 +58,7 @@ double octileLength(CellIndex a, CellIndex b) {
 }  // namespace
 
 void GridMemory::start() {
-  trace_.clear();
-  if (planner_) planner_->start();
+  if (trace_) trace_->clear();
   if (boundary_) boundary_->start();
   previous_direction_ = -1;
   progress_.clear();
@@ -67,8 +66,7 @@ void GridMemory::start() {
 
 void GridMemory::observe(const GridObservation& observation) {
   observation_ = observation;
-  in_new_place_ = trace_.visit(observation.cell);
-  if (planner_) planner_->observe(observation);
+  in_new_place_ = trace_ && trace_->visit(observation.cell);
   if (boundary_) boundary_->observe(observation);
   goal_distance_ = octileLength(observation.cell, observation.goal);
   progress_.note(goal_distance_);
@@ -83,8 +81,7 @@ GridEncoder::GridEncoder(const GridEncoderParameters& parameters) : parameters_(
 
 int GridEncoder::size() const {
   if (parameters_.inputs == GridEncoderParameters::Inputs::kThesis) return kThesisInputs;
-  const int map_inputs = parameters_.inputs == GridEncoderParameters::Inputs::kMap ? kMapScalars : 0;
-  return kRayFeatures * kGridRayCount + kTraceScalars + map_inputs + (boundary_ ? BoundaryInputs::kCount : 0);
+  return kRayFeatures * kGridRayCount + kTraceScalars + (boundary_ ? BoundaryInputs::kCount : 0);
 }
 
 void GridEncoder::prepare(const GridMemory& memory) {
@@ -102,8 +99,9 @@ void GridEncoder::prepare(const GridMemory& memory) {
     }
     return;
   }
+  if (memory.trace() == nullptr) throw std::invalid_argument("grid_inputs is trace, expected a memory with a trace");
   lookAlongRays(memory);
-  const VisitTrace& trace = memory.trace();
+  const VisitTrace& trace = *memory.trace();
   const int behind_best = static_cast<int>(memory.goalDistance() - memory.bestDistance());
   progress_ = {kLog2(static_cast<int>(goal_distance_) + 1) / 10.0f, kLog2(behind_best + 1) / 10.0f,
                kLog2(memory.stepsSinceBest() + 1) / kMostLogSteps,
@@ -115,19 +113,11 @@ void GridEncoder::prepare(const GridMemory& memory) {
     }
     *boundary_ = BoundaryInputs(*memory.boundary(), observation);
   }
-  if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
-  const RollingPlanner* planner = memory.planner();
-  if (planner == nullptr) throw std::invalid_argument("grid_inputs is map, expected a memory with a planner");
-  path_direction_ = planner->direction();
-  const double straight = std::max(1.0, memory.goalDistance());
-  detour_ = path_direction_ == kNoPath
-                ? 1.0f
-                : static_cast<float>(std::log2(std::max(1.0, planner->length() / straight))) / 4.0f;
 }
 
 void GridEncoder::lookAlongRays(const GridMemory& memory) {
   const GridObservation& observation = memory.observation();
-  const VisitTrace& trace = memory.trace();
+  const VisitTrace& trace = *memory.trace();
   for (int direction = 0; direction < kGridRayCount; ++direction) {
     const std::size_t ray = static_cast<std::size_t>(direction);
     const int range = observation.ranges[ray];
@@ -181,13 +171,6 @@ void GridEncoder::forEachInput(const Put& put) const {
   put([](int view) { return static_cast<float>(view & 1); });
   std::for_each(progress_.begin(), progress_.end(), putForAllViews);
   if (boundary_) std::for_each(boundary_->scalars.begin(), boundary_->scalars.end(), putForAllViews);
-  if (parameters_.inputs != GridEncoderParameters::Inputs::kMap) return;
-  const int path = path_direction_;
-  const float has_path = path != kNoPath ? 1.0f : 0.0f;
-  put([&](int view) { return has_path * cosineOf(path - view); });
-  put([&](int view) { return has_path * sineOf(path - view); });
-  put([&](int view) { return path == view ? 1.0f : 0.0f; });
-  putForAllViews(detour_);
 }
 
 void GridEncoder::encode(int view, float* input, int stride) const {
@@ -211,8 +194,8 @@ void GridEncoder::encodeViews(float* input, int stride) const {
 namespace {
 
 using Inputs = GridEncoderParameters::Inputs;
-constexpr std::array<std::pair<const char*, Inputs>, 4> kInputNames = {
-    {{"thesis", Inputs::kThesis}, {"trace", Inputs::kTrace}, {"map", Inputs::kMap}, {"boundary", Inputs::kBoundary}}};
+constexpr std::array<std::pair<const char*, Inputs>, 3> kInputNames = {
+    {{"thesis", Inputs::kThesis}, {"trace", Inputs::kTrace}, {"boundary", Inputs::kBoundary}}};
 
 }  // namespace
 
@@ -231,7 +214,7 @@ GridEncoderParameters::Inputs gridInputsNamed(const std::string& name) {
   for (const auto& [known, inputs] : kInputNames) {
     if (name == known) return inputs;
   }
-  throw std::invalid_argument("grid_inputs is '" + name + "', expected thesis, trace, map or boundary");
+  throw std::invalid_argument("grid_inputs is '" + name + "', expected thesis, trace or boundary");
 }
 
 void writeMetadata(const GridEncoderParameters& parameters, std::map<std::string, std::string>* metadata) {
@@ -257,12 +240,11 @@ GridEncoderParameters readGridEncoderParameters(const std::map<std::string, std:
   return parameters;
 }
 
-GridMemory makeGridMemory(const GridEncoderParameters& parameters, CornerCutting corner_cutting) {
-  if (parameters.inputs == GridEncoderParameters::Inputs::kBoundary) {
-    return GridMemory(std::make_unique<BoundaryMemory>(corner_cutting));
-  }
-  if (parameters.inputs != GridEncoderParameters::Inputs::kMap) return GridMemory();
-  return GridMemory(RollingPlanner(corner_cutting));
+GridMemory makeGridMemory(const GridEncoderParameters& parameters, CornerCutting corner_cutting, bool notes_places) {
+  const bool has_trace = notes_places || parameters.inputs != GridEncoderParameters::Inputs::kThesis;
+  const bool has_boundary = parameters.inputs == GridEncoderParameters::Inputs::kBoundary;
+  return GridMemory(has_trace ? std::make_optional<VisitTrace>() : std::nullopt,
+                    has_boundary ? std::make_unique<BoundaryMemory>(corner_cutting) : nullptr);
 }
 
 }  // namespace lstm_planner

@@ -1,6 +1,5 @@
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -16,6 +15,8 @@ NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
       draw_after_(options.draw_after),
       corner_cutting_(options.corner_cutting),
       encoder_(readGridEncoderParameters(model.metadata)),
+      memory_(makeGridMemory(encoder_.parameters(), options.corner_cutting, !options.guided)),
+      bound_(options.detour),
       inputs_(encoder_.size(), encoder_.parameters().views),
       preferences_(kGridMoveCount) {
   const int inputs = inputSize(model.layers);
@@ -30,64 +31,72 @@ NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
   } else {
     views_.emplace(model.layers, encoder_.parameters().views);
   }
-  if (options.escape) {
-    GridRescueParameters rescue = options.rescue;
-    rescue.corner_cutting = options.corner_cutting;
-    rescue_.emplace(rescue);
+  if (options.guided) {
+    GridGuideParameters guide = options.guide;
+    guide.corner_cutting = options.corner_cutting;
+    guide_ = std::make_unique<GridGuide>(guide);
   }
 }
 
 void NetworkGridAgent::start(CellIndex start, CellIndex /*goal*/) {
-  if (!memory_) memory_.emplace(makeGridMemory(encoder_.parameters(), corner_cutting_));
-  memory_->start();
-  peak_bytes_ = memory_->bytes();
-  if (rescue_) rescue_->start(start);
+  memory_.start();
+  if (guide_) guide_->start(start);
+  bound_.start();
+  walked_ = 0.0;
   watch_.start();
   if (network_) network_->reset();
   if (views_) views_->reset();
 }
 
 void NetworkGridAgent::observe(const GridObservation& observation) {
-  if (memory_) {
-    memory_->observe(observation);
-    if (!rescue_) watch_.observe(observation, memory_->inNewPlace());
-    const double detour = memory_->planner() != nullptr ? memory_->planner()->detour(observation) : 0.0;
-    if (rescue_ && rescue_->isNeeded(observation, memory_->inNewPlace(), detour)) takeOver(observation);
-  }
-  if (memory_) {
-    judgeMoves();
-    return;
-  }
-  rescue_->observe(observation);
-  peak_bytes_ = std::max(peak_bytes_, rescue_->bytes());
-}
-
-void NetworkGridAgent::takeOver(const GridObservation& observation) {
-  std::optional<RollingGrid> walls;
-  if (memory_->planner() != nullptr) walls = memory_->planner()->walls();
-  memory_.reset();
-  rescue_->takeOver(observation, walls ? &*walls : nullptr);
+  memory_.observe(observation);
+  if (guide_) guide_->observe(observation);
+  if (!guide_) watch_.observe(observation, memory_.inNewPlace());
+  judgeMoves();
+  choose();
 }
 
 void NetworkGridAgent::judgeMoves() {
-  encoder_.prepare(*memory_);
+  encoder_.prepare(memory_);
   encoder_.encodeViews(inputs_.data(), encoder_.parameters().views);
   if (network_) preferences_ = network_->forward(Eigen::Map<const Eigen::VectorXf>(inputs_.data(), inputs_.rows()));
   if (views_) preferences_ = views_->forward(inputs_).row(0);
 }
 
-int NetworkGridAgent::decide() {
-  if (isRescued()) return rescue_->decide();
+void NetworkGridAgent::choose() {
   constexpr int kAnyDetour = std::numeric_limits<int>::max();
-  const bool draws = draw_after_ > 0 && !rescue_ && watch_.isExhausted(draw_after_, kAnyDetour);
-  return draws ? drawnMove() : preferredMove();
+  leader_ = GridLeader::kNetwork;
+  on_path_ = false;
+  direction_ = bestMove();
+  Eigen::Index preferred = 0;
+  preferences_.maxCoeff(&preferred);
+  overruled_ = direction_ == static_cast<int>(preferred) ? GridOverruled::kNo : GridOverruled::kByShield;
+  if (guide_) {
+    chooseWithinBound(direction_);
+  } else if (draw_after_ > 0 && watch_.isExhausted(draw_after_, kAnyDetour)) {
+    direction_ = drawnMove();
+  }
+}
+
+void NetworkGridAgent::chooseWithinBound(int preferred) {
+  const bool has_path = guide_->leader() == GridLeader::kSearch;
+  const double regret =
+      has_path && preferred != kNoPath ? guide_->regretOf(preferred) : std::numeric_limits<double>::infinity();
+  if (bound_.allows(regret, walked_)) {
+    bound_.choose(regret);
+    on_path_ = regret == 0.0;
+    return;
+  }
+  if (has_path) overruled_ = GridOverruled::kByBound;
+  direction_ = guide_->direction();
+  leader_ = guide_->leader();
 }
 
 bool NetworkGridAgent::mayMove(int direction) const {
-  return !shield_ || movePossible(memory_->observation().ranges, direction, corner_cutting_);
+  return !shield_ || movePossible(memory_.observation().ranges, direction, corner_cutting_);
 }
 
-int NetworkGridAgent::preferredMove() const {
+int NetworkGridAgent::bestMove() const {
   int best = kNoPath;
   float largest = -std::numeric_limits<float>::infinity();
   for (int direction = 0; direction < kGridMoveCount; ++direction) {
@@ -101,7 +110,7 @@ int NetworkGridAgent::preferredMove() const {
 
 int NetworkGridAgent::drawnMove() const {
   // By the number of steps alone: the same walk every time, and the same move when asked twice.
-  Random random(static_cast<std::uint64_t>(memory_->stepsSinceBest()));
+  Random random(static_cast<std::uint64_t>(memory_.stepsSinceBest()));
   std::array<float, kGridMoveCount> chances{};
   const float total = fillChances(
       kGridMoveCount, [this](int direction) { return mayMove(direction); },
@@ -109,12 +118,11 @@ int NetworkGridAgent::drawnMove() const {
   return total > 0.0f ? drawByChances(kGridMoveCount, total, &random, chances.data()) : kNoPath;
 }
 
-int NetworkGridAgent::searchedDirection() const {
-  return memory_ && memory_->planner() != nullptr ? memory_->planner()->direction() : kNoPath;
-}
-
 void NetworkGridAgent::step(int direction, bool moved) {
-  if (moved && memory_) memory_->step(direction);
+  if (!moved) return;
+  memory_.step(direction);
+  bound_.endStep(1.0);
+  walked_ += moveLength(direction);
 }
 
 std::size_t NetworkGridAgent::peakBytes() const {
@@ -124,7 +132,7 @@ std::size_t NetworkGridAgent::peakBytes() const {
     const auto state = 3 * static_cast<std::size_t>(network_->hiddenState().size());
     network = (network_->weights() + state) * sizeof(float);
   }
-  return sizeof(*this) + peak_bytes_ + network;
+  return sizeof(*this) + memory_.bytes() + (guide_ ? sizeof(*guide_) + guide_->bytes() : 0) + network;
 }
 
 }  // namespace lstm_planner

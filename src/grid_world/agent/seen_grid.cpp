@@ -10,15 +10,6 @@ void SeenGrid::restart(CellIndex agent) {
   changed_blocks_.reserve(kMostChanges);
 }
 
-void SeenGrid::takeWalls(const RollingGrid& walls) {
-  for (int row = 0; row < kSide; ++row) {
-    for (int column = 0; column < kSide; ++column) {
-      const CellIndex cell = {origin().column + column, origin().row + row};
-      if (walls.isWall(cell)) markWall(cell);
-    }
-  }
-}
-
 void SeenGrid::observe(const GridObservation& observation) {
   changed_blocks_.clear();
   cells_.keepInside(observation.cell, kMargin);

@@ -8,7 +8,6 @@
 #include "grid_world/agent/a_star_agent.hpp"
 #include "grid_world/agent/boundary_agent.hpp"
 #include "grid_world/agent/d_star_agent.hpp"
-#include "grid_world/agent/rolling_agent.hpp"
 #include "grid_world/agent/rolling_escape_agent.hpp"
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"
@@ -40,16 +39,10 @@ GridAgentMaker boundaryMaker(const GridAgentOptions& options) {
   return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<BoundaryAgent>(parameters); };
 }
 
-GridAgentMaker rollingMaker(const GridAgentOptions& options) {
-  const CornerCutting corner_cutting = options.corner_cutting;
-  return [corner_cutting](const PassableGrid& /*grid*/) { return std::make_unique<RollingAgent>(corner_cutting); };
-}
-
 GridAgentMaker rollingEscapeMaker(const GridAgentOptions& options) {
-  GridRescueParameters rescue;
-  rescue.corner_cutting = options.corner_cutting;
-  rescue.patience = options.patience;
-  return [rescue](const PassableGrid& /*grid*/) { return std::make_unique<RollingEscapeAgent>(rescue); };
+  GridGuideParameters parameters;
+  parameters.corner_cutting = options.corner_cutting;
+  return [parameters](const PassableGrid& /*grid*/) { return std::make_unique<RollingEscapeAgent>(parameters); };
 }
 
 GridAgentMaker greedyMaker(const GridAgentOptions& options) {
@@ -70,9 +63,9 @@ GridAgentMaker networkMaker(const GridAgentOptions& options) {
   }
   NetworkGridAgent::Options settings;
   settings.shield = options.shield;
-  settings.escape = options.escape;
+  settings.guided = options.guided;
   settings.draw_after = options.draw_after;
-  settings.rescue.patience = options.patience;
+  settings.detour = options.detour;
   settings.corner_cutting = options.corner_cutting;
   const auto model = std::make_shared<const Model>(readModelFile(options.model));
   try {
@@ -88,7 +81,7 @@ GridAgentMaker networkMaker(const GridAgentOptions& options) {
 
 const std::vector<std::string>& gridAgentNames() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"astar", "dstar", "rolling", "rolling_escape", "greedy", "boundary"};
+    std::vector<std::string> all = {"astar", "dstar", "rolling_escape", "greedy", "boundary"};
     all.insert(all.end(), std::begin(kNetworkNames), std::end(kNetworkNames));
     return all;
   }();
@@ -103,13 +96,12 @@ std::string shippedModelOf(const std::string& name) {
   if (name == "rnn") return "models/grid_rnn_2x16.onnx";
   if (name == "mlp") return "models/grid_mlp_4x64.onnx";
   if (name == "qlearning") return "models/grid_qlearning.onnx";
-  return "models/grid_lstm.onnx";
+  return "models/grid_lstm_2x8.onnx";
 }
 
 GridAgentMaker gridAgentMaker(const GridAgentOptions& options) {
   if (options.agent == "astar") return aStarMaker(options);
   if (options.agent == "dstar") return dStarMaker(options);
-  if (options.agent == "rolling") return rollingMaker(options);
   if (options.agent == "rolling_escape") return rollingEscapeMaker(options);
   if (options.agent == "greedy") return greedyMaker(options);
   if (options.agent == "boundary") return boundaryMaker(options);

@@ -39,10 +39,11 @@ class CircleWatch {
   std::int64_t steps_since_new_ = 0;
 };
 
-void countLeader(const GridAgent& agent, int direction, GridEpisode* episode) {
-  const GridLeader leader = agent.leader();
-  ++episode->led[static_cast<std::size_t>(leader)];
-  if (leader == GridLeader::kNetwork && direction == agent.searchedDirection()) ++episode->as_searched;
+void countDecision(const GridAgent& agent, GridEpisode* episode) {
+  ++episode->led[static_cast<std::size_t>(agent.leader())];
+  episode->on_path += agent.onPath() ? 1 : 0;
+  episode->overruled_by_shield += agent.overruled() == GridOverruled::kByShield ? 1 : 0;
+  episode->overruled_by_bound += agent.overruled() == GridOverruled::kByBound ? 1 : 0;
 }
 
 /// Walks to the end.
@@ -63,7 +64,7 @@ GridEpisode::End run(const PassableGrid& grid, const GridEpisodeRules& rules, Gr
                              std::to_string(kNoPath) + " for no path");
     }
     const bool moved = movePossible(observation.ranges, direction, rules.corner_cutting);
-    if (moved) countLeader(*agent, direction, episode);
+    if (moved) countDecision(*agent, episode);
     agent->step(direction, moved);
     if (!moved) return GridEpisode::End::kCollision;
     walk->move(direction);

@@ -147,17 +147,17 @@ std::vector<GridEpisode> evaluateGridTasks(const GridTaskSet& set, std::size_t f
 
 namespace {
 
-/// What led, over all episodes.
-void addLeaders(const std::vector<GridEpisode>& episodes, GridSetSummary* summary) {
+/// Who decided, over all episodes.
+void addDecisions(const std::vector<GridEpisode>& episodes, GridSetSummary* summary) {
   double steps = 0.0;
-  double as_searched = 0.0;
+  for (const GridEpisode& episode : episodes) steps += static_cast<double>(episode.steps());
+  const auto share = [&](std::int64_t count) { return static_cast<double>(count) / std::max(1.0, steps); };
   for (const GridEpisode& episode : episodes) {
-    steps += static_cast<double>(episode.steps());
-    as_searched += static_cast<double>(episode.as_searched);
-    for (std::size_t i = 0; i < summary->led.size(); ++i) summary->led[i] += static_cast<double>(episode.led[i]);
+    for (std::size_t i = 0; i < summary->led.size(); ++i) summary->led[i] += share(episode.led[i]);
+    summary->on_path += share(episode.on_path);
+    summary->overruled_by_shield += share(episode.overruled_by_shield);
+    summary->overruled_by_bound += share(episode.overruled_by_bound);
   }
-  summary->as_searched = as_searched / summary->led[static_cast<std::size_t>(GridLeader::kNetwork)];
-  for (double& share : summary->led) share /= std::max(1.0, steps);
 }
 
 }  // namespace
@@ -187,7 +187,7 @@ GridSetSummary summarizeGridEpisodes(const std::string& name, const std::vector<
   summary.mean_time = mean(ofArrived(episodes, [](const GridEpisode& e) { return e.seconds; }));
   summary.mean_expanded = mean(ofArrived(episodes, [](const GridEpisode& e) { return e.expanded; }));
   summary.ns_per_step = steps > 0.0 ? 1e9 * seconds / steps : std::nan("");
-  addLeaders(episodes, &summary);
+  addDecisions(episodes, &summary);
   return summary;
 }
 

@@ -22,16 +22,27 @@ std::string percent(double share, int decimals) { return fixedText(100.0 * share
 std::string meanText(double mean, int decimals) { return std::isfinite(mean) ? fixedText(mean, decimals) : "-"; }
 
 std::vector<std::string> cellsOf(const GridSetSummary& summary, std::size_t name_width) {
-  return {
-      leftText(summary.name, name_width), std::to_string(summary.scenarios), percent(summary.share(summary.arrived), 2),
-      percent(summary.share(summary.collisions), 2), percent(summary.share(summary.timeouts), 2),
-      percent(summary.share(summary.no_path), 2), meanText(summary.mean_ratio, 3), meanText(summary.median_ratio, 3),
-      meanText(summary.p95_ratio, 3), meanText(summary.mean_length, 1), meanText(summary.mean_optimal, 1),
-      meanText(1e3 * summary.mean_time, 4), meanText(summary.mean_expanded, 1), fixedText(summary.ns_per_step, 1),
-      fixedText(static_cast<double>(summary.peak_bytes) / 1024.0, 1), percent(ledBy(summary, GridLeader::kNetwork), 1),
-      percent(ledBy(summary, GridLeader::kSearch), 1), percent(ledBy(summary, GridLeader::kBoundary), 1),
-      // Of the network's steps, those that went where the search among its inputs would have gone.
-      summary.as_searched > 0.0 ? percent(summary.as_searched, 1) : "-"};
+  return {leftText(summary.name, name_width),
+          std::to_string(summary.scenarios),
+          percent(summary.share(summary.arrived), 2),
+          percent(summary.share(summary.collisions), 2),
+          percent(summary.share(summary.timeouts), 2),
+          percent(summary.share(summary.no_path), 2),
+          meanText(summary.mean_ratio, 3),
+          meanText(summary.median_ratio, 3),
+          meanText(summary.p95_ratio, 3),
+          meanText(summary.mean_length, 1),
+          meanText(summary.mean_optimal, 1),
+          meanText(1e3 * summary.mean_time, 4),
+          meanText(summary.mean_expanded, 1),
+          fixedText(summary.ns_per_step, 1),
+          fixedText(static_cast<double>(summary.peak_bytes) / 1024.0, 1),
+          percent(ledBy(summary, GridLeader::kNetwork), 1),
+          percent(ledBy(summary, GridLeader::kSearch), 1),
+          percent(ledBy(summary, GridLeader::kBoundary), 1),
+          percent(summary.on_path, 1),
+          percent(summary.overruled_by_shield, 1),
+          percent(summary.overruled_by_bound, 1)};
 }
 
 }  // namespace
@@ -54,7 +65,9 @@ nlohmann::json toJson(const GridSetSummary& summary) {
           {"ns_per_step", summary.ns_per_step},
           {"peak_bytes", summary.peak_bytes},
           {"led", led},
-          {"as_searched", summary.as_searched}};
+          {"led_on_path", summary.on_path},
+          {"overruled_by_shield", summary.overruled_by_shield},
+          {"overruled_by_bound", summary.overruled_by_bound}};
 }
 
 void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& summaries) {
@@ -63,7 +76,8 @@ void printGridSummaries(std::ostream& out, const std::vector<GridSetSummary>& su
   const TextTable table(
       leftText("set", width) +
       "  scenarios  arrived  collided  timeout  no path  length/optimum: mean  median    95 %  length  optimum"
-      "   time [ms]  expanded  ns/step  peak [KiB]  led by: network   search  boundary  as searched");
+      "   time [ms]  expanded  ns/step  peak [KiB]  decided by: network   search  boundary  network on path  overruled "
+      "by: shield   bound");
   out << table.headings() << '\n';
   for (const GridSetSummary& summary : summaries) out << table.line(cellsOf(summary, width)) << '\n';
 }

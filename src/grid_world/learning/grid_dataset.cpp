@@ -190,7 +190,7 @@ std::vector<Sequence> collectGridSequences(const GridDatasetParameters& paramete
   }
   const GridEncoder encoder(encoder_parameters);
   NetworkGridAgent::Options shield_alone;
-  shield_alone.escape = false;
+  shield_alone.guided = false;
   shield_alone.corner_cutting = course.cornerCutting();
   Random seeds(seed);
   const SequenceCut cut = overlappingPieces(parameters.sequence_steps, parameters.burn_in_steps);

@@ -12,7 +12,7 @@
 
 namespace lstm_planner {
 
-/// What the planner holds against cells that were never seen.
+/// What the planner holds against cells that were never seen, and when it searches the whole area.
 struct AreaPlannerParameters {
   CornerCutting corner_cutting = CornerCutting::kForbidden;
   /// How much more a cell costs that was never seen, for each time that the path from the start over it to the goal is
@@ -20,11 +20,14 @@ struct AreaPlannerParameters {
   double far_weight = 0.5;
   double most_far_weight = 8.0;
   double doubtful_cost = 20.0;  ///< cells, for a passage through a gap that is probably none
+  /// Cells by which the path among the near cells may be longer than the crow flies, before blocks are searched.
+  double most_detour = 15.0;
 };
 
-/// Searches for the goal in a whole area, with a bounded memory: D* with a memory of blocks (BlockGraph) instead of
-/// cells. Paths are planned twice: from block to block in the whole window of 640 cells, then along the first of these
-/// blocks from cell to cell.
+/// The remembered path to the goal: searches in a whole area, with a bounded memory. It starts as A* among the cells
+/// near the agent, to the goal or to where the window of the cells ends nearest to it. From when that path is long it
+/// is D* with a memory of blocks (BlockGraph) instead of cells: paths are planned twice, from block to block in the
+/// whole window of 640 cells, then along the first of these blocks from cell to cell.
 ///
 /// Like D* it takes what it has not seen for free. Unlike D* it doubts small gaps between walls, and what was never
 /// seen costs the more, the farther away it lies from start and goal: a goal near the start is searched for near it.
@@ -32,18 +35,24 @@ class AreaPlanner {
  public:
   explicit AreaPlanner(const AreaPlannerParameters& parameters = {});
 
-  /// Forgets everything. `start`: where the whole path began.
-  void restart(CellIndex agent, CellIndex start);
-
-  /// Takes over what another has seen.
-  void takeWalls(const RollingGrid& walls);
+  /// Forgets everything. `start`: where the whole path begins, and the agent is.
+  void restart(CellIndex start);
 
   /// Once before every step, whoever makes it: sees and remembers.
   void observe(const GridObservation& observation);
   bool sawSomethingNew() const { return !seen_.changedBlocks().empty(); }
 
-  /// After observe(): the direction to move in, or kNoPath when there is none in what is remembered.
+  /// After observe(): the direction of the path, or kNoPath when there is none in what is remembered. The agent may go
+  /// elsewhere.
   int plan();
+
+  /// After plan(): cells by which the path becomes longer if the agent makes that possible move, 0 on a path as short;
+  /// infinite where none is found that leads on from its end.
+  double regretOf(int direction);
+
+  /// From now on it plans from block to block, as where the path is long.
+  void searchBlocks();
+  bool searchesBlocks() const { return searches_blocks_; }
 
   /// How long the path to the goal is about, as the latest plan has it, cells.
   double length() const { return length_; }
@@ -55,15 +64,34 @@ class AreaPlanner {
   using Search = BoundedSearch<3072, 255>;
   struct BlockWorld;
   struct CellWorld;
+  struct NearWorld;
 
+  /// A path from cell to cell.
+  struct Plan {
+    CellIndex from;
+    int cost = 0;  ///< to where it leads and, among the near cells, as the crow flies from there
+    std::size_t step = 0;
+    std::vector<std::uint8_t> moves;  ///< the first ones
+
+    bool empty() const { return step >= moves.size(); }
+    void clear() { moves.clear(); }
+    void goOn();
+  };
+
+  void followAgent();
   bool isPathFree() const;
   bool isBlocked(CellIndex cell) const;
+  bool isLong() const;
   void planAnew();
   BlockWorld blockWorld(bool through_closed) const;
   bool keepBlocks();
   bool planBlocks(bool through_closed);
   void planCells();
   bool planCellsTo(CellIndex block, bool through_doubtful, std::size_t along);
+  bool findCells(CellIndex from, Plan* plan);
+  CellWorld cellWorld(CellIndex from) const;
+  template <typename World>
+  bool find(const World& world, CellIndex from, Plan* plan);
 
   AreaPlannerParameters parameters_;
   SeenGrid seen_;
@@ -71,14 +99,17 @@ class AreaPlanner {
   Search search_;
   GridObservation now_;
   CellIndex start_;
-  CellIndex expected_;  ///< where the agent is when it follows the path
+  bool searches_blocks_ = false;
   int steps_since_plan_ = 0;
   int steps_since_blocks_ = 0;  ///< were searched
   double length_ = 0.0;
-  bool path_is_doubtful_ = false;  ///< it goes through doubtful cells
   std::array<BlockGraph::Passage, kGridRayCount> from_agent_{};
-  std::size_t path_step_ = 0;
-  std::vector<std::uint8_t> path_;  ///< directions from where the plan started
+  Plan plan_;   ///< from where the agent is
+  Plan other_;  ///< from where another move leads
+  // Where the cells' paths lead to among the blocks.
+  CellIndex target_;
+  bool through_doubtful_ = true;  ///< cells
+  std::size_t along_ = 0;         ///< so many of the blocks are not to be left; 0 where it may go anywhere
   CellIndex blocks_from_;
   std::vector<std::uint8_t> blocks_;  ///< moves from there to the next block, the first of the whole path
 };

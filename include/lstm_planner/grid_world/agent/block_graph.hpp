@@ -33,11 +33,8 @@ class BlockGraph {
   static constexpr int kMargin = 16;  ///< blocks between the agent and the window's edges
   static constexpr unsigned kWholeBlock = 0xffff;
 
-  /// Forgets everything.
-  void restart(CellIndex agent);
-
-  /// Learns all that is in `seen`.
-  void learn(const SeenGrid& seen);
+  /// Forgets everything; `seen` has been restarted where the agent is.
+  void restart(const SeenGrid& seen, CellIndex agent);
 
   /// Learns what has changed in `seen`, and where the agent and the goal are.
   void update(const SeenGrid& seen, CellIndex agent, CellIndex goal);

@@ -31,6 +31,13 @@ constexpr int kGridLeaderCount = 4;
 /// "network", "search", "boundary", "greedy".
 const char* nameOf(GridLeader leader);
 
+/// Who did not let a network do what it preferred of all.
+enum class GridOverruled {
+  kNo,        ///< nobody, or the agent is no network
+  kByShield,  ///< the rays show that something is in the way
+  kByBound    ///< the detour would be too long (DetourBound): the remembered path decided
+};
+
 /// An agent that moves from cell to cell towards a goal: the one interface of learned, reactive and searching agents.
 ///
 /// An episode is start(), then observe(), decide(), step() again and again, until the goal is reached.
@@ -49,8 +56,10 @@ class GridAgent {
   /// What made the decision that decide() answers with.
   virtual GridLeader leader() const = 0;
 
-  /// The direction that a search would move in whose result is one of the agent's inputs; kNoPath without one.
-  virtual int searchedDirection() const { return kNoPath; }
+  /// Of that decision, where it is a network's.
+  virtual GridOverruled overruled() const { return GridOverruled::kNo; }
+  /// The move of a network lies on a shortest path between the remembered walls.
+  virtual bool onPath() const { return false; }
 
   /// What became of the move that was tried: `moved` is false when it ran into an obstacle.
   virtual void step(int direction, bool moved) = 0;

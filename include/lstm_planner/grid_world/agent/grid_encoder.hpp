@@ -11,7 +11,6 @@
 #include "lstm_planner/base/common/progress_watch.hpp"
 #include "lstm_planner/grid_world/agent/boundary_inputs.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
-#include "lstm_planner/grid_world/agent/rolling_planner.hpp"
 #include "lstm_planner/grid_world/agent/visit_trace.hpp"
 
 namespace lstm_planner {
@@ -19,11 +18,10 @@ namespace lstm_planner {
 /// What an agent remembers of its episode besides the hidden state: bounded, and updated in one place.
 class GridMemory {
  public:
-  GridMemory() = default;
-  /// An agent that also remembers walls, and where they leave a path.
-  explicit GridMemory(RollingPlanner planner) : planner_(std::move(planner)) {}
-  /// An agent that also remembers the boundary between it and the goal.
-  explicit GridMemory(std::unique_ptr<BoundaryMemory> boundary) : boundary_(std::move(boundary)) {}
+  /// What is not needed may be left out: where the agent has been, and the boundary between it and the goal.
+  explicit GridMemory(std::optional<VisitTrace> trace = VisitTrace(),
+                      std::unique_ptr<BoundaryMemory> boundary = nullptr)
+      : trace_(std::move(trace)), boundary_(std::move(boundary)) {}
 
   void start();
 
@@ -34,22 +32,19 @@ class GridMemory {
   void step(int direction) { previous_direction_ = direction; }
 
   const GridObservation& observation() const { return observation_; }
-  const VisitTrace& trace() const { return trace_; }
-  const RollingPlanner* planner() const { return planner_ ? &*planner_ : nullptr; }
+  const VisitTrace* trace() const { return trace_ ? &*trace_ : nullptr; }
   const BoundaryMemory* boundary() const { return boundary_.get(); }
   int previousDirection() const { return previous_direction_; }  ///< -1 before the first step
   double goalDistance() const { return goal_distance_; }         ///< octile, cells
   double bestDistance() const { return progress_.best(); }       ///< the least goalDistance() so far
   int stepsSinceBest() const { return progress_.steps(); }
-  bool inNewPlace() const { return in_new_place_; }  ///< a large block of the trace that was not visited before
-  std::size_t bytes() const {
-    return VisitTrace::bytes() + (planner_ ? planner_->bytes() : 0) + (boundary_ ? sizeof(*boundary_) : 0);
-  }
+  /// A large block of the trace that was not visited before; never without a trace.
+  bool inNewPlace() const { return in_new_place_; }
+  std::size_t bytes() const { return (trace_ ? VisitTrace::bytes() : 0) + (boundary_ ? sizeof(*boundary_) : 0); }
 
  private:
   GridObservation observation_;
-  VisitTrace trace_;
-  std::optional<RollingPlanner> planner_;
+  std::optional<VisitTrace> trace_;
   std::unique_ptr<BoundaryMemory> boundary_;
   int previous_direction_ = -1;
   double goal_distance_ = 0.0;
@@ -63,7 +58,6 @@ struct GridEncoderParameters {
   enum class Inputs {
     kThesis,    ///< 8 ranges, distance, angle, previous action (thesis 3.2): 11 inputs
     kTrace,     ///< and where the agent has been, around it and along the rays, on the scales of VisitTrace
-    kMap,       ///< kTrace, and where a RollingPlanner would go
     kBoundary,  ///< kTrace, and BoundaryInputs: what a bug algorithm remembers; nothing is searched
   };
   Inputs inputs = Inputs::kTrace;
@@ -74,14 +68,14 @@ struct GridEncoderParameters {
   int views = 8;
 };
 
-/// "thesis", "trace", "map" or "boundary"; throws std::invalid_argument for another name.
+/// "thesis", "trace" or "boundary"; throws std::invalid_argument for another name.
 const char* nameOf(GridEncoderParameters::Inputs inputs);
 std::vector<std::string> gridInputNames();
 GridEncoderParameters::Inputs gridInputsNamed(const std::string& name);
 
-/// The memory that an agent with such inputs needs.
+/// The memory that an agent with such inputs needs. `notes_places`: it knows new places, whatever the inputs.
 GridMemory makeGridMemory(const GridEncoderParameters& parameters,
-                          CornerCutting corner_cutting = CornerCutting::kForbidden);
+                          CornerCutting corner_cutting = CornerCutting::kForbidden, bool notes_places = false);
 
 /// To and from the metadata of a model file (keys: grid_inputs, grid_views). Reading throws std::invalid_argument for a
 /// missing or malformed key.
@@ -110,7 +104,6 @@ class GridEncoder {
   static constexpr int kRayFeatures = 7;
   static constexpr int kThesisInputs = kGridRayCount + 3;
   static constexpr int kTraceScalars = 10;
-  static constexpr int kMapScalars = 4;
 
  private:
   void lookAlongRays(const GridMemory& memory);
@@ -125,8 +118,6 @@ class GridEncoder {
   float goal_cos_ = 1.0f;
   float goal_sin_ = 0.0f;
   std::array<float, 5> progress_{};
-  int path_direction_ = kNoPath;  ///< of the planner
-  float detour_ = 0.0f;
   std::unique_ptr<BoundaryInputs> boundary_;  ///< if they are inputs
 };
 

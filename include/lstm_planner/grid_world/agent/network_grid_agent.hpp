@@ -1,30 +1,35 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 
+#include "lstm_planner/base/common/detour_bound.hpp"
 #include "lstm_planner/base/network/batch_network.hpp"
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/base/network/network.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
+#include "lstm_planner/grid_world/agent/grid_guide.hpp"
 #include "lstm_planner/grid_world/agent/grid_progress_watch.hpp"
-#include "lstm_planner/grid_world/agent/grid_rescue.hpp"
 
 namespace lstm_planner {
 
-/// An agent whose decisions a network makes: LSTM, RNN, MLP or Q-network, whatever the model holds. The rescue takes
-/// over when it gets into difficulties, and makes it certain that it arrives. From then on the network and what it
-/// remembers are not needed any more.
+/// An agent whose decisions a network makes: LSTM, RNN, MLP or Q-network, whatever the model holds. The shield removes
+/// moves into obstacles. A bound removes detours: the move that the network prefers is carried out while its regrets
+/// against the remembered path stay within the bound (DetourBound); else that path decides the step. So any network
+/// arrives.
 class NetworkGridAgent : public GridAgent {
  public:
   /// What watches over the network, and how it may move.
   struct Options {
     bool shield = true;  ///< off: the preferred move is tried even where it was sensed to be blocked
-    bool escape = true;
-    /// Without escape: steps in which the agent has come neither nearer to the goal nor to a new place, after which
-    /// moves are drawn with the probabilities that the network gives, so that it leaves circles. 0: never.
+    bool guided = true;  ///< off: nothing is remembered for the network, and nothing limits its detours
+    /// Of a network that is not guided: steps in which the agent has come neither nearer to the goal nor to a new
+    /// place, after which moves are drawn with the probabilities that the network gives, so that it leaves circles. 0:
+    /// never.
     int draw_after = 0;
-    GridRescueParameters rescue;
+    DetourParameters detour = {0.0, 0.01};  ///< cells
+    GridGuideParameters guide;
     CornerCutting corner_cutting = CornerCutting::kForbidden;
   };
 
@@ -33,20 +38,21 @@ class NetworkGridAgent : public GridAgent {
 
   void start(CellIndex start, CellIndex goal) override;
   void observe(const GridObservation& observation) override;
-  int decide() override;
-  GridLeader leader() const override { return isRescued() ? rescue_->leader() : GridLeader::kNetwork; }
-  int searchedDirection() const override;
+  int decide() override { return direction_; }
+  GridLeader leader() const override { return leader_; }
+  GridOverruled overruled() const override { return overruled_; }
+  bool onPath() const override { return on_path_; }
   void step(int direction, bool moved) override;
   std::size_t peakBytes() const override;
-
-  bool isRescued() const { return rescue_ && rescue_->active(); }
+  std::size_t expandedCells() const override { return guide_ ? guide_->expandedCells() : 0; }
 
  private:
   void judgeMoves();
+  void choose();
+  void chooseWithinBound(int preferred);
   bool mayMove(int direction) const;
-  int preferredMove() const;
+  int bestMove() const;
   int drawnMove() const;
-  void takeOver(const GridObservation& observation);
 
   bool shield_;
   int draw_after_;
@@ -54,12 +60,17 @@ class NetworkGridAgent : public GridAgent {
   GridEncoder encoder_;
   std::optional<Network> network_;     ///< of the only view
   std::optional<BatchNetwork> views_;  ///< or of several, which go through it side by side
-  std::optional<GridMemory> memory_;   ///< until the rescue takes over
-  std::optional<GridRescue> rescue_;
-  GridProgressWatch watch_;      ///< without rescue
-  std::size_t peak_bytes_ = 0;   ///< of what is not needed at the same time
+  GridMemory memory_;
+  std::unique_ptr<GridGuide> guide_;  ///< if it is guided
+  DetourBound bound_;
+  double walked_ = 0.0;          ///< cells
+  GridProgressWatch watch_;      ///< if it is not guided
   BatchNetwork::Values inputs_;  ///< a column a view
   Eigen::VectorXf preferences_;
+  int direction_ = kNoPath;
+  GridLeader leader_ = GridLeader::kNetwork;
+  GridOverruled overruled_ = GridOverruled::kNo;
+  bool on_path_ = false;
 };
 
 }  // namespace lstm_planner

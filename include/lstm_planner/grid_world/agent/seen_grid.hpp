@@ -7,7 +7,6 @@
 
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
 #include "lstm_planner/grid_world/agent/grid_block.hpp"
-#include "lstm_planner/grid_world/agent/rolling_grid.hpp"
 #include "lstm_planner/grid_world/agent/rolling_window.hpp"
 
 namespace lstm_planner {
@@ -36,9 +35,6 @@ class SeenGrid {
 
   /// Forgets everything.
   void restart(CellIndex agent);
-
-  /// Takes over what lies inside the window; changedBlocks() does not tell.
-  void takeWalls(const RollingGrid& walls);
 
   /// Marks what the rays show.
   void observe(const GridObservation& observation);

@@ -46,8 +46,9 @@ struct GridEpisode {
   std::int64_t expanded = 0;
   std::int64_t peak_bytes = 0;
   std::array<std::int64_t, kGridLeaderCount> led{};  ///< steps, by GridLeader
-  /// Of those that the network led, the steps that went where the search among its inputs would have gone.
-  std::int64_t as_searched = 0;
+  std::int64_t on_path = 0;                          ///< of those that the network decided: on the remembered path
+  std::int64_t overruled_by_shield = 0;              ///< steps with another move than the network preferred
+  std::int64_t overruled_by_bound = 0;
 
   std::int64_t steps() const { return straight_moves + diagonal_moves; }
   double length() const;  ///< cells travelled

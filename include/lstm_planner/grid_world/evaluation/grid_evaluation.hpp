@@ -47,12 +47,13 @@ struct GridSetSummary {
   double mean_optimal = 0.0;  ///< cells
   double mean_time = 0.0;     ///< s
   double mean_expanded = 0.0;
-  double ns_per_step = 0.0;                    ///< over all episodes
-  std::int64_t peak_bytes = 0;                 ///< the highest of all episodes
-  std::array<double, kGridLeaderCount> led{};  ///< shares of the steps of all episodes, by GridLeader
-  /// Share of the network's steps that went where the search among its inputs would have gone; not a number where the
-  /// network led none.
-  double as_searched = 0.0;
+  double ns_per_step = 0.0;     ///< over all episodes
+  std::int64_t peak_bytes = 0;  ///< the highest of all episodes
+  // Shares of the steps of all episodes.
+  std::array<double, kGridLeaderCount> led{};  ///< by GridLeader: who decided
+  double on_path = 0.0;                        ///< the network decided, on the remembered path
+  double overruled_by_shield = 0.0;            ///< another move than the network preferred
+  double overruled_by_bound = 0.0;
 
   double share(std::size_t count) const { return static_cast<double>(count) / static_cast<double>(scenarios); }
 };

@@ -4,6 +4,7 @@
 #include <string>
 #include <type_traits>
 
+#include "lstm_planner/base/common/detour_bound.hpp"
 #include "lstm_planner/base/common/footprint.hpp"
 #include "lstm_planner/robot/driving/decision.hpp"
 
@@ -30,12 +31,6 @@ struct ShieldParameters {
   double tight_clearance = 0.03;
   double shortest_step = 0.15;
   double reach = 6.0;
-};
-
-/// How much longer than the remembered path the network may make the path (DetourBound).
-struct DetourParameters {
-  double allowance = 0.1;
-  double share = 0.08;
 };
 
 /// What is remembered of the obstacles that were seen, and how paths through them are found.

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "lstm_planner/base/common/boxed.hpp"
+#include "lstm_planner/base/common/detour_bound.hpp"
 #include "lstm_planner/base/common/progress_watch.hpp"
 #include "lstm_planner/robot/driving/action_choice.hpp"
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
 #include "lstm_planner/robot/driving/arrival.hpp"
 #include "lstm_planner/robot/driving/decision.hpp"
-#include "lstm_planner/robot/driving/detour_bound.hpp"
 #include "lstm_planner/robot/driving/drive_policy.hpp"
 #include "lstm_planner/robot/driving/drive_trace.hpp"
 #include "lstm_planner/robot/driving/escape.hpp"

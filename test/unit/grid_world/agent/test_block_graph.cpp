@@ -16,8 +16,7 @@ constexpr std::size_t kNorth = 2;
 struct Memory {
   explicit Memory(const PassableGrid& world, CellIndex cell) : grid(world) {
     seen.restart(cell);
-    graph.restart(cell);
-    graph.learn(seen);
+    graph.restart(seen, cell);
     lookFrom(cell);
   }
   void lookFrom(CellIndex cell) {

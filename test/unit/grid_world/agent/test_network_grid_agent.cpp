@@ -50,7 +50,7 @@ int stepsToArrive(NetworkGridAgent& agent, const PassableGrid& grid, CellIndex c
 TEST(NetworkGridAgent, NeverRunsIntoWhatItSensedHoweverBadTheNetworkIs) {
   for (const int views : {1, 8}) {
     NetworkGridAgent::Options options;
-    options.escape = false;
+    options.guided = false;
     NetworkGridAgent agent(randomModel(views), options);
     EXPECT_NE(stepsToArrive(agent, cup(), {20, 20}, {35, 20}, 2000), -1);
   }
@@ -59,7 +59,7 @@ TEST(NetworkGridAgent, NeverRunsIntoWhatItSensedHoweverBadTheNetworkIs) {
 TEST(NetworkGridAgent, LeavesCirclesByDrawingItsMovesEachTimeTheSameOnes) {
   const PassableGrid hall(12, 12, true);
   NetworkGridAgent::Options options;
-  options.escape = false;
+  options.guided = false;
   constexpr int kMostSteps = 2000;
   NetworkGridAgent circling(randomModel(1, GridEncoderParameters::Inputs::kThesis), options);
   ASSERT_EQ(stepsToArrive(circling, hall, {3, 3}, {9, 9}, kMostSteps), kMostSteps) << "no network that circles";
@@ -70,9 +70,8 @@ TEST(NetworkGridAgent, LeavesCirclesByDrawingItsMovesEachTimeTheSameOnes) {
   EXPECT_EQ(stepsToArrive(drawing, hall, {3, 3}, {9, 9}, kMostSteps), steps);
 }
 
-TEST(NetworkGridAgent, ArrivesByTheEscapeHoweverBadTheNetworkIs) {
+TEST(NetworkGridAgent, ArrivesUnderTheBoundHoweverBadTheNetworkIs) {
   NetworkGridAgent::Options options;
-  options.rescue.patience = 50;
   NetworkGridAgent agent(randomModel(8), options);
   const int steps = stepsToArrive(agent, cup(), {20, 20}, {35, 20}, 100000);
   EXPECT_GT(steps, 0);
@@ -87,7 +86,6 @@ TEST(NetworkGridAgent, SaysThatThereIsNoPathToAnEnclosedGoal) {
     }
   }
   NetworkGridAgent::Options options;
-  options.rescue.patience = 50;
   NetworkGridAgent agent(randomModel(8), options);
   EXPECT_EQ(stepsToArrive(agent, grid, {3, 3}, {15, 15}, 100000), -1);
 }
@@ -107,8 +105,10 @@ TEST(NetworkGridAgent, EightViewsTurnWithTheWorld) {
   for (int row = 0; row < 32; ++row) {
     for (int column = 0; column < 32; ++column) turned.set({31 - row, column}, grid.passable({column, row}));
   }
-  NetworkGridAgent agent(randomModel(8), {});
-  NetworkGridAgent other(randomModel(8), {});
+  NetworkGridAgent::Options options;
+  options.guided = false;
+  NetworkGridAgent agent(randomModel(8), options);
+  NetworkGridAgent other(randomModel(8), options);
   agent.start({10, 9}, {19, 11});
   other.start({22, 10}, {20, 19});
   agent.observe({{10, 9}, {19, 11}, senseRanges(grid, {10, 9})});
@@ -126,12 +126,88 @@ TEST(NetworkGridAgent, RefusesAModelThatWasNotMadeForTheGridWorldOrDoesNotFit) {
   EXPECT_THROW(NetworkGridAgent(model, {}), std::invalid_argument);
 }
 
-TEST(NetworkGridAgent, NeedsAtMost64KiBWhateverItMeets) {
-  NetworkGridAgent::Options options;
-  options.rescue.patience = 20;
-  NetworkGridAgent agent(randomModel(8), options);
+TEST(NetworkGridAgent, WithTheThesissInputsNeedsAtMost64KiBWhateverItMeets) {
+  NetworkGridAgent agent(randomModel(1, GridEncoderParameters::Inputs::kThesis), {});
   stepsToArrive(agent, cup(), {20, 20}, {35, 20}, 100000);
   EXPECT_LE(agent.peakBytes(), 64u * 1024u);
+}
+
+/// Prefers the same direction everywhere: the last one, then the one before, and so on.
+Model constantModel() {
+  Model model = randomModel(1, GridEncoderParameters::Inputs::kThesis);
+  DenseLayer layer;
+  layer.weights.setZero(kGridMoveCount, inputSize(model.layers));
+  layer.bias = Eigen::VectorXf::LinSpaced(kGridMoveCount, 0.0f, 7.0f);
+  model.layers = {layer};
+  return model;
+}
+
+/// Of a walk: its steps by who decided and who overruled, and its length.
+struct Decisions {
+  int network = 0;
+  int on_path = 0;
+  int by_shield = 0;
+  int by_bound = 0;
+  int steps = 0;
+  double length = 0.0;  ///< cells; a diagonal counts 1.4, as in the remembered path
+  double walked = 0.0;  ///< cells
+};
+
+Decisions decisionsOf(const Model& model, const DetourParameters& detour, const PassableGrid& grid, CellIndex cell,
+                      CellIndex goal) {
+  NetworkGridAgent::Options options;
+  options.detour = detour;
+  NetworkGridAgent agent(model, options);
+  Decisions decisions;
+  agent.start(cell, goal);
+  for (; cell != goal && decisions.steps < 1000; ++decisions.steps) {
+    agent.observe({cell, goal, senseRanges(grid, cell)});
+    decisions.network += agent.leader() == GridLeader::kNetwork ? 1 : 0;
+    decisions.on_path += agent.onPath() ? 1 : 0;
+    decisions.by_shield += agent.overruled() == GridOverruled::kByShield ? 1 : 0;
+    decisions.by_bound += agent.overruled() == GridOverruled::kByBound ? 1 : 0;
+    const int direction = agent.decide();
+    EXPECT_TRUE(movePossible(grid, cell, direction, CornerCutting::kForbidden));
+    cell = cellBeside(cell, direction);
+    agent.step(direction, true);
+    decisions.length += direction % 2 != 0 ? 1.4 : 1.0;
+    decisions.walked += moveLength(direction);
+  }
+  EXPECT_EQ(cell, goal);
+  return decisions;
+}
+
+TEST(NetworkGridAgent, IsOverruledByTheBoundWhereItsDetoursWouldBeTooLong) {
+  // It always prefers a move that costs 0.8 cells more than the straight one.
+  const PassableGrid hall(100, 100, true);
+  const Decisions none = decisionsOf(constantModel(), {0.0, 0.0}, hall, {30, 50}, {60, 50});
+  EXPECT_EQ(none.steps, 30);
+  EXPECT_EQ(none.by_bound, 30);
+  const Decisions two = decisionsOf(constantModel(), {1.6, 0.0}, hall, {30, 50}, {60, 50});
+  EXPECT_EQ(two.steps, 30);
+  EXPECT_EQ(two.network, 2);
+  EXPECT_EQ(two.on_path, 0);
+  EXPECT_EQ(two.by_bound, 28);
+}
+
+TEST(NetworkGridAgent, IsOverruledByTheShieldWhereTheMapEnds) {
+  // All moves that it likes better lead out of the map, and the next one is the path.
+  const Decisions decisions = decisionsOf(constantModel(), {0.0, 0.0}, PassableGrid(100, 100, true), {60, 0}, {30, 0});
+  EXPECT_EQ(decisions.steps, 30);
+  EXPECT_EQ(decisions.by_shield, 30);
+  EXPECT_EQ(decisions.on_path, 30);
+}
+
+TEST(NetworkGridAgent, MakesNoDetourLongerThanTheBoundHoweverBadTheNetworkIs) {
+  constexpr DetourParameters kBound{3.0, 0.1};
+  constexpr double kOptimum = 20.0 * 1.0 + 10.0 * 1.4;
+  const PassableGrid hall(100, 100, true);
+  for (const Model& model : {randomModel(8), randomModel(1), constantModel()}) {
+    const Decisions decisions = decisionsOf(model, kBound, hall, {30, 50}, {60, 60});
+    EXPECT_GT(decisions.network, 0);
+    EXPECT_GT(decisions.by_bound, 0);
+    EXPECT_LE(decisions.length, kOptimum + kBound.allowance + kBound.share * decisions.walked);
+  }
 }
 
 }  // namespace

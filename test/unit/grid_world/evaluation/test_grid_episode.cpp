@@ -109,7 +109,9 @@ TEST(GridEpisode, CountsWhoLedEachStep) {
   rules.max_steps = 5;
   const GridEpisode episode = run(PassableGrid(20, 20, true), {5, 5}, {19, 19}, &agent, rules);
   EXPECT_EQ(episode.led, (std::array<std::int64_t, kGridLeaderCount>{3, 0, 2, 0}));
-  EXPECT_EQ(episode.as_searched, 1) << "of the network's three steps one goes east, as the search would";
+  EXPECT_EQ(episode.on_path, 1);
+  EXPECT_EQ(episode.overruled_by_shield, 1);
+  EXPECT_EQ(episode.overruled_by_bound, 4);
 }
 
 TEST(GridEpisode, EndsWhenTheAgentKnowsThatThereIsNoPath) {

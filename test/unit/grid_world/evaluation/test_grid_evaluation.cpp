@@ -183,10 +183,10 @@ TEST(GridSummary, WritesTheKeysThatReadersCountOn) {
                episodeOf(GridEpisode::End::kTimeout, 9, 5.0), episodeOf(GridEpisode::End::kCollision, 1, 5.0)}));
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
-  EXPECT_EQ(keys,
-            (std::vector<std::string>{"as_searched", "collisions", "led", "mean_expanded", "mean_length",
-                                      "mean_optimal", "mean_ratio", "mean_time_s", "median_ratio", "name",
-                                      "ns_per_step", "p95_ratio", "peak_bytes", "scenarios", "success", "timeouts"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"collisions", "led", "led_on_path", "mean_expanded", "mean_length",
+                                            "mean_optimal", "mean_ratio", "mean_time_s", "median_ratio", "name",
+                                            "ns_per_step", "overruled_by_bound", "overruled_by_shield", "p95_ratio",
+                                            "peak_bytes", "scenarios", "success", "timeouts"}));
   EXPECT_EQ(json["name"], "Rows");
   EXPECT_EQ(json["scenarios"], 4);
   EXPECT_EQ(json["success"], 0.25);
@@ -194,18 +194,23 @@ TEST(GridSummary, WritesTheKeysThatReadersCountOn) {
   EXPECT_EQ(json["timeouts"], 0.5);
 }
 
-TEST(GridSummary, GivesTheSharesOfWhoLedOverTheStepsOfAllEpisodes) {
+TEST(GridSummary, GivesTheSharesOfWhoDecidedOverTheStepsOfAllEpisodes) {
   GridEpisode mostly_network = episodeOf(GridEpisode::End::kArrived, 8, 8.0);
   mostly_network.led = {6, 0, 2, 0};
-  mostly_network.as_searched = 3;
+  mostly_network.on_path = 3;
+  mostly_network.overruled_by_shield = 2;
   GridEpisode searched = episodeOf(GridEpisode::End::kTimeout, 12, 8.0);
   searched.led = {0, 12, 0, 0};
+  searched.overruled_by_bound = 10;
   const GridSetSummary summary = summarizeGridEpisodes("set", {mostly_network, searched});
-  EXPECT_EQ(summary.led, (std::array<double, kGridLeaderCount>{0.3, 0.6, 0.1, 0.0}));
-  EXPECT_EQ(summary.as_searched, 0.5);
+  const std::array<double, kGridLeaderCount> led = {0.3, 0.6, 0.1, 0.0};
+  for (std::size_t i = 0; i < led.size(); ++i) EXPECT_DOUBLE_EQ(summary.led[i], led[i]);
+  EXPECT_DOUBLE_EQ(summary.on_path, 0.15);
+  EXPECT_DOUBLE_EQ(summary.overruled_by_shield, 0.1);
+  EXPECT_DOUBLE_EQ(summary.overruled_by_bound, 0.5);
 }
 
-TEST(GridEvaluation, TheSearchWithTheEscapeArrivesWhereThereIsAPath) {
+TEST(GridEvaluation, TheRememberedPathArrivesWhereThereIsAPath) {
   const GridTaskSet set = randomSet(3, 20);
   GridEvaluationOptions options;
   options.rules.max_steps = 0;

@@ -8,6 +8,7 @@
 #include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+#include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 #include "lstm_planner/grid_world/world/range_table.hpp"
 
 namespace lstm_planner::test_shipped_grid_models {
@@ -25,7 +26,7 @@ CellIndex passableCell(const PassableGrid& grid, Random& random) {
   }
 }
 
-/// A shipped model, and how many of 40 walks it has to end alone, without the escape that ends every walk.
+/// A shipped model, and how many of 40 walks it has to end alone, without the bound under which every walk ends.
 struct Bound {
   const char* model;
   int arrivals;
@@ -33,7 +34,7 @@ struct Bound {
 
 class ShippedGridModel : public testing::TestWithParam<Bound> {};
 
-/// How many of 40 walks in a random place end without the escape.
+/// How many of 40 walks in a random place end alone.
 int arrivalsAlone(const Model& model) {
   constexpr int kMostSteps = 1000;
   RandomFillParameters parameters;
@@ -41,7 +42,7 @@ int arrivalsAlone(const Model& model) {
   parameters.rows = 100;
   const PassableGrid grid = generateRandomFill(parameters, 5);
   NetworkGridAgent::Options options;
-  options.escape = false;
+  options.guided = false;
   NetworkGridAgent agent(model, options);
   const RangeTable ranges(grid);
   Random random(9);
@@ -85,8 +86,7 @@ TEST_P(ShippedGridModel, ArrivesEverywhereInAMazeWithoutCollision) {
     const CellIndex goal = passableCell(maze, random);
     CellIndex cell = passableCell(maze, random);
     agent.start(cell, goal);
-    // Boundary following alone needs at most 1.25 steps a cell in small grids; the patience comes on top of it.
-    int steps_left = 50 * 100 * 100;
+    int steps_left = 5 * 100 * 100;  // the remembered path walks far fewer
     while (std::max(std::abs(goal.column - cell.column), std::abs(goal.row - cell.row)) > 1 && --steps_left > 0) {
       agent.observe({cell, goal, ranges.at(cell)});
       const int direction = agent.decide();
@@ -99,13 +99,71 @@ TEST_P(ShippedGridModel, ArrivesEverywhereInAMazeWithoutCollision) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedGridModel,
-                         testing::Values(Bound{"grid_lstm", 38}, Bound{"grid_lstm_trace", 38},
-                                         Bound{"grid_lstm_boundary", 39}, Bound{"grid_lstm_2x8", 10},
-                                         Bound{"grid_rnn_2x16", 6}, Bound{"grid_mlp_4x64", 12},
-                                         Bound{"grid_qlearning", 34}),
+                         testing::Values(Bound{"grid_lstm", 39}, Bound{"grid_lstm_2x8", 10}, Bound{"grid_rnn_2x16", 6},
+                                         Bound{"grid_mlp_4x64", 12}, Bound{"grid_qlearning", 34}),
                          [](const auto& info) { return std::string(info.param.model); });
 
-TEST(ShippedGridModels, TheMainOneNeedsAtMost64KiBInAMazeThatTheTrailHasNoRoomFor) {
+/// Walks in mazes and random fill under the bound: how many end, and the share of the steps that the network decided.
+struct UnderBound {
+  int arrivals = 0;
+  double decided = 0.0;
+  std::int64_t peak_bytes = 0;
+};
+
+constexpr int kWalksUnderBound = 20;
+
+UnderBound walksUnderBound(const Model& model) {
+  UnderBound result;
+  double steps = 0.0;
+  double by_network = 0.0;
+  Random random(9);
+  for (int walk = 0; walk < kWalksUnderBound; ++walk) {
+    const auto seed = static_cast<std::uint64_t>(walk);
+    MazeParameters maze;
+    maze.columns = maze.rows = 100;
+    maze.corridor_width = 8;
+    RandomFillParameters fill;
+    fill.columns = fill.rows = 100;
+    const PassableGrid grid = walk % 2 == 0 ? generateMaze(maze, seed) : generateRandomFill(fill, seed);
+    const CellIndex start = passableCell(grid, random);
+    const CellIndex goal = passableCell(grid, random);
+    NetworkGridAgent agent(model, {});
+    const GridEpisode episode = runGridEpisode(grid, RangeTable(grid), start, goal, {}, &agent);
+    result.arrivals += episode.end == GridEpisode::End::kArrived ? 1 : 0;
+    result.peak_bytes = std::max(result.peak_bytes, episode.peak_bytes);
+    steps += static_cast<double>(episode.steps());
+    by_network += static_cast<double>(episode.led[static_cast<std::size_t>(GridLeader::kNetwork)]);
+  }
+  result.decided = by_network / steps;
+  return result;
+}
+
+/// Prefers the same direction everywhere.
+Model constantModel(Model model) {
+  DenseLayer layer;
+  layer.weights.setZero(kGridMoveCount, inputSize(model.layers));
+  layer.bias = Eigen::VectorXf::LinSpaced(kGridMoveCount, 0.0f, 7.0f);
+  model.layers = {layer};
+  return model;
+}
+
+TEST(ShippedGridModels, UnderTheBoundAnyNetworkArrivesButOnlyAGoodOneDecides) {
+  const Model shipped = readModelFile(shippedModel("grid_lstm_2x8"));
+  const UnderBound good = walksUnderBound(shipped);
+  EXPECT_EQ(good.arrivals, kWalksUnderBound);
+  EXPECT_GE(good.decided, 0.75);
+  Model random = shipped;
+  initialise({}, 3, random.layers);
+  for (const Model& bad : {random, constantModel(shipped)}) {
+    const UnderBound useless = walksUnderBound(bad);
+    EXPECT_EQ(useless.arrivals, kWalksUnderBound);
+    EXPECT_LT(useless.decided, 0.5);
+  }
+}
+
+TEST(ShippedGridModels, TheDefaultIsOfTheThesissSizeAndNeedsAtMost64KiBWhereTheTrailHasNoRoom) {
+  const Model model = readModelFile(shippedModel("grid_lstm_2x8"));
+  EXPECT_LE(countWeights(model.layers), 1256u);
   // A path that bends 1,600 times and then leads back to the goal, two cells above the start.
   constexpr int kColumns = 1601;
   PassableGrid maze(kColumns, 7, true);
@@ -116,41 +174,33 @@ TEST(ShippedGridModels, TheMainOneNeedsAtMost64KiBInAMazeThatTheTrailHasNoRoomFo
   }
   const RangeTable ranges(maze);
   NetworkGridAgent::Options options;
-  options.rescue.patience = 20;
-  options.rescue.last_resort.boundary.first_leg = 4000.0;
-  options.rescue.last_resort.boundary.goal_weight = 0.0;
-  NetworkGridAgent agent(readModelFile(shippedModel("grid_lstm")), options);
+  options.guide.most_times_planned = 0.0;
+  options.guide.most_steps_more = 0;
+  options.guide.last_resort.boundary.first_leg = 4000.0;
+  options.guide.last_resort.boundary.goal_weight = 0.0;
+  NetworkGridAgent agent(model, options);
   CellIndex cell{0, 2};
   const CellIndex goal{0, 0};
   agent.start(cell, goal);
+  int along_boundary = 0;
   for (int step = 0; step < 5000; ++step) {
     agent.observe({cell, goal, ranges.at(cell)});
+    along_boundary += agent.leader() == GridLeader::kBoundary ? 1 : 0;
     const int direction = agent.decide();
     ASSERT_NE(direction, kNoPath);
     cell = cellBeside(cell, direction);
     agent.step(direction, true);
   }
+  EXPECT_GT(along_boundary, 4000);
   EXPECT_LE(agent.peakBytes(), 64u * 1024u);
 }
 
-TEST(ShippedGridModels, TheTwoMainOnesAreNoLargerThanTheThesissAndNeedAtMost64KiB) {
-  for (const char* name : {"grid_lstm", "grid_lstm_trace"}) {
-    const Model model = readModelFile(shippedModel(name));
-    EXPECT_LE(countWeights(model.layers), 1256u);
-    EXPECT_LE(NetworkGridAgent(model, {}).peakBytes(), 64u * 1024u);
-  }
-}
-
-TEST(ShippedGridModels, TheOneThatRemembersTheBoundaryHasNoSearchAndNeedsAtMost64KiBAlone) {
-  const Model model = readModelFile(shippedModel("grid_lstm_boundary"));
+TEST(ShippedGridModels, TheOneThatRemembersTheBoundaryNeedsAtMost64KiBAlone) {
+  const Model model = readModelFile(shippedModel("grid_lstm"));
   EXPECT_LE(countWeights(model.layers), 4000u);
   NetworkGridAgent::Options alone;
-  alone.escape = false;
-  NetworkGridAgent agent(model, alone);
-  agent.start({10, 10}, {50, 50});
-  agent.observe({{10, 10}, {50, 50}, {50, 50, 50, 50, 50, 50, 50, 50}});
-  EXPECT_EQ(agent.searchedDirection(), kNoPath);
-  EXPECT_LE(agent.peakBytes(), 64u * 1024u);
+  alone.guided = false;
+  EXPECT_LE(NetworkGridAgent(model, alone).peakBytes(), 64u * 1024u);
 }
 
 }  // namespace

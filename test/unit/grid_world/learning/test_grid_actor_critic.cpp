@@ -123,7 +123,7 @@ double agreementWithTeacher(const LayerStack& layers, const GridEncoderParameter
   model.layers = layers;
   writeMetadata(encoder, &model.metadata);
   NetworkGridAgent::Options options;
-  options.escape = false;
+  options.guided = false;
   NetworkGridAgent agent(model, options);
   const CourseGoal goal = goalOn(smallCave(3), {16, 16});
   int moves = 0;

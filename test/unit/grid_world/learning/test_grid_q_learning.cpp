@@ -211,7 +211,9 @@ double arrivalEverywhere(const PassableGrid& grid, const GridQLearningParameters
   Model model;
   model.layers = layers;
   writeMetadata(parameters.encoder, &model.metadata);
-  NetworkGridAgent agent(model, {});
+  NetworkGridAgent::Options alone;
+  alone.guided = false;
+  NetworkGridAgent agent(model, alone);
   const RangeTable ranges(grid);
   int arrived = 0;
   int pairs = 0;

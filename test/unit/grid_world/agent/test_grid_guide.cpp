@@ -8,46 +8,24 @@
 #include "grid_world/agent/boundary_agent.hpp"
 #include "grid_world/agent/rolling_escape_agent.hpp"
 #include "lstm_planner/base/grid/map_generators.hpp"
-#include "lstm_planner/grid_world/agent/grid_rescue.hpp"
+#include "lstm_planner/grid_world/agent/grid_guide.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "unit/grid_world/agent/small_grids.hpp"
 
-namespace lstm_planner::test_grid_rescue {
+namespace lstm_planner::test_grid_guide {
 namespace {
 
-/// The rescue alone, from the first step on.
-class RescuedAgent : public GridAgent {
- public:
-  explicit RescuedAgent(const GridRescueParameters& parameters) : rescue_(parameters) {}
+class GridGuideWith : public testing::TestWithParam<CornerCutting> {};
 
-  void start(CellIndex start, CellIndex) override { rescue_.start(start); }
-  void observe(const GridObservation& observation) override {
-    if (!rescue_.active()) rescue_.takeOver(observation, nullptr);
-    rescue_.observe(observation);
-    ++led_[static_cast<std::size_t>(rescue_.leader())];
-  }
-  int decide() override { return rescue_.decide(); }
-  GridLeader leader() const override { return rescue_.leader(); }
-  void step(int, bool) override {}
-  std::size_t peakBytes() const override { return sizeof(rescue_) + rescue_.bytes(); }
-  std::size_t stepsOf(GridLeader leader) const { return led_[static_cast<std::size_t>(leader)]; }
-
- private:
-  GridRescue rescue_;
-  std::array<std::size_t, kGridLeaderCount> led_{};
-};
-
-class GridRescueWith : public testing::TestWithParam<CornerCutting> {};
-
-TEST_P(GridRescueWith, ArrivesOrProvesThatThereIsNoPathAndNeverCollides) {
-  GridRescueParameters parameters;
+TEST_P(GridGuideWith, ArrivesOrProvesThatThereIsNoPathAndNeverCollides) {
+  GridGuideParameters parameters;
   parameters.corner_cutting = GetParam();
   int unreachable = 0;
   for (std::uint32_t seed = 0; seed < 1000; ++seed) {
     const SmallGrid world = smallGrid(seed);
     const bool reachable = std::isfinite(GridDistances(world.grid, world.goal, GetParam()).at(world.start));
     unreachable += reachable ? 0 : 1;
-    RescuedAgent agent(parameters);
+    RollingEscapeAgent agent(parameters);
     // Boundary following arrives in 20 steps a cell, and is asked after a few hundred steps.
     const std::size_t most_steps = 10000 + 400 * world.grid.size();
     ASSERT_EQ(walk(world, &agent, GetParam(), most_steps).end, reachable ? WalkEnd::kArrived : WalkEnd::kNoPath)
@@ -56,7 +34,7 @@ TEST_P(GridRescueWith, ArrivesOrProvesThatThereIsNoPathAndNeverCollides) {
   EXPECT_GT(unreachable, 50);
 }
 
-INSTANTIATE_TEST_SUITE_P(Corners, GridRescueWith, testing::Values(CornerCutting::kForbidden, CornerCutting::kAllowed),
+INSTANTIATE_TEST_SUITE_P(Corners, GridGuideWith, testing::Values(CornerCutting::kForbidden, CornerCutting::kAllowed),
                          [](const auto& info) {
                            return std::string(info.param == CornerCutting::kAllowed ? "Cut" : "Kept");
                          });
@@ -76,19 +54,18 @@ SmallGrid longDeadEnd() {
   return world;
 }
 
-TEST(GridRescue, LeavesADeadEndLongerThanTheWindowOfCells) {
+TEST(GridGuide, LeavesADeadEndLongerThanTheWindowOfCells) {
   const SmallGrid world = longDeadEnd();
   const double optimum = GridDistances(world.grid, world.goal, CornerCutting::kForbidden).at(world.start);
-  RescuedAgent agent({});
+  RollingEscapeAgent agent({});
   const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 100000);
   ASSERT_EQ(walked.end, WalkEnd::kArrived);
-  // There is one way out, so little can be lost.
+  // There is one way out, so little can be lost: boundaries are not followed.
   EXPECT_LT(static_cast<double>(walked.steps), 1.2 * optimum);
-  EXPECT_EQ(agent.stepsOf(GridLeader::kBoundary), 0u);
 }
 
-TEST(GridRescue, WalksFarLessThanBoundaryFollowingInMazesThatTheWindowOfCellsForgets) {
-  std::size_t rescued = 0;
+TEST(GridGuide, WalksFarLessThanBoundaryFollowingInMazesThatTheWindowOfCellsForgets) {
+  std::size_t guided = 0;
   std::size_t along_boundaries = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     MazeParameters maze;
@@ -99,53 +76,39 @@ TEST(GridRescue, WalksFarLessThanBoundaryFollowingInMazesThatTheWindowOfCellsFor
     world.grid = generateMaze(maze, seed);
     world.start = {4, 4};
     world.goal = {393, 393};
-    RescuedAgent agent({});
+    RollingEscapeAgent agent({});
     const Walk walked = walk(world, &agent, CornerCutting::kForbidden, 1000000);
     ASSERT_EQ(walked.end, WalkEnd::kArrived) << "seed " << seed;
-    rescued += walked.steps;
+    guided += walked.steps;
     BoundaryAgent boundary;
     along_boundaries += walk(world, &boundary, CornerCutting::kForbidden, 1000000).steps;
   }
   // On the grid benchmark's mazes a third.
-  EXPECT_LT(rescued, along_boundaries * 6 / 10);
+  EXPECT_LT(guided, along_boundaries * 6 / 10);
 }
 
-TEST(GridRescue, TakesOverWhereTheWayRoundIsLongOrNothingNewIsFound) {
-  GridRescueParameters parameters;
-  parameters.patience = 10;
-  parameters.most_detour = 20.0;
-  GridRescue rescue(parameters);
-  rescue.start({0, 0});
-  const GridObservation observation{{0, 0}, {100, 0}, {}};
-  EXPECT_FALSE(rescue.isNeeded(observation, true, 19.0));
-  EXPECT_TRUE(rescue.isNeeded(observation, true, 21.0));
-  for (int step = 0; step < 9; ++step) EXPECT_FALSE(rescue.isNeeded(observation, false, 0.0));
-  EXPECT_TRUE(rescue.isNeeded(observation, false, 0.0));
-}
-
-TEST(GridRescue, AgentWithItNeedsAtMost64KiB) {
-  GridRescueParameters parameters;
-  parameters.patience = 1;
-  RollingEscapeAgent agent(parameters);
+TEST(GridGuide, NeedsAtMost56KiB) {
+  // So that a network of the thesis's size fits beside it into 64 KiB.
+  RollingEscapeAgent agent({});
   const SmallGrid world = longDeadEnd();
   ASSERT_EQ(walk(world, &agent, CornerCutting::kForbidden, 100000).end, WalkEnd::kArrived);
-  EXPECT_LE(agent.peakBytes(), 64u * 1024u);
+  EXPECT_LE(agent.peakBytes(), 56u * 1024u);
 }
 
-TEST(GridRescue, RefusesParametersThatMakeNoSense) {
-  GridRescueParameters parameters;
-  parameters.patience = 0;
-  EXPECT_THROW(GridRescue{parameters}, std::invalid_argument);
+TEST(GridGuide, RefusesParametersThatMakeNoSense) {
+  GridGuideParameters parameters;
+  parameters.most_steps_more = -1;
+  EXPECT_THROW(GridGuide{parameters}, std::invalid_argument);
   parameters = {};
-  parameters.most_detour = -1.0;
-  EXPECT_THROW(GridRescue{parameters}, std::invalid_argument);
+  parameters.area.most_detour = -1.0;
+  EXPECT_THROW(GridGuide{parameters}, std::invalid_argument);
   parameters = {};
   parameters.area.doubtful_cost = 1000.0;
-  EXPECT_THROW(GridRescue{parameters}, std::invalid_argument);
+  EXPECT_THROW(GridGuide{parameters}, std::invalid_argument);
   parameters = {};
   parameters.last_resort.patience = 0;
-  EXPECT_THROW(GridRescue{parameters}, std::invalid_argument);
+  EXPECT_THROW(GridGuide{parameters}, std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace lstm_planner::test_grid_rescue
+}  // namespace lstm_planner::test_grid_guide
