@@ -78,8 +78,10 @@ TEST_F(ControllerTest, StandsWhileTheScanIsOldAndGoesOnWhenItReturns) {
     stand(kLogPeriod);
     robot_.wait(0.25);  // three periods of 0.05 s are less than the shortest timeout, 0.2 s; of odometry 0.3 s
   });
-  controller_->setPlan(straightPlan("odom", robot_.pose(), 3.0));
-  EXPECT_TRUE(computeAt(robot_.pose()));
+  // Elsewhere: many attempts to see the reason may have taken longer than the patience with one place.
+  const Pose2 further{0.2, 0.0, 0.0};
+  controller_->setPlan(straightPlan("odom", further, 3.0));
+  EXPECT_TRUE(computeAt(further));
   EXPECT_GT(velocity_.linear.x, 0.0);
 }
 

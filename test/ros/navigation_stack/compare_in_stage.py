@@ -56,7 +56,7 @@ def main():
         library = None if arguments.print_only else build_watch(folder)
 
         def run_in_stage(run, combination, factor, log_folder, extra):
-            name = "%s_%s" % (combination, run["name"])
+            name = "%s_%s_%s" % (combination, run["group"].replace(" ", "_").replace(",", ""), run["name"])
             world, truth = os.path.join(folder, name + ".world"), os.path.join(log_folder, name + ".truth")
             write_world(world, run["start"], library, factor, truth)
             run = dict(run, world=["world:=" + world], origin=[0, 0, 0])  # Stage's odometry is in the frame of the world
