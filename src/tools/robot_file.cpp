@@ -13,8 +13,9 @@
 
 #include "lstm_planner/base/common/nearest_name.hpp"
 #include "lstm_planner/base/common/parameter_visitors.hpp"
-#include "lstm_planner/ros/common/plugin_parameters.hpp"
-#include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
+#include "lstm_planner/robot/driving/plugin_parameters.hpp"
+#include "lstm_planner/robot/simulation/create2.hpp"
+#include "lstm_planner/robot/simulation/hokuyo.hpp"
 #include "tools/shared_file.hpp"
 
 namespace lstm_planner {

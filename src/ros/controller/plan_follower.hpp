@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "lstm_planner/robot/driving/path_tracker.hpp"
+#include "lstm_planner/robot/driving/plugin_parameters.hpp"
 #include "lstm_planner/robot/driving/shield.hpp"
 #include "lstm_planner/robot/perception/out_of_view.hpp"
 #include "lstm_planner/robot/perception/situation.hpp"
-#include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "ros/common/costmap_reader.hpp"
 #include "ros/common/frame_transformer.hpp"
 #include "ros/common/message_queue.hpp"

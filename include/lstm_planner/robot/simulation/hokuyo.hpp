@@ -25,6 +25,13 @@ struct HokuyoParameters {
   SensorMount mount;  ///< in the base frame
 };
 
+/// A scanner as the default one, that looks back.
+inline HokuyoParameters lookingBack() {
+  HokuyoParameters scanner;
+  scanner.mount.pose.yaw = 3.14159;
+  return scanner;
+}
+
 /// Visits every parameter; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitHokuyoParameters(Parameters& laser, const Visitor& visit) {

@@ -12,13 +12,6 @@
 
 namespace lstm_planner {
 
-/// A scanner as the default one, that looks back.
-inline HokuyoParameters lookingBack() {
-  HokuyoParameters scanner;
-  scanner.mount.pose.yaw = 3.14159;
-  return scanner;
-}
-
 /// What `create2_stub` reads from its private namespace; config/create2_stub.yaml explains every parameter.
 struct Create2StubParameters {
   // The driver, under the names and with the defaults of create_driver.
