@@ -6,7 +6,7 @@ source_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)"
 
 usage() {
   cat <<'USAGE'
-Usage: bash test/on_debian.sh [--demo-only] RELEASE
+Usage: bash test/on_debian.sh [--demo-only | --without-ros] RELEASE
 
 Makes a bare Debian of that release with debootstrap, copies the package into it, and runs there as root what a new user
 runs: the RUN lines of the Dockerfile, which are the two commands of README.md, and then all tests; with warnings as
@@ -20,6 +20,7 @@ Arguments:
   RELEASE        13 or trixie, 12 or bookworm, 11 or bullseye, testing or forky. On 11 the compiler is g++-9: that Debian
                  is the nearest there is to Ubuntu 20.04
   --demo-only    without the tests: the RUN lines only
+  --without-ros  instead of all that: the packages of models/embed.md, and test/without_ros.sh; a quarter of an hour
   --help         this text
 
 Environment:
@@ -84,8 +85,14 @@ commands() {
   echo 'cd /lstm_planner'
   [ "$1" != bullseye ] ||
     echo 'apt-get update; apt-get install -y --no-install-recommends g++-9; export CC=gcc-9 CXX=g++-9'
+  if [ "$what" = without-ros ]; then
+    echo 'apt-get update'
+    sed -n 's/^sudo apt-get install/apt-get install -y/p' "$source_dir/models/embed.md"
+    echo 'bash test/without_ros.sh'
+    return
+  fi
   sed -n 's/^RUN //p' "$source_dir/Dockerfile"
-  [ "$demo_only" = true ] || echo 'bash test/run.sh'
+  [ "$what" = demo-only ] || echo 'bash test/run.sh'
 }
 
 # With the namespaces: everything from the mounts to the exit status of the last command.
@@ -96,17 +103,17 @@ run_inside() {
   env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin TERM="${TERM:-dumb}" chroot "$target" bash /commands.sh </dev/null
 }
 
-demo_only=false
+what=all
 release=
 for argument in "$@"; do
   case "$argument" in
     --help | -h) usage; exit 0 ;;
-    --demo-only) demo_only=true ;;
+    --demo-only | --without-ros) what="${argument#--}" ;;
     13 | trixie) release=trixie ;;
     12 | bookworm) release=bookworm ;;
     11 | bullseye) release=bullseye ;;
     testing | forky) release=forky ;;
-    *) fail "unknown argument '$argument'; expected 13, 12, 11, testing, --demo-only or --help." ;;
+    *) fail "unknown argument '$argument'; expected 13, 12, 11, testing, --demo-only, --without-ros or --help." ;;
   esac
 done
 [ -n "$release" ] || fail "which release? 13, 12, 11 or testing; see --help."

@@ -12,6 +12,7 @@ import rostest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 from processes import free_port  # noqa: E402
 
+SOURCES = os.path.realpath(os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", ".."))
 LIMIT = 400  # s for the demo; it takes half a minute on an idle computer
 
 
@@ -57,6 +58,27 @@ class InstalledSpace(unittest.TestCase):
     def test_the_tool_finds_the_shipped_models(self):
         self.assertIn("a model for the robot that can be used",
                       self.run_there("lstm_planner model check models/create2_lstm.onnx"))
+
+    def run_without_ros(self, command):
+        """What a command prints that does not know that there is ROS; it must succeed."""
+        done = subprocess.run(["bash", "-ec", command], env={"PATH": os.environ["PATH"]}, cwd=self.folder.name,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              timeout=LIMIT, check=False)
+        print(done.stdout, flush=True)
+        self.assertEqual(done.returncode, 0)
+        return done.stdout
+
+    def test_a_program_without_ros_is_built_with_it_and_drives(self):
+        printed = self.run_without_ros(
+            "cmake -S '%s/test/consumer' -B consumer -Dlstm_planner_DIR='%s/share/lstm_planner/cmake/without_catkin'; "
+            "cmake --build consumer; consumer/consumer '%s/share/lstm_planner/models/create2_lstm.onnx'"
+            % (SOURCES, self.moved, self.moved))
+        self.assertIn("degrees (network), a plan of", printed)
+
+    def test_the_package_is_configured_without_ros(self):
+        self.run_without_ros("cmake -S '%s' -B without_ros -DLSTM_PLANNER_WITH_ROS=OFF" % SOURCES)
+        with open(os.path.join(self.folder.name, "without_ros", "CMakeCache.txt"), encoding="utf-8") as cache:
+            self.assertNotIn("catkin_DIR", cache.read())
 
     def test_the_demo_reaches_every_goal(self):
         result = os.path.join(self.folder.name, "result")

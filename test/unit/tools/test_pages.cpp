@@ -1,4 +1,4 @@
-// The pages' commands of the tool have no option that does not exist.
+// The pages' commands of the tool have no option that does not exist, and programs on pages are those that are tested.
 
 #include <gtest/gtest.h>
 
@@ -51,6 +51,13 @@ INSTANTIATE_TEST_SUITE_P(All, Pages,
                                          "models/onnx.md", "models/recorded_drives.md", "models/structure_search.md",
                                          "models/thesis.md", "test/bench/README.md"),
                          [](const auto& page) { return std::regex_replace(page.param, std::regex(R"(\W)"), "_"); });
+
+TEST(EmbedPage, ShowsTheProgramThatIsTested) {
+  const fs::path source = LSTM_PLANNER_SOURCE_DIR;
+  const std::string program = contentOf(source / "test/consumer/consumer.cpp");
+  EXPECT_FALSE(program.empty());
+  EXPECT_NE(contentOf(source / "models/embed.md").find("```cpp\n" + program + "```"), std::string::npos);
+}
 
 }  // namespace
 }  // namespace lstm_planner::test_pages
