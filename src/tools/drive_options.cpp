@@ -21,8 +21,8 @@ void addWorldOptions(DriveOptions* options, CommandLine* line) {
   line->addFiles("map", &options->maps, "map_server yaml files; FILE=0.19 replaces the free_thresh of a map");
   line->addFile("barn", &options->barn, "barn_cylinders.csv: the BARN worlds, by BARN's rules");
   line->add("worlds", &options->kind,
-            "generated worlds: mazes, offices, corridors, forest, open, rooms or clutter; or dynabarn: cylinders that "
-            "move");
+            "generated worlds: mazes, offices, corridors, forest, open, rooms, clutter or furnished; or dynabarn: "
+            "cylinders that move");
   visitCrowdParameters(options->crowd, line->parameters({{"walkers", "walkers"}}));
   line->add("free-threshold", &options->free_threshold, {-1.0, 1.0},
             "replaces the free_thresh of all maps; -1: keeps it");
@@ -47,7 +47,8 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
       [options](const std::string& name) { readRobotFile(name, &options->drive, &options->agent); },
       "name of a file in config/robots, or path of a file of the same form; other options override its values");
   line->addFile("model", &options->model, "ONNX file of the network");
-  visitHokuyoParameters(options->drive.robot.scanner, line->parameters({{"noise", "noise"}, {"dropout", "dropout"}}));
+  visitHokuyoParameters(options->drive.robot.scanner,
+                        line->parameters({{"noise", "noise"}, {"range_step", "range-step"}, {"dropout", "dropout"}}));
   visitCreate2Parameters(options->drive.robot.base,
                          line->parameters({{"odometry_error", "drift"}, {"slip", "slip"}, {"drift", "wheel-error"}}));
   visitSimulatedRobotParameters(options->drive.robot,

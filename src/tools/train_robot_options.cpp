@@ -81,7 +81,7 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
             "dagger (default), actor-critic, q-learning or dataset; --method NAME --help explains it");
   line->addOutput("output", &o.output, "ONNX file to write");
   line->add("kinds", &o.kinds,
-            "kinds of generated worlds: mazes offices corridors forest open rooms clutter (default: all)");
+            "kinds of generated worlds: mazes offices corridors forest open rooms clutter furnished (default: all)");
   line->add("dead-ends", &o.course.dead_end_share, kAnyShare, "share of the drives that start in a dead end");
   line->add("other-robots", &o.course.other_robots, kAnyShare,
             "share of the worlds in which robots of other sizes, speeds and scanners drive");

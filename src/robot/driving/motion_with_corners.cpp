@@ -14,7 +14,6 @@ constexpr double kSlowest = 0.05;     // m/s; a robot that may only go slower th
 constexpr double kTurnSlack = 0.02;   // rad of an angle to turn by that need not be free
 constexpr double kLeastTurn = 0.05;   // rad that are worth a turn
 constexpr double kSlowestTurn = 0.1;  // rad/s; slower is standing
-constexpr double kEnough = 0.5;       // rad of a turn for which the robot need not go farther back
 constexpr double kTurnsOnly = 0.01;   // m; a path back that is shorter is a turn in place
 constexpr double kFastestBack = 0.2;  // m/s; faster it would leave the path that it came before it sees that
 constexpr double kShares[] = {1.0, 0.75, 0.5, 0.35, 0.2, 0.1, 0.05};
@@ -35,6 +34,12 @@ std::optional<Twist2> fastestShare(const Twist2& wanted, IsFine&& isFine) {
 /// The measured motion without its noise: who stands must not be stopped by it.
 Twist2 goingOn(const Twist2& current) {
   return {std::abs(current.linear) < kStillSpeed ? 0.0 : current.linear, current.angular};
+}
+
+/// Whether commands to drive that way, 1 or -1, are still on their way.
+bool isTold(const MotionHistory& history, double way) {
+  return std::any_of(history.commanded.begin(), history.commanded.end(),
+                     [way](const Twist2& twist) { return way * twist.linear > 0.0; });
 }
 
 }  // namespace
@@ -91,13 +96,16 @@ MotionCommand MotionController::makeRoom(double error, const Moment& now) const 
   const double room = now.shield.freeTurn({}, error, now.margin);
   const double turn = room >= kLeastTurn ? turningSpeed(std::copysign(room, error), now) : 0.0;
   // Room for a turn that is not safe at any speed is none: who took it for some would go back and stand in turns.
-  const bool can_turn = turn != 0.0 && room >= std::min(std::abs(error), kEnough) - kTurnSlack;
+  // Who turns by a part, in a passage, is wedged in and cannot go farther back.
+  const bool can_turn = turn != 0.0 && room >= std::abs(error) - kTurnSlack;
   // Behind it somebody may have come to where the robot was.
   if (now.persons.near) return {{}, StopReason::kPerson};
   if (!now.history.goes_back || !can_turn) {
     if (const std::optional<MotionCommand> back = goBack(now)) return *back;
   }
   if (turn != 0.0) return {{0.0, turn}, StopReason::kNone};
+  // It stands before it changes its way: what is hardly safe is not safe every time, and it would shake.
+  if (isTold(now.history, -1.0)) return {{}, StopReason::kObstacle};
   SafeMotion isSafe(*this, now, now.history, now.margin);
   const auto out = fastestShare({slowSpeed(parameters_), 0.0}, [&](const Twist2& twist) {
     return yieldingSpeed(twist, now.persons) >= twist.linear && isSafe(twist);
@@ -107,6 +115,7 @@ MotionCommand MotionController::makeRoom(double error, const Moment& now) const 
 
 std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
   if (!now.history.back) return std::nullopt;
+  if (isTold(now.history, 1.0)) return MotionCommand{{}, StopReason::kObstacle, true};
   const Pose2& back = *now.history.back;
   const double turn = normalizeAngle(back.yaw);
   const double away = std::hypot(back.x, back.y);

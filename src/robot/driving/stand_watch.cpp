@@ -29,6 +29,7 @@ void StandWatch::note(const Pose2& pose, double time, const Point2& goal, bool i
     places_.push_back(pose);
     if (places_.size() > kMostPlaces) places_.pop_front();
     since_.reset();
+    retries_ = 0;
   }
   if (!since_) {
     since_ = time;
@@ -42,9 +43,15 @@ void StandWatch::excuse(double time) {
   tried_.reset();
 }
 
+void StandWatch::retry() {
+  excuse(now_);
+  ++retries_;
+}
+
 void StandWatch::clear() {
   places_.clear();
   since_.reset();
+  retries_ = 0;
 }
 
 }  // namespace lstm_planner

@@ -18,9 +18,8 @@ constexpr double kWorthTurningMetres = 0.3;
 /// A route is costed by what is remembered as far as this, m.
 constexpr double kLookedAt = 15.0;
 
-constexpr double kLookedAround = kFullTurn - 0.5;  ///< rad; the scanner sees more than the rest at once
-constexpr int kClosedLooks = 3;                    ///< looks around that must agree that there is no path
-constexpr int kMostForgotten = 4;                  ///< without progress in between
+constexpr int kClosedLooks = 3;    ///< looks around that must agree that there is no path
+constexpr int kMostForgotten = 4;  ///< without progress in between
 /// Tolerances within which a goal is near.
 constexpr double kNearGoalTolerances = 2.0;
 
@@ -68,14 +67,9 @@ void RouteGuide::forget() {
   route_.clear();
 }
 
-void RouteGuide::noteTurn(const Situation& situation) {
-  turned_ += std::abs(normalizeAngle(situation.pose.yaw - last_yaw_));
-  last_yaw_ = situation.pose.yaw;
-}
-
 Decision::Source RouteGuide::update(const Situation& situation, const Point2& goal, double tolerance) {
   tolerance_ = tolerance;
-  noteTurn(situation);
+  turn_.note(situation.pose.yaw, situation.time);
   memory_.add(situation);
   const Point2 here{situation.pose.x, situation.pose.y};
   bool found = false;
@@ -90,7 +84,7 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
     found = takeFromLastSearch(here, goal);
   }
   // While it looks around, what lies behind the robot is not known and seems free.
-  const bool still_looking = looking_ && turned_ < kLookedAround;
+  const bool still_looking = looking_ && !turn_.isOver();
   found = found || (!still_looking && findRoute(here, goal, &found_));
   memory_.clearChanges();
   if (!found) {
@@ -201,7 +195,7 @@ bool RouteGuide::goalIsAsBefore(const Point2& goal) {
 
 Decision::Source RouteGuide::lookAround(const Situation& situation) {
   route_.clear();
-  if (looking_ && turned_ < kLookedAround) {
+  if (looking_ && !turn_.isOver()) {
     return Source::kLookAround;
   }
   if (looking_ && !squeezing_) {
@@ -216,7 +210,7 @@ Decision::Source RouteGuide::lookAround(const Situation& situation) {
     return Source::kEscape;
   }
   looking_ = true;
-  turned_ = 0.0;
+  turn_.start(situation.pose.yaw, situation.time);
   memory_.forget();
   memory_.add(situation);
   return Source::kLookAround;

@@ -9,7 +9,6 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kRobotRadius = 0.175;  // m
-constexpr int kTriesPerRoom = 60;
 
 struct Furniture {
   CellBox box;
@@ -59,7 +58,7 @@ class Furnisher {
       if (!building_.rooms[i].is_corridor) rooms.push_back(i);
     }
     double covered = 0.0;
-    for (std::size_t attempt = 0; attempt < rooms.size() * kTriesPerRoom; ++attempt) {
+    for (std::size_t attempt = 0; attempt < rooms.size() * static_cast<std::size_t>(parameters_.tries); ++attempt) {
       if (covered >= parameters_.furniture * floor) break;
       Furniture furniture;
       if (!propose(rooms[uniformIndex(random_, rooms.size())], &furniture) || !fits(furniture)) continue;

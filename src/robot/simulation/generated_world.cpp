@@ -36,6 +36,18 @@ OccupancyGrid drawOffice(Random& random) {
   return generateFloorPlan(plan, random());
 }
 
+OccupancyGrid drawFurnished(Random& random) {
+  FloorPlanParameters plan;
+  plan.width = uniform(random, 10.0, 18.0);
+  plan.height = uniform(random, 8.0, 14.0);
+  plan.resolution = 0.02;
+  plan.smallest_room = uniform(random, 3.0, 5.0);
+  plan.furniture = 0.5;  // as much as finds room
+  plan.tries = 1000;
+  plan.smallest_gap = uniform(random, 0.4, 0.6);
+  return generateFloorPlan(plan, random());
+}
+
 OccupancyGrid drawCorridors(Random& random) {
   CorridorWorldParameters corridors;
   corridors.width = uniform(random, 12.0, 24.0);
@@ -91,9 +103,9 @@ OccupancyGrid drawClutter(Random& random) {
 }  // namespace
 
 const std::vector<WorldKind>& worldKinds() {
-  static const std::vector<WorldKind> kinds{WorldKind::kMaze,   WorldKind::kOffice, WorldKind::kCorridors,
-                                            WorldKind::kForest, WorldKind::kOpen,   WorldKind::kRooms,
-                                            WorldKind::kClutter};
+  static const std::vector<WorldKind> kinds{WorldKind::kMaze,    WorldKind::kOffice,   WorldKind::kCorridors,
+                                            WorldKind::kForest,  WorldKind::kOpen,     WorldKind::kRooms,
+                                            WorldKind::kClutter, WorldKind::kFurnished};
   return kinds;
 }
 
@@ -113,6 +125,8 @@ const char* toString(WorldKind kind) {
       return "rooms";
     case WorldKind::kClutter:
       return "clutter";
+    case WorldKind::kFurnished:
+      return "furnished";
   }
   return "";
 }
@@ -143,6 +157,8 @@ OccupancyGrid generateWorld(WorldKind kind, std::uint64_t seed) {
       return drawRooms(random);
     case WorldKind::kClutter:
       return drawClutter(random);
+    case WorldKind::kFurnished:
+      return drawFurnished(random);
   }
   throw std::invalid_argument("there is no such kind of worlds");
 }

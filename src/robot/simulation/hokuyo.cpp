@@ -33,6 +33,11 @@ Hokuyo::Hokuyo(const HokuyoParameters& parameters, std::uint64_t seed) : paramet
   }
 }
 
+double Hokuyo::rounded(double range) const {
+  const double step = parameters_.range_step;
+  return step > 0.0 ? step * std::round(range / step) : range;
+}
+
 void Hokuyo::scan(const World& world, const Pose2& base_pose, double stamp, LaserScan* scan) {
   scan->stamp = stamp;
   scan->angle_min = parameters_.angle_min;
@@ -57,8 +62,7 @@ void Hokuyo::scan(const World& world, const Pose2& base_pose, double stamp, Lase
     } else {
       const double range = ranges_[beam];
       const double noise = noise_[draw % kNoiseTableSize] * (range > kFar ? kFarNoise : 1.0);
-      const double reading = range + noise;  // +inf stays +inf
-      scan->ranges[beam] = static_cast<float>(std::max(0.0, reading));
+      scan->ranges[beam] = static_cast<float>(std::max(0.0, rounded(range + noise)));  // +inf stays +inf
     }
   }
 }

@@ -39,8 +39,8 @@ TEST_F(TrainRobotTool, ImitationReinforcementAndJudgingFollowOnEachOther) {
   success("train --method actor-critic --init " + in("first.onnx") +
           " --iterations 1 --worlds 3 --starts 2 --max-steps 40 --validation 2 --keep last --output " + in("own.onnx"));
   EXPECT_NE(bytesOf("own.onnx"), bytesOf("first.onnx")) << "nothing was learned";
-  const test::Outcome judged = success("judge --worlds 7 --max-steps 60 --model " + in("own.onnx"));
-  for (const char* kind : {"mazes", "offices", "corridors", "forest", "open", "rooms", "clutter", "all"}) {
+  const test::Outcome judged = success("judge --worlds 8 --max-steps 60 --model " + in("own.onnx"));
+  for (const char* kind : {"mazes", "offices", "corridors", "forest", "open", "rooms", "clutter", "furnished", "all"}) {
     EXPECT_NE(judged.output.find(std::string("\n") + kind), std::string::npos) << judged.output;
   }
 }

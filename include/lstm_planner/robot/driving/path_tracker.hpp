@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "lstm_planner/robot/driving/motion_controller.hpp"
@@ -13,7 +16,7 @@ namespace lstm_planner {
 
 /// What follows a plan among people, in the robot and in simulation: sees by scan after scan what moves, and asks the
 /// controller for a command. Gives up (StopReason::kStuck) where the robot has stood for longer than the patience,
-/// until it is moved, has another goal, or three times the patience has passed.
+/// until it is moved, has another goal, its plan leads another way, or three times the patience has passed.
 class PathTracker {
  public:
   /// Throws as MotionController.
@@ -69,6 +72,9 @@ class PathTracker {
 
  private:
   static constexpr double kGivesUpFor = 3.0;  ///< times the patience
+  static constexpr double kWayAhead = 0.3;    ///< m along the plan to where it leads
+  static constexpr double kAnotherWay = 1.0;  ///< rad
+  static constexpr int kMostRetries = 4;      ///< until the robot gets away
 
   MotionCommand withPatience(const MotionCommand& command, const std::vector<Pose2>& plan, const Situation& situation) {
     const double patience = controller_.parameters().patience;
@@ -82,15 +88,33 @@ class PathTracker {
     if (is_excused) stand_.excuse(situation.time);
     history_.has_stood = patience > 0.0 && stand_.stood() > 0.5 * patience;
     const bool is_stuck = command.stop == StopReason::kObstacle ? stand_.stood() > patience : stand_.tried() > patience;
+    if (patience == 0.0 || !is_stuck) {
+      stuck_towards_.reset();
+      return command;
+    }
     // Whoever hears of it has given up by then, or expects another try.
-    if (is_stuck && stand_.stood() > kGivesUpFor * patience) stand_.clear();
-    return patience > 0.0 && is_stuck ? MotionCommand{{}, StopReason::kStuck} : command;
+    if (stand_.stood() > kGivesUpFor * patience) stand_.clear();
+    if (leadsAnotherWay(plan, situation.pose) && stand_.retries() < kMostRetries) {
+      stand_.retry();
+      return command;
+    }
+    return {{}, StopReason::kStuck};
+  }
+
+  /// Than the plan did with which the robot gave up here.
+  bool leadsAnotherWay(const std::vector<Pose2>& plan, const Pose2& pose) {
+    const auto ahead =
+        std::find_if(plan.begin(), plan.end(), [&](const Pose2& at) { return distanceBetween(pose, at) >= kWayAhead; });
+    const double direction = directionTo(pose, ahead == plan.end() ? plan.back() : *ahead);
+    if (!stuck_towards_) stuck_towards_ = direction;
+    return std::abs(normalizeAngle(direction - *stuck_towards_)) > kAnotherWay;
   }
 
   MotionController controller_;
   Trail trail_;
   MotionHistory history_;
   StandWatch stand_;
+  std::optional<double> stuck_towards_;  ///< rad, odometry frame
   MovingSurroundings moving_;
 };
 

@@ -16,9 +16,12 @@ class StandWatch {
   void note(const Pose2& pose, double time, const Point2& goal, bool is_commanded);
   /// It stands for a good reason, such as a person: the time begins anew.
   void excuse(double time);
+  /// It is to try another way: the time begins anew.
+  void retry();
   void clear();
 
   double stood() const { return since_ ? now_ - *since_ : 0.0; }  ///< s at this place
+  int retries() const { return retries_; }                        ///< at this place
   double tried() const { return tried_ ? now_ - *tried_ : 0.0; }  ///< s of these since it was first commanded to move
 
  private:
@@ -27,6 +30,7 @@ class StandWatch {
   double now_ = 0.0;             ///< s
   std::optional<double> since_;  ///< s
   std::optional<double> tried_;  ///< s
+  int retries_ = 0;
 };
 
 }  // namespace lstm_planner

@@ -2,6 +2,7 @@
 
 #include "lstm_planner/robot/driving/agent_parameters.hpp"
 #include "lstm_planner/robot/driving/decision.hpp"
+#include "lstm_planner/robot/memory/full_turn.hpp"
 #include "lstm_planner/robot/memory/kept_route.hpp"
 #include "lstm_planner/robot/memory/obstacle_memory.hpp"
 #include "lstm_planner/robot/memory/route_bounds.hpp"
@@ -83,7 +84,6 @@ class RouteGuide {
   long searches() const { return searches_; }
 
  private:
-  void noteTurn(const Situation& situation);
   bool findRoute(const Point2& start, const Point2& goal, Route* route);
   bool costsHold(const Point2& here, const Point2& goal);
   bool goalIsAsBefore(const Point2& goal);
@@ -103,8 +103,7 @@ class RouteGuide {
   bool has_costs_ = false;  ///< of a search: the finder's costToGo() holds, but for what has changed since
   double tolerance_ = 0.0;  ///< of the last update()
   bool looking_ = false;    ///< turning, after everything was forgotten
-  double turned_ = 0.0;     ///< rad, while looking
-  double last_yaw_ = 0.0;   ///< rad
+  FullTurn turn_;           ///< while looking
   bool squeezing_ = false;  ///< no path was found otherwise
   int closed_in_a_row_ = 0;
   int forgotten_ = 0;  ///< times since the last progress

@@ -19,6 +19,7 @@ struct FloorPlanParameters {
   double extra_doors = 0.3;
   double furniture = 0.06;
   double smallest_gap = 0.7;
+  int tries = 60;
 };
 
 /// Visits every parameter; see parameter_visitors.hpp.
@@ -34,6 +35,7 @@ void visitFloorPlanParameters(Parameters& plan, const Visitor& visit) {
   visit("furniture", plan.furniture, {0.0, 0.5}, "", "share of the floor that is covered by boxes and round things");
   visit("smallest_gap", plan.smallest_gap, {0.0, 5.0}, "m",
         "free space around furniture, except towards a wall that it touches");
+  visit("tries", plan.tries, {1, 100000}, "", "places for furniture that are tried for each room");
 }
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.

@@ -20,6 +20,7 @@ struct HokuyoParameters {
   double range_max = 60.0;
   double sight = 30.0;
   double noise = 0.01;
+  double range_step = 0.0;
   double dropout = 0.001;
   double rate = 40.0;
   SensorMount mount;  ///< in the base frame
@@ -42,6 +43,7 @@ void visitHokuyoParameters(Parameters& laser, const Visitor& visit) {
   visit("range_max", laser.range_max, {0.0, 1000.0}, "m", "as the driver reports it");
   visit("sight", laser.sight, {0.01, 1000.0}, "m", "farthest obstacle that is really seen");
   visit("noise", laser.noise, {0.0, 10.0}, "m", "standard deviation of a range up to 10 m; three times that beyond");
+  visit("range_step", laser.range_step, {0.0, 1.0}, "m", "ranges are rounded to multiples of it; 0: not rounded");
   visit("dropout", laser.dropout, {0.0, 1.0}, "", "probability that a beam returns nothing");
   visit("rate", laser.rate, {0.1, 200.0}, "Hz", "of scans");
   visit("x", laser.mount.pose.x, {-100.0, 100.0}, "m", "position of the scanner in the base frame");
@@ -68,6 +70,8 @@ class Hokuyo {
   const HokuyoParameters& parameters() const { return parameters_; }
 
  private:
+  double rounded(double range) const;
+
   HokuyoParameters parameters_;
   Random random_;
   std::vector<float> noise_;  ///< m

@@ -41,5 +41,18 @@ TEST_F(StandWatchTest, BackOutOfADeadEndIsSoonNew) {
   EXPECT_LT(tried([&](double time) { return Pose2{path - std::abs(path - 0.1 * time), 0.0, 0.0}; }), 10.0);
 }
 
+TEST_F(StandWatchTest, CountsRetriesUntilItGetsAway) {
+  StandWatch watch;
+  watch.note({}, 0.0, kGoal, true);
+  watch.note({}, 10.0, kGoal, true);
+  watch.retry();
+  EXPECT_EQ(watch.stood(), 0.0);
+  watch.note({}, 15.0, kGoal, true);
+  EXPECT_EQ(watch.stood(), 5.0);
+  EXPECT_EQ(watch.retries(), 1);
+  watch.note({0.1, 0.0, 0.0}, 16.0, kGoal, true);
+  EXPECT_EQ(watch.retries(), 0);
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_stand_watch

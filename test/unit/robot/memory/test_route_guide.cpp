@@ -144,6 +144,17 @@ TEST_F(RouteGuideTest, OneWrongObstacleDoesNotCloseARoom) {
   EXPECT_LT(turned_, 2.0 * M_PI + 0.1);
 }
 
+TEST_F(RouteGuideTest, ARobotThatCannotTurnAroundSearchesWithWhatItSees) {
+  start({-4.0, 0.0});
+  ASSERT_EQ(update(returnsAt(test::ring(0.8))), Source::kLookAround);
+  Situation ahead = returnsAt(test::wall({1.0, -1.0}, {1.0, 1.0}));
+  ahead.time = 1.0;
+  ASSERT_EQ(update(ahead), Source::kLookAround) << "it may be about to turn";
+  guide_.forget();
+  ahead.time = 6.0;
+  EXPECT_EQ(update(ahead), Source::kRoute);
+}
+
 TEST_F(RouteGuideTest, IsLostWhenTheMemoryWasWrongAgainAndAgainWithoutProgress) {
   const std::vector<Point2> around = test::ring(0.8);
   start({8.0, 0.0});

@@ -104,6 +104,15 @@ TEST(Hokuyo, IsThreeTimesAsNoisyBeyondTenMetres) {
   EXPECT_NEAR(readOften(&hokuyo, world, 900, kScans).deviation, 0.01, 0.01 * error);
 }
 
+TEST(Hokuyo, RoundsRangesToMultiplesOfTheStep) {
+  HokuyoParameters parameters = exact();
+  parameters.range_step = 0.02;
+  Hokuyo hokuyo(parameters, 5);
+  const CircleWorld world({{{1.0, 0.0}, 0.109}, {{0.0, 1.0}, 0.111}});
+  EXPECT_NEAR(readOften(&hokuyo, world, 540, 1).mean, 0.90, 1e-6) << "0.891 m";
+  EXPECT_NEAR(readOften(&hokuyo, world, 900, 1).mean, 0.88, 1e-6) << "0.889 m";
+}
+
 TEST(Hokuyo, RepeatsItselfForTheSameSeed) {
   HokuyoParameters parameters;
   parameters.dropout = 0.2;
