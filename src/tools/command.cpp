@@ -25,7 +25,7 @@ std::string namesOf(const std::vector<Command>& commands) {
 
 }  // namespace
 
-const Command& commandNamed(const std::string& name, const std::string& kind, const std::vector<Command>& commands) {
+Command commandNamed(const std::string& name, const std::string& kind, const std::vector<Command>& commands) {
   const auto found =
       std::find_if(commands.begin(), commands.end(), [&](const Command& command) { return command.name == name; });
   if (found != commands.end()) return *found;

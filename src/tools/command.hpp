@@ -21,7 +21,7 @@ void printUsage(const std::string& program, const std::string& kind, const std::
 
 /// Throws std::invalid_argument with the nearest name where there is no such command; `kind` as above, in small
 /// letters.
-const Command& commandNamed(const std::string& name, const std::string& kind, const std::vector<Command>& commands);
+Command commandNamed(const std::string& name, const std::string& kind, const std::vector<Command>& commands);
 
 /// Runs the action that the first argument names, of a command that has several; prints them for --help.
 int runAction(const std::string& command, const std::vector<Command>& actions,

@@ -70,7 +70,7 @@ int runTool(const std::vector<std::string>& arguments) {
     std::cout << "lstm_planner " << lstm_planner::softwareVersion() << "\n";
     return 0;
   }
-  const lstm_planner::Command& command = lstm_planner::commandNamed(first, "command", commands());
+  const lstm_planner::Command command = lstm_planner::commandNamed(first, "command", commands());
   try {
     return run(command, {arguments.begin() + 1, arguments.end()});
   } catch (const std::exception& error) {
