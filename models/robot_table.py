@@ -20,7 +20,6 @@ COURSE = "--kinds mazes offices corridors forest open rooms"
 IMITATION = "--rounds 2 --worlds 60 --validation 12 --epochs 15"
 ACTOR_CRITIC = ("--iterations 20 --worlds 24 --starts 8 --validation 12 --max-steps 400 --entropy-start 0.006 "
                 "--entropy-end 0.001")
-Q_LEARNING = "--iterations 20 --worlds 24 --starts 8 --validation 12 --max-steps 400"
 JUDGE = "--worlds 504 --max-steps 500 --seed 7 " + COURSE
 
 # Name: what it is, options of a new network, options of the course. MLP and RNN have as many weights as the LSTM.
@@ -46,7 +45,6 @@ ROWS = {
     "dead_ends": ("half of the drives start in a dead end (ch. 5)", "--inputs events --cells 16 16",
                   "--dead-ends 0.5"),
     "imitation": ("LSTM 2x16, imitation only", "--inputs events --cells 16 16", ""),
-    "q_learning": ("LSTM 2x16, Q-learning (Eq. 2.35-2.36) only", "--inputs events --cells 16 16", ""),
     "reinforcement": ("LSTM 2x16, reinforcement only", "--inputs events --cells 16 16", ""),
 }
 
@@ -63,9 +61,6 @@ def train(name, seed, folder, threads):
     common = " %s %s --seed %d --threads %d" % (COURSE, course, seed, threads)
     first = os.path.join(folder, "imitation.onnx")
     last = os.path.join(folder, "reinforced.onnx")
-    if name == "q_learning":
-        tool("train --method q-learning %s %s %s --output %s" % (network, Q_LEARNING, common, last))
-        return last
     if name == "reinforcement":
         tool("train --method actor-critic %s %s %s --output %s" % (network, ACTOR_CRITIC, common, last))
         return last

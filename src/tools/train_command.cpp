@@ -48,9 +48,7 @@ int runTrain(const std::vector<std::string>& arguments) {
   if (choice.task == "robot") {
     if (choice.method == "dagger") return trainRobotByDagger(arguments);
     if (choice.method == "actor-critic") return trainRobotByActorCritic(arguments);
-    if (choice.method == "q-learning") return trainRobotByQLearning(arguments);
-    throw std::invalid_argument("--method is '" + choice.method +
-                                "', expected dagger, actor-critic, q-learning or dataset");
+    throw std::invalid_argument("--method is '" + choice.method + "', expected dagger, actor-critic or dataset");
   }
   if (choice.task != "grid") {
     throw std::invalid_argument("--task is '" + choice.task + "', expected robot or grid");

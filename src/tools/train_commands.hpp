@@ -10,7 +10,6 @@ namespace lstm_planner {
 /// The robot in generated worlds: --task robot, by --method.
 int trainRobotByDagger(const std::vector<std::string>& arguments);
 int trainRobotByActorCritic(const std::vector<std::string>& arguments);
-int trainRobotByQLearning(const std::vector<std::string>& arguments);
 
 /// The robot from recorded drives: --dataset.
 int trainRobotByDataset(const std::vector<std::string>& arguments);

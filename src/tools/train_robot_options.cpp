@@ -77,8 +77,7 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   RobotTrainingOptions& o = *options;
   o.command = trainCommandLine(arguments);
   line->addChoice("task", &o.task, {"robot", "grid"}, "robot (this) or grid");
-  line->add("method", &o.method,
-            "dagger (default), actor-critic, q-learning or dataset; --method NAME --help explains it");
+  line->add("method", &o.method, "dagger (default), actor-critic or dataset; --method NAME --help explains it");
   line->addOutput("output", &o.output, "ONNX file to write");
   line->add("kinds", &o.kinds,
             "kinds of generated worlds: mazes offices corridors forest open rooms clutter furnished (default: all)");

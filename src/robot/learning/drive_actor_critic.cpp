@@ -49,9 +49,7 @@ class PractisingActorCritic final : public DriveActorCritic {
   }
 
   ReinforcementReport iterate() override {
-    const PracticeReward reward = progressReward(parameters_.step_cost, parameters_.contact_cost);
-    std::vector<PracticeEpisode> episodes = practise(
-        practiceRules(parameters_, preferredChances, reward, parameters_.arrival_bonus), policy_, learner_.updates());
+    std::vector<PracticeEpisode> episodes = practise(parameters_, policy_, learner_.updates());
     const PracticeSums sums = sumUp(episodes);
     episodes.insert(episodes.end(), recorded_.begin(), recorded_.end());
     DriveBatch batch(parameters_, policy_, critic_, episodes);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -28,9 +29,9 @@ AgentParameters drawAgent(const PolicyDescription& policy, Random& random) {
 /// Records a drive and chooses its actions; the agent's step listener.
 class Practice {
  public:
-  Practice(const PracticeRules& rules, const DriveExercise& exercise, const DriveTask& task, const StepSimulator& drive,
-           const NavigationAgent& agent, std::uint64_t seed)
-      : rules_(rules),
+  Practice(const DriveActorCriticParameters& parameters, const DriveExercise& exercise, const DriveTask& task,
+           const StepSimulator& drive, const NavigationAgent& agent, std::uint64_t seed)
+      : parameters_(parameters),
         exercise_(exercise),
         task_(task),
         drive_(drive),
@@ -45,7 +46,6 @@ class Practice {
   std::optional<int> step(const Observation& observation) {
     const double left = pathLeft();
     finishStep(left);
-    outcome_.before = observation;
     noteInputs(observation, left);
     episode_.steps.emplace_back();
     return draw() ? std::optional<int>(episode_.steps.back().action) : std::nullopt;
@@ -55,7 +55,7 @@ class Practice {
     finishStep(arrived ? 0.0 : pathLeft());
     episode_.arrived = arrived;
     if (arrived && !episode_.steps.empty()) {
-      episode_.steps.back().reward += static_cast<float>(rules_.arrival_bonus);
+      episode_.steps.back().reward += static_cast<float>(parameters_.arrival_bonus);
     }
     return std::move(episode_);
   }
@@ -73,9 +73,9 @@ class Practice {
   void finishStep(double left) {
     if (!episode_.steps.empty()) {
       PracticeEpisode::Step& last = episode_.steps.back();
-      outcome_.approach = left_before_ - left;
-      outcome_.contacts = drive_.contacts() - contacts_before_;
-      last.reward = static_cast<float>(rules_.reward(outcome_));
+      const int contacts = drive_.contacts() - contacts_before_;
+      last.reward =
+          static_cast<float>(left_before_ - left - parameters_.step_cost - parameters_.contact_cost * contacts);
       const Decision& decision = agent_.decision();
       last.chosen = last.chosen && decision.source == Decision::Source::kNetwork && decision.action == last.action;
     }
@@ -95,7 +95,7 @@ class Practice {
     exercise_.teacher->direction({pose.x, pose.y}, &direction);
     const double straight = std::max(0.1, distanceBetween(pose, task_.goal));
     more[0] = static_cast<float>(std::log2(left + 1.0) / 4.0);
-    more[1] = static_cast<float>(1.0 - std::pow(rules_.discount, left / 0.15));
+    more[1] = static_cast<float>(1.0 - std::pow(parameters_.discount, left / 0.15));
     more[2] = static_cast<float>(std::log2(std::max(1.0, left / straight)) / 3.0);
     more[3] = static_cast<float>(std::sin(direction - pose.yaw));
     more[4] = static_cast<float>(std::cos(direction - pose.yaw));
@@ -104,11 +104,13 @@ class Practice {
   /// Draws the action of the step; false when the shield allows none.
   bool draw() {
     const std::vector<char> allowed = allowedActions();
-    episode_.allowed.insert(episode_.allowed.end(), allowed.begin(), allowed.end());
     const std::size_t first = episode_.probabilities.size();
     episode_.probabilities.resize(first + allowed.size(), 0.0f);
     float* probabilities = episode_.probabilities.data() + first;
-    rules_.chances(agent_.decision().preferences, allowed, probabilities);
+    const std::vector<float>& preferences = agent_.decision().preferences;
+    fillChances(
+        static_cast<int>(allowed.size()), [&](int action) { return allowed[static_cast<std::size_t>(action)] != 0; },
+        [&](int action) { return preferences[static_cast<std::size_t>(action)]; }, probabilities);
     const float total = std::accumulate(probabilities, probabilities + allowed.size(), 0.0f);
     if (!(total > 0.0f)) return false;
     PracticeEpisode::Step& step = episode_.steps.back();
@@ -125,7 +127,7 @@ class Practice {
     return allowed;
   }
 
-  const PracticeRules& rules_;
+  const DriveActorCriticParameters& parameters_;
   const DriveExercise& exercise_;
   const DriveTask& task_;
   const StepSimulator& drive_;
@@ -135,68 +137,41 @@ class Practice {
   Random random_;
   PracticeEpisode episode_;
   double left_known_ = kLongestPath;
-  PracticeOutcome outcome_;  ///< of the step that is being made
   double left_before_ = 0.0;
   int contacts_before_ = 0;
 };
 
 /// One drive.
-PracticeEpisode practise(const PracticeRules& rules, const LayerStack& layers, const DriveExercise& exercise,
-                         const DriveTask& task, std::uint64_t seed) {
+PracticeEpisode practise(const DriveActorCriticParameters& parameters, const LayerStack& layers,
+                         const DriveExercise& exercise, const DriveTask& task, std::uint64_t seed) {
   Random random(seed);
   const PracticeConditions conditions = drawConditions(random, exercise.other_robot);
-  PolicyDescription description = rules.policy;
+  PolicyDescription description = parameters.policy;
   description.footprint_radius = exercise.footprint_radius;
   const AgentParameters agent_parameters = drawAgent(description, random);
   description.step_length = agent_parameters.step.length;
   NavigationAgent agent(DrivePolicy(description, layers), agent_parameters);
   StepSimulator drive(*exercise.world, task, conditions, exercise.footprint_radius, random());
-  Practice practice(rules, exercise, task, drive, agent, random());
+  Practice practice(parameters, exercise, task, drive, agent, random());
   agent.setStepListener(
       [&practice](const Situation&, const Observation& observation) { return practice.step(observation); });
-  const DriveResult::End end = drive.run(rules.max_steps, &agent);
+  const DriveResult::End end = drive.run(parameters.max_steps, &agent);
   return practice.finish(end == DriveResult::End::kReached);
 }
 
 }  // namespace
 
-void preferredChances(const std::vector<float>& preferences, const std::vector<char>& allowed, float* chances) {
-  fillChances(
-      static_cast<int>(allowed.size()), [&](int action) { return allowed[static_cast<std::size_t>(action)] != 0; },
-      [&](int action) { return preferences[static_cast<std::size_t>(action)]; }, chances);
-}
-
-ActionChances epsilonGreedyChances(double epsilon) {
-  return [epsilon](const std::vector<float>& preferences, const std::vector<char>& allowed, float* chances) {
-    std::size_t best = allowed.size();
-    for (std::size_t i = 0; i < allowed.size(); ++i) {
-      if (allowed[i] && (best == allowed.size() || preferences[i] > preferences[best])) best = i;
-    }
-    if (best == allowed.size()) return;
-    const auto count = static_cast<double>(std::count(allowed.begin(), allowed.end(), true));
-    for (std::size_t i = 0; i < allowed.size(); ++i) {
-      const double chance = epsilon / count + (i == best ? 1.0 - epsilon : 0.0);
-      chances[i] = allowed[i] ? static_cast<float>(chance) : 0.0f;
-    }
-  };
-}
-
-PracticeReward progressReward(double step_cost, double contact_cost) {
-  return [step_cost, contact_cost](const PracticeOutcome& outcome) {
-    return outcome.approach - step_cost - contact_cost * outcome.contacts;
-  };
-}
-
-std::vector<PracticeEpisode> practise(const PracticeRules& rules, const LayerStack& layers, int iteration) {
-  const Share own = shareOf(rules.worlds, rules.communicator->rank(), rules.communicator->size());
+std::vector<PracticeEpisode> practise(const DriveActorCriticParameters& parameters, const LayerStack& layers,
+                                      int iteration) {
+  const Share own = shareOf(parameters.worlds, parameters.communicator->rank(), parameters.communicator->size());
   std::vector<std::vector<PracticeEpisode>> by_world(static_cast<std::size_t>(own.count()));
-  parallelFor(own.count(), rules.threads, [&](int world, int) {
-    const int number = iteration * rules.worlds + own.first + world;
-    Random seeds(rules.seed * 1000003ULL + static_cast<std::uint64_t>(number));
-    for (const DriveExercise& exercise :
-         makeDriveExercises(rules.course, WorldUse::kTraining, rules.seed, number, rules.goals, rules.starts)) {
+  parallelFor(own.count(), parameters.threads, [&](int world, int) {
+    const int number = iteration * parameters.worlds + own.first + world;
+    Random seeds(parameters.seed * 1000003ULL + static_cast<std::uint64_t>(number));
+    for (const DriveExercise& exercise : makeDriveExercises(parameters.course, WorldUse::kTraining, parameters.seed,
+                                                            number, parameters.goals, parameters.starts)) {
       for (const DriveTask& task : exercise.tasks) {
-        by_world[static_cast<std::size_t>(world)].push_back(practise(rules, layers, exercise, task, seeds()));
+        by_world[static_cast<std::size_t>(world)].push_back(practise(parameters, layers, exercise, task, seeds()));
       }
     }
   });
@@ -206,7 +181,7 @@ std::vector<PracticeEpisode> practise(const PracticeRules& rules, const LayerSta
       if (!episode.steps.empty()) episodes.push_back(std::move(episode));
     }
   }
-  episodes = exchangeEpisodes(rules.communicator, std::move(episodes));
+  episodes = exchangeEpisodes(parameters.communicator, std::move(episodes));
   if (episodes.empty()) throw std::runtime_error("no drive of the iteration had a step to learn from");
   return episodes;
 }

@@ -19,12 +19,6 @@ struct DriveBatchWeights {
   std::vector<double> advantage_variances;  ///< by kind of world
 };
 
-/// A step of a drive, and what is thought of it.
-struct DriveSlot : DrivePlace {
-  float value = 0.0f;
-  float advantage = 0.0f;
-};
-
 /// How undecided the policy was.
 struct DriveTileEntropy {
   double sum = 0.0;  ///< nat
@@ -38,7 +32,7 @@ class DriveTile {
   /// All must outlive the tile.
   DriveTile(const DriveActorCriticParameters& parameters, const LayerStack& policy, const LayerStack& critic);
 
-  DriveQueues<DriveSlot>& queues() { return queues_; }
+  DriveQueues& queues() { return queues_; }
 
   /// Works out values, advantages and returns; the sets of the sums are the kinds of worlds.
   CriticSums judge(const Eigen::VectorXf& critic_parameters);
@@ -65,7 +59,7 @@ class DriveTile {
   int actions_;
   int policy_inputs_;
   DriveViews views_;
-  DriveQueues<DriveSlot> queues_;
+  DriveQueues queues_;
   LaneNetwork policy_;
   LaneNetwork critic_;
   Eigen::VectorXf gradient_;

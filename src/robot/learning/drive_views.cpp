@@ -11,22 +11,22 @@ void DriveViews::forget(int step, int queue, LaneNetwork* network) const {
   for (int view = 0; view < views_; ++view) network->forget(step, queue * views_ + view);
 }
 
-void DriveViews::fillInputs(const DrivePlace& place, int queue, float* rows) const {
+void DriveViews::fillInputs(const DriveSlot& slot, int queue, float* rows) const {
   const int stride = networkLanes();
   float* first = rows + queue * views_;
-  const float* ahead = inputsOf(place, encoder_.size());
+  const float* ahead = inputsOf(slot, encoder_.size());
   if (views_ == 1 || !ahead) {
     for (int row = 0; row < encoder_.size(); ++row) {
       for (int view = 0; view < views_; ++view) first[row * stride + view] = ahead ? ahead[row] : 0.0f;
     }
     return;
   }
-  encoder_.turn(ahead, place.episode->bearings[place.step], first, stride);
+  encoder_.turn(ahead, slot.episode->bearings[slot.step], first, stride);
 }
 
-int DriveViews::outputAt(const DrivePlace& place, int queue, int action) const {
+int DriveViews::outputAt(const DriveSlot& slot, int queue, int action) const {
   if (views_ == 1) return action * networkLanes() + queue;
-  const int ahead = place.episode->bearings[place.step].ahead;
+  const int ahead = slot.episode->bearings[slot.step].ahead;
   return queue * views_ + (ahead + action_views_[static_cast<std::size_t>(action)]) % views_;
 }
 

@@ -22,11 +22,11 @@ class DriveViews {
   /// Before `step` of the network, for the drive of a queue.
   void forget(int step, int queue, LaneNetwork* network) const;
 
-  /// Fills the network's rows with what the views see at a place of a drive; zeros where there is no drive.
-  void fillInputs(const DrivePlace& place, int queue, float* rows) const;
+  /// Fills the network's rows with what the views see at a step of a drive; zeros where there is no drive.
+  void fillInputs(const DriveSlot& slot, int queue, float* rows) const;
 
-  /// Where an action's preference lies among the network's outputs. The place must have a drive.
-  int outputAt(const DrivePlace& place, int queue, int action) const;
+  /// Where an action's preference lies among the network's outputs. The slot must have a drive.
+  int outputAt(const DriveSlot& slot, int queue, int action) const;
 
  private:
   int views_;

@@ -19,7 +19,6 @@ void forEachField(Episode* episode, const Field& field) {
   field(&episode->steps);
   field(&episode->inputs);
   field(&episode->bearings);
-  field(&episode->allowed);
   field(&episode->probabilities);
 }
 

@@ -13,7 +13,6 @@ PracticeEpisode toPractice(const std::vector<RecordedChoice>& choices, const Enc
   const auto own = static_cast<std::size_t>(encoder.size());
   PracticeEpisode episode;
   episode.recorded = true;
-  episode.allowed.assign(choices.size() * actions, true);
   episode.probabilities.assign(choices.size() * actions, 1.0f / static_cast<float>(actions));
   episode.inputs.assign(choices.size() * (own + kDrivePrivilegedInputs), 0.0f);
   float* input = episode.inputs.data();

@@ -55,7 +55,6 @@ const std::vector<Usage> kUsages = {
     {"dataset simulate", " --map FILE... --output FILE"},
     {"train", ""},
     {"train --method actor-critic", ""},
-    {"train --method q-learning", ""},
     {"train --search", ""},
     {"train --task grid --method imitation", " --output FILE"},
     {"train --task grid --method dagger", " --output FILE"},
@@ -167,7 +166,7 @@ TEST_F(CommandLineTool, FindsTheShippedModelsFromAnyFolder) {
 
 TEST_F(CommandLineTool, TheSecondSignalEndsATrainingAtOnce) {
   const std::string training = std::string(kTool) +
-                               " train --method q-learning --views 8 --cells 4 --kinds open --iterations 1000 "
+                               " train --method actor-critic --views 8 --cells 4 --kinds open --iterations 1000 "
                                "--worlds 3 --starts 2 --max-steps 40 --validation 2 --threads 1 --output model.onnx "
                                "--checkpoint model.checkpoint";
   const test::Outcome outcome =

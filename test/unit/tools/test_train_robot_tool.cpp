@@ -63,7 +63,7 @@ TEST_F(TrainRobotTool, TheIntervalOfAShareOfNothingStartsAtZero) {
 }
 
 TEST_F(TrainRobotTool, WhatCannotBeWrittenIsSaidBeforeAnythingIsLearned) {
-  for (const char* method : {"dagger", "actor-critic", "q-learning"}) {
+  for (const char* method : {"dagger", "actor-critic"}) {
     for (const std::string& output : {std::string("/no_such_folder/own.onnx"), folder_}) {
       const test::Outcome outcome = runTool("train --method " + std::string(method) + " --output " + output);
       EXPECT_EQ(outcome.status, 2) << method;
@@ -74,7 +74,7 @@ TEST_F(TrainRobotTool, WhatCannotBeWrittenIsSaidBeforeAnythingIsLearned) {
 }
 
 TEST_F(TrainRobotTool, AShippedModelIsNotWrittenUnlessItIsNamed) {
-  for (const char* method : {"dagger", "actor-critic", "q-learning"}) {
+  for (const char* method : {"dagger", "actor-critic"}) {
     const test::Outcome help = success("train --help --method " + std::string(method));
     EXPECT_NE(help.output.find("ONNX file to write (default: own.onnx)"), std::string::npos) << help.output;
   }
@@ -88,10 +88,10 @@ TEST_F(TrainRobotTool, SizesHaveBounds) {
   }
 }
 
-TEST_F(TrainRobotTool, QLearningStartsFromNothing) {
+TEST_F(TrainRobotTool, ReinforcementStartsFromNothing) {
   success(
-      "train --method q-learning --views 8 --cells 4 --kinds open --iterations 2 --worlds 3 --starts 2 --max-steps 40 "
-      "--validation 2 --output " +
+      "train --method actor-critic --views 8 --cells 4 --kinds open --iterations 2 --worlds 3 --starts 2 "
+      "--max-steps 40 --validation 2 --output " +
       in("own.onnx"));
   EXPECT_EQ(DrivePolicy::fromFile(in("own.onnx")).description().encoder.views, 8);
 }

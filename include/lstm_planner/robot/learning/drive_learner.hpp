@@ -31,8 +31,7 @@ void visitPracticeParameters(Parameters& p, const Visitor& visit) {
   visit("contact-cost", p.contact_cost, {0.0, 1e6}, "m", "cost of a contact, where the reward is the progress");
 }
 
-/// A network that learns from practice drives: makeDriveActorCritic(), makeDriveQLearning(). An update of it is an
-/// iteration.
+/// A network that learns from practice drives: makeDriveActorCritic(). An update of it is an iteration.
 class DriveLearner : public ReinforcementLearner {
  public:
   /// Collects drives and learns from them. What happens depends only on the weights, the seed, and how many iterations
