@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "bench_support.hpp"
-#include "floor.hpp"
+#include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/base/network/batch_network.hpp"
 #include "lstm_planner/base/network/network.hpp"
 
@@ -18,8 +18,8 @@ constexpr int kRepetitions = 500;
 /// programs on the machine spoil single spells only.
 template <typename Step>
 void reportSteps(const LayerStack& layers, InstructionSet set, int agents, const Step& step, benchmark::State& state) {
-  const double multiply_adds = multiplyAddsOfStep(layers);
-  const int steps = static_cast<int>(1.0 + 1e6 / (multiply_adds * agents));  // 10 us and more
+  const auto weights = static_cast<double>(parameterVector(layers).size());
+  const int steps = static_cast<int>(1.0 + 1e6 / (weights * agents));  // 10 us and more
   std::vector<double> agent_ns;
   for (auto _ : state) {
     const auto begin = std::chrono::steady_clock::now();
@@ -29,11 +29,9 @@ void reportSteps(const LayerStack& layers, InstructionSet set, int agents, const
     agent_ns.push_back(1e9 * time.count() / (steps * agents));
   }
   std::sort(agent_ns.begin(), agent_ns.end());
-  const double peak_ns = multiply_adds / measuredSpeed(set).multiply_adds_per_ns;
   state.SetLabel(toString(set));
   state.counters["agent_ns"] = agent_ns.front();
   state.counters["agent_ns_median"] = agent_ns[agent_ns.size() / 2];
-  state.counters["share_of_peak"] = peak_ns / agent_ns.front();
 }
 
 LayerStack layersOf(const benchmark::State& state) {

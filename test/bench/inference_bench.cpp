@@ -3,9 +3,7 @@
 #include <limits>
 
 #include "bench_support.hpp"
-#include "floor.hpp"
 #include "lstm_planner/base/network/network.hpp"
-#include "textbook_lstm.hpp"
 
 namespace lstm_planner::inference_bench {
 namespace {
@@ -39,30 +37,17 @@ class ChainedSteps {
   double least_ns_ = std::numeric_limits<double>::infinity();
 };
 
-LayerStack layersOf(int cells) { return benchLstm(kInputs, {cells, cells}, kOutputs); }
-
-/// 11 -> LSTM -> LSTM -> FC 8 with one kernel, by turns with the textbook's, so that both meet the same machine.
+/// 11 -> LSTM -> LSTM -> FC 8 with one kernel.
 void inferenceKernel(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
   const InstructionSet set = runnableInstructionSets()[static_cast<std::size_t>(state.range(1))];
-  const LayerStack layers = layersOf(cells);
-  const double floor = stepFloor(layers, set);
-  Network network(layers, set);
-  TextbookLstm textbook(layers);
+  Network network(benchLstm(kInputs, {cells, cells}, kOutputs), set);
   ChainedSteps steps(cells);
-  ChainedSteps textbook_steps(cells);
   for (auto _ : state) {
     steps.run([&](const Eigen::VectorXf& input) -> const Eigen::VectorXf& { return network.forward(input); });
-    state.PauseTiming();
-    textbook_steps.run([&](const Eigen::VectorXf& input) { return textbook.forward(input); });
-    state.ResumeTiming();
   }
   state.SetLabel(toString(set));
   state.counters["step_ns"] = steps.leastNs();
-  state.counters["floor_ns"] = floor;
-  state.counters["textbook_ns"] = textbook_steps.leastNs();
-  state.counters["times_floor"] = steps.leastNs() / floor;
-  state.counters["times_as_fast_as_textbook"] = textbook_steps.leastNs() / steps.leastNs();
 }
 BENCHMARK(inferenceKernel)
     ->Name("inference/step")

@@ -1,2 +1,0 @@
-#define FLOOR_KERNELS kFloorBaseline
-#include "floor_source.hpp"
