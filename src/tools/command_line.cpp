@@ -235,7 +235,7 @@ Option& CommandLine::addChoice(const std::string& name, std::string* value, cons
 
 std::size_t CommandLine::choose(const std::string& name, const std::vector<std::string>& values,
                                 const std::vector<std::string>& names) {
-  const std::string& value = theOnly("--" + name, values);
+  const std::string value = theOnly("--" + name, values);
   const auto found = std::find(names.begin(), names.end(), value);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   throw std::invalid_argument("--" + name + " is '" + value + "', expected " + alternatives(names));
