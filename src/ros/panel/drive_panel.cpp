@@ -111,11 +111,10 @@ void DrivePanel::onInitialize() { subscribe(); }
 
 void DrivePanel::load(const rviz::Config& config) {
   rviz::Panel::load(config);
-  for (const auto& [key, value] :
-       {std::make_pair("Namespace", &namespace_), std::make_pair("Planner", &planner_),
-        std::make_pair("Controller", &controller_), std::make_pair("Recorder", &recorder_)}) {
-    config.mapGetString(key, value);
-  }
+  config.mapGetString("Namespace", &namespace_);
+  config.mapGetString("Planner", &planner_);
+  config.mapGetString("Controller", &controller_);
+  config.mapGetString("Recorder", &recorder_);
   namespace_edit_->setText(namespace_);
   subscribe();
 }
