@@ -21,8 +21,8 @@ class StandWatch {
   void clear();
 
   double stood() const { return since_ ? now_ - *since_ : 0.0; }  ///< s at this place
-  int retries() const { return retries_; }                        ///< at this place
   double tried() const { return tried_ ? now_ - *tried_ : 0.0; }  ///< s of these since it was first commanded to move
+  int retries() const { return retries_; }                        ///< at this place
 
  private:
   std::deque<Pose2> places_;  ///< where it was last, oldest first
