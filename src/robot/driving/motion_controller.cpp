@@ -229,24 +229,29 @@ double MotionController::allowedSpeed(const Twist2& twist, const MotionSituation
 Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const {
   // The margin is also for what cannot be foreseen.
   WheelMotion motion(parameters_, now, now.history, reaction_time_, kLeastMargin * parameters_.safety_margin);
-  Twist2 best = twist;
-  double farthest = motion.free(twist);
-  const auto tryCommand = [&](const Twist2& command) {
-    if (farthest == WheelMotion::kFree) return;
-    const double free = motion.free(command);
-    if (free <= farthest) return;
-    farthest = free;
-    best = command;
-  };
   // The robot may turn faster than it may be told to, as when somebody turns it.
   const std::vector<Twist2>& commanded = now.history.commanded;
   const Twist2& last = commanded.empty() ? now.current : commanded.back();
   const double before = clampMagnitude(last.angular, parameters_.max_angular);
-  for (const double linear : {twist.linear, 0.0}) {
-    if (linear > 0.0 && now.persons.near) continue;  // on another arc it would have to yield anew
-    for (const double share : {0.5, 0.25, 0.0}) tryCommand({linear, before + share * (twist.angular - before)});
+  const auto turningLess = [&](double share) { return before + share * (twist.angular - before); };
+  constexpr double kLess[] = {0.5, 0.25, 0.0};
+  if (motion.free(twist) == WheelMotion::kFree) return twist;
+  if (!now.persons.near) {  // on another arc it would have to yield anew
+    for (const double share : kLess) {
+      const Twist2 arc{twist.linear, turningLess(share)};
+      if (motion.free(arc) == WheelMotion::kFree) return arc;
+    }
   }
-  tryCommand({});
+  // Where nothing is free it brakes all the same: whoever drives on for a little more air has less of it next time.
+  Twist2 best;
+  double farthest = -1.0;
+  for (const Twist2& standing : {Twist2{0.0, twist.angular}, Twist2{0.0, turningLess(0.5)},
+                                 Twist2{0.0, turningLess(0.25)}, Twist2{0.0, before}, Twist2{}}) {
+    const double free = motion.free(standing);
+    if (free <= farthest) continue;
+    farthest = free;
+    best = standing;
+  }
   return best;
 }
 
