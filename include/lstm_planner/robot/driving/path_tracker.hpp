@@ -1,12 +1,9 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
 #include <vector>
 
 #include "lstm_planner/robot/driving/motion_controller.hpp"
-#include "lstm_planner/robot/driving/stand_watch.hpp"
+#include "lstm_planner/robot/driving/patience.hpp"
 #include "lstm_planner/robot/driving/trail.hpp"
 #include "lstm_planner/robot/perception/moving_surroundings.hpp"
 #include "lstm_planner/robot/perception/seen_free.hpp"
@@ -15,8 +12,7 @@
 namespace lstm_planner {
 
 /// What follows a plan among people, in the robot and in simulation: sees by scan after scan what moves, and asks the
-/// controller for a command. Gives up (StopReason::kStuck) where the robot has stood for longer than the patience,
-/// until it is moved, has another goal, its plan leads another way, or three times the patience has passed.
+/// controller for a command. Gives up (StopReason::kStuck) where its Patience ends.
 class PathTracker {
  public:
   /// Throws as MotionController.
@@ -41,7 +37,12 @@ class PathTracker {
           seenFreeBehind(situation, shield.footprint(), limits.safety_margin, limits.max_linear * limits.evade_time);
       command = controller_.evade(command, motion, moving_.follow(situation), free_behind, history_);
     }
-    command = withPatience(command, plan, situation);
+    if (plan.empty()) {
+      patience_.clear();
+    } else if (!patience_.lasts(controller_.parameters().patience, command, plan, situation)) {
+      command = {{}, StopReason::kStuck};
+    }
+    history_.has_stood = patience_.isHalfGone();
     history_.goes_back = command.goes_back;
     history_.note(command, controller_.reactionTime(), period);
     return command;
@@ -63,7 +64,7 @@ class PathTracker {
   void forget() {
     moving_.reset();
     trail_.clear();
-    stand_.clear();
+    patience_.clear();
     history_ = {};
   }
 
@@ -71,50 +72,10 @@ class PathTracker {
   bool goalReached(const Pose2& pose, const Pose2& goal) const { return controller_.goalReached(pose, goal); }
 
  private:
-  static constexpr double kGivesUpFor = 3.0;  ///< times the patience
-  static constexpr double kWayAhead = 0.3;    ///< m along the plan to where it leads
-  static constexpr double kAnotherWay = 1.0;  ///< rad
-  static constexpr int kMostRetries = 4;      ///< until the robot gets away
-
-  MotionCommand withPatience(const MotionCommand& command, const std::vector<Pose2>& plan, const Situation& situation) {
-    const double patience = controller_.parameters().patience;
-    if (plan.empty()) {
-      stand_.clear();
-      return command;
-    }
-    stand_.note(situation.pose, situation.time, {plan.back().x, plan.back().y},
-                command.linear != 0.0 || command.angular != 0.0);
-    const bool is_excused = command.stop == StopReason::kPerson || command.stop == StopReason::kArrived;
-    if (is_excused) stand_.excuse(situation.time);
-    history_.has_stood = patience > 0.0 && stand_.stood() > 0.5 * patience;
-    const bool is_stuck = command.stop == StopReason::kObstacle ? stand_.stood() > patience : stand_.tried() > patience;
-    if (patience == 0.0 || !is_stuck) {
-      stuck_towards_.reset();
-      return command;
-    }
-    // Whoever hears of it has given up by then, or expects another try.
-    if (stand_.stood() > kGivesUpFor * patience) stand_.clear();
-    if (leadsAnotherWay(plan, situation.pose) && stand_.retries() < kMostRetries) {
-      stand_.retry();
-      return command;
-    }
-    return {{}, StopReason::kStuck};
-  }
-
-  /// Than the plan did with which the robot gave up here.
-  bool leadsAnotherWay(const std::vector<Pose2>& plan, const Pose2& pose) {
-    const auto ahead =
-        std::find_if(plan.begin(), plan.end(), [&](const Pose2& at) { return distanceBetween(pose, at) >= kWayAhead; });
-    const double direction = directionTo(pose, ahead == plan.end() ? plan.back() : *ahead);
-    if (!stuck_towards_) stuck_towards_ = direction;
-    return std::abs(normalizeAngle(direction - *stuck_towards_)) > kAnotherWay;
-  }
-
   MotionController controller_;
   Trail trail_;
   MotionHistory history_;
-  StandWatch stand_;
-  std::optional<double> stuck_towards_;  ///< rad, odometry frame
+  Patience patience_;
   MovingSurroundings moving_;
 };
 
