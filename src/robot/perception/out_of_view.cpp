@@ -33,9 +33,9 @@ bool OutOfView::isInView(const Situation& situation, const Point2& place) {
 }
 
 void OutOfView::show(const Situation& situation) {
-  old_.swap(points_);
+  old_.assign(seen_last_.begin(), seen_last_.end());  // newest first: beyond kMost the oldest give way
+  old_.insert(old_.end(), points_.begin(), points_.end());
   points_.clear();
-  old_.insert(old_.end(), seen_last_.begin(), seen_last_.end());
   const Pose2 before = compose(inverse(situation.pose), pose_);
   for (const Point2& point : old_) {
     const Point2 place = toParentFrame(before, point);
