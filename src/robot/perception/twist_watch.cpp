@@ -23,11 +23,12 @@ constexpr double kShortestEven = 0.1;  // s
 constexpr double kJump = 0.05;         // m or rad beside an even drive that no robot gets to at once,
 constexpr double kSwerve = 5.0;        // and m/s^2 or rad/s^2 that it may be beside
 
-/// What counts as standing: odometry may creep, and a slow twist be rounded.
+/// What counts as standing: odometry may creep, and a twist be rounded. A Create 2 counts ticks over 15 ms, and one
+/// tick of a wheel is 0.126 rad/s there.
 constexpr double kStill = 0.01;      // m
-constexpr double kCreep = 0.004;     // m/s
+constexpr double kCreep = 0.008;     // m/s
 constexpr double kStillTurn = 0.03;  // rad
-constexpr double kCreepTurn = 0.01;  // rad/s
+constexpr double kCreepTurn = 0.15;  // rad/s
 
 }  // namespace
 

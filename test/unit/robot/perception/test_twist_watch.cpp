@@ -72,6 +72,27 @@ Publisher spikes(int every) {
   };
 }
 
+/// A Create 2, whose driver takes the speed from the ticks of so short a time, and sends it ten times a second: at some
+/// speeds it catches the same number of ticks every time, which may be one more, or one less, than the wheel turns by.
+Publisher ticksOver(double seconds) {
+  constexpr double kTick = M_PI * 0.072 / 508.8;  // m
+  constexpr double kHalfAxle = 0.1175;            // m
+  return [seconds, last = Pose2{}, left = 0.0, right = 0.0](Message* message, Random*) mutable {
+    const double turned = message->pose.yaw - last.yaw;
+    const Pose2 halfway{last.x, last.y, last.yaw + 0.5 * turned};
+    const double way = toLocalFrame(halfway, {message->pose.x, message->pose.y}).x;
+    last = message->pose;
+    left += way - kHalfAxle * turned;
+    right += way + kHalfAxle * turned;
+    const auto counted = [seconds](double travelled, double speed) {
+      return kTick * (std::floor(travelled / kTick) - std::floor((travelled - speed * seconds) / kTick)) / seconds;
+    };
+    const double left_speed = counted(left, message->twist.linear - kHalfAxle * message->twist.angular);
+    const double right_speed = counted(right, message->twist.linear + kHalfAxle * message->twist.angular);
+    message->twist = {0.5 * (left_speed + right_speed), 0.5 * (right_speed - left_speed) / kHalfAxle};
+  };
+}
+
 /// A localisation that corrects the poses every five seconds.
 Publisher jumps(double length) {
   return [length, next = 5.0, offset = Pose2{}](Message* message, Random* random) mutable {
@@ -94,6 +115,7 @@ const Case kRight[] = {{"Exact", asItIs},
                        {"RoundedStampsOfAFastOdometry", roundedStamps(0.05), 100.0},
                        {"DelayedTwist", delayedTwist(0.2, 20.0)},
                        {"Spikes", spikes(10)},
+                       {"TicksOfAShortTime", ticksOver(0.015), 10.0},
                        {"Jumps", jumps(0.1)},
                        {"Jumps2", jumps(0.2)}};
 
