@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <iostream>
 #include <stdexcept>
 
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
+#include "tools/recipe.hpp"
 #include "tools/train_commands.hpp"
 
 namespace lstm_planner {
@@ -34,6 +36,36 @@ Choice readChoice(const std::vector<std::string>& arguments) {
   return choice;
 }
 
+const char* const kHelp =
+    R"(usage: lstm_planner train [RECIPE] [KEY=VALUE]... [OPTION]...
+
+trains a network for the robot or for the grid world
+
+RECIPE is a yaml file, or the name of one in models/recipes, by which the shipped networks were trained:
+  create2_lstm, create2_lstm_alone, grid_lstm, grid_lstm_2x8, grid_rnn_2x16, grid_mlp_4x64, grid_qlearning
+KEY=VALUE replaces a value of the recipe, or adds one: seed=2, cells=[8,8]; false takes a key away. Each key is an
+option, too: --seed 2, --cells 8 8.
+
+There are these trainings. Each has its own keys, which it prints with --help:
+  method=dagger                   the robot learns from the shortest paths of generated worlds (the default)
+  method=actor-critic             the robot learns by reinforcement, from random weights or on (init=MODEL)
+  dataset=FILE                    the robot learns from recorded drives
+  task=grid method=imitation      an agent of the grid world learns from A*, on paths that A* took
+  task=grid method=dagger         likewise, on paths that the agent took
+  task=grid method=actor-critic   an agent of the grid world learns by reinforcement
+  task=grid method=q-learning     likewise, by Q-learning
+  --search                        many small networks of the grid world learn, and are compared (thesis, tables 3.3-3.5)
+
+examples:
+  lstm_planner train create2_lstm seed=2 output=own.onnx
+  lstm_planner train rounds=3 worlds=60 output=first.onnx
+  lstm_planner train task=grid method=dagger --help
+)";
+
+bool asksForHelpAlone(const std::vector<std::string>& arguments) {
+  return arguments.size() == 1 && (arguments[0] == "--help" || arguments[0] == "-h");
+}
+
 }  // namespace
 
 std::string trainCommandLine(const std::vector<std::string>& arguments) {
@@ -42,7 +74,12 @@ std::string trainCommandLine(const std::vector<std::string>& arguments) {
   return line;
 }
 
-int runTrain(const std::vector<std::string>& arguments) {
+int runTrain(const std::vector<std::string>& given) {
+  if (asksForHelpAlone(given)) {
+    std::cout << kHelp;
+    return 0;
+  }
+  const std::vector<std::string> arguments = expandRecipe(given);
   const Choice choice = readChoice(arguments);
   if (choice.method == "dataset") return trainRobotByDataset(arguments);
   if (choice.task == "robot") {

@@ -25,7 +25,7 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   ImitationParameters& imitation = options->imitation;
   imitation.trainer.epochs = 12;
   imitation.trainer.optimiser.learning_rate = 0.01;
-  CommandLine line("train",
+  CommandLine line("train --method dagger",
                    "trains a network for the robot by imitation in generated worlds; --method actor-critic --init FILE "
                    "then improves it by reinforcement");
   addRobotTrainingOptions(arguments, options, &line);

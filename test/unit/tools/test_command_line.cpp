@@ -53,7 +53,7 @@ const std::vector<Usage> kUsages = {
     {"dataset from-bag", " FILE... --output FILE"},
     {"dataset from-log", " FILE... --output FILE"},
     {"dataset simulate", " --map FILE... --output FILE"},
-    {"train", ""},
+    {"train --method dagger", ""},
     {"train --method actor-critic", ""},
     {"train --search", ""},
     {"train --task grid --method imitation", " --output FILE"},
