@@ -8,13 +8,71 @@
 #include <string>
 
 #include "robot/driving/shield_groups.hpp"
-#include "robot/driving/shield_kernels.hpp"
 
 namespace lstm_planner {
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A straight drive of a disc: how much of it is free, return by return.
+class FreeLine {
+ public:
+  /// `wanted`: radius with the clearance. `hard`: radius into which nothing may come.
+  FreeLine(const Point2& from, const Point2& along, double limit, double wanted, double hard)
+      : from_(from),
+        along_(along),
+        free_(limit),
+        wanted_(wanted),
+        hard_(hard),
+        wanted_squared_(square(wanted)),
+        touched_squared_(square(wanted + kShieldTouchSlack)) {}
+
+  double free() const { return free_; }
+
+  /// All with what was free before the group, so that they need not wait for each other.
+  void meetGroup(const double* places) {
+    double along[kReturnsAGroup];
+    double aside[kReturnsAGroup];
+    double beside[kReturnsAGroup];  ///< m^2, from the nearest place of what is free so far
+    for (std::size_t i = 0; i < kReturnsAGroup; ++i) {
+      const double dx = places[i] - from_.x;
+      const double dy = places[kReturnsAGroup + i] - from_.y;
+      along[i] = along_.x * dx + along_.y * dy;
+      aside[i] = std::abs(along_.x * dy - along_.y * dx);
+      const double beyond = along[i] - free_;
+      beside[i] = square(beyond > 0.0 ? beyond : 0.0) + square(aside[i]);
+    }
+    // What the disc does not reach before or at the end of what is free so far does not matter.
+    for (std::size_t i = 0; i < kReturnsAGroup; ++i) {
+      if (beside[i] < wanted_squared_ && along[i] > 0.0) shorten(along[i], aside[i]);
+    }
+  }
+
+ private:
+  void shorten(double along, double aside) {
+    double radius = wanted_;
+    const double squared = square(along) + square(aside);
+    if (squared < touched_squared_) {
+      const double now = std::sqrt(squared);
+      if (now <= hard_) {
+        free_ = 0.0;
+        return;
+      }
+      radius = std::max(hard_, std::min(wanted_, now - kShieldTouchSlack));
+    }
+    if (aside >= radius) return;
+    free_ = std::min(free_, std::max(0.0, along - std::sqrt(square(radius) - square(aside))));
+  }
+
+  Point2 from_;
+  Point2 along_;  ///< of length 1
+  double free_;   ///< m, so far
+  double wanted_;
+  double hard_;
+  double wanted_squared_;
+  double touched_squared_;  ///< what is no farther may only come nearer by less than the slack
+};
 
 }  // namespace
 
@@ -54,7 +112,32 @@ void Shield::add(const std::vector<Point2>& obstacles) {
 }
 
 std::size_t Shield::addGroups(const Point2* obstacles, std::size_t groups, double reach_squared) {
-  return shieldKernels().add(&obstacles->x, groups, reach_squared, places_.data(), boxes_.data(), &groups_);
+  for (std::size_t group = 0; group < groups; ++group, obstacles += kReturnsAGroup) {
+    double* const x = &places_[2 * kReturnsAGroup * groups_];
+    double* const y = x + kReturnsAGroup;
+    Doubles least = {kInfinity, kInfinity};
+    Doubles most = -least;
+    for (std::size_t i = 0; i < kReturnsAGroup; ++i) {
+      const Doubles place = {obstacles[i].x, obstacles[i].y};
+      x[i] = place[0];
+      y[i] = place[1];
+      least = minimum(place, least);
+      most = maximum(place, most);
+    }
+    const Point2 low{least[0], least[1]};
+    const Point2 high{most[0], most[1]};
+    const Point2 nearest{std::max({low.x, -high.x, 0.0}), std::max({low.y, -high.y, 0.0})};
+    if (square(nearest.x) + square(nearest.y) > reach_squared) continue;
+    const Point2 farthest{std::max(-low.x, high.x), std::max(-low.y, high.y)};
+    if (!(square(farthest.x) + square(farthest.y) <= reach_squared)) return group;
+    float* const box = &boxes_[groups_ / kGroupsABlock * kNumbersABlock + groups_ % kGroupsABlock];
+    box[0] = static_cast<float>(0.5 * (low.x + high.x));
+    box[kGroupsABlock] = static_cast<float>(0.5 * (low.y + high.y));
+    box[2 * kGroupsABlock] = static_cast<float>(0.5 * (high.x - low.x));
+    box[3 * kGroupsABlock] = static_cast<float>(0.5 * (high.y - low.y));
+    ++groups_;
+  }
+  return groups;
 }
 
 void Shield::addNear(const Point2* obstacles, std::size_t count) {
@@ -71,17 +154,32 @@ double Shield::blur(const Point2& from) const { return 1e-6 * (1.0 + reach_ + st
 
 double Shield::freeLine(const Point2& from, double direction, double limit, double clearance, double enough) const {
   if (!footprint_.isCircle()) return freeArc({from.x, from.y, direction}, 0.0, limit, clearance);
-  DiscLine line;
-  line.from_x = from.x;
-  line.from_y = from.y;
-  line.along_x = std::cos(direction);
-  line.along_y = std::sin(direction);
-  line.limit = limit;
-  line.wanted = footprint_radius_ + clearance;
-  line.hard = footprint_radius_ + std::min(hard_margin_, clearance);
-  line.enough = enough;
-  line.blur = blur(from);
-  return shieldKernels().freeLine({groups_, places_.data(), boxes_.data()}, line);
+  const Point2 along{std::cos(direction), std::sin(direction)};
+  const double wanted = footprint_radius_ + clearance;
+  FreeLine line(from, along, limit, wanted, footprint_radius_ + std::min(hard_margin_, clearance));
+  const Floats x = allOf(static_cast<float>(from.x));
+  const Floats y = allOf(static_cast<float>(from.y));
+  const Floats along_x = allOf(static_cast<float>(along.x));
+  const Floats along_y = allOf(static_cast<float>(along.y));
+  const auto lost = static_cast<float>(blur(from));
+  const Floats wide = allOf(static_cast<float>(wanted) + lost);
+  const float beyond = static_cast<float>(wanted) + 2.0f * lost;
+  Floats far = allOf(static_cast<float>(limit) + beyond);
+  const auto meet = [&](Floats middle_x, Floats middle_y, Floats half_x, Floats half_y) {
+    const Floats dx = middle_x - x;
+    const Floats dy = middle_y - y;
+    const Floats ahead = along_x * dx + along_y * dy;
+    const Floats aside = along_x * dy - along_y * dx;
+    const Floats half_ahead = magnitude(along_x) * half_x + magnitude(along_y) * half_y;
+    const Floats half_aside = magnitude(along_y) * half_x + magnitude(along_x) * half_y;
+    return (magnitude(aside) - half_aside <= wide) & (ahead + half_ahead >= allOf(-lost)) & (ahead - half_ahead <= far);
+  };
+  visitGroups(meet, [&](const double* places) {
+    line.meetGroup(places);
+    far = allOf(static_cast<float>(line.free()) + beyond);
+    return line.free() <= 0.0 || line.free() < enough;
+  });
+  return line.free();
 }
 
 double Shield::gap(const Point2& from) const {

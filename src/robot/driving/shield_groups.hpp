@@ -1,15 +1,27 @@
 #pragma once
 
+#include <cstddef>
+
 #include "lstm_planner/robot/driving/shield.hpp"
-#include "robot/driving/shield_kernels.hpp"
 #include "robot/perception/baseline_vectors.hpp"
 
 namespace lstm_planner {
 
+/// Neighbours of a scan lie near one another: whole groups of them need not be looked at. Each has as many x, then as
+/// many y.
+constexpr std::size_t kReturnsAGroup = 16;
+
+/// The boxes around groups come in blocks: x of the middles, then y, half widths, half heights, as many of each.
+constexpr std::size_t kGroupsABlock = kLanes;
+constexpr std::size_t kNumbersABlock = 4 * kGroupsABlock;
+
+/// A return must come this much nearer before it counts as coming nearer, m: less than the noise of any scanner.
+constexpr double kShieldTouchSlack = 1e-3;
+
 template <typename Meet, typename Visit>
 void Shield::visitGroups(const Meet& meet, const Visit& visit) const {
   for (std::size_t first = 0; first < groups_; first += kLanes) {
-    const float* const boxes = &boxes_[first / kGroupsABlock * kNumbersABlock + first % kGroupsABlock];
+    const float* const boxes = &boxes_[first / kGroupsABlock * kNumbersABlock];
     const Ints met = meet(loadFloats(boxes), loadFloats(boxes + kGroupsABlock), loadFloats(boxes + 2 * kGroupsABlock),
                           loadFloats(boxes + 3 * kGroupsABlock));
     if (!any(met)) {

@@ -47,8 +47,8 @@ void ObstacleMemory::add(const Situation& situation) {
   for (const std::uint32_t key : scan_changes_.cleared()) {
     if (!isMarked(squareOf(key))) set(squareOf(key), false);
   }
-  for (std::size_t i = 0; i < scan_changes_.returnsCount(); ++i) {
-    const Square square = squareOf(scan_changes_.returns()[i]);
+  for (const std::uint32_t key : scan_changes_.returns()) {
+    const Square square = squareOf(key);
     if (!window_.isOccupied(square)) {
       set(square, true);
     }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "robot/memory/bounded_rounding.hpp"
-#include "robot/perception/scan_kernels.hpp"
+#include "robot/memory/return_squares.hpp"
 
 namespace lstm_planner {
 
@@ -13,14 +13,37 @@ namespace {
 constexpr int kSide = ObstacleWindow::kSide;
 constexpr std::uint32_t kTile = 64;  ///< squares a side of the tile that returned_ covers
 
-constexpr std::size_t kMostCells = 256;      ///< that are compared together
-constexpr std::size_t kPadding = 16;         ///< of what ScanKernels write
 constexpr std::size_t kUsualChanges = 1024;  ///< for which there is room from the first
 
 /// From the middle of a cell to the middle of its corner squares, in squares.
 const double kCorner = std::hypot(1.5, 1.5);
 
 }  // namespace
+
+/// Where the middles of squares lie from the scanner.
+struct ScanChanges::SquareGrid {
+  float left;  ///< m, of the first column
+  float bottom;
+  float resolution;  ///< m
+
+  float xOf(int column) const { return static_cast<float>(column) * resolution + left; }
+  float yOf(int row) const { return static_cast<float>(row) * resolution + bottom; }
+};
+
+/// Squares, or cells, that are looked at together.
+struct ScanChanges::Batch {
+  float x[Sight::kMost] = {};  ///< m from the scanner
+  float y[Sight::kMost] = {};
+  Square square[Sight::kMost];  ///< or the first one of the cell
+  std::size_t count = 0;
+
+  bool hasRoomFor(std::size_t more) const { return count + more <= Sight::kMost; }
+  void add(float at_x, float at_y, const Square& what) {
+    x[count] = at_x;
+    y[count] = at_y;
+    square[count++] = what;
+  }
+};
 
 ScanChanges::ScanChanges(double reach, double resolution) : reach_(reach), sight_(kCorner * resolution) {
   cleared_.reserve(kUsualChanges);
@@ -49,15 +72,8 @@ void ScanChanges::findReturns(const Situation& situation, const ObstacleWindow& 
   frame.sides = window.squares().columns();
   frame.farthest = static_cast<float>(reach_ * reach_);
 
-  const std::vector<Point2>& obstacles = situation.obstacles;
-  const std::size_t most = std::max(obstacles.size(), situation.profile.ranges.size()) + 2 * kPadding;
-  if (returns_.size() < most) {
-    returns_.resize(most);
-    places_.resize(most);
-  }
-  returns_count_ = obstacles.empty() ? 0
-                                     : scanKernels().squaresOf(frame, &obstacles.front().x, obstacles.size(),
-                                                               places_.data(), returns_.data());
+  returns_.reserve(std::max(situation.obstacles.size(), situation.profile.ranges.size()));
+  findSquares(frame, situation.obstacles, &returns_);
   returned_is_known_ = false;
 }
 
@@ -74,64 +90,66 @@ void ScanChanges::findCleared(const RangeProfile& profile, const Pose2& pose, co
   const SquareGrid grid{static_cast<float>(corner.x - scanner.x), static_cast<float>(corner.y - scanner.y),
                         static_cast<float>(window.resolution())};
 
-  std::uint32_t cells[kMostCells + kPadding];
-  std::size_t count = 0;
-  constexpr std::uint64_t kNone = std::uint64_t{1} << 63;
+  const float to_middle = 0.5f * (kSide - 1) * grid.resolution;
+  Batch cells;
   const int last = window.side() - 1;
   const int first_column = std::max(0, middle_column - reach);
   const int last_column = std::min(last, middle_column + reach);
   for (int row = std::max(0, middle_row - reach); row <= std::min(last, middle_row + reach); ++row) {
     for (int column = first_column; column <= last_column; column += 64) {
+      if (!cells.hasRoomFor(64)) findInCells(window.squares(), grid, &cells);
       std::uint64_t bits = window.cells().from(column, row) & lowestBits(std::min(64, last_column + 1 - column));
-      if (count + 64 > kMostCells) {
-        findInCells(window.squares(), grid, cells, count);
-        count = 0;
+      for (; bits != 0; bits &= bits - 1) {
+        const Square first{(column + lowestBit(bits)) * kSide, row * kSide};
+        cells.add(grid.xOf(first.column) + to_middle, grid.yOf(first.row) + to_middle, first);
       }
-      const std::uint32_t first = keyOf({column * kSide, row * kSide});
-      do {  // most rows have one or none: no jump that cannot be foreseen
-        cells[count] = first + static_cast<std::uint32_t>(lowestBit(bits | kNone) * kSide);
-        count += bits != 0 ? 1 : 0;
-        bits &= bits - 1;
-      } while (bits != 0);
     }
   }
-  findInCells(window.squares(), grid, cells, count);
+  findInCells(window.squares(), grid, &cells);
 }
 
-void ScanChanges::findInCells(const BitRows& squares, const SquareGrid& grid, std::uint32_t* cells, std::size_t count) {
-  const ScanKernels& kernels = scanKernels();
-  const SightBeams beams = sight_.beams();
-  float limits[kMostCells + kPadding];
-  const std::size_t in_sight = kernels.cellsInSight(beams, grid, cells, count, limits);
-  std::uint16_t occupied[kMostCells];
-  for (std::size_t i = 0; i < in_sight; ++i) {
-    const Square first = squareOf(cells[i]);
-    std::uint64_t bits = 0;
-    for (int row = kSide - 1; row >= 0; --row) {
-      bits = bits << kSide | (squares.from(first.column, first.row + row) & lowestBits(kSide));
-    }
-    occupied[i] = static_cast<std::uint16_t>(bits);
-  }
-  std::uint32_t clear[kMostCells * ObstacleWindow::kCellSquares + kPadding];
-  const std::size_t found = kernels.clearSquares(beams, grid, cells, limits, occupied, in_sight, clear);
-  for (std::size_t i = 0; i < found; ++i) {
-    if (!isReturned(clear[i])) {
-      cleared_.push_back(clear[i]);
+void ScanChanges::findInCells(const BitRows& squares, const SquareGrid& grid, Batch* cells) {
+  float limits[Sight::kMost];
+  sight_.findLimits(cells->x, cells->y, cells->count, limits);
+  Batch occupied;
+  for (std::size_t i = 0; i < cells->count; ++i) {
+    if (!(limits[i] > 0.0f)) continue;
+    if (!occupied.hasRoomFor(ObstacleWindow::kCellSquares)) findInSquares(&occupied);
+    const Square& first = cells->square[i];
+    for (int row = first.row; row < first.row + kSide; ++row) {
+      const float y = grid.yOf(row);
+      std::uint64_t bits = squares.from(first.column, row) & lowestBits(kSide);
+      for (; bits != 0; bits &= bits - 1) {
+        const int column = first.column + lowestBit(bits);
+        const float x = grid.xOf(column);
+        if (x * x + y * y < limits[i]) occupied.add(x, y, {column, row});
+      }
     }
   }
+  findInSquares(&occupied);
+  cells->count = 0;
+}
+
+void ScanChanges::findInSquares(Batch* occupied) {
+  std::uint8_t clear[Sight::kMost];
+  sight_.findClear(occupied->x, occupied->y, occupied->count, clear);
+  for (std::size_t i = 0; i < occupied->count; ++i) {
+    const std::uint32_t key = keyOf(occupied->square[i]);
+    if (clear[i] != 0 && !isReturned(key)) cleared_.push_back(key);
+  }
+  occupied->count = 0;
 }
 
 bool ScanChanges::isReturned(std::uint32_t key) {
   if (!returned_is_known_) {
     returned_.fill(0);
-    for (std::size_t i = 0; i < returns_count_; ++i) {
-      const std::uint32_t other = returns_[i];
+    for (const std::uint32_t other : returns_) {
       returned_[(other >> 16) % kTile] |= std::uint64_t{1} << (other % kTile);
     }
     returned_is_known_ = true;
   }
-  const auto end = returns_.begin() + static_cast<std::ptrdiff_t>(returns_count_);
-  return (returned_[(key >> 16) % kTile] >> (key % kTile) & 1) != 0 && std::find(returns_.begin(), end, key) != end;
+  return (returned_[(key >> 16) % kTile] >> (key % kTile) & 1) != 0 &&
+         std::find(returns_.begin(), returns_.end(), key) != returns_.end();
 }
 
 }  // namespace lstm_planner

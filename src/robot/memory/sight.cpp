@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "lstm_planner/base/grid/bit_rows.hpp"
 #include "robot/perception/baseline_vectors.hpp"
-#include "robot/perception/scan_kernels.hpp"
 
 namespace lstm_planner {
 
@@ -17,6 +17,14 @@ constexpr float kBehindObstacle = 0.1f;
 constexpr std::size_t kBeside = 2;
 
 constexpr float kBlur = 1e-3f;  ///< m; more than is lost in floats
+
+constexpr float kCloseBy = 0.5f;  ///< m; nearer neighbourhoods may always be cleared
+
+/// 1 / sqrt(x) or up to 0.2 % less: an approximation by the bits of a float, and one of Newton's steps.
+Floats inverseRoot(Floats x) {
+  const auto guess = (Floats)(0x5f3759df - ((Ints)x >> 1));
+  return guess * (1.5f - 0.5f * x * guess * guess);
+}
 
 std::size_t roundedUp(std::size_t count, std::size_t unit) { return (count + unit - 1) / unit * unit; }
 
@@ -63,17 +71,52 @@ void Sight::measureBeams(const RangeProfile& profile) {
   }
 }
 
-SightBeams Sight::beams() const {
-  SightBeams beams;
-  beams.first = finder_.firstBeam();
-  beams.beams = static_cast<int>(finder_.beams());
-  beams.beams_a_turn = finder_.beamsATurn();
-  beams.limits = limits_.data();
-  beams.farthest = farthest_.data();
-  beams.blocks = static_cast<int>(blocks_);
-  beams.levels = static_cast<int>(kLevels);
-  beams.neighbourhood = neighbourhood_;
-  return beams;
+float Sight::farthest(std::size_t first, std::size_t last) const {
+  // Two powers of two that overlap.
+  const std::size_t blocks = last + 1 - first;
+  const auto level = static_cast<std::size_t>(highestBit(blocks));
+  if (level >= kLevels) return kInfiniteRange;
+  const float* const most = &farthest_[level * blocks_];
+  return std::max(most[first], most[last + 1 - (std::size_t{1} << level)]);
+}
+
+float Sight::limitOf(float squared, float first, float beyond) const {
+  if (squared < kCloseBy * kCloseBy) return kInfiniteRange;
+  const auto last_beam = static_cast<float>(finder_.beams() - 1);
+  if (first >= 0.0f && beyond <= last_beam) {
+    const float most = farthest(static_cast<unsigned>(first) / kBlock, static_cast<unsigned>(beyond) / kBlock);
+    const float least = most + neighbourhood_;  // for the middle, so that something of it may be nearer
+    return least * least > squared ? most * most : 0.0f;
+  }
+  // At the edges of what the scanner sees a neighbourhood may be half in sight.
+  return first <= last_beam || beyond >= finder_.beamsATurn() ? kInfiniteRange : 0.0f;
+}
+
+void Sight::findLimits(const float* x, const float* y, std::size_t count, float* limits) const {
+  // A neighbourhood's half angle is the arc sine of its radius by its distance, less than 1.1 times that less 0.2 %;
+  // and a beam is looked for half a beam to each side.
+  const float beams_a_metre = 1.1f * neighbourhood_ * finder_.beamsARadian();
+  float positions[kMost];
+  finder_.find(x, y, count, positions);
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    const Floats dx = loadFloats(x + i);
+    const Floats dy = loadFloats(y + i);
+    const Floats squared = dx * dx + dy * dy;
+    const Floats half = beams_a_metre * inverseRoot(squared) + 1.0f;
+    const Floats position = loadFloats(positions + i);
+    const Floats first = position - half;
+    const Floats beyond = position + half;
+    for (int lane = 0; lane < kLanes; ++lane) *limits++ = limitOf(squared[lane], first[lane], beyond[lane]);
+  }
+}
+
+void Sight::findClear(const float* x, const float* y, std::size_t count, std::uint8_t* clear) const {
+  float positions[kMost];
+  finder_.find(x, y, count, positions);
+  for (std::size_t i = 0; i < count; ++i) {
+    const long beam = finder_.beamAt(positions[i]);
+    clear[i] = beam >= 0 && limits_[static_cast<std::size_t>(beam)] > x[i] * x[i] + y[i] * y[i] ? 1 : 0;
+  }
 }
 
 }  // namespace lstm_planner

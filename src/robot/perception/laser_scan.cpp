@@ -1,9 +1,10 @@
 #include "lstm_planner/robot/perception/laser_scan.hpp"
 
 #include <cmath>
+#include <limits>
 
+#include "robot/perception/baseline_vectors.hpp"
 #include "robot/perception/reading_bounds.hpp"
-#include "robot/perception/scan_kernels.hpp"
 
 namespace lstm_planner {
 
@@ -28,16 +29,38 @@ void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules&
   profile->nearest_range = scan.range_min;
   profile->farthest_range = scan.range_max;
   profile->ranges.resize(scan.ranges.size());
-  scanKernels().meanings(readingBounds(scan, rules), scan.ranges.data(), scan.ranges.size(), profile->ranges.data());
+  interpret(readingBounds(scan, rules), scan.ranges.data(), scan.ranges.size(), profile->ranges.data());
 }
 
 void toPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const std::size_t beams = profile.ranges.size();
   directions->set(profile.first_direction, profile.increment, beams);
   points->resize(beams);
-  if (beams == 0) return;
-  points->resize(scanKernels().points(profile.ranges.data(), beams, profile.nearest_range, &profile.origin.x,
-                                      &directions->data()->x, &points->front().x));
+  Point2* to = points->data();
+  const auto pointOf = [&](std::size_t beam, double range) {
+    const Point2& direction = (*directions)[beam];
+    return Point2{profile.origin.x + range * direction.x, profile.origin.y + range * direction.y};
+  };
+  for (std::size_t i = 0; i < beams;) {
+    // Returns lie side by side. Where the place of each depends on the one before, the processor waits.
+    if (i + kLanes <= beams) {
+      const Floats four = loadFloats(&profile.ranges[i]);
+      if (!any(~((four > Floats{}) & (four < allOf(kInfinity))))) {
+        for (std::size_t j = 0; j < kLanes; ++j) to[j] = pointOf(i + j, profile.ranges[i + j]);
+        to += kLanes;
+        i += kLanes;
+        continue;
+      }
+    }
+    const float reading = profile.ranges[i];
+    const bool is_too_near = reading == -kInfinity;
+    // Written in any case, and overwritten by the next: faster than a jump that nobody can foresee.
+    *to = pointOf(i, is_too_near ? profile.nearest_range : reading);
+    to += is_too_near || (reading > 0.0f && reading < kInfinity) ? 1 : 0;
+    ++i;
+  }
+  points->resize(static_cast<std::size_t>(to - points->data()));
 }
 
 }  // namespace lstm_planner

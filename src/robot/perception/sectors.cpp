@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/perception/scan_kernels.hpp"
+#include "robot/perception/beam_sum.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -69,8 +69,8 @@ void addBeams(const std::vector<float>& ranges, double range_cap, const BeamFan&
   long begin = firstBeamFrom(window_start, fan);
   for (int sector = 0; sector < kSectorCount; ++sector) {
     const long end = std::max(begin, firstBeamFrom(window_start + (sector + 1) * kSectorWidth, fan));
-    const BeamSum sum = scanKernels().sum(ranges.data() + (fan.reversed ? beams - end : begin),
-                                          static_cast<std::size_t>(end - begin), range_cap);
+    const BeamSum sum = sumOfBeams(ranges.data() + (fan.reversed ? beams - end : begin),
+                                   static_cast<std::size_t>(end - begin), range_cap);
     sectors->range[sector] += sum.range;
     sectors->nearest[sector] = std::min<double>(sectors->nearest[sector], sum.nearest);
     sectors->measured[sector] += sum.measured;
@@ -190,7 +190,7 @@ void checkMeasured(const RangeProfile& profile, double least_measured) {
     const long begin = fan.count * section / sections;
     const long end = fan.count * (section + 1) / sections;
     const float* const first = profile.ranges.data() + (fan.reversed ? beams - end : begin);
-    const int known = end > begin ? scanKernels().sum(first, static_cast<std::size_t>(end - begin), 1.0).known : 0;
+    const int known = end > begin ? sumOfBeams(first, static_cast<std::size_t>(end - begin), 1.0).known : 0;
     const double from = normalizeAngle(fan.start - kWindow / 2.0 + static_cast<double>(section) * width);
     checkSector(from, width, static_cast<int>(end - begin), known, least_measured, profile);
   }

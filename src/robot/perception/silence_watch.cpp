@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "robot/perception/beam_sum.hpp"
 #include "robot/perception/reading_bounds.hpp"
-#include "robot/perception/scan_kernels.hpp"
 
 namespace lstm_planner {
 
@@ -25,14 +25,13 @@ struct Returns {
 };
 
 Returns returnsOf(const LaserScan& scan, const ScanRules& rules) {
-  const ScanKernels& kernels = scanKernels();
   const ReadingBounds bounds = readingBounds(scan, rules);
   std::array<float, 256> ranges;
   Returns returns;
   for (std::size_t first = 0; first < scan.ranges.size(); first += ranges.size()) {
     const std::size_t count = std::min(ranges.size(), scan.ranges.size() - first);
-    kernels.meanings(bounds, &scan.ranges[first], count, ranges.data());
-    const BeamSum sum = kernels.sum(ranges.data(), count, 1.0);
+    interpret(bounds, &scan.ranges[first], count, ranges.data());
+    const BeamSum sum = sumOfBeams(ranges.data(), count, 1.0);
     returns.measured += sum.measured;
     returns.silent += sum.silent;
   }

@@ -1,8 +1,8 @@
 #pragma once
 
-// Vectors of numbers on which one instruction works: 4, 8 or 16 floats or integers, 2 or 4 doubles. Every x86-64 and
-// ARMv8 processor has vectors of 16 bytes. The wider ones are for kernels, which are compiled once for each instruction
-// set (*_baseline.cpp, *_avx2.cpp, *_avx512.cpp).
+// Vectors of numbers on which one instruction works: 4, 8 or 16 floats or integers. Every x86-64 and ARMv8 processor
+// has vectors of 16 bytes. The wider ones are for kernels, which are compiled once for each instruction set
+// (*_baseline.cpp, *_avx2.cpp, *_avx512.cpp).
 //
 // Everything here has internal linkage. If these functions were shared between files, the linker might keep the copy
 // that was compiled for AVX-512, and an older machine would crash. For the same reason a kernel must not include Eigen
@@ -48,9 +48,6 @@ using Floats = typename VectorOf<kLanes>::Floats;
 /// What comparisons of floats give, too: all bits of a lane, or none.
 template <int kLanes>
 using Integers = typename VectorOf<kLanes>::Integers;
-typedef double Doubles __attribute__((vector_size(16)));  ///< two
-typedef double FourDoubles
-    __attribute__((vector_size(32)));  ///< where there is no AVX, compilers make two vectors of it
 
 /// Vectors that go through the same functions side by side. Written one after the other, their chains of instructions
 /// would be so long that the processor looks no further than the first ones, and waits.
@@ -94,13 +91,6 @@ template <class V>
 LSTM_PLANNER_INLINE V load(const Element<V>* from) {
   V vector;
   __builtin_memcpy(&vector, from, sizeof(V));
-  return vector;
-}
-/// The first of them; the other lanes are 0.
-template <class V>
-LSTM_PLANNER_INLINE V loadFirst(const Element<V>* from, long count) {
-  V vector = {};
-  __builtin_memcpy(&vector, from, sizeof(Element<V>) * static_cast<unsigned long>(count));
   return vector;
 }
 /// One vector after the other: a compiler keeps in memory what is copied as a whole.
@@ -157,17 +147,6 @@ LSTM_PLANNER_INLINE V multiplyAdd(V a, V b, V c) {
   return a * b + c;
 }
 
-/// A product that must be rounded before something is added to it, so that all instruction sets answer alike.
-template <class V>
-LSTM_PLANNER_INLINE V rounded(V product) {
-#if defined(__AVX512F__)
-  asm("" : "+v"(product));
-#elif defined(__FMA__)
-  asm("" : "+x"(product));
-#endif
-  return product;
-}
-
 #if defined(__SSE2__)
 LSTM_PLANNER_INLINE bool noneIsNan(Floats<4> v) { return _mm_movemask_ps(_mm_cmpunord_ps(v, v)) == 0; }
 #endif
@@ -203,8 +182,6 @@ LSTM_PLANNER_INLINE Floats<4> maximum(Floats<4> a, Floats<4> b) { return _mm_max
 #if defined(__AVX__)
 LSTM_PLANNER_INLINE Floats<8> minimum(Floats<8> a, Floats<8> b) { return _mm256_min_ps(a, b); }
 LSTM_PLANNER_INLINE Floats<8> maximum(Floats<8> a, Floats<8> b) { return _mm256_max_ps(a, b); }
-LSTM_PLANNER_INLINE FourDoubles minimum(FourDoubles a, FourDoubles b) { return _mm256_min_pd(a, b); }
-LSTM_PLANNER_INLINE FourDoubles maximum(FourDoubles a, FourDoubles b) { return _mm256_max_pd(a, b); }
 #endif
 #if defined(__AVX512F__)
 // With a mask of all lanes, as GCC warns about what it does itself inside the forms without one.
@@ -255,97 +232,12 @@ template <class V>
 LSTM_PLANNER_INLINE V magnitude(V values) {
   return (V)((IntegersOf<V>)values & 0x7fffffff);
 }
-LSTM_PLANNER_INLINE FourDoubles magnitude(FourDoubles values) {
-  typedef long long Longs __attribute__((vector_size(32)));
-  return (FourDoubles)((Longs)values & 0x7fffffffffffffff);
-}
-
-LSTM_PLANNER_INLINE FourDoubles squareRoots(FourDoubles values) {
-#if defined(__AVX__)
-  return _mm256_sqrt_pd(values);
-#else
-  for (int lane = 0; lane < 4; ++lane) values[lane] = __builtin_sqrt(values[lane]);
-  return values;
-#endif
-}
-
-/// Of two pairs in each vector the first numbers, and the second ones. Compilers would load number by number.
-LSTM_PLANNER_INLINE FourDoubles firstOfPairs(FourDoubles a, FourDoubles b) {
-#if defined(__AVX__)
-  return _mm256_unpacklo_pd(a, b);
-#else
-  return FourDoubles{a[0], b[0], a[2], b[2]};
-#endif
-}
-LSTM_PLANNER_INLINE FourDoubles secondOfPairs(FourDoubles a, FourDoubles b) {
-#if defined(__AVX__)
-  return _mm256_unpackhi_pd(a, b);
-#else
-  return FourDoubles{a[1], b[1], a[3], b[3]};
-#endif
-}
-
-/// By the lanes of a mask.
-template <class V>
-LSTM_PLANNER_INLINE V select(IntegersOf<V> mask, V yes, V no) {
-  return (V)(((IntegersOf<V>)yes & mask) | ((IntegersOf<V>)no & ~mask));
-}
-
-/// A bit for each lane of a mask.
-template <class Integers>
-LSTM_PLANNER_INLINE unsigned bitsOf(Integers mask) {
-  constexpr int kLanes = sizeof(Integers) / sizeof(int);
-#if defined(__AVX512F__)
-  if constexpr (kLanes == 16) return _mm512_movepi32_mask((__m512i)mask);
-#endif
-#if defined(__AVX__)
-  if constexpr (kLanes == 8) return static_cast<unsigned>(_mm256_movemask_ps((__m256)mask));
-#endif
-#if defined(__SSE2__)
-  if constexpr (kLanes == 4) return static_cast<unsigned>(_mm_movemask_ps((__m128)mask));
-#endif
-  unsigned bits = 0;
-  for (int lane = 0; lane < kLanes; ++lane) bits |= (static_cast<unsigned>(mask[lane]) & 1) << lane;
-  return bits;
-}
-
-/// A bit for each of four doubles.
-template <class Longs>
-LSTM_PLANNER_INLINE unsigned bitsOfFour(Longs mask) {
-#if defined(__AVX__)
-  return static_cast<unsigned>(_mm256_movemask_pd((__m256d)mask));
-#else
-  unsigned bits = 0;
-  for (int lane = 0; lane < 4; ++lane) bits |= (static_cast<unsigned>(mask[lane]) & 1) << lane;
-  return bits;
-#endif
-}
-
-/// Bits for the first `count` lanes of the widest vector.
-LSTM_PLANNER_INLINE unsigned firstBits(unsigned long count) { return count < kWidest ? (1u << count) - 1 : 0xffffu; }
 
 /// Whether a mask has any lane.
-template <class Mask>
-LSTM_PLANNER_INLINE bool any(Mask mask) {
-  if constexpr (sizeof(mask) == 16) {
-    long long halves[2];
-    __builtin_memcpy(halves, &mask, sizeof(halves));
-    return (halves[0] | halves[1]) != 0;
-  } else {
-    return bitsOf(mask) != 0;
-  }
-}
-
-LSTM_PLANNER_INLINE int sumOfLanes(Integers<4> values) { return values[0] + values[1] + values[2] + values[3]; }
-LSTM_PLANNER_INLINE int sumOfLanes(Integers<8> values) {
-  Integers<4> halves[2];
-  __builtin_memcpy(halves, &values, sizeof(values));
-  return sumOfLanes(halves[0] + halves[1]);
-}
-
-LSTM_PLANNER_INLINE double smallestOf(FourDoubles values) {
-  const FourDoubles two = minimum(values, FourDoubles{values[2], values[3], values[2], values[3]});
-  return two[0] < two[1] ? two[0] : two[1];
+LSTM_PLANNER_INLINE bool any(Integers<4> mask) {
+  long long halves[2];
+  __builtin_memcpy(halves, &mask, sizeof(halves));
+  return (halves[0] | halves[1]) != 0;
 }
 
 LSTM_PLANNER_INLINE float largestOf(Floats<4> values) {

@@ -89,7 +89,7 @@ class Shield {
   /// More than what is lost of a coordinate in a float, m.
   double blur(const Point2& from) const;
 
-  // As ReturnGroups in shield_kernels.hpp. Where a group has fewer returns, one of them is there several times.
+  // See shield_groups.hpp. Where a group has fewer returns, one of them is there several times.
   std::size_t groups_ = 0;
   std::vector<double> places_;
   std::vector<float> boxes_;

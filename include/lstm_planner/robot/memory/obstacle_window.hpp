@@ -16,7 +16,7 @@ struct Square {
   int row;
 };
 
-/// A square of the window in one number, as ScanKernels write them.
+/// A square of the window in one number.
 inline std::uint32_t keyOf(const Square& square) {
   return static_cast<std::uint32_t>(square.row) << 16 | static_cast<std::uint32_t>(square.column);
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,23 +22,24 @@ class ScanChanges {
 
   /// keyOf() the occupied squares that the scan shows clear and that it has no return from.
   const std::vector<std::uint32_t>& cleared() const { return cleared_; }
-  /// keyOf() the squares of the returns, in the order of the scan, and how many they are.
-  const std::uint32_t* returns() const { return returns_.data(); }
-  std::size_t returnsCount() const { return returns_count_; }
+  /// keyOf() the squares of the returns, in the order of the scan.
+  const std::vector<std::uint32_t>& returns() const { return returns_; }
 
  private:
+  struct SquareGrid;
+  struct Batch;
+
   void findReturns(const Situation& situation, const ObstacleWindow& window);
   /// Adds what a scan shows clear; `pose` of the base.
   void findCleared(const RangeProfile& profile, const Pose2& pose, const ObstacleWindow& window);
-  /// `cells`: keyOf() their first squares; overwritten.
-  void findInCells(const BitRows& squares, const SquareGrid& grid, std::uint32_t* cells, std::size_t count);
+  /// What is clear in some cells; empties the batch.
+  void findInCells(const BitRows& squares, const SquareGrid& grid, Batch* cells);
+  void findInSquares(Batch* occupied);
   bool isReturned(std::uint32_t key);
 
   double reach_;
   Sight sight_;
-  std::vector<std::uint32_t> returns_;  ///< and room for more
-  std::size_t returns_count_ = 0;
-  std::vector<std::uint32_t> places_;       ///< what returns_ are made from
+  std::vector<std::uint32_t> returns_;
   std::array<std::uint64_t, 64> returned_;  ///< row and column, modulo 64, of the returns
   bool returned_is_known_ = false;
   std::vector<std::uint32_t> cleared_;

@@ -8,9 +8,6 @@
 
 namespace lstm_planner {
 
-struct SightBeams;
-struct SquareGrid;
-
 /// Finds the places that a scan shows clear: the beam towards the place and two on each side end at least 0.1 m behind
 /// it. Made for thousands of places per scan: as much as possible is done once per scan, or for a whole neighbourhood.
 ///
@@ -26,14 +23,25 @@ class Sight {
   /// Nothing is cleared by a scan without beams.
   bool isBlind() const { return finder_.beams() == 0; }
 
-  /// What ScanKernels work on, until the next show(); not while isBlind().
-  SightBeams beams() const;
+  /// That many places are looked at together, at most. All arrays are used up to the next multiple of four.
+  static constexpr std::size_t kMost = 256;
+
+  /// Square of the distance, m^2, from which on the scan surely clears no place of the neighbourhoods of some places; 0
+  /// when it does so nowhere in it. Not while isBlind().
+  void findLimits(const float* x, const float* y, std::size_t count, float* limits) const;
+
+  /// Whether the scan clears the places: 1 or 0. Not while isBlind().
+  void findClear(const float* x, const float* y, std::size_t count, std::uint8_t* clear) const;
 
  private:
   static constexpr std::size_t kBlock = 4;   ///< beams
   static constexpr std::size_t kLevels = 6;  ///< of neighbourhoods, each twice as wide as the last, in blocks
 
   void measureBeams(const RangeProfile& profile);
+  /// The most of the blocks from the first to the last, m.
+  float farthest(std::size_t first, std::size_t last) const;
+  /// Of a neighbourhood that has a distance squared, m^2, and lies between two positions among the beams.
+  float limitOf(float squared, float first, float beyond) const;
 
   float neighbourhood_;
   BeamFinder finder_;

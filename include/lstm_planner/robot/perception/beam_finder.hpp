@@ -2,7 +2,6 @@
 
 #include <cstddef>
 
-#include "lstm_planner/robot/perception/first_beam.hpp"
 #include "lstm_planner/robot/perception/laser_scan.hpp"
 
 namespace lstm_planner {
@@ -28,14 +27,17 @@ class BeamFinder {
 
   long beams() const { return beams_; }
   float beamsATurn() const { return beams_a_turn_; }
-  const FirstBeam& firstBeam() const { return first_; }
+  float beamsARadian() const { return beams_a_radian_; }
 
  private:
   long beamBeyond(float position) const;
 
   long beams_ = 0;
   float beams_a_turn_ = 0.0f;
-  FirstBeam first_;
+  float beams_a_radian_ = 0.0f;  ///< more than 0
+  float along_x_ = 1.0f;         ///< direction of the first beam
+  float along_y_ = 0.0f;
+  float aside_ = 1.0f;  ///< -1 where beams follow one another clockwise
 };
 
 }  // namespace lstm_planner

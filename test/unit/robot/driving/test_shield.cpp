@@ -241,6 +241,14 @@ TEST(Shield, RefusesADiscThatItCannotWatch) {
   EXPECT_THROW(Shield(0.2, 0.03, nan), std::invalid_argument);
 }
 
+TEST(Shield, PassesOverWhatIsNoNumber) {
+  Shield shield(0.2, 0.03, 6.0);
+  std::vector<Point2> wall(16, {2.0, 0.0});
+  wall[3].x = std::numeric_limits<double>::quiet_NaN();
+  shield.show(wall);
+  EXPECT_NEAR(shield.freeDistance({}, 0.0, 6.0, 0.0), 1.8, 1e-9);
+}
+
 TEST(Shield, TakesOthersInBesideThoseOfTheScan) {
   Shield shield(0.2, 0.03, 6.0);
   shield.show({{3.0, 0.0}});

@@ -1,2 +1,0 @@
-#define SCAN_KERNELS baselineScanKernels
-#include "robot/perception/scan_kernels_source.hpp"
