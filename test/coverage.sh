@@ -11,8 +11,8 @@ usage() {
   cat <<USAGE
 Usage: bash test/coverage.sh
 
-Builds in a workspace of its own, runs the unit tests and says which share of the lines of src/base, src/robot and
-src/grid_world, with their public headers, they run: a line a file, and the sum. Pages with each line are in the
+Builds in a workspace of its own, runs the unit tests and says which share of the lines of the libraries without
+ROS, with their public headers, they run: a line a file, and the sum. Pages with each line are in the
 workspace, in coverage/index.html.
 
 Environment:
@@ -45,7 +45,7 @@ grep -E '^\[  FAILED  \]' "$log"
 
 mkdir -p "$workspace/coverage"
 gcovr --root "$source_dir" --object-directory "$workspace/build" \
-  --filter "$source_dir/src/(base|robot|grid_world)/" --filter "$source_dir/include/lstm_planner/(base|robot|grid_world)/" \
+  --filter "$source_dir/src/(common|grid|network|drive|simulation|dataset|training|practice|grid_world)/" --filter "$source_dir/include/lstm_planner/(common|grid|network|drive|simulation|dataset|training|practice|grid_world)/" \
   --exclude-throw-branches --exclude-unreachable-branches -j "$(parallel_jobs)" \
   --txt --html-details "$workspace/coverage/index.html" --fail-under-line "$least" "$workspace/build"
 coverage_status=$?

@@ -26,10 +26,10 @@ if(CATKIN_ENABLE_TESTING)
     endif()
     add_dependencies(lstm_planner_unit_tests lstm_planner)
     target_link_libraries(lstm_planner_unit_tests
-      lstm_planner_robot lstm_planner_grid_world ${OpenCV_LIBS} ${Protobuf_LIBRARIES} Poco::DataSQLite Poco::Data Poco::Foundation
+      lstm_planner_practice lstm_planner_grid_world ${OpenCV_LIBS} ${Protobuf_LIBRARIES} Poco::DataSQLite Poco::Data Poco::Foundation
       SQLite::SQLite3 Threads::Threads gtest_main yaml-cpp)
-    if(TARGET lstm_planner_plugins)
-      target_link_libraries(lstm_planner_unit_tests lstm_planner_plugins)  # the harness bag
+    if(TARGET lstm_planner_recordings)
+      target_link_libraries(lstm_planner_unit_tests lstm_planner_recordings)  # the harness bag
     endif()
   endif()
 
@@ -47,8 +47,8 @@ if(CATKIN_ENABLE_TESTING)
     target_precompile_headers(ros_tests PRIVATE ${precompiled_ros} <gtest/gtest.h>)
   endif()
   target_compile_definitions(ros_tests PRIVATE LSTM_PLANNER_SOURCE_DIR="${real_source_dir}")
-  if(TARGET lstm_planner_plugins)
-    target_link_libraries(ros_tests lstm_planner_plugins)
+  if(TARGET lstm_planner_recordings)
+    target_link_libraries(ros_tests lstm_planner_recordings)
   endif()
   target_link_libraries(ros_tests lstm_planner_ros_interface ${OpenCV_LIBS} Threads::Threads)
   # For test/bench/node_cost.py: who merely receives what move_base does.
@@ -86,7 +86,7 @@ if(CATKIN_ENABLE_TESTING)
     add_executable(lstm_planner_bench ${bench_sources})
     target_include_directories(lstm_planner_bench PRIVATE src)
     target_compile_definitions(lstm_planner_bench PRIVATE LSTM_PLANNER_SOURCE_DIR="${CMAKE_CURRENT_SOURCE_DIR}")
-    target_link_libraries(lstm_planner_bench PRIVATE lstm_planner_robot lstm_planner_grid_world benchmark::benchmark_main)
+    target_link_libraries(lstm_planner_bench PRIVATE lstm_planner_practice lstm_planner_grid_world benchmark::benchmark_main)
   else()
     if(benchmark_CONSIDERED_VERSIONS)
       list(REMOVE_DUPLICATES benchmark_CONSIDERED_VERSIONS)
@@ -123,10 +123,10 @@ if(LSTM_PLANNER_HAVE_LIBFUZZER)
     target_include_directories(${fuzzer} PRIVATE src test)
     target_include_directories(${fuzzer} SYSTEM PRIVATE ${CMAKE_CURRENT_BINARY_DIR} ${Protobuf_INCLUDE_DIRS})
     target_link_options(${fuzzer} PRIVATE -fsanitize=fuzzer)
-    target_link_libraries(${fuzzer} PRIVATE lstm_planner_robot lstm_planner_grid_world ${OpenCV_LIBS}
+    target_link_libraries(${fuzzer} PRIVATE lstm_planner_practice lstm_planner_grid_world ${OpenCV_LIBS}
       ${Protobuf_LIBRARIES} Poco::DataSQLite Poco::Data Poco::Foundation SQLite::SQLite3 Threads::Threads yaml-cpp)
     if(fuzzer STREQUAL fuzz_bag)
-      target_link_libraries(${fuzzer} PRIVATE lstm_planner_plugins)
+      target_link_libraries(${fuzzer} PRIVATE lstm_planner_recordings)
     endif()
     add_dependencies(fuzzers ${fuzzer})
   endfunction()

@@ -54,7 +54,7 @@ find_package(catkin REQUIRED COMPONENTS ${lstm_planner_catkin_packages})
 
 catkin_package(
   INCLUDE_DIRS include
-  LIBRARIES lstm_planner_base lstm_planner_robot lstm_planner_grid_world
+  LIBRARIES ${library_targets}
   CATKIN_DEPENDS ${lstm_planner_catkin_packages}
   DEPENDS EIGEN3 OpenCV
 )

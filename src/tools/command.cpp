@@ -4,7 +4,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/nearest_name.hpp"
+#include "lstm_planner/common/nearest_name.hpp"
 
 namespace lstm_planner {
 

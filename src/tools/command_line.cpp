@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/base/common/nearest_name.hpp"
+#include "lstm_planner/common/nearest_name.hpp"
 #include "tools/option_number.hpp"
 #include "tools/output_file.hpp"
 #include "tools/wrapped_text.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/base/common/parameter_visitors.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "lstm_planner/robot/dataset/dataset_summary.hpp"
+#include "lstm_planner/dataset/dataset_summary.hpp"
 #include "tools/dataset_report.hpp"
 
 namespace lstm_planner {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/dataset/dataset.hpp"
-#include "lstm_planner/robot/dataset/recording_sink.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/dataset/recording_sink.hpp"
 
 namespace lstm_planner {
 

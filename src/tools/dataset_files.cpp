@@ -3,12 +3,12 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "lstm_planner/robot/dataset/dataset_check.hpp"
-#include "lstm_planner/robot/dataset/dataset_edit.hpp"
-#include "lstm_planner/robot/dataset/dataset_export.hpp"
-#include "lstm_planner/robot/dataset/dataset_summary.hpp"
-#include "lstm_planner/robot/learning/dataset_sequences.hpp"
-#include "lstm_planner/robot/learning/encoded_export.hpp"
+#include "lstm_planner/dataset/dataset_check.hpp"
+#include "lstm_planner/dataset/dataset_edit.hpp"
+#include "lstm_planner/dataset/dataset_export.hpp"
+#include "lstm_planner/dataset/dataset_summary.hpp"
+#include "lstm_planner/practice/dataset_sequences.hpp"
+#include "lstm_planner/practice/encoded_export.hpp"
 #include "tools/command_line.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_report.hpp"

@@ -1,7 +1,7 @@
 #include <iostream>
 #include <optional>
 
-#include "lstm_planner/robot/dataset/carmen_log.hpp"
+#include "lstm_planner/dataset/carmen_log.hpp"
 #include "tools/command_line.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_conversion.hpp"

@@ -3,8 +3,8 @@
 #include <limits>
 #include <sstream>
 
-#include "lstm_planner/base/common/gnuplot.hpp"
-#include "lstm_planner/base/common/scratch_folder.hpp"
+#include "lstm_planner/common/gnuplot.hpp"
+#include "lstm_planner/common/scratch_folder.hpp"
 #include "tools/dataset_report.hpp"
 
 namespace lstm_planner {

@@ -3,7 +3,7 @@
 #include <ostream>
 #include <string>
 
-#include "lstm_planner/robot/dataset/dataset_summary.hpp"
+#include "lstm_planner/dataset/dataset_summary.hpp"
 
 namespace lstm_planner {
 

@@ -4,10 +4,10 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/input_file.hpp"
-#include "lstm_planner/robot/dataset/dataset_summary.hpp"
-#include "lstm_planner/robot/dataset/recording_sink.hpp"
-#include "lstm_planner/robot/evaluation/recorded_drives.hpp"
+#include "lstm_planner/common/input_file.hpp"
+#include "lstm_planner/dataset/dataset_summary.hpp"
+#include "lstm_planner/dataset/recording_sink.hpp"
+#include "lstm_planner/practice/recorded_drives.hpp"
 #include "tools/command_line.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_report.hpp"

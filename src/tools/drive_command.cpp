@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/base/common/parallel_for.hpp"
-#include "lstm_planner/robot/evaluation/drive_film.hpp"
+#include "lstm_planner/common/parallel_for.hpp"
+#include "lstm_planner/simulation/drive_film.hpp"
 #include "tools/command.hpp"
 #include "tools/drive_options.hpp"
 #include "tools/drive_report.hpp"

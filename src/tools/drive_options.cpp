@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "lstm_planner/robot/simulation/generated_world.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
 #include "tools/ranges.hpp"

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/evaluation/drive.hpp"
-#include "lstm_planner/robot/evaluation/drive_film.hpp"
-#include "lstm_planner/robot/simulation/crowd.hpp"
+#include "lstm_planner/simulation/crowd.hpp"
+#include "lstm_planner/simulation/drive.hpp"
+#include "lstm_planner/simulation/drive_film.hpp"
 
 namespace lstm_planner {
 

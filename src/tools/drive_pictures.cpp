@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lstm_planner/robot/evaluation/trace_picture.hpp"
+#include "lstm_planner/simulation/trace_picture.hpp"
 #include "tools/drive_report.hpp"
 
 namespace lstm_planner {

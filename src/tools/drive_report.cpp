@@ -7,9 +7,9 @@
 #include <ostream>
 #include <sstream>
 
-#include "lstm_planner/base/common/csv_writer.hpp"
-#include "lstm_planner/base/common/text_table.hpp"
-#include "lstm_planner/robot/evaluation/barn.hpp"
+#include "lstm_planner/common/csv_writer.hpp"
+#include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/simulation/barn.hpp"
 
 namespace lstm_planner {
 namespace {

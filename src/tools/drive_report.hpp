@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/simulation/drive.hpp"
 #include "tools/drive_options.hpp"
 #include "tools/drive_worlds.hpp"
 

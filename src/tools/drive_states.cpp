@@ -5,9 +5,9 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/canvas.hpp"
-#include "lstm_planner/base/common/picture_file.hpp"
-#include "lstm_planner/base/learning/policy_gradient.hpp"
+#include "lstm_planner/common/canvas.hpp"
+#include "lstm_planner/common/picture_file.hpp"
+#include "lstm_planner/training/policy_gradient.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/driving/navigation_agent.hpp"
-#include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/simulation/drive.hpp"
 
 namespace lstm_planner {
 

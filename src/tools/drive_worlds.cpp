@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/base/grid/map_server_map.hpp"
-#include "lstm_planner/robot/evaluation/barn.hpp"
-#include "lstm_planner/robot/simulation/generated_world.hpp"
-#include "lstm_planner/robot/simulation/world_generators.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
+#include "lstm_planner/simulation/barn.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
+#include "lstm_planner/simulation/world_generators.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/evaluation/drive.hpp"
-#include "lstm_planner/robot/simulation/moving_cylinders.hpp"
-#include "lstm_planner/robot/simulation/world.hpp"
+#include "lstm_planner/simulation/drive.hpp"
+#include "lstm_planner/simulation/moving_cylinders.hpp"
+#include "lstm_planner/simulation/world.hpp"
 #include "tools/drive_options.hpp"
 
 namespace lstm_planner {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/base/common/csv_writer.hpp"
+#include "lstm_planner/common/csv_writer.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_gallery.hpp"

@@ -1,6 +1,6 @@
 #include "tools/interruption.hpp"
 
-#include "lstm_planner/base/common/output_file.hpp"
+#include "lstm_planner/common/output_file.hpp"
 #include "tools/ranks.hpp"
 
 namespace lstm_planner {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/text_table.hpp"
-#include "lstm_planner/base/learning/confusion.hpp"
-#include "lstm_planner/robot/learning/drive_judge.hpp"
-#include "lstm_planner/robot/learning/recorded_choices.hpp"
-#include "lstm_planner/robot/learning/step_simulator.hpp"
+#include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/practice/drive_judge.hpp"
+#include "lstm_planner/practice/recorded_choices.hpp"
+#include "lstm_planner/practice/step_simulator.hpp"
+#include "lstm_planner/training/confusion.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"

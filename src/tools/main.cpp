@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "lstm_planner/base/common/output_file.hpp"
-#include "lstm_planner/robot/dataset/dataset.hpp"
+#include "lstm_planner/common/output_file.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
 #include "tools/command.hpp"
 #include "tools/ranks.hpp"
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "lstm_planner/base/grid/map_generators.hpp"
-#include "lstm_planner/base/grid/map_server_map.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/grid_world/world/map_set.hpp"
-#include "lstm_planner/robot/simulation/floor_plan.hpp"
+#include "lstm_planner/simulation/floor_plan.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"

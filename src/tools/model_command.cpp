@@ -6,11 +6,11 @@
 #include <variant>
 #include <vector>
 
-#include "lstm_planner/base/common/geometry.hpp"
-#include "lstm_planner/base/common/text_table.hpp"
-#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
-#include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "lstm_planner/network/model_file.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/ranges.hpp"

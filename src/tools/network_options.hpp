@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lstm_planner/base/learning/gradient.hpp"
-#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/training/gradient.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 #include "tools/command_line.hpp"
 
 namespace lstm_planner {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lstm_planner/base/common/range.hpp"
+#include "lstm_planner/common/range.hpp"
 
 namespace lstm_planner {
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "lstm_planner/base/common/output_file.hpp"
+#include "lstm_planner/common/output_file.hpp"
 #include "tools/ranks.hpp"
 
 namespace lstm_planner {

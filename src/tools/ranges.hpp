@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lstm_planner/base/common/range.hpp"
+#include "lstm_planner/common/range.hpp"
 
 namespace lstm_planner {
 

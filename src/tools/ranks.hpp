@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lstm_planner/base/common/communicator.hpp"
+#include "lstm_planner/common/communicator.hpp"
 
 namespace lstm_planner {
 

@@ -3,9 +3,9 @@
 #include <iterator>
 #include <utility>
 
-#include "lstm_planner/base/common/text_table.hpp"
-#include "lstm_planner/base/learning/confusion.hpp"
-#include "lstm_planner/robot/learning/dataset_sequences.hpp"
+#include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/practice/dataset_sequences.hpp"
+#include "lstm_planner/training/confusion.hpp"
 
 namespace lstm_planner {
 

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/learning/gradient.hpp"
-#include "lstm_planner/robot/dataset/dataset.hpp"
-#include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/training/gradient.hpp"
 
 namespace lstm_planner {
 

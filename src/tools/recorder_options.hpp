@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "lstm_planner/robot/dataset/hindsight.hpp"
-#include "lstm_planner/robot/dataset/recorder_parameters.hpp"
-#include "lstm_planner/robot/perception/laser_scan.hpp"
+#include "lstm_planner/dataset/hindsight.hpp"
+#include "lstm_planner/dataset/recorder_parameters.hpp"
+#include "lstm_planner/drive/perception/laser_scan.hpp"
 #include "tools/command_line.hpp"
 
 namespace lstm_planner {

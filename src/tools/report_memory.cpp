@@ -4,7 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lstm_planner/base/learning/memory_comparison.hpp"
+#include "lstm_planner/training/memory_comparison.hpp"
 #include "tools/command_line.hpp"
 #include "tools/interruption.hpp"
 #include "tools/output_file.hpp"

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/base/common/markdown_table.hpp"
-#include "lstm_planner/base/common/text_table.hpp"
+#include "lstm_planner/common/markdown_table.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
 #include "lstm_planner/grid_world/evaluation/thesis_maps.hpp"

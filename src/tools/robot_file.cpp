@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/base/common/nearest_name.hpp"
-#include "lstm_planner/base/common/parameter_visitors.hpp"
-#include "lstm_planner/robot/driving/plugin_parameters.hpp"
-#include "lstm_planner/robot/simulation/create2.hpp"
-#include "lstm_planner/robot/simulation/hokuyo.hpp"
+#include "lstm_planner/common/nearest_name.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/drive/decision/plugin_parameters.hpp"
+#include "lstm_planner/simulation/create2.hpp"
+#include "lstm_planner/simulation/hokuyo.hpp"
 #include "tools/shared_file.hpp"
 
 namespace lstm_planner {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/simulation/drive.hpp"
 
 namespace lstm_planner {
 

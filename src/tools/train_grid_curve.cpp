@@ -2,8 +2,8 @@
 
 #include <sstream>
 
-#include "lstm_planner/base/common/csv_writer.hpp"
-#include "lstm_planner/base/common/gnuplot.hpp"
+#include "lstm_planner/common/csv_writer.hpp"
+#include "lstm_planner/common/gnuplot.hpp"
 #include "tools/output_file.hpp"
 
 namespace lstm_planner {

@@ -2,9 +2,9 @@
 #include <iostream>
 #include <utility>
 
-#include "lstm_planner/base/common/text_table.hpp"
-#include "lstm_planner/base/learning/learning_curve.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/grid_world/learning/grid_imitation.hpp"
+#include "lstm_planner/training/learning_curve.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_grid_imitation_options.hpp"

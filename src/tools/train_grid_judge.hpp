@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_tasks.hpp"
+#include "lstm_planner/network/model_file.hpp"
 #include "tools/train_grid_options.hpp"
 
 namespace lstm_planner {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/parallel_for.hpp"
-#include "lstm_planner/base/grid/map_generators.hpp"
+#include "lstm_planner/common/parallel_for.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/world/scenario_generator.hpp"
 
 namespace lstm_planner {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/network/model_file.hpp"
 #include "tools/network_options.hpp"
 #include "tools/ranges.hpp"
 #include "tools/train_commands.hpp"

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
+#include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 #include "tools/command_line.hpp"
 
 namespace lstm_planner {

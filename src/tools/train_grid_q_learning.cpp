@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "lstm_planner/base/learning/q_learner.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
+#include "lstm_planner/training/q_learner.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_grid_reinforcement.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "lstm_planner/base/common/text_table.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "tools/train_grid_curve.hpp"
 #include "tools/train_grid_judge.hpp"
 #include "tools/train_grid_maps.hpp"

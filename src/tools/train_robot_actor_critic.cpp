@@ -1,8 +1,8 @@
 #include <string>
 #include <utility>
 
-#include "lstm_planner/robot/learning/drive_actor_critic.hpp"
-#include "lstm_planner/robot/learning/recorded_choices.hpp"
+#include "lstm_planner/practice/drive_actor_critic.hpp"
+#include "lstm_planner/practice/recorded_choices.hpp"
 #include "tools/recorded_datasets.hpp"
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_reinforcement.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/learning/dataset_training.hpp"
+#include "lstm_planner/practice/dataset_training.hpp"
 #include "tools/train_robot_options.hpp"
 
 namespace lstm_planner {

@@ -1,8 +1,8 @@
 #include <iostream>
 
-#include "lstm_planner/base/common/text_table.hpp"
-#include "lstm_planner/base/learning/learning_curve.hpp"
-#include "lstm_planner/robot/learning/imitation.hpp"
+#include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/practice/imitation.hpp"
+#include "lstm_planner/training/learning_curve.hpp"
 #include "tools/network_options.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_commands.hpp"

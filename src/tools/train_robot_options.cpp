@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/text_table.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "tools/network_options.hpp"
 #include "tools/ranges.hpp"
 #include "tools/train_commands.hpp"

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/base/network/model_file.hpp"
-#include "lstm_planner/robot/driving/drive_policy.hpp"
-#include "lstm_planner/robot/learning/drive_course.hpp"
-#include "lstm_planner/robot/learning/drive_judge.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/practice/drive_course.hpp"
+#include "lstm_planner/practice/drive_judge.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 #include "tools/command_line.hpp"
 
 namespace lstm_planner {

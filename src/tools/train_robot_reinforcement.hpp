@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/text_table.hpp"
-#include "lstm_planner/base/network/layers.hpp"
-#include "lstm_planner/robot/driving/drive_policy.hpp"
-#include "lstm_planner/robot/learning/drive_learner.hpp"
+#include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/practice/drive_learner.hpp"
 #include "tools/ranks.hpp"
 #include "tools/train_robot_options.hpp"
 #include "tools/visited_settings.hpp"

@@ -2,7 +2,7 @@
 
 #include <iostream>
 
-#include "lstm_planner/base/common/text_table.hpp"
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "lstm_planner/base/learning/imitation_rounds.hpp"
-#include "lstm_planner/base/learning/training_loop.hpp"
+#include "lstm_planner/training/imitation_rounds.hpp"
+#include "lstm_planner/training/training_loop.hpp"
 #include "tools/interruption.hpp"
 #include "tools/progress.hpp"
 

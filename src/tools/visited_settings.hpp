@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "lstm_planner/base/common/range.hpp"
+#include "lstm_planner/common/range.hpp"
 
 namespace lstm_planner {
 

@@ -3,9 +3,9 @@
 #include <chrono>
 
 #include "bench_support.hpp"
-#include "lstm_planner/base/learning/parameter_vector.hpp"
-#include "lstm_planner/base/network/batch_network.hpp"
-#include "lstm_planner/base/network/network.hpp"
+#include "lstm_planner/network/batch_network.hpp"
+#include "lstm_planner/network/network.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
 
 namespace lstm_planner::batch_bench {
 namespace {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/grid/map_generators.hpp"
-#include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/base/network/layers.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
+#include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 
 namespace lstm_planner {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <vector>
 
-#include "lstm_planner/robot/perception/costmap_obstacles.hpp"
-#include "lstm_planner/robot/perception/situation.hpp"
-#include "lstm_planner/robot/simulation/generated_world.hpp"
-#include "lstm_planner/robot/simulation/hokuyo.hpp"
+#include "lstm_planner/drive/perception/costmap_obstacles.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
+#include "lstm_planner/simulation/hokuyo.hpp"
 
 namespace lstm_planner::costmap_bench {
 namespace {

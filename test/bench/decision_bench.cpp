@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "call_times.hpp"
-#include "lstm_planner/robot/driving/navigation_agent.hpp"
-#include "lstm_planner/robot/driving/rollout.hpp"
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/drive/motion/rollout.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner::decision_bench {

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "call_times.hpp"
-#include "lstm_planner/robot/driving/drive_trace.hpp"
-#include "lstm_planner/robot/driving/navigation_agent.hpp"
-#include "lstm_planner/robot/driving/observer.hpp"
-#include "lstm_planner/robot/memory/obstacle_memory.hpp"
-#include "lstm_planner/robot/perception/moving_returns.hpp"
+#include "lstm_planner/drive/decision/drive_trace.hpp"
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/drive/decision/observer.hpp"
+#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/perception/moving_returns.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner::decision_parts_bench {

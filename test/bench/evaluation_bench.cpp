@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "bench_support.hpp"
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "bench_support.hpp"
-#include "lstm_planner/base/network/network.hpp"
+#include "lstm_planner/network/network.hpp"
 
 namespace lstm_planner::inference_bench {
 namespace {

@@ -5,14 +5,14 @@
 #include <limits>
 #include <vector>
 
-#include "lstm_planner/robot/driving/action_set.hpp"
-#include "lstm_planner/robot/driving/shield.hpp"
-#include "lstm_planner/robot/evaluation/drive.hpp"
-#include "lstm_planner/robot/memory/obstacle_memory.hpp"
-#include "lstm_planner/robot/perception/moving_returns.hpp"
-#include "lstm_planner/robot/perception/situation.hpp"
-#include "lstm_planner/robot/simulation/generated_world.hpp"
-#include "lstm_planner/robot/simulation/hokuyo.hpp"
+#include "lstm_planner/drive/collision/shield.hpp"
+#include "lstm_planner/drive/decision/action_set.hpp"
+#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/perception/moving_returns.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
+#include "lstm_planner/simulation/drive.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
+#include "lstm_planner/simulation/hokuyo.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner::perception_bench {

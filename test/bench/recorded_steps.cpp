@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "lstm_planner/base/grid/map_server_map.hpp"
-#include "lstm_planner/robot/driving/motion_controller.hpp"
-#include "lstm_planner/robot/driving/navigation_agent.hpp"
-#include "lstm_planner/robot/driving/rollout.hpp"
-#include "lstm_planner/robot/simulation/generated_world.hpp"
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/drive/motion/motion_controller.hpp"
+#include "lstm_planner/drive/motion/rollout.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/driving/drive_policy.hpp"
-#include "lstm_planner/robot/evaluation/drive.hpp"
-#include "lstm_planner/robot/perception/laser_scan.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/drive/perception/laser_scan.hpp"
+#include "lstm_planner/simulation/drive.hpp"
 
 namespace lstm_planner {
 

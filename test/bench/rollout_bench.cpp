@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/driving/navigation_agent.hpp"
-#include "lstm_planner/robot/driving/rollout.hpp"
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/drive/motion/rollout.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner::rollout_bench {

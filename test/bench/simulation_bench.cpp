@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "bench_support.hpp"
-#include "lstm_planner/base/grid/map_server_map.hpp"
-#include "lstm_planner/robot/evaluation/drive.hpp"
-#include "lstm_planner/robot/simulation/generated_world.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
+#include "lstm_planner/simulation/drive.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner::simulation_bench {

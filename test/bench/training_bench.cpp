@@ -1,6 +1,6 @@
 #include "bench_support.hpp"
-#include "lstm_planner/base/common/random.hpp"
-#include "lstm_planner/base/learning/trainer.hpp"
+#include "lstm_planner/common/random.hpp"
+#include "lstm_planner/training/trainer.hpp"
 
 namespace lstm_planner::training_bench {
 namespace {

@@ -2,8 +2,8 @@
 #include <chrono>
 #include <cmath>
 #include <iostream>
-#include <lstm_planner/robot/driving/navigation_agent.hpp>
-#include <lstm_planner/robot/driving/rollout.hpp>
+#include <lstm_planner/drive/decision/navigation_agent.hpp>
+#include <lstm_planner/drive/motion/rollout.hpp>
 
 using namespace lstm_planner;
 

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "fuzz/harness.hpp"
-#include "lstm_planner/robot/dataset/dataset.hpp"
-#include "lstm_planner/robot/dataset/dataset_check.hpp"
-#include "lstm_planner/robot/dataset/drive_recorder.hpp"
-#include "lstm_planner/robot/dataset/recording_sink.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/dataset/dataset_check.hpp"
+#include "lstm_planner/dataset/drive_recorder.hpp"
+#include "lstm_planner/dataset/recording_sink.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lstm_planner::fuzz {

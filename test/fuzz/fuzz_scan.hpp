@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "fuzz/fuzz_input.hpp"
-#include "lstm_planner/base/common/geometry.hpp"
-#include "lstm_planner/robot/perception/laser_scan.hpp"
+#include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/drive/perception/laser_scan.hpp"
 
 namespace lstm_planner::fuzz {
 

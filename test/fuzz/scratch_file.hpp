@@ -8,7 +8,7 @@
 #include <string>
 
 #include "fuzz/harness.hpp"
-#include "lstm_planner/base/common/scratch_folder.hpp"
+#include "lstm_planner/common/scratch_folder.hpp"
 
 namespace lstm_planner::fuzz {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lstm_planner/robot/driving/agent_parameters.hpp"
+#include "lstm_planner/drive/decision/agent_parameters.hpp"
 
 namespace lstm_planner::fuzz {
 

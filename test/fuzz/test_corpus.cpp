@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fuzz/harness.hpp"
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 
 // What the fuzzers do for hours, in a moment: every input of the corpus, among them all that failed once, and some
 // mutations of them, the same ones every time.

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "lstm_planner/base/grid/map_generators.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/world/scenario_generator.hpp"
 #include "support/tool_test.hpp"
 

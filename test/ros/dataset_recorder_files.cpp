@@ -2,7 +2,7 @@
 
 #include <tf2_msgs/TFMessage.h>
 
-#include "lstm_planner/robot/dataset/dataset_check.hpp"
+#include "lstm_planner/dataset/dataset_check.hpp"
 #include "ros/fixtures/recorder_fixture.hpp"
 #include "ros/fixtures/ros_program.hpp"
 

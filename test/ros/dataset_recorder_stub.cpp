@@ -11,7 +11,7 @@
 #include <set>
 #include <string>
 
-#include "lstm_planner/robot/dataset/dataset.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/fixtures/recorder_process.hpp"
 #include "ros/fixtures/ros_program.hpp"

@@ -16,14 +16,14 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/quantile.hpp"
-#include "lstm_planner/robot/dataset/dataset_check.hpp"
-#include "lstm_planner/robot/dataset/dataset_writer.hpp"
-#include "lstm_planner/robot/driving/agent_parameters.hpp"
-#include "lstm_planner/robot/evaluation/drive.hpp"
-#include "lstm_planner/robot/simulation/generated_world.hpp"
+#include "lstm_planner/common/quantile.hpp"
+#include "lstm_planner/dataset/dataset_check.hpp"
+#include "lstm_planner/dataset/dataset_writer.hpp"
+#include "lstm_planner/drive/decision/agent_parameters.hpp"
 #include "lstm_planner/ros/recorder/drive_messages.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
+#include "lstm_planner/simulation/drive.hpp"
+#include "lstm_planner/simulation/generated_world.hpp"
 #include "ros/fixtures/fake_robot.hpp"
 #include "ros/fixtures/faulty_robot.hpp"
 #include "ros/fixtures/plugin_host.hpp"

@@ -10,7 +10,7 @@
 #include <ostream>
 #include <string>
 
-#include "lstm_planner/robot/simulation/world.hpp"
+#include "lstm_planner/simulation/world.hpp"
 #include "ros/fixtures/faulty_robot.hpp"
 #include "ros/fixtures/log_listener.hpp"
 #include "ros/fixtures/plugin_host.hpp"

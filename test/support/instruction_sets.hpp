@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "lstm_planner/base/network/instruction_set.hpp"
+#include "lstm_planner/network/instruction_set.hpp"
 
 namespace lstm_planner::test {
 

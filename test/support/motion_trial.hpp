@@ -5,10 +5,10 @@
 #include <deque>
 #include <vector>
 
-#include "lstm_planner/base/common/arc.hpp"
-#include "lstm_planner/base/common/geometry.hpp"
-#include "lstm_planner/robot/driving/motion_controller.hpp"
-#include "lstm_planner/robot/driving/trail.hpp"
+#include "lstm_planner/common/arc.hpp"
+#include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/drive/motion/motion_controller.hpp"
+#include "lstm_planner/drive/motion/trail.hpp"
 
 namespace lstm_planner::test {
 

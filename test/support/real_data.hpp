@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/grid/map_server_map.hpp"
-#include "lstm_planner/robot/evaluation/drive.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
+#include "lstm_planner/simulation/drive.hpp"
 
 namespace lstm_planner {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string>
 
-#include "lstm_planner/base/common/scratch_folder.hpp"
+#include "lstm_planner/common/scratch_folder.hpp"
 
 namespace lstm_planner::test {
 

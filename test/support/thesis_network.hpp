@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/network/network.hpp"
+#include "lstm_planner/network/network.hpp"
 
 namespace lstm_planner {
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "lstm_planner/base/grid/grid_rays.hpp"
+#include "lstm_planner/grid/grid_rays.hpp"
 
 namespace lstm_planner {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "grid_world/agent/moves_between.hpp"
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/grid_world/search/exact_octile.hpp"
 
 namespace lstm_planner {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/grid_world/agent/nearer_cell.hpp"
 
 namespace lstm_planner {

@@ -1,6 +1,6 @@
 #include "lstm_planner/grid_world/agent/grid_guide.hpp"
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 
 namespace lstm_planner {
 namespace {

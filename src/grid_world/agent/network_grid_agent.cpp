@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/random.hpp"
-#include "lstm_planner/base/learning/policy_gradient.hpp"
+#include "lstm_planner/common/random.hpp"
+#include "lstm_planner/training/policy_gradient.hpp"
 
 namespace lstm_planner {
 

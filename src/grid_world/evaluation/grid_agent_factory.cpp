@@ -9,9 +9,9 @@
 #include "grid_world/agent/boundary_agent.hpp"
 #include "grid_world/agent/d_star_agent.hpp"
 #include "grid_world/agent/rolling_escape_agent.hpp"
-#include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+#include "lstm_planner/network/model_file.hpp"
 
 namespace lstm_planner {
 namespace {

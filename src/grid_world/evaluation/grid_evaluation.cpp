@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "lstm_planner/base/common/parallel_for.hpp"
-#include "lstm_planner/base/common/quantile.hpp"
+#include "lstm_planner/common/parallel_for.hpp"
+#include "lstm_planner/common/quantile.hpp"
 
 namespace lstm_planner {
 namespace {

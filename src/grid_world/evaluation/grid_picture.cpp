@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/canvas.hpp"
-#include "lstm_planner/base/common/picture_file.hpp"
+#include "lstm_planner/common/canvas.hpp"
+#include "lstm_planner/common/picture_file.hpp"
 
 namespace lstm_planner {
 namespace {

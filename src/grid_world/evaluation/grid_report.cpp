@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <sstream>
 
-#include "lstm_planner/base/common/csv_writer.hpp"
-#include "lstm_planner/base/common/markdown_table.hpp"
+#include "lstm_planner/common/csv_writer.hpp"
+#include "lstm_planner/common/markdown_table.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_thesis.hpp"
 
 namespace lstm_planner {

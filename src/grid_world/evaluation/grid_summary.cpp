@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/text_table.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 
 namespace lstm_planner {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "lstm_planner/base/common/csv_writer.hpp"
-#include "lstm_planner/base/common/gnuplot.hpp"
+#include "lstm_planner/common/csv_writer.hpp"
+#include "lstm_planner/common/gnuplot.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_thesis.hpp"
 

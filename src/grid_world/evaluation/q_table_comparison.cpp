@@ -5,10 +5,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/markdown_table.hpp"
-#include "lstm_planner/base/common/parameter_check.hpp"
-#include "lstm_planner/base/common/text_table.hpp"
-#include "lstm_planner/base/grid/map_generators.hpp"
+#include "lstm_planner/common/markdown_table.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/common/text_table.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 
 namespace lstm_planner {

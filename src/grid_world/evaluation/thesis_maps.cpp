@@ -4,7 +4,7 @@
 #include <cctype>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_thesis.hpp"
 
 namespace lstm_planner {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "grid_world/learning/grid_actor_critic_tile.hpp"
-#include "lstm_planner/base/common/parameter_visitors.hpp"
-#include "lstm_planner/base/learning/actor_critic.hpp"
-#include "lstm_planner/base/learning/parameter_vector.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/training/actor_critic.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
 
 namespace lstm_planner {
 namespace {

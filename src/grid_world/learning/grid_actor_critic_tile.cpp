@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "grid_world/learning/boundary_teacher.hpp"
-#include "lstm_planner/base/learning/actor_critic.hpp"
-#include "lstm_planner/base/learning/lane_kernels.hpp"
-#include "lstm_planner/base/learning/policy_gradient.hpp"
+#include "lstm_planner/training/actor_critic.hpp"
+#include "lstm_planner/training/lane_kernels.hpp"
+#include "lstm_planner/training/policy_gradient.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "grid_world/learning/grid_lanes.hpp"
 #include "grid_world/learning/grid_tiles.hpp"
-#include "lstm_planner/base/learning/critic.hpp"
-#include "lstm_planner/base/learning/lane_network.hpp"
 #include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
+#include "lstm_planner/training/critic.hpp"
+#include "lstm_planner/training/lane_network.hpp"
 
 namespace lstm_planner {
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/base/common/parallel_for.hpp"
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/common/parallel_for.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 
 namespace lstm_planner {
 namespace {

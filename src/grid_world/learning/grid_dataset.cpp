@@ -11,11 +11,11 @@
 #include <utility>
 
 #include "grid_world/agent/a_star_agent.hpp"
-#include "lstm_planner/base/common/parallel_for.hpp"
-#include "lstm_planner/base/common/parameter_check.hpp"
-#include "lstm_planner/base/learning/teacher_rescue.hpp"
+#include "lstm_planner/common/parallel_for.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
+#include "lstm_planner/training/teacher_rescue.hpp"
 
 namespace lstm_planner {
 namespace {

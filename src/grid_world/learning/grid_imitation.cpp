@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
-#include "lstm_planner/base/common/parameter_visitors.hpp"
-#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/network/model_file.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "grid_world/learning/grid_actor.hpp"
-#include "lstm_planner/base/learning/lane_network.hpp"
+#include "lstm_planner/training/lane_network.hpp"
 
 namespace lstm_planner {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "grid_world/learning/grid_q_learning_tile.hpp"
-#include "lstm_planner/base/common/parameter_visitors.hpp"
-#include "lstm_planner/base/learning/parameter_vector.hpp"
-#include "lstm_planner/base/learning/q_learner.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
+#include "lstm_planner/training/q_learner.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "grid_world/learning/grid_lanes.hpp"
 #include "grid_world/learning/grid_tiles.hpp"
-#include "lstm_planner/base/learning/lane_network.hpp"
-#include "lstm_planner/base/learning/q_learning_targets.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
+#include "lstm_planner/training/lane_network.hpp"
+#include "lstm_planner/training/q_learning_targets.hpp"
 
 namespace lstm_planner {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 
 namespace lstm_planner {
 namespace {

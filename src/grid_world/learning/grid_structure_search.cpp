@@ -3,8 +3,8 @@
 #include <map>
 #include <mutex>
 
-#include "lstm_planner/base/common/parallel_for.hpp"
-#include "lstm_planner/base/learning/initialisation.hpp"
+#include "lstm_planner/common/parallel_for.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 
 namespace lstm_planner {
 namespace {

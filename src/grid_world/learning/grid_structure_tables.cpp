@@ -4,9 +4,9 @@
 #include <set>
 #include <sstream>
 
-#include "lstm_planner/base/common/csv_writer.hpp"
-#include "lstm_planner/base/common/markdown_table.hpp"
-#include "lstm_planner/base/common/text_table.hpp"
+#include "lstm_planner/common/csv_writer.hpp"
+#include "lstm_planner/common/markdown_table.hpp"
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/grid_world/learning/grid_structure_search.hpp"
 
 namespace lstm_planner {

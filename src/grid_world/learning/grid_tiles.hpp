@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "grid_world/learning/grid_actor.hpp"
-#include "lstm_planner/base/learning/tile_exchange.hpp"
+#include "lstm_planner/training/tile_exchange.hpp"
 
 namespace lstm_planner {
 

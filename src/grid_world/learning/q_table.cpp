@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 
 namespace lstm_planner {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 #include "lstm_planner/grid_world/search/grid_path.hpp"
 
 namespace lstm_planner {

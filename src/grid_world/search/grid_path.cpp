@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 
 namespace lstm_planner {
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "lstm_planner/base/grid/grid_rays.hpp"
+#include "lstm_planner/grid/grid_rays.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
 
 namespace lstm_planner {

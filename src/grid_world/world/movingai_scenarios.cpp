@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "grid_world/world/movingai_text.hpp"
-#include "lstm_planner/base/common/output_file.hpp"
+#include "lstm_planner/common/output_file.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
 
 namespace lstm_planner {

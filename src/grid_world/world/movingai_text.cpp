@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "lstm_planner/base/common/input_file.hpp"
+#include "lstm_planner/common/input_file.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
 
 namespace lstm_planner {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "lstm_planner/base/common/parameter_check.hpp"
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 
 namespace lstm_planner {

@@ -5,7 +5,7 @@
 
 #include <exception>
 
-#include "lstm_planner/base/common/output_file.hpp"
+#include "lstm_planner/common/output_file.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {

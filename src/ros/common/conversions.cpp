@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "lstm_planner/robot/perception/observation.hpp"
+#include "lstm_planner/drive/perception/observation.hpp"
 
 namespace lstm_planner {
 

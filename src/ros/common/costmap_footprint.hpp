@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lstm_planner/base/common/footprint.hpp"
+#include "lstm_planner/common/footprint.hpp"
 
 namespace lstm_planner {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lstm_planner/base/common/segment.hpp"
+#include "lstm_planner/common/segment.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {

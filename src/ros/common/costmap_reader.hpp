@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/perception/costmap_obstacles.hpp"
+#include "lstm_planner/drive/perception/costmap_obstacles.hpp"
 
 namespace lstm_planner {
 

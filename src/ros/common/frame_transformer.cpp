@@ -1,6 +1,6 @@
 #include "ros/common/frame_transformer.hpp"
 
-#include "lstm_planner/robot/perception/message_age.hpp"
+#include "lstm_planner/drive/perception/message_age.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/common/seconds_between.hpp"
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/common/geometry.hpp"
 
 namespace lstm_planner {
 

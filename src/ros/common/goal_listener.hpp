@@ -8,7 +8,7 @@
 #include <mutex>
 #include <optional>
 
-#include "lstm_planner/robot/driving/goal_tracker.hpp"
+#include "lstm_planner/drive/decision/goal_tracker.hpp"
 
 namespace lstm_planner {
 

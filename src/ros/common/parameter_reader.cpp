@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/nearest_name.hpp"
+#include "lstm_planner/common/nearest_name.hpp"
 #include "ros/common/parameter_value.hpp"
 
 namespace lstm_planner {

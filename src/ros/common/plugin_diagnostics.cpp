@@ -6,7 +6,7 @@
 #include <chrono>
 #include <exception>
 
-#include "lstm_planner/robot/perception/message_age.hpp"
+#include "lstm_planner/drive/perception/message_age.hpp"
 #include "ros/common/log_period.hpp"
 
 namespace lstm_planner {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "lstm_planner/base/common/parameter_visitors.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 
 namespace lstm_planner {

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "lstm_planner/base/common/nearest_name.hpp"
+#include "lstm_planner/common/nearest_name.hpp"
 
 namespace lstm_planner {
 namespace {

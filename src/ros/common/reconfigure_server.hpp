@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "lstm_planner/base/common/parameter_rows.hpp"
+#include "lstm_planner/common/parameter_rows.hpp"
 
 namespace lstm_planner {
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/driving/path_tracker.hpp"
-#include "lstm_planner/robot/driving/plugin_parameters.hpp"
-#include "lstm_planner/robot/driving/shield.hpp"
-#include "lstm_planner/robot/perception/out_of_view.hpp"
-#include "lstm_planner/robot/perception/situation.hpp"
+#include "lstm_planner/drive/collision/shield.hpp"
+#include "lstm_planner/drive/decision/plugin_parameters.hpp"
+#include "lstm_planner/drive/motion/path_tracker.hpp"
+#include "lstm_planner/drive/perception/out_of_view.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
 #include "ros/common/costmap_reader.hpp"
 #include "ros/common/frame_transformer.hpp"
 #include "ros/common/message_queue.hpp"

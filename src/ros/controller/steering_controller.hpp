@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/driving/motion_controller.hpp"
+#include "lstm_planner/drive/motion/motion_controller.hpp"
 
 namespace diagnostic_updater {
 class DiagnosticStatusWrapper;

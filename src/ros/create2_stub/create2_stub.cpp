@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/words.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {

@@ -13,12 +13,12 @@
 #include <optional>
 #include <vector>
 
-#include "lstm_planner/robot/simulation/localiser.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
+#include "lstm_planner/simulation/localiser.hpp"
 #include "ros/create2_stub/create2_stub_driver.hpp"
+#include "ros/create2_stub/create2_stub_scanner.hpp"
 #include "ros/create2_stub/create2_stub_world.hpp"
 #include "ros/create2_stub/schedule.hpp"
-#include "ros/create2_stub/stub_scanner.hpp"
 
 namespace lstm_planner {
 
@@ -62,8 +62,8 @@ class Create2Stub {
   std::unique_ptr<World> building_;
   WorldWithRobots world_;
   RobotInWorld robot_;
-  StubScanner scanner_;
-  std::optional<StubScanner> second_scanner_;
+  Create2StubScanner scanner_;
+  std::optional<Create2StubScanner> second_scanner_;
   Create2StubDriver driver_;
   Localiser localiser_;
   std::uint64_t time_ = 0;  ///< ns, end of the last physics step

@@ -3,8 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/csv_file.hpp"
-#include "lstm_planner/base/grid/map_server_map.hpp"
+#include "lstm_planner/common/csv_file.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
 
 namespace lstm_planner {
 namespace {

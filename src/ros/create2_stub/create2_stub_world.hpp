@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/grid/occupancy_grid.hpp"
-#include "lstm_planner/robot/simulation/create2.hpp"
-#include "lstm_planner/robot/simulation/world.hpp"
+#include "lstm_planner/grid/occupancy_grid.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
+#include "lstm_planner/simulation/create2.hpp"
+#include "lstm_planner/simulation/world.hpp"
 
 namespace lstm_planner {
 

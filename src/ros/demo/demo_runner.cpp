@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lstm_planner/base/grid/map_server_map.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 
 namespace lstm_planner {

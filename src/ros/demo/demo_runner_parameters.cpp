@@ -1,7 +1,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/base/common/parameter_visitors.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/common/pose_parameter.hpp"
 #include "lstm_planner/ros/demo/demo_runner.hpp"

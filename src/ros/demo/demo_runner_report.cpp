@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/output_file.hpp"
+#include "lstm_planner/common/output_file.hpp"
 #include "lstm_planner/ros/demo/demo_runner.hpp"
 
 namespace lstm_planner {

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lstm_planner/robot/driving/arrival.hpp"
+#include "lstm_planner/drive/decision/arrival.hpp"
 #include "ros/move_base/standalone_move_base_goal.hpp"
 
 namespace lstm_planner {

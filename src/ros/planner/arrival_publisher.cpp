@@ -5,7 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "lstm_planner/robot/driving/arrival.hpp"
+#include "lstm_planner/drive/decision/arrival.hpp"
 
 namespace lstm_planner {
 

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "lstm_planner/base/common/geometry.hpp"
+#include "lstm_planner/common/geometry.hpp"
 
 namespace lstm_planner {
 

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "lstm_planner/robot/driving/decision_text.hpp"
+#include "lstm_planner/drive/decision/decision_text.hpp"
 
 namespace lstm_planner {
 

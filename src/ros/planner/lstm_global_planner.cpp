@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <pluginlib/class_list_macros.hpp>
 
-#include "lstm_planner/base/common/file_hash.hpp"
-#include "lstm_planner/robot/driving/decision_text.hpp"
+#include "lstm_planner/common/file_hash.hpp"
+#include "lstm_planner/drive/decision/decision_text.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "ros/common/costmap_footprint.hpp"
 #include "ros/common/costmap_reader.hpp"

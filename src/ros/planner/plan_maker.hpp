@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/driving/elastic_band.hpp"
-#include "lstm_planner/robot/driving/goal_tracker.hpp"
-#include "lstm_planner/robot/driving/navigation_agent.hpp"
-#include "lstm_planner/robot/perception/correction_watch.hpp"
+#include "lstm_planner/drive/decision/goal_tracker.hpp"
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/drive/motion/elastic_band.hpp"
+#include "lstm_planner/drive/perception/correction_watch.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/planner/decision_publisher.hpp"

@@ -21,8 +21,8 @@
 #include <new>
 #include <stdexcept>
 
-#include "lstm_planner/base/common/input_file.hpp"
-#include "lstm_planner/robot/dataset/event_order.hpp"
+#include "lstm_planner/common/input_file.hpp"
+#include "lstm_planner/dataset/event_order.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/recorder/drive_messages.hpp"
 #include "ros/common/stamp_check.hpp"

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/base/common/input_file.hpp"
+#include "lstm_planner/common/input_file.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
 
 namespace lstm_planner {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/driving/goal_tracker.hpp"
-#include "lstm_planner/robot/perception/situation.hpp"
+#include "lstm_planner/drive/decision/goal_tracker.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
 #include "ros/recorder/dataset_recorder_progress.hpp"
 
 namespace lstm_planner {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "lstm_planner/robot/dataset/drive_step.hpp"
+#include "lstm_planner/dataset/drive_step.hpp"
 
 namespace lstm_planner {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "lstm_planner/base/common/text_table.hpp"
+#include "lstm_planner/common/text_table.hpp"
 
 namespace lstm_planner {
 

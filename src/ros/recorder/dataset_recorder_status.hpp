@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/dataset/drive_step.hpp"
-#include "lstm_planner/robot/driving/goal_tracker.hpp"
+#include "lstm_planner/dataset/drive_step.hpp"
+#include "lstm_planner/drive/decision/goal_tracker.hpp"
 #include "ros/recorder/dataset_recorder_progress.hpp"
 
 namespace lstm_planner {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
 
 namespace lstm_planner {

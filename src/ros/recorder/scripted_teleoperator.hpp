@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "lstm_planner/robot/perception/odometry_history.hpp"
-#include "lstm_planner/robot/simulation/world.hpp"
+#include "lstm_planner/drive/perception/odometry_history.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/recorder/teleoperator_parameters.hpp"
+#include "lstm_planner/simulation/world.hpp"
 
 namespace lstm_planner {
 

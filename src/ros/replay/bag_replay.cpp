@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "lstm_planner/base/common/output_file.hpp"
+#include "lstm_planner/common/output_file.hpp"
 
 namespace lstm_planner {
 

@@ -1,7 +1,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/base/common/parameter_visitors.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/ros/common/parameter_reader.hpp"
 #include "lstm_planner/ros/replay/bag_replay.hpp"
 

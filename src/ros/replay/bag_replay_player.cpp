@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "lstm_planner/base/common/input_file.hpp"
+#include "lstm_planner/common/input_file.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "ros/recorder/bag_message.hpp"
 

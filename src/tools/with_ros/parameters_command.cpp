@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "lstm_planner/base/common/markdown_table.hpp"
+#include "lstm_planner/common/markdown_table.hpp"
 #include "lstm_planner/ros/advice/drive_advice.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"

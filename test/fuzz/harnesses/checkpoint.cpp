@@ -1,9 +1,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "base/learning/training_checkpoint.hpp"
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
+#include "training/training_checkpoint.hpp"
 
 namespace lstm_planner::fuzz::checkpoint_harness {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
-#include "lstm_planner/base/common/csv_file.hpp"
+#include "lstm_planner/common/csv_file.hpp"
 
 namespace lstm_planner::fuzz::csv_harness {
 namespace {

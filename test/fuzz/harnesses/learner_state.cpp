@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "fuzz/harness.hpp"
-#include "lstm_planner/base/learning/imitation_rounds.hpp"
-#include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
+#include "lstm_planner/training/imitation_rounds.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 
 namespace lstm_planner::fuzz::learner_state_harness {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
-#include "lstm_planner/base/grid/map_server_map.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
 
 namespace lstm_planner::fuzz::map_harness {
 namespace {

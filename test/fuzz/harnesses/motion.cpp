@@ -5,7 +5,7 @@
 
 #include "fuzz/fuzz_input.hpp"
 #include "fuzz/harness.hpp"
-#include "lstm_planner/base/common/footprint.hpp"
+#include "lstm_planner/common/footprint.hpp"
 #include "support/motion_trial.hpp"
 
 namespace lstm_planner::fuzz::motion_harness {

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "base/network/onnx_writer.hpp"
 #include "fuzz/fuzz_input.hpp"
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
-#include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/base/network/model_file.hpp"
-#include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/training/initialisation.hpp"
+#include "network/onnx_writer.hpp"
 #include "onnx_subset.pb.h"
 
 namespace lstm_planner::fuzz::onnx_harness {

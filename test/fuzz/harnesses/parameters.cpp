@@ -5,11 +5,11 @@
 #include "fuzz/fuzz_scan.hpp"
 #include "fuzz/harness.hpp"
 #include "fuzz/small_memory.hpp"
-#include "lstm_planner/robot/dataset/drive_recorder.hpp"
-#include "lstm_planner/robot/dataset/recording_sink.hpp"
-#include "lstm_planner/robot/driving/motion_controller.hpp"
-#include "lstm_planner/robot/driving/navigation_agent.hpp"
-#include "lstm_planner/robot/driving/rollout.hpp"
+#include "lstm_planner/dataset/drive_recorder.hpp"
+#include "lstm_planner/dataset/recording_sink.hpp"
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/drive/motion/motion_controller.hpp"
+#include "lstm_planner/drive/motion/rollout.hpp"
 
 namespace lstm_planner::fuzz::parameters_harness {
 namespace {

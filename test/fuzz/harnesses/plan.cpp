@@ -6,9 +6,9 @@
 #include "fuzz/fuzz_scan.hpp"
 #include "fuzz/harness.hpp"
 #include "fuzz/small_memory.hpp"
-#include "lstm_planner/robot/driving/drive_policy.hpp"
-#include "lstm_planner/robot/driving/navigation_agent.hpp"
-#include "lstm_planner/robot/driving/rollout.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/drive/motion/rollout.hpp"
 
 namespace lstm_planner::fuzz::plan_harness {
 namespace {

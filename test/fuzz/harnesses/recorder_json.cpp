@@ -2,7 +2,7 @@
 #include <stdexcept>
 
 #include "fuzz/harness.hpp"
-#include "lstm_planner/robot/dataset/recorder_parameters.hpp"
+#include "lstm_planner/dataset/recorder_parameters.hpp"
 
 namespace lstm_planner::fuzz::recorder_json_harness {
 namespace {

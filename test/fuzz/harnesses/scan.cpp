@@ -3,10 +3,10 @@
 
 #include "fuzz/fuzz_scan.hpp"
 #include "fuzz/harness.hpp"
-#include "lstm_planner/robot/driving/motion_controller.hpp"
-#include "lstm_planner/robot/driving/shield.hpp"
-#include "lstm_planner/robot/perception/moving_returns.hpp"
-#include "lstm_planner/robot/perception/situation.hpp"
+#include "lstm_planner/drive/collision/shield.hpp"
+#include "lstm_planner/drive/motion/motion_controller.hpp"
+#include "lstm_planner/drive/perception/moving_returns.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
 
 namespace lstm_planner::fuzz::scan_harness {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "lstm_planner/robot/simulation/floor_plan.hpp"
+#include "lstm_planner/simulation/floor_plan.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "lstm_planner/robot/evaluation/drive.hpp"
-#include "lstm_planner/robot/simulation/world.hpp"
+#include "lstm_planner/simulation/drive.hpp"
+#include "lstm_planner/simulation/world.hpp"
 #include "recorded_steps.hpp"
 
 namespace lstm_planner {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 
 namespace lstm_planner {
 

@@ -120,7 +120,7 @@ TEST_F(CommandLineTool, SaysWhichLibraryOfImageFormatsIsMissing) {
                                    "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
   std::ofstream(in("map.pgm")) << "P5\n2 2\n255\n1234";
   const test::Outcome outcome = test::runShell(
-      std::string("base=$(ldd ") + kTool + " | awk '/lstm_planner_base/ {print $3}'); cp $base '" + in("") +
+      std::string("core=$(ldd ") + kTool + " | awk '/lstm_planner_core/ {print $3}'); cp $core '" + in("") +
       "' && LD_LIBRARY_PATH='" + in("") + "' " + kTool + " drive --goals 1 --map '" + in("map.yaml") + "'");
   EXPECT_EQ(outcome.status, 2) << outcome.output;
   EXPECT_TRUE(contains(outcome.output, "map.pgm cannot be decoded: the library of image formats '" +

@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "lstm_planner/robot/dataset/dataset.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
 #include "support/real_data.hpp"
 #include "support/tool_test.hpp"
 

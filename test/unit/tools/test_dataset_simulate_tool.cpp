@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "lstm_planner/robot/dataset/dataset.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
 #include "support/tool_test.hpp"
 
 namespace lstm_planner::test_dataset_simulate_tool {

@@ -6,7 +6,7 @@
 
 #include "support/picture_check.hpp"
 #include "support/shell.hpp"
-#include "unit/robot/dataset/dataset_fixtures.hpp"
+#include "unit/dataset/dataset_fixtures.hpp"
 
 namespace lstm_planner::test_dataset_tool {
 namespace {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "lstm_planner/base/grid/map_server_map.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
 #include "support/picture_check.hpp"

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <string>
 
-#include "lstm_planner/base/network/model_file.hpp"
-#include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/network/model_file.hpp"
 #include "support/tool_test.hpp"
 
 namespace lstm_planner::test_model_tool {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/network/model_file.hpp"
 #include "support/refusal.hpp"
 #include "support/tool_test.hpp"
 #include "tools/recipe.hpp"

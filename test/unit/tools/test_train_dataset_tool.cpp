@@ -8,11 +8,11 @@
 #include <iterator>
 #include <string>
 
-#include "lstm_planner/base/learning/parameter_vector.hpp"
-#include "lstm_planner/robot/driving/drive_policy.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
 #include "support/picture_check.hpp"
 #include "support/tool_test.hpp"
-#include "unit/robot/evaluation/recorded_drives_fixtures.hpp"
+#include "unit/simulation/recorded_drives_fixtures.hpp"
 
 namespace lstm_planner::test_train_dataset_tool {
 namespace {

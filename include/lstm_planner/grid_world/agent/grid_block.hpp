@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lstm_planner/base/grid/occupancy_grid.hpp"
+#include "lstm_planner/grid/occupancy_grid.hpp"
 
 namespace lstm_planner {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/base/common/progress_watch.hpp"
+#include "lstm_planner/common/progress_watch.hpp"
 #include "lstm_planner/grid_world/agent/boundary_inputs.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
 #include "lstm_planner/grid_world/agent/visit_trace.hpp"

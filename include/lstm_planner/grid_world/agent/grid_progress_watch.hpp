@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lstm_planner/base/common/progress_watch.hpp"
+#include "lstm_planner/common/progress_watch.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
 #include "lstm_planner/grid_world/search/exact_octile.hpp"
 

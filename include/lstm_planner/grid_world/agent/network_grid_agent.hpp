@@ -4,13 +4,13 @@
 #include <memory>
 #include <optional>
 
-#include "lstm_planner/base/common/detour_bound.hpp"
-#include "lstm_planner/base/network/batch_network.hpp"
-#include "lstm_planner/base/network/model_file.hpp"
-#include "lstm_planner/base/network/network.hpp"
+#include "lstm_planner/common/detour_bound.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/agent/grid_guide.hpp"
 #include "lstm_planner/grid_world/agent/grid_progress_watch.hpp"
+#include "lstm_planner/network/batch_network.hpp"
+#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/network/network.hpp"
 
 namespace lstm_planner {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lstm_planner/base/grid/occupancy_grid.hpp"
+#include "lstm_planner/grid/occupancy_grid.hpp"
 
 namespace lstm_planner {
 

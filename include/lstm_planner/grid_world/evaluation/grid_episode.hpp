@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
 #include "lstm_planner/grid_world/world/range_table.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/communicator.hpp"
+#include "lstm_planner/common/communicator.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_tasks.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
 
 namespace lstm_planner {

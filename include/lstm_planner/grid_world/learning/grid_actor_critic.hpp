@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/learning/actor_critic.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_learner.hpp"
+#include "lstm_planner/training/actor_critic.hpp"
 
 namespace lstm_planner {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "lstm_planner/base/common/random.hpp"
-#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/common/random.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "lstm_planner/grid_world/world/range_table.hpp"
 

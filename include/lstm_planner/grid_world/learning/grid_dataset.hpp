@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "lstm_planner/base/learning/sequence.hpp"
-#include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
+#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/training/sequence.hpp"
 
 namespace lstm_planner {
 

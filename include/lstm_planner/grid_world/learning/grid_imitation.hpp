@@ -4,11 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "lstm_planner/base/learning/imitation_rounds.hpp"
-#include "lstm_planner/base/network/layers.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
 #include "lstm_planner/grid_world/learning/grid_dataset.hpp"
+#include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/training/imitation_rounds.hpp"
 
 namespace lstm_planner {
 

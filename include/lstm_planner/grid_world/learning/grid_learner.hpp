@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lstm_planner/base/learning/reinforcement_learner.hpp"
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
+#include "lstm_planner/training/reinforcement_learner.hpp"
 
 namespace lstm_planner {
 

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "lstm_planner/base/learning/q_learner.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_learner.hpp"
+#include "lstm_planner/training/q_learner.hpp"
 
 namespace lstm_planner {
 

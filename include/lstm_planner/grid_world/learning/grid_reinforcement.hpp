@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "lstm_planner/base/learning/training_loop.hpp"
 #include "lstm_planner/grid_world/learning/grid_learner.hpp"
+#include "lstm_planner/training/training_loop.hpp"
 
 namespace lstm_planner {
 

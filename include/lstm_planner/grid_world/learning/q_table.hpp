@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "lstm_planner/base/common/random.hpp"
-#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/common/random.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 #include "lstm_planner/grid_world/agent/grid_agent.hpp"
 
 namespace lstm_planner {

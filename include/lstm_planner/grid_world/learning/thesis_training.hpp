@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/base/network/model_file.hpp"
 #include "lstm_planner/grid_world/learning/grid_imitation.hpp"
+#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 
 namespace lstm_planner {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "lstm_planner/base/grid/grid_rays.hpp"
-#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/grid/grid_rays.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 
 namespace lstm_planner {
 

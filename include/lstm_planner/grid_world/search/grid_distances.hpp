@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 
 namespace lstm_planner {
 

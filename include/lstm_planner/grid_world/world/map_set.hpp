@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 #include "lstm_planner/grid_world/world/scenario_generator.hpp"
 
 namespace lstm_planner {

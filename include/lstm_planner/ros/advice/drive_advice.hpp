@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/evaluation/decision_replay.hpp"
+#include "lstm_planner/practice/decision_replay.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/recorder/drive_messages.hpp"

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/geometry.hpp"
-#include "lstm_planner/robot/perception/laser_scan.hpp"
+#include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/drive/perception/laser_scan.hpp"
 
 namespace lstm_planner {
 
@@ -43,7 +43,7 @@ geometry_msgs::TransformStamped mountToMessage(const SensorMount& mount, const s
 /// tilted by more than 15 degrees: such a scan does not show the floor plan.
 SensorMount mountFromMessage(const geometry_msgs::Transform& base_from_scanner);
 
-/// compose() of base/common/geometry.hpp for many poses, as in a plan; quick where neighbours have the same yaw.
+/// compose() of common/geometry.hpp for many poses, as in a plan; quick where neighbours have the same yaw.
 /// Overwrites `poses`, reusing its memory.
 void compose(const Pose2& parent, const std::vector<Pose2>& children, std::vector<Pose2>* poses);
 

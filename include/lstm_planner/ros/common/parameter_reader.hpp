@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/range.hpp"
+#include "lstm_planner/common/range.hpp"
 #include "lstm_planner/ros/common/pose_parameter.hpp"
 
 namespace lstm_planner {

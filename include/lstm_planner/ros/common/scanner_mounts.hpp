@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/robot/perception/laser_scan.hpp"
+#include "lstm_planner/drive/perception/laser_scan.hpp"
 
 namespace lstm_planner {
 

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <string>
 
-#include "lstm_planner/base/common/geometry.hpp"
-#include "lstm_planner/base/common/parameter_visitors.hpp"
-#include "lstm_planner/robot/simulation/create2.hpp"
-#include "lstm_planner/robot/simulation/hokuyo.hpp"
+#include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/simulation/create2.hpp"
+#include "lstm_planner/simulation/hokuyo.hpp"
 
 namespace lstm_planner {
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/geometry.hpp"
-#include "lstm_planner/base/grid/distance_field.hpp"
-#include "lstm_planner/base/grid/occupancy_grid.hpp"
-#include "lstm_planner/robot/evaluation/trace_picture.hpp"
+#include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/grid/distance_field.hpp"
+#include "lstm_planner/grid/occupancy_grid.hpp"
+#include "lstm_planner/simulation/trace_picture.hpp"
 
 namespace lstm_planner {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lstm_planner/base/common/parameter_visitors.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
 

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "lstm_planner/robot/driving/action_set.hpp"
-#include "lstm_planner/robot/driving/navigation_agent.hpp"
+#include "lstm_planner/drive/decision/action_set.hpp"
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
 
 namespace lstm_planner {
 

@@ -8,8 +8,8 @@
 #include <deque>
 #include <string>
 
-#include "lstm_planner/robot/driving/drive_policy.hpp"
-#include "lstm_planner/robot/driving/navigation_agent.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
 
 namespace lstm_planner {
 

@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "lstm_planner/base/common/geometry.hpp"
-#include "lstm_planner/robot/perception/sectors.hpp"
+#include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/drive/perception/sectors.hpp"
 
 namespace lstm_planner {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/dataset/drive_step.hpp"
-#include "lstm_planner/robot/dataset/hindsight.hpp"
-#include "lstm_planner/robot/dataset/recorder_parameters.hpp"
-#include "lstm_planner/robot/perception/laser_scan.hpp"
+#include "lstm_planner/dataset/drive_step.hpp"
+#include "lstm_planner/dataset/hindsight.hpp"
+#include "lstm_planner/dataset/recorder_parameters.hpp"
+#include "lstm_planner/drive/perception/laser_scan.hpp"
 
 namespace lstm_planner {
 

@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-#include "lstm_planner/robot/dataset/drive_recorder.hpp"
+#include "lstm_planner/dataset/drive_recorder.hpp"
 #include "lstm_planner/ros/common/scanner_mounts.hpp"
 
 namespace lstm_planner {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/dataset/recorder_parameters.hpp"
+#include "lstm_planner/dataset/recorder_parameters.hpp"
 #include "lstm_planner/ros/common/pose_parameter.hpp"
 
 namespace lstm_planner {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/parameter_visitors.hpp"
-#include "lstm_planner/robot/simulation/scripted_driver.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/ros/common/pose_parameter.hpp"
+#include "lstm_planner/simulation/scripted_driver.hpp"
 
 namespace lstm_planner {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/robot/evaluation/decision_replay.hpp"
+#include "lstm_planner/practice/decision_replay.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
 #include "lstm_planner/ros/replay/bag_replay_player.hpp"

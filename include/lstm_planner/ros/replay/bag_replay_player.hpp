@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "lstm_planner/robot/perception/laser_scan.hpp"
+#include "lstm_planner/drive/perception/laser_scan.hpp"
 
 namespace lstm_planner {
 

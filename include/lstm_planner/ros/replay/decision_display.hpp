@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lstm_planner/robot/evaluation/decision_replay.hpp"
+#include "lstm_planner/practice/decision_replay.hpp"
 #include "lstm_planner/ros/planner/decision_publisher.hpp"
 #include "lstm_planner/ros/planner/marker_publisher.hpp"
 #include "lstm_planner/ros/replay/driver_markers.hpp"

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "lstm_planner/robot/evaluation/decision_replay.hpp"
+#include "lstm_planner/practice/decision_replay.hpp"
 
 namespace lstm_planner {
 

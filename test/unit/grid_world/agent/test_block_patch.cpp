@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "grid_world/agent/block_patch.hpp"
-#include "lstm_planner/base/common/random.hpp"
-#include "lstm_planner/base/grid/passable_grid.hpp"
+#include "lstm_planner/common/random.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 
 namespace lstm_planner::test_block_patch {
 namespace {

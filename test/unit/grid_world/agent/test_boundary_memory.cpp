@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid_world/agent/boundary_inputs.hpp"
 #include "lstm_planner/grid_world/agent/boundary_memory.hpp"
 #include "unit/grid_world/agent/small_grids.hpp"

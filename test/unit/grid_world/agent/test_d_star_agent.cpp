@@ -5,7 +5,7 @@
 
 #include "grid_world/agent/d_star_agent.hpp"
 #include "grid_world/search/a_star.hpp"
-#include "unit/base/common/random_grid.hpp"
+#include "unit/common/random_grid.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner::test_d_star_agent {

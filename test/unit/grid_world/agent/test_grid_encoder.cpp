@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 
 namespace lstm_planner::test_grid_encoder {

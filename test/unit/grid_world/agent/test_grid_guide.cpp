@@ -7,7 +7,7 @@
 
 #include "grid_world/agent/boundary_agent.hpp"
 #include "grid_world/agent/rolling_escape_agent.hpp"
-#include "lstm_planner/base/grid/map_generators.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/agent/grid_guide.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "unit/grid_world/agent/small_grids.hpp"

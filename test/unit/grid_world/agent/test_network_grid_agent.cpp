@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 
 namespace lstm_planner::test_network_grid_agent {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid_world/agent/rolling_window.hpp"
 #include "lstm_planner/grid_world/agent/seen_grid.hpp"
 

@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
-#include "unit/base/learning/thread_ranks.hpp"
 #include "unit/grid_world/evaluation/grid_fixtures.hpp"
+#include "unit/training/thread_ranks.hpp"
 
 namespace lstm_planner::test_grid_evaluation {
 namespace {

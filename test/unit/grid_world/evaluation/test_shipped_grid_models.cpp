@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <string>
 
-#include "lstm_planner/base/common/random.hpp"
-#include "lstm_planner/base/grid/map_generators.hpp"
-#include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/base/network/model_file.hpp"
+#include "lstm_planner/common/random.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 #include "lstm_planner/grid_world/world/range_table.hpp"
+#include "lstm_planner/network/model_file.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 
 namespace lstm_planner::test_shipped_grid_models {
 namespace {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "lstm_planner/base/grid/map_generators.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
 
 namespace lstm_planner {

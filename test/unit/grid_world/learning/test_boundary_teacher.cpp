@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "grid_world/learning/boundary_teacher.hpp"
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
 #include "unit/grid_world/agent/small_grids.hpp"
 

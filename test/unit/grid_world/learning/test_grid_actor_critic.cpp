@@ -6,12 +6,12 @@
 
 #include "grid_world/learning/boundary_teacher.hpp"
 #include "grid_world/learning/grid_actor.hpp"
-#include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
-#include "unit/base/learning/thread_ranks.hpp"
+#include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
 #include "unit/grid_world/learning/grid_learning_fixtures.hpp"
+#include "unit/training/thread_ranks.hpp"
 
 namespace lstm_planner::test_grid_actor_critic {
 namespace {

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/base/learning/initialisation.hpp"
 #include "lstm_planner/grid_world/learning/grid_dataset.hpp"
+#include "lstm_planner/training/initialisation.hpp"
 #include "unit/grid_world/learning/grid_learning_fixtures.hpp"
 
 namespace lstm_planner::test_grid_dataset {

@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
-#include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/grid_world/learning/grid_imitation.hpp"
+#include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
 #include "support/refusal.hpp"
 #include "unit/grid_world/learning/grid_learning_fixtures.hpp"
 

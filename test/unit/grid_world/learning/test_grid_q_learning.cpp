@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "grid_world/learning/grid_q_learning_tile.hpp"
-#include "lstm_planner/base/learning/initialisation.hpp"
-#include "lstm_planner/base/learning/parameter_vector.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
-#include "unit/base/learning/thread_ranks.hpp"
+#include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
+#include "unit/training/thread_ranks.hpp"
 
 namespace lstm_planner::test_grid_q_learning {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lstm_planner/base/grid/map_generators.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 #include "lstm_planner/grid_world/learning/q_table.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"

@@ -9,7 +9,7 @@
 
 #include "grid_world/search/a_star.hpp"
 #include "lstm_planner/grid_world/search/grid_distances.hpp"
-#include "unit/base/common/random_grid.hpp"
+#include "unit/common/random_grid.hpp"
 
 namespace lstm_planner::test_a_star {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "grid_world/search/a_star.hpp"
 #include "grid_world/search/d_star.hpp"
-#include "unit/base/common/random_grid.hpp"
+#include "unit/common/random_grid.hpp"
 
 namespace lstm_planner::test_d_star {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/grid/map_generators.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/world/map_set.hpp"
 #include "unit/grid_world/world/movingai_fixtures.hpp"
 

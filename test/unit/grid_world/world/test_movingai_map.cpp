@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "unit/grid_world/world/movingai_fixtures.hpp"
 
 namespace lstm_planner::test_movingai_map {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "lstm_planner/base/common/random.hpp"
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid_world/world/range_table.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/base/grid/map_generators.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid_world/world/scenario_generator.hpp"
 
 namespace lstm_planner::test_scenario_generator {

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/dataset/drive_step.hpp"
+#include "lstm_planner/dataset/recorder_parameters.hpp"
+
+namespace lstm_planner {
+
+/// A dataset file that cannot be read or written; what() is one sentence with the path and the reason.
+class DatasetError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What holds for all steps of a recording.
+struct RecordingDescription {
+  RecorderParameters parameters;
+  std::string software_version;  ///< of this package
+  std::string source;            ///< "live", or the path of the bag or log
+  std::string odometry_frame;    ///< may be empty where there are no frames
+  std::string begun;             ///< UTC, ISO 8601, by the computer's clock
+};
+
+/// The version of this package, e.g. "0.2.0".
+std::string softwareVersion();
+
+/// A drive to one goal, with its steps.
+struct RecordedEpisode {
+  Episode episode;
+  std::vector<DriveStep> steps;
+};
+
+/// What one run of a recorder wrote.
+struct Recording {
+  RecordingDescription description;
+  bool finished = false;  ///< false: it is still going on, or was cut off
+  RejectionCounts rejections{};
+  std::vector<RecordedEpisode> episodes;
+};
+
+/// What a dataset file holds: one recording, or several that were merged.
+struct Dataset {
+  std::vector<Recording> recordings;
+};
+
+long stepCount(const Dataset& dataset);  ///< without those of discarded episodes
+
+/// Reads a whole dataset file (an SQLite database, `sqlite3 FILE .schema` explains it); it may be being recorded.
+/// `with_scans`: DriveStep::ranges too. Throws DatasetError when it is not there, not a dataset, damaged, of a newer
+/// schema, or has a row that no recorder writes: a value of another type than the schema's, numbers that are not finite
+/// or too large, a label that names no angle, a scan of another length than its geometry's.
+Dataset readDataset(const std::string& path, bool with_scans = false);
+
+/// Writes a new file that appears whole or not at all. Throws DatasetError, also when there is such a file.
+void writeDataset(const std::string& path, const Dataset& dataset);
+
+}  // namespace lstm_planner

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/dataset/dataset.hpp"
+
+namespace lstm_planner {
+
+/// How often each label was driven, of the recordings that have the same allowed angles.
+struct LabelHistogram {
+  std::vector<double> angles;  ///< rad
+  std::vector<long> counts;    ///< of each
+};
+
+/// Of the numbers of one quantity, those that are not infinite.
+struct QuantityRange {
+  std::string name;  ///< of the column of table steps; of eight sectors without the sector's number
+  std::string unit;
+  long count = 0;
+  double minimum = 0.0;
+  double mean = 0.0;
+  double maximum = 0.0;
+};
+
+/// What there is in a dataset. Discarded episodes count only where it says so.
+struct DatasetSummary {
+  long recordings = 0;
+  long unfinished = 0;  ///< recordings that are still going on, or were cut off
+  long episodes = 0;
+  std::map<EpisodeEnd, long> ends;  ///< of the episodes
+  long empty_episodes = 0;          ///< of the episodes, those without a step
+  long discarded_episodes = 0;
+  long discarded_steps = 0;
+  long steps = 0;
+  long steps_with_scan = 0;
+  std::vector<LabelHistogram> labels;  ///< one for each set of allowed angles
+  std::vector<QuantityRange> ranges;   ///< in the order of the columns
+  QuantityRange intervals;             ///< s from a step to the next
+  long gaps = 0;                       ///< places in episodes where steps without a label were left out
+  double duration = 0.0;               ///< s of all steps together
+  double distance = 0.0;               ///< m from pose to pose
+  RejectionCounts rejections{};
+};
+
+/// Scans are counted only when they were read.
+DatasetSummary summarise(const Dataset& dataset);
+
+}  // namespace lstm_planner

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/dataset/drive_step.hpp"
+#include "lstm_planner/dataset/event_order.hpp"
+#include "lstm_planner/dataset/recorder_parameters.hpp"
+#include "lstm_planner/drive/decision/action_set.hpp"
+#include "lstm_planner/drive/decision/observer.hpp"
+#include "lstm_planner/drive/perception/odometry_history.hpp"
+#include "lstm_planner/drive/perception/silence_watch.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
+
+namespace lstm_planner {
+
+/// Cuts a drive into labelled steps (thesis 4.2, Eq. 4.1-4.2).
+///
+/// A sample is taken once in every `period` of the stamps' clock: its first scan is paired with the pose at its stamp,
+/// interpolated between the two odometry messages around it (the nearest one can be half an odometry period away). It
+/// starts a step if the robot has moved since the last one; the pose where the next step starts labels it, and only
+/// then it is given to the sink. The same events give the same steps, in whatever order they arrive within
+/// RecorderParameters::delay, live or from a file. Not thread safe.
+class DriveRecorder {
+ public:
+  /// Where the origin of a frame is in the odometry frame at a time (s); empty when that is not known.
+  using FrameLookup = std::function<std::optional<Pose2>(const std::string& frame, double stamp)>;
+
+  /// `sink` must outlive the recorder. Throws std::invalid_argument (validate).
+  DriveRecorder(const RecorderParameters& parameters, StepSink* sink, FrameLookup lookup);
+
+  /// What has a flaw (flawOf()) is rejected.
+  void add(DriveEvent event);
+
+  /// Something was heard that could not become an event.
+  void reject(Rejection rejection) { sink_->reject(rejection); }
+
+  /// Works on all that was heard and ends the episode.
+  void finish();
+
+  /// While paused nothing becomes a step. Pausing ends the episode; afterwards the goal is still the goal.
+  void setPaused(bool paused);
+  bool paused() const { return paused_; }
+
+  /// Ends the running episode, if there is one, for this reason.
+  void endEpisode(EpisodeEnd end);
+
+  /// The goal that is being driven to, in its frame; empty when there is none.
+  const std::optional<GoalInFrame>& goal() const { return goal_; }
+  /// The last sample: empty before the first.
+  const std::optional<Situation>& situation() const { return situation_; }
+  bool inEpisode() const { return in_episode_; }
+
+ private:
+  void work(const OdometryHeard& odometry);
+  void work(const GoalHeard& goal);
+  void work(const GoalGivenUp& given_up);
+  void work(const ScanHeard& scan);
+  void workOnWhatIsDue(bool all);
+  void sample(const ScanHeard& scan);
+  /// Why the scan cannot be used; empty when it can.
+  std::string see(const ScanHeard& scan);
+  bool hasMovedSinceStep() const;
+  bool isAt(const Point2& goal, const Pose2& pose) const;
+  void startEpisode();
+  void startStep(const ScanHeard& scan);
+  void labelStep();
+
+  RecorderParameters parameters_;
+  ActionSet actions_;
+  StepSink* sink_;
+  FrameLookup lookup_;
+  EventOrder order_;
+  double newest_ = 0.0;  ///< s, of what was heard
+  double now_ = 0.0;     ///< s, of what is being worked on
+
+  OdometryHistory history_;
+  std::vector<ScanHeard> waiting_;       ///< scans that are newer than the odometry
+  std::optional<double> last_sample_;    ///< number of its period
+  std::optional<double> last_unusable_;  ///< likewise, of the last one without a usable scan
+  std::optional<Situation> situation_;   ///< at the last sample
+  SilenceWatch silence_;
+  Observer observer_;
+
+  std::optional<GoalInFrame> goal_;
+  std::string goal_source_;
+  Point2 goal_position_;  ///< odometry frame, at the last sample
+  bool in_episode_ = false;
+  bool paused_ = false;
+  std::optional<DriveStep> step_;  ///< not labelled yet
+  double previous_action_ = 0.0;   ///< rad
+  long number_ = 0;                ///< of the next step
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/common/footprint.hpp"
+#include "lstm_planner/common/geometry.hpp"
+
+namespace lstm_planner {
+
+class FootprintSweep;
+
+/// Tells how far a footprint can be moved along a straight line or an arc, or turned in place, before it comes too near
+/// to something that the scanner measured. Exact for the returns taken as points.
+///
+/// All points, poses and directions are in the base frame of the scan that was shown last. A circle turns in place
+/// without moving: that is always free. The corners of a polygon sweep what is around it.
+class Shield {
+ public:
+  /// `footprint_radius`: of the circumscribed disc, m. `hard_margin`: m, see freeDistance(). `reach`: farthest obstacle
+  /// that is looked at, m. Throws std::invalid_argument unless 0 < radius, 0 <= margin and radius + margin < reach.
+  Shield(double footprint_radius, double hard_margin, double reach);
+  /// `footprint`: with its circumscribed radius in place of that of the disc.
+  Shield(const Footprint& footprint, double hard_margin, double reach);
+
+  /// Replaces what is known by the returns of one scan (base frame).
+  void show(const std::vector<Point2>& obstacles);
+  /// Others, too (base frame), until the next scan is shown.
+  void add(const std::vector<Point2>& obstacles);
+
+  /// Free length (m, at most `limit`) from `from` in `direction` (rad), and headed there, for the footprint grown by
+  /// `clearance`. Where the robot already is nearer to something than that, it may pass it but not come nearer still;
+  /// nearer than the hard margin (or the clearance, if that is less) it may only go away, so that the noise of a
+  /// scanner cannot lure it closer bit by bit. 0 when the first millimetre is blocked.
+  double freeDistance(const Point2& from, double direction, double limit, double clearance) const {
+    return freeLine(from, direction, limit, clearance, 0.0);
+  }
+
+  /// Whether the free distance is `length` (m): sooner answered where it is not.
+  bool isFree(const Point2& from, double direction, double length, double clearance) const {
+    return freeLine(from, direction, length, clearance, length) >= length;
+  }
+
+  /// The same as freeDistance() along the arc that starts at the pose `from`, forward, with that curvature (1/m,
+  /// positive to the left; 0 is the straight line): length of arc in m. This is the path that a differential drive
+  /// really takes when it is commanded linear and angular = curvature * linear.
+  double freeArc(const Pose2& from, double curvature, double limit, double clearance) const;
+
+  /// The same backward, along the arc that leads to `from`. Only for polygons: a circle turns round.
+  double freeBack(const Pose2& from, double curvature, double limit, double clearance) const;
+
+  /// The same for a turn in place by `angle` (rad, positive to the left): rad, at most its magnitude.
+  double freeTurn(const Pose2& from, double angle, double clearance) const;
+
+  /// Distance from the footprint at `from`, headed along x, to the nearest return, m; `reach` when nothing is that
+  /// near.
+  double gap(const Point2& from) const;
+
+  /// The smallest gap() on that arc of that length (m, 0 or more); `reach` when nothing is that near.
+  double arcGap(const Pose2& from, double curvature, double length) const;
+
+  double footprintRadius() const { return footprint_radius_; }  ///< m, circumscribed
+  const Footprint& footprint() const { return footprint_; }
+
+ private:
+  /// freeDistance(), or something else below `enough` if that is below it.
+  double freeLine(const Point2& from, double direction, double limit, double clearance, double enough) const;
+
+  Footprint footprint_;
+  double footprint_radius_;
+  double hard_margin_;
+  double reach_;
+
+  /// Adds whole groups that are within reach, and leaves out those beyond it, up to one that is neither; returns how
+  /// many these are.
+  std::size_t addGroups(const Point2* obstacles, std::size_t groups, double reach_squared);
+  /// Adds those of a group, or fewer, that are within reach.
+  void addNear(const Point2* obstacles, std::size_t count);
+  /// Calls visit(places) for the groups that meet(boxes) lets through, four boxes at a time, until it answers true.
+  template <typename Meet, typename Visit>
+  void visitGroups(const Meet& meet, const Visit& visit) const;
+  /// Calls visit(obstacle) for all that are nearer than `distance`, and some others, until it answers true.
+  template <typename Visit>
+  void visitNear(const Point2& from, double distance, const Visit& visit) const;
+  double nearest(const Point2& from) const;
+  double sweep(const FootprintSweep& sweep, const Pose2& from, double limit, double clearance) const;
+  double sweepGap(const FootprintSweep& sweep, const Pose2& from, double length) const;
+  /// More than what is lost of a coordinate in a float, m.
+  double blur(const Point2& from) const;
+
+  // See shield_groups.hpp. Where a group has fewer returns, one of them is there several times.
+  std::size_t groups_ = 0;
+  std::vector<double> places_;
+  std::vector<float> boxes_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lstm_planner/common/geometry.hpp"
+
+namespace lstm_planner {
+
+/// One decision: who leads and why, what the robot does, and what the plan consists of. This record describes the whole
+/// state of a drive to a goal; all of it is published.
+struct Decision {
+  /// Who decides. Those that lead do so for many steps; the others stand in for the leader.
+  enum class Source {
+    kNetwork,      ///< leads: the allowed action that the network prefers
+    kGreedy,       ///< leads: the allowed action nearest to the goal's bearing
+    kGoalInSight,  ///< the goal is near and the straight path free
+    kRoute,        ///< leads, or overrules the network: the path through what is remembered
+    kEscape,       ///< leads: boundary following
+    kLookAround,   ///< nothing is free in sight, or all around must be seen: turn
+    kArrived,      ///< within the goal tolerance
+    kNoPath        ///< the goal cannot be reached: no path through what was seen leads there
+  };
+
+  /// Who did not let the leader do what it preferred of all.
+  enum class Overruled {
+    kNo,        ///< nobody, or it has no preference
+    kByShield,  ///< something is in the way: another steering angle was taken, or none was free
+    kByBound    ///< the detour would be too long (DetourBound): the path through what is remembered was taken
+  };
+
+  /// What the remembered obstacles say about the goal.
+  enum class GoalSeems {
+    kReachable,       ///< or not known yet
+    kInObstacle,      ///< the path ends beside it; or it is near, an obstacle is before it, and no path is known
+    kBehindObstacle,  ///< it is near, but the path to it is long: odometry may have moved it behind a wall
+    kEnclosed         ///< no path is known; the robot looks around
+  };
+
+  Source leader = Source::kNetwork;     ///< who leads; another source decides in its place for the moment
+  const char* why = "";                 ///< it leads: a few words
+  Source source = Source::kLookAround;  ///< who decided this
+  Point2 waypoint;                      ///< odometry frame
+  double direction = 0.0;               ///< rad, odometry frame, from where the decision was made to the waypoint
+  int action = -1;                      ///< index of the steering angle; -1 when the waypoint is not one of them
+  int preferred = -1;                   ///< the network's answer: the action that it prefers of all, or that was drawn
+                                        ///< by its preferences; -1 when it is not asked
+  std::vector<float> preferences;       ///< the network's, one an action
+  std::vector<char> allowed;            ///< the shield's word, one an action
+  bool on_route = false;                ///< the waypoint lies on, or beside, the path through what is remembered
+  Overruled overruled = Overruled::kNo;
+  double regret = 0.0;       ///< m by which the preferred, allowed action is longer than the remembered path; +inf:
+                             ///< no path is known from its end
+  double regret_used = 0.0;  ///< m, sum of the regrets that were carried out since the goal was set, this one included
+  double regret_allowed = 0.0;  ///< m, the bound of that sum
+  Point2 destination;           ///< where the plan ends: the goal, or where the footprint still fits when the goal
+                                ///< lies in something (AgentParameters::goal_drift)
+  std::vector<Point2> path_on;  ///< from the waypoint to the destination through what is remembered; empty where
+                                ///< nothing is remembered, and where no such path was asked for
+  GoalSeems goal_seems = GoalSeems::kReachable;
+  long step = 0;  ///< counts the steps since the goal was set
+};
+
+/// Whether only a direction was decided, by one who does not look behind the waypoint.
+inline bool isOneStep(const Decision& decision) {
+  const bool is_by_action =
+      decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy;
+  return is_by_action && !decision.on_route;
+}
+
+constexpr std::size_t kDecisionSources = 8;
+constexpr std::size_t kOverruledKinds = 3;
+/// "network", "greedy", "goal in sight", "route", "escape", "look around", "arrived", "no path".
+const char* toString(Decision::Source source);
+/// "no", "by the shield", "by the bound".
+const char* toString(Decision::Overruled overruled);
+/// "reachable", "in an obstacle", "behind an obstacle", "enclosed".
+const char* toString(Decision::GoalSeems goal_seems);
+
+}  // namespace lstm_planner

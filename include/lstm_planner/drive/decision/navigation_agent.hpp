@@ -1,0 +1,206 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "lstm_planner/common/boxed.hpp"
+#include "lstm_planner/common/detour_bound.hpp"
+#include "lstm_planner/common/progress_watch.hpp"
+#include "lstm_planner/drive/collision/shield.hpp"
+#include "lstm_planner/drive/decision/action_choice.hpp"
+#include "lstm_planner/drive/decision/agent_parameters.hpp"
+#include "lstm_planner/drive/decision/arrival.hpp"
+#include "lstm_planner/drive/decision/decision.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/drive/decision/drive_trace.hpp"
+#include "lstm_planner/drive/decision/escape.hpp"
+#include "lstm_planner/drive/decision/step_clock.hpp"
+#include "lstm_planner/drive/local_map/route_guide.hpp"
+#include "lstm_planner/drive/perception/laser_scan.hpp"
+#include "lstm_planner/drive/perception/out_of_view.hpp"
+#include "lstm_planner/drive/perception/scan_rules.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
+
+namespace lstm_planner {
+
+/// Decides, step by step, where the robot goes: network -> shield -> bound.
+///
+/// The inputs of the network are what the robot senses and where it has been; its answer is a preference over five
+/// steering angles. The shield takes those away that would hit something. The path through the remembered obstacles
+/// (RouteGuide) tells what the preferred one of the others costs more than the best: it is carried out while the sum of
+/// these detours stays within a bound (DetourBound), otherwise that path decides the step. If the path leaves in the
+/// direction of the preferred angle, the waypoint lies on the path. Where the remembered obstacles were wrong too
+/// often, the last resort is boundary following (Escape).
+///
+/// With AgentParameters::leader the path, or only the goal's bearing, leads instead of the network.
+///
+/// Where nothing is remembered (memory/enabled is false), nothing limits detours, and boundary following leads when the
+/// robot makes no progress. Without that, too (escape/enabled is false), a network that makes no progress draws its
+/// steps (AgentParameters::draw_after), and in the end a goal counts as reached in front of an obstacle in which, or
+/// behind which, odometry may have moved it (goal_drift).
+///
+/// The hidden state advances once a step (StepClock) and at no other time: asking twice gives the same answer. Not
+/// thread safe. All poses and goals are in one frame, in which the robot moves without jumps: the odometry frame, or
+/// one in which a localisation corrects it a little at a time.
+class NavigationAgent {
+ public:
+  /// Why the drive so far was forgotten.
+  enum class Fresh {
+    kNo,        ///< it was not
+    kNewGoal,   ///< the goal was given anew
+    kJump,      ///< odometry or localisation jumped: what was seen is forgotten, too
+    kGoalMoved  ///< the goal moved farther than localisation corrects while the odometry is sound
+  };
+
+  /// `rules`: what the scanner's readings mean. Throws std::invalid_argument for bad parameters, or a network that is
+  /// to lead and does not fit them.
+  NavigationAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules = {});
+
+  /// Changes leader, goal_tolerance, goal_in_sight and the escape's patience, from the next decision on; all other
+  /// parameters stay. Throws std::invalid_argument, and changes nothing, if a value cannot be used, or as the
+  /// constructor.
+  void change(const AgentParameters& parameters);
+
+  /// What the scanner sees at `time` (s) from `pose`: situation(). `second`: what a second scanner saw last, null where
+  /// there is none; the network does not see it. Throws UnusableScan, or std::invalid_argument when the pose is out of
+  /// reach (checkPose).
+  ///
+  /// Where the scanner does not reach as far as the network needs, the path through what is remembered leads in its
+  /// place. Some drivers send the largest reading as range_max, so the largest one so far counts. Throws
+  /// std::invalid_argument if nothing is remembered (memory/enabled is false).
+  void perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time,
+                const TakenScan* second = nullptr);
+
+  /// Obstacles of a costmap that the last scan does not show (CostmapObstacles); base frame, m. They count as returns,
+  /// until the next scan: then they must be given again.
+  void mark(const std::vector<Point2>& obstacles);
+
+  /// Decides in the situation that was perceived last: decision(). `is_new`: the goal was set since the last call.
+  /// `jumps`: number of jumps of odometry or localisation so far. Throws std::invalid_argument for a goal out of reach
+  /// (checkGoal).
+  Fresh drive(const Point2& goal, bool is_new, long jumps);
+
+  /// What drive() would decide, or throw, for a goal that has just been set. Does not change what drive() depends on.
+  Decision preview(const Point2& goal) const;
+
+  /// A new goal: forgets the hidden state, the step and the escape, but not what was seen on the way.
+  void setGoal(const Point2& goal);
+
+  /// The same goal has moved a little in the frame of the poses, because a localisation was corrected. Nothing is
+  /// forgotten.
+  void moveGoal(const Point2& goal);
+
+  /// The odometry jumped, so remembered obstacles are in wrong places: forgets them, and all that setGoal() forgets.
+  void restart();
+
+  /// The decision in a situation that was perceived elsewhere; a new one if the last step is over or its path is
+  /// blocked.
+  const Decision& update(const Situation& situation);
+
+  /// What update() would answer for a goal that has just been set; changes nothing that update() depends on.
+  Decision preview(const Situation& situation, const Point2& goal) const;
+
+  /// Called once a step with the network's inputs, after the network has advanced. If it returns an action that the
+  /// shield allows, this action is taken instead of the network's own: so a teacher can steer.
+  using StepListener = std::function<std::optional<int>(const Situation&, const Observation&)>;
+  void setStepListener(StepListener listener) { step_listener_ = std::move(listener); }
+
+  /// What was decided last.
+  const Decision& decision() const { return decision_; }
+  const Situation& situation() const { return situation_; }  ///< that was perceived last
+  /// What left the field of view near a robot with corners, base frame, m (OutOfView); none of a round one.
+  std::vector<Point2> outOfView() const { return out_of_view_ ? out_of_view_->points() : std::vector<Point2>(); }
+  const Point2& goal() const { return goal_; }
+  const Shield& shield() const { return shield_; }  ///< shows what was perceived, or decided about, last
+  /// Places of the remembered obstacles, for drawing; empty if memory/enabled is false. Slow.
+  std::vector<Point2> rememberedObstacles() const {
+    return guide_ ? guide_->memory().obstacles() : std::vector<Point2>();
+  }
+  /// The remembered obstacles; null if memory/enabled is false.
+  const ObstacleMemory* memory() const { return guide_ ? &guide_->memory() : nullptr; }
+  /// Number of searches for paths through the remembered obstacles so far.
+  long searches() const { return guide_ ? guide_->searches() : 0; }
+  const AgentParameters& parameters() const { return parameters_; }
+  const DrivePolicy& policy() const { return policy_; }
+  /// m from the goal within which it counts as reached where it lies in or behind an obstacle (goal_drift).
+  double reachedWithin() const { return toleranceAfter(driven_, parameters_); }
+  /// Whether the path that was decided last ends beside the goal, which lies in or behind an obstacle.
+  bool endsBesideGoal() const { return lstm_planner::endsBesideGoal(decision_, goal_, parameters_); }
+  double bestDistance() const { return progress_.best(); }  ///< m to the goal, from where the robot was nearest to it
+  /// Why the remembered path leads in place of the network that the parameters name; empty if it does not.
+  std::string standInWarning() const;
+
+ private:
+  using Source = Decision::Source;
+
+  const Decision& decideAbout(const Situation& situation);
+  void show(const Situation& situation);
+
+  // A step.
+  bool stepIsOver(const Situation& situation) const;
+  bool pathIsFree(const Situation& situation) const;
+  void noteProgress(const Situation& situation);
+  void startFrom(const Situation& situation, const char* why);
+  void losePatience();
+  void arrive(const Situation& situation);
+  bool isBesideGoal(const Situation& situation) const;
+  void stopBesideGoal(const Situation& situation);
+  bool isOutOfPatience(double times) const;
+  Source leaderBy(const AgentParameters& parameters) const;
+  void choose(Source leader, const char* why);
+  void lead(Source leader, const char* why);
+  void startStep(const Situation& situation);
+  void advanceNetwork(const Observation& observation);
+  double previousAction() const;
+  double drivenShare(const Situation& situation) const;
+
+  // A decision.
+  void decide(const Situation& situation);
+  Decision::GoalSeems judgeGoal(const Situation& situation, Source guidance) const;
+  Source guide(const Situation& situation);
+  static bool isInView(const Situation& situation, double direction);
+  bool isFreeUpTo(const Situation& situation, double direction, double distance) const;
+  bool chooseGoalInSight(const Situation& situation);
+  void chooseAsLed(const Situation& situation, Source guidance);
+  std::optional<ActionChoice::Action> chooseAmongActions(const Situation& situation);
+  void chooseAction(const Situation& situation);
+  void chooseWithinBound(const Situation& situation, Source guidance);
+  void takeAction(const Situation& situation, const ActionChoice::Action& action);
+  void chooseRoute(const Situation& situation, Source guidance);
+  bool followRoute(const Situation& situation, Source source);
+  void chooseEscape(const Situation& situation);
+  void lookAround(const Situation& situation);
+  void goTo(const Situation& situation, Source source, double direction, double distance);
+  double freeDistance(const Situation& situation, double direction, double limit, double clearance) const;
+
+  DrivePolicy policy_;
+  AgentParameters parameters_;
+  ScanRules rules_;
+  Situation situation_;
+  bool is_new_goal_ = false;  ///< nothing was decided for it
+  long jumps_ = 0;            ///< that were heard of
+
+  Source chosen_;       ///< who is to lead: as the parameters say, or in place of a network that cannot
+  double reach_ = 0.0;  ///< m, the largest range_max so far
+
+  Point2 goal_;
+  Decision decision_;
+  Shield shield_;
+  std::optional<OutOfView> out_of_view_;  ///< none of a circle: what it turns away from it does not hit
+  ActionChoice actions_;
+  Escape escape_;
+  Boxed<RouteGuide> guide_;  ///< none where nothing is to be remembered
+  DetourBound bound_;
+  DriveTrace trace_;
+  StepClock clock_;
+  DrivenProgressWatch progress_;
+  double driven_ = 0.0;   ///< m since the goal was set, from step to step
+  Point2 best_position_;  ///< where the robot was nearest to the goal
+  StepListener step_listener_;
+  std::optional<int> imposed_action_;  ///< by the listener, or drawn
+  double look_around_turn_ = 0.0;      ///< rad, sign of the turn while nothing is free
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/drive/decision/agent_parameters.hpp"
+#include "lstm_planner/drive/local_map/obstacle_window.hpp"
+#include "lstm_planner/drive/local_map/passability.hpp"
+#include "lstm_planner/drive/local_map/scan_changes.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
+
+namespace lstm_planner {
+
+/// Remembers obstacles in a window that moves with the robot (ObstacleWindow), forgets an obstacle if the scanner later
+/// shows its place clear (ScanChanges), and knows where the footprint fits through (Passability). Its memory is
+/// bounded: about 0.6 MB with the defaults, for any size of the world and length of the path.
+///
+/// All positions are in the odometry frame. Obstacles are kept in squares of MemoryParameters::resolution; a cell of
+/// four by four of them is the unit of the route search. What was never seen counts as free.
+class ObstacleMemory {
+ public:
+  using Passage = lstm_planner::Passage;
+
+  /// A place where something was seen, blocked or forgotten.
+  struct Change {
+    Point2 place;   ///< odometry frame
+    bool occupied;  ///< now
+  };
+
+  static constexpr int kSide = ObstacleWindow::kSide;                ///< squares a side of a cell
+  static constexpr int kCellSquares = ObstacleWindow::kCellSquares;  ///< squares of a cell
+
+  /// Throws as validate(AgentParameters) for parameters that do not fit together.
+  ObstacleMemory(const MemoryParameters& parameters, const ShieldParameters& shield);
+
+  /// Nothing is known any more.
+  void forget();
+
+  /// Takes in what is seen from where the robot is: forgets what the scan shows clear, then marks the returns. Does
+  /// nothing where the pose is out of reach (isInReach).
+  ///
+  /// Obstacles of a costmap (Situation::marked) are added, also where the scan shows them clear, and removed when a
+  /// situation does not have them any more; but not in or beside squares where the scan has shown an obstacle.
+  void add(const Situation& situation);
+
+  /// Marks a place as not passable although no obstacle was seen there; until forget(), or until many other places were
+  /// marked.
+  void block(const Point2& place);
+
+  /// Whether places count as passable that seem too narrow by not more than the error of noise and squares. This is
+  /// seldom true, but worth a try if there is no other path.
+  void squeeze(bool on);
+
+  /// Where obstacles are remembered: the middles of the occupied squares.
+  std::vector<Point2> obstacles() const { return window_.occupied(); }
+
+  /// What has changed since clearChanges(), in order; not all of it when everythingChanged().
+  const std::vector<Change>& changes() const { return changes_; }
+  /// The window moved, everything was forgotten, squeeze() took effect, or too much changed to be listed.
+  bool everythingChanged() const { return everything_changed_; }
+  void clearChanges();
+
+  int side() const { return window_.side(); }  ///< cells a side of the window
+  double cellSize() const { return window_.cellSize(); }
+  int nearCells() const { return passability_.nearCells(); }  ///< within which an obstacle matters to what is passable
+  /// Index of the cell at a position, row by row; -1 outside the window.
+  int cellAt(const Point2& position) const { return window_.cellAt(position); }
+  Point2 centerOf(int cell) const { return window_.centerOf(cell); }
+  Passage passage(int cell) { return passability_.passage(window_, cell); }
+  /// The place in a cell that is farthest from all obstacles.
+  Point2 bestPlace(int cell) { return passability_.bestPlace(window_, cell); }
+
+  /// To which of its eight neighbours the footprint can go from a cell, best place to best place: a bit each,
+  /// counter-clockwise from the neighbour along x. 0 at the border of the window.
+  std::uint8_t exits(int cell) { return passability_.exits(window_, cell); }
+
+  /// Visits the middles of the occupied squares in the square of twice that `reach` (m) round a place.
+  template <typename Visit>
+  void visitObstaclesNear(const Point2& place, double reach, const Visit& visit) const {
+    window_.visitOccupiedNear(place, reach, visit);
+  }
+
+  /// True when the straight path from one place to the other is a passage at least that good; ends outside the window
+  /// are never free.
+  bool isFree(const Point2& from, const Point2& to, Passage passage) const {
+    return passability_.isFree(window_, from, to, passage);
+  }
+
+ private:
+  /// A square of the odometry frame in one number.
+  using Mark = std::uint64_t;
+  void takeOverMarks(const Situation& situation);
+  void collectMarks(const Situation& situation);
+  bool isSeenBeside(const Square& square) const;
+  bool isMarked(const Square& square) const;
+  Mark markAt(const Square& square) const;
+  Square squareOfMark(Mark mark) const;
+  bool isInWindow(const Square& square) const;
+  void set(const Square& square, bool occupied);
+  void forgetUnderneath(const Pose2& pose);
+  void noteChange(const Point2& place, bool occupied);
+  void outdateAll();
+
+  double footprint_radius_;  ///< m, inscribed
+  ObstacleWindow window_;
+  ScanChanges scan_changes_;
+  Passability passability_;
+  double reach_;              ///< m, of what is remembered
+  std::vector<Mark> marks_;   ///< of a costmap, sorted
+  std::vector<Mark> marked_;  ///< of the current situation
+  std::vector<Change> changes_;
+  bool everything_changed_ = true;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,112 @@
+#pragma once
+
+#include "lstm_planner/drive/decision/agent_parameters.hpp"
+#include "lstm_planner/drive/decision/decision.hpp"
+#include "lstm_planner/drive/local_map/full_turn.hpp"
+#include "lstm_planner/drive/local_map/kept_route.hpp"
+#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/route_bounds.hpp"
+#include "lstm_planner/drive/local_map/route_finder.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
+
+namespace lstm_planner {
+
+/// Keeps the path to the goal through what is remembered, and finds out when there is none.
+///
+/// Remembered obstacles can be wrong (the odometry drifts, people go away). So when they enclose the goal everything is
+/// forgotten and looked at anew, all around, then narrower places are tried; only what is closed even so, seen from one
+/// place, several times in a row, is believed.
+///
+/// A path that was found is kept without a new search as long as a search could find none that is worth turning for.
+/// Bounds tell: no path is shorter than the straight line, nor cheaper than RouteBounds says. The path itself is costed
+/// anew where something changed beside it. All costs are in m.
+class RouteGuide {
+ public:
+  explicit RouteGuide(const AgentParameters& parameters);
+
+  /// A new goal; what is remembered of the obstacles stays.
+  void start();
+
+  /// The same goal lies a little elsewhere: a route that ended at it ends at it still.
+  void moveGoal(const Point2& from, const Point2& to);
+
+  /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
+  void noteProgress();
+
+  /// Takes in the situation and searches a new path where that may change it; one that is hardly better than the last
+  /// one is not taken. kRoute: follow route(); kLookAround: turn on the spot, so that everything around is seen;
+  /// kNoPath: no path leads to the goal from here; kEscape: the memory was wrong too often, the goal must be found by
+  /// other means. `tolerance`: how near (m) to a goal in or behind an obstacle the route may end.
+  Decision::Source update(const Situation& situation, const Point2& goal, double tolerance);
+
+  /// What it costs to go straight to `next` first, m: how much longer that and the shortest path from there are than
+  /// the shortest path from `here`, never below 0; +inf where no path leads on from there. To be asked when update()
+  /// has found a route, which stays the same. `path_on`: the corners of the path behind `next`.
+  double regretOf(const Point2& here, const Point2& next, const Point2& goal, std::vector<Point2>* path_on);
+
+  /// The start of the route turned out to be blocked although the memory does not know why.
+  void blockAhead();
+  /// Likewise the straight way from `here` to `next`.
+  void blockTowards(const Point2& here, const Point2& next);
+
+  /// As update() found it, until it finds none: from the robot to the goal, or to where the footprint still fits when
+  /// the goal lies in something.
+  const Route& route() const { return route_.route(); }
+
+  /// What is remembered.
+  const ObstacleMemory& memory() const { return memory_; }
+
+  /// The point that lies that far (m) along the route, of which there must be one.
+  Point2 pointAhead(double distance) const;
+
+  /// Where it lies as seen from `pose`, rad, counter-clockwise from straight ahead.
+  double bearingAhead(const Pose2& pose, double distance) const;
+
+  /// The corners of the route farther along than `distance` (m).
+  void pointsAhead(double distance, std::vector<Point2>* points) const;
+
+  /// Whether the goal is near (at least `near` m count as that), but the route to it is long: odometry may have moved
+  /// the goal behind a wall.
+  bool isGoalBehindObstacle(const Point2& here, const Point2& goal, double near) const;
+
+  /// Where the route ends, of which there must be one.
+  const Point2& end() const { return route().points.back(); }
+
+  /// Whether the footprint fits through on the straight path from one place to the other, as far as is remembered.
+  bool isPassable(const Point2& from, const Point2& to) {
+    return memory_.isFree(from, to, ObstacleMemory::Passage::kTight);
+  }
+
+  /// Everything is forgotten, e.g. because the odometry jumped.
+  void forget();
+
+  /// Searches made so far.
+  long searches() const { return searches_; }
+
+ private:
+  bool findRoute(const Point2& start, const Point2& goal, Route* route);
+  bool costsHold(const Point2& here, const Point2& goal);
+  bool goalIsAsBefore(const Point2& goal);
+  bool isWorthKeeping(const Point2& here, const Point2& goal, double cost) const;
+  bool takeFromLastSearch(const Point2& here, const Point2& goal);
+  bool takeBetter(const Point2& here);
+  Decision::Source lookAround(const Situation& situation);
+
+  AgentParameters parameters_;
+  ObstacleMemory memory_;
+  RouteFinder finder_;
+  RouteBounds bounds_;
+  KeptRoute route_;
+  KeptRoute candidate_;
+  Route found_;
+  long searches_ = 0;
+  bool has_costs_ = false;  ///< of a search: the finder's costToGo() holds, but for what has changed since
+  double tolerance_ = 0.0;  ///< of the last update()
+  bool looking_ = false;    ///< turning, after everything was forgotten
+  FullTurn turn_;           ///< while looking
+  bool squeezing_ = false;  ///< no path was found otherwise
+  int closed_in_a_row_ = 0;
+  int forgotten_ = 0;  ///< times since the last progress
+};
+
+}  // namespace lstm_planner

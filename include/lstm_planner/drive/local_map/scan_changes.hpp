@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/drive/local_map/obstacle_window.hpp"
+#include "lstm_planner/drive/local_map/sight.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
+
+namespace lstm_planner {
+
+/// What a scan adds to a window of obstacles (the squares of its returns), and what it removes (the occupied squares
+/// that it shows clear). It does not change the window itself.
+class ScanChanges {
+ public:
+  /// `reach`: m; returns farther away count for nothing. `resolution`: the window's, m.
+  ScanChanges(double reach, double resolution);
+
+  /// Compares what is seen with what stands in the window; the answers hold until the next call.
+  void find(const Situation& situation, const ObstacleWindow& window);
+
+  /// keyOf() the occupied squares that the scan shows clear and that it has no return from.
+  const std::vector<std::uint32_t>& cleared() const { return cleared_; }
+  /// keyOf() the squares of the returns, in the order of the scan.
+  const std::vector<std::uint32_t>& returns() const { return returns_; }
+
+ private:
+  struct SquareGrid;
+  struct Batch;
+
+  void findReturns(const Situation& situation, const ObstacleWindow& window);
+  /// Adds what a scan shows clear; `pose` of the base.
+  void findCleared(const RangeProfile& profile, const Pose2& pose, const ObstacleWindow& window);
+  /// What is clear in some cells; empties the batch.
+  void findInCells(const BitRows& squares, const SquareGrid& grid, Batch* cells);
+  void findInSquares(Batch* occupied);
+  bool isReturned(std::uint32_t key);
+
+  double reach_;
+  Sight sight_;
+  std::vector<std::uint32_t> returns_;
+  std::array<std::uint64_t, 64> returned_;  ///< row and column, modulo 64, of the returns
+  bool returned_is_known_ = false;
+  std::vector<std::uint32_t> cleared_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "lstm_planner/common/geometry.hpp"
+
+namespace lstm_planner {
+
+/// Notices that a robot does not get away from a place, whether it stands there, tries in vain to move, or moves to and
+/// fro.
+class StandWatch {
+ public:
+  /// The robot is here at that time (s), on its way to `goal` (same frame); it was commanded to move, or not. A new
+  /// goal begins anew.
+  void note(const Pose2& pose, double time, const Point2& goal, bool is_commanded);
+  /// It stands for a good reason, such as a person: the time begins anew.
+  void excuse(double time);
+  /// It is to try another way: the time begins anew.
+  void retry();
+  void clear();
+
+  double stood() const { return since_ ? now_ - *since_ : 0.0; }  ///< s at this place
+  double tried() const { return tried_ ? now_ - *tried_ : 0.0; }  ///< s of these since it was first commanded to move
+  int retries() const { return retries_; }                        ///< at this place
+
+ private:
+  std::deque<Pose2> places_;  ///< where it was last, oldest first
+  Point2 goal_;
+  double now_ = 0.0;             ///< s
+  std::optional<double> since_;  ///< s
+  std::optional<double> tried_;  ///< s
+  int retries_ = 0;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "lstm_planner/common/geometry.hpp"
+
+namespace lstm_planner {
+
+/// The last stretch of the path that a robot came, as poses in the odometry frame: where it was nothing stands, and how
+/// it came it can go back, also where it does not see.
+class Trail {
+ public:
+  /// The robot is here now. `goes_back`: it retraces the trail, which becomes shorter instead of longer.
+  void note(const Pose2& pose, bool goes_back);
+
+  /// The next pose back, in the robot's frame; none at the trail's end, nor where the robot is farther than 2 cm or
+  /// 0.05 rad from each pose of the trail. A robot that stops there, and is noted, may go on back from there.
+  std::optional<Pose2> back(const Pose2& pose) const;
+
+  /// The odometry jumped.
+  void clear() { places_.clear(); }
+
+ private:
+  /// One of its poses.
+  struct Place {
+    Pose2 pose;
+    double along;  ///< in spacings, from wherever the trail began
+  };
+  std::deque<Place> places_;  ///< oldest first
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,158 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/drive/perception/observation.hpp"
+#include "lstm_planner/network/metadata_reader.hpp"
+
+namespace lstm_planner {
+
+/// Everything needed to turn an Observation into the network's input; it travels in the model file's metadata.
+struct EncoderParameters {
+  /// Names of the inputs in their order: sector_0 .. sector_7, goal_distance, goal_bearing, goal_bearing_sin,
+  /// goal_bearing_cos, heading, heading_sin, heading_cos, previous_action; event_0 .. event_7 (1 where a sector's range
+  /// is below event_range: thesis 4.3.1); of its own drive
+  /// visits_0 .. visits_7, step_visits_0 .. 7, step_freshness_0 .. 7, and the same for room_ and hall_
+  /// (Observation::places on three scales; a place is the fresher the less long ago the robot was there, 0 where it
+  /// never was), room_visits, behind_best, steps_since_best; motion_forward, motion_left, motion_turn since the step
+  /// before; previous_action_sin, previous_action_cos; seen_0 .. seen_7 (1 where the scanner looks into a sector: all
+  /// of them of the view ahead).
+  std::vector<std::string> input_layout = {"sector_0",      "sector_1",         "sector_2",         "sector_3",
+                                           "sector_4",      "sector_5",         "sector_6",         "sector_7",
+                                           "goal_distance", "goal_bearing_sin", "goal_bearing_cos", "heading_sin",
+                                           "heading_cos",   "previous_action"};
+  int sector_count = kSectorCount;
+  double angle_span = M_PI;      ///< rad, centred on the heading
+  double range_cap = 6.0;        ///< m; sectors are encoded as range / range_cap
+  double distance_scale = 5.0;   ///< m; the goal distance d is encoded as d / (d + distance_scale), in [0, 1)
+  double angle_scale = M_PI;     ///< rad; bearing and heading are encoded as angle / angle_scale
+  double action_scale = M_PI_2;  ///< rad; the previous action is encoded as angle / action_scale
+  double position_cell = 0.0;    ///< m; see observe(); 0 = odometry as it is
+  double heading_cell = 0.0;     ///< rad; the heading is rounded to a multiple, and the goal's bearing is from there
+  double event_range = 1.0;      ///< m; a sector with less is an event
+
+  /// 1: one network with an output an action, and everything relative to the heading. 8: the same network, with one
+  /// output, looks into each of eight directions in turn, everything turned such that it lies ahead; see
+  /// Encoder::turn().
+  int views = 1;
+};
+
+constexpr int kDriveViews = 8;
+
+/// How far apart views lie, rad.
+constexpr double kViewAngle = 2.0 * M_PI / kDriveViews;
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const EncoderParameters& parameters);
+
+/// To and from the metadata of a model file (keys: input_layout, sector_count, angle_span, range_cap, distance_scale,
+/// angle_scale, action_scale, position_cell, heading_cell where it is not 0, event_range where there are events, views
+/// where there are eight). The reader notes what is missing or malformed.
+void writeMetadata(const EncoderParameters& parameters, std::map<std::string, std::string>* metadata);
+EncoderParameters readEncoderParameters(MetadataReader* metadata);
+
+/// The eighth of a turn, 0 .. 7, that is nearest to an angle (rad).
+int viewNearest(double angle);
+
+/// What the other views need of an observation in addition to its encoding.
+struct ViewBearings {
+  int ahead = 0;                 ///< the direction in the odometry frame, in eighths of a turn, nearest to the heading
+  double goal = 0.0;             ///< rad, relative to the heading
+  double previous_action = 0.0;  ///< rad, relative to the heading as it is now
+  Point2 goal_direction;         ///< of length 1, likewise
+  Point2 previous_direction;     ///< of length 1, likewise
+  Point2 motion;                 ///< m, since the step before, in the robot's frame as it is now
+};
+
+ViewBearings bearingsOf(const Observation& observation);
+
+/// Encodes observations. Every output is finite for a finite observation. Copies share their parameters.
+class Encoder {
+ public:
+  explicit Encoder(const EncoderParameters& parameters);  ///< throws as validate()
+  explicit Encoder(std::shared_ptr<const EncoderParameters> parameters);
+  const EncoderParameters& parameters() const { return *parameters_; }
+  int size() const { return static_cast<int>(parameters_->input_layout.size()); }
+
+  /// Fills `input`, which must have size() values. With eight views it is that of the view ahead: the heading is 0,
+  /// and the previous action and the motion are relative to the heading as it is now.
+  void encode(const Observation& observation, Eigen::Ref<Eigen::VectorXf> input) const;
+
+  /// With eight views: what is seen in each direction, from what encode() gave of the same observation. Value i of the
+  /// view into direction d of the odometry frame, in eighths of a turn, goes to inputs[i * stride + d]. Nothing depends
+  /// on how the odometry frame lies but which view is which; heading is the robot's, relative to the view. A sector
+  /// into which the scanner does not look is 0 with its seen_ of 0: any range that stood for it would be one that is
+  /// measured elsewhere, and so the network can learn what to make of it.
+  void turn(const float* ahead, const ViewBearings& bearings, float* inputs, int stride) const;
+
+  /// encode() and turn() in one, without what turn() would replace. `bearings`: of the observation. `ahead`: space for
+  /// size() values.
+  void encodeViews(const Observation& observation, const ViewBearings& bearings, float* ahead, float* inputs,
+                   int stride) const;
+
+ private:
+  /// What one number of the input is.
+  enum class Feature : std::uint8_t {
+    kSector,
+    kGoalDistance,
+    kGoalBearing,
+    kGoalBearingSin,
+    kGoalBearingCos,
+    kHeading,
+    kHeadingSin,
+    kHeadingCos,
+    kPreviousAction,
+    kEvent,
+    kVisits,
+    kPlaceVisits,
+    kPlaceFreshness,
+    kRoomVisits,
+    kBehindBest,
+    kStepsSinceBest,
+    kMotionForward,
+    kMotionLeft,
+    kMotionTurn,
+    kPreviousActionSin,
+    kPreviousActionCos,
+    kSeen
+  };
+  /// What one input of the network shows.
+  struct Input {
+    Feature feature;
+    std::uint8_t index;  ///< of the sector or direction, for features of which there are eight
+    std::uint8_t scale;  ///< of the places
+  };
+  /// Inputs that show the same of several sectors or directions, or a single one.
+  struct Group {
+    Feature feature;
+    std::uint8_t scale;
+    std::uint8_t count;
+    std::array<std::uint8_t, kDriveViews> index;  ///< of the sector or direction, in rising order
+    std::array<std::int16_t, kDriveViews> at;     ///< where it stands in the input
+  };
+  friend void validate(const EncoderParameters& parameters);
+  static Input inputNamed(const std::string& name);
+  void findGroups();
+  /// A value for each of the group's inputs, by its index.
+  template <typename Value>
+  static void fill(const Group& group, const Value& value, float* input);
+  void fill(const Group& group, const Observation& observation, float* input) const;
+  double roundedBy(double heading) const;
+  template <typename Value>
+  static void fillViews(const ViewBearings& bearings, const Value& value, float* row);
+  bool fillBearings(Feature feature, const ViewBearings& bearings, float* row) const;
+  static void spread(const Group& group, const float* ahead, int direction, float* inputs, int stride);
+
+  std::shared_ptr<const EncoderParameters> parameters_;
+  std::vector<Group> groups_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "lstm_planner/drive/perception/moving_returns.hpp"
+#include "lstm_planner/drive/perception/moving_things.hpp"
+#include "lstm_planner/drive/perception/situation.hpp"
+
+namespace lstm_planner {
+
+/// What moves around the robot, seen by one scanner or two. Each scanner's scans are compared with one another only:
+/// two scanners may look at different heights.
+class MovingSurroundings {
+ public:
+  /// Throws std::invalid_argument as validate().
+  explicit MovingSurroundings(const MovingReturnsParameters& parameters);
+
+  /// As MovingReturns.
+  void expectSpeed(double fastest);
+
+  /// Takes in what is seen now.
+  void show(const Situation& situation);
+
+  const std::vector<Point2>& points() const { return points_; }    ///< MovingReturns::points() of all scanners
+  const std::vector<Point2>& resting() const { return resting_; }  ///< MovingReturns::resting() of all scanners
+
+  /// Takes in the situation that was shown last, and tells what moves how; base frame. Who asks must ask each time.
+  std::vector<MovingThing> follow(const Situation& situation);
+
+  /// Forgets all: after a jump of the odometry, for instance.
+  void reset();
+
+ private:
+  /// What one scanner has seen.
+  struct Eye {
+    explicit Eye(const MovingReturnsParameters& parameters) : returns(parameters) {}
+    MovingReturns returns;
+    MovingThings things;
+  };
+
+  void collect();
+
+  MovingReturnsParameters parameters_;
+  double fastest_ = 0.0;   ///< m/s
+  std::vector<Eye> eyes_;  ///< a scanner each
+  std::vector<Point2> points_, resting_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "lstm_planner/grid/occupancy_grid.hpp"
+
+namespace lstm_planner {
+
+/// Distance from the centre of each cell to the nearest centre of a blocked cell, m. It is 0 in blocked cells, and a
+/// large finite value if no cell is blocked. Occupied cells are blocked; unknown ones are if `unknown_blocks`; cells
+/// outside the grid are not. Throws std::invalid_argument for a grid with more than 46340 cells on a side.
+class DistanceField {
+ public:
+  DistanceField() = default;
+  DistanceField(const OccupancyGrid& grid, bool unknown_blocks);
+  float at(CellIndex index) const;  ///< 0 outside
+
+ private:
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<float> distances_;
+};
+
+/// Length of the shortest 8-connected path from every cell to `goal` (Dijkstra, no corner cutting), m. The path keeps
+/// to cells whose distance to a blocked cell is at least `clearance` (m): the distance to go of a robot with that
+/// radius. It is +inf if there is no path; if the goal is too near to a blocked cell, it is +inf everywhere. Cells
+/// nearer than `comfort` to a blocked cell may cost up to `1 + reluctance` times their length, so that paths lead
+/// through the middle of doors.
+class GeodesicField {
+ public:
+  /// Where paths may lead, and what they cost near obstacles.
+  struct Options {
+    double clearance = 0.2;
+    double comfort = 0.0;  ///< m; 0: costs are lengths
+    double reluctance = 0.0;
+  };
+  GeodesicField(const OccupancyGrid& grid, const DistanceField& distances, CellIndex goal, const Options& options);
+  float at(CellIndex index) const;  ///< m; +inf outside and where there is no path
+
+ private:
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<float> lengths_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/grid/occupancy_grid.hpp"
+
+namespace lstm_planner {
+
+/// A map that cannot be read; what() names the file, the field, its value and what was expected.
+class MapFileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads a map in the format of map_server (image, resolution, origin, negate, occupied_thresh, free_thresh, mode
+/// trinary). A non-negative `free_threshold` replaces the free_thresh of the file: use 0.19 for maps of Willow Garage,
+/// where the grey value 206 of unknown cells is free with the 0.196 in the file. The image is a PNM, PNG or BMP file
+/// with 8 or 16 bits and at most 2^26 pixels. Throws MapFileError, also when no cell is free by map_server's rule.
+OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_threshold = -1.0);
+
+/// Writes `<stem>.yaml` and `<stem>.pgm`; reading them gives the same grid. Throws MapFileError.
+void writeMapServerMap(const std::string& stem, const OccupancyGrid& grid);
+
+}  // namespace lstm_planner

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/practice/drive_course.hpp"
+#include "lstm_planner/practice/drive_judge.hpp"
+#include "lstm_planner/training/imitation_rounds.hpp"
+#include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/trainer.hpp"
+
+namespace lstm_planner {
+
+/// Learning to drive from a teacher that knows the map, in generated worlds and under random conditions, in the rounds
+/// of ImitationRounds.
+struct ImitationParameters {
+  PolicyDescription policy;
+  DriveCourseParameters course;
+  NetworkShape shape;
+  int rounds = 10;             ///< collect, then train on everything collected so far
+  int worlds = 120;            ///< generated worlds a round
+  int goals = 2;               ///< a world
+  int starts = 2;              ///< drives to a goal
+  int validation_worlds = 60;  ///< worlds that are never trained on
+  double learner_share = 0.8;  ///< share of drives with the learner at the wheel, from the second round on
+  int stuck_steps = 24;        ///< steps without progress after which the teacher takes the wheel
+  int rescue_steps = 16;       ///< and for how long
+  int max_steps = 300;         ///< of a drive
+  int sequence_steps = 96;     ///< length of a training sequence
+  int burn_in_steps = 32;      ///< of these, steps that only bring the hidden state up to date
+  std::uint64_t seed = 1;
+  int threads = 2;
+  TrainerParameters trainer;  ///< for each round
+};
+
+/// Visits the parameters that have an option, but the loss, named as it; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitImitationParameters(Parameters& p, const Visitor& visit) {
+  visit("rounds", p.rounds, {1, 1e6}, "", "rounds of collecting drives and training");
+  visit("worlds", p.worlds, {1, 1e5}, "", "worlds per round");
+  visit("goals", p.goals, {1, 1e4}, "", "goals per world");
+  visit("starts", p.starts, {1, 1e4}, "", "drives per goal");
+  visit("epochs", p.trainer.epochs, {1, 1e6}, "", "epochs per round");
+  visit("rate", p.trainer.optimiser.learning_rate, {1e-9, 100.0}, "", "learning rate");
+  visit("learner-share", p.learner_share, {0.0, 1.0}, "", "share of the drives in which the learning network steers");
+}
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const ImitationParameters& parameters);
+
+class DriveImitationCourse;
+
+/// Reports of progress: share of the whole work that is done, in [0, 1]. Called from the calling thread.
+using ProgressCallback = std::function<void(double)>;
+
+/// A step is an epoch; the first of each round first collects drives. After the last one of a round it is time to
+/// judge. The same parameters give the same weights, whatever the number of threads.
+class DriveImitation : public SteppedTraining {
+ public:
+  /// Throws as validate().
+  explicit DriveImitation(const ImitationParameters& parameters, const ProgressCallback& progress = {});
+
+  const ImitationRounds& rounds() const { return rounds_; }
+  std::size_t drivenSteps() const;  ///< of all drives so far to learn from, also where the teacher had no answer
+  double drivenShare() const;       ///< of all worlds: training costs little beside the simulation
+
+  /// Of the validation drives, by these layers alone.
+  DriveScore judge(const LayerStack& layers);
+
+  bool done() const override { return rounds_.done(); }
+  void step() override { rounds_.step(); }
+  const LayerStack& layers() const override { return rounds_.layers(); }
+  bool judgementDue() const override { return rounds_.judgementDue(); }
+  std::vector<std::uint8_t> checkpoint() const override { return rounds_.checkpoint(); }
+  void restore(const std::vector<std::uint8_t>& checkpoint) override { rounds_.restore(checkpoint); }
+
+ private:
+  DriveImitation(const ImitationParameters& parameters, std::unique_ptr<DriveImitationCourse> course);
+
+  DriveImitationCourse& course_;  ///< the rounds own it
+  ImitationRounds rounds_;
+};
+
+}  // namespace lstm_planner

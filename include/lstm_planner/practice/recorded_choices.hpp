@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/training/gradient.hpp"
+
+namespace lstm_planner {
+
+/// A step of a recorded drive: what the network would have been told, and what the driver did.
+struct RecordedChoice {
+  Observation observation;
+  int label = 0;  ///< index of the steering angle
+};
+
+/// Calls `look` with all steps of each episode that is not discarded, one episode after the other. The previous action
+/// is always that of the label of the step before, as it is when the planner drives.
+///
+/// `label_distance` (m): 0 for labels as they were recorded, from the next step (thesis Eq. 4.1). Otherwise Eq. 4.1
+/// with the first later pose of the episode that is at least so far away, or its last: a planner whose waypoint lies
+/// several recorded steps ahead is then taught the way to there, and not the driver's corrections in between.
+///
+/// Throws std::invalid_argument when a recording does not fit the policy: the range cap differs and no scans were kept.
+void forEachRecordedEpisode(const Dataset& dataset, const PolicyDescription& policy, double label_distance,
+                            const std::function<void(const std::vector<RecordedChoice>&)>& look);
+
+/// What the network prefers at each step of the drives, whatever it would have come to by itself: a row a label, a
+/// column a preference. Throws as forEachRecordedEpisode().
+ConfusionMatrix preferencesIn(const Dataset& dataset, DrivePolicy policy, double label_distance = 0.0);
+
+}  // namespace lstm_planner

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lstm_planner/dataset/drive_step.hpp"
+#include "lstm_planner/dataset/recorder_parameters.hpp"
+#include "lstm_planner/simulation/scripted_driver.hpp"
+#include "lstm_planner/simulation/simulated_robot.hpp"
+#include "lstm_planner/simulation/world.hpp"
+
+namespace lstm_planner {
+
+/// Random places of a building for a robot to drive to: free, with room for a disc of that radius (m), each reachable
+/// from all others, and at least `spacing` (m) apart where the building has as many such places. The same for the same
+/// seed. Throws std::invalid_argument when there are fewer than `count` places, or none at all.
+std::vector<Point2> drawWaypoints(const GridWorld& world, int count, double radius, double spacing, std::uint64_t seed);
+
+/// How drives are simulated and recorded.
+struct RecordedDrivesParameters {
+  SimulatedRobot::Parameters robot;
+  ScriptedDriverParameters driver;
+  RecorderParameters recorder;
+  double period = 0.1;        ///< s between odometry messages, between scans, and between commands
+  double scan_offset = 0.04;  ///< s from an odometry message to the scan after it; less than the period
+  long steps = 1000;          ///< labelled steps to record; 0: no limit
+  long goals = 0;             ///< goals to drive to; 0: no limit. At least one of the two is needed
+  double time_limit = 300.0;  ///< s for a goal, after which the driver turns to the next
+};
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const RecordedDrivesParameters& parameters);
+
+/// What became of them.
+struct RecordedDrives {
+  long steps = 0;
+  long goals = 0;    ///< that were driven to
+  long reached = 0;  ///< of these
+  long no_path = 0;  ///< of these, to which there was no path
+  int contacts = 0;
+  double time = 0.0;         ///< s, simulated
+  double path_length = 0.0;  ///< m, truly driven
+};
+
+/// Somebody (ScriptedDriver) drives a simulated robot to waypoints (world frame) picked at random one after another
+/// (thesis 4.2), and a DriveRecorder listens. The goals are given in the frame "map", and where that is in the odometry
+/// frame is known without error, as if from a localisation. Starts at the first waypoint, looking anywhere. Steps go
+/// to `sink`, and the recording is finished. The same for the same seed. Throws as validate(), and
+/// std::invalid_argument for fewer than two waypoints or when there is no path between any of them.
+RecordedDrives recordDrives(const GridWorld& world, const std::vector<Point2>& waypoints,
+                            const RecordedDrivesParameters& parameters, std::uint64_t seed, StepSink* sink);
+
+}  // namespace lstm_planner

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/drive/motion/motion_controller.hpp"
+#include "lstm_planner/drive/motion/rollout.hpp"
+#include "lstm_planner/simulation/simulated_robot.hpp"
+
+namespace lstm_planner {
+
+/// One path from a start to a goal, both in the world frame.
+struct DriveTask {
+  Pose2 start;
+  Point2 goal;
+  double shortest = 0.0;  ///< m, shortest path of the footprint; 0 = not known
+};
+
+/// Who says that the robot has arrived.
+enum class Arrival {
+  /// The robot does, as in a building: its controller is within its tolerance of the goal by odometry. It knows no
+  /// better than odometry, so the true position may be off by more than the goal's radius: by the odometry's error
+  /// times the driven path, and in a drive without contacts by all that odometry is wrong by (after a contact wheels
+  /// may have spun, and that counts). A goal that odometry has moved into something is replaced by a place beside it,
+  /// as far away as odometry is wrong.
+  kRobotSays,
+  /// A referee does who knows the true position, and ends the drive there (BARN). The robot's own word ends it too.
+  kTruePosition
+};
+
+/// How a drive is run and judged.
+struct DriveParameters {
+  SimulatedRobot::Parameters robot;
+  MotionParameters motion;
+  RolloutParameters rollout;
+  double control_period = 0.1;  ///< s between commands, as the Create driver's loop
+  int plan_every = 2;           ///< commands between plans
+  double time_limit = 1800.0;   ///< s
+  double goal_radius = 0.3;     ///< m between true position and goal to count as arrival
+  Arrival arrival = Arrival::kRobotSays;
+  bool ends_at_touch = false;  ///< with the first contact, or the first body that runs into the robot
+};
+
+/// A moment of a drive: a command was given, and nothing has moved since.
+struct DriveMoment {
+  double time;                     ///< s since the start
+  Pose2 pose;                      ///< where the robot truly is, world frame
+  const Situation& situation;      ///< what it knows of that, odometry frame
+  const std::vector<Pose2>& plan;  ///< that the controller follows, odometry frame
+  const NavigationAgent& agent;    ///< which has decided
+};
+using DriveListener = std::function<void(const DriveMoment&)>;
+
+/// What happened.
+struct DriveResult {
+  /// How the drive ended.
+  enum class End {
+    kReached,    ///< within the tolerance of the goal
+    kTimeout,    ///< the time limit passed
+    kNoPath,     ///< the robot said that there is none
+    kElsewhere,  ///< the robot said that it had arrived, and had not
+    kTouched     ///< it touched something, or was run into, where that ends the drive
+  };
+  End end = End::kTimeout;
+  int contacts = 0;          ///< the robot's own doing, see SimulatedRobot
+  int bumped = 0;            ///< people who ran into it
+  int bumped_moving = 0;     ///< of those, while it moved aside or away from them
+  double time = 0.0;         ///< s
+  double path_length = 0.0;  ///< m
+  double shortest = 0.0;     ///< m, of the task
+  double goal_error = 0.0;   ///< m from the true position to the goal in the end
+  /// The first thing that the robot said of the goal but that it is reachable, if it did.
+  Decision::GoalSeems goal_seemed = Decision::GoalSeems::kReachable;
+  long steps = 0;
+  std::array<long, kDecisionSources> steps_by{};   ///< of these, by Decision::Source
+  long steps_on_path = 0;                          ///< of these, decided by the leader along the remembered path
+  std::array<long, kOverruledKinds> overruled{};   ///< of these, by Decision::Overruled
+  double regret = 0.0;                             ///< m, Decision::regret_used in the end
+  std::vector<Pose2> trace;                        ///< true poses, one a command
+  std::vector<Decision::Source> led;               ///< who decided, one a pose of the trace
+  std::vector<char> on_path;                       ///< whether along the remembered path, one a pose of the trace
+  std::vector<Point2> contact_places;              ///< where the robot was
+  std::vector<std::vector<Point2>> walker_traces;  ///< by walker, one place a pose of the trace
+};
+
+/// Share of the steps of all drives that a source decided.
+double shareOf(Decision::Source source, const std::vector<DriveResult>& results);
+/// Share of the steps in which the leader was overruled so.
+double shareOf(Decision::Overruled overruled, const std::vector<DriveResult>& results);
+/// Share of the steps that a source decided among those without the goal in sight.
+double shareOutOfSight(Decision::Source source, const std::vector<DriveResult>& results);
+/// Share of the steps that the leader decided along the remembered path.
+double shareOnPath(const std::vector<DriveResult>& results);
+
+/// Drives one task with agent and controller in closed loop, without ROS. The agent is given the goal anew. `listener`,
+/// if there is one, is shown every moment.
+DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
+                  NavigationAgent* agent, const DriveListener& listener = {});
+/// Among bodies that move, from where they are.
+DriveResult drive(Traffic* traffic, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
+                  NavigationAgent* agent, const DriveListener& listener = {});
+
+/// Totals over many drives; ratios are path / shortest of those that arrived.
+struct DriveSummary {
+  int goals = 0;
+  int reached = 0;
+  int contacts = 0;
+  int bumped = 0;
+  int bumped_moving = 0;
+  int no_path = 0;
+  int timeouts = 0;
+  int elsewhere = 0;
+  int touched = 0;  ///< drives that ended so
+  double mean_ratio = 0.0;
+  double p95_ratio = 0.0;
+  double mean_time = 0.0;        ///< s, of those that arrived
+  double mean_goal_error = 0.0;  ///< m, of those that arrived
+};
+DriveSummary summarize(const std::vector<DriveResult>& results);
+
+/// Random starts and goals between free cells which a disc of `footprint_radius` + `clearance` (m) can reach from one
+/// another, at least `shortest` metres of path apart; the same for the same seed. Throws std::invalid_argument when the
+/// map has none.
+std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footprint_radius, double clearance,
+                                 double shortest, std::uint64_t seed);
+
+}  // namespace lstm_planner

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "lstm_planner/drive/perception/situation.hpp"
+#include "lstm_planner/simulation/contact_count.hpp"
+#include "lstm_planner/simulation/create2.hpp"
+#include "lstm_planner/simulation/hokuyo.hpp"
+#include "lstm_planner/simulation/localiser.hpp"
+#include "lstm_planner/simulation/traffic.hpp"
+#include "lstm_planner/simulation/world.hpp"
+
+namespace lstm_planner {
+
+/// A Create 2 with a Hokuyo in a world: moves, senses, counts contacts. No ROS, no real time; the same for the same
+/// seed. Where people walk about, they move as time passes for the robot.
+///
+/// A contact is the robot's own doing: it drove into something, or met a walker towards whom it was driving. A walker
+/// who runs into a robot that stands, or goes elsewhere, has bumped into it.
+class SimulatedRobot {
+ public:
+  /// What the robot is made of; periods and times in s, the jump in m.
+  struct Parameters {
+    Create2Parameters base;
+    HokuyoParameters scanner;
+    double physics_period = 0.02;
+    double latency = 0.0;
+    double localisation_jump = 0.0;
+    std::optional<HokuyoParameters> second_scanner = std::nullopt;  ///< none unless it is set
+
+    /// s, from one scan to the next of the slowest scanner.
+    double longestScanPeriod() const;
+  };
+
+  /// `world` must outlive the robot.
+  SimulatedRobot(const World& world, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
+  /// Among bodies that move, which must outlive the robot.
+  SimulatedRobot(Traffic* traffic, const Parameters& parameters, const Pose2& start, std::uint64_t seed);
+
+  /// Takes effect when the latency has passed.
+  void command(const Twist2& twist) { commands_.push_back({time_ + parameters_.latency, twist}); }
+
+  /// Lets that much time pass, s.
+  void advance(double seconds);
+
+  /// Scans from where the robot stands; the pose of `situation` is believedPose(). A second scanner scans at its own
+  /// rate: what it saw last counts until then.
+  void sense(double range_cap, Situation* situation);
+
+  /// The scan from where the robot stands, as the driver would publish it; `scan` is overwritten and its memory reused.
+  void scan(LaserScan* scan);
+
+  double time() const { return time_; }  ///< s since the start
+  const Pose2& truePose() const { return base_.truePose(); }
+  const Pose2& odometry() const { return base_.odometry(); }
+  /// Odometry, or as a localisation last corrected it; in the frame of odometry, which starts at the start.
+  Pose2 believedPose() const { return localiser_.correct(base_.odometry()); }
+  const Twist2& measuredTwist() const { return base_.measuredTwist(); }
+  /// How often the footprint started to touch something; not a walker that runs into it, unless it drives towards him.
+  int contacts() const { return contacts_.contacts(); }
+  int bumped() const { return bumped_; }               ///< how often a walker ran into the robot
+  int bumpedMoving() const { return bumped_moving_; }  ///< of those, while it moved aside or away from him
+  double pathLength() const { return path_length_; }   ///< m truly driven
+
+ private:
+  /// One that has not reached the wheels yet.
+  struct Command {
+    double time = 0.0;  ///< s, when it takes effect
+    Twist2 twist;
+  };
+  void obeyCommands();
+  Point2 move(double seconds);
+  void senseWithSecond(Situation* situation);
+  bool isBrushedBy(const Pose2& pose, const Point2& velocity) const;
+  void letWalk(double seconds, const Point2& velocity);
+
+  const World& world_;
+  Parameters parameters_;
+  Create2 base_;
+  Footprint footprint_;
+  Hokuyo scanner_;
+  Localiser localiser_;
+  LaserScan scan_;
+  /// A second scanner, and what it saw last.
+  struct SecondScanner {
+    Hokuyo scanner;
+    LaserScan scan;
+    Pose2 pose;         ///< believed then
+    double next = 0.0;  ///< s, of its next scan
+  };
+  std::optional<SecondScanner> second_;
+  std::deque<Command> commands_;
+  double time_ = 0.0;
+  Traffic* traffic_ = nullptr;
+  ContactCount contacts_;
+  int bumped_ = 0;
+  int bumped_moving_ = 0;
+  double path_length_ = 0.0;
+};
+
+/// Visits the parameters that are not those of base and scanner; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitSimulatedRobotParameters(Parameters& robot, const Visitor& visit) {
+  visit("physics_period", robot.physics_period, {1e-4, 1.0}, "s", "from one calculated motion to the next");
+  visit("latency", robot.latency, {0.0, 10.0}, "s",
+        "from a command to the motion of the wheels, rounded to physics periods");
+  visit("localisation_jump", robot.localisation_jump, {0.0, 10.0}, "m",
+        "a localisation corrects odometry by a jump when its error reaches this; 0: there is no localisation");
+}
+
+}  // namespace lstm_planner

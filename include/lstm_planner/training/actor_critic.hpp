@@ -1,0 +1,137 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/common/communicator.hpp"
+#include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/training/critic.hpp"
+#include "lstm_planner/training/optimiser.hpp"
+#include "lstm_planner/training/reinforcement_learner.hpp"
+
+namespace lstm_planner {
+
+/// What every actor-critic training needs, whatever the course is. A course has its own defaults. Both learning rates
+/// fall to 0 along half a cosine.
+struct ActorCriticParameters {
+  std::vector<int> critic_units = {48, 32};
+  int window = 64;         ///< steps; errors go back at most that far
+  int max_steps = 300;     ///< of an episode
+  double discount = 0.99;  ///< a step
+  double advantage_decay = 0.95;
+  double entropy_start = 0.0;  ///< weight of the entropy, changing linearly
+  double entropy_end = 0.0;
+  double step_cost = 0.0;  ///< in the course's unit of length, as the bonus
+  double arrival_bonus = 0.0;
+  double learning_rate = 0.0;
+  double critic_learning_rate = 0.0;
+  double max_gradient_norm = 0.5;
+  std::uint64_t seed = 1;
+  int threads = 2;                            ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
+};
+
+/// Visits the parameters that have an option, named as it; see parameter_visitors.hpp. `unit`: of lengths.
+template <typename Parameters, typename Visitor>
+void visitActorCriticParameters(Parameters& p, const char* unit, const Visitor& visit) {
+  visit("critic", p.critic_units, {1, 4096}, "", "units of each layer of the critic");
+  visit("discount", p.discount, {0.0, 1.0}, "", "discount factor per step (gamma)");
+  visit("advantage-decay", p.advantage_decay, {0.0, 1.0}, "", "decay of the advantage estimate (lambda)");
+  visit("entropy-start", p.entropy_start, {0.0, 1000.0}, "", "weight of the entropy at the start");
+  visit("entropy-end", p.entropy_end, {0.0, 1000.0}, "", "weight of the entropy at the end");
+  visit("step-cost", p.step_cost, {-1e6, 1e6}, unit, "cost of a step");
+  visit("arrival-bonus", p.arrival_bonus, {-1e6, 1e6}, unit, "reward of an arrival");
+  visit("rate", p.learning_rate, {1e-9, 100.0}, "", "learning rate");
+  visit("critic-rate", p.critic_learning_rate, {1e-9, 100.0}, "", "learning rate of the critic");
+}
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const ActorCriticParameters& parameters);
+
+/// The weights of a policy and its critic while they learn, whatever the course is: optimisers, schedule, the variance
+/// of the advantages, and the checkpoint of it all.
+class ActorCritic {
+ public:
+  /// What a checkpoint says it is, and what the course calls an update.
+  struct CheckpointNames {
+    std::string format;
+    std::string updates;
+  };
+
+  /// The layers with the weights to start from. `sets`: parts of the course that have a variance each.
+  /// `updates`: of the whole training.
+  ActorCritic(const CheckpointNames& names, const ActorCriticParameters& parameters, int updates,
+              const LayerStack& policy, const LayerStack& critic, std::size_t sets);
+
+  const Eigen::VectorXf& policy() const { return policy_; }
+  const Eigen::VectorXf& critic() const { return critic_; }
+
+  double entropyWeight() const;  ///< of the next update
+
+  /// One step of an optimiser. `gradient` is a sum over so many steps of the agents.
+  void updatePolicy(const Eigen::VectorXf& gradient, double steps);
+  void updateCritic(const Eigen::VectorXf& gradient, double steps);
+
+  /// By set: what is a large gain in the open is a small one in a maze, and each is to count alike. Starts with 1.
+  std::vector<double>& advantageVariances() { return advantage_variances_; }
+  const std::vector<double>& advantageVariances() const { return advantage_variances_; }
+
+  /// An update is done, with so many steps of the agents.
+  void finishUpdate(double steps);
+  int updates() const { return updates_; }
+  double steps() const { return steps_; }  ///< of all updates
+
+  /// After the last update, in which the critic judged these steps. What the agents did is the course's to fill in.
+  ReinforcementReport report(const CriticSums& judged) const;
+
+  /// Everything that the next update depends on.
+  std::vector<std::uint8_t> checkpoint() const;
+  /// Throws std::invalid_argument when it is not a checkpoint of the same course and networks.
+  void restore(const std::vector<std::uint8_t>& checkpoint);
+
+ private:
+  double progress() const;
+  double rate() const;
+
+  CheckpointNames names_;
+  ActorCriticParameters parameters_;
+  int last_update_;
+  Eigen::VectorXf policy_;
+  Eigen::VectorXf critic_;
+  Optimiser policy_optimiser_;
+  Optimiser critic_optimiser_;
+  std::vector<double> advantage_variances_;
+  double steps_ = 0.0;
+  int updates_ = 0;
+};
+
+/// Generalised advantages (Schulman et al., "High-dimensional continuous control using generalized advantage
+/// estimation", ICLR 2016), from the last step back.
+class Advantages {
+ public:
+  /// `value_behind`: the critic's, of the state after the last step.
+  Advantages(double discount, double decay, double value_behind)
+      : discount_(discount), decay_(decay), next_value_(value_behind) {}
+
+  /// How a step ended: an episode that is cut off would have gone on from much the same place.
+  enum class End { kNone, kArrived, kCutOff };
+
+  /// Of the step before the last one asked for. `value`: the critic's, of the state in which it starts.
+  double before(double reward, double value, End end) {
+    const double following = end == End::kArrived ? 0.0 : (end == End::kCutOff ? value : next_value_);
+    const double error = reward + discount_ * following - value;
+    advantage_ = error + (end == End::kNone ? discount_ * decay_ * advantage_ : 0.0);
+    next_value_ = value;
+    return advantage_;
+  }
+
+ private:
+  double discount_;
+  double decay_;
+  double next_value_;
+  double advantage_ = 0.0;
+};
+
+}  // namespace lstm_planner

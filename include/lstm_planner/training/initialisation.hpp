@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/network/layers.hpp"
+
+namespace lstm_planner {
+
+/// Distribution of the weights before training; biases start at 0.
+enum class WeightDistribution {
+  kXavier,   ///< uniform in +-sqrt(6 / (fan in + fan out)), gates counted one by one (Glorot and Bengio, AISTATS 2010)
+  kUniform,  ///< uniform in +-range
+};
+
+/// How random weights are drawn.
+struct InitialisationParameters {
+  WeightDistribution distribution = WeightDistribution::kXavier;
+  double range = 0.1;  ///< of kUniform, > 0
+  double forget_gate_bias =
+      1.0;  ///< LSTM cells that start open remember over long spans (Jozefowicz et al., ICML 2015)
+};
+
+/// Gives every layer random weights; the same seed gives the same weights on every machine.
+/// Throws std::invalid_argument for a range that is not positive and finite or a bias that is not finite.
+void initialise(const InitialisationParameters& parameters, std::uint64_t seed, LayerStack& layers);
+
+/// Stacked LSTM layers with `cells[i]` cells each and one linear layer with `outputs` outputs, all zero.
+/// Throws std::invalid_argument when a size is not positive.
+LayerStack makeLstmStack(int inputs, const std::vector<int>& cells, int outputs,
+                         Activation candidate = Activation::kTanh);
+
+/// Stacked fully connected layers with `units[i]` units each and one linear layer with `outputs` outputs, all zero: the
+/// memoryless counterpart. Throws as makeLstmStack.
+LayerStack makeDenseStack(int inputs, const std::vector<int>& units, int outputs,
+                          Activation activation = Activation::kTanh);
+
+/// The shape of a network that decides step by step (thesis Fig. 2.10): dense layers before the recurrent ones
+/// ("deep-in"), recurrent layers one on the other ("stacked"), dense layers behind them ("deep-out"), and one linear
+/// layer with the preferences.
+struct NetworkShape {
+  /// What the layers in the middle are.
+  enum class Kind {
+    kLstm,  ///< LSTM layers
+    kRnn,   ///< plain recurrent layers
+    kMlp,   ///< no memory: a multilayer perceptron
+  };
+  Kind kind = Kind::kLstm;
+  std::vector<int> cells = {8, 8};            ///< of each recurrent layer; of a perceptron the units of each layer
+  std::vector<int> deep_in;                   ///< units of each layer before; none for a perceptron
+  std::vector<int> deep_out;                  ///< units of each layer behind; none for a perceptron
+  Activation activation = Activation::kTanh;  ///< of the dense layers but the last (thesis Fig. 2.2); not kIdentity
+  Activation candidate = Activation::kTanh;   ///< of LSTM layers; thesis Eq. 2.21 prints kSigmoid
+};
+
+/// "lstm", "rnn", "mlp".
+std::string networkKindName(NetworkShape::Kind kind);
+/// Throws std::invalid_argument for another name.
+NetworkShape::Kind networkKindNamed(const std::string& name);
+
+/// Such a network, all zero. Throws std::invalid_argument when a size is not positive, there are no cells, a perceptron
+/// has deep-in or deep-out layers, or an activation is not tanh and of layers that the network does not have.
+LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs);
+
+}  // namespace lstm_planner

@@ -1,0 +1,151 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/common/communicator.hpp"
+#include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/training/optimiser.hpp"
+#include "lstm_planner/training/reinforcement_learner.hpp"
+
+namespace lstm_planner {
+
+/// Weights of the reward that the thesis quotes (Eq. 2.36), R(s) = -sum(tau_r r_i) + tau_d d + tau_theta theta.
+///
+/// As printed, and with weights above zero, it would send an agent away from its goal and towards the walls. It is read
+/// as R(s) = -(tau_r sum(1 / r_i) + tau_d d + tau_theta theta): the minus stands before the whole sum, and the
+/// "proximity" r_i is near if the range is short. So every term is a cost that ends with the arrival.
+struct ThesisRewardWeights {
+  double range = 0.02;     ///< tau_r, times the unit of length / range, of each range
+  double distance = 0.02;  ///< tau_d, a unit of length
+  double angle = 0.1;      ///< tau_theta, a rad
+};
+
+/// What every Q-learning training needs, whatever the course is (Watkins and Dayan 1992; thesis Eq. 2.34-2.39). A
+/// course has its own defaults and its own unit of length.
+struct QLearningParameters {
+  /// What a step is rewarded for.
+  enum class Reward {
+    kProgress,  ///< how much shorter the true shortest path to the goal has become, less a cost a step
+    kThesis,    ///< Eq. 2.36, of the state in which the step starts
+  };
+  int window = 64;         ///< steps; errors go back at most that far
+  int max_steps = 300;     ///< of an episode
+  double discount = 0.95;  ///< gamma, a step, in [0, 1)
+
+  /// lambda in [0, 1] of returns over several steps, up to the next action that was not the best (Watkins's Q(lambda));
+  /// 0: one-step targets, Eq. 2.38.
+  double trace_decay = 0.8;
+
+  /// The network that learns chooses the best next action, and the target network gives its value (van Hasselt et al.,
+  /// "Deep reinforcement learning with double Q-learning", AAAI 2016); off: the target network does both.
+  bool double_q = true;
+  int target_interval = 1;         ///< updates between copies of the weights into the target network
+  double exploration_start = 1.0;  ///< share of random actions (epsilon), sinking linearly
+  double exploration_end = 0.05;
+  double exploration_share = 0.5;  ///< of the updates, after which exploration_end is reached
+  Reward reward = Reward::kProgress;
+  double step_cost = 0.0;      ///< a length; kProgress only
+  double arrival_bonus = 0.0;  ///< a length; kProgress only
+  ThesisRewardWeights thesis_reward;
+  double value_scale = 1.0;  ///< an output of the network times this is a value, in the reward's unit
+  double huber = 1.0;        ///< errors of values beyond it count linearly, not by their square
+  double learning_rate = 0.003;
+  double max_gradient_norm = 0.5;
+  std::uint64_t seed = 1;
+  int threads = 2;                            ///< does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
+};
+
+/// Visits the parameters that have an option, but the reward, named as it; see parameter_visitors.hpp. `unit`: of
+/// lengths. `updates`: what the course calls them.
+template <typename Parameters, typename Visitor>
+void visitQLearningParameters(Parameters& p, const char* unit, const std::string& updates, const Visitor& visit) {
+  const std::string copies = updates + " between copies of the weights into the target network";
+  const std::string last = "share of the " + updates + " after which epsilon has its last value";
+  visit("discount", p.discount, {0.0, 1.0}, "", "discount factor per step (gamma)");
+  visit("trace-decay", p.trace_decay, {0.0, 1.0}, "", "decay of the returns over several steps (lambda); 0: one step");
+  visit("double-q", p.double_q, {}, "",
+        "1: double Q-learning: the learning network chooses the next action, and the target network gives its value; "
+        "0: the target network does both");
+  visit("target-interval", p.target_interval, {1, 1e9}, "", copies.c_str());
+  visit("exploration-start", p.exploration_start, {0.0, 1.0}, "", "share of random actions (epsilon) at the start");
+  visit("exploration-end", p.exploration_end, {0.0, 1.0}, "", "share of random actions at the end");
+  visit("exploration-share", p.exploration_share, {0.0, 1.0}, "", last.c_str());
+  visit("step-cost", p.step_cost, {0.0, 1e6}, unit, "cost of a step; for --reward progress");
+  visit("arrival-bonus", p.arrival_bonus, {0.0, 1e6}, unit, "reward of an arrival; for --reward progress");
+  visit("tau-range", p.thesis_reward.range, {0.0, 1e6}, "",
+        "cost of each range, times the unit of length / range; for --reward thesis");
+  visit("tau-distance", p.thesis_reward.distance, {0.0, 1e6}, "",
+        "cost of the distance from the goal, for each unit of length; for --reward thesis");
+  visit("tau-angle", p.thesis_reward.angle, {0.0, 1e6}, "",
+        "cost of the angle to the goal, for each rad; for --reward thesis");
+  visit("value-scale", p.value_scale, {1e-9, 1e9}, "", "factor from an output of the network to a value");
+  visit("huber", p.huber, {1e-9, 1e9}, "",
+        "limit of the Huber loss: larger errors count linearly, not by their square");
+  visit("rate", p.learning_rate, {1e-9, 100.0}, "", "learning rate");
+}
+
+/// Throws std::invalid_argument naming the parameter, its value and what was expected.
+void validate(const QLearningParameters& parameters);
+
+/// What is added up over the steps whose values are learned.
+struct ValueSums {
+  double steps = 0.0;
+  double value = 0.0;  ///< of the actions taken
+  double squared_error = 0.0;
+
+  void count(double estimate, double error);
+  void operator+=(const ValueSums& other);
+};
+std::vector<double*> numbersOf(ValueSums* sums);
+
+/// The weights of a network of values while it learns, whatever the course is: the target network, optimiser and
+/// schedule, and the checkpoint of it all. The rate sinks to 0 by half a cosine.
+class QLearner {
+ public:
+  /// What a checkpoint says it is, and what the course calls an update.
+  struct CheckpointNames {
+    std::string format;
+    std::string updates;
+  };
+  /// The layers with the weights to start from. Throws std::invalid_argument as validate(OptimiserParameters).
+  /// `updates`: of the whole training.
+  QLearner(const CheckpointNames& names, const QLearningParameters& parameters, int updates, const LayerStack& layers);
+
+  const Eigen::VectorXf& weights() const { return weights_; }
+  const Eigen::VectorXf& targetWeights() const { return target_weights_; }
+  double progress() const;  ///< share of the training that is done
+  double epsilon() const;   ///< share of random actions, in the next update
+
+  /// Copies the weights into the target network where it is time to.
+  void startUpdate();
+  /// One step of the optimiser.
+  void update(const Eigen::VectorXf& gradient);
+  /// An update is done, with so many steps of the agents.
+  void finishUpdate(double steps);
+  int updates() const { return updates_; }
+  double steps() const { return steps_; }  ///< of all updates
+
+  /// After the last update. What the agents did, and epsilon, is the course's to fill in.
+  ReinforcementReport report(const ValueSums& values) const;
+
+  /// Everything that the next update depends on.
+  std::vector<std::uint8_t> checkpoint() const;
+  /// Throws std::invalid_argument when it is not a checkpoint of the same course and network.
+  void restore(const std::vector<std::uint8_t>& checkpoint);
+
+ private:
+  CheckpointNames names_;
+  QLearningParameters parameters_;
+  int last_update_;
+  Eigen::VectorXf weights_;
+  Eigen::VectorXf target_weights_;
+  Optimiser optimiser_;
+  double steps_ = 0.0;
+  int updates_ = 0;
+};
+
+}  // namespace lstm_planner

@@ -1,3 +1,0 @@
-#if defined(__AVX2__)
-#include "base/learning/lane_kernels_source.hpp"
-#endif

@@ -1,1 +1,0 @@
-#include "base/learning/lane_kernels_source.hpp"

@@ -1,1 +1,0 @@
-#include "base/network/batch_kernel_source.hpp"

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Poco/Data/Session.h>
+
+#include <exception>
+#include <optional>
+#include <string>
+
+#include "dataset/query_guard.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
+
+namespace lstm_planner {
+
+/// An open dataset file, which nobody need trust. What SQLite complains about is thrown as DatasetError, one sentence
+/// with the path.
+class DatasetFile {
+ public:
+  enum class Use {
+    kRead,
+    kWrite,   ///< a dataset that is there
+    kCreate,  ///< made where there is none; a dataset that is there will do, too
+  };
+
+  /// `patience`: ms to wait for others who have the file locked. Throws DatasetError when it is missing, no dataset,
+  /// damaged, or of a newer schema.
+  DatasetFile(const std::string& path, Use use, int patience);
+  DatasetFile(const DatasetFile&) = delete;
+  DatasetFile& operator=(const DatasetFile&) = delete;
+
+  /// Runs `work` in a transaction: all of it is on the disk, or nothing. Throws DatasetError.
+  template <typename Work>
+  void transact(Work&& work) {
+    guard([&] {
+      allowWork();
+      execute(use_ == Use::kRead ? "BEGIN" : "BEGIN IMMEDIATE");
+      in_transaction_ = true;
+      work();
+      execute("COMMIT");
+      in_transaction_ = false;
+    });
+  }
+
+  /// Throws Poco exceptions, which transact() translates.
+  void execute(const std::string& statement);
+
+  /// The first number of a query's first row; empty when there is none. Throws DatasetError.
+  std::optional<long> numberOf(const std::string& query);
+
+  /// ms to wait for others who have the file locked.
+  void setPatience(int patience);
+
+  Poco::Data::Session& session() { return *session_; }
+  const std::string& path() const { return path_; }
+
+ private:
+  template <typename Work>
+  void guard(Work&& work) {
+    try {
+      work();
+    } catch (const std::exception& error) {
+      fail(error);
+    }
+  }
+  void open(int patience);
+  void checkVersion();
+  void checkLength();
+  void allowWork();
+  void makeTables();
+  std::string reason(const std::exception& error) const;
+  [[noreturn]] void fail(const std::exception& error);
+
+  std::string path_;
+  Use use_;
+  bool in_transaction_ = false;
+  std::optional<QueryGuard> guard_;  ///< outlives the session, which calls it
+  std::optional<Poco::Data::Session> session_;
+};
+
+}  // namespace lstm_planner

@@ -1,0 +1,119 @@
+#include "lstm_planner/dataset/dataset_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dataset/step_quantities.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+void add(double number, QuantityRange* range) {
+  if (!std::isfinite(number)) return;
+  range->minimum = range->count == 0 ? number : std::min(range->minimum, number);
+  range->maximum = range->count == 0 ? number : std::max(range->maximum, number);
+  ++range->count;
+  range->mean += (number - range->mean) / static_cast<double>(range->count);
+}
+
+/// Adds the numbers of a step to the ranges of its quantities, which are made at the first step.
+class RangeCollector {
+ public:
+  explicit RangeCollector(std::vector<QuantityRange>* ranges) : ranges_(*ranges) {}
+
+  void add(const DriveStep& step) {
+    next_ = 0;
+    visitQuantities(
+        step, [this](const std::string& name, const char* unit, const auto& quantity) { visit(name, unit, quantity); });
+  }
+
+ private:
+  template <typename Number>
+  void visit(const std::string& name, const char* unit, const std::array<Number, kSectorCount>& numbers) {
+    QuantityRange& range = rangeOf(name, unit);
+    for (const Number number : numbers) lstm_planner::add(static_cast<double>(number), &range);
+  }
+
+  template <typename Quantity>
+  void visit(const std::string& name, const char* unit, const Quantity& quantity) {
+    const auto add_number = [this](const std::string& column, const char* its_unit, const auto& number) {
+      lstm_planner::add(static_cast<double>(number), &rangeOf(column, its_unit));
+    };
+    const ColumnVisitor<decltype(add_number)> visit_numbers(&add_number);
+    visit_numbers(name, unit, quantity);
+  }
+
+  QuantityRange& rangeOf(const std::string& name, const char* unit) {
+    if (next_ == ranges_.size()) ranges_.push_back({name, unit});
+    return ranges_[next_++];
+  }
+
+  std::vector<QuantityRange>& ranges_;
+  std::size_t next_ = 0;
+};
+
+LabelHistogram& histogramOf(const std::vector<double>& angles, std::vector<LabelHistogram>* histograms) {
+  const auto found = std::find_if(histograms->begin(), histograms->end(),
+                                  [&](const LabelHistogram& histogram) { return histogram.angles == angles; });
+  if (found != histograms->end()) return *found;
+  histograms->push_back({angles, std::vector<long>(angles.size(), 0)});
+  return histograms->back();
+}
+
+class Summariser {
+ public:
+  explicit Summariser(DatasetSummary* summary) : summary_(*summary), ranges_(&summary->ranges) {
+    summary_.intervals.name = "interval";
+    summary_.intervals.unit = "s";
+  }
+
+  void add(const Recording& recording) {
+    ++summary_.recordings;
+    summary_.unfinished += recording.finished ? 0 : 1;
+    for (std::size_t i = 0; i < summary_.rejections.size(); ++i) summary_.rejections[i] += recording.rejections[i];
+    LabelHistogram& labels = histogramOf(recording.description.parameters.action_angles, &summary_.labels);
+    for (const RecordedEpisode& episode : recording.episodes) add(episode, &labels);
+  }
+
+ private:
+  void add(const RecordedEpisode& episode, LabelHistogram* labels) {
+    if (episode.episode.discarded) {
+      ++summary_.discarded_episodes;
+      summary_.discarded_steps += static_cast<long>(episode.steps.size());
+      return;
+    }
+    ++summary_.episodes;
+    ++summary_.ends[episode.episode.end];
+    summary_.empty_episodes += episode.steps.empty() ? 1 : 0;
+    for (std::size_t i = 0; i < episode.steps.size(); ++i) {
+      add(episode.steps[i], labels);
+      if (i > 0 && episode.steps[i].number != episode.steps[i - 1].number + 1) ++summary_.gaps;
+    }
+  }
+
+  void add(const DriveStep& step, LabelHistogram* labels) {
+    ++summary_.steps;
+    summary_.steps_with_scan += step.ranges.empty() ? 0 : 1;
+    const auto label = static_cast<std::size_t>(step.label);
+    if (label < labels->counts.size()) ++labels->counts[label];
+    ranges_.add(step);
+    lstm_planner::add(step.next_stamp - step.stamp, &summary_.intervals);
+    summary_.duration += step.next_stamp - step.stamp;
+    summary_.distance += distanceBetween(step.pose, step.next_pose);
+  }
+
+  DatasetSummary& summary_;
+  RangeCollector ranges_;
+};
+
+}  // namespace
+
+DatasetSummary summarise(const Dataset& dataset) {
+  DatasetSummary summary;
+  Summariser summariser(&summary);
+  for (const Recording& recording : dataset.recordings) summariser.add(recording);
+  return summary;
+}
+
+}  // namespace lstm_planner

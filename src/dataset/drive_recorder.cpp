@@ -1,0 +1,245 @@
+#include "lstm_planner/dataset/drive_recorder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lstm_planner/drive/perception/reach.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr double kLongestInterpolation = 0.5;   // s between the two odometry messages around a scan
+constexpr std::size_t kMostWaitingScans = 200;  // five seconds at 40 Hz
+
+ScanGeometry geometryOf(const ScanHeard& heard) {
+  const LaserScan& scan = heard.scan;
+  return {heard.frame,    scan.angle_min, scan.angle_increment, static_cast<int>(scan.ranges.size()),
+          scan.range_min, scan.range_max, heard.mount};
+}
+
+}  // namespace
+
+DriveRecorder::DriveRecorder(const RecorderParameters& parameters, StepSink* sink, FrameLookup lookup)
+    : parameters_((validate(parameters), parameters)),
+      actions_(parameters.action_angles),
+      sink_(sink),
+      lookup_(std::move(lookup)),
+      order_(parameters.delay, parameters.max_gap),
+      history_(parameters.max_speed),
+      observer_(parameters.agent) {}
+
+void DriveRecorder::add(DriveEvent event) {
+  if (const std::string flaw = flawOf(event); !flaw.empty()) {
+    sink_->reject(Rejection::kNotFinite);
+    sink_->explain(Rejection::kNotFinite, flaw);
+    return;
+  }
+  const bool is_sensed = std::holds_alternative<OdometryHeard>(event) || std::holds_alternative<ScanHeard>(event);
+  if (!is_sensed && std::abs(stampOf(event) - newest_) > parameters_.max_gap) {
+    // A goal is often given on another computer, whose clock must not be taken for a jump of the robot's.
+    std::visit([this](auto& heard) { heard.stamp = newest_; }, event);
+  }
+  const double stamp = stampOf(event);
+  EventOrder::Verdict verdict = order_.add(event);
+  if (verdict == EventOrder::Verdict::kClockSet) {
+    workOnWhatIsDue(true);
+    endEpisode(EpisodeEnd::kTimeJump);
+    waiting_.clear();
+    last_sample_.reset();
+    last_unusable_.reset();
+    order_.clear();
+    newest_ = stamp;
+    verdict = order_.add(std::move(event));
+  }
+  if (verdict == EventOrder::Verdict::kLate) sink_->reject(Rejection::kLate);
+  newest_ = std::max(newest_, stamp);
+  workOnWhatIsDue(false);
+}
+
+void DriveRecorder::workOnWhatIsDue(bool all) {
+  while (const std::optional<DriveEvent> event = order_.take(all)) {
+    now_ = stampOf(*event);
+    std::visit([this](const auto& heard) { work(heard); }, *event);
+  }
+}
+
+void DriveRecorder::finish() {
+  workOnWhatIsDue(true);
+  endEpisode(EpisodeEnd::kFinished);
+}
+
+void DriveRecorder::setPaused(bool paused) {
+  if (paused && !paused_) endEpisode(EpisodeEnd::kPaused);
+  paused_ = paused;
+}
+
+void DriveRecorder::endEpisode(EpisodeEnd end) {
+  if (step_) sink_->reject(Rejection::kNoNextStep);
+  step_.reset();
+  if (in_episode_) sink_->endEpisode(now_, end);
+  in_episode_ = false;
+  if (end == EpisodeEnd::kArrived || end == EpisodeEnd::kAborted) goal_.reset();
+}
+
+void DriveRecorder::work(const OdometryHeard& odometry) {
+  const double before = history_.empty() ? odometry.stamp : history_.newest().stamp;
+  const long jumps = history_.jumps();
+  history_.add({odometry.stamp, odometry.pose, odometry.twist});
+  const bool has_jumped = history_.jumps() != jumps;
+  const double elapsed = odometry.stamp - before;
+  if (has_jumped) {
+    endEpisode(EpisodeEnd::kOdometryJump);
+    observer_.forget();
+  } else if (elapsed > parameters_.max_gap) {
+    endEpisode(EpisodeEnd::kTimeJump);
+  }
+
+  std::vector<ScanHeard> scans;
+  scans.swap(waiting_);
+  for (const ScanHeard& scan : scans) {
+    if (has_jumped || elapsed > kLongestInterpolation || scan.stamp < before) {
+      sink_->reject(Rejection::kNoOdometry);
+    } else {
+      sample(scan);
+    }
+  }
+  if (in_episode_ && isAt(goal_position_, odometry.pose)) endEpisode(EpisodeEnd::kArrived);
+}
+
+void DriveRecorder::work(const GoalHeard& goal) {
+  if (goal_ && sameGoal(*goal_, goal.goal)) return;
+  endEpisode(EpisodeEnd::kNewGoal);
+  goal_ = goal.goal;
+  goal_source_ = goal.source;
+}
+
+void DriveRecorder::work(const GoalGivenUp&) { endEpisode(EpisodeEnd::kAborted); }
+
+void DriveRecorder::work(const ScanHeard& scan) {
+  silence_.show(scan.scan, parameters_.scan_rules, scan.stamp, history_.empty() ? Pose2() : history_.newest().pose);
+  if (!history_.empty() && history_.newest().stamp == scan.stamp) {
+    sample(scan);
+  } else if (waiting_.size() < kMostWaitingScans) {
+    waiting_.push_back(scan);
+  } else {
+    sink_->reject(Rejection::kNoOdometry);
+  }
+}
+
+void DriveRecorder::sample(const ScanHeard& scan) {
+  // Counted from the clock's zero rather than from the first scan, so that a bag that starts earlier gives the same.
+  const double number = std::floor(scan.stamp / parameters_.period);
+  if (last_sample_ && number <= *last_sample_) return;
+  if (const std::string flaw = see(scan); !flaw.empty()) {
+    // The next scan may do; how many did not, within one sample, depends on the scanner's rate alone.
+    if (last_unusable_ != number) {
+      sink_->reject(Rejection::kUnusableScan);
+      sink_->explain(Rejection::kUnusableScan, flaw);
+    }
+    last_unusable_ = number;
+    return;
+  }
+  last_sample_ = number;
+
+  if (paused_) {
+    sink_->reject(Rejection::kPaused);
+    return;
+  }
+  if (!goal_) {
+    sink_->reject(Rejection::kNoGoal);
+    return;
+  }
+  const std::optional<Pose2> frame = lookup_(goal_->frame, scan.stamp);
+  if (!frame) {
+    sink_->reject(Rejection::kNoTransform);
+    return;
+  }
+  goal_position_ = toParentFrame(*frame, {goal_->pose.x, goal_->pose.y});
+  if (!isInReach(situation_->pose, goal_position_)) {
+    sink_->reject(Rejection::kNotFinite);
+    return;
+  }
+  if (isAt(goal_position_, situation_->pose)) {
+    endEpisode(EpisodeEnd::kArrived);
+  } else if (!in_episode_) {
+    startEpisode();
+    startStep(scan);
+  } else if (hasMovedSinceStep()) {
+    labelStep();
+    startStep(scan);
+  } else {
+    sink_->reject(Rejection::kStanding);
+  }
+}
+
+std::string DriveRecorder::see(const ScanHeard& scan) {
+  if (!situation_) situation_.emplace();
+  if (silence_.isCovered()) return "the scanner counts as covered: the returns of all beams went at once";
+  try {
+    perceive(scan.scan, scan.mount, parameters_.scan_rules, parameters_.range_cap, &*situation_);
+  } catch (const UnusableScan& error) {
+    return error.what();
+  }
+  situation_->time = scan.stamp;
+  situation_->pose = history_.poseAt(scan.stamp);
+  return "";
+}
+
+bool DriveRecorder::hasMovedSinceStep() const {
+  if (!step_) return true;
+  const double turned = std::abs(normalizeAngle(situation_->pose.yaw - step_->pose.yaw));
+  return distanceBetween(step_->pose, situation_->pose) >= parameters_.min_step_distance ||
+         (parameters_.min_step_turn > 0.0 && turned >= parameters_.min_step_turn);
+}
+
+bool DriveRecorder::isAt(const Point2& goal, const Pose2& pose) const {
+  return distanceBetween(goal, pose) <= parameters_.goal_tolerance;
+}
+
+void DriveRecorder::startEpisode() {
+  in_episode_ = true;
+  number_ = 0;
+  previous_action_ = 0.0;
+  observer_.start(goal_position_);
+  Episode episode;
+  episode.goal = *goal_;
+  episode.goal_source = goal_source_;
+  episode.begun = situation_->time;
+  sink_->startEpisode(episode);
+}
+
+void DriveRecorder::startStep(const ScanHeard& scan) {
+  DriveStep step;
+  step.number = number_++;
+  step.stamp = scan.stamp;
+  step.pose = situation_->pose;
+  step.twist = history_.twist();
+  step.goal = goal_position_;
+  step.observation = observer_.observe(*situation_, goal_position_, previous_action_);
+  step.minimum_ranges = situation_->sectors.nearest;
+  step.beams = situation_->sectors.beams;
+  step.measured = situation_->sectors.measured;
+  step.geometry = geometryOf(scan);
+  if (parameters_.keep_scans) step.ranges = scan.scan.ranges;
+  step_ = std::move(step);
+  sink_->startStep(*step_);
+}
+
+void DriveRecorder::labelStep() {
+  step_->next_stamp = situation_->time;
+  step_->next_pose = situation_->pose;
+  step_->driven_angle = drivenAngle(step_->pose, step_->next_pose, parameters_.min_step_distance);
+  step_->label = actions_.nearest(step_->driven_angle);
+  previous_action_ = actions_.angle(step_->label);
+  const double error = std::abs(normalizeAngle(step_->driven_angle - previous_action_));
+  if (error <= parameters_.max_label_error) {
+    sink_->addStep(*step_);
+  } else {
+    sink_->reject(Rejection::kNoAllowedAngle);
+  }
+  step_.reset();
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,63 @@
+#include "lstm_planner/drive/decision/decision_text.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace lstm_planner {
+
+namespace {
+
+std::string metres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f m", value);
+  return text;
+}
+
+std::string describeAction(const Decision& decision, const std::string& leader) {
+  std::string text = leader + " decided";
+  if (decision.on_route) text += ", along the remembered path";
+  if (!decision.on_route && decision.regret > 0.0) text += ", a detour of " + metres(decision.regret);
+  if (decision.overruled == Decision::Overruled::kByShield) text += "; the shield removed what it preferred";
+  return text;
+}
+
+std::string describeRoute(const Decision& decision) {
+  const std::string text = "the remembered path decided";
+  switch (decision.overruled) {
+    case Decision::Overruled::kByShield:
+      return text + ": the shield removed all steering angles";
+    case Decision::Overruled::kByBound:
+      if (!std::isfinite(decision.regret)) return text + ": no path leads on from where the leader would go";
+      return text + ": the leader's detour of " + metres(decision.regret) + " would exceed the bound (" +
+             metres(decision.regret_used) + " of " + metres(decision.regret_allowed) + " used)";
+    case Decision::Overruled::kNo:
+      break;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string describe(const Decision& decision) {
+  switch (decision.source) {
+    case Decision::Source::kNetwork:
+      return describeAction(decision, "the network");
+    case Decision::Source::kGreedy:
+      return describeAction(decision, "the bearing of the goal");
+    case Decision::Source::kRoute:
+      return describeRoute(decision);
+    case Decision::Source::kGoalInSight:
+      return "the goal is in sight";
+    case Decision::Source::kEscape:
+      return "the robot follows a boundary";
+    case Decision::Source::kLookAround:
+      return "the robot looks around";
+    case Decision::Source::kArrived:
+      return "the robot has arrived";
+    case Decision::Source::kNoPath:
+      return "there is no path to the goal";
+  }
+  return "";
+}
+
+}  // namespace lstm_planner

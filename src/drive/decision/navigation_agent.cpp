@@ -1,0 +1,596 @@
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "lstm_planner/drive/decision/arrival.hpp"
+#include "lstm_planner/drive/decision/observer.hpp"
+#include "lstm_planner/drive/perception/reach.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// Directions beside the route that are tried when its first metres are not free: steps and farthest, rad.
+constexpr double kAsideStep = 0.0873;
+constexpr double kFarthestAside = 1.05;
+
+/// Places ahead that are taken as blocked, one after the other, before the robot looks around.
+constexpr int kBlocks = 3;
+
+constexpr double kSamePlace = 1e-6;  // m
+
+/// A turn by so much (rad) counts as much as a whole step of a detour.
+constexpr double kTurnOfAStep = M_PI;
+
+/// m; a goal that moves farther between two calls is another goal.
+constexpr double kGoalShift = 0.25;
+
+/// Times the patience, after which a robot without rescue takes a goal behind an obstacle for reached: with one, twice
+/// as many of these were on the other side of a wall.
+constexpr double kPatienceBesideGoal = 8.0;
+
+/// Why a leader leads.
+const char* const kNewGoal = "new goal";
+const char* const kChosen = "the parameter leader was changed";
+const char* const kNearerThanEver = "nearer to the goal than ever";
+const char* const kNoProgress = "no progress";
+const char* const kNoProgressForLong = "no progress for very long";
+const char* const kTooShort = "the scanner does not reach as far as the network needs";
+const char* const kFarEnough = "the scanner reaches as far as the network needs";
+const char* const kMemoryWrong = "what is remembered was wrong too often";
+
+/// The goal is so near that the robot would go straight to it (m), but something that is remembered is in between.
+bool isHidden(const ObstacleMemory& memory, const Pose2& pose, const Point2& goal, double near) {
+  if (distanceBetween(pose, goal) > near) return false;
+  return !memory.isFree({pose.x, pose.y}, goal, ObstacleMemory::Passage::kTight);
+}
+
+/// Only a network that leads must fit.
+void checkLeader(const PolicyDescription& description, const AgentParameters& parameters) {
+  if (parameters.leader == Decision::Source::kNetwork) checkFits(description, parameters.step.length);
+}
+
+std::optional<OutOfView> outOfViewOf(const Shield& shield) {
+  if (shield.footprint().isCircle()) return std::nullopt;
+  return OutOfView(shield.footprint());
+}
+
+}  // namespace
+
+NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules)
+    : policy_(std::move(policy)),
+      parameters_((validate(parameters), parameters)),
+      rules_((validate(rules), rules)),
+      chosen_(parameters.leader),
+      shield_(footprintOf(parameters.shield), parameters.shield.tight_clearance, parameters.shield.reach),
+      out_of_view_(outOfViewOf(shield_)),
+      actions_(parameters),
+      escape_(parameters.escape, parameters.shield),
+      guide_(parameters.memory.enabled ? Boxed<RouteGuide>(RouteGuide(parameters)) : Boxed<RouteGuide>()),
+      bound_(parameters.detour),
+      clock_(parameters.step),
+      progress_(parameters.escape.progress) {
+  checkLeader(policy_.description(), parameters);
+  const auto actions = static_cast<std::size_t>(policy_.description().actions.size());
+  decision_.preferences.resize(actions);
+  decision_.allowed.resize(actions);
+  if (guide_) decision_.path_on.reserve(guide_->route().points.capacity());
+}
+
+void NavigationAgent::change(const AgentParameters& parameters) {
+  AgentParameters changed = parameters_;
+  changed.leader = parameters.leader;
+  changed.goal_tolerance = parameters.goal_tolerance;
+  changed.goal_in_sight = parameters.goal_in_sight;
+  changed.escape.patience_steps = parameters.escape.patience_steps;
+  changed.escape.patience_distance = parameters.escape.patience_distance;
+  changed.escape.last_resort = parameters.escape.last_resort;
+  validate(changed);
+  checkLeader(policy_.description(), changed);
+  const Source leader = leaderBy(changed);
+  parameters_ = changed;
+  choose(leader, kChosen);
+}
+
+/// As the parameters say; but the path through what is remembered in place of a network that sees too little.
+NavigationAgent::Source NavigationAgent::leaderBy(const AgentParameters& parameters) const {
+  const bool is_network = parameters.leader == Source::kNetwork && reach_ > 0.0;
+  if (!is_network || reachesFarEnough(policy_.description(), reach_)) return parameters.leader;
+  if (!guide_) throw std::invalid_argument(reachProblem(policy_.description(), reach_));
+  return Source::kRoute;
+}
+
+void NavigationAgent::choose(Source leader, const char* why) {
+  const bool is_led_as_chosen = decision_.leader == chosen_;
+  if (is_led_as_chosen && leader != chosen_) lead(leader, why);
+  chosen_ = leader;
+}
+
+std::string NavigationAgent::standInWarning() const {
+  return chosen_ == parameters_.leader ? "" : lstm_planner::standInWarning(policy_.description(), reach_);
+}
+
+void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time,
+                               const TakenScan* second) {
+  checkPose(pose);
+  lstm_planner::perceive(scan, mount, rules_, policy_.description().encoder.range_cap, &situation_);
+  situation_.pose = pose;
+  situation_.time = time;
+  if (second != nullptr) perceiveSecond(*second, rules_, &situation_);
+  show(situation_);
+}
+
+void NavigationAgent::show(const Situation& situation) {
+  reach_ = std::max(reach_, situation.profile.farthest_range);
+  const Source leader = leaderBy(parameters_);
+  choose(leader, leader == parameters_.leader ? kFarEnough : kTooShort);
+  shield_.show(situation.obstacles);
+  if (!out_of_view_) return;
+  out_of_view_->show(situation);
+  shield_.add(out_of_view_->points());
+}
+
+void NavigationAgent::mark(const std::vector<Point2>& obstacles) {
+  situation_.marked = obstacles;
+  shield_.add(obstacles);
+}
+
+NavigationAgent::Fresh NavigationAgent::drive(const Point2& goal, bool is_new, long jumps) {
+  is_new_goal_ = is_new_goal_ || is_new;
+  checkGoal(situation_.pose, goal);
+  const double shift = distanceBetween(goal_, goal);
+  const bool jumped = jumps != jumps_;
+  Fresh fresh = Fresh::kNo;
+  if (is_new_goal_) {
+    fresh = Fresh::kNewGoal;
+  } else if (jumped) {
+    fresh = Fresh::kJump;
+  } else if (shift > kGoalShift) {
+    fresh = Fresh::kGoalMoved;
+  }
+  if (fresh != Fresh::kNo) {
+    setGoal(goal);
+  } else if (shift > 0.0) {
+    moveGoal(goal);
+  }
+  if (jumped) {
+    restart();
+    jumps_ = jumps;
+  }
+  is_new_goal_ = false;
+  decideAbout(situation_);
+  return fresh;
+}
+
+Decision NavigationAgent::preview(const Point2& goal) const {
+  checkGoal(situation_.pose, goal);
+  return preview(situation_, goal);
+}
+
+void NavigationAgent::setGoal(const Point2& goal) {
+  goal_ = goal;
+  policy_.reset();
+  if (guide_) guide_->start();
+  bound_.start();
+  trace_.clear();
+  clock_.clear();
+  progress_.clear();
+  driven_ = 0.0;
+  look_around_turn_ = 0.0;
+  lead(chosen_, kNewGoal);
+  decision_.source = Source::kLookAround;
+  decision_.action = -1;
+  decision_.preferred = -1;
+  decision_.destination = goal;
+  decision_.goal_seems = Decision::GoalSeems::kReachable;
+  decision_.overruled = Decision::Overruled::kNo;
+  decision_.regret = 0.0;
+  decision_.path_on.clear();
+  decision_.step = 0;
+}
+
+void NavigationAgent::moveGoal(const Point2& goal) {
+  const auto follow = [&](Point2* place) {
+    if (distanceBetween(*place, goal_) >= 1e-6) return false;
+    *place = goal;
+    return true;
+  };
+  if (follow(&decision_.waypoint)) decision_.direction = directionTo(clock_.pose(), goal);
+  follow(&decision_.destination);
+  if (!decision_.path_on.empty()) follow(&decision_.path_on.back());
+  if (progress_.hasBest()) progress_.moveBest(distanceBetween(best_position_, goal));
+  if (guide_) guide_->moveGoal(goal_, goal);
+  escape_.moveGoal(goal_, goal);
+  goal_ = goal;
+}
+
+void NavigationAgent::restart() {
+  if (guide_) guide_->forget();
+  if (out_of_view_) out_of_view_->forget();
+  setGoal(goal_);
+}
+
+const Decision& NavigationAgent::update(const Situation& situation) {
+  show(situation);
+  shield_.add(situation.marked);
+  return decideAbout(situation);
+}
+
+const Decision& NavigationAgent::decideAbout(const Situation& situation) {
+  if (decision_.source == Source::kNoPath) {
+    return decision_;
+  }
+  if (distanceBetween(situation.pose, decision_.destination) <= parameters_.goal_tolerance) {
+    arrive(situation);
+    return decision_;
+  }
+  if (!clock_.hasStep() || stepIsOver(situation)) {
+    noteProgress(situation);
+    losePatience();
+    if (isBesideGoal(situation)) {
+      stopBesideGoal(situation);
+      return decision_;
+    }
+    startStep(situation);
+    decide(situation);
+  } else if (clock_.isStalled(situation)) {
+    if (decision_.on_route) {
+      guide_->blockAhead();
+      decide(situation);
+    } else if (guide_ && isOneStep(decision_)) {
+      guide_->blockTowards({situation.pose.x, situation.pose.y}, decision_.waypoint);
+      decide(situation);
+    } else {
+      lookAround(situation);
+    }
+  } else if (!pathIsFree(situation)) {
+    decide(situation);
+  }
+  return decision_;
+}
+
+void NavigationAgent::arrive(const Situation& situation) {
+  const Source source = countsAsArrival(decision_, goal_, parameters_) ? Source::kArrived : Source::kNoPath;
+  goTo(situation, source, directionTo(situation.pose, decision_.destination),
+       distanceBetween(situation.pose, decision_.destination));
+  decision_.path_on.clear();
+}
+
+Decision NavigationAgent::preview(const Situation& situation, const Point2& goal) const {
+  NavigationAgent fresh(*this);
+  fresh.step_listener_ = nullptr;
+  fresh.setGoal(goal);
+  return fresh.update(situation);
+}
+
+bool NavigationAgent::stepIsOver(const Situation& situation) const {
+  if (decision_.source == Source::kEscape) {
+    // Half way already, so that the robot need not slow down for the next bend.
+    return distanceBetween(situation.pose, decision_.waypoint) < parameters_.step.reached ||
+           clock_.moved(situation) >= 0.5 * parameters_.escape.follow_step;
+  }
+  return clock_.isOver(situation, decision_.waypoint);
+}
+
+bool NavigationAgent::pathIsFree(const Situation& situation) const {
+  if (decision_.source == Source::kLookAround) {
+    return true;
+  }
+  const double distance = std::min(distanceBetween(situation.pose, decision_.waypoint), parameters_.step.length);
+  const double direction = directionTo(situation.pose, decision_.waypoint);
+  return freeDistance(situation, direction, distance, parameters_.shield.tight_clearance) >= distance - 0.02;
+}
+
+void NavigationAgent::noteProgress(const Situation& situation) {
+  const bool is_first = !progress_.hasBest();
+  const double driven = is_first ? 0.0 : clock_.moved(situation);
+  driven_ += driven;
+  if (progress_.note(distanceBetween(situation.pose, goal_), driven)) {
+    startFrom(situation, is_first ? kNewGoal : kNearerThanEver);
+  }
+}
+
+/// The robot has never been nearer to the goal: the leader of the parameters leads from here.
+void NavigationAgent::startFrom(const Situation& situation, const char* why) {
+  best_position_ = {situation.pose.x, situation.pose.y};
+  progress_.restart(distanceBetween(best_position_, goal_));
+  if (guide_) guide_->noteProgress();
+  lead(chosen_, why);
+}
+
+void NavigationAgent::lead(Source leader, const char* why) {
+  if (leader == Source::kEscape) {
+    if (decision_.leader == leader) return;
+    escape_.start();
+  }
+  decision_.leader = leader;
+  decision_.why = why;
+}
+
+bool NavigationAgent::isOutOfPatience(double times) const {
+  const EscapeParameters& escape = parameters_.escape;
+  return progress_.steps() >= times * escape.patience_steps || progress_.driven() >= times * escape.patience_distance;
+}
+
+void NavigationAgent::losePatience() {
+  if (!parameters_.escape.enabled || decision_.leader == Source::kEscape) return;
+  if (guide_ && isOutOfPatience(parameters_.escape.last_resort)) lead(Source::kEscape, kNoProgressForLong);
+  if (!guide_ && isOutOfPatience(1.0)) lead(Source::kEscape, kNoProgress);
+}
+
+/// Nothing rescues the leader, the goal is near, and it seems to lie in or behind an obstacle.
+bool NavigationAgent::isBesideGoal(const Situation& situation) const {
+  const bool is_rescued = parameters_.escape.enabled || guide_;
+  if (is_rescued || !parameters_.shield_enabled || !isOutOfPatience(kPatienceBesideGoal)) return false;
+  const double distance = distanceBetween(situation.pose, goal_);
+  const double direction = directionTo(situation.pose, goal_);
+  return distance <= reachedWithin() && isInView(situation, direction) && !isFreeUpTo(situation, direction, distance);
+}
+
+void NavigationAgent::stopBesideGoal(const Situation& situation) {
+  decision_.destination = {situation.pose.x, situation.pose.y};
+  decision_.goal_seems = Decision::GoalSeems::kBehindObstacle;
+  arrive(situation);
+}
+
+void NavigationAgent::startStep(const Situation& situation) {
+  const double cell = policy_.description().encoder.position_cell;
+  const Observation observation = observe(situation, goal_, previousAction(), cell, &trace_);
+  imposed_action_.reset();
+  advanceNetwork(observation);
+  bound_.endStep(drivenShare(situation));
+  clock_.start(situation);
+  ++decision_.step;
+  if (!step_listener_) return;
+  const std::optional<int> steered = step_listener_(situation, observation);
+  if (steered) imposed_action_ = steered;
+}
+
+/// Of the step that ends here. Turning counts, too: else a network that turns on the spot would never be stopped.
+double NavigationAgent::drivenShare(const Situation& situation) const {
+  if (!clock_.hasStep()) return 0.0;
+  const double planned = std::max(kSamePlace, distanceBetween(clock_.pose(), decision_.waypoint));
+  const double turned = std::abs(normalizeAngle(situation.pose.yaw - clock_.pose().yaw));
+  return std::min(1.0, clock_.moved(situation) / planned + turned / kTurnOfAStep);
+}
+
+double NavigationAgent::previousAction() const {
+  const ActionSet& actions = policy_.description().actions;
+  if (!clock_.hasStep()) {
+    return 0.0;
+  }
+  // The rescue's paths lie between the steering angles: tell the network the nearest one, as the recorder would.
+  return actions.angle(decision_.action >= 0
+                           ? decision_.action
+                           : actions.nearest(normalizeAngle(decision_.direction - clock_.pose().yaw)));
+}
+
+void NavigationAgent::advanceNetwork(const Observation& observation) {
+  if (chosen_ != Source::kNetwork) {
+    preferBearing(policy_.description().actions, observation.goal_bearing, &decision_.preferences);
+    return;
+  }
+  const Eigen::VectorXf& preferences = policy_.advance(observation);
+  std::copy(preferences.data(), preferences.data() + preferences.size(), decision_.preferences.begin());
+  Eigen::Index preferred = 0;
+  preferences.maxCoeff(&preferred);
+  decision_.preferred = static_cast<int>(preferred);
+  if (!guide_ && parameters_.draw_after > 0 && progress_.steps() >= parameters_.draw_after) {
+    imposed_action_ = drawAction(decision_.preferences, static_cast<std::uint64_t>(decision_.step));
+    decision_.preferred = *imposed_action_;
+  }
+}
+
+void NavigationAgent::decide(const Situation& situation) {
+  const Source guidance = guide(situation);
+  if (parameters_.escape.enabled && guidance == Source::kEscape) {
+    lead(Source::kEscape, kMemoryWrong);
+  }
+  decision_.on_route = false;
+  decision_.overruled = Decision::Overruled::kNo;
+  decision_.regret = 0.0;
+  decision_.path_on.clear();
+  bound_.choose(0.0);
+  if (!chooseGoalInSight(situation)) {
+    chooseAsLed(situation, guidance);
+  }
+  decision_.regret_used = bound_.used();
+  decision_.regret_allowed = bound_.allowed(driven_);
+  decision_.goal_seems = judgeGoal(situation, guidance);
+  if (decision_.on_route) {
+    guide_->pointsAhead(distanceBetween(clock_.pose(), decision_.waypoint), &decision_.path_on);
+  } else if (!isOneStep(decision_)) {
+    decision_.path_on.clear();
+  }
+}
+
+Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Source guidance) const {
+  using GoalSeems = Decision::GoalSeems;
+  if (!guide_ || decision_.leader == Source::kEscape) return GoalSeems::kReachable;
+  if (guidance == Source::kLookAround || guidance == Source::kNoPath) {
+    const bool is_hidden = isHidden(guide_->memory(), situation.pose, goal_, parameters_.goal_in_sight);
+    return is_hidden ? GoalSeems::kInObstacle : GoalSeems::kEnclosed;
+  }
+  if (endsBesideGoal()) return GoalSeems::kInObstacle;
+  if (!decision_.on_route) return GoalSeems::kReachable;
+  const Point2 here{situation.pose.x, situation.pose.y};
+  return guide_->isGoalBehindObstacle(here, goal_, parameters_.goal_in_sight) ? GoalSeems::kBehindObstacle
+                                                                              : GoalSeems::kReachable;
+}
+
+/// Remembers what is seen, and searches the path through it: kRoute, kLookAround, kNoPath, or kEscape.
+NavigationAgent::Source NavigationAgent::guide(const Situation& situation) {
+  if (!guide_) {
+    return Source::kRoute;
+  }
+  decision_.destination = goal_;
+  const Source guidance = guide_->update(situation, goal_, reachedWithin());
+  if (guidance == Source::kRoute) decision_.destination = guide_->end();
+  return guidance;
+}
+
+bool NavigationAgent::isInView(const Situation& situation, double direction) {
+  return std::abs(normalizeAngle(direction - situation.pose.yaw)) <= M_PI_2;
+}
+
+/// Whether the robot could drive straight to a goal in that direction (rad), so far away (m).
+bool NavigationAgent::isFreeUpTo(const Situation& situation, double direction, double distance) const {
+  return freeDistance(situation, direction, distance, parameters_.shield.tight_clearance) >=
+         distance - 0.5 * parameters_.goal_tolerance;
+}
+
+bool NavigationAgent::chooseGoalInSight(const Situation& situation) {
+  const double distance = distanceBetween(situation.pose, decision_.destination);
+  if (!parameters_.shield_enabled || distance > parameters_.goal_in_sight) {
+    return false;
+  }
+  const double direction = directionTo(situation.pose, decision_.destination);
+  if (!isInView(situation, direction) || !isFreeUpTo(situation, direction, distance)) {
+    return false;
+  }
+  goTo(situation, Source::kGoalInSight, direction, distance);
+  return true;
+}
+
+void NavigationAgent::chooseAsLed(const Situation& situation, Source guidance) {
+  if (decision_.leader == Source::kRoute) {
+    chooseRoute(situation, guidance);
+  } else if (decision_.leader == Source::kEscape) {
+    chooseEscape(situation);
+  } else if (guide_) {
+    chooseWithinBound(situation, guidance);
+  } else {
+    chooseAction(situation);
+  }
+}
+
+std::optional<ActionChoice::Action> NavigationAgent::chooseAmongActions(const Situation& situation) {
+  const auto chosen = actions_.choose(policy_.description().actions, clock_.pose().yaw, situation.pose.yaw, shield_,
+                                      decision_.preferences, imposed_action_, &decision_.allowed);
+  const bool is_preferred = chosen && (decision_.preferred < 0 || chosen->index == decision_.preferred);
+  if (!is_preferred) decision_.overruled = Decision::Overruled::kByShield;
+  return chosen;
+}
+
+void NavigationAgent::chooseAction(const Situation& situation) {
+  const std::optional<ActionChoice::Action> chosen = chooseAmongActions(situation);
+  if (chosen) {
+    takeAction(situation, *chosen);
+  } else {
+    lookAround(situation);
+  }
+}
+
+void NavigationAgent::takeAction(const Situation& situation, const ActionChoice::Action& action) {
+  goTo(situation, decision_.leader, clock_.pose().yaw + policy_.description().actions.angle(action.index), action.free);
+  decision_.action = action.index;
+  look_around_turn_ = 0.0;
+}
+
+void NavigationAgent::chooseWithinBound(const Situation& situation, Source guidance) {
+  const std::optional<ActionChoice::Action> chosen =
+      guidance == Source::kRoute ? chooseAmongActions(situation) : std::nullopt;
+  if (!chosen) {
+    chooseRoute(situation, guidance);
+    return;
+  }
+  const ActionSet& actions = policy_.description().actions;
+  const double step_yaw = clock_.pose().yaw;
+  const Pose2 step_pose{situation.pose.x, situation.pose.y, step_yaw};
+  const bool is_along_path = actions.nearest(guide_->bearingAhead(step_pose, parameters_.step.length)) == chosen->index;
+  if (is_along_path && !imposed_action_ && followRoute(situation, decision_.leader)) {
+    decision_.action = chosen->index;
+    return;
+  }
+  const Point2 here{situation.pose.x, situation.pose.y};
+  const Point2 next = pointAlong(situation.pose, step_yaw + actions.angle(chosen->index), chosen->free);
+  decision_.regret = guide_->regretOf(here, next, goal_, &decision_.path_on);
+  if (imposed_action_ || bound_.allows(decision_.regret, driven_)) {
+    bound_.choose(decision_.regret);
+    takeAction(situation, *chosen);
+  } else {
+    decision_.overruled = Decision::Overruled::kByBound;
+    chooseRoute(situation, guidance);
+  }
+}
+
+void NavigationAgent::chooseRoute(const Situation& situation, Source guidance) {
+  for (int blocks = 0; blocks <= kBlocks; ++blocks) {
+    if (guidance == Source::kNoPath) {
+      goTo(situation, Source::kNoPath, situation.pose.yaw, 0.0);
+      return;
+    }
+    if (guidance != Source::kRoute) {
+      break;
+    }
+    if (followRoute(situation, Source::kRoute)) {
+      return;
+    }
+    guide_->blockAhead();
+    guidance = guide(situation);
+  }
+  lookAround(situation);
+}
+
+bool NavigationAgent::followRoute(const Situation& situation, Source source) {
+  const ShieldParameters& shield = parameters_.shield;
+  for (const double ahead : {1.0, 0.5}) {
+    const Point2 target = guide_->pointAhead(ahead * parameters_.step.length);
+    const double distance = distanceBetween(situation.pose, target);
+    const double wanted = std::min(distance, shield.shortest_step);
+    const double direction = directionTo(situation.pose, target);
+    for (double aside = 0.0; aside < (ahead < 1.0 ? kFarthestAside : 0.5 * kAsideStep); aside += kAsideStep) {
+      for (const double side : {1.0, -1.0}) {
+        const double free =
+            freeDistance(situation, direction + side * aside, std::max(distance, wanted), shield.tight_clearance);
+        if (free >= wanted && (free >= 0.9 * distance || ahead < 1.0)) {
+          goTo(situation, source, direction + side * aside, free);
+          decision_.on_route = true;
+          look_around_turn_ = 0.0;
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+void NavigationAgent::chooseEscape(const Situation& situation) {
+  Heading move;
+  const std::optional<Source> source = escape_.decide(situation, shield_, goal_, progress_.target(), &move);
+  if (!source) {
+    startFrom(situation, kNearerThanEver);
+    chooseAsLed(situation, guide(situation));
+  } else if (*source == Source::kNoPath) {
+    goTo(situation, Source::kNoPath, situation.pose.yaw, 0.0);
+  } else {
+    goTo(situation, *source, move.direction, std::max(move.distance, parameters_.shield.shortest_step));
+  }
+}
+
+void NavigationAgent::lookAround(const Situation& situation) {
+  if (look_around_turn_ == 0.0) {
+    const double bearing = normalizeAngle(directionTo(situation.pose, goal_) - situation.pose.yaw);
+    look_around_turn_ = bearing < 0.0 ? -1.0 : 1.0;
+  }
+  goTo(situation, Source::kLookAround, situation.pose.yaw + look_around_turn_ * 2.0, parameters_.shield.shortest_step);
+  decision_.path_on.clear();
+}
+
+void NavigationAgent::goTo(const Situation& situation, Source source, double direction, double distance) {
+  decision_.source = source;
+  decision_.action = -1;
+  decision_.on_route = false;
+  decision_.direction = normalizeAngle(direction);
+  decision_.waypoint = pointAlong(situation.pose, direction, distance);
+}
+
+double NavigationAgent::freeDistance(const Situation& situation, double direction, double limit,
+                                     double clearance) const {
+  return shield_.freeDistance({}, direction - situation.pose.yaw, limit, clearance);
+}
+
+}  // namespace lstm_planner

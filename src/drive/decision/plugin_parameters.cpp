@@ -1,0 +1,48 @@
+#include "lstm_planner/drive/decision/plugin_parameters.hpp"
+
+#include <stdexcept>
+
+#include "lstm_planner/common/parameter_visitors.hpp"
+
+namespace lstm_planner {
+
+void validate(const GlobalPlannerParameters& parameters) {
+  visitGlobalPlannerParameters(parameters, RangeCheck());
+  validate(parameters.sensors.scan_rules);
+  validate(parameters.agent);
+  if (parameters.agent.leader == Decision::Source::kGreedy) {
+    throw std::invalid_argument("leader is 'none', expected network or route: none is for comparisons in simulation");
+  }
+}
+
+void validate(const SteeringControllerParameters& parameters) {
+  visitSteeringControllerParameters(parameters, RangeCheck());
+  validate(parameters.sensors.scan_rules);
+  validate(parameters.motion);
+  footprintOf(parameters);
+  checkRange("controller_frequency", parameters.controller_frequency, 0.1, 1000.0);
+}
+
+Footprint footprintOf(const SteeringControllerParameters& parameters) {
+  return footprintOf("footprint", parameters.footprint_radius, parameters.footprint);
+}
+
+std::vector<std::string> changeableGlobalPlannerParameters() {
+  return {"leader",
+          "goal_tolerance",
+          "goal_in_sight",
+          "escape/patience_steps",
+          "escape/patience_distance",
+          "escape/last_resort",
+          "trace_length"};
+}
+
+std::vector<std::string> changeableSteeringControllerParameters() {
+  return {"max_linear",        "max_angular",    "max_wheel_speed", "linear_acceleration", "wheel_acceleration",
+          "lookahead",         "nearest_target", "turn_in_place",   "heading_gain",        "reaction_time",
+          "safety_margin",     "slow_gap",       "slow_speed",      "person_speed",        "person_margin",
+          "person_slow_speed", "evade_time",     "evade_margin",    "position_tolerance",  "heading_tolerance",
+          "plan_timeout"};
+}
+
+}  // namespace lstm_planner

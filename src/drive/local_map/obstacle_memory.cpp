@@ -1,0 +1,171 @@
+#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lstm_planner/drive/perception/reach.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// More changes than this since they were cleared count as everything.
+constexpr std::size_t kMostChanges = 1024;
+
+/// Nearer to the middle of the robot than this, in footprint radii, nothing else can be.
+constexpr double kUnderneath = 0.9;
+
+}  // namespace
+
+ObstacleMemory::ObstacleMemory(const MemoryParameters& parameters, const ShieldParameters& shield)
+    : footprint_radius_(footprintOf(shield).inscribedRadius()),
+      window_(parameters.width, parameters.resolution),
+      scan_changes_(parameters.reach, parameters.resolution),
+      passability_(parameters, shield, window_),
+      reach_(parameters.reach) {
+  changes_.reserve(kMostChanges);
+  forget();
+}
+
+void ObstacleMemory::forget() {
+  window_.clear();
+  marks_.clear();
+  passability_.forget();
+  everything_changed_ = true;
+}
+
+void ObstacleMemory::add(const Situation& situation) {
+  if (!isInReach(situation.pose)) {
+    return;
+  }
+  if (window_.moveTo(situation.pose)) {
+    outdateAll();
+  }
+  passability_.startChanges();
+  takeOverMarks(situation);
+  scan_changes_.find(situation, window_);
+  for (const std::uint32_t key : scan_changes_.cleared()) {
+    if (!isMarked(squareOf(key))) set(squareOf(key), false);
+  }
+  for (const std::uint32_t key : scan_changes_.returns()) {
+    const Square square = squareOf(key);
+    if (!window_.isOccupied(square)) {
+      set(square, true);
+    }
+  }
+  // Where the robot stands nothing else can be.
+  forgetUnderneath(situation.pose);
+}
+
+void ObstacleMemory::takeOverMarks(const Situation& situation) {
+  if (situation.marked.empty() && marks_.empty()) return;
+  collectMarks(situation);
+  for (const Mark mark : marks_) {
+    const Square square = squareOfMark(mark);
+    if (isInWindow(square) && !std::binary_search(marked_.begin(), marked_.end(), mark)) set(square, false);
+  }
+  marks_.swap(marked_);
+  for (const Mark mark : marks_) {
+    const Square square = squareOfMark(mark);
+    if (!window_.isOccupied(square)) set(square, true);
+  }
+}
+
+void ObstacleMemory::collectMarks(const Situation& situation) {
+  marked_.clear();
+  for (const Point2& place : situation.marked) {
+    if (std::hypot(place.x, place.y) > reach_) continue;
+    const Point2 at = toParentFrame(situation.pose, place);
+    const Square absolute = window_.squareAt(at);
+    const Square square{absolute.column - kSide * window_.originColumn(), absolute.row - kSide * window_.originRow()};
+    const bool is_underneath = isInWindow(square) && distanceBetween(window_.centerOf(square), situation.pose) <
+                                                         kUnderneath * footprint_radius_;
+    if (isInWindow(square) && !is_underneath && !isSeenBeside(square)) marked_.push_back(markAt(square));
+  }
+  std::sort(marked_.begin(), marked_.end());
+  marked_.erase(std::unique(marked_.begin(), marked_.end()), marked_.end());
+}
+
+bool ObstacleMemory::isSeenBeside(const Square& square) const {
+  for (int row = square.row - 1; row <= square.row + 1; ++row) {
+    for (int column = square.column - 1; column <= square.column + 1; ++column) {
+      const Square beside{column, row};
+      if (isInWindow(beside) && window_.isOccupied(beside) && !isMarked(beside)) return true;
+    }
+  }
+  return false;
+}
+
+bool ObstacleMemory::isMarked(const Square& square) const {
+  return !marks_.empty() && std::binary_search(marks_.begin(), marks_.end(), markAt(square));
+}
+
+ObstacleMemory::Mark ObstacleMemory::markAt(const Square& square) const {
+  const auto column = static_cast<std::uint32_t>(square.column + kSide * window_.originColumn());
+  const auto row = static_cast<std::uint32_t>(square.row + kSide * window_.originRow());
+  return static_cast<Mark>(row) << 32 | column;
+}
+
+Square ObstacleMemory::squareOfMark(Mark mark) const {
+  return {static_cast<int>(static_cast<std::uint32_t>(mark)) - kSide * window_.originColumn(),
+          static_cast<int>(static_cast<std::uint32_t>(mark >> 32)) - kSide * window_.originRow()};
+}
+
+bool ObstacleMemory::isInWindow(const Square& square) const {
+  const BitRows& squares = window_.squares();
+  return square.column >= 0 && square.column < squares.columns() && square.row >= 0 && square.row < squares.rows();
+}
+
+void ObstacleMemory::block(const Point2& place) {
+  if (const std::optional<Point2> oldest = passability_.block(window_, place)) {
+    noteChange(*oldest, false);
+  }
+  noteChange(place, true);
+}
+
+void ObstacleMemory::squeeze(bool on) {
+  if (passability_.squeeze(on)) {
+    outdateAll();
+  }
+}
+
+void ObstacleMemory::clearChanges() {
+  changes_.clear();
+  everything_changed_ = false;
+}
+
+void ObstacleMemory::forgetUnderneath(const Pose2& pose) {
+  const Square here = window_.squareAt({pose.x, pose.y});
+  const int first_column = here.column - kSide * window_.originColumn();
+  const int first_row = here.row - kSide * window_.originRow();
+  const int squares = static_cast<int>(footprint_radius_ / window_.resolution());
+  for (int row = -squares; row <= squares; ++row) {
+    for (int column = -squares; column <= squares; ++column) {
+      const Square square{first_column + column, first_row + row};
+      if (isInWindow(square) && window_.isOccupied(square) &&
+          distanceBetween(window_.centerOf(square), pose) < kUnderneath * footprint_radius_) {
+        set(square, false);
+      }
+    }
+  }
+}
+
+void ObstacleMemory::set(const Square& square, bool occupied) {
+  passability_.outdate(window_.set(square, occupied));
+  noteChange(window_.centerOf(square), occupied);
+}
+
+void ObstacleMemory::noteChange(const Point2& place, bool occupied) {
+  if (changes_.size() < kMostChanges) {
+    changes_.push_back({place, occupied});
+  } else {
+    everything_changed_ = true;
+  }
+}
+
+void ObstacleMemory::outdateAll() {
+  passability_.outdateAll();
+  everything_changed_ = true;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,366 @@
+#include "lstm_planner/drive/local_map/passability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "drive/local_map/bounded_rounding.hpp"
+#include "drive/perception/baseline_vectors.hpp"
+#include "lstm_planner/common/segment.hpp"
+#include "lstm_planner/grid/grid_rays.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// Bit of a judgement.
+constexpr std::uint8_t kExitsKnown = 0x40;
+
+/// Places that are kept as blocked; the oldest gives way.
+constexpr std::size_t kMostBlocks = 32;
+
+/// An obstacle matters within so many cells at most, or 64 squares side by side are not enough.
+constexpr int kMostNearCells = 3;
+
+/// Paths from one best place to the next lead over so many rows or columns of squares at most.
+constexpr int kLongestLine = 2 * ObstacleWindow::kSide - 1;
+
+/// m from the middle of the robot to an obstacle beside which it drives as it likes: also turns, if it has corners.
+double narrowRadius(const ShieldParameters& shield) {
+  return std::max(shield.footprint_radius + shield.clearance,
+                  footprintOf(shield).circumscribedRadius() + shield.tight_clearance);
+}
+
+}  // namespace
+
+Passability::Passability(const MemoryParameters& parameters, const ShieldParameters& shield,
+                         const ObstacleWindow& window)
+    : resolution_(window.resolution()),
+      side_(window.side()),
+      cell_size_(window.cellSize()),
+      footprint_radius_(shield.footprint_radius),
+      tight_clearance_(shield.tight_clearance),
+      narrow_radius_(narrowRadius(shield) + 0.5 * resolution_),
+      roomy_radius_(std::max(shield.footprint_radius + parameters.comfort, narrow_radius_)),
+      near_cells_(static_cast<int>(std::ceil(roomy_radius_ / cell_size_))),
+      line_masks_(kLongestLine) {
+  const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
+  judged_.resize(cells, kUnknown);
+  exits_.resize(cells);
+  blocks_.reserve(kMostBlocks);
+  setTightRadius(footprint_radius_ + 0.5 * tight_clearance_);
+}
+
+void Passability::forget() {
+  blocks_.clear();
+  outdateAll();
+}
+
+std::optional<Point2> Passability::block(const ObstacleWindow& window, const Point2& place) {
+  const auto change = [&](const Point2& block) {
+    const int cell = window.cellAt(block);
+    if (cell >= 0) {
+      startChanges();
+      outdate(cell);
+    }
+  };
+  std::optional<Point2> oldest;
+  if (blocks_.size() == kMostBlocks) {
+    oldest = blocks_.front();
+    change(*oldest);
+    blocks_.erase(blocks_.begin());
+  }
+  blocks_.push_back(place);
+  change(place);
+  return oldest;
+}
+
+bool Passability::squeeze(bool on) {
+  const double radius = footprint_radius_ + (on ? -0.5 * resolution_ : 0.5 * tight_clearance_);
+  if (radius == tight_radius_) {
+    return false;
+  }
+  setTightRadius(radius);
+  return true;
+}
+
+void Passability::outdate(int cell) {
+  if (cell == outdated_) {
+    return;
+  }
+  outdated_ = cell;
+  const int column = cell % side_;
+  const int row = cell / side_;
+  const int reach = near_cells_ + 1;  // the exits depend on the neighbours, too
+  const int first = std::max(0, column - reach);
+  const int last = std::min(side_ - 1, column + reach);
+  for (int r = std::max(0, row - reach); r <= std::min(side_ - 1, row + reach); ++r) {
+    for (int c = first; c <= last; ++c) judged_[static_cast<std::size_t>(r * side_ + c)] = kUnknown;
+  }
+}
+
+void Passability::outdateAll() { std::fill(judged_.begin(), judged_.end(), kUnknown); }
+
+std::uint8_t Passability::exits(const ObstacleWindow& window, int cell) {
+  judgement(window, cell);
+  const auto i = static_cast<std::size_t>(cell);
+  if ((judged_[i] & kExitsKnown) == 0) {
+    exits_[i] = judgeExits(window, cell);
+    judged_[i] |= kExitsKnown;
+  }
+  return exits_[i];
+}
+
+bool Passability::isFree(const ObstacleWindow& window, const Point2& from, const Point2& to,
+                         Passage wanted_passage) const {
+  const double wanted = wanted_passage == Passage::kRoomy    ? roomy_radius_
+                        : wanted_passage == Passage::kNarrow ? narrow_radius_
+                                                             : tight_radius_;
+  const double radius = onThePath(wanted);
+  const double length = distanceBetween(from, to);
+  const int parts = std::max(1, static_cast<int>(std::ceil(length / (2.0 * resolution_))));
+  int empty = -1;  // a cell with nothing near
+  for (int i = 0; i <= parts; ++i) {
+    const double share = static_cast<double>(i) / parts;
+    const Point2 at{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+    const int cell = window.cellAt(at);
+    if (cell < 0) {
+      return false;
+    }
+    if (cell == empty) {
+      continue;
+    }
+    if (!isAnythingNear(window, cell, near_cells_)) {
+      empty = cell;
+    } else if (!isGapFree(window, at, radius)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Passability::isAnythingNear(const ObstacleWindow& window, int cell, int reach) const {
+  constexpr int kWidest = 31;
+  if (reach > kWidest) {
+    return true;  // there may be, somewhere
+  }
+  const int column = cell % side_ - reach;
+  const int row = cell / side_;
+  std::uint64_t bits = 0;
+  for (int r = std::max(0, row - reach); r <= std::min(side_ - 1, row + reach); ++r)
+    bits |= window.cells().from(column, r);
+  return (bits & lowestBits(2 * reach + 1)) != 0 || isBlockNear(window, cell, reach);
+}
+
+bool Passability::isBlockNear(const ObstacleWindow& window, int cell, int reach) const {
+  if (blocks_.empty()) {
+    return false;
+  }
+  const Point2 middle = window.centerOf(cell);
+  return std::any_of(blocks_.begin(), blocks_.end(),
+                     [&](const Point2& block) { return distanceBetween(block, middle) < (reach + 1) * cell_size_; });
+}
+
+std::uint8_t Passability::judge(const ObstacleWindow& window, int cell) const {
+  if (!isAnythingNear(window, cell, near_cells_)) {
+    return kNothingNear;
+  }
+  if (near_cells_ > kMostNearCells || isBlockNear(window, cell, near_cells_)) {
+    return judgeAmongBlocks(window, cell);
+  }
+  int squared = 0;
+  const int best_square = bestSquare(window, cell, &squared);
+  return judgementOf(squared * resolution_ * resolution_, best_square);
+}
+
+std::uint8_t Passability::judgementOf(double squared, int best_square) const {
+  const Passage passage = squared < tight_radius_ * tight_radius_     ? Passage::kBlocked
+                          : squared < narrow_radius_ * narrow_radius_ ? Passage::kTight
+                          : squared < roomy_radius_ * roomy_radius_   ? Passage::kNarrow
+                                                                      : Passage::kRoomy;
+  return static_cast<std::uint8_t>(static_cast<int>(passage) << 4 | best_square);
+}
+
+int Passability::bestSquare(const ObstacleWindow& window, int cell, int* squared) const {
+  static_assert(kSide == kLanes, "a row of squares side by side");
+  constexpr int kFar = 1 << 20;
+  // Beyond both ends a square is taken as occupied that is farther away than all that matter.
+  constexpr int kMargin = 18;
+  constexpr std::uint64_t kEnds = std::uint64_t{1} << 63 | 1;
+  const Square first = window.squareOf(cell, 0);
+  const int reach = kSide * near_cells_;
+  const int width = 2 * reach + kSide;
+  const int middle = kMargin + reach;
+  Ints nearest[kSide] = {allOf(kFar), allOf(kFar), allOf(kFar), allOf(kFar)};
+  for (int row = std::max(-reach, -first.row); row < std::min(reach + kSide, window.squares().rows() - first.row);
+       ++row) {
+    const std::uint64_t occupied = window.squares().from(first.column - reach, first.row + row) & lowestBits(width);
+    if (occupied == 0) {
+      continue;
+    }
+    const std::uint64_t bits = occupied << kMargin | kEnds;
+    Ints columns;
+    for (int i = 0; i < kSide; ++i) {
+      const int left = middle + i - highestBit(bits & lowestBits(middle + i + 1));
+      const int right = lowestBit(bits >> (middle + i));
+      const int column = std::min(left, right);
+      columns[i] = column * column;
+    }
+    for (int i = 0; i < kSide; ++i) {
+      const Ints distances = columns + allOf((row - i) * (row - i));
+      nearest[i] = distances < nearest[i] ? distances : nearest[i];
+    }
+  }
+  int best = -1;
+  *squared = -1;
+  for (int square = 0; square < ObstacleWindow::kCellSquares; ++square) {
+    const int distance = nearest[square / kSide][square % kSide];
+    if (distance > *squared) {
+      *squared = distance;
+      best = square;
+    }
+  }
+  return best;
+}
+
+std::uint8_t Passability::judgeExits(const ObstacleWindow& window, int cell) {
+  const int column = cell % side_;
+  const int row = cell / side_;
+  if (column == 0 || row == 0 || column == side_ - 1 || row == side_ - 1) {
+    return 0;
+  }
+  if (!isAnythingNear(window, cell, near_cells_ + 1)) {
+    return 0xff;
+  }
+  if (passage(window, cell) == Passage::kBlocked) {
+    return 0;
+  }
+  if (near_cells_ > kMostNearCells || isBlockNear(window, cell, near_cells_ + 1)) {
+    return judgeExitsAmongBlocks(window, cell);
+  }
+  const Square from = window.squareOf(cell, judgement(window, cell) & 0xf);
+  std::uint8_t exits = 0;
+  for (std::size_t direction = 0; direction < kGridRaySteps.size(); ++direction) {
+    const int neighbour = cell + kGridRaySteps[direction].row * side_ + kGridRaySteps[direction].column;
+    if (passage(window, neighbour) != Passage::kBlocked &&
+        isLineFree(window, from, window.squareOf(neighbour, judgement(window, neighbour) & 0xf))) {
+      exits = static_cast<std::uint8_t>(exits | 1u << direction);
+    }
+  }
+  return exits;
+}
+
+bool Passability::isLineFree(const ObstacleWindow& window, const Square& from, const Square& to) const {
+  const Square& lower = from.row <= to.row ? from : to;
+  const Square& upper = from.row <= to.row ? to : from;
+  const std::uint64_t* mask = line_masks_.mask(upper.column - lower.column, upper.row - lower.row);
+  const int left = std::min(lower.column, upper.column) - line_masks_.margin();
+  const int bottom = lower.row - line_masks_.margin();
+  const int last = std::min(window.squares().rows() - 1, upper.row + line_masks_.margin());
+  std::uint64_t met = 0;
+  for (int row = std::max(0, bottom); row <= last; ++row) met |= window.squares().from(left, row) & mask[row - bottom];
+  return met == 0;
+}
+
+bool Passability::isGapFree(const ObstacleWindow& window, const Point2& position, double radius) const {
+  const auto isNear = [&](const Point2& block) { return distanceBetween(position, block) < radius; };
+  if (std::any_of(blocks_.begin(), blocks_.end(), isNear)) {
+    return false;
+  }
+  // In squares from the middle of the window's first one.
+  const double scale = 1.0 / resolution_;
+  const double x = position.x * scale - kSide * window.originColumn() - 0.5;
+  const double y = position.y * scale - kSide * window.originRow() - 0.5;
+  const double reach = radius * scale;
+  const int left = std::max(0, floorOf(x - reach));
+  const int right = std::min(window.squares().columns(), floorOf(x + reach) + 1);
+  const int last = std::min(window.squares().rows() - 1, floorOf(y + reach));
+  for (int row = std::max(0, floorOf(y - reach)); row <= last; ++row) {
+    for (int column = left; column < right; column += 64) {
+      std::uint64_t bits = window.squares().from(column, row) & lowestBits(std::min(64, right - column));
+      for (; bits != 0; bits &= bits - 1) {
+        const double dx = column + lowestBit(bits) - x;
+        const double dy = row - y;
+        if (dx * dx + dy * dy < reach * reach) {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+std::uint8_t Passability::judgeAmongBlocks(const ObstacleWindow& window, int cell) const {
+  collectNearby(window, cell, near_cells_);
+  if (nearby_.empty()) {
+    return kNothingNear;
+  }
+  int best_square = 0;
+  double best = -1.0;
+  for (int square = 0; square < ObstacleWindow::kCellSquares; ++square) {
+    const Point2 center = window.centerOf(window.squareOf(cell, square));
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Point2& obstacle : nearby_) {
+      const double dx = obstacle.x - center.x;
+      const double dy = obstacle.y - center.y;
+      nearest = std::min(nearest, dx * dx + dy * dy);
+    }
+    if (nearest > best) {
+      best = nearest;
+      best_square = square;
+    }
+  }
+  return judgementOf(best, best_square);
+}
+
+std::uint8_t Passability::judgeExitsAmongBlocks(const ObstacleWindow& window, int cell) {
+  const auto neighbourOf = [&](const CellIndex& step) { return cell + step.row * side_ + step.column; };
+  for (const CellIndex& step : kGridRaySteps)
+    judgement(window, neighbourOf(step));  // before others are collected than here
+  collectNearby(window, cell, near_cells_ + 1);
+  const double radius = onThePath(tight_radius_);
+  const Point2 from = bestPlace(window, cell);
+  std::uint8_t exits = 0;
+  for (std::size_t direction = 0; direction < kGridRaySteps.size(); ++direction) {
+    const int neighbour = neighbourOf(kGridRaySteps[direction]);
+    if (passage(window, neighbour) == Passage::kBlocked) {
+      continue;
+    }
+    const Point2 to = bestPlace(window, neighbour);
+    const bool free = std::none_of(nearby_.begin(), nearby_.end(), [&](const Point2& obstacle) {
+      return squaredDistanceToSegment(obstacle, from, to) < radius * radius;
+    });
+    exits = static_cast<std::uint8_t>(exits | (free ? 1u << direction : 0u));
+  }
+  return exits;
+}
+
+void Passability::collectNearby(const ObstacleWindow& window, int cell, int reach) const {
+  nearby_.clear();
+  const Square first = window.squareOf(cell, 0);
+  const int squares = kSide * reach;
+  const int last_row = std::min(window.squares().rows(), first.row + squares + kSide);
+  const int last_column = std::min(window.squares().columns(), first.column + squares + kSide);
+  for (int row = std::max(0, first.row - squares); row < last_row; ++row) {
+    for (int column = std::max(0, first.column - squares); column < last_column; ++column) {
+      if (window.squares().test(column, row)) {
+        nearby_.push_back(window.centerOf(Square{column, row}));
+      }
+    }
+  }
+  const Point2 middle = window.centerOf(cell);
+  for (const Point2& block : blocks_) {
+    if (distanceBetween(block, middle) < (reach + 1) * cell_size_) {
+      nearby_.push_back(block);
+    }
+  }
+}
+
+void Passability::setTightRadius(double radius) {
+  tight_radius_ = radius;
+  if (near_cells_ <= kMostNearCells) {
+    line_masks_.setRadius(onThePath(radius) / resolution_);
+  }
+}
+
+}  // namespace lstm_planner

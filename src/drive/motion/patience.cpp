@@ -1,0 +1,51 @@
+#include "lstm_planner/drive/motion/patience.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr double kGivesUpFor = 3.0;  // times the limit
+constexpr double kWayAhead = 0.3;    // m along the plan to where it leads
+constexpr double kAnotherWay = 1.0;  // rad
+constexpr int kMostRetries = 4;      // until the robot gets away
+
+}  // namespace
+
+bool Patience::lasts(double limit, const MotionCommand& command, const std::vector<Pose2>& plan,
+                     const Situation& situation) {
+  stand_.note(situation.pose, situation.time, {plan.back().x, plan.back().y},
+              command.linear != 0.0 || command.angular != 0.0);
+  const bool is_excused = command.stop == StopReason::kPerson || command.stop == StopReason::kArrived;
+  if (is_excused) stand_.excuse(situation.time);
+  is_half_gone_ = limit > 0.0 && stand_.stood() > 0.5 * limit;
+  const bool is_stuck = (command.stop == StopReason::kObstacle ? stand_.stood() : stand_.tried()) > limit;
+  if (limit == 0.0 || !is_stuck) {
+    gave_up_towards_.reset();
+    return true;
+  }
+  // Whoever hears of it has given up by then, or expects another try.
+  if (stand_.stood() > kGivesUpFor * limit) stand_.clear();
+  if (!leadsAnotherWay(plan, situation.pose) || stand_.retries() >= kMostRetries) return false;
+  stand_.retry();
+  return true;
+}
+
+/// Than the plan did with which the robot gave up here.
+bool Patience::leadsAnotherWay(const std::vector<Pose2>& plan, const Pose2& pose) {
+  const auto ahead =
+      std::find_if(plan.begin(), plan.end(), [&](const Pose2& at) { return distanceBetween(pose, at) >= kWayAhead; });
+  const double direction = directionTo(pose, ahead == plan.end() ? plan.back() : *ahead);
+  if (!gave_up_towards_) gave_up_towards_ = direction;
+  return std::abs(normalizeAngle(direction - *gave_up_towards_)) > kAnotherWay;
+}
+
+void Patience::clear() {
+  stand_.clear();
+  gave_up_towards_.reset();
+  is_half_gone_ = false;
+}
+
+}  // namespace lstm_planner

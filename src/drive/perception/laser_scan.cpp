@@ -1,0 +1,66 @@
+#include "lstm_planner/drive/perception/laser_scan.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "drive/perception/baseline_vectors.hpp"
+#include "drive/perception/reading_bounds.hpp"
+
+namespace lstm_planner {
+
+long RangeProfile::beamTowards(double towards) const {
+  if (ranges.empty() || increment == 0.0) return -1;
+  const double sense = increment < 0.0 ? -1.0 : 1.0;
+  double turn = std::fmod(sense * (towards - first_direction), kFullTurn);
+  if (turn < 0.0) turn += kFullTurn;
+  const double step = std::abs(increment);
+  const long beam = std::lround(turn / step);
+  const long count = static_cast<long>(ranges.size());
+  if (beam < count) return beam;
+  // Just before the first beam is nearly a whole turn after it.
+  return kFullTurn - turn < step ? 0 : (turn / step < static_cast<double>(count) ? count - 1 : -1);
+}
+
+void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, RangeProfile* profile) {
+  const double mirror = mount.upside_down ? -1.0 : 1.0;
+  profile->origin = {mount.pose.x, mount.pose.y};
+  profile->first_direction = mount.pose.yaw + mirror * scan.angle_min;
+  profile->increment = mirror * scan.angle_increment;
+  profile->nearest_range = scan.range_min;
+  profile->farthest_range = scan.range_max;
+  profile->ranges.resize(scan.ranges.size());
+  interpret(readingBounds(scan, rules), scan.ranges.data(), scan.ranges.size(), profile->ranges.data());
+}
+
+void toPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const std::size_t beams = profile.ranges.size();
+  directions->set(profile.first_direction, profile.increment, beams);
+  points->resize(beams);
+  Point2* to = points->data();
+  const auto pointOf = [&](std::size_t beam, double range) {
+    const Point2& direction = (*directions)[beam];
+    return Point2{profile.origin.x + range * direction.x, profile.origin.y + range * direction.y};
+  };
+  for (std::size_t i = 0; i < beams;) {
+    // Returns lie side by side. Where the place of each depends on the one before, the processor waits.
+    if (i + kLanes <= beams) {
+      const Floats four = loadFloats(&profile.ranges[i]);
+      if (!any(~((four > Floats{}) & (four < allOf(kInfinity))))) {
+        for (std::size_t j = 0; j < kLanes; ++j) to[j] = pointOf(i + j, profile.ranges[i + j]);
+        to += kLanes;
+        i += kLanes;
+        continue;
+      }
+    }
+    const float reading = profile.ranges[i];
+    const bool is_too_near = reading == -kInfinity;
+    // Written in any case, and overwritten by the next: faster than a jump that nobody can foresee.
+    *to = pointOf(i, is_too_near ? profile.nearest_range : reading);
+    to += is_too_near || (reading > 0.0f && reading < kInfinity) ? 1 : 0;
+    ++i;
+  }
+  points->resize(static_cast<std::size_t>(to - points->data()));
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,268 @@
+#include "lstm_planner/drive/perception/moving_returns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "lstm_planner/common/parameter_visitors.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr double kViewSpacing = 0.05;   // s between the scans that are kept
+constexpr double kLeastJump = 2.0;      // m/s; odometry that is faster than a slow robot can be has jumped
+constexpr double kJump = 2.0;           // of the robot's speed, likewise
+constexpr double kPlaceSpacing = 0.08;  // m between remembered places
+constexpr double kSameThing = 0.15;     // m; a return this near to a place, or to the next return, belongs to it
+constexpr double kRestingReach = 1.5;   // m from the robot; what rests farther away does not matter yet
+constexpr std::size_t kMostGap = 2;     // beams of a moving thing that may be missing or in doubt between two
+
+double squaredDistance(const Point2& a, const Point2& b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  return dx * dx + dy * dy;
+}
+
+}  // namespace
+
+void validate(const MovingReturnsParameters& parameters) {
+  visitMovingParameters(parameters, RangeCheck());
+  checkParameter(parameters.oldest > parameters.youngest, "moving/oldest", parameters.oldest, "more than youngest");
+}
+
+MovingReturns::MovingReturns(const MovingReturnsParameters& parameters)
+    : parameters_((validate(parameters), parameters)), fastest_odometry_(kLeastJump) {}
+
+void MovingReturns::expectSpeed(double fastest) { fastest_odometry_ = std::max(kLeastJump, kJump * fastest); }
+
+void MovingReturns::reset() {
+  view_count_ = 0;
+  places_.clear();
+  points_.clear();
+  resting_.clear();
+  returns_.clear();
+  moves_.clear();
+}
+
+void MovingReturns::show(const RangeProfile& profile, const Pose2& pose, double time) {
+  if (!isFinite(pose) || !std::isfinite(time)) {
+    return reset();
+  }
+  if (view_count_ > 0) {
+    const View& last = views_[view_count_ - 1];
+    const double elapsed = time - last.time;
+    if (elapsed < 0.0 || distanceBetween(last.pose, pose) > fastest_odometry_ * std::max(elapsed, kViewSpacing)) {
+      reset();
+    }
+  }
+  takeView(profile, pose, time);
+  dropOldViews();
+  collectReturns();
+  std::size_t references = 0;
+  while (references < view_count_ && time - views_[references].time >= parameters_.youngest) ++references;
+  // The oldest sees the slowest motion, the youngest what came into sight just now; those between add little.
+  if (references > 0) compareWith(views_.front());
+  if (references > 1) compareWith(views_[references - 1]);
+  findMoving();
+  forgetPlaces();
+  collectPoints();
+  if (view_count_ == 0 || time - views_[view_count_ - 1].time >= kViewSpacing) {
+    keepView();
+  }
+}
+
+void MovingReturns::takeView(const RangeProfile& profile, const Pose2& pose, double time) {
+  view_.profile = profile;
+  view_.pose = pose;
+  view_.cosine = std::cos(pose.yaw);
+  view_.sine = std::sin(pose.yaw);
+  view_.time = time;
+}
+
+void MovingReturns::dropOldViews() {
+  std::size_t old = 0;
+  while (old < view_count_ && view_.time - views_[old].time > parameters_.oldest) ++old;
+  std::rotate(views_.begin(), views_.begin() + static_cast<std::ptrdiff_t>(old), views_.end());
+  view_count_ -= old;
+}
+
+void MovingReturns::keepView() {
+  const RangeProfile& profile = view_.profile;
+  const auto margin = static_cast<float>(parameters_.range_margin);
+  view_.scanner = view_.toOdometry(profile.origin);
+  view_.finder = BeamFinder();
+  if (!profile.ranges.empty() && profile.increment != 0.0) {
+    view_.finder = BeamFinder(profile, view_.pose.yaw);
+  }
+  view_.limits.resize(profile.ranges.size());
+  const auto farthest = profile.farthestRange();
+  for (std::size_t beam = 0; beam < profile.ranges.size(); ++beam) {
+    const float range = std::min(profile.ranges[beam], farthest);
+    const float before = range > margin ? range - margin : 0.0f;
+    view_.limits[beam] = range <= 0.0f ? std::numeric_limits<float>::infinity() : before * before;
+  }
+  if (view_count_ == views_.size()) views_.emplace_back();
+  std::swap(views_[view_count_], view_);
+  ++view_count_;
+}
+
+MovingReturns::Sight MovingReturns::sightOf(const Point2& point, const View& view) const {
+  const RangeProfile& profile = view.profile;
+  const Point2 local = view.toBase(point);
+  const double distance = distanceBetween(profile.origin, local);
+  const double direction = directionTo(profile.origin, local);
+  const double aside = parameters_.angle_margin + parameters_.lateral_margin / std::max(distance, 0.1);
+  const long center = profile.beamTowards(direction);
+  if (center < 0) {
+    return Sight::kUnknown;
+  }
+  const double beams_aside = aside / std::abs(profile.increment);
+  if (beams_aside > static_cast<double>(profile.ranges.size()))
+    return Sight::kUnknown;  // nor would a whole number hold it
+  const long half = std::lround(beams_aside);
+  const long first = center - half;
+  const long last = center + half;
+  if (first < 0 || last >= static_cast<long>(profile.ranges.size())) {
+    return Sight::kUnknown;
+  }
+  long known = 0;
+  double nearest = profile.farthest_range;
+  for (long beam = first; beam <= last; ++beam) {
+    const double range = profile.ranges[static_cast<std::size_t>(beam)];
+    if (range > 0.0) {
+      ++known;
+      nearest = std::min(nearest, range);
+    }
+  }
+  if (2 * known <= last - first || nearest < distance - parameters_.range_margin) {
+    return Sight::kUnknown;  // lost, or hidden behind something
+  }
+  return nearest > distance + parameters_.range_margin ? Sight::kFree : Sight::kTaken;
+}
+
+void MovingReturns::collectReturns() {
+  const RangeProfile& profile = view_.profile;
+  const std::size_t beams = profile.ranges.size();
+  directions_.set(profile.first_direction, profile.increment, beams);
+  returns_.resize(beams + 1);
+  beams_.resize(beams + 1);
+  const auto farthest = static_cast<float>(parameters_.range);
+  std::size_t count = 0;
+  for (std::size_t beam = 0; beam < beams; ++beam) {
+    const float range = profile.ranges[beam];
+    const Point2 direction = directions_[beam];
+    const Point2 local{profile.origin.x + range * direction.x, profile.origin.y + range * direction.y};
+    // Written in any case, and overwritten when it is none.
+    returns_[count] = view_.toOdometry(local);
+    beams_[count] = static_cast<std::uint32_t>(beam);
+    count += static_cast<std::size_t>(range > 0.0f) & static_cast<std::size_t>(range <= farthest);
+  }
+  returns_.resize(count);
+  is_free_.assign(count, 0);
+}
+
+void MovingReturns::compareWith(const View& reference) {
+  if (reference.finder.beams() == 0) {
+    return;
+  }
+  const std::size_t count = returns_.size();
+  const std::size_t padded = count + 4;  // BeamFinder takes four at a time
+  x_.resize(padded);
+  y_.resize(padded);
+  positions_.resize(padded);
+  for (std::size_t i = 0; i < count; ++i) {
+    x_[i] = static_cast<float>(returns_[i].x - reference.scanner.x);
+    y_[i] = static_cast<float>(returns_[i].y - reference.scanner.y);
+  }
+  reference.finder.find(x_.data(), y_.data(), count, positions_.data());
+  for (std::size_t i = 0; i < count; ++i) {
+    // Nearly every return stands where it stood: one beam tells.
+    const long beam = reference.finder.beamAt(positions_[i]);
+    if (beam >= 0 && x_[i] * x_[i] + y_[i] * y_[i] < reference.limits[static_cast<std::size_t>(beam)] &&
+        is_free_[i] == 0 && sightOf(returns_[i], reference) == Sight::kFree) {
+      is_free_[i] = 1;
+    }
+  }
+}
+
+void MovingReturns::findMoving() {
+  group_.clear();
+  std::size_t last_beam = 0;
+  for (std::size_t i = 0; i < returns_.size(); ++i) {
+    if (is_free_[i] == 0) {
+      continue;
+    }
+    if (!group_.empty() &&
+        (beams_[i] - last_beam > kMostGap + 1 || distanceBetween(group_.back(), returns_[i]) > kSameThing)) {
+      closeGroup();
+    }
+    group_.push_back(returns_[i]);
+    last_beam = beams_[i];
+  }
+  closeGroup();
+}
+
+void MovingReturns::closeGroup() {
+  if (static_cast<int>(group_.size()) >= parameters_.fewest_beams) {
+    for (const Point2& point : group_) notePlace(point);
+  }
+  group_.clear();
+}
+
+void MovingReturns::notePlace(const Point2& point) {
+  for (Place& place : places_) {
+    if (squaredDistance(place.point, point) < kPlaceSpacing * kPlaceSpacing) {
+      place.time = view_.time;
+      return;
+    }
+  }
+  places_.push_back({point, view_.time});
+}
+
+void MovingReturns::forgetPlaces() {
+  const auto over = [&](const Place& place) {
+    return view_.time - place.time > std::max(parameters_.hold, parameters_.remember) ||
+           (place.time < view_.time && sightOf(place.point, view_) == Sight::kFree);
+  };
+  places_.erase(std::remove_if(places_.begin(), places_.end(), over), places_.end());
+}
+
+void MovingReturns::collectPoints() {
+  moving_places_.clear();
+  resting_places_.clear();
+  for (const Place& place : places_) {
+    if (view_.time - place.time <= parameters_.hold) {
+      moving_places_.push_back(place.point);
+    } else if (distanceBetween(place.point, view_.pose) <= kRestingReach) {
+      resting_places_.push_back(place.point);
+    }
+  }
+  moves_.assign(returns_.size(), 0);
+  collectNear(moving_places_, &points_, &moves_);
+  collectNear(resting_places_, &resting_, nullptr);
+}
+
+void MovingReturns::collectNear(const std::vector<Point2>& places, std::vector<Point2>* points,
+                                std::vector<std::uint8_t>* is_near) const {
+  points->clear();
+  if (places.empty()) {
+    return;
+  }
+  for (std::size_t i = 0; i < returns_.size(); ++i) {
+    const Point2& point = returns_[i];
+    const auto near = [&](const Point2& place) { return squaredDistance(place, point) < kSameThing * kSameThing; };
+    if (std::any_of(places.begin(), places.end(), near)) {
+      points->push_back(view_.toBase(point));
+      if (is_near != nullptr) (*is_near)[i] = 1;
+    }
+  }
+  for (const Point2& place : places) {
+    if (sightOf(place, view_) == Sight::kUnknown) {
+      points->push_back(view_.toBase(place));
+    }
+  }
+}
+
+}  // namespace lstm_planner

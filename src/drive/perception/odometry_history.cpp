@@ -1,0 +1,64 @@
+#include "lstm_planner/drive/perception/odometry_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr double kKept = 1.0;            // s
+constexpr std::size_t kMostKept = 2000;  // entries: where stamps hardly go on, the oldest are forgotten
+constexpr double kContinued = 0.2;       // s
+constexpr double kJumpSlack = 0.25;      // m, what rounding and late stamps may add
+constexpr double kMaxTurnRate = 6.0;     // rad/s
+constexpr double kTurnJumpSlack = 0.5;   // rad
+
+Pose2 between(const OdometryHistory::Entry& a, const OdometryHistory::Entry& b, double stamp) {
+  const double share = (stamp - a.stamp) / (b.stamp - a.stamp);
+  return {a.pose.x + share * (b.pose.x - a.pose.x), a.pose.y + share * (b.pose.y - a.pose.y),
+          normalizeAngle(a.pose.yaw + share * normalizeAngle(b.pose.yaw - a.pose.yaw))};
+}
+
+}  // namespace
+
+void OdometryHistory::restart() {
+  if (entries_.empty()) return;
+  ++jumps_;
+  entries_.clear();
+  twist_.restart();
+}
+
+void OdometryHistory::add(const Entry& entry) {
+  if (!entries_.empty() && !follows(entry)) restart();
+  twist_.note(entry.stamp, entry.pose, entry.twist);
+  if (!entries_.empty() && entry.stamp == newest().stamp) {
+    entries_.back() = entry;
+    return;
+  }
+  entries_.push_back(entry);
+  while (entries_.front().stamp < entry.stamp - kKept || entries_.size() > kMostKept) {
+    entries_.pop_front();
+  }
+}
+
+bool OdometryHistory::follows(const Entry& entry) const {
+  const double elapsed = entry.stamp - newest().stamp;
+  if (elapsed < 0.0) {
+    return false;
+  }
+  const double turned = std::abs(normalizeAngle(entry.pose.yaw - newest().pose.yaw));
+  return distanceBetween(newest().pose, entry.pose) <= max_speed_ * elapsed + kJumpSlack &&
+         turned <= kMaxTurnRate * elapsed + kTurnJumpSlack;
+}
+
+Pose2 OdometryHistory::poseAt(double stamp) const {
+  if (entries_.size() == 1 || stamp <= entries_.front().stamp) {
+    return entries_.front().pose;
+  }
+  const auto later = std::lower_bound(entries_.begin() + 1, entries_.end() - 1, stamp,
+                                      [](const Entry& entry, double time) { return entry.stamp < time; });
+  return between(*(later - 1), *later, std::min(stamp, newest().stamp + kContinued));
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,66 @@
+#include "lstm_planner/drive/perception/silence_watch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "drive/perception/beam_sum.hpp"
+#include "drive/perception/reading_bounds.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+constexpr double kMuch = 0.2;          // of the beams; more than a turn of 2 rad/s takes out of sight between two scans
+constexpr double kMostApart = 0.25;    // s
+constexpr double kMostPeriods = 2.5;   // a scanner may lose a scan
+constexpr double kHardlyMoved = 0.5;   // m; a robot of 1 m/s stands before, for want of scans
+constexpr double kHardlyTurned = 0.6;  // rad; less than kMuch of a fan of 180 degrees
+constexpr double kMostlySilent = 0.5;  // of the beams
+
+struct Returns {
+  int measured = 0;
+  int silent = 0;
+};
+
+Returns returnsOf(const LaserScan& scan, const ScanRules& rules) {
+  const ReadingBounds bounds = readingBounds(scan, rules);
+  std::array<float, 256> ranges;
+  Returns returns;
+  for (std::size_t first = 0; first < scan.ranges.size(); first += ranges.size()) {
+    const std::size_t count = std::min(ranges.size(), scan.ranges.size() - first);
+    interpret(bounds, &scan.ranges[first], count, ranges.data());
+    const BeamSum sum = sumOfBeams(ranges.data(), count, 1.0);
+    returns.measured += sum.measured;
+    returns.silent += sum.silent;
+  }
+  return returns;
+}
+
+}  // namespace
+
+bool SilenceWatch::isComparable(double time, const Pose2& pose) const {
+  const double apart = time - time_;
+  if (apart >= 0.0 && apart <= std::max(kMostApart, kMostPeriods * period_.period())) return true;
+  return distanceBetween(pose, pose_) <= kHardlyMoved &&
+         std::abs(normalizeAngle(pose.yaw - pose_.yaw)) <= kHardlyTurned;
+}
+
+void SilenceWatch::show(const LaserScan& scan, const ScanRules& rules, double time, const Pose2& pose) {
+  if (scan.ranges.empty()) return;  // nothing can be said of it
+  const Returns returns = returnsOf(scan, rules);
+  const auto beams = static_cast<double>(scan.ranges.size());
+  if (returns.measured > 0) {
+    share_ = returns.measured / beams;
+    is_covered_ = false;
+  } else if (!is_covered_) {
+    is_covered_ = share_ >= kMuch && returns.silent >= kMostlySilent * beams && isComparable(time, pose);
+    if (!is_covered_) share_ = 0.0;
+  }
+  time_ = time;
+  pose_ = pose;
+  period_.note(time);
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,35 @@
+#include "lstm_planner/drive/perception/situation.hpp"
+
+#include <string>
+
+namespace lstm_planner {
+
+void perceive(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, double range_cap,
+              Situation* situation) {
+  checkScan(scan, mount);
+  toProfile(scan, mount, rules, &situation->profile);
+  situation->sectors = averageSectors(situation->profile, rules.least_measured, range_cap);
+  toPoints(situation->profile, &situation->beams, &situation->obstacles);
+  situation->marked.clear();
+  for (SecondView& view : situation->second) view.profile.ranges.clear();
+}
+
+void perceiveSecond(const TakenScan& taken, const ScanRules& rules, Situation* situation) {
+  if (situation->second.empty()) situation->second.emplace_back();
+  SecondView& view = situation->second.front();
+  // As if it had been mounted there when the first scan was taken.
+  const Pose2 moved = compose(inverse(situation->pose), taken.pose);
+  const SensorMount mount{compose(moved, taken.mount.pose), taken.mount.upside_down};
+  try {
+    checkScan(taken.scan, mount);
+    toProfile(taken.scan, mount, rules, &view.profile);
+    checkMeasured(view.profile, rules.least_measured);
+  } catch (const UnusableScan& error) {
+    throw UnusableScan("the second scanner: " + std::string(error.what()));
+  }
+  view.time = taken.time;
+  toPoints(view.profile, &view.beams, &view.points);
+  situation->obstacles.insert(situation->obstacles.end(), view.points.begin(), view.points.end());
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,1 @@
+#include "network/batch_kernel_source.hpp"

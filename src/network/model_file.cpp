@@ -1,0 +1,101 @@
+#include "lstm_planner/network/model_file.hpp"
+
+#include <stdexcept>
+
+#include "lstm_planner/common/input_file.hpp"
+#include "lstm_planner/common/output_file.hpp"
+#include "network/onnx_field_count.hpp"
+#include "network/onnx_names.hpp"
+#include "network/onnx_reader.hpp"
+#include "network/onnx_writer.hpp"
+#include "onnx_subset.pb.h"
+
+namespace lstm_planner {
+namespace {
+
+constexpr std::uintmax_t kMaximumFileSize = std::uintmax_t{128} << 20;
+
+std::string fileName(const std::string& path) { return "model file " + path + ": "; }
+
+std::string readWholeFile(const std::string& path) {
+  try {
+    return readInputFile(path, kMaximumFileSize);
+  } catch (const InputFileError& error) {
+    throw ModelFileError("it cannot be read: " + std::string(error.what()) + ", expected an ONNX model");
+  }
+}
+
+onnx_subset::ModelProto parsed(const std::string& path) {
+  const std::string bytes = readWholeFile(path);
+  onnx::checkFieldCount(bytes);
+  onnx_subset::ModelProto file;
+  if (!file.ParseFromString(bytes)) {
+    throw ModelFileError("it is truncated or not protobuf, expected an ONNX model");
+  }
+  return file;
+}
+
+/// Two serialised messages one after the other are one message. With the graph last, no truncated file is complete in
+/// itself: cut off between two fields, the file would still be valid and only lack metadata.
+std::string serialise(const Model& model) {
+  onnx_subset::ModelProto header;
+  header.set_ir_version(onnx::kIrVersion);
+  header.set_producer_name("lstm_planner");
+  auto& opset = *header.add_opset_import();
+  opset.set_domain("");
+  opset.set_version(onnx::kWrittenOpset);
+  for (const auto& [key, value] : model.metadata) {
+    auto& entry = *header.add_metadata_props();
+    entry.set_key(key);
+    entry.set_value(value);
+  }
+  onnx_subset::ModelProto body;
+  *body.mutable_graph() = onnx::writeGraph(model.layers);
+  return header.SerializeAsString() + body.SerializeAsString();
+}
+
+void replaceFile(const std::string& path, const std::string& bytes) {
+  try {
+    OutputFile file(path);
+    file.stream().write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    file.commit();
+  } catch (const OutputFileError& error) {
+    throw ModelFileError("it cannot be written (" + std::string(error.what()) +
+                         "), expected a folder that exists and is writable");
+  }
+}
+
+}  // namespace
+
+Model readModelFile(const std::string& path) {
+  try {
+    Model model = onnx::readModel(parsed(path));
+    validateLayers(model.layers);
+    return model;
+  } catch (const ModelFileError& error) {
+    throw ModelFileError(fileName(path) + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw ModelFileError(fileName(path) + error.what());
+  }
+}
+
+std::map<std::string, std::string> readModelMetadata(const std::string& path) {
+  try {
+    return onnx::readMetadata(parsed(path));
+  } catch (const ModelFileError& error) {
+    throw ModelFileError(fileName(path) + error.what());
+  }
+}
+
+void writeModelFile(const std::string& path, const Model& model) {
+  try {
+    validateLayers(model.layers);
+    replaceFile(path, serialise(model));
+  } catch (const ModelFileError& error) {
+    throw ModelFileError(fileName(path) + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw ModelFileError(fileName(path) + error.what());
+  }
+}
+
+}  // namespace lstm_planner

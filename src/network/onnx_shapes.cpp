@@ -1,0 +1,179 @@
+#include "network/onnx_shapes.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "lstm_planner/network/model_file.hpp"
+
+namespace lstm_planner::onnx {
+namespace {
+
+constexpr std::size_t kMaximumRank = 8;
+
+/// An input since operator set 13, an attribute before.
+std::vector<std::int64_t> axesOf(Node& node) {
+  std::vector<std::int64_t> axes = node.integers("axes");
+  const onnx_subset::TensorProto* tensor = node.constant(1, "axes");
+  if (tensor != nullptr) axes = integerValues(*tensor);
+  if (axes.size() > kMaximumRank) {
+    throw ModelFileError(node.name() + " names " + std::to_string(axes.size()) + " axes, expected at most " +
+                         std::to_string(kMaximumRank));
+  }
+  return axes;
+}
+
+std::set<std::size_t> axisSet(const Node& node, const std::vector<std::int64_t>& axes, std::size_t rank) {
+  std::set<std::size_t> indices;
+  for (const std::int64_t axis : axes) indices.insert(axisIndex(node, axis, rank));
+  if (indices.size() != axes.size()) throw ModelFileError(node.name() + " names an axis twice, expected once");
+  return indices;
+}
+
+}  // namespace
+
+std::size_t axisIndex(const Node& node, std::int64_t axis, std::size_t rank) {
+  const auto signed_rank = static_cast<std::int64_t>(rank);
+  if (axis < -signed_rank || axis >= signed_rank) {
+    throw ModelFileError(node.name() + " names the axis " + std::to_string(axis) + ", expected one of " +
+                         std::to_string(rank) + " axes");
+  }
+  return static_cast<std::size_t>(axis < 0 ? axis + signed_rank : axis);
+}
+
+void requireVector(const Shape& shape, const std::string& what) {
+  elementCount(shape, what);
+  const auto wide = std::count_if(shape.begin(), shape.end(), [](std::int64_t extent) { return extent > 1; });
+  if (wide > 1 || shape.size() > kMaximumRank) {
+    throw ModelFileError(
+        what + " has the shape " + shapeText(shape) +
+        ", expected one step of one robot (a batch and a sequence of 1): a single extent larger than 1");
+  }
+}
+
+Shape shapeAfterSqueeze(Node& node, const Shape& shape) {
+  const std::vector<std::int64_t> axes = axesOf(node);
+  const std::set<std::size_t> removed = axisSet(node, axes, shape.size());
+  Shape result;
+  for (std::size_t axis = 0; axis < shape.size(); ++axis) {
+    const bool remove = axes.empty() ? shape[axis] == 1 : removed.count(axis) > 0;
+    if (remove && shape[axis] != 1) {
+      throw ModelFileError(node.name() + " removes the axis " + std::to_string(axis) + " of " + shapeText(shape) +
+                           ", expected an extent of 1 there");
+    }
+    if (!remove) result.push_back(shape[axis]);
+  }
+  return result;
+}
+
+Shape shapeAfterUnsqueeze(Node& node, const Shape& shape) {
+  const std::vector<std::int64_t> axes = axesOf(node);
+  const std::size_t rank = shape.size() + axes.size();
+  const std::set<std::size_t> inserted = axisSet(node, axes, rank);
+  Shape result;
+  auto next = shape.begin();
+  for (std::size_t axis = 0; axis < rank; ++axis) result.push_back(inserted.count(axis) > 0 ? 1 : *next++);
+  requireVector(result, "the result of " + node.name());
+  return result;
+}
+
+Shape shapeAfterReshape(Node& node, const Shape& shape) {
+  node.requireInteger("allowzero", 0);
+  Shape result = integerValues(node.requiredConstant(1, "target shape"));
+  const std::int64_t count = elementCount(shape, "the input of " + node.name());
+  std::int64_t known = 1;
+  for (std::size_t axis = 0; axis < result.size(); ++axis) {
+    if (result[axis] == 0 && axis < shape.size()) result[axis] = shape[axis];
+    if (result[axis] == -1) continue;
+    if (result[axis] < 1 || result[axis] > count / known) {
+      throw ModelFileError(node.name() + " makes the shape " + shapeText(result) + " of " + std::to_string(count) +
+                           " values, expected as many values");
+    }
+    known *= result[axis];
+  }
+  const auto open = std::count(result.begin(), result.end(), -1);
+  std::replace(result.begin(), result.end(), std::int64_t{-1}, count / known);
+  if (open > 1 || elementCount(result, "the result of " + node.name()) != count) {
+    throw ModelFileError(node.name() + " makes the shape " + shapeText(result) + " of " + std::to_string(count) +
+                         " values, expected as many values");
+  }
+  requireVector(result, "the result of " + node.name());
+  return result;
+}
+
+Shape shapeAfterTranspose(Node& node, const Shape& shape) {
+  const std::vector<std::int64_t> order = node.integers("perm");
+  if (order.empty()) return {shape.rbegin(), shape.rend()};
+  if (order.size() != shape.size()) {
+    throw ModelFileError(node.name() + " orders " + std::to_string(order.size()) + " axes, expected " +
+                         std::to_string(shape.size()));
+  }
+  axisSet(node, order, shape.size());
+  Shape result;
+  for (const std::int64_t axis : order) result.push_back(shape[axisIndex(node, axis, shape.size())]);
+  return result;
+}
+
+Shape shapeAfterGather(Node& node, const Shape& shape) {
+  const std::size_t axis = axisIndex(node, node.integer("axis", 0), shape.size());
+  const onnx_subset::TensorProto& tensor = node.requiredConstant(1, "indices");
+  const std::vector<std::int64_t> indices = integerValues(tensor);
+  if (shape[axis] != 1 || indices.size() != 1 || indices[0] < -1 || indices[0] > 0) {
+    throw ModelFileError(node.name() + " picks from the axis " + std::to_string(axis) + " of " + shapeText(shape) +
+                         ", expected the last of one step");
+  }
+  Shape result = shape;
+  if (tensor.dims_size() == 0) result.erase(result.begin() + static_cast<std::ptrdiff_t>(axis));
+  return result;
+}
+
+Part partOfSlice(Node& node, const Shape& shape, std::int64_t opset) {
+  // Attributes up to operator set 9, inputs since.
+  const auto list = [&](int index, const char* name) {
+    if (opset < 10) return node.integers(name);
+    const onnx_subset::TensorProto* tensor = node.constant(index, name);
+    return tensor == nullptr ? std::vector<std::int64_t>() : integerValues(*tensor);
+  };
+  const std::vector<std::int64_t> starts = list(1, "starts");
+  const std::vector<std::int64_t> ends = list(2, "ends");
+  std::vector<std::int64_t> axes = list(3, "axes");
+  const std::vector<std::int64_t> steps = opset < 10 ? std::vector<std::int64_t>() : list(4, "steps");
+  if (axes.empty()) {
+    for (std::size_t axis = 0; axis < starts.size(); ++axis) axes.push_back(static_cast<std::int64_t>(axis));
+  }
+  const bool skips = std::any_of(steps.begin(), steps.end(), [](std::int64_t step) { return step != 1; });
+  if (starts.empty() || starts.size() != ends.size() || starts.size() != axes.size() || skips) {
+    throw ModelFileError(node.name() +
+                         " has no starts, ends and axes that fit together, expected as many of each and steps of 1");
+  }
+  axisSet(node, axes, shape.size());
+  Part part{shape, 0};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const std::size_t axis = axisIndex(node, axes[i], shape.size());
+    const std::int64_t extent = shape[axis];
+    const auto place = [extent](std::int64_t at) {
+      return std::clamp(at < 0 && at >= -extent ? at + extent : at, std::int64_t{0}, extent);
+    };
+    const std::int64_t first = place(starts[i]);
+    const std::int64_t count = place(ends[i]) - first;
+    if (count < 1)
+      throw ModelFileError(node.name() + " takes nothing of " + shapeText(shape) + ", expected one value or more");
+    part.shape[axis] = count;
+    if (axis == 0) part.first = first;
+  }
+  return part;
+}
+
+void requireSoftmaxOverAll(Node& node, const Shape& shape, std::int64_t opset) {
+  // Up to operator set 12, Softmax ran over all axes from the given one on.
+  const bool from_axis_on = opset < 13;
+  const std::size_t first = axisIndex(node, node.integer("axis", from_axis_on ? 1 : -1), shape.size());
+  const auto begin = shape.begin() + static_cast<std::ptrdiff_t>(first);
+  const Shape covered(begin, from_axis_on ? shape.end() : begin + 1);
+  const std::string what = "the input of " + node.name();
+  if (elementCount(covered, what) != elementCount(shape, what)) {
+    throw ModelFileError(node.name() + " normalises " + shapeText(covered) + " of " + shapeText(shape) +
+                         ", expected all values together");
+  }
+}
+
+}  // namespace lstm_planner::onnx

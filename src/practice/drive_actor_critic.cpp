@@ -1,0 +1,123 @@
+#include "lstm_planner/practice/drive_actor_critic.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/training/actor_critic.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
+#include "practice/drive_batch.hpp"
+#include "practice/drive_practice.hpp"
+#include "practice/recorded_practice.hpp"
+
+namespace lstm_planner {
+namespace {
+
+const ActorCritic::CheckpointNames kActorCriticNames{"lstm_planner drive actor-critic 1", "iterations"};
+
+/// Preferences so many times as far apart: the greedy choice stays, random ones come nearer to it.
+LayerStack sharpened(LayerStack layers, double factor) {
+  auto* last = std::get_if<DenseLayer>(&layers.back());
+  if (!last) throw std::invalid_argument("the policy's last layer is not fully connected");
+  last->weights *= static_cast<float>(factor);
+  last->bias *= static_cast<float>(factor);
+  return layers;
+}
+
+class PractisingActorCritic final : public DriveActorCritic {
+ public:
+  PractisingActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers)
+      : parameters_((validate(parameters), parameters)),
+        policy_(sharpened(std::move(layers), parameters.sharpness)),
+        critic_(makeCritic(Encoder(parameters.policy.encoder).size() + kDrivePrivilegedInputs, parameters.critic_units,
+                           parameters.seed + 1)),
+        learner_(kActorCriticNames, parameters, parameters.iterations, policy_, critic_,
+                 parameters.course.worlds.size()) {
+    DrivePolicy(parameters.policy, policy_);  // throws when they do not fit together
+  }
+
+  void follow(const Dataset& recordings, double weight) override {
+    checkPositive("recordings_weight", weight);
+    recorded_ = recordedPractice(recordings, parameters_.policy, 0.0);
+    recorded_steps_ = 0.0;
+    for (const PracticeEpisode& episode : recorded_) recorded_steps_ += static_cast<double>(episode.steps.size());
+    if (recorded_.empty()) throw std::invalid_argument("the recordings have no steps, expected at least one");
+    imitation_ = weight;
+  }
+
+  ReinforcementReport iterate() override {
+    std::vector<PracticeEpisode> episodes = practise(parameters_, policy_, learner_.updates());
+    const PracticeSums sums = sumUp(episodes);
+    episodes.insert(episodes.end(), recorded_.begin(), recorded_.end());
+    DriveBatch batch(parameters_, policy_, critic_, episodes);
+    DriveBatchWeights weights;
+    weights.entropy = learner_.entropyWeight();
+    if (!recorded_.empty()) weights.imitation = imitation_ * sums.steps / recorded_steps_;
+    batch.judge(learner_.critic(), &learner_.advantageVariances());
+    weights.advantage_variances = learner_.advantageVariances();
+    // The critic is new at first: let it learn before the policy follows it.
+    const bool critic_alone = learner_.updates() == 0;
+    for (int pass = 0; pass < parameters_.passes; ++pass) {
+      batch.rewind();
+      while (batch.next()) {
+        Eigen::VectorXf gradient;
+        if (!critic_alone) {
+          const double chosen = batch.policyGradient(learner_.policy(), weights, &gradient);
+          if (chosen > 0.0) learner_.updatePolicy(gradient, chosen);
+        }
+        const double steps = batch.criticGradient(learner_.critic(), &gradient);
+        if (steps > 0.0) learner_.updateCritic(gradient, steps);
+      }
+    }
+    setParameterVector(learner_.policy(), policy_);
+    learner_.finishUpdate(sums.steps);
+    return report(sums, batch);
+  }
+
+  int updates() const override { return learner_.updates(); }
+  const LayerStack& layers() const override { return policy_; }
+
+  std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
+  void restore(const std::vector<std::uint8_t>& checkpoint) override {
+    learner_.restore(checkpoint);
+    setParameterVector(learner_.policy(), policy_);
+  }
+
+ private:
+  ReinforcementReport report(const PracticeSums& sums, DriveBatch& batch) {
+    ReinforcementReport report = learner_.report(batch.judged());
+    report.reward = sums.reward;
+    report.arrival = sums.arrival;
+    report.entropy = batch.entropy();
+    return report;
+  }
+
+  DriveActorCriticParameters parameters_;
+  LayerStack policy_;
+  LayerStack critic_;
+  ActorCritic learner_;
+  std::vector<PracticeEpisode> recorded_;
+  double recorded_steps_ = 0.0;
+  double imitation_ = 0.0;
+};
+
+}  // namespace
+
+void validate(const DriveActorCriticParameters& parameters) {
+  validate(static_cast<const ActorCriticParameters&>(parameters));
+  visitPracticeParameters(parameters, RangeCheck());
+  visitPolicyChangeParameters(parameters, RangeCheck());
+  checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in (0, 1)");
+  validate(parameters.policy.encoder);
+  validate(parameters.course);
+}
+
+std::unique_ptr<DriveActorCritic> makeDriveActorCritic(const DriveActorCriticParameters& parameters,
+                                                       LayerStack layers) {
+  return std::make_unique<PractisingActorCritic>(parameters, std::move(layers));
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,69 @@
+#include "lstm_planner/practice/teacher.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace lstm_planner {
+
+namespace {
+
+GeodesicField makeField(const GridWorld& world, const Point2& goal, const Teacher::Parameters& parameters) {
+  GeodesicField::Options options;
+  options.clearance = parameters.footprint_radius + parameters.clearance;
+  options.comfort = parameters.footprint_radius + parameters.comfort;
+  options.reluctance = parameters.reluctance;
+  return GeodesicField(world.grid(), world.distances(), world.grid().cellAt(goal), options);
+}
+
+}  // namespace
+
+Teacher::Teacher(const GridWorld& world, const Point2& goal, const Parameters& parameters)
+    : world_(world), parameters_(parameters), field_(makeField(world, goal, parameters)) {}
+
+CellIndex Teacher::startOfPath(const Point2& position) const {
+  const CellIndex here = world_.grid().cellAt(position);
+  if (std::isfinite(field_.at(here))) {
+    return here;
+  }
+  // The robot stands closer to a wall than the teacher would: take the nearest cell from which there is a path.
+  const int reach = static_cast<int>(0.4 / world_.grid().resolution());
+  CellIndex best = here;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (int row = here.row - reach; row <= here.row + reach; ++row) {
+    for (int column = here.column - reach; column <= here.column + reach; ++column) {
+      const double distance = std::hypot(column - here.column, row - here.row);
+      if (distance < best_distance && std::isfinite(field_.at({column, row}))) {
+        best = {column, row};
+        best_distance = distance;
+      }
+    }
+  }
+  return best;
+}
+
+bool Teacher::direction(const Point2& position, double* direction) const {
+  CellIndex cell = startOfPath(position);
+  if (!std::isfinite(field_.at(cell))) {
+    return false;
+  }
+  while (distanceBetween(position, world_.grid().centerOf(cell)) < parameters_.lookahead) {
+    CellIndex next = cell;
+    for (int row = cell.row - 1; row <= cell.row + 1; ++row) {
+      for (int column = cell.column - 1; column <= cell.column + 1; ++column) {
+        if (field_.at({column, row}) < field_.at(next)) {
+          next = {column, row};
+        }
+      }
+    }
+    if (next.column == cell.column && next.row == cell.row) {
+      break;  // the goal's own cell
+    }
+    cell = next;
+  }
+  *direction = directionTo(position, world_.grid().centerOf(cell));
+  return true;
+}
+
+double Teacher::distanceToGo(const Point2& position) const { return field_.at(startOfPath(position)); }
+
+}  // namespace lstm_planner

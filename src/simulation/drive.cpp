@@ -1,0 +1,276 @@
+#include "lstm_planner/simulation/drive.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/common/quantile.hpp"
+#include "lstm_planner/drive/decision/closed_loop.hpp"
+#include "lstm_planner/drive/motion/elastic_band.hpp"
+#include "lstm_planner/drive/motion/path_tracker.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+/// A simulated robot that a controller leads along the agent's plans.
+class ControlledRobot : public LoopRobot {
+ public:
+  ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters,
+                  const DriveListener& listener)
+      : robot_(*robot), parameters_(parameters), listener_(listener), tracker_(parameters.motion) {
+    tracker_.expectReactionTime(parameters.robot.longestScanPeriod(), parameters.control_period);
+    const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
+    goal_ = {goal.x, goal.y, 0.0};
+  }
+
+  const Pose2& goal() const { return goal_; }  ///< odometry frame
+
+  /// Sees what the last scan showed until the scanner has taken another one.
+  bool sense(double range_cap, Situation* situation) override {
+    if (robot_.time() < next_scan_) return true;
+    try {
+      robot_.sense(range_cap, situation);
+    } catch (const UnusableScan&) {
+      // Somebody is so near to the scanner that it measures nothing. The plugins stop the robot then.
+      robot_.command({});
+      robot_.advance(parameters_.control_period);
+      return false;
+    }
+    next_scan_ = robot_.time() + scanPeriod() - kSameTime;
+    return true;
+  }
+
+  bool hasArrived(const Situation& situation, const Point2& end) const override {
+    return tracker_.goalReached(situation.pose, {end.x, end.y, 0.0});
+  }
+
+  void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) override {
+    if (tick_++ % parameters_.plan_every == 0) {
+      const Decision& bent = band_.bend(agent, situation.pose, decision, parameters_.rollout.clearance);
+      rollOut(situation, bent, agent.shield(), goal_, agent.parameters(), parameters_.rollout, &plan_);
+    }
+    robot_.command(
+        tracker_.compute(plan_, situation, robot_.measuredTwist(), agent.shield(), parameters_.control_period));
+    if (listener_) listener_({robot_.time(), robot_.truePose(), situation, plan_, agent});
+    robot_.advance(parameters_.control_period);
+  }
+
+ private:
+  static constexpr double kSameTime = 1e-6;  // s
+  double scanPeriod() const { return 1.0 / parameters_.robot.scanner.rate; }
+
+  SimulatedRobot& robot_;
+  const DriveParameters& parameters_;
+  const DriveListener& listener_;
+  PathTracker tracker_;
+  ElasticBand band_;
+  Pose2 goal_;
+  std::vector<Pose2> plan_;
+  int tick_ = 0;
+  double next_scan_ = 0.0;  ///< s
+};
+
+/// One drive as it goes on, and what is noted of it.
+class Run {
+ public:
+  Run(SimulatedRobot* robot, const Traffic* traffic, const DriveTask& task, const DriveParameters& parameters,
+      NavigationAgent* agent, const DriveListener& listener)
+      : robot_(*robot),
+        controlled_(robot, task, parameters, listener),
+        traffic_(traffic),
+        task_(task),
+        parameters_(parameters),
+        agent_(*agent) {
+    result_.shortest = task.shortest;
+    if (traffic != nullptr) result_.walker_traces.resize(traffic->bodies().size());
+  }
+
+  DriveResult run() {
+    const Pose2& goal = controlled_.goal();
+    ClosedLoop loop(&controlled_, &agent_);
+    const ClosedLoop::End end = loop.run(
+        {goal.x, goal.y}, [this] { return goesOn(); }, [this](const Decision& decision) { note(decision); });
+    result_.end = judge(end);
+    result_.contacts = robot_.contacts();
+    result_.bumped = robot_.bumped();
+    result_.bumped_moving = robot_.bumpedMoving();
+    result_.time = robot_.time();
+    result_.path_length = robot_.pathLength();
+    result_.goal_error = distanceBetween(robot_.truePose(), task_.goal);
+    return std::move(result_);
+  }
+
+ private:
+  bool isAtGoal(double radius) const { return distanceBetween(robot_.truePose(), task_.goal) <= radius; }
+  bool refereeSaysArrived() const {
+    return parameters_.arrival == Arrival::kTruePosition && isAtGoal(parameters_.goal_radius);
+  }
+
+  bool isEndedByTouch() const { return parameters_.ends_at_touch && robot_.contacts() + robot_.bumped() > 0; }
+
+  bool goesOn() {
+    if (robot_.contacts() > contacts_seen_) {
+      contacts_seen_ = robot_.contacts();
+      result_.contact_places.push_back({robot_.truePose().x, robot_.truePose().y});
+    }
+    return robot_.time() < parameters_.time_limit && !refereeSaysArrived() && !isEndedByTouch();
+  }
+
+  DriveResult::End judge(ClosedLoop::End end) const {
+    switch (end) {
+      case ClosedLoop::End::kNoPath:
+        return DriveResult::End::kNoPath;
+      case ClosedLoop::End::kArrived:
+        return isAtGoal(allowedRadius()) ? DriveResult::End::kReached : DriveResult::End::kElsewhere;
+      case ClosedLoop::End::kStopped:
+        break;
+    }
+    if (isEndedByTouch()) return DriveResult::End::kTouched;
+    const bool in_time = robot_.time() < parameters_.time_limit;
+    return in_time && refereeSaysArrived() ? DriveResult::End::kReached : DriveResult::End::kTimeout;
+  }
+
+  double allowedRadius() const {
+    if (parameters_.arrival == Arrival::kTruePosition) return parameters_.goal_radius;
+    const double beside = distanceBetween(agent_.decision().destination, controlled_.goal());
+    double error = parameters_.robot.base.odometry_error * robot_.pathLength();
+    if (robot_.contacts() == 0) {
+      const Pose2 believed = compose(task_.start, robot_.believedPose());
+      error = std::max(error, distanceBetween(robot_.truePose(), believed));
+    }
+    return parameters_.goal_radius + error + std::min(beside, error);
+  }
+
+  void note(const Decision& decision) {
+    if (decision.step != result_.steps) {
+      ++result_.steps_by.at(static_cast<std::size_t>(decision.source));
+      const bool is_by_leader =
+          decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy;
+      result_.steps_on_path += is_by_leader && decision.on_route ? 1 : 0;
+      ++result_.overruled.at(static_cast<std::size_t>(decision.overruled));
+    }
+    if (result_.goal_seemed == Decision::GoalSeems::kReachable) result_.goal_seemed = decision.goal_seems;
+    result_.steps = decision.step;
+    result_.regret = decision.regret_used;
+    result_.trace.push_back(robot_.truePose());
+    result_.led.push_back(decision.source);
+    result_.on_path.push_back(decision.on_route);
+    if (traffic_ == nullptr) return;
+    const std::vector<Traffic::Body> bodies = traffic_->bodies();
+    for (std::size_t i = 0; i < bodies.size(); ++i) result_.walker_traces[i].push_back(bodies[i].circle.center);
+  }
+
+  SimulatedRobot& robot_;
+  ControlledRobot controlled_;
+  const Traffic* traffic_;
+  const DriveTask& task_;
+  const DriveParameters& parameters_;
+  NavigationAgent& agent_;
+  DriveResult result_;
+  int contacts_seen_ = 0;
+};
+
+/// `count`: the steps of a drive that are meant.
+template <typename Count>
+double shareOfSteps(const std::vector<DriveResult>& results, const Count& count) {
+  long meant = 0;
+  long all = 0;
+  for (const DriveResult& result : results) {
+    meant += count(result);
+    all += result.steps;
+  }
+  return all > 0 ? static_cast<double>(meant) / static_cast<double>(all) : 0.0;
+}
+
+void validate(const DriveParameters& parameters) {
+  checkRange("control_period", parameters.control_period, 0.001, 10.0);
+  checkRange("plan_every", parameters.plan_every, 0.001, 100.0);
+  visitRolloutParameters(parameters.rollout, RangeCheck());
+  checkRange("goal_radius", parameters.goal_radius, 0.001, 100.0);
+}
+
+}  // namespace
+
+double shareOf(Decision::Source source, const std::vector<DriveResult>& results) {
+  return shareOfSteps(
+      results, [source](const DriveResult& result) { return result.steps_by[static_cast<std::size_t>(source)]; });
+}
+
+double shareOf(Decision::Overruled overruled, const std::vector<DriveResult>& results) {
+  return shareOfSteps(results, [overruled](const DriveResult& result) {
+    return result.overruled[static_cast<std::size_t>(overruled)];
+  });
+}
+
+double shareOutOfSight(Decision::Source source, const std::vector<DriveResult>& results) {
+  const double out_of_sight = 1.0 - shareOf(Decision::Source::kGoalInSight, results);
+  return out_of_sight > 0.0 ? shareOf(source, results) / out_of_sight : 0.0;
+}
+
+double shareOnPath(const std::vector<DriveResult>& results) {
+  return shareOfSteps(results, [](const DriveResult& result) { return result.steps_on_path; });
+}
+
+DriveResult drive(const World& world, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
+                  NavigationAgent* agent, const DriveListener& listener) {
+  validate(parameters);
+  SimulatedRobot robot(world, parameters.robot, task.start, seed);
+  return Run(&robot, nullptr, task, parameters, agent, listener).run();
+}
+
+DriveResult drive(Traffic* traffic, const DriveTask& task, const DriveParameters& parameters, std::uint64_t seed,
+                  NavigationAgent* agent, const DriveListener& listener) {
+  validate(parameters);
+  SimulatedRobot robot(traffic, parameters.robot, task.start, seed);
+  return Run(&robot, traffic, task, parameters, agent, listener).run();
+}
+
+DriveSummary summarize(const std::vector<DriveResult>& results) {
+  DriveSummary summary;
+  std::vector<double> ratios;
+  double time = 0.0;
+  for (const DriveResult& result : results) {
+    ++summary.goals;
+    summary.contacts += result.contacts;
+    summary.bumped += result.bumped;
+    summary.bumped_moving += result.bumped_moving;
+    switch (result.end) {
+      case DriveResult::End::kReached:
+        ++summary.reached;
+        time += result.time;
+        summary.mean_goal_error += result.goal_error;
+        if (result.shortest > 0.0) {
+          ratios.push_back(result.path_length / result.shortest);
+        }
+        break;
+      case DriveResult::End::kTimeout:
+        ++summary.timeouts;
+        break;
+      case DriveResult::End::kNoPath:
+        ++summary.no_path;
+        break;
+      case DriveResult::End::kElsewhere:
+        ++summary.elsewhere;
+        break;
+      case DriveResult::End::kTouched:
+        ++summary.touched;
+        break;
+    }
+  }
+  if (summary.reached > 0) {
+    summary.mean_time = time / summary.reached;
+    summary.mean_goal_error /= summary.reached;
+  }
+  if (!ratios.empty()) {
+    std::sort(ratios.begin(), ratios.end());
+    for (const double ratio : ratios) {
+      summary.mean_ratio += ratio / static_cast<double>(ratios.size());
+    }
+    summary.p95_ratio = quantile(ratios, 0.95);
+  }
+  return summary;
+}
+
+}  // namespace lstm_planner

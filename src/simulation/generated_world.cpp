@@ -1,0 +1,181 @@
+#include "lstm_planner/simulation/generated_world.hpp"
+
+#include <stdexcept>
+
+#include "lstm_planner/common/random.hpp"
+#include "lstm_planner/simulation/floor_plan.hpp"
+#include "lstm_planner/simulation/world_generators.hpp"
+
+namespace lstm_planner {
+namespace {
+
+int drawCount(Random& random, int low, int high) {
+  return low + static_cast<int>(uniformIndex(random, static_cast<std::size_t>(high - low + 1)));
+}
+
+OccupancyGrid drawMaze(Random& random) {
+  MazeWorldParameters maze;
+  maze.columns = drawCount(random, 5, 10);
+  maze.rows = drawCount(random, 5, 10);
+  maze.corridor_width = uniform(random, 0.8, 1.6);
+  maze.wall_thickness = uniform(random, 0.1, 0.3);
+  maze.branching = uniform(random, 0.0, 0.3);
+  maze.loops = uniform(random) < 0.5 ? 0.0 : uniform(random, 0.02, 0.15);
+  return generateMazeWorld(maze, random());
+}
+
+OccupancyGrid drawOffice(Random& random) {
+  FloorPlanParameters plan;
+  plan.width = uniform(random, 12.0, 26.0);
+  plan.height = uniform(random, 10.0, 18.0);
+  plan.smallest_room = uniform(random, 2.4, 4.5);
+  plan.door_width = uniform(random, 0.75, 1.2);
+  plan.extra_doors = uniform(random, 0.0, 0.6);
+  plan.furniture = uniform(random, 0.02, 0.12);
+  plan.smallest_gap = uniform(random, 0.55, 0.9);
+  return generateFloorPlan(plan, random());
+}
+
+OccupancyGrid drawFurnished(Random& random) {
+  FloorPlanParameters plan;
+  plan.width = uniform(random, 10.0, 18.0);
+  plan.height = uniform(random, 8.0, 14.0);
+  plan.resolution = 0.02;
+  plan.smallest_room = uniform(random, 3.0, 5.0);
+  plan.furniture = 0.5;  // as much as finds room
+  plan.tries = 1000;
+  plan.smallest_gap = uniform(random, 0.4, 0.6);
+  return generateFloorPlan(plan, random());
+}
+
+OccupancyGrid drawCorridors(Random& random) {
+  CorridorWorldParameters corridors;
+  corridors.width = uniform(random, 12.0, 24.0);
+  corridors.height = uniform(random, 10.0, 20.0);
+  corridors.corridors = drawCount(random, 8, 18);
+  corridors.narrowest = uniform(random, 0.75, 1.0);
+  corridors.widest = uniform(random, 1.0, 2.2);
+  return generateCorridorWorld(corridors, random());
+}
+
+OccupancyGrid drawForest(Random& random) {
+  ForestParameters forest;
+  forest.width = uniform(random, 9.0, 16.0);
+  forest.height = uniform(random, 4.0, 14.0);
+  forest.density = uniform(random, 0.01, 0.08);
+  forest.smallest_radius = uniform(random, 0.03, 0.1);
+  forest.largest_radius = uniform(random, forest.smallest_radius, 0.3);
+  // Half of a cell's diagonal is lost on either side where poles are drawn, and again where distances are measured.
+  const double narrow = 2.0 * (forest.passage + 1.5 * forest.resolution);
+  forest.gap = uniform(random) < 0.5 ? 0.0 : narrow;
+  return generateForest(forest, random());
+}
+
+OccupancyGrid drawOpenField(Random& random) {
+  OpenFieldParameters field;
+  field.width = uniform(random, 10.0, 40.0);
+  field.height = uniform(random, 10.0, 40.0);
+  return generateOpenField(field);
+}
+
+OccupancyGrid drawRooms(Random& random) {
+  RoomsWorldParameters rooms;
+  rooms.columns = drawCount(random, 2, 5);
+  rooms.rows = drawCount(random, 2, 4);
+  rooms.room_size = uniform(random, 2.5, 6.0);
+  rooms.door_width = uniform(random, 0.8, 1.3);
+  rooms.extra_doors = uniform(random, 0.0, 0.6);
+  return generateRoomsWorld(rooms, random());
+}
+
+OccupancyGrid drawClutter(Random& random) {
+  ClutterParameters clutter;
+  clutter.width = uniform(random, 3.5, 7.0);
+  clutter.bay = uniform(random, 1.5, 6.0);
+  clutter.depth = uniform(random, 3.0, 7.0);
+  clutter.beyond = uniform(random, 1.5, 4.0);
+  clutter.around = uniform(random) < 0.5 ? 0.0 : uniform(random, 1.5, 3.0);
+  clutter.fill = uniform(random, 0.05, 0.3);
+  clutter.grain = drawCount(random, 1, 2);
+  return generateClutter(clutter, random());
+}
+
+}  // namespace
+
+const std::vector<WorldKind>& worldKinds() {
+  static const std::vector<WorldKind> kinds{WorldKind::kMaze,    WorldKind::kOffice,   WorldKind::kCorridors,
+                                            WorldKind::kForest,  WorldKind::kOpen,     WorldKind::kRooms,
+                                            WorldKind::kClutter, WorldKind::kFurnished};
+  return kinds;
+}
+
+const char* toString(WorldKind kind) {
+  switch (kind) {
+    case WorldKind::kMaze:
+      return "mazes";
+    case WorldKind::kOffice:
+      return "offices";
+    case WorldKind::kCorridors:
+      return "corridors";
+    case WorldKind::kForest:
+      return "forest";
+    case WorldKind::kOpen:
+      return "open";
+    case WorldKind::kRooms:
+      return "rooms";
+    case WorldKind::kClutter:
+      return "clutter";
+    case WorldKind::kFurnished:
+      return "furnished";
+  }
+  return "";
+}
+
+WorldKind worldKindOf(const std::string& name) {
+  std::string names;
+  for (const WorldKind kind : worldKinds()) {
+    if (name == toString(kind)) return kind;
+    names += (names.empty() ? "" : ", ") + std::string(toString(kind));
+  }
+  throw std::invalid_argument("there is no kind of worlds '" + name + "', expected one of " + names);
+}
+
+OccupancyGrid generateWorld(WorldKind kind, std::uint64_t seed) {
+  Random random(seed);
+  switch (kind) {
+    case WorldKind::kMaze:
+      return drawMaze(random);
+    case WorldKind::kOffice:
+      return drawOffice(random);
+    case WorldKind::kCorridors:
+      return drawCorridors(random);
+    case WorldKind::kForest:
+      return drawForest(random);
+    case WorldKind::kOpen:
+      return drawOpenField(random);
+    case WorldKind::kRooms:
+      return drawRooms(random);
+    case WorldKind::kClutter:
+      return drawClutter(random);
+    case WorldKind::kFurnished:
+      return drawFurnished(random);
+  }
+  throw std::invalid_argument("there is no such kind of worlds");
+}
+
+std::uint64_t worldSeed(WorldUse use, std::uint64_t seed, std::uint64_t number) {
+  constexpr std::uint64_t kJudgingBit = std::uint64_t{1} << 63;
+  constexpr std::uint64_t kValidationBit = std::uint64_t{1} << 62;
+  const std::uint64_t draw = Random(seed * 1000003ULL + number)() & ~(kJudgingBit | kValidationBit);
+  switch (use) {
+    case WorldUse::kTraining:
+      return draw;
+    case WorldUse::kValidation:
+      return draw | kValidationBit;
+    case WorldUse::kJudging:
+      break;
+  }
+  return draw | kJudgingBit;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/common/random.hpp"
+#include "lstm_planner/grid/map_generators.hpp"
+#include "lstm_planner/simulation/world_generators.hpp"
+
+namespace lstm_planner {
+namespace {
+
+int toCells(double metres, double resolution) {
+  return std::max(1, static_cast<int>(std::lround(metres / resolution)));
+}
+
+/// Takes walls out that have a corridor on both sides.
+void openLoops(double probability, Random& random, PassableGrid* maze) {
+  for (int row = 1; row + 1 < maze->rows(); ++row) {
+    // Walls between corridors have one odd number and one even one; two even ones are the posts.
+    for (int column = 1 + row % 2; column + 1 < maze->columns(); column += 2) {
+      const CellIndex wall{column, row};
+      if (!maze->passable(wall) && uniform(random) < probability) maze->set(wall, true);
+    }
+  }
+}
+
+/// Draws a maze of single cells with its own widths of walls (even cells) and corridors (odd cells).
+OccupancyGrid enlarge(const PassableGrid& maze, int wall, int corridor, double resolution) {
+  std::vector<int> columns;
+  for (int i = 0; i < maze.columns(); ++i)
+    columns.insert(columns.end(), static_cast<std::size_t>(i % 2 ? corridor : wall), i);
+  std::vector<int> rows;
+  for (int i = 0; i < maze.rows(); ++i) rows.insert(rows.end(), static_cast<std::size_t>(i % 2 ? corridor : wall), i);
+  OccupancyGrid grid(static_cast<int>(columns.size()), static_cast<int>(rows.size()), resolution);
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      const CellIndex from{columns[static_cast<std::size_t>(column)], rows[static_cast<std::size_t>(row)]};
+      if (!maze.passable(from)) grid.set({column, row}, Cell::kOccupied);
+    }
+  }
+  return grid;
+}
+
+}  // namespace
+
+void validate(const MazeWorldParameters& parameters) {
+  checkRange("columns", parameters.columns, 2, 200);
+  checkRange("rows", parameters.rows, 2, 200);
+  checkRange("corridor_width", parameters.corridor_width, 0.6, 10.0);
+  checkRange("resolution", parameters.resolution, 0.01, 0.2);
+  checkRange("wall_thickness", parameters.wall_thickness, parameters.resolution, 2.0);
+  checkRange("branching", parameters.branching, 0.0, 1.0);
+  checkRange("loops", parameters.loops, 0.0, 1.0);
+}
+
+OccupancyGrid generateMazeWorld(const MazeWorldParameters& parameters, std::uint64_t seed) {
+  validate(parameters);
+  MazeParameters cells;
+  cells.columns = 2 * parameters.columns + 1;
+  cells.rows = 2 * parameters.rows + 1;
+  cells.corridor_width = 1;
+  cells.branching = parameters.branching;
+  PassableGrid maze = generateMaze(cells, seed);
+  Random random(~seed);
+  openLoops(parameters.loops, random, &maze);
+  return enlarge(maze, toCells(parameters.wall_thickness, parameters.resolution),
+                 toCells(parameters.corridor_width, parameters.resolution), parameters.resolution);
+}
+
+void validate(const RoomsWorldParameters& parameters) {
+  checkRange("columns", parameters.columns, 1, 100);
+  checkRange("rows", parameters.rows, 1, 100);
+  checkRange("resolution", parameters.resolution, 0.01, 0.2);
+  checkRange("door_width", parameters.door_width, 0.6, 5.0);
+  checkRangeFrom(parameters.door_width + 2.0 * parameters.resolution, "room_size", parameters.room_size, 50.0);
+  checkRange("extra_doors", parameters.extra_doors, 0.0, 1.0);
+}
+
+OccupancyGrid generateRoomsWorld(const RoomsWorldParameters& parameters, std::uint64_t seed) {
+  validate(parameters);
+  RoomParameters cells;
+  cells.room_size = toCells(parameters.room_size, parameters.resolution);
+  cells.door_cells = toCells(parameters.door_width, parameters.resolution);
+  cells.extra_doors = parameters.extra_doors;
+  cells.columns = parameters.columns * (cells.room_size + 1) + 1;
+  cells.rows = parameters.rows * (cells.room_size + 1) + 1;
+  const PassableGrid rooms = generateRooms(cells, seed);
+  OccupancyGrid grid(rooms.columns(), rooms.rows(), parameters.resolution);
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      const bool edge = column + 1 == grid.columns() || row + 1 == grid.rows();
+      if (edge || !rooms.passable({column, row})) grid.set({column, row}, Cell::kOccupied);
+    }
+  }
+  return grid;
+}
+
+}  // namespace lstm_planner

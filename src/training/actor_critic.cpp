@@ -1,0 +1,114 @@
+#include "lstm_planner/training/actor_critic.hpp"
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
+#include "training/optimiser_json.hpp"
+
+namespace lstm_planner {
+namespace {
+
+OptimiserParameters optimiserParameters(double learning_rate, double max_norm) {
+  OptimiserParameters parameters;
+  parameters.learning_rate = learning_rate;
+  parameters.max_gradient_norm = max_norm;
+  return parameters;
+}
+
+}  // namespace
+
+void validate(const ActorCriticParameters& parameters) {
+  visitActorCriticParameters(parameters, "", RangeCheck());
+  checkParameter(parameters.discount > 0.0, "discount", parameters.discount, "a number in (0, 1]");
+  checkParameter(parameters.window >= 1, "window", parameters.window, "at least 1");
+  checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
+  checkParameter(parameters.threads >= 1, "threads", parameters.threads, "at least 1");
+}
+
+ActorCritic::ActorCritic(const CheckpointNames& names, const ActorCriticParameters& parameters, int updates,
+                         const LayerStack& policy, const LayerStack& critic, std::size_t sets)
+    : names_(names),
+      parameters_(parameters),
+      last_update_(updates),
+      policy_(parameterVector(policy)),
+      critic_(parameterVector(critic)),
+      policy_optimiser_(optimiserParameters(parameters.learning_rate, parameters.max_gradient_norm),
+                        weightMask(policy)),
+      critic_optimiser_(optimiserParameters(parameters.critic_learning_rate, parameters.max_gradient_norm),
+                        weightMask(critic)),
+      advantage_variances_(sets, 1.0) {}
+
+double ActorCritic::progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
+
+double ActorCritic::rate() const { return 0.5 * (1.0 + std::cos(M_PI * progress())); }
+
+double ActorCritic::entropyWeight() const {
+  return parameters_.entropy_start + (parameters_.entropy_end - parameters_.entropy_start) * progress();
+}
+
+void ActorCritic::updatePolicy(const Eigen::VectorXf& gradient, double steps) {
+  policy_optimiser_.update(gradient * static_cast<float>(1.0 / steps), parameters_.learning_rate * rate(), policy_);
+}
+
+void ActorCritic::updateCritic(const Eigen::VectorXf& gradient, double steps) {
+  critic_optimiser_.update(gradient * static_cast<float>(1.0 / steps), parameters_.critic_learning_rate * rate(),
+                           critic_);
+}
+
+void ActorCritic::finishUpdate(double steps) {
+  ++updates_;
+  steps_ += steps;
+}
+
+ReinforcementReport ActorCritic::report(const CriticSums& judged) const {
+  ReinforcementReport report;
+  report.update = updates_;
+  report.steps = steps_;
+  report.explained = judged.explained();
+  return report;
+}
+
+std::vector<std::uint8_t> ActorCritic::checkpoint() const {
+  const nlohmann::json content = {{"format", names_.format},
+                                  {"policy", vectorToJson(policy_)},
+                                  {"critic", vectorToJson(critic_)},
+                                  {"policy_optimiser", optimiserToJson(policy_optimiser_.state())},
+                                  {"critic_optimiser", optimiserToJson(critic_optimiser_.state())},
+                                  {"advantage_variances", advantage_variances_},
+                                  {"steps", steps_},
+                                  {names_.updates, updates_}};
+  return nlohmann::json::to_cbor(content);
+}
+
+void ActorCritic::restore(const std::vector<std::uint8_t>& checkpoint) try {
+  const nlohmann::json content = checkpointJson(checkpoint);
+  if (content.at("format") != names_.format) throw std::invalid_argument("another format");
+  const Eigen::VectorXf policy = vectorFromJson(content.at("policy"));
+  const Eigen::VectorXf critic = vectorFromJson(content.at("critic"));
+  auto variances = content.at("advantage_variances").get<std::vector<double>>();
+  if (policy.size() != policy_.size() || critic.size() != critic_.size()) {
+    throw std::invalid_argument("networks of other sizes");
+  }
+  if (!advantage_variances_.empty() && variances.size() != advantage_variances_.size()) {
+    throw std::invalid_argument("another number of kinds of maps or worlds");
+  }
+  const auto steps = content.at("steps").get<double>();
+  const auto updates = static_cast<int>(wholeNumber(content.at(names_.updates), 0, INT_MAX));
+  policy_optimiser_.setState(optimiserFromJson(content.at("policy_optimiser")));
+  critic_optimiser_.setState(optimiserFromJson(content.at("critic_optimiser")));
+  policy_ = policy;
+  critic_ = critic;
+  advantage_variances_ = std::move(variances);
+  steps_ = steps;
+  updates_ = updates;
+} catch (const std::exception& error) {
+  throw std::invalid_argument(std::string("this is not a checkpoint of this training: ") + error.what());
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,57 @@
+#include "lstm_planner/training/critic.hpp"
+
+#include <algorithm>
+
+#include "lstm_planner/training/initialisation.hpp"
+
+namespace lstm_planner {
+
+LayerStack makeCritic(int inputs, const std::vector<int>& units, std::uint64_t seed) {
+  LayerStack layers = makeDenseStack(inputs, units, 1);
+  initialise({}, seed, layers);
+  return layers;
+}
+
+void CriticSums::count(std::size_t set, double value, double advantage) {
+  const double result = value + advantage;
+  steps += 1.0;
+  returns += result;
+  squared_returns += result * result;
+  squared_errors += advantage * advantage;
+  set_steps[set] += 1.0;
+  set_squared_advantages[set] += advantage * advantage;
+}
+
+void CriticSums::operator+=(const CriticSums& other) {
+  steps += other.steps;
+  returns += other.returns;
+  squared_returns += other.squared_returns;
+  squared_errors += other.squared_errors;
+  for (std::size_t set = 0; set < set_steps.size(); ++set) {
+    set_steps[set] += other.set_steps[set];
+    set_squared_advantages[set] += other.set_squared_advantages[set];
+  }
+}
+
+double CriticSums::explained() const {
+  const double spread = squared_returns - returns * returns / steps;
+  return 1.0 - squared_errors / std::max(1e-12, spread);
+}
+
+void CriticSums::moveVariances(double share, std::vector<double>* variances) const {
+  for (std::size_t set = 0; set < set_steps.size(); ++set) {
+    if (set_steps[set] == 0.0) continue;
+    double& variance = (*variances)[set];
+    variance += share * (set_squared_advantages[set] / set_steps[set] - variance);
+  }
+}
+
+std::vector<double*> numbersOf(CriticSums* sums) {
+  std::vector<double*> all = {&sums->steps, &sums->returns, &sums->squared_returns, &sums->squared_errors};
+  for (std::vector<double>* by_set : {&sums->set_steps, &sums->set_squared_advantages}) {
+    for (double& number : *by_set) all.push_back(&number);
+  }
+  return all;
+}
+
+}  // namespace lstm_planner

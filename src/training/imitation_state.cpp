@@ -1,0 +1,113 @@
+#include <climits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/training/imitation_rounds.hpp"
+#include "training/optimiser_json.hpp"
+
+namespace lstm_planner {
+namespace {
+
+using Json = nlohmann::json;
+
+/// It was the grid world's first.
+constexpr const char* kFormat = "lstm_planner grid imitation 1";
+
+template <typename Vector>
+Json valuesOf(const Vector& vector) {
+  return std::vector<typename Vector::Scalar>(vector.data(), vector.data() + vector.size());
+}
+
+Json toJson(const LossSum& sum) {
+  return {{"loss", sum.loss},
+          {"weight", sum.weight},
+          {"classes", sum.confusion.rows()},
+          {"confusion", valuesOf(sum.confusion)}};
+}
+
+LossSum lossFrom(const Json& json) {
+  LossSum sum;
+  sum.loss = json.at("loss").get<double>();
+  sum.weight = json.at("weight").get<double>();
+  constexpr std::int64_t kMostClasses = 1000;
+  const Eigen::Index classes = wholeNumber(json.at("classes"), 0, kMostClasses);
+  std::vector<std::int64_t> counts;
+  for (const Json& count : json.at("confusion")) counts.push_back(wholeNumber(count, 0, INT64_MAX));
+  if (static_cast<Eigen::Index>(counts.size()) != classes * classes)
+    throw std::invalid_argument("bad confusion matrix");
+  sum.confusion = Eigen::Map<const ConfusionMatrix>(counts.data(), classes, classes);
+  return sum;
+}
+
+Json toJson(const EpochReport& report) {
+  return {{"epoch", report.epoch},
+          {"learning_rate", report.learning_rate},
+          {"training", toJson(report.training)},
+          {"validation", toJson(report.validation)},
+          {"best", report.best},
+          {"averaged", toJson(report.averaged)},
+          {"mean_batch_accuracy", report.mean_batch_accuracy}};
+}
+
+EpochReport reportFrom(const Json& json) {
+  EpochReport report;
+  report.epoch = static_cast<int>(wholeNumber(json.at("epoch"), 0, INT_MAX));
+  report.learning_rate = json.at("learning_rate").get<double>();
+  report.training = lossFrom(json.at("training"));
+  report.validation = lossFrom(json.at("validation"));
+  report.best = json.at("best").get<bool>();
+  // Files from before these were written are read all the same.
+  if (json.contains("averaged")) report.averaged = lossFrom(json["averaged"]);
+  report.mean_batch_accuracy = json.value("mean_batch_accuracy", 0.0);
+  return report;
+}
+
+Json toJson(const std::vector<EpochReport>& curve) {
+  Json json = Json::array();
+  for (const EpochReport& report : curve) json.push_back(toJson(report));
+  return json;
+}
+
+std::vector<EpochReport> curveFrom(const Json& json) {
+  std::vector<EpochReport> curve;
+  for (const Json& report : json) curve.push_back(reportFrom(report));
+  return curve;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> toBytes(const ImitationState& state) {
+  Json json = {{"format", kFormat},
+               {"learners", Json::array()},
+               {"curve", toJson(state.curve)},
+               {"weights", valuesOf(state.training.weights)},
+               {"averaged_weights", valuesOf(state.training.averaged_weights)},
+               {"best_weights", valuesOf(state.training.best_weights)},
+               {"velocity", valuesOf(state.training.optimiser.velocity)},
+               {"squared_average", valuesOf(state.training.optimiser.squared_average)},
+               {"updates", state.training.optimiser.updates},
+               {"round_curve", toJson(state.training.curve)}};
+  for (const Eigen::VectorXf& learner : state.learners) json["learners"].push_back(valuesOf(learner));
+  return Json::to_cbor(json);
+}
+
+ImitationState imitationStateFrom(const std::vector<std::uint8_t>& bytes) try {
+  const Json json = checkpointJson(bytes);
+  if (json.at("format") != kFormat) throw std::invalid_argument("another format");
+  ImitationState state;
+  for (const Json& learner : json.at("learners")) state.learners.push_back(vectorFromJson(learner));
+  state.training.weights = vectorFromJson(json.at("weights"));
+  state.training.best_weights = vectorFromJson(json.at("best_weights"));
+  if (json.contains("averaged_weights")) state.training.averaged_weights = vectorFromJson(json["averaged_weights"]);
+  state.training.optimiser.velocity = vectorFromJson(json.at("velocity"));
+  state.training.optimiser.squared_average = vectorFromJson(json.at("squared_average"));
+  state.training.optimiser.updates = wholeNumber(json.at("updates"), 0, LONG_MAX);
+  state.curve = curveFrom(json.at("curve"));
+  state.training.curve = curveFrom(json.at("round_curve"));
+  return state;
+} catch (const std::exception& error) {
+  throw std::invalid_argument(std::string("this is not the state of an imitation: ") + error.what());
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,1 @@
+#include "training/lane_kernels_source.hpp"

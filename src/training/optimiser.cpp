@@ -1,0 +1,137 @@
+#include "lstm_planner/training/optimiser.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace lstm_planner {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+void require(bool condition, const char* name, double value, const char* expected) {
+  if (condition) return;
+  std::ostringstream message;
+  message << "optimiser parameter " << name << " is " << value << ", expected " << expected;
+  throw std::invalid_argument(message.str());
+}
+
+bool isShareBelowOne(double value) { return value >= 0.0 && value < 1.0; }
+bool isFiniteAtLeastZero(double value) { return std::isfinite(value) && value >= 0.0; }
+
+}  // namespace
+
+void validate(const OptimiserParameters& parameters) {
+  require(std::isfinite(parameters.learning_rate) && parameters.learning_rate > 0.0, "learning_rate",
+          parameters.learning_rate, "a positive number");
+  require(isShareBelowOne(parameters.momentum), "momentum", parameters.momentum, "a number in [0, 1)");
+  require(isShareBelowOne(parameters.adam_beta1), "adam_beta1", parameters.adam_beta1, "a number in [0, 1)");
+  require(isShareBelowOne(parameters.adam_beta2), "adam_beta2", parameters.adam_beta2, "a number in [0, 1)");
+  require(std::isfinite(parameters.adam_epsilon) && parameters.adam_epsilon > 0.0, "adam_epsilon",
+          parameters.adam_epsilon, "a positive number");
+  require(std::isfinite(parameters.adadelta_epsilon) && parameters.adadelta_epsilon > 0.0, "adadelta_epsilon",
+          parameters.adadelta_epsilon, "a positive number");
+  require(isFiniteAtLeastZero(parameters.decay_rate), "decay_rate", parameters.decay_rate, "a number of at least 0");
+  require(isFiniteAtLeastZero(parameters.max_gradient_norm), "max_gradient_norm", parameters.max_gradient_norm,
+          "a number of at least 0");
+}
+
+Eigen::VectorXf decayGradient(Decay decay, double decay_rate, const Eigen::VectorXf& parameters,
+                              const Eigen::VectorXf& mask) {
+  const float rate = static_cast<float>(decay_rate);
+  const Eigen::VectorXf weights = parameters.cwiseProduct(mask);
+  switch (decay) {
+    case Decay::kL1:
+      return rate * weights.cwiseSign();
+    case Decay::kL2Norm: {
+      const float norm = weights.norm();
+      // The norm has no derivative where all weights are zero; the subgradient 0 keeps them there.
+      return norm > 0.0f ? Eigen::VectorXf(weights * (rate / norm)) : Eigen::VectorXf::Zero(weights.size());
+    }
+    case Decay::kL2Squared:
+      return rate * weights;
+    case Decay::kNone:
+      break;
+  }
+  return Eigen::VectorXf::Zero(weights.size());
+}
+
+double clipToNorm(double max_norm, Eigen::VectorXf& gradient) {
+  const double norm = gradient.cast<double>().norm();
+  if (max_norm > 0.0 && norm > max_norm) gradient *= static_cast<float>(max_norm / norm);
+  return norm;
+}
+
+double learningRate(const OptimiserParameters& parameters, long step, long steps) {
+  if (parameters.schedule == LearningRateSchedule::kConstant) return parameters.learning_rate;
+  const double progress = static_cast<double>(step) / static_cast<double>(steps);
+  return parameters.learning_rate * 0.5 * (1.0 + std::cos(kPi * progress));
+}
+
+Optimiser::Optimiser(const OptimiserParameters& parameters, Eigen::VectorXf mask)
+    : parameters_(parameters), mask_(std::move(mask)) {
+  validate(parameters_);
+  state_.velocity.setZero(mask_.size());
+  state_.squared_average.setZero(mask_.size());
+}
+
+void Optimiser::update(Eigen::VectorXf gradient, double learning_rate, Eigen::VectorXf& parameters) {
+  clipToNorm(parameters_.max_gradient_norm, gradient);
+  gradient += decayGradient(parameters_.decay, parameters_.decay_rate, parameters, mask_);
+  ++state_.updates;
+  switch (parameters_.kind) {
+    case OptimiserKind::kMomentum:
+      return updateByMomentum(gradient, learning_rate, parameters);
+    case OptimiserKind::kAdam:
+      return updateByAdam(gradient, learning_rate, parameters);
+    case OptimiserKind::kAdaDelta:
+      return updateByAdaDelta(gradient, learning_rate, parameters);
+  }
+}
+
+void Optimiser::setState(const State& state) {
+  if (state.velocity.size() != mask_.size() || state.squared_average.size() != mask_.size()) {
+    throw std::invalid_argument("the optimiser's state is that of " + std::to_string(state.velocity.size()) +
+                                " parameters, expected " + std::to_string(mask_.size()));
+  }
+  state_ = state;
+}
+
+void Optimiser::updateByMomentum(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters) {
+  state_.velocity =
+      static_cast<float>(parameters_.momentum) * state_.velocity - static_cast<float>(learning_rate) * gradient;
+  parameters += state_.velocity;
+}
+
+void Optimiser::updateByAdam(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters) {
+  const float beta1 = static_cast<float>(parameters_.adam_beta1);
+  const float beta2 = static_cast<float>(parameters_.adam_beta2);
+  // Rounded after the subtraction: 1 - 0.999 in single precision is off by 5e-5 of its value.
+  const float share1 = static_cast<float>(1.0 - parameters_.adam_beta1);
+  const float share2 = static_cast<float>(1.0 - parameters_.adam_beta2);
+  state_.velocity = beta1 * state_.velocity + share1 * gradient;
+  state_.squared_average = beta2 * state_.squared_average + share2 * gradient.cwiseAbs2();
+  // Both means start at zero; these factors take that out again.
+  const double count = static_cast<double>(state_.updates);
+  const float mean_correction = static_cast<float>(1.0 / (1.0 - std::pow(parameters_.adam_beta1, count)));
+  const float square_correction = static_cast<float>(1.0 / (1.0 - std::pow(parameters_.adam_beta2, count)));
+  parameters.array() -=
+      static_cast<float>(learning_rate) * mean_correction * state_.velocity.array() /
+      ((square_correction * state_.squared_average.array()).sqrt() + static_cast<float>(parameters_.adam_epsilon));
+}
+
+void Optimiser::updateByAdaDelta(const Eigen::VectorXf& gradient, double learning_rate, Eigen::VectorXf& parameters) {
+  const float rho = static_cast<float>(parameters_.momentum);
+  const float share = static_cast<float>(1.0 - parameters_.momentum);
+  const float epsilon = static_cast<float>(parameters_.adadelta_epsilon);
+  state_.squared_average = rho * state_.squared_average + share * gradient.cwiseAbs2();
+  const Eigen::VectorXf update =
+      (gradient.array() * ((state_.velocity.array() + epsilon) / (state_.squared_average.array() + epsilon)).sqrt())
+          .matrix();
+  state_.velocity = rho * state_.velocity + share * update.cwiseAbs2();
+  parameters -= static_cast<float>(learning_rate) * update;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,120 @@
+#include "lstm_planner/training/q_learner.hpp"
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
+#include "lstm_planner/training/q_learning_targets.hpp"
+#include "training/optimiser_json.hpp"
+
+namespace lstm_planner {
+
+namespace {
+
+OptimiserParameters optimiserParameters(const QLearningParameters& parameters) {
+  OptimiserParameters optimiser;
+  optimiser.learning_rate = parameters.learning_rate;
+  optimiser.max_gradient_norm = parameters.max_gradient_norm;
+  return optimiser;
+}
+
+}  // namespace
+
+void validate(const QLearningParameters& parameters) {
+  visitQLearningParameters(parameters, "", "updates", RangeCheck());
+  checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in [0, 1)");
+  checkParameter(parameters.window >= 1, "window", parameters.window, "at least 1");
+  checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
+  checkParameter(parameters.threads >= 1, "threads", parameters.threads, "at least 1");
+  validate(optimiserParameters(parameters));
+}
+
+void ValueSums::count(double estimate, double error) {
+  steps += 1.0;
+  value += estimate;
+  squared_error += error * error;
+}
+
+void ValueSums::operator+=(const ValueSums& other) {
+  steps += other.steps;
+  value += other.value;
+  squared_error += other.squared_error;
+}
+
+std::vector<double*> numbersOf(ValueSums* sums) { return {&sums->steps, &sums->value, &sums->squared_error}; }
+
+QLearner::QLearner(const CheckpointNames& names, const QLearningParameters& parameters, int updates,
+                   const LayerStack& layers)
+    : names_(names),
+      parameters_(parameters),
+      last_update_(updates),
+      weights_(parameterVector(layers)),
+      target_weights_(weights_),
+      optimiser_(optimiserParameters(parameters), weightMask(layers)) {}
+
+double QLearner::progress() const { return std::min(1.0, static_cast<double>(updates_) / last_update_); }
+
+double QLearner::epsilon() const {
+  return explorationAt(progress(), parameters_.exploration_start, parameters_.exploration_end,
+                       parameters_.exploration_share);
+}
+
+void QLearner::startUpdate() {
+  if (updates_ % parameters_.target_interval == 0) target_weights_ = weights_;
+}
+
+void QLearner::update(const Eigen::VectorXf& gradient) {
+  optimiser_.update(gradient, parameters_.learning_rate * 0.5 * (1.0 + std::cos(M_PI * progress())), weights_);
+}
+
+void QLearner::finishUpdate(double steps) {
+  ++updates_;
+  steps_ += steps;
+}
+
+ReinforcementReport QLearner::report(const ValueSums& values) const {
+  ReinforcementReport report;
+  report.update = updates_;
+  report.steps = steps_;
+  if (values.steps > 0.0) {
+    report.value = values.value / values.steps;
+    report.error = std::sqrt(values.squared_error / values.steps);
+  }
+  return report;
+}
+
+std::vector<std::uint8_t> QLearner::checkpoint() const {
+  const nlohmann::json content = {{"format", names_.format},
+                                  {"weights", vectorToJson(weights_)},
+                                  {"target_weights", vectorToJson(target_weights_)},
+                                  {"optimiser", optimiserToJson(optimiser_.state())},
+                                  {"steps", steps_},
+                                  {names_.updates, updates_}};
+  return nlohmann::json::to_cbor(content);
+}
+
+void QLearner::restore(const std::vector<std::uint8_t>& checkpoint) try {
+  const nlohmann::json content = checkpointJson(checkpoint);
+  if (content.at("format") != names_.format) throw std::invalid_argument("another format");
+  const Eigen::VectorXf weights = vectorFromJson(content.at("weights"));
+  const Eigen::VectorXf target_weights = vectorFromJson(content.at("target_weights"));
+  if (weights.size() != weights_.size() || target_weights.size() != weights_.size()) {
+    throw std::invalid_argument("a network of another size");
+  }
+  const auto steps = content.at("steps").get<double>();
+  const auto updates = static_cast<int>(wholeNumber(content.at(names_.updates), 0, INT_MAX));
+  optimiser_.setState(optimiserFromJson(content.at("optimiser")));
+  weights_ = weights;
+  target_weights_ = target_weights;
+  steps_ = steps;
+  updates_ = updates;
+} catch (const std::exception& error) {
+  throw std::invalid_argument(std::string("this is not a checkpoint of this training: ") + error.what());
+}
+
+}  // namespace lstm_planner

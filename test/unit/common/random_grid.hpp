@@ -1,0 +1,21 @@
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "lstm_planner/grid/passable_grid.hpp"
+
+namespace lstm_planner {
+
+/// A grid with about `blocked_percent` of its cells blocked, and none of `kept_free`.
+inline PassableGrid randomGrid(int columns, int rows, unsigned blocked_percent, std::mt19937& random,
+                               const std::vector<CellIndex>& kept_free = {}) {
+  PassableGrid grid(columns, rows, true);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) grid.set({column, row}, random() % 100 >= blocked_percent);
+  }
+  for (const CellIndex cell : kept_free) grid.set(cell, true);
+  return grid;
+}
+
+}  // namespace lstm_planner

@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/common/random.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/training/initialisation.hpp"
+#include "support/heap_count.hpp"
+#include "support/scratch_folder.hpp"
+
+namespace lstm_planner::test_drive_policy_views {
+namespace {
+
+PolicyDescription eightViews() {
+  PolicyDescription description;
+  description.encoder.views = kDriveViews;
+  return description;
+}
+
+LayerStack randomLayers() {
+  LayerStack layers = makeLstmStack(Encoder(eightViews().encoder).size(), {6}, 1);
+  initialise({}, 5, layers);
+  return layers;
+}
+
+DrivePolicy randomPolicy() { return DrivePolicy(eightViews(), randomLayers()); }
+
+/// Remembers in each direction how far the robot went that way: h' = tanh(h + motion).
+DrivePolicy policyThatRemembersMotion() {
+  PolicyDescription description = eightViews();
+  description.encoder.input_layout = {"motion_forward"};
+  RecurrentLayer memory;
+  memory.input = memory.recurrent = Eigen::MatrixXf::Ones(1, 1);
+  memory.bias = Eigen::VectorXf::Zero(1);
+  return DrivePolicy(description, {memory, DenseLayer{Eigen::MatrixXf::Ones(1, 1), Eigen::VectorXf::Zero(1)}});
+}
+
+Observation someObservation(Random& random) {
+  Observation observation;
+  for (double& range : observation.sector_ranges) range = uniform(random, 0.1, 6.0);
+  observation.goal_distance = uniform(random, 0.5, 10.0);
+  observation.goal_bearing = uniform(random, -3.0, 3.0);
+  observation.heading = uniform(random, -0.3, 0.3) + std::floor(uniform(random, -4.0, 4.0)) * M_PI_4;
+  observation.previous_action = M_PI_4;
+  observation.turn = uniform(random, -1.0, 1.0);
+  return observation;
+}
+
+TEST(DrivePolicyViews, StatesStayWithTheirDirectionWhenTheRobotTurns) {
+  DrivePolicy policy = policyThatRemembersMotion();
+  Observation observation;
+  observation.motion = {0.4, 0.0};
+  const Eigen::VectorXf before = policy.advance(observation);
+  EXPECT_GT(before[2], before[1]) << "it went straight ahead";
+  observation.motion = {};
+  observation.heading = observation.turn = M_PI_4;
+  const Eigen::VectorXf after = policy.advance(observation);
+  for (int action = 0; action < 4; ++action) {
+    EXPECT_NEAR(after[action], std::tanh(before[action + 1]), 1e-6) << "action " << action;
+  }
+}
+
+TEST(DrivePolicyViews, AWorldTurnedByAnEighthIsTheSameWorld) {
+  DrivePolicy policy = randomPolicy();
+  DrivePolicy in_turned_world = policy;
+  Random random(7);
+  for (int step = 0; step < 20; ++step) {
+    Observation observation = someObservation(random);
+    const Eigen::VectorXf preferences = policy.advance(observation);
+    observation.heading = normalizeAngle(observation.heading + M_PI_4);
+    EXPECT_EQ(in_turned_world.advance(observation), preferences) << "step " << step;
+  }
+}
+
+TEST(DrivePolicyViews, ComeBackFromTheirFile) {
+  const test::ScratchFolder folder;
+  const std::string path = folder / "model.onnx";
+  DrivePolicy policy = randomPolicy();
+  Model model{randomLayers(), {}};
+  writeMetadata(policy.description(), &model.metadata);
+  writeModelFile(path, model);
+  DrivePolicy read = DrivePolicy::fromFile(path);
+  Random random(3);
+  for (int step = 0; step < 3; ++step) {
+    const Observation observation = someObservation(random);
+    EXPECT_EQ(read.advance(observation), policy.advance(observation));
+  }
+}
+
+TEST(DrivePolicyViews, CopiesGoOnFromTheSameMemoryAndLeaveItAlone) {
+  DrivePolicy policy = randomPolicy();
+  Random random(9);
+  const Observation first = someObservation(random);
+  const Observation second = someObservation(random);
+  policy.advance(first);
+  DrivePolicy preview = policy;
+  const Eigen::VectorXf foreseen = preview.advance(second);
+  preview.advance(first);
+  EXPECT_EQ(policy.advance(second), foreseen);
+}
+
+TEST(DrivePolicyViews, ForgetWhenReset) {
+  DrivePolicy policy = randomPolicy();
+  Random random(11);
+  const Observation observation = someObservation(random);
+  const Eigen::VectorXf fresh = policy.advance(observation);
+  EXPECT_NE(policy.advance(observation), fresh);
+  policy.reset();
+  EXPECT_EQ(policy.advance(observation), fresh);
+}
+
+TEST(DrivePolicyViews, AllocateNothingOnceWarm) {
+  if (!heapIsCounted()) GTEST_SKIP() << kHeapIsNotCounted;
+  DrivePolicy policy = randomPolicy();
+  Random random(2);
+  policy.advance(someObservation(random));
+  const long before = heapCount().allocations;
+  for (int step = 0; step < 10; ++step) policy.advance(someObservation(random));
+  EXPECT_EQ(heapCount().allocations, before);
+}
+
+TEST(DrivePolicyViews, RefuseWhatDoesNotFit) {
+  const LayerStack one_output = makeLstmStack(14, {4}, 1);
+  EXPECT_NO_THROW(DrivePolicy(eightViews(), one_output));
+  EXPECT_THROW(DrivePolicy(eightViews(), makeLstmStack(14, {4}, 5)), std::invalid_argument);
+  PolicyDescription between = eightViews();
+  between.actions = ActionSet({-M_PI_4, 0.0, 0.5});
+  EXPECT_THROW(DrivePolicy(between, one_output), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_drive_policy_views

@@ -1,0 +1,297 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "unit/drive/decision/agent_fixtures.hpp"
+#include "unit/drive/local_map/memory_fixtures.hpp"
+
+namespace lstm_planner::test_navigation_routes {
+namespace {
+
+using Source = Decision::Source;
+using test::returnsAt;
+using test::situationAt;
+
+/// A network that prefers straight on.
+DrivePolicy stubbornPolicy() { return test::policyPreferring({1.0f, 2.0f, 5.0f, 3.0f, 4.0f}); }
+
+class NavigationRoutes : public ::testing::Test {
+ protected:
+  NavigationRoutes() : agent_(stubbornPolicy(), test::routeLed()) { agent_.setGoal({4.0, 0.0}); }
+
+  /// From the waypoint along the path on, m.
+  static double lengthOn(const Decision& decision) {
+    double length = 0.0;
+    Point2 last = decision.waypoint;
+    for (const Point2& point : decision.path_on) {
+      length += distanceBetween(last, point);
+      last = point;
+    }
+    return length;
+  }
+
+  NavigationAgent agent_;
+  const AgentParameters defaults_ = test::routeLed();
+};
+
+/// Across the straight path; its right end is the nearer one.
+const std::vector<Point2> kWall = test::wall({2.0, -1.0}, {2.0, 3.0});
+const double kRoundTheWall = 2.0 * std::hypot(2.0, 1.0);  ///< m, at least, from the origin to (4, 0)
+
+TEST_F(NavigationRoutes, TheWaypointLiesOnTheRouteThatLeads) {
+  for (const double yaw : {0.0, 0.3, 1.0, M_PI}) {
+    agent_.setGoal({4.0, 0.0});
+    const Decision& decision = agent_.update(situationAt({0.0, 0.0, yaw}));
+    EXPECT_EQ(decision.source, Source::kRoute);
+    EXPECT_TRUE(decision.on_route);
+    EXPECT_NEAR(decision.waypoint.x, 0.4, 1e-12);  // not where the heading points to
+    EXPECT_NEAR(decision.waypoint.y, 0.0, 1e-12);
+  }
+}
+
+TEST_F(NavigationRoutes, ARouteThatLeadsAsksNoNetwork) {
+  const Network::HiddenState hidden = agent_.policy().hiddenState();
+  for (int step = 0; step < 5; ++step) {
+    const Decision& decision = agent_.update(situationAt({0.4 * step, 0.0, 0.0}, step));
+    EXPECT_NE(decision.source, Source::kNetwork);
+    EXPECT_EQ(decision.preferred, -1);
+    EXPECT_EQ(decision.overruled, Decision::Overruled::kNo);
+  }
+  EXPECT_EQ(agent_.policy().hiddenState(), hidden);
+}
+
+TEST_F(NavigationRoutes, WithoutALeaderTheAllowedAngleNearestToTheGoalIsTaken) {
+  AgentParameters parameters;
+  parameters.leader = Decision::Source::kGreedy;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  const double bearings[] = {-1.4, -0.7, 0.1, 0.9, 2.9};
+  for (int action = 0; action < 5; ++action) {
+    agent.setGoal(pointAlong(Point2{}, bearings[action], 5.0));
+    const Decision& decision = agent.update(situationAt({}));
+    EXPECT_EQ(decision.source, Source::kGreedy);
+    EXPECT_EQ(decision.action, action);
+    EXPECT_EQ(decision.preferred, -1);
+  }
+}
+
+TEST_F(NavigationRoutes, ThePathOnGoesFromTheWaypointToTheDestination) {
+  for (const double yaw : {0.0, -0.4, 1.0, 2.5}) {
+    agent_.setGoal({4.0, 0.0});
+    const Decision& decision = agent_.update(returnsAt(kWall, {0.0, 0.0, yaw}));
+    ASSERT_FALSE(decision.path_on.empty()) << yaw;
+    EXPECT_EQ(decision.path_on.back().x, 4.0);
+    EXPECT_EQ(decision.path_on.back().y, 0.0);
+    const double whole = distanceBetween(Point2{}, decision.waypoint) + lengthOn(decision);
+    EXPECT_GT(whole, kRoundTheWall) << yaw;
+    // Round the end at the footprint's radius and the comfortable clearance, and a cell more.
+    const double aside = 1.0 + defaults_.shield.footprint_radius + defaults_.memory.comfort + 0.2;
+    EXPECT_LT(whole, 2.0 * std::hypot(2.0, aside)) << yaw;
+  }
+}
+
+TEST_F(NavigationRoutes, TheDestinationIsBesideAGoalThatLiesInSomething) {
+  AgentParameters tolerant = test::routeLed();
+  tolerant.goal_tolerance = 0.6;
+  NavigationAgent agent(stubbornPolicy(), tolerant);
+  const Point2 goal{4.0, 0.1};
+  agent.setGoal(goal);
+  EXPECT_EQ(agent.decision().destination.x, goal.x);
+  std::vector<Point2> pillar;
+  for (const Point2& point : test::ring(0.2)) pillar.push_back({goal.x + point.x, goal.y + point.y});
+  const Decision& decision = agent.update(returnsAt(pillar));
+  EXPECT_EQ(decision.goal_seems, Decision::GoalSeems::kReachable) << "within its tolerance";
+  const double beside = distanceBetween(decision.destination, goal);
+  EXPECT_GT(beside, 0.2 + 0.75 * tolerant.shield.footprint_radius);  // less what a square's rounding hides
+  EXPECT_LE(beside, 0.6);
+  ASSERT_FALSE(decision.path_on.empty());
+  EXPECT_EQ(decision.path_on.back().x, decision.destination.x);
+  // It stays there when the goal moves, until the path is found anew.
+  const Point2 destination = decision.destination;
+  agent.moveGoal({goal.x + 0.1, goal.y});
+  EXPECT_EQ(agent.decision().destination.x, destination.x);
+  EXPECT_EQ(agent.decision().path_on.back().x, destination.x);
+  EXPECT_LE(distanceBetween(agent.update(returnsAt(pillar, {0.4, 0.0, 0.0})).destination, agent.goal()), 0.6);
+}
+
+TEST_F(NavigationRoutes, AGoalThatIsNearBehindALongWallSeemsToLieBehindAnObstacle) {
+  const auto seems = [](double tolerance, const std::vector<Point2>& wall) {
+    AgentParameters parameters = test::routeLed();
+    parameters.goal_tolerance = tolerance;
+    NavigationAgent agent(stubbornPolicy(), parameters);
+    agent.setGoal({2.5, 0.0});
+    return agent.update(returnsAt(wall)).goal_seems;
+  };
+  // 12.6 m round the wall: more than three times the 2.8 m that count as near with this tolerance.
+  const std::vector<Point2> long_wall = test::wall({2.0, -6.0}, {2.0, 6.0});
+  EXPECT_EQ(seems(1.4, long_wall), Decision::GoalSeems::kBehindObstacle);
+  EXPECT_EQ(seems(0.15, long_wall), Decision::GoalSeems::kReachable) << "odometry is too good for that";
+  EXPECT_EQ(seems(1.4, kWall), Decision::GoalSeems::kReachable) << "the path is short";
+}
+
+TEST_F(NavigationRoutes, AGoalInAClosedRingSeemsEnclosed) {
+  NavigationAgent agent(stubbornPolicy(), test::routeLed());
+  agent.setGoal({3.0, 0.0});
+  std::vector<Point2> ring;
+  for (const Point2& point : test::ring(0.8)) ring.push_back({3.0 + point.x, point.y});
+  EXPECT_EQ(agent.update(returnsAt(ring)).goal_seems, Decision::GoalSeems::kEnclosed);
+}
+
+TEST_F(NavigationRoutes, AGoalInAClosedRingBesideTheRobotSeemsToLieInAnObstacle) {
+  AgentParameters parameters = test::routeLed();
+  parameters.goal_drift = 0.0;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  const Point2 goal{1.2, 0.0};  // within goal_in_sight
+  agent.setGoal(goal);
+  std::vector<Point2> box;
+  for (const Point2& point : test::ring(0.3)) box.push_back({goal.x + point.x, goal.y + point.y});
+  EXPECT_EQ(agent.update(returnsAt(box)).goal_seems, Decision::GoalSeems::kInObstacle);
+  EXPECT_EQ(agent.decision().source, Decision::Source::kLookAround);
+  EXPECT_DOUBLE_EQ(agent.reachedWithin(), parameters.goal_tolerance);
+}
+
+TEST_F(NavigationRoutes, AGoalThatTheRobotStandsBesideSeemsToLieBehindAnObstacleWhateverTheDrift) {
+  NavigationAgent agent(stubbornPolicy(), test::routeLed());
+  agent.setGoal({1.2, 0.0});
+  // 12.2 m round the wall: more than three times goal_in_sight.
+  const std::vector<Point2> long_wall = test::wall({0.7, -6.0}, {0.7, 6.0});
+  EXPECT_EQ(agent.update(returnsAt(long_wall)).goal_seems, Decision::GoalSeems::kBehindObstacle);
+}
+
+/// A goal in a pillar, shown to a robot that has driven up and down for so many steps. `tolerance`: a changed
+/// goal_tolerance.
+struct BesideThePillar {
+  BesideThePillar(int steps, double tolerance) : agent(stubbornPolicy(), test::routeLed()) {
+    AgentParameters changed = agent.parameters();
+    changed.goal_tolerance = tolerance;
+    agent.change(changed);
+    const Point2 goal{8.0, 0.0};
+    std::vector<Point2> pillar;
+    for (const double radius : {0.3, 0.15}) {
+      for (const Point2& point : test::ring(radius)) pillar.push_back({goal.x + point.x, point.y});
+    }
+    agent.setGoal({0.0, 9.0});
+    agent.update(returnsAt({}));
+    agent.setGoal(goal);  // what was driven before does not count
+    for (int step = 0; step <= steps; ++step) {
+      const Pose2 pose{step % 2 == 0 ? 4.0 : 4.5, 0.0, 0.0};
+      Situation situation = step < steps ? returnsAt({}, pose) : returnsAt(pillar, pose);
+      situation.time = 0.5 * step;
+      agent.update(situation);
+    }
+    is_to_be_reached = agent.decision().source == Source::kRoute;
+    end = distanceBetween(agent.decision().destination, goal);
+  }
+
+  NavigationAgent agent;
+  bool is_to_be_reached;
+  double end;  ///< m from the goal to the end of the path
+};
+
+TEST_F(NavigationRoutes, TheToleranceThatIsNamedIsTheOneThatEndsTheDrive) {
+  const double tolerance = defaults_.goal_tolerance;
+  const BesideThePillar far(100, tolerance);
+  ASSERT_TRUE(far.is_to_be_reached);
+  ASSERT_GT(far.end, 0.3 + defaults_.shield.footprint_radius);
+  for (int steps = 0; steps < 40; ++steps) {
+    const BesideThePillar drive(steps, tolerance);
+    EXPECT_NEAR(drive.agent.reachedWithin(), tolerance + 0.5 * steps * defaults_.goal_drift, 1e-9);
+    EXPECT_EQ(drive.is_to_be_reached, far.end <= drive.agent.reachedWithin()) << steps;
+  }
+}
+
+TEST_F(NavigationRoutes, AToleranceThatIsChangedOnTheWayEndsTheDrive) {
+  EXPECT_FALSE(BesideThePillar(0, 0.4).is_to_be_reached);
+  EXPECT_TRUE(BesideThePillar(0, 0.8).is_to_be_reached);
+}
+
+TEST_F(NavigationRoutes, AskingTwiceChangesNothing) {
+  const Decision first = agent_.update(returnsAt(kWall));
+  const Network::HiddenState hidden = agent_.policy().hiddenState();
+  const Decision elsewhere = agent_.preview(returnsAt({}), {3.0, 0.0});
+  for (int i = 1; i < 10; ++i) {
+    Situation again = returnsAt(kWall);
+    again.time = 0.1 * i;
+    const Decision& decision = agent_.update(again);
+    EXPECT_EQ(decision.step, first.step);
+    EXPECT_EQ(decision.waypoint.x, first.waypoint.x);
+    EXPECT_EQ(decision.waypoint.y, first.waypoint.y);
+    EXPECT_EQ(lengthOn(decision), lengthOn(first));
+  }
+  EXPECT_EQ(agent_.policy().hiddenState(), hidden);
+  EXPECT_EQ(lengthOn(agent_.preview(returnsAt({}), {3.0, 0.0})), lengthOn(elsewhere));
+}
+
+TEST_F(NavigationRoutes, APreviewKnowsWhatWasSeenAndLeavesNoTrace) {
+  agent_.update(returnsAt({}));
+  EXPECT_GT(lengthOn(agent_.preview(returnsAt(kWall), {4.0, 0.0})), 2.0 * std::sqrt(5.0) - 0.4);
+  // The wall was not there for the agent itself.
+  EXPECT_NEAR(lengthOn(agent_.preview(returnsAt({}), {4.0, 0.0})), 3.6, 1e-9);
+  const Decision& decision = agent_.update(returnsAt({}, {0.4, 0.0, 0.0}));
+  EXPECT_NEAR(lengthOn(decision), 4.0 - 0.8, 1e-9);
+}
+
+TEST_F(NavigationRoutes, ANewGoalKeepsWhatWasSeenAndARestartForgetsIt) {
+  agent_.update(returnsAt(kWall));
+  agent_.setGoal({4.0, 0.0});
+  EXPECT_GT(lengthOn(agent_.update(returnsAt({}))) + 0.4, kRoundTheWall);
+  agent_.restart();
+  EXPECT_NEAR(lengthOn(agent_.update(returnsAt({}))), 3.6, 1e-9);
+}
+
+TEST_F(NavigationRoutes, WithoutMemoryThereIsNoPathOn) {
+  AgentParameters forgetful;
+  forgetful.memory.enabled = false;
+  NavigationAgent agent(stubbornPolicy(), forgetful);
+  agent.setGoal({4.0, 0.0});
+  const Decision& decision = agent.update(returnsAt(kWall, {0.0, 0.0, 0.3}));
+  EXPECT_TRUE(decision.path_on.empty());
+  EXPECT_FALSE(decision.on_route);
+  EXPECT_NEAR(decision.direction, 0.3, 1e-12);
+}
+
+TEST_F(NavigationRoutes, ARobotThatIsHeldUpOnTheRouteIsLedAnotherWay) {
+  ASSERT_NEAR(agent_.update(situationAt({})).direction, 0.0, 1e-9);
+  const Decision& decision = agent_.update(situationAt({}, 2.1));
+  EXPECT_EQ(decision.source, Source::kRoute);
+  ASSERT_TRUE(decision.on_route);
+  // Round a place 0.3 m ahead: at less than the footprint from it there is no path.
+  EXPECT_GT(std::abs(decision.direction), 0.3);
+  EXPECT_GT(distanceBetween(decision.waypoint, Point2{0.3, 0.0}), 0.15);
+}
+
+TEST_F(NavigationRoutes, SaysThatThereIsNoPathAfterThreeTurnsInAClosedRing) {
+  double turned = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    const Decision& decision = agent_.update(situationAt({0.0, 0.0, turned}, 0.5 * i, test::ring(0.8)));
+    if (decision.source == Source::kNoPath) break;
+    ASSERT_EQ(decision.source, Source::kLookAround) << i;
+    turned += 0.5;
+  }
+  EXPECT_EQ(agent_.decision().source, Source::kNoPath);
+  EXPECT_GT(turned, 3.0 * (2.0 * M_PI - 0.5));
+  EXPECT_LT(turned, 3.0 * (2.0 * M_PI + 0.5) + 1.0);
+  // It stays with that until there is a new goal.
+  EXPECT_EQ(agent_.update(situationAt({}, 99.0)).source, Source::kNoPath);
+  agent_.setGoal({0.3, 0.3});
+  EXPECT_NE(agent_.update(situationAt({}, 99.1, test::ring(0.8))).source, Source::kNoPath);
+}
+
+TEST_F(NavigationRoutes, BoundariesAreFollowedAtTheLastResort) {
+  AgentParameters parameters = test::routeLed();
+  parameters.escape.patience_steps = 3;
+  parameters.escape.last_resort = 2.0;
+  NavigationAgent agent(stubbornPolicy(), parameters);
+  agent.setGoal({4.0, 0.0});
+  // It goes to and fro without coming nearer.
+  for (int step = 0; step <= 6; ++step) {
+    const Source source = agent.update(situationAt({step % 2 == 0 ? 0.0 : -0.5, 0.0, 0.0}, step)).source;
+    EXPECT_EQ(source, step < 6 ? Source::kRoute : Source::kEscape) << step;
+  }
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_navigation_routes

@@ -1,0 +1,239 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "unit/drive/decision/agent_fixtures.hpp"
+#include "unit/drive/local_map/memory_fixtures.hpp"
+
+namespace lstm_planner::test_obstacle_memory_changes {
+namespace {
+
+using test::returnsAt;
+
+const AgentParameters kDefaults;
+const double kResolution = kDefaults.memory.resolution;
+
+ObstacleMemory smallMemory() {
+  MemoryParameters parameters = kDefaults.memory;
+  parameters.width = 20.0;
+  return ObstacleMemory(parameters, kDefaults.shield);
+}
+
+using Square = std::pair<int, int>;  // column, row in the odometry frame
+
+Square squareAt(const Point2& place) {
+  return {static_cast<int>(std::floor(place.x / kResolution)), static_cast<int>(std::floor(place.y / kResolution))};
+}
+
+Point2 centerOf(const Square& square) {
+  return {(square.first + 0.5) * kResolution, (square.second + 0.5) * kResolution};
+}
+
+/// What ObstacleMemory::add() is meant to do, square by square. Where the last digits of single precision decide, it
+/// says that it does not know.
+class PlainMemory {
+ public:
+  void add(const Situation& situation) {
+    doubtful_.clear();
+    std::set<Square> returned;
+    for (const Point2& obstacle : situation.obstacles) {
+      const Point2 place = toParentFrame(situation.pose, obstacle);
+      for (const double dx : {-kBlur, kBlur}) {
+        for (const double dy : {-kBlur, kBlur}) doubtful_.insert(squareAt({place.x + dx, place.y + dy}));
+      }
+      const double distance = std::hypot(obstacle.x, obstacle.y);
+      if (std::abs(distance - kDefaults.memory.reach) < kBlur) continue;
+      if (distance <= kDefaults.memory.reach) returned.insert(squareAt(place));
+      // Without doubt in the one square.
+      if (distance > kDefaults.memory.reach || isInside(place)) doubtful_.erase(squareAt(place));
+    }
+    for (auto square = squares_.begin(); square != squares_.end();) {
+      square =
+          returned.count(*square) == 0 && isCleared(*square, situation) ? squares_.erase(square) : std::next(square);
+    }
+    squares_.insert(returned.begin(), returned.end());
+    const double radius = 0.9 * kDefaults.shield.footprint_radius;
+    for (auto square = squares_.begin(); square != squares_.end();) {
+      square = distanceBetween(centerOf(*square), situation.pose) < radius ? squares_.erase(square) : std::next(square);
+    }
+  }
+
+  /// Takes over what is occupied where it is in doubt itself.
+  void settleDoubts(const std::set<Square>& occupied) {
+    for (const Square& square : doubtful_) {
+      squares_.erase(square);
+      if (occupied.count(square) != 0) squares_.insert(square);
+    }
+  }
+
+  const std::set<Square>& squares() const { return squares_; }
+
+ private:
+  static constexpr double kBlur = 1e-5;  // m
+
+  static bool isInside(const Point2& place) {
+    return squareAt({place.x - kBlur, place.y - kBlur}) == squareAt({place.x + kBlur, place.y + kBlur}) &&
+           squareAt({place.x - kBlur, place.y + kBlur}) == squareAt({place.x + kBlur, place.y - kBlur});
+  }
+
+  bool isCleared(const Square& square, const Situation& situation) {
+    const RangeProfile& profile = situation.profile;
+    const Point2 scanner = toParentFrame(situation.pose, profile.origin);
+    const double direction = directionTo(scanner, centerOf(square)) - situation.pose.yaw;
+    const long beam = profile.beamTowards(direction);
+    if (profile.beamTowards(direction - 3e-5) != profile.beamTowards(direction + 3e-5)) doubtful_.insert(square);
+    if (beam < 0) return false;
+    const long last = static_cast<long>(profile.ranges.size()) - 1;
+    double nearest = 1e9;
+    for (long i = std::max(0L, beam - 2); i <= std::min(beam + 2, last); ++i) {
+      nearest = std::min<double>(nearest, profile.ranges[static_cast<std::size_t>(i)]);
+    }
+    const double needed = distanceBetween(scanner, centerOf(square)) + 0.1;
+    if (std::abs(nearest - needed) < kBlur) doubtful_.insert(square);
+    return nearest > needed;
+  }
+
+  std::set<Square> squares_;
+  std::set<Square> doubtful_;
+};
+
+/// Scans with noise of a hall with boxes that come and go.
+class ComingAndGoing {
+ public:
+  explicit ComingAndGoing(unsigned seed) : random_(seed), scanner_(HokuyoParameters(), seed) {}
+
+  Situation next(const Pose2& pose) {
+    OccupancyGrid grid = test::emptyHall(14.0, 9.0);
+    std::uniform_real_distribution<double> x(1.0, 13.0);
+    std::uniform_real_distribution<double> y(1.0, 8.0);
+    for (int i = 0; i < 8; ++i) {
+      const Point2 corner{x(random_), y(random_)};
+      if (std::hypot(corner.x + 0.2 - pose.x, corner.y + 0.2 - pose.y) > 1.0) {
+        test::fillBox(corner.x, corner.y, corner.x + 0.4, corner.y + 0.4, &grid);
+      }
+    }
+    LaserScan scan;
+    scanner_.scan(GridWorld(grid), pose, 0.0, &scan);
+    Situation situation;
+    perceive(scan, scanner_.parameters().mount, {}, 6.0, &situation);
+    situation.pose = pose;
+    return situation;
+  }
+
+ private:
+  std::mt19937 random_;
+  Hokuyo scanner_;
+};
+
+TEST(ObstacleMemoryChanges, AreWhatAPlainMemoryForgetsAndMarks) {
+  int forgotten = 0;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    ComingAndGoing world(seed);
+    ObstacleMemory memory = smallMemory();
+    PlainMemory plain;
+    std::set<Square> occupied;
+    for (int i = 0; i < 40; ++i) {
+      const Situation situation = world.next({4.0 + 0.04 * i, 4.5 + 0.5 * std::sin(0.1 * i), 0.1 * i - 1.0});
+      memory.clearChanges();
+      memory.add(situation);
+      if (i > 0) {
+        ASSERT_FALSE(memory.everythingChanged());
+      }
+      for (const ObstacleMemory::Change& change : memory.changes()) {
+        const Square square = squareAt(change.place);
+        // A change that is none would make others look at it for nothing.
+        ASSERT_EQ(occupied.count(square), change.occupied ? 0u : 1u);
+        change.occupied ? void(occupied.insert(square)) : void(occupied.erase(square));
+        forgotten += change.occupied ? 0 : 1;
+      }
+      plain.add(situation);
+      plain.settleDoubts(occupied);
+      ASSERT_EQ(occupied, plain.squares()) << "seed " << seed << ", look " << i;
+    }
+  }
+  EXPECT_GT(forgotten, 1000);  // boxes that went away
+}
+
+TEST(ObstacleMemoryChanges, LeaveNoJudgementBehindThatIsOutOfDate) {
+  ComingAndGoing world(7);
+  ObstacleMemory memory = smallMemory();
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(2.0, 7.0);
+  for (int i = 0; i < 12; ++i) {
+    memory.add(world.next({4.0 + 0.1 * i, 4.5, 0.3 * i}));
+    if (i % 3 == 2) memory.block({place(random), place(random)});
+    ObstacleMemory anew = memory;
+    anew.squeeze(true);
+    anew.squeeze(false);
+    for (int cell = 0; cell < memory.side() * memory.side(); ++cell) {
+      ASSERT_EQ(static_cast<int>(memory.passage(cell)), static_cast<int>(anew.passage(cell))) << "cell " << cell;
+      ASSERT_EQ(memory.exits(cell), anew.exits(cell)) << "cell " << cell;
+      ASSERT_EQ(distanceBetween(memory.bestPlace(cell), anew.bestPlace(cell)), 0.0) << "cell " << cell;
+    }
+  }
+}
+
+TEST(ObstacleMemoryChanges, AreNoneWhereAStandingRobotSeesTheSame) {
+  const GridWorld world(test::emptyHall(8.0, 8.0));
+  const Situation situation = test::seenFrom(world, {4.0, 4.0, 0.3});
+  ObstacleMemory memory = smallMemory();
+  memory.add(situation);
+  memory.clearChanges();
+  memory.add(situation);
+  EXPECT_TRUE(memory.changes().empty());
+  EXPECT_FALSE(memory.everythingChanged());
+}
+
+TEST(ObstacleMemoryChanges, ListBlockedPlacesAndThoseThatAreForgotten) {
+  ObstacleMemory memory = smallMemory();
+  memory.add(test::situationAt({}));
+  for (int i = 0; i < 32; ++i) memory.block({0.1 * i, 3.0});
+  memory.clearChanges();
+  memory.block({0.0, -3.0});
+  ASSERT_EQ(memory.changes().size(), 2u);
+  EXPECT_EQ(memory.changes()[0].place.x, 0.0);
+  EXPECT_EQ(memory.changes()[0].place.y, 3.0);
+  EXPECT_FALSE(memory.changes()[0].occupied);
+  EXPECT_EQ(memory.changes()[1].place.y, -3.0);
+  EXPECT_TRUE(memory.changes()[1].occupied);
+}
+
+TEST(ObstacleMemoryChanges, AreEverythingWhenTheWindowMovesOrAllIsForgottenOrJudgedOtherwise) {
+  ObstacleMemory memory = smallMemory();
+  EXPECT_TRUE(memory.everythingChanged()) << "at first";
+  memory.add(returnsAt({{1.0, 0.0}}));
+  memory.clearChanges();
+  memory.add(returnsAt({{1.0, 0.0}}, {2.0, 0.0, 0.0}));
+  EXPECT_FALSE(memory.everythingChanged()) << "less than an eighth of the window";
+  memory.add(returnsAt({{1.0, 0.0}}, {3.0, 0.0, 0.0}));
+  EXPECT_TRUE(memory.everythingChanged()) << "the window moved";
+  memory.clearChanges();
+  memory.squeeze(false);
+  EXPECT_FALSE(memory.everythingChanged()) << "it was off already";
+  memory.squeeze(true);
+  EXPECT_TRUE(memory.everythingChanged());
+  memory.clearChanges();
+  memory.forget();
+  EXPECT_TRUE(memory.everythingChanged());
+}
+
+TEST(ObstacleMemoryChanges, AreEverythingWhenTheyAreTooManyToBeListed) {
+  ObstacleMemory memory = smallMemory();
+  memory.add(test::situationAt({}));
+  memory.clearChanges();
+  for (int row = 0; row < 30; ++row) {
+    std::vector<Point2> places;
+    for (int column = 0; column < 80; ++column) places.push_back({2.0 + kResolution * column, kResolution * row});
+    memory.add(returnsAt(places));
+  }
+  EXPECT_TRUE(memory.everythingChanged());  // 2,400 squares
+  EXPECT_LE(memory.changes().size(), 2048u);
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_obstacle_memory_changes

@@ -1,0 +1,316 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "lstm_planner/drive/local_map/route_guide.hpp"
+#include "unit/drive/decision/agent_fixtures.hpp"
+#include "unit/drive/local_map/memory_fixtures.hpp"
+
+namespace lstm_planner::test_route_guide {
+namespace {
+
+using Source = Decision::Source;
+using test::returnsAt;
+using test::seenFrom;
+
+/// A room of 4 x 4 m around (2, 2) in the middle of a hall of 12 x 4 m.
+OccupancyGrid closedRoom() {
+  OccupancyGrid grid = test::emptyHall(12.0, 4.0);
+  test::fillBox(4.0, 0.0, 4.1, 4.0, &grid);
+  return grid;
+}
+
+class RouteGuideTest : public test::GuideFixture {
+ protected:
+  /// Turns the robot on the spot by 40 degrees a time while it is told to look around, at most `turns` times round.
+  Source lookAround(const World& world, Pose2* pose, double turns) {
+    Source status = update(seenFrom(world, *pose));
+    turned_ = 0.0;
+    while (status == Source::kLookAround && turned_ < 2.0 * M_PI * turns) {
+      pose->yaw += degreesToRadians(40.0);
+      turned_ += degreesToRadians(40.0);
+      status = update(seenFrom(world, *pose));
+    }
+    return status;
+  }
+
+  /// Whether the path goes round the upper end of a wall that lies across it.
+  bool goesAbove() const {
+    double highest = -1e9;
+    double lowest = 1e9;
+    for (const Point2& point : guide_.route().points) {
+      highest = std::max(highest, point.y);
+      lowest = std::min(lowest, point.y);
+    }
+    return highest > -lowest;
+  }
+
+  /// A turn on the spot where nothing is seen; the answer in the end.
+  Source turn(Pose2 pose = {}) {
+    Source status = Source::kLookAround;
+    for (int i = 0; i < 10; ++i) {
+      pose.yaw += degreesToRadians(40.0);
+      status = update(returnsAt({}, pose));
+    }
+    return status;
+  }
+
+  /// Beams from one direction to another that see that far; all others know nothing.
+  static RangeProfile seeing(float range, double from, double to) {
+    RangeProfile profile;
+    profile.first_direction = -M_PI;
+    profile.increment = 0.01;
+    profile.ranges.assign(629, 0.0f);
+    for (std::size_t beam = 0; beam < profile.ranges.size(); ++beam) {
+      if (profile.direction(beam) >= from && profile.direction(beam) <= to) profile.ranges[beam] = range;
+    }
+    return profile;
+  }
+
+  double turned_ = 0.0;  ///< rad
+};
+
+TEST_F(RouteGuideTest, LeadsFromTheRobotToTheGoal) {
+  start({5.0, 3.0});
+  ASSERT_EQ(update(returnsAt({}, {1.0, 0.0, 0.0})), Source::kRoute);
+  EXPECT_EQ(guide_.route().points.front().x, 1.0);
+  EXPECT_EQ(guide_.end().x, 5.0);
+  EXPECT_DOUBLE_EQ(guide_.route().length, 5.0);
+  EXPECT_NEAR(guide_.pointAhead(2.5).x, 3.0, 1e-12);
+  EXPECT_NEAR(guide_.pointAhead(2.5).y, 1.5, 1e-12);
+  EXPECT_EQ(guide_.pointAhead(7.0).x, 5.0);
+}
+
+TEST_F(RouteGuideTest, KnowsTheCornersAhead) {
+  start({4.0, 0.0});
+  ASSERT_EQ(update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0}))), Source::kRoute);
+  const std::vector<Point2>& points = guide_.route().points;
+  ASSERT_GE(points.size(), 3u);
+  std::vector<Point2> ahead;
+  guide_.pointsAhead(0.4, &ahead);
+  ASSERT_EQ(ahead.size(), points.size() - 1);
+  EXPECT_EQ(ahead.front().x, points[1].x);
+  EXPECT_EQ(ahead.back().x, 4.0);
+  guide_.pointsAhead(distanceBetween(points[0], points[1]) + 0.01, &ahead);
+  EXPECT_EQ(ahead.size(), points.size() - 2);
+  guide_.pointsAhead(100.0, &ahead);
+  EXPECT_TRUE(ahead.empty());
+}
+
+TEST_F(RouteGuideTest, BelievesThatARoomIsClosedAfterThreeLooksAroundAndNotEarlier) {
+  const GridWorld world(closedRoom());
+  start({8.0, 2.0});
+  Pose2 pose{2.0, 2.0, 0.0};
+  // What lies behind the robot at first is unknown, and a path leads there.
+  for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) update(seenFrom(world, {2.0, 2.0, yaw}));
+  EXPECT_EQ(lookAround(world, &pose, 8.0), Source::kNoPath);
+  // Three full turns, each less what the scanner sees more than its heading, and more by what it turns at once.
+  EXPECT_GT(turned_, 3.0 * (2.0 * M_PI - 0.5) - degreesToRadians(160.0));
+  EXPECT_LT(turned_, 3.0 * 2.0 * M_PI + degreesToRadians(160.0));
+}
+
+TEST_F(RouteGuideTest, FindsTheDoorThatWasOpenedWhileItLookedAround) {
+  const GridWorld closed(closedRoom());
+  OccupancyGrid grid = closedRoom();
+  for (int row = 30; row < 60; ++row) {
+    for (int column = 79; column < 83; ++column) grid.set({column, row}, Cell::kFree);
+  }
+  const GridWorld open(grid);
+  start({8.0, 2.0});
+  Pose2 pose{2.0, 2.0, 0.0};
+  for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) update(seenFrom(closed, {2.0, 2.0, yaw}));
+  ASSERT_EQ(lookAround(closed, &pose, 1.5), Source::kLookAround);
+  EXPECT_EQ(lookAround(open, &pose, 1.5), Source::kRoute);
+}
+
+TEST_F(RouteGuideTest, OneWrongObstacleDoesNotCloseARoom) {
+  OccupancyGrid grid = closedRoom();
+  for (int row = 30; row < 60; ++row) {
+    for (int column = 79; column < 83; ++column) grid.set({column, row}, Cell::kFree);
+  }
+  const GridWorld world(grid);
+  start({8.0, 2.0});
+  for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) update(seenFrom(world, {2.0, 2.0, yaw}));
+  // Somebody stood in the door, and is no longer there when it is looked at anew.
+  Situation person = seenFrom(world, {2.0, 2.0, 0.0});
+  for (const Point2& point : test::wall({2.1, -0.6}, {2.1, 1.1})) person.obstacles.push_back(point);
+  person.profile.ranges.clear();
+  EXPECT_EQ(update(person), Source::kLookAround);
+  Pose2 pose{2.0, 2.0, 0.0};
+  EXPECT_EQ(lookAround(world, &pose, 8.0), Source::kRoute);
+  EXPECT_LT(turned_, 2.0 * M_PI + 0.1);
+}
+
+TEST_F(RouteGuideTest, ARobotThatCannotTurnAroundSearchesWithWhatItSees) {
+  start({-4.0, 0.0});
+  ASSERT_EQ(update(returnsAt(test::ring(0.8))), Source::kLookAround);
+  Situation ahead = returnsAt(test::wall({1.0, -1.0}, {1.0, 1.0}));
+  ahead.time = 1.0;
+  ASSERT_EQ(update(ahead), Source::kLookAround) << "it may be about to turn";
+  guide_.forget();
+  ahead.time = 6.0;
+  EXPECT_EQ(update(ahead), Source::kRoute);
+}
+
+TEST_F(RouteGuideTest, IsLostWhenTheMemoryWasWrongAgainAndAgainWithoutProgress) {
+  const std::vector<Point2> around = test::ring(0.8);
+  start({8.0, 0.0});
+  // Each time it is enclosed all around, looks around, and sees something else.
+  for (int time = 0; time < 4; ++time) {
+    ASSERT_EQ(update(returnsAt(around)), Source::kLookAround) << time;
+    guide_.forget();
+    ASSERT_EQ(turn(), Source::kRoute) << time;
+  }
+  EXPECT_EQ(update(returnsAt(around)), Source::kEscape);
+}
+
+TEST_F(RouteGuideTest, ProgressForgivesWhatWentWrong) {
+  const std::vector<Point2> around = test::ring(0.8);
+  start({8.0, 0.0});
+  for (int time = 0; time < 20; ++time) {
+    ASSERT_EQ(update(returnsAt(around)), Source::kLookAround) << time;
+    guide_.forget();
+    ASSERT_EQ(turn(), Source::kRoute) << time;
+    guide_.noteProgress();
+  }
+}
+
+TEST_F(RouteGuideTest, ANewGoalIsFoundThroughWhatWasSeenBefore) {
+  start({-4.0, 0.0});
+  update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})));
+  start({4.0, 0.0});
+  ASSERT_EQ(update(returnsAt({})), Source::kRoute);
+  EXPECT_GT(guide_.route().length, 2.0 * std::sqrt(5.0));
+  guide_.forget();
+  ASSERT_EQ(update(returnsAt({})), Source::kRoute);
+  EXPECT_DOUBLE_EQ(guide_.route().length, 4.0);
+}
+
+TEST_F(RouteGuideTest, DoesNotTurnBackForAPathThatIsHardlyBetter) {
+  start({4.0, 0.0});
+  update(returnsAt(test::wall({2.0, -2.2}, {2.0, 1.5})));
+  ASSERT_TRUE(goesAbove());
+  // The lower metre of the wall is gone: below it is shorter by 2 * (hypot(2, 1.8) - hypot(2, 1.5)) = 0.38 m.
+  Situation cleared = returnsAt({});
+  cleared.profile = seeing(20.0f, std::atan2(-2.4, 2.0), std::atan2(-1.2, 2.0));
+  update(cleared);
+  EXPECT_TRUE(goesAbove());
+  // Who had no path yet takes that one.
+  start({4.0, 0.0});
+  update(returnsAt({}));
+  EXPECT_FALSE(goesAbove());
+}
+
+TEST_F(RouteGuideTest, TakesAMuchBetterPathAndLeavesOneThatIsBlocked) {
+  start({4.0, 0.0});
+  update(returnsAt(test::wall({2.0, -3.0}, {2.0, 1.0})));
+  ASSERT_TRUE(goesAbove());
+  // It goes on above: there the wall is 4 m long.
+  update(returnsAt(test::wall({2.0, 1.0}, {2.0, 4.0})));
+  EXPECT_FALSE(goesAbove());
+  // Clear from end to end: straight on.
+  Situation nothing = returnsAt({});
+  nothing.profile = seeing(20.0f, -M_PI, M_PI);
+  update(nothing);
+  EXPECT_DOUBLE_EQ(guide_.route().length, 4.0);
+}
+
+TEST_F(RouteGuideTest, KeepsItsPathToAGoalThatMovesALittle) {
+  const Situation wall = returnsAt(test::wall({2.0, -1.1}, {2.0, 1.0}));
+  const Point2 moved{4.0, -0.2};
+  start({4.0, 0.0});
+  ASSERT_EQ(update(wall), Source::kRoute);
+  ASSERT_TRUE(goesAbove());
+  moveGoal(moved);
+  EXPECT_EQ(guide_.end().y, moved.y);
+  EXPECT_DOUBLE_EQ(guide_.route().length, lengthOf(guide_.route().points));
+  ASSERT_EQ(update(wall), Source::kRoute);
+  EXPECT_TRUE(goesAbove());
+  EXPECT_EQ(guide_.end().y, moved.y);
+  // Who sets out for it anew goes below, where it is nearer now.
+  start(moved);
+  ASSERT_EQ(update(wall), Source::kRoute);
+  EXPECT_FALSE(goesAbove());
+}
+
+TEST_F(RouteGuideTest, BlockedAheadItLeadsAnotherWay) {
+  start({4.0, 0.0});
+  const Situation here = returnsAt({});
+  ASSERT_EQ(update(here), Source::kRoute);
+  guide_.blockAhead();
+  ASSERT_EQ(update(here), Source::kRoute);
+  // Round a place 0.3 m ahead, at the footprint's distance at least.
+  EXPECT_GT(guide_.route().length, 4.05);
+  double nearest = 1.0;
+  for (double ahead = 0.0; ahead < 1.0; ahead += 0.01) {
+    nearest = std::min(nearest, distanceBetween(guide_.pointAhead(ahead), Point2{0.3, 0.0}));
+  }
+  const AgentParameters parameters;
+  EXPECT_GT(nearest, parameters.shield.footprint_radius - parameters.memory.resolution);
+}
+
+TEST_F(RouteGuideTest, KeepsItsRouteWhileTheRobotDrivesAlongIt) {
+  const std::vector<Point2> wall = test::wall({2.0, -1.0}, {2.0, 3.0});
+  start({4.0, 0.0});
+  update(returnsAt(wall));
+  const double whole = guide_.route().length;
+  double driven = 0.0;
+  Pose2 pose;
+  while (distanceBetween(pose, Point2{4.0, 0.0}) > 0.1 && driven < 2.0 * whole) {
+    const Point2 next = guide_.pointAhead(0.1);
+    driven += distanceBetween(pose, next);
+    pose = {next.x, next.y, directionTo(pose, next)};
+    ASSERT_EQ(update(returnsAt(wall, pose)), Source::kRoute);
+    // What is left and what was driven are together no more than the whole was: corners are only cut.
+    ASSERT_LT(guide_.route().length + driven, whole + 0.1);
+  }
+  EXPECT_LT(driven, whole + 0.1);
+}
+
+TEST_F(RouteGuideTest, EndsBesideAGoalInAnObstacleIfTheToleranceAllowsIt) {
+  // The goal lies in the middle of a pillar: 0.3 + 0.174 m from where the robot can be.
+  const double beside = 0.3 + AgentParameters().shield.footprint_radius;
+  std::vector<Point2> pillar;
+  for (const double radius : {0.3, 0.15}) {
+    for (const Point2& point : test::ring(radius)) pillar.push_back({8.0 + point.x, point.y});
+  }
+  const Situation seen = returnsAt(pillar, {4.0, 0.0, 0.0});
+  start({8.0, 0.0});
+  tolerance_ = beside;
+  EXPECT_EQ(update(seen), Source::kLookAround) << "the tight clearance is missing";
+  tolerance_ = beside + 0.15;
+  start({8.0, 0.0});
+  ASSERT_EQ(update(seen), Source::kRoute);
+  EXPECT_LE(distanceBetween(guide_.end(), Point2{8.0, 0.0}), tolerance_);
+}
+
+TEST_F(RouteGuideTest, TheRegretOfAStepIsHowMuchLongerThePathThroughItsEndIs) {
+  const Point2 goal{4.0, 0.0};
+  start(goal);
+  ASSERT_EQ(update(returnsAt({})), Source::kRoute);
+  // A path from cell to cell is up to 8 % longer than the straight line; both ends of the difference are.
+  const double rounding = 0.08 * 0.4 + guide_.memory().cellSize();
+  std::vector<Point2> path_on;
+  EXPECT_NEAR(guide_.regretOf({}, {0.4, 0.0}, goal, &path_on), 0.0, rounding);
+  EXPECT_NEAR(guide_.regretOf({}, {0.0, 0.4}, goal, &path_on), 0.4, rounding);
+  EXPECT_NEAR(guide_.regretOf({}, {-0.4, 0.0}, goal, &path_on), 0.8, rounding);
+  ASSERT_FALSE(path_on.empty());
+  EXPECT_EQ(distanceBetween(path_on.back(), goal), 0.0);
+  EXPECT_EQ(guide_.route().points.size(), 2u) << "asking changes nothing";
+}
+
+TEST_F(RouteGuideTest, AStepIntoAClosedPlaceIsRegrettedWithoutEnd) {
+  start({4.0, 0.0});
+  std::vector<Point2> ring;
+  for (const Point2& point : test::ring(0.6)) ring.push_back({-2.0 + point.x, point.y});
+  ASSERT_EQ(update(returnsAt(ring)), Source::kRoute);
+  std::vector<Point2> path_on;
+  EXPECT_EQ(guide_.regretOf({}, {-2.0, 0.0}, {4.0, 0.0}, &path_on), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(path_on.empty());
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_route_guide

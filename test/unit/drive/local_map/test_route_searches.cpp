@@ -1,0 +1,229 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <random>
+#include <vector>
+
+#include "lstm_planner/drive/local_map/route_guide.hpp"
+#include "lstm_planner/grid/cell_queue.hpp"
+#include "support/case_name.hpp"
+#include "unit/drive/decision/agent_fixtures.hpp"
+#include "unit/drive/local_map/memory_fixtures.hpp"
+
+namespace lstm_planner::test_route_searches {
+namespace {
+
+using Source = Decision::Source;
+using test::returnsAt;
+
+const AgentParameters kDefaults;
+
+/// Sees these places, and through everything else that is nearer than 20 m.
+Situation seeingThrough(double from, double to, const Pose2& pose) {
+  Situation situation = returnsAt({}, pose);
+  situation.profile.first_direction = -M_PI;
+  situation.profile.increment = 0.01;
+  situation.profile.ranges.assign(629, 0.0f);
+  for (std::size_t beam = 0; beam < situation.profile.ranges.size(); ++beam) {
+    const double direction = situation.profile.direction(beam);
+    if (direction >= from && direction <= to) situation.profile.ranges[beam] = 20.0f;
+  }
+  return situation;
+}
+
+class RouteSearches : public test::GuideFixture {
+ protected:
+  RouteSearches() {
+    start({6.0, 0.0});
+    EXPECT_EQ(update(returnsAt(wall_)), Source::kRoute);
+    EXPECT_EQ(guide_.searches(), 1);
+  }
+
+  double highest() const {
+    double highest = -1e9;
+    for (const Point2& point : guide_.route().points) highest = std::max(highest, point.y);
+    return highest;
+  }
+
+  /// Below it the path is shorter.
+  const std::vector<Point2> wall_ = test::wall({3.0, -2.0}, {3.0, 4.0});
+};
+
+TEST_F(RouteSearches, NoneIsMadeWhileTheRobotDrivesAlongAndNothingChanges) {
+  Pose2 pose;
+  while (distanceBetween(pose, Point2{6.0, 0.0}) > 0.3) {
+    const Point2 next = guide_.pointAhead(0.2);
+    pose = {next.x, next.y, directionTo(pose, next)};
+    ASSERT_EQ(update(returnsAt(wall_, pose)), Source::kRoute);
+    ASSERT_EQ(guide_.searches(), 1) << "at " << pose.x << " " << pose.y;
+    ASSERT_EQ(guide_.route().points.front().x, pose.x);
+    ASSERT_FLOAT_EQ(guide_.route().length, lengthOf(guide_.route().points));
+  }
+}
+
+TEST_F(RouteSearches, CornersThatTheFirstHadAreCutOnThePath) {
+  const Point2 goal{-25.0, 5.0};
+  start(goal);
+  Pose2 pose;
+  double driven = 0.0;
+  while (distanceBetween(pose, goal) > 0.3) {
+    ASSERT_EQ(update(returnsAt({}, pose)), Source::kRoute);
+    const Point2 next = guide_.pointAhead(0.2);
+    driven += distanceBetween(pose, next);
+    pose = {next.x, next.y, directionTo(pose, next)};
+  }
+  // A search leads along cells, in eight directions, and pulls straight the first 8 m only.
+  EXPECT_LT(driven, 1.02 * distanceBetween(Point2{}, goal));
+}
+
+TEST_F(RouteSearches, NoneIsMadeForAnObstacleThatAppearsElsewhere) {
+  std::vector<Point2> places = wall_;
+  for (const Point2& point : test::wall({1.0, 2.0}, {2.0, 2.0})) places.push_back(point);
+  ASSERT_EQ(update(returnsAt(places)), Source::kRoute);
+  EXPECT_EQ(guide_.searches(), 1);
+}
+
+TEST_F(RouteSearches, OneIsMadeWhenAnObstacleLiesOnThePath) {
+  const Point2 middle = guide_.pointAhead(0.5 * guide_.route().length);
+  std::vector<Point2> places = wall_;
+  for (const Point2& point : test::wall({middle.x, middle.y - 1.0}, {middle.x, middle.y + 1.0})) {
+    places.push_back(point);
+  }
+  ASSERT_EQ(update(returnsAt(places)), Source::kRoute);
+  EXPECT_EQ(guide_.searches(), 2);
+  ASSERT_EQ(update(returnsAt(places)), Source::kRoute);
+  EXPECT_EQ(guide_.searches(), 2);
+}
+
+TEST_F(RouteSearches, OneIsMadeWhenAShortcutOpens) {
+  // A door of 1.2 m where the straight path leads through the wall.
+  const double aside = std::atan2(0.6, 3.0);
+  ASSERT_EQ(update(seeingThrough(-aside, aside, {})), Source::kRoute);
+  EXPECT_EQ(guide_.searches(), 2);
+  EXPECT_LT(guide_.route().length, 6.1);
+}
+
+TEST_F(RouteSearches, NoneIsMadeForAGapThatLeadsNowhereNearer) {
+  // The upper half metre of the wall: above it is still farther than below.
+  ASSERT_EQ(update(seeingThrough(std::atan2(3.5, 3.0), 1.0, {})), Source::kRoute);
+  EXPECT_EQ(guide_.searches(), 1);
+}
+
+TEST_F(RouteSearches, OneIsMadeWhenTheRobotIsPushedOff) {
+  ASSERT_LT(highest(), 1.0);
+  // Near the upper end of the wall the path round that end is much shorter than back to the lower one.
+  ASSERT_EQ(update(returnsAt(wall_, {2.4, 4.2, 0.0})), Source::kRoute);
+  EXPECT_EQ(guide_.searches(), 2);
+  EXPECT_GT(highest(), 4.0);
+}
+
+TEST_F(RouteSearches, OneIsMadeForABlockedPathFromBesideADoorPost) {
+  // From here no straight line leads into the door, so that what the path costs is not known.
+  const Pose2 pose{0.24, 0.16, 0.0};
+  const Point2 goal{6.0, 0.0};
+  std::vector<Point2> places;
+  for (const double side : {-1.0, 1.0}) {
+    for (const Point2& point : test::wall({0.42, side * 0.22}, {0.42, side * 3.0})) places.push_back(point);
+  }
+  RouteGuide guide(kDefaults);
+  guide.start();
+  ASSERT_EQ(guide.update(returnsAt(places, pose), goal, kDefaults.goal_tolerance), Source::kRoute);
+  for (const Point2& point : test::wall({3.0, -1.0}, {3.0, 1.0})) places.push_back(point);
+  ASSERT_EQ(guide.update(returnsAt(places, pose), goal, kDefaults.goal_tolerance), Source::kRoute);
+  const std::vector<Point2>& points = guide.route().points;
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    EXPECT_TRUE(guide.isPassable(points[i - 1], points[i])) << "piece " << i;
+  }
+}
+
+TEST_F(RouteSearches, OneIsMadeForANewGoalAndNoneForOneThatMovesALittle) {
+  moveGoal({6.01, 0.01});
+  ASSERT_EQ(update(returnsAt(wall_)), Source::kRoute);
+  EXPECT_EQ(guide_.searches(), 1);
+  EXPECT_EQ(guide_.end().x, 6.01);
+  start({5.0, 2.0});
+  ASSERT_EQ(update(returnsAt(wall_)), Source::kRoute);
+  EXPECT_EQ(guide_.searches(), 2);
+}
+
+/// A robot that sees walls come and go finds its path as one that searches at every step, but for the share that is not
+/// worth turning for.
+class RouteSearchesAmongWalls : public ::testing::TestWithParam<unsigned> {};
+
+TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
+  std::mt19937 random(GetParam());
+  std::uniform_real_distribution<double> place(-6.0, 6.0);
+  std::uniform_real_distribution<double> direction(-M_PI, M_PI);
+  std::uniform_real_distribution<double> length(0.5, 2.5);
+  RouteGuide keeping(kDefaults);
+  RouteGuide searching(kDefaults);
+  ObstacleMemory memory(kDefaults.memory, kDefaults.shield);
+  const RouteFinder finder(kDefaults.memory.tightness);
+  const Point2 goal{8.0, 0.0};
+  Pose2 pose{-8.0, 0.0, 0.0};
+  keeping.start();
+  int compared = 0;
+  for (int step = 0; step < 80 && distanceBetween(pose, goal) > 0.5; ++step) {
+    const double from = direction(random);
+    Situation situation = seeingThrough(from, from + 0.15, pose);
+    if (step % 3 == 0) {
+      const Point2 begin{place(random), place(random)};
+      const Point2 end = pointAlong(begin, direction(random), length(random));
+      for (const Point2& point : test::wall(begin, end)) {
+        if (distanceBetween(point, pose) > 0.8 && distanceBetween(point, goal) > 0.8) {
+          situation.obstacles.push_back(toLocalFrame(pose, point));
+        }
+      }
+    }
+    memory.add(situation);
+    searching.start();  // knows no route: searches
+    const Source kept = keeping.update(situation, goal, kDefaults.goal_tolerance);
+    if (searching.update(situation, goal, kDefaults.goal_tolerance) != Source::kRoute) break;
+    ASSERT_EQ(kept, Source::kRoute) << "step " << step;
+    const double cost = test::costOf(keeping.route(), finder, &memory);
+    const double least = test::costOf(searching.route(), finder, &memory);
+    // 8 % and 0.3 m are not worth turning for; along cells a path may be up to 8 % longer than it is.
+    ASSERT_LE(cost, 1.08 * 1.08 * least + 0.3) << "step " << step;
+    ++compared;
+    const Point2 next = keeping.pointAhead(0.3);
+    pose = {next.x, next.y, directionTo(pose, next)};
+  }
+  EXPECT_GT(compared, 20);
+  EXPECT_LT(keeping.searches(), searching.searches());
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RouteSearchesAmongWalls, ::testing::Range(1u, 9u), test::caseName("Seed"));
+
+TEST(CellQueue, GivesEstimatesInOrder) {
+  std::mt19937 random(3);
+  CellQueue queue;
+  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> expected;
+  queue.clear(100);
+  std::uint32_t lowest = 100;
+  int given = 0;
+  for (int i = 0; i < 20000; ++i) {
+    if (i < 12000) {
+      // Mostly a little more than the lowest, as a search's; some far beyond the buckets.
+      const std::uint32_t estimate = lowest + random() % (i % 50 == 0 ? 5000 : 29);
+      queue.push(estimate, static_cast<std::uint16_t>(estimate), 7);
+      expected.push(estimate);
+    }
+    if (i % 3 != 0) {
+      ASSERT_EQ(queue.lowest(&lowest), !expected.empty());
+      if (expected.empty()) continue;
+      ASSERT_EQ(lowest, expected.top());
+      std::uint16_t column = 0;
+      std::uint16_t row = 0;
+      queue.pop(&column, &row);
+      ASSERT_EQ(column, static_cast<std::uint16_t>(lowest));
+      expected.pop();
+      ++given;
+    }
+  }
+  EXPECT_EQ(given, 12000);
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_route_searches

@@ -1,0 +1,99 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "lstm_planner/drive/local_map/sight.hpp"
+
+namespace lstm_planner::test_sight {
+namespace {
+
+/// A scan of walls at many distances, with some beams that know nothing.
+RangeProfile scanOf(double increment, std::size_t beams, std::mt19937* random) {
+  RangeProfile profile;
+  profile.first_direction = -2.3;
+  profile.increment = increment;
+  std::uniform_real_distribution<float> range(0.5f, 12.0f);
+  std::bernoulli_distribution is_corner(0.05);
+  float now = 5.0f;
+  for (std::size_t i = 0; i < beams; ++i) {
+    if (is_corner(*random)) now = range(*random);
+    profile.ranges.push_back(i % 97 == 5 ? 0.0f : now);
+  }
+  return profile;
+}
+
+/// How far away a place in that direction (rad) may lie to be cleared, m.
+double plainReach(const RangeProfile& profile, double towards) {
+  const long beam = profile.beamTowards(towards);
+  if (beam < 0) return -1.0;
+  double nearest = 1e9;
+  for (long i = std::max(0L, beam - 2); i <= beam + 2; ++i) {
+    if (i < static_cast<long>(profile.ranges.size())) {
+      nearest = std::min<double>(nearest, profile.ranges[static_cast<std::size_t>(i)]);
+    }
+  }
+  return nearest - 0.1;
+}
+
+float limitOf(const Sight& sight, double x, double y) {
+  const std::array<float, 4> xs = {static_cast<float>(x)};
+  const std::array<float, 4> ys = {static_cast<float>(y)};
+  std::array<float, 4> limits;
+  sight.findLimits(xs.data(), ys.data(), 1, limits.data());
+  return limits[0];
+}
+
+bool isClear(const Sight& sight, double x, double y) {
+  const std::array<float, 4> xs = {static_cast<float>(x)};
+  const std::array<float, 4> ys = {static_cast<float>(y)};
+  std::array<std::uint8_t, 4> clear;
+  sight.findClear(xs.data(), ys.data(), 1, clear.data());
+  return clear[0] != 0;
+}
+
+TEST(Sight, ClearsWhatThePlainDefinitionClears) {
+  constexpr double kResolution = 0.05;
+  constexpr double kYaw = 1.1;
+  constexpr int kSide = 4;
+  constexpr int kCells = 120;
+  constexpr double kCorner = -12.01;  // no square is just where the scanner is: it has no direction
+  std::mt19937 random(5);
+  for (const double increment : {0.00436332, -0.00436332, 2.0 * M_PI / 720.0}) {
+    const RangeProfile profile = scanOf(increment, increment < 0.006 ? 1081 : 720, &random);
+    Sight sight(std::hypot(1.5, 1.5) * kResolution);
+    sight.show(profile, kYaw);
+    int cleared = 0;
+    int cells_in_sight = 0;
+    for (int square = 0; square < kCells * kCells * kSide * kSide; ++square) {
+      const int cell = square / (kSide * kSide);
+      const double left = kCorner + cell % kCells * kSide * kResolution;
+      const double bottom = kCorner + cell / kCells * kSide * kResolution;
+      const double to_middle = 0.5 * (kSide - 1) * kResolution;
+      const float limit = limitOf(sight, left + to_middle, bottom + to_middle);
+      if (square % (kSide * kSide) == 0 && limit > 0.0f) ++cells_in_sight;
+      const double x = left + square % kSide * kResolution;
+      const double y = bottom + square / kSide % kSide * kResolution;
+      const double distance = std::hypot(x, y);
+      const bool is_clear = distance * distance < limit && isClear(sight, x, y);
+      cleared += is_clear ? 1 : 0;
+      const double towards = std::atan2(y, x) - kYaw;
+      const double a = plainReach(profile, towards - 3e-5);
+      const double b = plainReach(profile, towards + 3e-5);
+      if (distance < std::min(a, b) - 1e-4) {
+        ASSERT_TRUE(is_clear) << x << ", " << y;
+      }
+      if (distance > std::max(a, b) + 1e-4) {
+        ASSERT_FALSE(is_clear) << x << ", " << y;
+      }
+    }
+    EXPECT_GT(cleared, 10000);
+    EXPECT_LT(cells_in_sight, kCells * kCells * 9 / 10) << "whole neighbourhoods are left out";
+  }
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_sight

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "lstm_planner/drive/motion/path_tracker.hpp"
+
+namespace lstm_planner::test_path_tracker {
+namespace {
+
+constexpr double kPatience = 5.0;  // s
+constexpr double kPeriod = 0.1;    // s
+
+/// A round robot that stands, held, between returns ahead and behind.
+class PathTrackerTest : public ::testing::Test {
+ protected:
+  PathTrackerTest() : tracker_(withPatience()), shield_(0.17, 0.03, 4.0) {
+    situation_.obstacles = {{0.18, 0.0}, {-0.18, 0.0}};
+    shield_.show(situation_.obstacles);
+  }
+
+  static MotionParameters withPatience() {
+    MotionParameters motion;
+    motion.patience = kPatience;
+    return motion;
+  }
+
+  /// The answer to a plan to the same goal that begins in that direction (rad), after so many seconds of it.
+  StopReason follow(double direction, double seconds) {
+    const Point2 next = pointAlong(Point2{}, direction, 0.5);
+    const std::vector<Pose2> plan{{}, {next.x, next.y, 0.0}, {3.0, 0.0, 0.0}};
+    StopReason stop = StopReason::kNone;
+    for (double passed = 0.0; passed < seconds; passed += kPeriod) {
+      situation_.time += kPeriod;
+      stop = tracker_.compute(plan, situation_, {}, shield_, kPeriod).stop;
+    }
+    return stop;
+  }
+
+  PathTracker tracker_;
+  Shield shield_;
+  Situation situation_;
+};
+
+TEST_F(PathTrackerTest, GivesUpAfterThePatience) {
+  EXPECT_EQ(follow(0.0, kPatience - 0.5), StopReason::kObstacle);
+  EXPECT_EQ(follow(0.0, 1.0), StopReason::kStuck);
+}
+
+TEST_F(PathTrackerTest, TriesAgainWhenThePlanLeadsAnotherWay) {
+  ASSERT_EQ(follow(0.0, kPatience + 0.5), StopReason::kStuck);
+  EXPECT_EQ(follow(0.9, kPeriod), StopReason::kStuck) << "less than 1 rad is not another way";
+  EXPECT_NE(follow(1.1, kPeriod), StopReason::kStuck);
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_path_tracker

@@ -1,0 +1,52 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/drive/perception/scan_rules.hpp"
+#include "support/refusal.hpp"
+
+namespace lstm_planner::test_scan_rules {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal(const std::string& text) {
+  return test::refusalOf<std::invalid_argument>([&] {
+    ScanRules rules;
+    setNoReturn(text, &rules);
+  });
+}
+
+TEST(ScanRules, AreReadFromTheTextThatTheyAreWrittenAs) {
+  for (const std::string text : {"", "nan", "zero beyond", "below", "nan zero beyond 65.53"}) {
+    ScanRules rules = urgNodeRules();
+    setNoReturn(text, &rules);
+    EXPECT_EQ(noReturnText(rules), text);
+  }
+}
+
+TEST(ScanRules, KeepTheLeastShareWhenTheReadingsAreReadAnew) {
+  ScanRules rules;
+  rules.least_measured = 0.2;
+  setNoReturn("nan", &rules);
+  EXPECT_EQ(rules.least_measured, 0.2);
+}
+
+TEST(ScanRules, AreRefusedWithTheWordThatIsNoReading) {
+  EXPECT_THAT(refusal("nan infinite"),
+              HasSubstr("the word 'infinite', expected nan, zero, below, beyond or a reading"));
+  EXPECT_THAT(refusal("-1"), HasSubstr("'-1'"));
+  EXPECT_THAT(refusal("65.53m"), HasSubstr("'65.53m'"));
+  EXPECT_THAT(refusal("65.53 82"), HasSubstr("expected one number at most"));
+}
+
+TEST(ScanRules, NeedAShareThatIsNotZero) {
+  ScanRules rules;
+  rules.least_measured = 0.0;
+  EXPECT_THROW(validate(rules), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_scan_rules

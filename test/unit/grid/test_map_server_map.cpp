@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/common/random.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
+#include "support/folder_test.hpp"
+#include "support/real_data.hpp"
+#include "support/refusal.hpp"
+
+namespace lstm_planner::test_map_server_map {
+namespace {
+
+class MapServerMap : public test::FolderTest {
+ protected:
+  std::string write(const std::string& name, const std::string& content) { return scratch_.write(name, content); }
+
+  std::string writeImage(const std::string& name, const cv::Mat& image) {
+    cv::imwrite(in(name), image);
+    return in(name);
+  }
+
+  std::string writeYaml(const std::string& image, const std::string& more = "negate: 0\n") {
+    return write("map.yaml", "image: " + image + "\nresolution: 0.5\norigin: [1.0, 2.0, 3.14]\n" +
+                                 "occupied_thresh: 0.65\nfree_thresh: 0.196\n" + more);
+  }
+
+  /// What reading says about a file that it refuses; empty when it does not.
+  static std::string refusal(const std::string& yaml_path) {
+    return test::refusalOf<MapFileError>([&] { readMapServerMap(yaml_path); });
+  }
+};
+
+const std::string kImage("P5\n# a comment\n3 2\n255\n\xFE\xCD\x00\x00\xCE\xFF", 29);
+
+TEST_F(MapServerMap, ReadsTheThreeStatesWithTheFirstLineOnTop) {
+  write("map.pgm", kImage);
+  const OccupancyGrid grid = readMapServerMap(writeYaml("map.pgm"));
+  ASSERT_EQ(grid.columns(), 3);
+  ASSERT_EQ(grid.rows(), 2);
+  EXPECT_EQ(grid.at({0, 1}), Cell::kFree);      // 254
+  EXPECT_EQ(grid.at({1, 1}), Cell::kUnknown);   // 205: 0.19608 is just above 0.196
+  EXPECT_EQ(grid.at({2, 1}), Cell::kOccupied);  // 0
+  EXPECT_EQ(grid.at({1, 0}), Cell::kFree);      // 206: 0.19216
+  EXPECT_EQ(grid.resolution(), 0.5);
+  EXPECT_EQ(grid.origin().yaw, 3.14);
+}
+
+TEST_F(MapServerMap, ReplacesTheFreeThreshold) {
+  write("map.pgm", kImage);
+  EXPECT_EQ(readMapServerMap(writeYaml("map.pgm"), 0.19).at({1, 0}), Cell::kUnknown);
+}
+
+TEST_F(MapServerMap, NegatesAndTakesAnAbsolutePath) {
+  const std::string image = write("map.pgm", kImage);
+  const OccupancyGrid grid = readMapServerMap(writeYaml(image, "negate: 1\nmode: trinary\n"));
+  EXPECT_EQ(grid.at({0, 1}), Cell::kOccupied);
+  EXPECT_EQ(grid.at({2, 1}), Cell::kFree);
+}
+
+TEST_F(MapServerMap, AveragesTheChannelsOfAColourImage) {
+  cv::Mat image(1, 3, CV_8UC3);
+  image.at<cv::Vec3b>(0, 0) = {255, 255, 255};
+  image.at<cv::Vec3b>(0, 1) = {0, 0, 255};   // mean 85, p = 0.667
+  image.at<cv::Vec3b>(0, 2) = {0, 90, 180};  // mean 90, p = 0.647
+  writeImage("map.png", image);
+  const OccupancyGrid grid = readMapServerMap(writeYaml("map.png"));
+  EXPECT_EQ(grid.at({0, 0}), Cell::kFree);
+  EXPECT_EQ(grid.at({1, 0}), Cell::kOccupied);
+  EXPECT_EQ(grid.at({2, 0}), Cell::kUnknown);
+}
+
+TEST_F(MapServerMap, SaysWhyNoCellIsFree) {
+  // Grey and alpha: whatever the grey, the mean with an opaque alpha is light, and light is occupied if negated.
+  write("map.pgm", std::string("P5\n2 1\n255\n\xC0\xFF", 13));
+  EXPECT_EQ(
+      refusal(writeYaml("map.pgm", "negate: 1\n")),
+      "the map " + in("map.yaml") +
+          " has no free cell by map_server's rule: 2 of 2 are occupied (above occupied_thresh = 0.65), the others "
+          "unknown, none is below free_thresh = 0.196; with negate = 1 light is occupied, and the mean of all "
+          "channels counts, alpha included");
+}
+
+TEST_F(MapServerMap, NamesWhatIsWrongInTheYaml) {
+  write("map.pgm", kImage);
+  EXPECT_NE(refusal(in("absent.yaml")).find("absent.yaml"), std::string::npos);
+  EXPECT_NE(refusal(write("map.yaml", "image: [unclosed")).find("cannot be read as yaml"), std::string::npos);
+  EXPECT_NE(refusal(write("map.yaml", "just text")).find("no yaml mapping"), std::string::npos);
+  EXPECT_NE(refusal(write("map.yaml", "image: map.pgm")).find("lacks the field resolution"), std::string::npos);
+  EXPECT_NE(refusal(writeYaml("map.pgm", "")).find("lacks the field negate"), std::string::npos);
+  EXPECT_NE(refusal(writeYaml("map.pgm", "negate: 2\n")).find("negate '2', expected 0 or 1"), std::string::npos);
+  EXPECT_NE(refusal(writeYaml("map.pgm", "negate: 0\nmode: raw\n")).find("mode 'raw', expected trinary"),
+            std::string::npos);
+  const std::string rest = "\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  const std::string image = "image: map.pgm\n";
+  EXPECT_NE(refusal(write("map.yaml", image + "resolution: fine\norigin: [0, 0, 0]" + rest)).find("'fine'"),
+            std::string::npos);
+  EXPECT_NE(refusal(write("map.yaml", image + "resolution: -0.05\norigin: [0, 0, 0]" + rest)), "");
+  EXPECT_NE(refusal(write("map.yaml", image + "resolution: 0.05\norigin: [0, 0]" + rest)).find("[x, y, yaw]"),
+            std::string::npos);
+  EXPECT_NE(refusal(write("map.yaml", image + "resolution: 0.05\norigin: [0, .nan, 0]" + rest)), "");
+}
+
+TEST_F(MapServerMap, RefusesAYamlThatIsTooLong) {
+  const std::string nested = "image: " + std::string(5000, '[');
+  EXPECT_NE(refusal(write("map.yaml", nested)).find("it has 5007 bytes, expected at most 4096"), std::string::npos);
+}
+
+TEST_F(MapServerMap, RefusesBrokenImages) {
+  const auto refusalOf = [this](const std::string& content) {
+    write("bad.pgm", content);
+    return refusal(writeYaml("bad.pgm"));
+  };
+  EXPECT_NE(refusal(writeYaml("absent.pgm")).find("absent.pgm"), std::string::npos);
+  EXPECT_NE(refusalOf(""), "");
+  EXPECT_NE(refusalOf("no image at all"), "");
+  EXPECT_NE(refusalOf("P5\n1000 1000\n255\nshort"), "");
+  EXPECT_NE(refusalOf("P5\n-3 2\n255\n"), "");
+  // 16 GB of pixels, refused before any of it is allocated.
+  EXPECT_NE(refusalOf("P5\n131072 131072\n255\n").find("at most 2^26 pixels or 2^28 bytes"), std::string::npos);
+  const std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\1\0\0\0\1\0\0\x08\0\0\0\0", 29);
+  EXPECT_NE(refusalOf(png).find("65536 x 65536"), std::string::npos);
+  const std::string deep("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\x20\0\0\0\x20\0\x10\x06\0\0\0", 29);
+  EXPECT_NE(refusalOf(deep).find("8192 x 8192 pixels of 8 bytes"), std::string::npos) << refusalOf(deep);
+  EXPECT_NE(refusalOf("P6\n8192 8192\n65535\n").find("pixels of 6 bytes"), std::string::npos);
+  const std::string bmp = std::string("BM") + std::string(12, '\0') + std::string("\x28\0\0\0\0\0\1\0\0\0\1\0", 12);
+  EXPECT_NE(refusalOf(bmp).find("65536 x 65536"), std::string::npos) << refusalOf(bmp);
+  EXPECT_NE(refusalOf("\xff\xd8\xff\xe0 JFIF").find("is of no kind that is known here"), std::string::npos);
+}
+
+TEST_F(MapServerMap, ReadsBackWhatItWrote) {
+  OccupancyGrid grid(17, 9, 0.05, {-1.0 / 3.0, 0.1, 0.7});
+  Random random(1);
+  for (int row = 0; row < 9; ++row) {
+    for (int column = 0; column < 17; ++column) {
+      grid.set({column, row}, static_cast<Cell>(uniformIndex(random, 3)));
+    }
+  }
+  writeMapServerMap(in("written"), grid);
+  const OccupancyGrid read = readMapServerMap(in("written.yaml"));
+  ASSERT_EQ(read.columns(), 17);
+  ASSERT_EQ(read.rows(), 9);
+  EXPECT_EQ(read.resolution(), grid.resolution());
+  EXPECT_EQ(read.origin().x, grid.origin().x);
+  EXPECT_EQ(read.origin().yaw, grid.origin().yaw);
+  for (int row = 0; row < 9; ++row) {
+    for (int column = 0; column < 17; ++column) EXPECT_EQ(read.at({column, row}), grid.at({column, row}));
+  }
+  EXPECT_THROW(writeMapServerMap(in("absent/written"), grid), MapFileError);
+}
+
+TEST(RealMaps, CanAllBeRead) {
+  const std::string folder = realData("maps/");
+  SKIP_WITHOUT_REAL_DATA(folder);
+
+  for (const std::string name : {"brsu-c069", "building_31", "dis-B1-2011-09-27", "etsidi_slam_real1", "home_small",
+                                 "stata_basement", "zaki_2018may9_before"}) {
+    const OccupancyGrid grid = readMapServerMap(folder + name + ".yaml");
+    int free = 0;
+    int occupied = 0;
+    for (int row = 0; row < grid.rows(); ++row) {
+      for (int column = 0; column < grid.columns(); ++column) {
+        free += grid.at({column, row}) == Cell::kFree ? 1 : 0;
+        occupied += grid.at({column, row}) == Cell::kOccupied ? 1 : 0;
+      }
+    }
+    EXPECT_GT(free, occupied) << name << ": a building is mostly floor";
+    EXPECT_GT(occupied, 1000) << name;
+  }
+  const auto isFree = [&folder](double free_threshold) {
+    return readMapServerMap(folder + "stage_ros_willow-full.yaml", free_threshold).at({0, 0}) == Cell::kFree;
+  };
+  EXPECT_TRUE(isFree(-1.0)) << "Willow's surroundings are of the grey 206, free at its own threshold";
+  EXPECT_FALSE(isFree(0.19));
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_map_server_map

@@ -1,0 +1,199 @@
+#include <cstring>
+
+#include "lstm_planner/network/network.hpp"
+#include "unit/network/model_file_fixtures.hpp"
+#include "unit/network/network_fixtures.hpp"
+
+// Forms of the same network that other exporters write.
+
+namespace lstm_planner::test_model_file_exporters {
+namespace {
+
+using onnx_subset::ModelProto;
+using onnx_subset::NodeProto;
+using onnx_subset::TensorProto;
+using test::addAttribute;
+using test::LayerMaker;
+using test::nodeNamed;
+using test::tensorNamed;
+
+/// layer_1: LSTM 3 -> 2, layer_2: dense 2 -> 4, layer_3: softmax. The graph is observation, Unsqueeze, LSTM, Squeeze,
+/// Gemm, Softmax.
+class ModelFileExporters : public test::ModelFileTest {
+ protected:
+  void SetUp() override {
+    ModelFileTest::SetUp();
+    LayerMaker make(1);
+    layers_ = {make.lstm(3, 2), make.dense(2, 4), SoftmaxLayer{}};
+    file_ = written({layers_, {}});
+  }
+
+  void expectSameNetwork() {
+    Network read_network(read(file_).layers);
+    Network network(layers_);
+    LayerMaker make(2);
+    for (int step = 0; step < 20; ++step) {
+      const Eigen::VectorXf input = make.input(3);
+      ASSERT_TRUE(read_network.forward(input).isApprox(network.forward(input), 1e-6f));
+    }
+  }
+
+  std::string squeezeName() { return "layer_1_hidden_next_step"; }
+  std::string unsqueezeName() { return "observation_sequence"; }
+
+  void setIntegers(const std::string& name, const std::vector<int>& values) {
+    TensorProto& tensor = *file_.mutable_graph()->add_initializer();
+    tensor.set_name(name);
+    tensor.set_data_type(7);
+    tensor.add_dims(static_cast<int>(values.size()));
+    for (const int value : values) tensor.add_int64_data(value);
+  }
+
+  LayerStack layers_;
+  ModelProto file_;
+};
+
+TEST_F(ModelFileExporters, WeightsAsTypedFloats) {
+  for (TensorProto& tensor : *file_.mutable_graph()->mutable_initializer()) {
+    if (tensor.data_type() != 1) continue;
+    const std::string raw = tensor.raw_data();
+    for (std::size_t byte = 0; byte < raw.size(); byte += sizeof(float)) {
+      float value = 0.0f;
+      std::memcpy(&value, raw.data() + byte, sizeof(float));
+      tensor.add_float_data(value);
+    }
+    tensor.clear_raw_data();
+  }
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, BiasesOnTheRecurrentSide) {
+  std::string& raw = *tensorNamed(file_, "layer_1_biases").mutable_raw_data();
+  raw = raw.substr(raw.size() / 2) + raw.substr(0, raw.size() / 2);
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, BiasesOnBothSidesAreAdded) {
+  std::string& raw = *tensorNamed(file_, "layer_1_biases").mutable_raw_data();
+  raw = raw.substr(0, raw.size() / 2) + raw.substr(0, raw.size() / 2);
+  std::get<LstmLayer>(layers_[0]).bias *= 2.0f;
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, NoBiases) {
+  nodeNamed(file_, "layer_1").set_input(3, "");
+  nodeNamed(file_, "layer_2").mutable_input()->RemoveLast();
+  std::get<LstmLayer>(layers_[0]).bias.setZero();
+  std::get<DenseLayer>(layers_[1]).bias.setZero();
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, NoHiddenSize) {
+  nodeNamed(file_, "layer_1").clear_attribute();
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, GemmWithWeightsAsInputsTimesOutputs) {
+  TensorProto& tensor = tensorNamed(file_, "layer_2_weights");
+  // The column-major data of a matrix are the row-major data of its transpose.
+  const Eigen::MatrixXf& weights = std::get<DenseLayer>(layers_[1]).weights;
+  tensor.set_raw_data(weights.data(), static_cast<std::size_t>(weights.size()) * sizeof(float));
+  tensor.set_dims(0, 2);
+  tensor.set_dims(1, 4);
+  NodeProto& gemm = nodeNamed(file_, "layer_2");
+  gemm.clear_attribute();
+  addAttribute(gemm, "alpha").set_f(1.0f);
+  addAttribute(gemm, "beta").set_f(1.0f);
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, StatesThatAreLeftOutOrStoredZeros) {
+  NodeProto& lstm = nodeNamed(file_, "layer_1");
+  TensorProto& zeros = *file_.mutable_graph()->add_initializer();
+  zeros.set_name("zeros");
+  zeros.set_data_type(1);
+  for (const int extent : {1, 1, 2}) zeros.add_dims(extent);
+  zeros.add_float_data(0.0f);
+  zeros.add_float_data(0.0f);
+  lstm.set_input(5, "");
+  lstm.set_input(6, "zeros");
+  file_.mutable_graph()->mutable_input()->DeleteSubrange(1, 2);
+  file_.mutable_graph()->mutable_output()->DeleteSubrange(1, 2);
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, OutputOfAllStepsInsteadOfTheLast) {
+  nodeNamed(file_, "layer_1").set_output(0, "all_steps");
+  NodeProto& squeeze = nodeNamed(file_, squeezeName());
+  squeeze.set_input(0, "all_steps");
+  squeeze.set_input(1, "first_two_axes");
+  setIntegers("first_two_axes", {0, -3});
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, ReshapesTransposesAndIdentities) {
+  NodeProto& unsqueeze = nodeNamed(file_, unsqueezeName());
+  unsqueeze.set_op_type("Reshape");
+  unsqueeze.set_input(1, "sequence_shape");
+  setIntegers("sequence_shape", {-1, 1, 3});
+  NodeProto& squeeze = nodeNamed(file_, squeezeName());
+  squeeze.set_op_type("Reshape");
+  squeeze.set_input(1, "step_shape");
+  setIntegers("step_shape", {0, -1});
+
+  NodeProto transpose;
+  transpose.set_op_type("Transpose");
+  transpose.add_input(unsqueezeName());
+  transpose.add_output("transposed");
+  auto& order = addAttribute(transpose, "perm");
+  for (const int axis : {1, 0, 2}) order.add_ints(axis);
+  NodeProto identity;
+  identity.set_op_type("Identity");
+  identity.add_input("transposed");
+  identity.add_output("copied");
+
+  const auto nodes = file_.graph().node();
+  file_.mutable_graph()->clear_node();
+  *file_.mutable_graph()->add_node() = nodes.Get(0);
+  *file_.mutable_graph()->add_node() = transpose;
+  *file_.mutable_graph()->add_node() = identity;
+  for (int index = 1; index < nodes.size(); ++index) *file_.mutable_graph()->add_node() = nodes.Get(index);
+  nodeNamed(file_, "layer_1").set_input(0, "copied");
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, ConstantNodes) {
+  const TensorProto weights = tensorNamed(file_, "layer_2_weights");
+  tensorNamed(file_, "layer_2_weights").set_name("unused");
+  const auto nodes = file_.graph().node();
+  file_.mutable_graph()->clear_node();
+  NodeProto& constant = *file_.mutable_graph()->add_node();
+  constant.set_op_type("Constant");
+  constant.add_output("layer_2_weights");
+  *addAttribute(constant, "value").mutable_t() = weights;
+  for (const NodeProto& node : nodes) *file_.mutable_graph()->add_node() = node;
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, OperatorSetsWithAxesAsAttributes) {
+  file_.mutable_opset_import(0)->set_version(9);
+  for (const std::string& name : {squeezeName(), unsqueezeName()}) {
+    NodeProto& node = nodeNamed(file_, name);
+    node.mutable_input()->RemoveLast();
+    addAttribute(node, "axes").add_ints(0);
+  }
+  nodeNamed(file_, "layer_3").mutable_attribute(0)->set_i(1);
+  expectSameNetwork();
+}
+
+TEST_F(ModelFileExporters, BatchWithoutANumberAndWeightsAmongTheInputs) {
+  auto& shape = *file_.mutable_graph()->mutable_input(0)->mutable_type()->mutable_tensor_type()->mutable_shape();
+  shape.mutable_dim(0)->clear_dim_value();
+  shape.mutable_dim(0)->set_dim_param("batch");
+  for (const TensorProto& tensor : file_.graph().initializer())
+    file_.mutable_graph()->add_input()->set_name(tensor.name());
+  expectSameNetwork();
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_model_file_exporters

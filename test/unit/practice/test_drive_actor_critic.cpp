@@ -1,0 +1,127 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "lstm_planner/practice/drive_actor_critic.hpp"
+#include "lstm_planner/practice/recorded_choices.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
+#include "support/case_name.hpp"
+#include "support/refusal.hpp"
+#include "unit/simulation/drive_learning_fixtures.hpp"
+#include "unit/simulation/recorded_drives_fixtures.hpp"
+
+namespace lstm_planner::test_drive_actor_critic {
+namespace {
+
+constexpr std::uint64_t kNetworkSeed = 7;
+
+DriveActorCriticParameters tiny(int views = 1) {
+  auto parameters = tinyTraining<DriveActorCriticParameters>(views);
+  parameters.sharpness = 1.0;
+  return parameters;
+}
+
+/// By the number of views.
+class DriveActorCriticWithViews : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(OneAndEight, DriveActorCriticWithViews, ::testing::Values(1, 8), test::caseName("Views"));
+
+TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
+  DriveActorCriticParameters parameters = tiny(GetParam());
+  parameters.iterations = 15;
+  parameters.starts = 12;
+  parameters.learning_rate = 0.01;
+  const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const double before = learner->iterate().reward;
+  double after = 0.0;
+  while (learner->updates() < parameters.iterations) after = learner->iterate().reward;
+  EXPECT_GT(after, before + 2.0) << "m nearer to the goal a drive";
+}
+
+TEST_P(DriveActorCriticWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
+  expectTheSameOnAnyNumberOfRanks(
+      tiny(GetParam()), makeDriveActorCritic, kNetworkSeed, [](const ReinforcementReport& report) {
+        return std::vector<double>{report.steps, report.reward, report.arrival, report.entropy, report.explained};
+      });
+}
+
+TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
+  DriveActorCriticParameters parameters = tiny(GetParam());
+  const auto one = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  parameters.threads = 3;
+  const auto three = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  for (int i = 0; i < 2; ++i) {
+    one->iterate();
+    three->iterate();
+  }
+  EXPECT_EQ(parameterVector(one->layers()), parameterVector(three->layers()));
+}
+
+TEST_P(DriveActorCriticWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
+  const DriveActorCriticParameters parameters = tiny(GetParam());
+  const auto through = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const auto first = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  for (int i = 0; i < 4; ++i) through->iterate();
+  for (int i = 0; i < 2; ++i) first->iterate();
+  const auto second = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  second->restore(first->checkpoint());
+  EXPECT_EQ(second->updates(), 2);
+  for (int i = 0; i < 2; ++i) second->iterate();
+  EXPECT_EQ(parameterVector(through->layers()), parameterVector(second->layers()));
+}
+
+TEST_P(DriveActorCriticWithViews, TakesOverADriversMannerWhileItPractises) {
+  // One that practice does not teach: this driver bears to the left.
+  const auto bearingLeft = [](Dataset dataset) {
+    for (RecordedEpisode& episode : dataset.recordings[0].episodes) {
+      for (DriveStep& step : episode.steps) step.label = std::min(4, step.label + 1);
+    }
+    return dataset;
+  };
+  const Dataset recordings = bearingLeft(drivesAllAround(20, 20, 1));
+  const Dataset others = bearingLeft(drivesAllAround(10, 20, 2));
+  const auto agreementAfter = [&](bool follows) {
+    DriveActorCriticParameters parameters = tiny(GetParam());
+    parameters.learning_rate = 0.01;
+    parameters.iterations = 8;
+    const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+    if (follows) learner->follow(recordings, 3.0);
+    while (learner->updates() < parameters.iterations) learner->iterate();
+    const ConfusionMatrix taken = preferencesIn(others, DrivePolicy(parameters.policy, learner->layers()));
+    return static_cast<double>(taken.trace()) / static_cast<double>(taken.sum());
+  };
+  const double without = agreementAfter(false);
+  EXPECT_GT(agreementAfter(true), without + 0.2) << "as often as " << without << " without them";
+}
+
+TEST(DriveActorCritic, RefusesRecordingsThatItCannotFollow) {
+  const DriveActorCriticParameters parameters = tiny();
+  const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  EXPECT_THROW(learner->follow(drivesAllAround(2, 5, 1), 0.0), std::invalid_argument);
+  EXPECT_THROW(learner->follow(Dataset(), 1.0), std::invalid_argument);
+}
+
+TEST(DriveActorCritic, RefusesWhatDoesNotFit) {
+  DriveActorCriticParameters parameters = tiny();
+  const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  EXPECT_THROW(learner->restore({1, 2, 3}), std::invalid_argument);
+  DriveActorCriticParameters other = parameters;
+  other.critic_units = {5};
+  EXPECT_THROW(makeDriveActorCritic(other, tinyNetwork(other, kNetworkSeed))->restore(learner->checkpoint()),
+               std::invalid_argument);
+  EXPECT_THROW(makeDriveActorCritic(parameters, makeLstmStack(3, {4}, 5)), std::invalid_argument);
+  const auto refused = [&](void (*change)(DriveActorCriticParameters*)) { return test::isRefused(parameters, change); };
+  EXPECT_FALSE(refused([](DriveActorCriticParameters*) {}));
+  EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->iterations = 0; }));
+  EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->window = 0; }));
+  EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->clip = 0.0; }));
+  EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->discount = 1.0; }));
+  EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->sharpness = -1.0; }));
+  EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->learning_rate = 0.0; }));
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_drive_actor_critic

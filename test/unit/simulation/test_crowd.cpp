@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "lstm_planner/simulation/crowd.hpp"
+#include "unit/drive/decision/agent_fixtures.hpp"
+
+namespace lstm_planner::test_crowd {
+namespace {
+
+constexpr double kPeriod = 0.02;  // s
+constexpr Pose2 kNowhere{1e6, 1e6, 0.0};
+
+class InAHall : public ::testing::Test {
+ protected:
+  Crowd crowd(std::uint64_t seed, int walkers = 10) const {
+    CrowdParameters parameters;
+    parameters.walkers = walkers;
+    return Crowd(hall, places, parameters, {5.0, 5.0}, seed);
+  }
+
+  const GridWorld hall{test::emptyHall(10.0, 10.0)};
+  const std::vector<Point2> places = standingPlaces(hall, 0.3);
+};
+
+using CrowdTest = InAHall;
+
+TEST_F(CrowdTest, BeginsAwayFromTheRobotAndOffTheWalls) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Crowd people = crowd(seed);
+    for (const Crowd::Walker& walker : people.walkers()) {
+      EXPECT_GE(distanceBetween(walker.body.center, Point2{5.0, 5.0}), 1.0 + walker.body.radius);
+      EXPECT_FALSE(hall.touches(walker.body.center, walker.body.radius));
+      EXPECT_GE(walker.body.radius, 0.2);
+      EXPECT_LE(walker.body.radius, 0.3);
+      EXPECT_GE(walker.speed, 0.3);
+      EXPECT_LE(walker.speed, 1.0);
+    }
+  }
+}
+
+TEST_F(CrowdTest, WalksAtItsSpeedAndNeverThroughAWall) {
+  Crowd people = crowd(3);
+  std::vector<double> walked(people.walkers().size(), 0.0);
+  for (int i = 0; i < 3000; ++i) {
+    const std::vector<Crowd::Walker> before = people.walkers();
+    people.advance(kPeriod, Footprint(0.01), kNowhere);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const Crowd::Walker& walker = people.walkers()[k];
+      const double path = distanceBetween(before[k].body.center, walker.body.center);
+      ASSERT_LE(path, walker.speed * kPeriod + 1e-12);
+      ASSERT_FALSE(hall.touches(walker.body.center, walker.body.radius));
+      walked[k] += path;
+    }
+  }
+  for (std::size_t k = 0; k < walked.size(); ++k) {
+    // In a minute it arrives a dozen times at the most, and loses less than a step each time.
+    EXPECT_NEAR(walked[k], people.walkers()[k].speed * 60.0, 0.02 * people.walkers()[k].speed * 60.0);
+  }
+}
+
+TEST_F(CrowdTest, StandsBeforeTheRobotAndThenGoesElsewhere) {
+  Crowd people = crowd(5, 1);
+  // In the walker's way, half a metre of air between them.
+  const Crowd::Walker walker = people.walkers()[0];
+  const double distance = walker.body.radius + 0.17425 + 0.5;
+  const Point2 ahead = pointAlong(walker.body.center, directionTo(walker.body.center, walker.destination), distance);
+  ASSERT_GT(distanceBetween(walker.body.center, walker.destination), distance);
+  const Footprint robot({{0.1, 0.17}, {0.1, -0.17}, {-0.1, -0.17}, {-0.1, 0.17}});
+  const Pose2 pose{ahead.x, ahead.y, 0.3};
+  double stood = 0.0;
+  int meetings = 0;
+  for (double time = 0.0; time < 60.0; time += kPeriod) {
+    meetings += static_cast<int>(people.advance(kPeriod, robot, pose).size());
+    const Crowd::Walker& now = people.walkers()[0];
+    ASSERT_GE(airBetween(robot, pose, now.body), 0.0);
+    stood += now.standing > 0.0 ? kPeriod : 0.0;
+    if (meetings == 1 && !now.beside_robot) break;
+  }
+  EXPECT_EQ(meetings, 1);
+  EXPECT_GE(stood, 0.5 - kPeriod);
+  EXPECT_FALSE(people.walkers()[0].beside_robot) << "it has gone on";
+}
+
+TEST_F(CrowdTest, IsSeenAndFelt) {
+  Crowd people = crowd(7, 1);
+  const Circle body = people.walkers()[0].body;
+  const double direction = directionTo(Point2{5.0, 5.0}, body.center);
+  std::vector<double> ranges(1);
+  people.castRays({5.0, 5.0}, direction, 0.01, 30.0, &ranges);
+  EXPECT_NEAR(ranges[0], distanceBetween(Point2{5.0, 5.0}, body.center) - body.radius, 1e-9);
+  people.castRays({5.0, 5.0}, direction + M_PI, 0.01, 30.0, &ranges);
+  EXPECT_GT(ranges[0], 4.0) << "the wall behind";
+  EXPECT_TRUE(people.touches(body.center, 0.1));
+  EXPECT_TRUE(people.touches({0.0, 0.0}, 0.1)) << "the corner of the hall";
+}
+
+TEST_F(CrowdTest, IsTheSameForTheSameSeed) {
+  Crowd a = crowd(9);
+  Crowd b = crowd(9);
+  for (int i = 0; i < 500; ++i) {
+    a.advance(kPeriod, Footprint(0.01), kNowhere);
+    b.advance(kPeriod, Footprint(0.01), kNowhere);
+  }
+  EXPECT_EQ(a.walkers()[4].body.center.x, b.walkers()[4].body.center.x);
+  EXPECT_NE(a.walkers()[4].body.center.x, crowd(10).walkers()[4].body.center.x);
+}
+
+TEST_F(CrowdTest, RefusesImpossibleParametersAndWorldsWithoutPlace) {
+  CrowdParameters parameters;
+  parameters.largest_radius = 0.1;
+  EXPECT_THROW(validate(parameters), std::invalid_argument);
+  parameters = {};
+  parameters.walkers = -1;
+  EXPECT_THROW(validate(parameters), std::invalid_argument);
+  EXPECT_THROW(Crowd(hall, {}, {}, {5.0, 5.0}, 1), std::invalid_argument);
+  const std::vector<Point2> only_the_robots_place{{5.0, 5.0}};
+  EXPECT_THROW(Crowd(hall, only_the_robots_place, {}, {5.0, 5.0}, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_crowd

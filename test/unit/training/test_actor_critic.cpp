@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/training/actor_critic.hpp"
+#include "lstm_planner/training/initialisation.hpp"
+#include "support/refusal.hpp"
+
+namespace lstm_planner::test_actor_critic {
+namespace {
+
+LayerStack network(int outputs, std::uint64_t seed) {
+  LayerStack layers = makeDenseStack(3, {4}, outputs);
+  initialise({}, seed, layers);
+  return layers;
+}
+
+ActorCritic learner(const std::string& format = "test 1", std::size_t sets = 2) {
+  ActorCriticParameters parameters;
+  parameters.entropy_start = 0.3;
+  parameters.entropy_end = 0.1;
+  parameters.learning_rate = 0.01;
+  parameters.critic_learning_rate = 0.02;
+  parameters.max_gradient_norm = 0.0;  // none
+  return {{format, "updates"}, parameters, 4, network(2, 1), network(1, 2), sets};
+}
+
+void learn(ActorCritic* learner) {
+  learner->updatePolicy(Eigen::VectorXf::Ones(learner->policy().size()), 7.0);
+  learner->updateCritic(Eigen::VectorXf::Ones(learner->critic().size()), 7.0);
+  learner->advantageVariances()[1] *= 0.5;
+  learner->finishUpdate(7.0);
+}
+
+TEST(Advantages, AreTheDiscountedSumOfTheErrorsToCome) {
+  constexpr double kDiscount = 0.9;
+  constexpr double kDecay = 0.8;
+  const double rewards[] = {1.0, -2.0, 3.0};
+  const double values[] = {0.5, 0.25, -1.0, 2.0};
+  Advantages advantages(kDiscount, kDecay, values[3]);
+  for (int step = 2; step >= 0; --step) {
+    double expected = 0.0;  // Eq. 16 of the paper, cut off at the end of the window
+    for (int later = step; later < 3; ++later) {
+      const double error = rewards[later] + kDiscount * values[later + 1] - values[later];
+      expected += std::pow(kDiscount * kDecay, later - step) * error;
+    }
+    EXPECT_NEAR(advantages.before(rewards[step], values[step], Advantages::End::kNone), expected, 1e-12) << step;
+  }
+}
+
+TEST(Advantages, NothingComesAfterAnArrivalAndTheSameAfterACut) {
+  Advantages advantages(0.9, 0.8, 100.0);
+  EXPECT_DOUBLE_EQ(advantages.before(2.0, 0.5, Advantages::End::kArrived), 2.0 - 0.5);
+  EXPECT_DOUBLE_EQ(advantages.before(2.0, 0.5, Advantages::End::kCutOff), 2.0 + 0.9 * 0.5 - 0.5);
+}
+
+TEST(ActorCritic, TheEntropyWeightSinksFromStartToEnd) {
+  ActorCritic it = learner();
+  EXPECT_DOUBLE_EQ(it.entropyWeight(), 0.3);
+  for (int update = 0; update < 2; ++update) learn(&it);
+  EXPECT_DOUBLE_EQ(it.entropyWeight(), 0.2);
+  for (int update = 0; update < 2; ++update) learn(&it);
+  EXPECT_DOUBLE_EQ(it.entropyWeight(), 0.1);
+}
+
+TEST(ActorCritic, NothingMovesAfterTheLastUpdate) {
+  ActorCritic it = learner();
+  for (int update = 0; update < 4; ++update) learn(&it);
+  const Eigen::VectorXf policy = it.policy();
+  learn(&it);
+  EXPECT_EQ(it.policy(), policy);
+}
+
+TEST(ActorCritic, GoesOnFromItsCheckpointAsIfThereHadBeenNoBreak) {
+  ActorCritic straight = learner();
+  learn(&straight);
+  ActorCritic resumed = learner();
+  resumed.restore(straight.checkpoint());
+  learn(&straight);
+  learn(&resumed);
+  EXPECT_EQ(resumed.policy(), straight.policy());
+  EXPECT_EQ(resumed.critic(), straight.critic());
+  EXPECT_EQ(resumed.advantageVariances(), straight.advantageVariances());
+  EXPECT_EQ(resumed.steps(), 14.0);
+  EXPECT_EQ(resumed.updates(), 2);
+}
+
+TEST(ActorCritic, RefusesOtherCheckpointsAndStaysAsItWas) {
+  ActorCritic it = learner();
+  const Eigen::VectorXf policy = it.policy();
+  const auto refusal = [&](const std::vector<std::uint8_t>& checkpoint) {
+    return test::refusalOf<std::invalid_argument>([&] { it.restore(checkpoint); });
+  };
+  const std::string start = "this is not a checkpoint of this training: ";
+  EXPECT_EQ(refusal(learner("another 1").checkpoint()), start + "another format");
+  EXPECT_EQ(refusal(learner("test 1", 3).checkpoint()), start + "another number of kinds of maps or worlds");
+  EXPECT_EQ(refusal({}).find(start), 0u);
+  EXPECT_EQ(it.policy(), policy);
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_actor_critic

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "lstm_planner/training/gradient.hpp"
+#include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
+#include "training/input_sensitivity.hpp"
+#include "training/recall_task.hpp"
+
+namespace lstm_planner::test_input_sensitivity {
+namespace {
+
+/// Inputs of zero, at which tanh is the identity to first order.
+std::vector<Sequence> silence(int inputs, int steps) {
+  return {{Eigen::MatrixXf::Zero(inputs, steps), Eigen::VectorXi::Zero(steps), Eigen::VectorXf::Zero(steps)}};
+}
+
+TEST(InputGradient, AgreesWithCentralFiniteDifferences) {
+  LayerStack layers = makeLstmStack(3, {4, 3}, 2);
+  initialise({}, 3, layers);
+  const Eigen::VectorXd parameters = parameterVector(layers).cast<double>();
+  Sequence sequence = recallSequences(1, 5, 1).front();
+  const Eigen::MatrixXd factors = Eigen::MatrixXd::Random(2, sequence.steps());
+  SequenceGradient<double> computer(layers);
+  const Eigen::MatrixXd gradient = computer.inputGradient(parameters, sequence, factors);
+  ASSERT_EQ(gradient.rows(), 3);
+  ASSERT_EQ(gradient.cols(), sequence.steps());
+  const auto sum = [&] { return computer.preferences(parameters, sequence).cwiseProduct(factors).sum(); };
+  // Inputs are float: a power of two is added exactly; truncation grows with its square, 1e-6.
+  constexpr float kStep = 1.0f / 1024.0f;
+  for (Eigen::Index step = 0; step < sequence.steps(); ++step) {
+    for (Eigen::Index input = 0; input < 3; ++input) {
+      const float kept = sequence.inputs(input, step);
+      sequence.inputs(input, step) = kept + kStep;
+      const double above = sum();
+      sequence.inputs(input, step) = kept - kStep;
+      const double below = sum();
+      sequence.inputs(input, step) = kept;
+      EXPECT_NEAR(gradient(input, step), (above - below) / (2.0 * static_cast<double>(kStep)), 1e-6);
+    }
+  }
+  EXPECT_GT(gradient.norm(), 1e-3);
+  EXPECT_THROW(computer.inputGradient(parameters, sequence, Eigen::MatrixXd::Zero(2, 1)), std::invalid_argument);
+}
+
+TEST(FirstStepSensitivity, OfAPlainRecurrentUnitIsItsWeightToThePowerOfTheSteps) {
+  const RecurrentLayer layer{Eigen::MatrixXf::Constant(1, 1, 2.0f), Eigen::MatrixXf::Constant(1, 1, -0.5f),
+                             Eigen::VectorXf::Zero(1)};
+  EXPECT_DOUBLE_EQ(spectralRadius(layer), 0.5);
+  const Eigen::MatrixXd sensitivity = firstStepSensitivity({layer}, silence(1, 30));
+  ASSERT_EQ(sensitivity.cols(), 30);
+  for (int step = 0; step < 30; ++step) EXPECT_DOUBLE_EQ(sensitivity(0, step), 2.0 * std::pow(0.5, step));  // Eq. 2.20
+}
+
+double spectralRadiusOf(const Eigen::Matrix2f& recurrent) {
+  return spectralRadius({Eigen::MatrixXf::Zero(2, 1), recurrent, Eigen::VectorXf::Zero(2)});
+}
+
+TEST(SpectralRadius, IsTheLargestAbsoluteValueOfTheEigenvalues) {
+  EXPECT_DOUBLE_EQ(spectralRadiusOf((Eigen::Matrix2f() << 0.25f, 0.0f, 0.0f, -2.0f).finished()), 2.0);
+  // A turn: a pair of complex eigenvalues, 0.3 +- 0.4i.
+  EXPECT_NEAR(spectralRadiusOf((Eigen::Matrix2f() << 0.3f, -0.4f, 0.4f, 0.3f).finished()), 0.5, 1e-7);
+  // One eigenvector: |W^k| grows with k * 0.5^k.
+  EXPECT_NEAR(spectralRadiusOf((Eigen::Matrix2f() << 0.5f, 1.0f, 0.0f, 0.5f).finished()), 0.5, 1e-12);
+  EXPECT_EQ(spectralRadiusOf((Eigen::Matrix2f() << 0.0f, 1.0f, 0.0f, 0.0f).finished()), 0.0);  // W^2 = 0
+}
+
+/// Biases hold the gates of Figure 2.9: forget and output gate open, the input gate half open.
+TEST(FirstStepSensitivity, OfAnLstmCellStaysAsLongAsTheForgetGateIsOpen) {
+  LstmLayer layer{Eigen::MatrixXf::Zero(4, 1), Eigen::MatrixXf::Zero(4, 1), Eigen::VectorXf::Zero(4)};
+  layer.input(3, 0) = 1.0f;
+  layer.bias << 0.0f, 20.0f, 20.0f, 0.0f;
+  const Eigen::MatrixXd sensitivity = firstStepSensitivity({layer}, silence(1, 100));
+  EXPECT_NEAR(sensitivity(0, 0), 0.5, 1e-6);
+  EXPECT_NEAR(sensitivity(0, 99), 0.5, 1e-6);
+  layer.bias[2] = 0.0f;  // half open
+  EXPECT_NEAR(firstStepSensitivity({layer}, silence(1, 30))(0, 29), 0.5 * std::pow(0.5, 29), 1e-12);
+}
+
+TEST(FirstStepSensitivity, RefusesWhatHasNone) {
+  const LayerStack lstm = makeLstmStack(3, {4}, 2);
+  EXPECT_THROW(firstStepSensitivity(makeDenseStack(3, {4}, 2), recallSequences(2, 3, 1)), std::invalid_argument);
+  EXPECT_THROW(firstStepSensitivity(lstm, {}), std::invalid_argument);
+  std::vector<Sequence> ragged = recallSequences(1, 3, 1);
+  ragged.push_back(recallSequences(1, 4, 1).front());
+  EXPECT_THROW(firstStepSensitivity(lstm, ragged), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_input_sensitivity

@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "lstm_planner/training/optimiser.hpp"
+
+namespace lstm_planner::test_optimiser {
+namespace {
+
+Eigen::VectorXf vector(std::initializer_list<float> values) {
+  Eigen::VectorXf result(static_cast<Eigen::Index>(values.size()));
+  std::copy(values.begin(), values.end(), result.data());
+  return result;
+}
+
+OptimiserParameters momentumParameters() {
+  OptimiserParameters parameters;
+  parameters.kind = OptimiserKind::kMomentum;
+  parameters.momentum = 0.5;
+  parameters.max_gradient_norm = 0.0;
+  return parameters;
+}
+
+TEST(Optimiser, MomentumFollowsTheThesis) {
+  Optimiser optimiser(momentumParameters(), vector({1, 1}));
+  Eigen::VectorXf weights = vector({1, -2});
+  optimiser.update(vector({2, 4}), 0.25, weights);
+  EXPECT_EQ(weights, vector({0.5f, -3.0f}));  // v = -0.25 * g = (-0.5, -1)
+  optimiser.update(vector({2, 0}), 0.25, weights);
+  EXPECT_EQ(weights, vector({-0.25f, -3.5f}));  // v = 0.5 v - 0.25 g = (-0.75, -0.5)
+}
+
+TEST(Optimiser, AdamFollowsTheHandCalculation) {
+  OptimiserParameters parameters;
+  parameters.max_gradient_norm = 0.0;
+  Optimiser optimiser(parameters, vector({1, 1}));
+  Eigen::VectorXf weights = vector({1, 1});
+  optimiser.update(vector({0.5f, -8.0f}), 0.1, weights);
+  // The first step is alpha * g / (|g| + epsilon), whatever the size of the gradient.
+  EXPECT_NEAR(weights[0], 0.9, 1e-6);
+  EXPECT_NEAR(weights[1], 1.1, 1e-6);
+  optimiser.update(vector({-0.5f, -8.0f}), 0.1, weights);
+  // Means 0.9 * 0.05 - 0.05 = -0.005 and 0.999 * 0.00025 + 0.00025, corrected by 1 - 0.9^2 and 1 - 0.999^2:
+  // -0.0263158 / 0.5.
+  EXPECT_NEAR(weights[0], 0.9 + 0.1 * 0.0263158 / 0.5, 1e-6);
+  EXPECT_NEAR(weights[1], 1.2, 1e-6);
+}
+
+TEST(Optimiser, AdaDeltaFollowsTheHandCalculation) {
+  OptimiserParameters parameters;
+  parameters.kind = OptimiserKind::kAdaDelta;
+  parameters.momentum = 0.75;
+  parameters.adadelta_epsilon = 1.0;
+  parameters.max_gradient_norm = 0.0;
+  Optimiser optimiser(parameters, vector({1}));
+  Eigen::VectorXf weights = vector({1});
+  optimiser.update(vector({2}), 0.5, weights);
+  // Squared gradients 0.25 * 4 = 1; update 2 sqrt(1 / 2) = 1.41421; squared updates 0.25 * 2 = 0.5.
+  EXPECT_NEAR(weights[0], 1.0 - 0.5 * std::sqrt(2.0), 1e-6);
+  optimiser.update(vector({-2}), 0.5, weights);
+  // Squared gradients 0.75 + 1 = 1.75; update -2 sqrt(1.5 / 2.75).
+  EXPECT_NEAR(weights[0], 1.0 - 0.5 * std::sqrt(2.0) + std::sqrt(1.5 / 2.75), 1e-6);
+}
+
+TEST(Optimiser, DecayPullsWeightsTowardsZeroAndLeavesBiasesAlone) {
+  const Eigen::VectorXf weights = vector({3, -4, 0, 7});
+  const Eigen::VectorXf mask = vector({1, 1, 1, 0});
+  EXPECT_EQ(decayGradient(Decay::kNone, 0.5, weights, mask), vector({0, 0, 0, 0}));
+  EXPECT_EQ(decayGradient(Decay::kL1, 0.5, weights, mask), vector({0.5f, -0.5f, 0, 0}));
+  EXPECT_EQ(decayGradient(Decay::kL2Squared, 0.5, weights, mask), vector({1.5f, -2, 0, 0}));
+  EXPECT_TRUE(decayGradient(Decay::kL2Norm, 0.5, weights, mask).isApprox(vector({0.3f, -0.4f, 0, 0}), 1e-6f));
+}
+
+TEST(Optimiser, DecayIsTheDerivativeOfItsPenalty) {
+  const Eigen::VectorXd weights = vector({0.3f, -0.7f, 1.2f}).cast<double>();
+  const auto penalty = [](Decay decay, const Eigen::VectorXd& w) {
+    if (decay == Decay::kL1) return w.lpNorm<1>();  // Eq. 3.8
+    if (decay == Decay::kL2Norm) return w.norm();   // Eq. 3.9
+    return 0.5 * w.squaredNorm();                   // Eq. 3.10
+  };
+  for (const Decay decay : {Decay::kL1, Decay::kL2Norm, Decay::kL2Squared}) {
+    const Eigen::VectorXf gradient = decayGradient(decay, 1.0, weights.cast<float>(), vector({1, 1, 1}));
+    for (Eigen::Index index = 0; index < weights.size(); ++index) {
+      Eigen::VectorXd above = weights, below = weights;
+      above[index] += 1e-5;
+      below[index] -= 1e-5;
+      EXPECT_NEAR(gradient[index], (penalty(decay, above) - penalty(decay, below)) / 2e-5, 1e-6);
+    }
+  }
+}
+
+TEST(Optimiser, NormDecayOfZeroWeightsIsZero) {
+  EXPECT_EQ(decayGradient(Decay::kL2Norm, 1.0, vector({0, 0}), vector({1, 1})), vector({0, 0}));
+}
+
+TEST(Optimiser, UpdateAddsTheDecay) {
+  OptimiserParameters parameters = momentumParameters();
+  parameters.decay = Decay::kL1;
+  parameters.decay_rate = 0.5;
+  Optimiser optimiser(parameters, vector({1, 1, 0}));
+  Eigen::VectorXf weights = vector({1, -1, 1});
+  optimiser.update(vector({0, 0, 0}), 0.5, weights);
+  EXPECT_EQ(weights, vector({0.75f, -0.75f, 1}));
+}
+
+TEST(Optimiser, LongGradientsAreShortenedAndShortOnesKept) {
+  Eigen::VectorXf gradient = vector({3, 4});
+  EXPECT_DOUBLE_EQ(clipToNorm(1.0, gradient), 5.0);
+  EXPECT_TRUE(gradient.isApprox(vector({0.6f, 0.8f}), 1e-6f));
+  gradient = vector({3, 4});
+  clipToNorm(6.0, gradient);
+  EXPECT_EQ(gradient, vector({3, 4}));
+  clipToNorm(0.0, gradient);
+  EXPECT_EQ(gradient, vector({3, 4}));
+}
+
+TEST(Optimiser, CosineScheduleFallsFromTheLearningRateToZero) {
+  OptimiserParameters parameters;
+  parameters.learning_rate = 0.2;
+  EXPECT_DOUBLE_EQ(learningRate(parameters, 0, 100), 0.2);
+  EXPECT_NEAR(learningRate(parameters, 50, 100), 0.1, 1e-12);
+  EXPECT_NEAR(learningRate(parameters, 100, 100), 0.0, 1e-12);
+  parameters.schedule = LearningRateSchedule::kConstant;
+  EXPECT_DOUBLE_EQ(learningRate(parameters, 99, 100), 0.2);
+}
+
+TEST(Optimiser, RefusesParametersOutOfRange) {
+  const auto refused = [](auto change) {
+    OptimiserParameters parameters;
+    change(parameters);
+    EXPECT_THROW(validate(parameters), std::invalid_argument);
+  };
+  EXPECT_NO_THROW(validate(OptimiserParameters{}));
+  refused([](OptimiserParameters& p) { p.learning_rate = 0.0; });
+  refused([](OptimiserParameters& p) { p.learning_rate = std::numeric_limits<double>::quiet_NaN(); });
+  refused([](OptimiserParameters& p) { p.momentum = 1.0; });
+  refused([](OptimiserParameters& p) { p.adam_beta1 = -0.1; });
+  refused([](OptimiserParameters& p) { p.adam_beta2 = 1.0; });
+  refused([](OptimiserParameters& p) { p.adam_epsilon = 0.0; });
+  refused([](OptimiserParameters& p) { p.decay_rate = -1.0; });
+  refused([](OptimiserParameters& p) { p.max_gradient_norm = -1.0; });
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_optimiser

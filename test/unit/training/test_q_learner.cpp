@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/q_learner.hpp"
+#include "support/refusal.hpp"
+
+namespace lstm_planner::test_q_learner {
+namespace {
+
+QLearner learner(int units = 4) {
+  LayerStack layers = makeDenseStack(3, {units}, 2);
+  initialise({}, 1, layers);
+  QLearningParameters parameters;
+  parameters.target_interval = 2;
+  parameters.learning_rate = 0.01;
+  parameters.max_gradient_norm = 0.0;  // none
+  return {{"test 1", "updates"}, parameters, 10, layers};
+}
+
+void learn(QLearner* learner) {
+  learner->startUpdate();
+  learner->update(Eigen::VectorXf::Ones(learner->weights().size()));
+  learner->finishUpdate(5.0);
+}
+
+TEST(QLearner, TheTargetNetworkFollowsAtItsInterval) {
+  QLearner it = learner();
+  const Eigen::VectorXf start = it.weights();
+  learn(&it);
+  EXPECT_EQ(it.targetWeights(), start);
+  EXPECT_NE(it.weights(), start);
+  learn(&it);
+  EXPECT_EQ(it.targetWeights(), start);
+  const Eigen::VectorXf after_two = it.weights();
+  learn(&it);
+  EXPECT_EQ(it.targetWeights(), after_two);
+}
+
+TEST(QLearner, GoesOnFromItsCheckpointAsIfThereHadBeenNoBreak) {
+  QLearner straight = learner();
+  learn(&straight);
+  QLearner resumed = learner();
+  resumed.restore(straight.checkpoint());
+  learn(&straight);
+  learn(&resumed);
+  EXPECT_EQ(resumed.weights(), straight.weights());
+  EXPECT_EQ(resumed.targetWeights(), straight.targetWeights());
+  EXPECT_EQ(resumed.steps(), 10.0);
+  EXPECT_EQ(resumed.progress(), 0.2);
+}
+
+TEST(QLearner, RefusesANetworkOfAnotherSize) {
+  QLearner it = learner();
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { it.restore(learner(5).checkpoint()); }),
+            "this is not a checkpoint of this training: a network of another size");
+}
+
+}  // namespace
+}  // namespace lstm_planner::test_q_learner
