@@ -7,7 +7,7 @@
 #include "lstm_planner/drive/decision/drive_trace.hpp"
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
 #include "lstm_planner/drive/decision/observer.hpp"
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 #include "lstm_planner/drive/perception/moving_returns.hpp"
 #include "recorded_steps.hpp"
 
@@ -69,8 +69,8 @@ class Parts {
   AgentParameters parameters_;
   DrivePolicy policy_ = shippedPolicy();
   Shield shield_;
-  ObstacleMemory memory_{parameters_.memory, parameters_.shield};
-  RouteGuide guide_{parameters_};
+  LocalMap memory_{parameters_.memory, parameters_.shield};
+  Replanner guide_{parameters_};
   DriveTrace trace_;
   MovingReturns moving_{MovingReturnsParameters()};
   Point2 goal_;

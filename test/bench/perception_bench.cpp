@@ -7,7 +7,7 @@
 
 #include "lstm_planner/drive/collision/shield.hpp"
 #include "lstm_planner/drive/decision/action_set.hpp"
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 #include "lstm_planner/drive/perception/moving_returns.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 #include "lstm_planner/simulation/drive.hpp"
@@ -133,7 +133,7 @@ BENCHMARK(shielding)->Iterations(kPasses)->Unit(benchmark::kMillisecond);
 
 void remember(const std::vector<Situation>& seen, benchmark::State* state) {
   const AgentParameters agent;
-  ObstacleMemory memory(agent.memory, agent.shield);
+  LocalMap memory(agent.memory, agent.shield);
   CallTimes times(seen.size());
   double last = 0.0;
   Situation situation;
@@ -160,13 +160,13 @@ BENCHMARK(lookStanding)->Iterations(kPasses)->Unit(benchmark::kMillisecond);
 /// Judges every cell of the window after the drives.
 void judging(benchmark::State& state) {
   const AgentParameters agent;
-  ObstacleMemory memory(agent.memory, agent.shield);
+  LocalMap memory(agent.memory, agent.shield);
   for (const Situation& situation : situations()) memory.add(situation);
   const int cells = memory.side() * memory.side();
   long exits = 0;
   for (auto _ : state) {
-    memory.squeeze(true);  // All that was judged is judged anew.
-    memory.squeeze(false);
+    memory.relaxClearance(true);  // All that was judged is judged anew.
+    memory.relaxClearance(false);
     for (int cell = 0; cell < cells; ++cell) exits += memory.exits(cell);
   }
   benchmark::DoNotOptimize(exits);

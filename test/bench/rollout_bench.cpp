@@ -28,8 +28,8 @@ Situation situationOf(const RecordedDrive& drive, const RecordedStep& step) {
 }
 
 /// All that was seen on a drive.
-ObstacleMemory memoryOf(const RecordedDrive& drive) {
-  ObstacleMemory memory(kAgent.memory, kAgent.shield);
+LocalMap memoryOf(const RecordedDrive& drive) {
+  LocalMap memory(kAgent.memory, kAgent.shield);
   for (const RecordedStep& step : drive.steps) memory.add(situationOf(drive, step));
   return memory;
 }
@@ -57,7 +57,7 @@ BENCHMARK(rollOutPlan)->Arg(1)->Arg(10);
 /// From where the drive started to its goal, through all that was seen on it.
 void searchRoute(benchmark::State& state, const std::string& world) {
   const RecordedDrive& drive = driveIn(world);
-  ObstacleMemory memory = memoryOf(drive);
+  LocalMap memory = memoryOf(drive);
   RouteFinder finder(kAgent.memory.tightness);
   const Pose2& start = drive.steps.front().pose;
   Route route;
@@ -74,7 +74,7 @@ BENCHMARK_CAPTURE(searchRoute, maze, "maze");
 void keepRoute(benchmark::State& state, const std::string& world) {
   const RecordedDrive& drive = driveIn(world);
   const Situation situation = situationOf(drive, drive.steps.front());
-  RouteGuide guide(kAgent);
+  Replanner guide(kAgent);
   guide.start();
   for (auto _ : state)
     benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}, kAgent.goal_tolerance));
@@ -90,7 +90,7 @@ void updateRoute(benchmark::State& state, const std::string& world) {
   for (std::size_t i = 0; i < drive.steps.size(); i += 5) situations.push_back(situationOf(drive, drive.steps[i]));
   long updates = 0;
   long searches = 0;
-  RouteGuide guide(kAgent);
+  Replanner guide(kAgent);
   for (auto _ : state) {
     guide.forget();
     guide.start();

@@ -43,9 +43,9 @@ const char* const kFarEnough = "the scanner reaches as far as the network needs"
 const char* const kMemoryWrong = "what is remembered was wrong too often";
 
 /// The goal is so near that the robot would go straight to it (m), but something that is remembered is in between.
-bool isHidden(const ObstacleMemory& memory, const Pose2& pose, const Point2& goal, double near) {
+bool isHidden(const LocalMap& memory, const Pose2& pose, const Point2& goal, double near) {
   if (distanceBetween(pose, goal) > near) return false;
-  return !memory.isFree({pose.x, pose.y}, goal, ObstacleMemory::Passage::kTight);
+  return !memory.isFree({pose.x, pose.y}, goal, LocalMap::Passage::kTight);
 }
 
 /// Only a network that leads must fit.
@@ -69,7 +69,7 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
       out_of_view_(outOfViewOf(shield_)),
       actions_(parameters),
       escape_(parameters.escape, parameters.shield),
-      guide_(parameters.memory.enabled ? Boxed<RouteGuide>(RouteGuide(parameters)) : Boxed<RouteGuide>()),
+      replanner_(parameters.memory.enabled ? Boxed<Replanner>(Replanner(parameters)) : Boxed<Replanner>()),
       bound_(parameters.detour),
       clock_(parameters.step),
       progress_(parameters.escape.progress) {
@@ -77,7 +77,7 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
   const auto actions = static_cast<std::size_t>(policy_.description().actions.size());
   decision_.preferences.resize(actions);
   decision_.allowed.resize(actions);
-  if (guide_) decision_.path_on.reserve(guide_->route().points.capacity());
+  if (replanner_) decision_.path_on.reserve(replanner_->route().points.capacity());
 }
 
 void NavigationAgent::change(const AgentParameters& parameters) {
@@ -99,7 +99,7 @@ void NavigationAgent::change(const AgentParameters& parameters) {
 NavigationAgent::Source NavigationAgent::leaderBy(const AgentParameters& parameters) const {
   const bool is_network = parameters.leader == Source::kNetwork && reach_ > 0.0;
   if (!is_network || reachesFarEnough(policy_.description(), reach_)) return parameters.leader;
-  if (!guide_) throw std::invalid_argument(reachProblem(policy_.description(), reach_));
+  if (!replanner_) throw std::invalid_argument(reachProblem(policy_.description(), reach_));
   return Source::kRoute;
 }
 
@@ -173,7 +173,7 @@ Decision NavigationAgent::preview(const Point2& goal) const {
 void NavigationAgent::setGoal(const Point2& goal) {
   goal_ = goal;
   policy_.reset();
-  if (guide_) guide_->start();
+  if (replanner_) replanner_->start();
   bound_.start();
   trace_.clear();
   clock_.clear();
@@ -202,13 +202,13 @@ void NavigationAgent::moveGoal(const Point2& goal) {
   follow(&decision_.destination);
   if (!decision_.path_on.empty()) follow(&decision_.path_on.back());
   if (progress_.hasBest()) progress_.moveBest(distanceBetween(best_position_, goal));
-  if (guide_) guide_->moveGoal(goal_, goal);
+  if (replanner_) replanner_->moveGoal(goal_, goal);
   escape_.moveGoal(goal_, goal);
   goal_ = goal;
 }
 
 void NavigationAgent::restart() {
-  if (guide_) guide_->forget();
+  if (replanner_) replanner_->forget();
   if (out_of_view_) out_of_view_->forget();
   setGoal(goal_);
 }
@@ -238,10 +238,10 @@ const Decision& NavigationAgent::decideAbout(const Situation& situation) {
     decide(situation);
   } else if (clock_.isStalled(situation)) {
     if (decision_.on_route) {
-      guide_->blockAhead();
+      replanner_->blockAhead();
       decide(situation);
-    } else if (guide_ && isOneStep(decision_)) {
-      guide_->blockTowards({situation.pose.x, situation.pose.y}, decision_.waypoint);
+    } else if (replanner_ && isOneStep(decision_)) {
+      replanner_->blockTowards({situation.pose.x, situation.pose.y}, decision_.waypoint);
       decide(situation);
     } else {
       lookAround(situation);
@@ -297,7 +297,7 @@ void NavigationAgent::noteProgress(const Situation& situation) {
 void NavigationAgent::startFrom(const Situation& situation, const char* why) {
   best_position_ = {situation.pose.x, situation.pose.y};
   progress_.restart(distanceBetween(best_position_, goal_));
-  if (guide_) guide_->noteProgress();
+  if (replanner_) replanner_->noteProgress();
   lead(chosen_, why);
 }
 
@@ -317,13 +317,13 @@ bool NavigationAgent::isOutOfPatience(double times) const {
 
 void NavigationAgent::losePatience() {
   if (!parameters_.escape.enabled || decision_.leader == Source::kEscape) return;
-  if (guide_ && isOutOfPatience(parameters_.escape.last_resort)) lead(Source::kEscape, kNoProgressForLong);
-  if (!guide_ && isOutOfPatience(1.0)) lead(Source::kEscape, kNoProgress);
+  if (replanner_ && isOutOfPatience(parameters_.escape.last_resort)) lead(Source::kEscape, kNoProgressForLong);
+  if (!replanner_ && isOutOfPatience(1.0)) lead(Source::kEscape, kNoProgress);
 }
 
 /// Nothing rescues the leader, the goal is near, and it seems to lie in or behind an obstacle.
 bool NavigationAgent::isBesideGoal(const Situation& situation) const {
-  const bool is_rescued = parameters_.escape.enabled || guide_;
+  const bool is_rescued = parameters_.escape.enabled || replanner_;
   if (is_rescued || !parameters_.shield_enabled || !isOutOfPatience(kPatienceBesideGoal)) return false;
   const double distance = distanceBetween(situation.pose, goal_);
   const double direction = directionTo(situation.pose, goal_);
@@ -378,7 +378,7 @@ void NavigationAgent::advanceNetwork(const Observation& observation) {
   Eigen::Index preferred = 0;
   preferences.maxCoeff(&preferred);
   decision_.preferred = static_cast<int>(preferred);
-  if (!guide_ && parameters_.draw_after > 0 && progress_.steps() >= parameters_.draw_after) {
+  if (!replanner_ && parameters_.draw_after > 0 && progress_.steps() >= parameters_.draw_after) {
     imposed_action_ = drawAction(decision_.preferences, static_cast<std::uint64_t>(decision_.step));
     decision_.preferred = *imposed_action_;
   }
@@ -401,7 +401,7 @@ void NavigationAgent::decide(const Situation& situation) {
   decision_.regret_allowed = bound_.allowed(driven_);
   decision_.goal_seems = judgeGoal(situation, guidance);
   if (decision_.on_route) {
-    guide_->pointsAhead(distanceBetween(clock_.pose(), decision_.waypoint), &decision_.path_on);
+    replanner_->pointsAhead(distanceBetween(clock_.pose(), decision_.waypoint), &decision_.path_on);
   } else if (!isOneStep(decision_)) {
     decision_.path_on.clear();
   }
@@ -409,26 +409,26 @@ void NavigationAgent::decide(const Situation& situation) {
 
 Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Source guidance) const {
   using GoalSeems = Decision::GoalSeems;
-  if (!guide_ || decision_.leader == Source::kEscape) return GoalSeems::kReachable;
+  if (!replanner_ || decision_.leader == Source::kEscape) return GoalSeems::kReachable;
   if (guidance == Source::kLookAround || guidance == Source::kNoPath) {
-    const bool is_hidden = isHidden(guide_->memory(), situation.pose, goal_, parameters_.goal_in_sight);
+    const bool is_hidden = isHidden(replanner_->memory(), situation.pose, goal_, parameters_.goal_in_sight);
     return is_hidden ? GoalSeems::kInObstacle : GoalSeems::kEnclosed;
   }
   if (endsBesideGoal()) return GoalSeems::kInObstacle;
   if (!decision_.on_route) return GoalSeems::kReachable;
   const Point2 here{situation.pose.x, situation.pose.y};
-  return guide_->isGoalBehindObstacle(here, goal_, parameters_.goal_in_sight) ? GoalSeems::kBehindObstacle
-                                                                              : GoalSeems::kReachable;
+  return replanner_->isGoalBehindObstacle(here, goal_, parameters_.goal_in_sight) ? GoalSeems::kBehindObstacle
+                                                                                  : GoalSeems::kReachable;
 }
 
 /// Remembers what is seen, and searches the path through it: kRoute, kLookAround, kNoPath, or kEscape.
 NavigationAgent::Source NavigationAgent::guide(const Situation& situation) {
-  if (!guide_) {
+  if (!replanner_) {
     return Source::kRoute;
   }
   decision_.destination = goal_;
-  const Source guidance = guide_->update(situation, goal_, reachedWithin());
-  if (guidance == Source::kRoute) decision_.destination = guide_->end();
+  const Source guidance = replanner_->update(situation, goal_, reachedWithin());
+  if (guidance == Source::kRoute) decision_.destination = replanner_->end();
   return guidance;
 }
 
@@ -460,7 +460,7 @@ void NavigationAgent::chooseAsLed(const Situation& situation, Source guidance) {
     chooseRoute(situation, guidance);
   } else if (decision_.leader == Source::kEscape) {
     chooseEscape(situation);
-  } else if (guide_) {
+  } else if (replanner_) {
     chooseWithinBound(situation, guidance);
   } else {
     chooseAction(situation);
@@ -500,14 +500,15 @@ void NavigationAgent::chooseWithinBound(const Situation& situation, Source guida
   const ActionSet& actions = policy_.description().actions;
   const double step_yaw = clock_.pose().yaw;
   const Pose2 step_pose{situation.pose.x, situation.pose.y, step_yaw};
-  const bool is_along_path = actions.nearest(guide_->bearingAhead(step_pose, parameters_.step.length)) == chosen->index;
+  const bool is_along_path =
+      actions.nearest(replanner_->bearingAhead(step_pose, parameters_.step.length)) == chosen->index;
   if (is_along_path && !imposed_action_ && followRoute(situation, decision_.leader)) {
     decision_.action = chosen->index;
     return;
   }
   const Point2 here{situation.pose.x, situation.pose.y};
   const Point2 next = pointAlong(situation.pose, step_yaw + actions.angle(chosen->index), chosen->free);
-  decision_.regret = guide_->regretOf(here, next, goal_, &decision_.path_on);
+  decision_.regret = replanner_->regretOf(here, next, goal_, &decision_.path_on);
   if (imposed_action_ || bound_.allows(decision_.regret, driven_)) {
     bound_.choose(decision_.regret);
     takeAction(situation, *chosen);
@@ -529,7 +530,7 @@ void NavigationAgent::chooseRoute(const Situation& situation, Source guidance) {
     if (followRoute(situation, Source::kRoute)) {
       return;
     }
-    guide_->blockAhead();
+    replanner_->blockAhead();
     guidance = guide(situation);
   }
   lookAround(situation);
@@ -538,7 +539,7 @@ void NavigationAgent::chooseRoute(const Situation& situation, Source guidance) {
 bool NavigationAgent::followRoute(const Situation& situation, Source source) {
   const ShieldParameters& shield = parameters_.shield;
   for (const double ahead : {1.0, 0.5}) {
-    const Point2 target = guide_->pointAhead(ahead * parameters_.step.length);
+    const Point2 target = replanner_->pointAhead(ahead * parameters_.step.length);
     const double distance = distanceBetween(situation.pose, target);
     const double wanted = std::min(distance, shield.shortest_step);
     const double direction = directionTo(situation.pose, target);

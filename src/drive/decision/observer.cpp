@@ -11,28 +11,28 @@ Observation observe(const Situation& situation, const Point2& goal, double previ
 
 void Observer::start(const Point2& goal) {
   goal_ = goal;
-  guide_.start();
+  replanner_.start();
   trace_.clear();
   last_pose_.reset();
   driven_ = 0.0;
 }
 
 void Observer::forget() {
-  guide_.forget();
+  replanner_.forget();
   trace_.clear();
   last_pose_.reset();
 }
 
 Observation Observer::observe(const Situation& situation, const Point2& goal, double previous_action) {
   Observation observation = lstm_planner::observe(situation, goal, previous_action, 0.0, &trace_);
-  guide_.moveGoal(goal_, goal);
+  replanner_.moveGoal(goal_, goal);
   goal_ = goal;
   if (last_pose_) driven_ += distanceBetween(*last_pose_, situation.pose);
   last_pose_ = situation.pose;
   if (!parameters_.memory.enabled) return observation;
-  if (guide_.update(situation, goal, toleranceAfter(driven_, parameters_)) == Decision::Source::kRoute) {
-    observation.route_bearing = guide_.bearingAhead(situation.pose, parameters_.step.length);
-    observation.route_length = guide_.route().length;
+  if (replanner_.update(situation, goal, toleranceAfter(driven_, parameters_)) == Decision::Source::kRoute) {
+    observation.route_bearing = replanner_.bearingAhead(situation.pose, parameters_.step.length);
+    observation.route_length = replanner_.route().length;
   }
   return observation;
 }

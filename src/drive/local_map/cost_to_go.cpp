@@ -18,10 +18,10 @@ int opposite(int direction) { return direction ^ 4; }
 CostToGo::CostToGo(double tightness) {
   const auto tight = static_cast<int>(std::lround(tightness * 2.0));
   const auto narrow = static_cast<int>(std::lround((1.0 + 0.25 * (tightness - 1.0)) * 2.0));
-  factors_[static_cast<int>(ObstacleMemory::Passage::kBlocked)] = tight;  // never entered
-  factors_[static_cast<int>(ObstacleMemory::Passage::kTight)] = tight;
-  factors_[static_cast<int>(ObstacleMemory::Passage::kNarrow)] = narrow;
-  factors_[static_cast<int>(ObstacleMemory::Passage::kRoomy)] = 2;
+  factors_[static_cast<int>(LocalMap::Passage::kBlocked)] = tight;  // never entered
+  factors_[static_cast<int>(LocalMap::Passage::kTight)] = tight;
+  factors_[static_cast<int>(LocalMap::Passage::kNarrow)] = narrow;
+  factors_[static_cast<int>(LocalMap::Passage::kRoomy)] = 2;
 }
 
 std::uint32_t CostToGo::octile(int columns, int rows) {
@@ -32,7 +32,7 @@ std::uint32_t CostToGo::octileBetween(int from, int to) const {
   return octile(from % side_ - to % side_, from / side_ - to / side_);
 }
 
-bool CostToGo::search(ObstacleMemory& memory, int start, const std::vector<End>& ends, int column, int row) {
+bool CostToGo::search(LocalMap& memory, int start, const std::vector<End>& ends, int column, int row) {
   clear(memory.side());
   start_ = start;
   start_column_ = start % side_;
@@ -48,7 +48,7 @@ bool CostToGo::search(ObstacleMemory& memory, int start, const std::vector<End>&
   return found;
 }
 
-bool CostToGo::searchOnce(ObstacleMemory& memory, const std::vector<End>& ends) {
+bool CostToGo::searchOnce(LocalMap& memory, const std::vector<End>& ends) {
   base_ = kNone;
   for (const End& end : ends) {
     base_ = std::min(base_, end.cost);
@@ -64,7 +64,7 @@ bool CostToGo::searchOnce(ObstacleMemory& memory, const std::vector<End>& ends) 
   return run(memory, start_);
 }
 
-bool CostToGo::traceFrom(ObstacleMemory& memory, int start, int column, int row) {
+bool CostToGo::traceFrom(LocalMap& memory, int start, int column, int row) {
   if (left(start) == kNone) {
     return false;
   }
@@ -72,7 +72,7 @@ bool CostToGo::traceFrom(ObstacleMemory& memory, int start, int column, int row)
   return left(path_.back()) == 0 || isAtBorder(path_.back());
 }
 
-void CostToGo::trace(ObstacleMemory& memory, int start, int column, int row) {
+void CostToGo::trace(LocalMap& memory, int start, int column, int row) {
   path_.clear();
   for (int cell = start; cell >= 0; cell = next(memory, cell, column, row)) {
     path_.push_back(cell);
@@ -107,7 +107,7 @@ void CostToGo::forgetTouched(Cost unknown, std::vector<Cost>* costs) {
   }
 }
 
-bool CostToGo::run(ObstacleMemory& memory, int target) {
+bool CostToGo::run(LocalMap& memory, int target) {
   bool found = false;
   std::uint32_t lowest = 0;
   bool more = open_.lowest(&lowest);
@@ -144,7 +144,7 @@ void CostToGo::forgetOpen() {
   }
 }
 
-void CostToGo::expand(ObstacleMemory& memory, int column, int row, std::uint32_t cost) {
+void CostToGo::expand(LocalMap& memory, int column, int row, std::uint32_t cost) {
   const int cell = row * side_ + column;
   const std::uint8_t entered_from = entries(memory, cell);
   const int factor = factors_[static_cast<int>(memory.passage(cell))];
@@ -179,7 +179,7 @@ bool CostToGo::isAtBorder(int cell) const {
 
 /// From which of its neighbours the footprint can come: paths lead both ways, but the memory tells no exits of cells at
 /// the border.
-std::uint8_t CostToGo::entries(ObstacleMemory& memory, int cell) const {
+std::uint8_t CostToGo::entries(LocalMap& memory, int cell) const {
   if (!isAtBorder(cell)) {
     return memory.exits(cell);
   }
@@ -202,12 +202,12 @@ int CostToGo::neighbourOf(int cell, int direction) const {
   return cell + step.row * side_ + step.column;
 }
 
-std::uint32_t CostToGo::stepCost(ObstacleMemory& memory, int to, int direction) const {
+std::uint32_t CostToGo::stepCost(LocalMap& memory, int to, int direction) const {
   const int length = direction % 2 != 0 ? kDiagonalFifths : kStraightFifths;
   return static_cast<std::uint32_t>(length * factors_[static_cast<int>(memory.passage(to))] / 2);
 }
 
-int CostToGo::next(ObstacleMemory& memory, int cell, int column, int row) const {
+int CostToGo::next(LocalMap& memory, int cell, int column, int row) const {
   if (isAtBorder(cell)) {
     return -1;
   }

@@ -33,8 +33,7 @@ std::uint32_t CostToGo::relativeCost(int column, int row) const {
   return least - std::min(least, octile(start_column_ - column, start_row_ - row));
 }
 
-std::uint32_t CostToGo::cheapestThrough(ObstacleMemory& memory, int freed, int reach, int from,
-                                        std::uint32_t enough) const {
+std::uint32_t CostToGo::cheapestThrough(LocalMap& memory, int freed, int reach, int from, std::uint32_t enough) const {
   if (reach > kFarthestReach) {
     return 0;
   }
@@ -80,7 +79,7 @@ std::uint32_t CostToGo::cheapestThrough(ObstacleMemory& memory, int freed, int r
 }
 
 /// What the path from a cell costs at least by what is left from its neighbours, and the steps to them as they are now.
-std::uint32_t CostToGo::costBySteps(ObstacleMemory& memory, int column, int row) const {
+std::uint32_t CostToGo::costBySteps(LocalMap& memory, int column, int row) const {
   const int cell = row * side_ + column;
   const std::uint8_t exits = memory.exits(cell);
   std::uint32_t cost = kNone;

@@ -76,7 +76,7 @@ void KeptRoute::measure() {
   route_.length = rest;
 }
 
-void KeptRoute::advance(ObstacleMemory& memory, const Point2& here) {
+void KeptRoute::advance(LocalMap& memory, const Point2& here) {
   std::vector<Point2>& points = route_.points;
   // The part that was driven: up to the point beyond which the rest leads away from the robot.
   std::size_t next = 1;
@@ -87,13 +87,13 @@ void KeptRoute::advance(ObstacleMemory& memory, const Point2& here) {
     if (to_next > kPassed && beyond * beyond > piece * piece + to_next * to_next) {
       break;
     }
-    if (to_next > kPassed && !memory.isFree(here, points[next + 1], ObstacleMemory::Passage::kTight)) {
+    if (to_next > kPassed && !memory.isFree(here, points[next + 1], LocalMap::Passage::kTight)) {
       break;
     }
     ++next;
   }
   while (next + 1 < points.size() && distanceBetween(here, points[next + 1]) < kPulled &&
-         memory.isFree(here, points[next + 1], ObstacleMemory::Passage::kRoomy)) {
+         memory.isFree(here, points[next + 1], LocalMap::Passage::kRoomy)) {
     ++next;
   }
   points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(next - 1));
@@ -105,7 +105,7 @@ void KeptRoute::advance(ObstacleMemory& memory, const Point2& here) {
   route_.length = length + pieces_[1].rest;
 }
 
-void KeptRoute::note(const ObstacleMemory& memory, const ObstacleMemory::Change& change) {
+void KeptRoute::note(const LocalMap& memory, const LocalMap::Change& change) {
   markCosted(memory);
   const int cell = memory.cellAt(change.place);
   if (cell < 0 || beside_.empty()) {
@@ -139,7 +139,7 @@ void KeptRoute::forgetMarks() {
   all_are_marked_ = false;
 }
 
-double KeptRoute::cost(ObstacleMemory& memory, const RouteFinder& finder, double distance) {
+double KeptRoute::cost(LocalMap& memory, const RouteFinder& finder, double distance) {
   double cost = 0.0;
   for (std::size_t i = 1; i < pieces_.size(); ++i) {
     if (distance <= 0.0) {
@@ -157,7 +157,7 @@ double KeptRoute::cost(ObstacleMemory& memory, const RouteFinder& finder, double
 }
 
 /// Not before something has changed, as routes that are not taken need no marks.
-void KeptRoute::markCosted(const ObstacleMemory& memory) {
+void KeptRoute::markCosted(const LocalMap& memory) {
   if (all_are_marked_) {
     return;
   }
@@ -171,7 +171,7 @@ void KeptRoute::markCosted(const ObstacleMemory& memory) {
   all_are_marked_ = true;
 }
 
-void KeptRoute::mark(const ObstacleMemory& memory, const Point2& from, const Point2& to) {
+void KeptRoute::mark(const LocalMap& memory, const Point2& from, const Point2& to) {
   const int shares = sharesASide(memory);
   beside_.resize((static_cast<std::size_t>(shares) * static_cast<std::size_t>(shares) + 63) / 64);
   const double share_size = kShare * memory.cellSize();
@@ -196,6 +196,6 @@ void KeptRoute::mark(const ObstacleMemory& memory, const Point2& from, const Poi
   }
 }
 
-int KeptRoute::sharesASide(const ObstacleMemory& memory) { return (memory.side() + kShare - 1) / kShare; }
+int KeptRoute::sharesASide(const LocalMap& memory) { return (memory.side() + kShare - 1) / kShare; }
 
 }  // namespace lstm_planner

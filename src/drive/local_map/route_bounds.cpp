@@ -10,19 +10,19 @@ namespace lstm_planner {
 RouteBounds::RouteBounds(const AgentParameters& parameters)
     : reach_(KeptRoute::reachOfChanges(parameters)), tightness_(parameters.memory.tightness) {}
 
-void RouteBounds::noteSearch(const ObstacleMemory& memory, const Point2& start, const Point2& goal) {
+void RouteBounds::noteSearch(const LocalMap& memory, const Point2& start, const Point2& goal) {
   searched_goal_ = goal;
   through_freed_ = CostToGo::kNone;
   freed_from_ = memory.cellAt(start);
 }
 
-void RouteBounds::noteRoute(const ObstacleMemory& memory, const CostToGo& costs, const Point2& here, double cost) {
+void RouteBounds::noteRoute(const LocalMap& memory, const CostToGo& costs, const Point2& here, double cost) {
   const std::uint32_t searched_cost = costs.cost(memory.cellAt(here));
   // Where the robot is nearer to something than any path may come, the start of each path has no cost.
   scale_ = std::isfinite(cost) && searched_cost > 0 ? cost / searched_cost : memory.cellSize() / kStraightFifths;
 }
 
-void RouteBounds::takeInChanges(ObstacleMemory* memory, const CostToGo& costs, const Point2& here, const Point2& goal,
+void RouteBounds::takeInChanges(LocalMap* memory, const CostToGo& costs, const Point2& here, const Point2& goal,
                                 double enough) {
   const int cell = memory->cellAt(here);
   if (through_freed_ != CostToGo::kNone) {
@@ -32,7 +32,7 @@ void RouteBounds::takeInChanges(ObstacleMemory* memory, const CostToGo& costs, c
   const double fifths = std::isfinite(enough) ? enough / scale_ : leastFifths(*memory, costs, here, goal);
   const int reach = static_cast<int>(std::ceil(reach_ / memory->cellSize())) + 1;
   int last = -1;
-  for (const ObstacleMemory::Change& change : memory->changes()) {
+  for (const LocalMap::Change& change : memory->changes()) {
     const int freed = memory->cellAt(change.place);
     if (!change.occupied && freed >= 0 && freed != last) {
       last = freed;
@@ -43,16 +43,16 @@ void RouteBounds::takeInChanges(ObstacleMemory* memory, const CostToGo& costs, c
   memory->clearChanges();
 }
 
-double RouteBounds::leastCost(const ObstacleMemory& memory, const CostToGo& costs, const Point2& here,
+double RouteBounds::leastCost(const LocalMap& memory, const CostToGo& costs, const Point2& here,
                               const Point2& goal) const {
   return leastFifths(memory, costs, here, goal) * scale_;
 }
 
-double RouteBounds::throughFreed(const ObstacleMemory& memory) const {
+double RouteBounds::throughFreed(const LocalMap& memory) const {
   return CostToGo::metres(through_freed_, memory.cellSize());
 }
 
-std::uint32_t RouteBounds::leastFifths(const ObstacleMemory& memory, const CostToGo& costs, const Point2& here,
+std::uint32_t RouteBounds::leastFifths(const LocalMap& memory, const CostToGo& costs, const Point2& here,
                                        const Point2& goal) const {
   const std::uint32_t least = std::min(through_freed_, costs.cost(memory.cellAt(here)));
   const double moved = distanceBetween(goal, searched_goal_);

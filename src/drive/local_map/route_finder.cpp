@@ -18,21 +18,21 @@ constexpr std::size_t kLongestPull = 24;  ///< cells
 constexpr double kWidestDetour = 3.0;  ///< times the tolerance
 
 /// The square nearest to `position` that the footprint fits on, at most `tolerance` away; false when there is none.
-bool nearestPlace(ObstacleMemory& memory, const Point2& position, double tolerance, Point2* place) {
+bool nearestPlace(LocalMap& memory, const Point2& position, double tolerance, Point2* place) {
   const int cell = memory.cellAt(position);
   const int reach = static_cast<int>(std::ceil(tolerance / memory.cellSize()));
-  const double square_size = memory.cellSize() / ObstacleMemory::kSide;
-  constexpr double kMiddleSquare = 0.5 * (ObstacleMemory::kSide - 1);
+  const double square_size = memory.cellSize() / LocalMap::kSide;
+  constexpr double kMiddleSquare = 0.5 * (LocalMap::kSide - 1);
   double nearest = tolerance;
   bool found = false;
   const auto lookInto = [&](int other) {
     const Point2 middle = memory.centerOf(other);
-    for (int square = 0; square < ObstacleMemory::kCellSquares; ++square) {
+    for (int square = 0; square < LocalMap::kCellSquares; ++square) {
       // Of two squares as near the last bit decides: rounded otherwise, trained networks would not come out the same.
-      const Point2 at{middle.x + (square % ObstacleMemory::kSide - kMiddleSquare) * square_size,
-                      middle.y + (square / ObstacleMemory::kSide - kMiddleSquare) * square_size};
+      const Point2 at{middle.x + (square % LocalMap::kSide - kMiddleSquare) * square_size,
+                      middle.y + (square / LocalMap::kSide - kMiddleSquare) * square_size};
       const double distance = distanceBetween(at, position);
-      if (distance <= nearest && memory.isFree(at, at, ObstacleMemory::Passage::kTight)) {
+      if (distance <= nearest && memory.isFree(at, at, LocalMap::Passage::kTight)) {
         nearest = distance;
         *place = at;
         found = true;
@@ -46,7 +46,7 @@ bool nearestPlace(ObstacleMemory& memory, const Point2& position, double toleran
         const int column = cell % memory.side() + columns;
         const int row = cell / memory.side() + rows;
         const bool inside = column >= 0 && column < memory.side() && row >= 0 && row < memory.side();
-        if (inside && memory.passage(row * memory.side() + column) != ObstacleMemory::Passage::kBlocked) {
+        if (inside && memory.passage(row * memory.side() + column) != LocalMap::Passage::kBlocked) {
           lookInto(row * memory.side() + column);
         }
       }
@@ -71,8 +71,7 @@ bool RouteFinder::isDetour(double distance, double length, double tolerance) {
   return distance <= tolerance && length > kWidestDetour * tolerance;
 }
 
-bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance,
-                       Route* route) {
+bool RouteFinder::find(LocalMap& memory, const Point2& start, const Point2& goal, double tolerance, Route* route) {
   ends_at_goal_ = false;
   const int first = memory.cellAt(start);
   if (first < 0) {
@@ -80,8 +79,8 @@ bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2
   }
   const int goal_cell = memory.cellAt(goal);
   // A cell that the footprint fits on somewhere may have places that it does not fit on.
-  const bool blocked = goal_cell >= 0 && (memory.passage(goal_cell) == ObstacleMemory::Passage::kBlocked ||
-                                          !memory.isFree(goal, goal, ObstacleMemory::Passage::kTight));
+  const bool blocked = goal_cell >= 0 && (memory.passage(goal_cell) == LocalMap::Passage::kBlocked ||
+                                          !memory.isFree(goal, goal, LocalMap::Passage::kTight));
   Point2 end_point = goal;
   const bool fits = !blocked || nearestPlace(memory, goal, tolerance, &end_point);
   if (fits && search(memory, first, end_point, 0.0)) {
@@ -100,7 +99,7 @@ bool RouteFinder::find(ObstacleMemory& memory, const Point2& start, const Point2
   return true;
 }
 
-bool RouteFinder::fromLastSearch(ObstacleMemory& memory, const Point2& start, Route* route) {
+bool RouteFinder::fromLastSearch(LocalMap& memory, const Point2& start, Route* route) {
   const int first = memory.cellAt(start);
   if (!ends_at_goal_ || first < 0 || !cost_to_go_.traceFrom(memory, first, end_column_, end_row_)) {
     return false;
@@ -109,7 +108,7 @@ bool RouteFinder::fromLastSearch(ObstacleMemory& memory, const Point2& start, Ro
   return true;
 }
 
-bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& end, double tolerance) {
+bool RouteFinder::search(LocalMap& memory, int start, const Point2& end, double tolerance) {
   end_ = end;
   tolerance_ = tolerance;
   const int side = memory.side();
@@ -143,14 +142,14 @@ bool RouteFinder::search(ObstacleMemory& memory, int start, const Point2& end, d
   return !ends_.empty() && cost_to_go_.search(memory, start, ends_, end_column_, end_row_);
 }
 
-void RouteFinder::addEnd(ObstacleMemory& memory, int column, int row) {
+void RouteFinder::addEnd(LocalMap& memory, int column, int row) {
   const int cell = row * memory.side() + column;
   if (isEnd(memory, cell)) {
     ends_.push_back({cell, CostToGo::octile(end_column_ - column, end_row_ - row)});
   }
 }
 
-bool RouteFinder::isEnd(ObstacleMemory& memory, int cell) const {
+bool RouteFinder::isEnd(LocalMap& memory, int cell) const {
   switch (ending_) {
     case Ending::kAtCell:
       return cell == end_row_ * memory.side() + end_column_;
@@ -164,7 +163,7 @@ bool RouteFinder::isEnd(ObstacleMemory& memory, int cell) const {
   return column == 0 || column == side - 1 || cell < side || cell >= side * (side - 1);
 }
 
-void RouteFinder::follow(ObstacleMemory& memory, const Point2& start, Route* route) const {
+void RouteFinder::follow(LocalMap& memory, const Point2& start, Route* route) const {
   std::vector<Point2>& points = route->points;
   points.clear();
   points.push_back(start);
@@ -189,7 +188,7 @@ void RouteFinder::follow(ObstacleMemory& memory, const Point2& start, Route* rou
   route->length = lengthOf(points);
 }
 
-void RouteFinder::pullStraight(ObstacleMemory& memory, Route* route) const {
+void RouteFinder::pullStraight(LocalMap& memory, Route* route) const {
   std::vector<Point2>& points = route->points;
   std::size_t pulled = 1;  // of the points, which are overwritten from the front
   double length = 0.0;
@@ -208,10 +207,10 @@ void RouteFinder::pullStraight(ObstacleMemory& memory, Route* route) const {
 
 /// The straight path there has as much room as all the points in between. Looks twice as far each time, then between
 /// the last two.
-std::size_t RouteFinder::farthestInSight(ObstacleMemory& memory, const std::vector<Point2>& points, std::size_t at) {
+std::size_t RouteFinder::farthestInSight(LocalMap& memory, const std::vector<Point2>& points, std::size_t at) {
   const std::size_t most = std::min(kLongestPull, points.size() - 1 - at);
-  std::array<ObstacleMemory::Passage, kLongestPull + 1> passages;
-  passages[0] = ObstacleMemory::Passage::kRoomy;
+  std::array<LocalMap::Passage, kLongestPull + 1> passages;
+  passages[0] = LocalMap::Passage::kRoomy;
   for (std::size_t i = 1; i <= most; ++i) {
     const int cell = at + i + 1 < points.size() ? memory.cellAt(points[at + i]) : -1;
     passages[i] = cell >= 0 ? std::min(passages[i - 1], memory.passage(cell)) : passages[i - 1];
@@ -230,8 +229,8 @@ std::size_t RouteFinder::farthestInSight(ObstacleMemory& memory, const std::vect
   return at + seen;
 }
 
-double RouteFinder::costOf(ObstacleMemory& memory, const Point2& from, const Point2& to) const {
-  using Passage = ObstacleMemory::Passage;
+double RouteFinder::costOf(LocalMap& memory, const Point2& from, const Point2& to) const {
+  using Passage = LocalMap::Passage;
   const double length = distanceBetween(from, to);
   if (memory.cellAt(to) < 0 || memory.cellAt(from) < 0 || memory.isFree(from, to, Passage::kRoomy)) {
     return length;

@@ -32,12 +32,12 @@ struct ScanChanges::SquareGrid {
 
 /// Squares, or cells, that are looked at together.
 struct ScanChanges::Batch {
-  float x[Sight::kMost] = {};  ///< m from the scanner
-  float y[Sight::kMost] = {};
-  Square square[Sight::kMost];  ///< or the first one of the cell
+  float x[ScanClearing::kMost] = {};  ///< m from the scanner
+  float y[ScanClearing::kMost] = {};
+  Square square[ScanClearing::kMost];  ///< or the first one of the cell
   std::size_t count = 0;
 
-  bool hasRoomFor(std::size_t more) const { return count + more <= Sight::kMost; }
+  bool hasRoomFor(std::size_t more) const { return count + more <= ScanClearing::kMost; }
   void add(float at_x, float at_y, const Square& what) {
     x[count] = at_x;
     y[count] = at_y;
@@ -45,7 +45,7 @@ struct ScanChanges::Batch {
   }
 };
 
-ScanChanges::ScanChanges(double reach, double resolution) : reach_(reach), sight_(kCorner * resolution) {
+ScanChanges::ScanChanges(double reach, double resolution) : reach_(reach), scan_clearing_(kCorner * resolution) {
   cleared_.reserve(kUsualChanges);
 }
 
@@ -78,8 +78,8 @@ void ScanChanges::findReturns(const Situation& situation, const ObstacleWindow& 
 }
 
 void ScanChanges::findCleared(const RangeProfile& profile, const Pose2& pose, const ObstacleWindow& window) {
-  sight_.show(profile, pose.yaw);
-  if (sight_.isBlind()) {
+  scan_clearing_.show(profile, pose.yaw);
+  if (scan_clearing_.isBlind()) {
     return;
   }
   const Point2 scanner = toParentFrame(pose, profile.origin);
@@ -109,8 +109,8 @@ void ScanChanges::findCleared(const RangeProfile& profile, const Pose2& pose, co
 }
 
 void ScanChanges::findInCells(const BitRows& squares, const SquareGrid& grid, Batch* cells) {
-  float limits[Sight::kMost];
-  sight_.findLimits(cells->x, cells->y, cells->count, limits);
+  float limits[ScanClearing::kMost];
+  scan_clearing_.findLimits(cells->x, cells->y, cells->count, limits);
   Batch occupied;
   for (std::size_t i = 0; i < cells->count; ++i) {
     if (!(limits[i] > 0.0f)) continue;
@@ -131,8 +131,8 @@ void ScanChanges::findInCells(const BitRows& squares, const SquareGrid& grid, Ba
 }
 
 void ScanChanges::findInSquares(Batch* occupied) {
-  std::uint8_t clear[Sight::kMost];
-  sight_.findClear(occupied->x, occupied->y, occupied->count, clear);
+  std::uint8_t clear[ScanClearing::kMost];
+  scan_clearing_.findClear(occupied->x, occupied->y, occupied->count, clear);
   for (std::size_t i = 0; i < occupied->count; ++i) {
     const std::uint32_t key = keyOf(occupied->square[i]);
     if (clear[i] != 0 && !isReturned(key)) cleared_.push_back(key);

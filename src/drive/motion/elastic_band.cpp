@@ -23,7 +23,7 @@ const Decision& ElasticBand::bend(const NavigationAgent& agent, const Pose2& rob
   using Source = Decision::Source;
   const bool is_known = decision.on_route || decision.source == Source::kGoalInSight ||
                         (isOneStep(decision) && !decision.path_on.empty());
-  const ObstacleMemory* memory = agent.memory();
+  const LocalMap* memory = agent.memory();
   if (clearance <= 0.0 || memory == nullptr || !is_known) return decision;
   distance_ = agent.parameters().shield.footprint_radius + clearance;
   layChain({robot.x, robot.y}, decision);
@@ -61,7 +61,7 @@ void ElasticBand::addPiece(const Point2& corner) {
 }
 
 /// How far it moved a point at most, m.
-double ElasticBand::relax(const ObstacleMemory& memory) {
+double ElasticBand::relax(const LocalMap& memory) {
   double farthest = 0.0;
   for (std::size_t i = first_; i + 1 < chain_.size(); ++i) {
     const Point2 middle{0.5 * (chain_[i - 1].x + chain_[i + 1].x), 0.5 * (chain_[i - 1].y + chain_[i + 1].y)};
@@ -74,7 +74,7 @@ double ElasticBand::relax(const ObstacleMemory& memory) {
 }
 
 /// Aside, away from what is nearest on each side: between two obstacles that are as near nothing moves.
-Point2 ElasticBand::push(const ObstacleMemory& memory, std::size_t i) const {
+Point2 ElasticBand::push(const LocalMap& memory, std::size_t i) const {
   const Point2 here = chain_[i];
   const double along = directionTo(chain_[i - 1], chain_[i + 1]);
   const Point2 left{-std::sin(along), std::cos(along)};
@@ -92,10 +92,8 @@ Point2 ElasticBand::push(const ObstacleMemory& memory, std::size_t i) const {
 }
 
 /// But where the robot stands, and where the path ends: there may be less room than a path needs.
-bool ElasticBand::isPassable(const ObstacleMemory& memory) const {
-  const auto isFree = [&](std::size_t i) {
-    return memory.isFree(chain_[i - 1], chain_[i], ObstacleMemory::Passage::kTight);
-  };
+bool ElasticBand::isPassable(const LocalMap& memory) const {
+  const auto isFree = [&](std::size_t i) { return memory.isFree(chain_[i - 1], chain_[i], LocalMap::Passage::kTight); };
   const auto isAtAnEnd = [&](std::size_t i) {
     return distanceBetween(chain_.front(), chain_[i]) < distance_ ||
            distanceBetween(chain_[i - 1], chain_.back()) < distance_;

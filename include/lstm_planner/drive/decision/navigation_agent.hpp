@@ -17,7 +17,7 @@
 #include "lstm_planner/drive/decision/drive_trace.hpp"
 #include "lstm_planner/drive/decision/escape.hpp"
 #include "lstm_planner/drive/decision/step_clock.hpp"
-#include "lstm_planner/drive/local_map/route_guide.hpp"
+#include "lstm_planner/drive/local_map/replanner.hpp"
 #include "lstm_planner/drive/perception/laser_scan.hpp"
 #include "lstm_planner/drive/perception/out_of_view.hpp"
 #include "lstm_planner/drive/perception/scan_rules.hpp"
@@ -29,7 +29,7 @@ namespace lstm_planner {
 ///
 /// The inputs of the network are what the robot senses and where it has been; its answer is a preference over five
 /// steering angles. The shield takes those away that would hit something. The path through the remembered obstacles
-/// (RouteGuide) tells what the preferred one of the others costs more than the best: it is carried out while the sum of
+/// (Replanner) tells what the preferred one of the others costs more than the best: it is carried out while the sum of
 /// these detours stays within a bound (DetourBound), otherwise that path decides the step. If the path leaves in the
 /// direction of the preferred angle, the waypoint lies on the path. Where the remembered obstacles were wrong too
 /// often, the last resort is boundary following (Escape).
@@ -116,12 +116,12 @@ class NavigationAgent {
   const Shield& shield() const { return shield_; }  ///< shows what was perceived, or decided about, last
   /// Places of the remembered obstacles, for drawing; empty if memory/enabled is false. Slow.
   std::vector<Point2> rememberedObstacles() const {
-    return guide_ ? guide_->memory().obstacles() : std::vector<Point2>();
+    return replanner_ ? replanner_->memory().obstacles() : std::vector<Point2>();
   }
   /// The remembered obstacles; null if memory/enabled is false.
-  const ObstacleMemory* memory() const { return guide_ ? &guide_->memory() : nullptr; }
+  const LocalMap* memory() const { return replanner_ ? &replanner_->memory() : nullptr; }
   /// Number of searches for paths through the remembered obstacles so far.
-  long searches() const { return guide_ ? guide_->searches() : 0; }
+  long searches() const { return replanner_ ? replanner_->searches() : 0; }
   const AgentParameters& parameters() const { return parameters_; }
   const DrivePolicy& policy() const { return policy_; }
   /// m from the goal within which it counts as reached where it lies in or behind an obstacle (goal_drift).
@@ -191,7 +191,7 @@ class NavigationAgent {
   std::optional<OutOfView> out_of_view_;  ///< none of a circle: what it turns away from it does not hit
   ActionChoice actions_;
   Escape escape_;
-  Boxed<RouteGuide> guide_;  ///< none where nothing is to be remembered
+  Boxed<Replanner> replanner_;  ///< none where nothing is to be remembered
   DetourBound bound_;
   DriveTrace trace_;
   StepClock clock_;

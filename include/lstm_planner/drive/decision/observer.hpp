@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "lstm_planner/drive/decision/drive_trace.hpp"
-#include "lstm_planner/drive/local_map/route_guide.hpp"
+#include "lstm_planner/drive/local_map/replanner.hpp"
 #include "lstm_planner/drive/perception/observation.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 
@@ -19,7 +19,7 @@ Observation observe(const Situation& situation, const Point2& goal, double previ
 /// What a recorder remembers of a drive, as the agent would: obstacles and places.
 class Observer {
  public:
-  explicit Observer(const AgentParameters& parameters) : parameters_(parameters), guide_(parameters) {}
+  explicit Observer(const AgentParameters& parameters) : parameters_(parameters), replanner_(parameters) {}
 
   /// A new goal (odometry frame): the drive so far is forgotten, the obstacles not.
   void start(const Point2& goal);
@@ -31,7 +31,7 @@ class Observer {
 
  private:
   AgentParameters parameters_;
-  RouteGuide guide_;
+  Replanner replanner_;
   Point2 goal_;  ///< where it lay when it was observed last
   DriveTrace trace_;
   std::optional<Pose2> last_pose_;  ///< of the drive to this goal

@@ -3,13 +3,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 #include "lstm_planner/grid/cell_queue.hpp"
 #include "lstm_planner/grid/grid_rays.hpp"
 
 namespace lstm_planner {
 
-/// What the path to the goal costs from the cells of an ObstacleMemory: A* from the goal towards a start.
+/// What the path to the goal costs from the cells of an LocalMap: A* from the goal towards a start.
 ///
 /// Searched from the goal, so that what was found stays of use when the robot has moved on: it tells of any place what
 /// the path from there costs at least. Where obstacles have appeared since, paths have become costlier and the bounds
@@ -33,11 +33,11 @@ class CostToGo {
 
   /// Finds the cheapest path from `start` to any of the ends; false when there is none. Of paths that are as good it
   /// takes the one that keeps nearest to that column and row, which may lie outside the window.
-  bool search(ObstacleMemory& memory, int start, const std::vector<End>& ends, int column, int row);
+  bool search(LocalMap& memory, int start, const std::vector<End>& ends, int column, int row);
 
   /// Finds the cheapest path from elsewhere by the last search alone; false when that does not tell, because it did not
   /// come there or something has changed along the path.
-  bool traceFrom(ObstacleMemory& memory, int start, int column, int row);
+  bool traceFrom(LocalMap& memory, int start, int column, int row);
 
   /// The cells of the path that was found last, from the start to the end.
   const std::vector<int>& path() const { return path_; }
@@ -48,7 +48,7 @@ class CostToGo {
   /// What a path from `from` costs at least if it leads through a cell round `freed`, where an obstacle has gone since
   /// the search, and nothing has gone along the rest of the path. Cells for which that is `enough` anyway are not
   /// looked at closely.
-  std::uint32_t cheapestThrough(ObstacleMemory& memory, int freed, int reach, int from, std::uint32_t enough) const;
+  std::uint32_t cheapestThrough(LocalMap& memory, int freed, int reach, int from, std::uint32_t enough) const;
 
   /// Cost of a path of so many cells where nothing is in between.
   static std::uint32_t octile(int columns, int rows);
@@ -65,7 +65,7 @@ class CostToGo {
     std::uint16_t last;
   };
   static std::size_t index(int cell) { return static_cast<std::size_t>(cell); }
-  bool searchOnce(ObstacleMemory& memory, const std::vector<End>& ends);
+  bool searchOnce(LocalMap& memory, const std::vector<End>& ends);
   void clear(int side);
   template <typename Cost>
   void forgetTouched(Cost unknown, std::vector<Cost>* costs);
@@ -83,17 +83,17 @@ class CostToGo {
     }
   }
   void reach(int column, int row, std::uint32_t cost);
-  bool run(ObstacleMemory& memory, int target);
-  void expand(ObstacleMemory& memory, int column, int row, std::uint32_t cost);
+  bool run(LocalMap& memory, int target);
+  void expand(LocalMap& memory, int column, int row, std::uint32_t cost);
   void forgetOpen();
-  void trace(ObstacleMemory& memory, int start, int column, int row);
-  std::uint8_t entries(ObstacleMemory& memory, int cell) const;
-  int next(ObstacleMemory& memory, int cell, int column, int row) const;
+  void trace(LocalMap& memory, int start, int column, int row);
+  std::uint8_t entries(LocalMap& memory, int cell) const;
+  int next(LocalMap& memory, int cell, int column, int row) const;
   bool isAtBorder(int cell) const;
   std::uint32_t relativeCost(int column, int row) const;
-  std::uint32_t costBySteps(ObstacleMemory& memory, int column, int row) const;
+  std::uint32_t costBySteps(LocalMap& memory, int column, int row) const;
   int neighbourOf(int cell, int direction) const;
-  std::uint32_t stepCost(ObstacleMemory& memory, int to, int direction) const;
+  std::uint32_t stepCost(LocalMap& memory, int to, int direction) const;
 
   int factors_[4];  ///< of the passages, in halves
   int side_ = 0;    ///< cells

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lstm_planner/drive/decision/agent_parameters.hpp"
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 #include "lstm_planner/drive/local_map/route_finder.hpp"
 
 namespace lstm_planner {
@@ -29,15 +29,15 @@ class KeptRoute {
   void moveEnd(const Point2& end);
 
   /// The robot is there now: what it has driven, and corners that it can cut, are left away.
-  void advance(ObstacleMemory& memory, const Point2& here);
+  void advance(LocalMap& memory, const Point2& here);
 
   /// Something has changed in the memory.
-  void note(const ObstacleMemory& memory, const ObstacleMemory::Change& change);
+  void note(const LocalMap& memory, const LocalMap::Change& change);
   /// Anything may have.
   void noteAll();
 
   /// As RouteFinder::costOf().
-  double cost(ObstacleMemory& memory, const RouteFinder& finder, double distance);
+  double cost(LocalMap& memory, const RouteFinder& finder, double distance);
 
  private:
   /// From the point before to one of the route's.
@@ -48,10 +48,10 @@ class KeptRoute {
     bool marked;   ///< in beside_
   };
   void measure();
-  static int sharesASide(const ObstacleMemory& memory);
+  static int sharesASide(const LocalMap& memory);
   void forgetMarks();
-  void markCosted(const ObstacleMemory& memory);
-  void mark(const ObstacleMemory& memory, const Point2& from, const Point2& to);
+  void markCosted(const LocalMap& memory);
+  void mark(const LocalMap& memory, const Point2& from, const Point2& to);
 
   double reach_;  ///< m, within which a change matters
   Route route_;

@@ -4,7 +4,7 @@
 
 #include "lstm_planner/drive/decision/agent_parameters.hpp"
 #include "lstm_planner/drive/local_map/cost_to_go.hpp"
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 
 namespace lstm_planner {
 
@@ -20,28 +20,27 @@ class RouteBounds {
   explicit RouteBounds(const AgentParameters& parameters);
 
   /// A search was made from `start` to `goal`: what changed before it no longer matters.
-  void noteSearch(const ObstacleMemory& memory, const Point2& start, const Point2& goal);
+  void noteSearch(const LocalMap& memory, const Point2& start, const Point2& goal);
 
   /// The route from `here` that the search found costs so much, m (KeptRoute::cost()); +inf: it is blocked.
-  void noteRoute(const ObstacleMemory& memory, const CostToGo& costs, const Point2& here, double cost);
+  void noteRoute(const LocalMap& memory, const CostToGo& costs, const Point2& here, double cost);
 
   /// Takes in the changes in the memory, and clears them there. Paths that cost `enough` (m) or more are not looked at
   /// closely; +inf: nor are those that cost as much as leastCost().
-  void takeInChanges(ObstacleMemory* memory, const CostToGo& costs, const Point2& here, const Point2& goal,
-                     double enough);
+  void takeInChanges(LocalMap* memory, const CostToGo& costs, const Point2& here, const Point2& goal, double enough);
 
   /// Of any path from here to the goal, m.
-  double leastCost(const ObstacleMemory& memory, const CostToGo& costs, const Point2& here, const Point2& goal) const;
+  double leastCost(const LocalMap& memory, const CostToGo& costs, const Point2& here, const Point2& goal) const;
 
   /// Of a path through a place where an obstacle has gone since the search, m, before its corners are pulled straight:
   /// as Route::cost of a route that was just found.
-  double throughFreed(const ObstacleMemory& memory) const;
+  double throughFreed(const LocalMap& memory) const;
 
   /// Of the last search.
   const Point2& searchedGoal() const { return searched_goal_; }
 
  private:
-  std::uint32_t leastFifths(const ObstacleMemory& memory, const CostToGo& costs, const Point2& here,
+  std::uint32_t leastFifths(const LocalMap& memory, const CostToGo& costs, const Point2& here,
                             const Point2& goal) const;
 
   double reach_;                     ///< m, within which a change matters

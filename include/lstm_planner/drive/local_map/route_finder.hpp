@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lstm_planner/drive/local_map/cost_to_go.hpp"
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 
 namespace lstm_planner {
 
@@ -18,7 +18,7 @@ struct Route {
 /// Length of a path that is straight between its points, m.
 double lengthOf(const std::vector<Point2>& points);
 
-/// Finds the shortest path through an ObstacleMemory: A* on its cells, tight ones costing more, corners pulled straight
+/// Finds the shortest path through an LocalMap: A* on its cells, tight ones costing more, corners pulled straight
 /// near the start. Beyond the window the path is taken as straight. The memory needed is allocated once.
 class RouteFinder {
  public:
@@ -29,11 +29,11 @@ class RouteFinder {
   /// False if there is no path: remembered obstacles enclose the start or the goal. A goal in an obstacle is replaced
   /// by the nearest place where the footprint fits. A goal that cannot be reached, or only by a long detour although
   /// the start is near it, is replaced by the first place on the path that is at most `tolerance` (m) from the goal.
-  bool find(ObstacleMemory& memory, const Point2& start, const Point2& goal, double tolerance, Route* route);
+  bool find(LocalMap& memory, const Point2& start, const Point2& goal, double tolerance, Route* route);
 
   /// A route from another place to the end of the last route that ended at the goal, without a new search; false if
   /// that search did not cover the place. If obstacles have gone since then, there may be a better route.
-  bool fromLastSearch(ObstacleMemory& memory, const Point2& start, Route* route);
+  bool fromLastSearch(LocalMap& memory, const Point2& start, Route* route);
 
   /// Whether the last route found ends at the goal, or at the place nearest to it: costToGo() is then what is left of
   /// the path there.
@@ -45,7 +45,7 @@ class RouteFinder {
   static bool isDetour(double distance, double length, double tolerance);
 
   /// Cost of a straight piece of a route under what is remembered now, m; +inf when it is blocked.
-  double costOf(ObstacleMemory& memory, const Point2& from, const Point2& to) const;
+  double costOf(LocalMap& memory, const Point2& from, const Point2& to) const;
 
  private:
   /// Where paths may end.
@@ -54,12 +54,12 @@ class RouteFinder {
     kNear,    ///< at most tolerance_ from it
     kBorder   ///< of the window, when the end point lies outside
   };
-  bool search(ObstacleMemory& memory, int start, const Point2& end, double tolerance);
-  void addEnd(ObstacleMemory& memory, int column, int row);
-  bool isEnd(ObstacleMemory& memory, int cell) const;
-  void follow(ObstacleMemory& memory, const Point2& start, Route* route) const;
-  void pullStraight(ObstacleMemory& memory, Route* route) const;
-  static std::size_t farthestInSight(ObstacleMemory& memory, const std::vector<Point2>& points, std::size_t at);
+  bool search(LocalMap& memory, int start, const Point2& end, double tolerance);
+  void addEnd(LocalMap& memory, int column, int row);
+  bool isEnd(LocalMap& memory, int cell) const;
+  void follow(LocalMap& memory, const Point2& start, Route* route) const;
+  void pullStraight(LocalMap& memory, Route* route) const;
+  static std::size_t farthestInSight(LocalMap& memory, const std::vector<Point2>& points, std::size_t at);
 
   double tightness_;
   CostToGo cost_to_go_;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lstm_planner/drive/local_map/obstacle_window.hpp"
-#include "lstm_planner/drive/local_map/sight.hpp"
+#include "lstm_planner/drive/local_map/scan_clearing.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 
 namespace lstm_planner {
@@ -38,7 +38,7 @@ class ScanChanges {
   bool isReturned(std::uint32_t key);
 
   double reach_;
-  Sight sight_;
+  ScanClearing scan_clearing_;
   std::vector<std::uint32_t> returns_;
   std::array<std::uint64_t, 64> returned_;  ///< row and column, modulo 64, of the returns
   bool returned_is_known_ = false;

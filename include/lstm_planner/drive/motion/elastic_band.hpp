@@ -5,7 +5,7 @@
 
 #include "lstm_planner/drive/decision/decision.hpp"
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 
 namespace lstm_planner {
 
@@ -25,9 +25,9 @@ class ElasticBand {
  private:
   void layChain(const Point2& robot, const Decision& decision);
   void addPiece(const Point2& corner);
-  double relax(const ObstacleMemory& memory);
-  Point2 push(const ObstacleMemory& memory, std::size_t i) const;
-  bool isPassable(const ObstacleMemory& memory) const;
+  double relax(const LocalMap& memory);
+  Point2 push(const LocalMap& memory, std::size_t i) const;
+  bool isPassable(const LocalMap& memory) const;
 
   double distance_ = 0.0;      ///< m from the middle of the footprint to obstacles that is wanted
   double left_ = 0.0;          ///< m of the path for which there is no chain yet

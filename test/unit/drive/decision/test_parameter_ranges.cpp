@@ -10,7 +10,7 @@
 
 #include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/dataset/recorder_parameters.hpp"
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 #include "lstm_planner/drive/motion/motion_controller.hpp"
 #include "lstm_planner/simulation/create2.hpp"
 #include "lstm_planner/simulation/crowd.hpp"
@@ -105,7 +105,7 @@ TEST(ParameterRanges, BoundWhatAnUpdateOfTheMemoryCosts) {
       parameters.shield.tight_clearance = std::min(parameters.shield.clearance, 0.03);
       memory.comfort = parameters.shield.clearance;
       ASSERT_EQ(complaintAbout(parameters), "");
-      const ObstacleMemory made(memory, parameters.shield);
+      const LocalMap made(memory, parameters.shield);
       EXPECT_LE(made.nearCells(), 5);
       EXPECT_LE(made.side(), 501);
     }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
+#include "lstm_planner/drive/local_map/replanner.hpp"
 #include "lstm_planner/drive/local_map/route_finder.hpp"
-#include "lstm_planner/drive/local_map/route_guide.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
 #include "lstm_planner/simulation/world.hpp"
@@ -42,7 +42,7 @@ inline Situation returnsAt(const std::vector<Point2>& places, const Pose2& pose 
 }
 
 /// Cost of a route under what is remembered now, m; +inf where it is blocked.
-inline double costOf(const Route& route, const RouteFinder& finder, ObstacleMemory* memory) {
+inline double costOf(const Route& route, const RouteFinder& finder, LocalMap* memory) {
   double cost = 0.0;
   for (std::size_t i = 1; i < route.points.size(); ++i) {
     cost += finder.costOf(*memory, route.points[i - 1], route.points[i]);
@@ -63,7 +63,7 @@ class GuideFixture : public ::testing::Test {
   }
   Decision::Source update(const Situation& situation) { return guide_.update(situation, goal_, tolerance_); }
 
-  RouteGuide guide_{AgentParameters()};
+  Replanner guide_{AgentParameters()};
   double tolerance_ = AgentParameters().goal_tolerance;  ///< m
 
  private:

@@ -4,14 +4,14 @@
 
 #include <vector>
 
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
 
 namespace lstm_planner::test_obstacle_marks {
 namespace {
 
-using Passage = ObstacleMemory::Passage;
+using Passage = LocalMap::Passage;
 using test::seenFrom;
 
 const AgentParameters kDefaults;
@@ -31,7 +31,7 @@ class ObstacleMarksTest : public ::testing::Test {
   bool isBlocked(const Point2& place) const { return !memory_.isFree(place, place, Passage::kTight); }
 
   OccupancyGrid hall_;
-  ObstacleMemory memory_;
+  LocalMap memory_;
 };
 
 TEST_F(ObstacleMarksTest, StandWhereTheScanSeesNothing) {

@@ -15,7 +15,7 @@
 namespace lstm_planner::test_route_finder {
 namespace {
 
-using Passage = ObstacleMemory::Passage;
+using Passage = LocalMap::Passage;
 using test::returnsAt;
 
 const AgentParameters kDefaults;
@@ -80,7 +80,7 @@ class RouteFinderTest : public ::testing::Test {
     return length;
   }
 
-  ObstacleMemory memory_;
+  LocalMap memory_;
   RouteFinder finder_;
   Route route_;
   std::vector<Point2> places_;
@@ -129,7 +129,7 @@ TEST(RouteFinder, FindsAPathOfThreeKilometresInsideItsWindow) {
          -kHalf + i * kWidth);
   }
   for (double y = -kHalf; y <= kHalf; y += 0.04) append({{-kHalf, y}, {kHalf, y}}, &places);
-  ObstacleMemory memory(parameters, kDefaults.shield);
+  LocalMap memory(parameters, kDefaults.shield);
   memory.add(returnsAt(places));
 
   RouteFinder finder(kTightness);
@@ -321,7 +321,7 @@ TEST_F(RouteFinderTest, CostsARouteUnderWhatIsRememberedNow) {
 }
 
 /// Least cost between two cells by plain Dijkstra with exact factors, in metres; +inf when there is no path.
-double dijkstra(ObstacleMemory* memory, int start, int goal) {
+double dijkstra(LocalMap* memory, int start, int goal) {
   constexpr int kColumns[] = {1, 1, 0, -1, -1, -1, 0, 1};
   constexpr int kRows[] = {0, 1, 1, 1, 0, -1, -1, -1};
   const double factors[] = {kTightness, kTightness, 1.0 + 0.25 * (kTightness - 1.0), 1.0};

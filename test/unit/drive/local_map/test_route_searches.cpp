@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "lstm_planner/drive/local_map/route_guide.hpp"
+#include "lstm_planner/drive/local_map/replanner.hpp"
 #include "lstm_planner/grid/cell_queue.hpp"
 #include "support/case_name.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
@@ -127,7 +127,7 @@ TEST_F(RouteSearches, OneIsMadeForABlockedPathFromBesideADoorPost) {
   for (const double side : {-1.0, 1.0}) {
     for (const Point2& point : test::wall({0.42, side * 0.22}, {0.42, side * 3.0})) places.push_back(point);
   }
-  RouteGuide guide(kDefaults);
+  Replanner guide(kDefaults);
   guide.start();
   ASSERT_EQ(guide.update(returnsAt(places, pose), goal, kDefaults.goal_tolerance), Source::kRoute);
   for (const Point2& point : test::wall({3.0, -1.0}, {3.0, 1.0})) places.push_back(point);
@@ -157,9 +157,9 @@ TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
   std::uniform_real_distribution<double> place(-6.0, 6.0);
   std::uniform_real_distribution<double> direction(-M_PI, M_PI);
   std::uniform_real_distribution<double> length(0.5, 2.5);
-  RouteGuide keeping(kDefaults);
-  RouteGuide searching(kDefaults);
-  ObstacleMemory memory(kDefaults.memory, kDefaults.shield);
+  Replanner keeping(kDefaults);
+  Replanner searching(kDefaults);
+  LocalMap memory(kDefaults.memory, kDefaults.shield);
   const RouteFinder finder(kDefaults.memory.tightness);
   const Point2 goal{8.0, 0.0};
   Pose2 pose{-8.0, 0.0, 0.0};

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 #include "lstm_planner/drive/motion/motion_controller.hpp"
 #include "lstm_planner/drive/perception/moving_surroundings.hpp"
 #include "lstm_planner/drive/perception/out_of_view.hpp"
@@ -87,7 +87,7 @@ TEST_F(TwoScanners, WhatTheSecondOneSawIsForgottenWithTheNextScanOfTheFirst) {
 }
 
 TEST_F(TwoScanners, TheMemoryHoldsWhatOnlyTheSecondOneSeesUntilItSeesThatItHasGone) {
-  ObstacleMemory memory({}, {});
+  LocalMap memory({}, {});
   const Pose2 pose{5.0, 5.0, 0.0};
   world_ = CircleWorld({{{4.0, 5.0}, 0.1}});
   memory.add(see(pose));

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <random>
 
-#include "lstm_planner/drive/local_map/sight.hpp"
+#include "lstm_planner/drive/local_map/scan_clearing.hpp"
 
-namespace lstm_planner::test_sight {
+namespace lstm_planner::test_scan_clearing {
 namespace {
 
 /// A scan of walls at many distances, with some beams that know nothing.
@@ -39,7 +39,7 @@ double plainReach(const RangeProfile& profile, double towards) {
   return nearest - 0.1;
 }
 
-float limitOf(const Sight& sight, double x, double y) {
+float limitOf(const ScanClearing& sight, double x, double y) {
   const std::array<float, 4> xs = {static_cast<float>(x)};
   const std::array<float, 4> ys = {static_cast<float>(y)};
   std::array<float, 4> limits;
@@ -47,7 +47,7 @@ float limitOf(const Sight& sight, double x, double y) {
   return limits[0];
 }
 
-bool isClear(const Sight& sight, double x, double y) {
+bool isClear(const ScanClearing& sight, double x, double y) {
   const std::array<float, 4> xs = {static_cast<float>(x)};
   const std::array<float, 4> ys = {static_cast<float>(y)};
   std::array<std::uint8_t, 4> clear;
@@ -55,7 +55,7 @@ bool isClear(const Sight& sight, double x, double y) {
   return clear[0] != 0;
 }
 
-TEST(Sight, ClearsWhatThePlainDefinitionClears) {
+TEST(ScanClearing, ClearsWhatThePlainDefinitionClears) {
   constexpr double kResolution = 0.05;
   constexpr double kYaw = 1.1;
   constexpr int kSide = 4;
@@ -64,7 +64,7 @@ TEST(Sight, ClearsWhatThePlainDefinitionClears) {
   std::mt19937 random(5);
   for (const double increment : {0.00436332, -0.00436332, 2.0 * M_PI / 720.0}) {
     const RangeProfile profile = scanOf(increment, increment < 0.006 ? 1081 : 720, &random);
-    Sight sight(std::hypot(1.5, 1.5) * kResolution);
+    ScanClearing sight(std::hypot(1.5, 1.5) * kResolution);
     sight.show(profile, kYaw);
     int cleared = 0;
     int cells_in_sight = 0;
@@ -96,4 +96,4 @@ TEST(Sight, ClearsWhatThePlainDefinitionClears) {
 }
 
 }  // namespace
-}  // namespace lstm_planner::test_sight
+}  // namespace lstm_planner::test_scan_clearing

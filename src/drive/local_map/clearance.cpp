@@ -1,4 +1,4 @@
-#include "lstm_planner/drive/local_map/passability.hpp"
+#include "lstm_planner/drive/local_map/clearance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,7 @@ double narrowRadius(const ShieldParameters& shield) {
 
 }  // namespace
 
-Passability::Passability(const MemoryParameters& parameters, const ShieldParameters& shield,
-                         const ObstacleWindow& window)
+Clearance::Clearance(const MemoryParameters& parameters, const ShieldParameters& shield, const ObstacleWindow& window)
     : resolution_(window.resolution()),
       side_(window.side()),
       cell_size_(window.cellSize()),
@@ -51,12 +50,12 @@ Passability::Passability(const MemoryParameters& parameters, const ShieldParamet
   setTightRadius(footprint_radius_ + 0.5 * tight_clearance_);
 }
 
-void Passability::forget() {
+void Clearance::forget() {
   blocks_.clear();
   outdateAll();
 }
 
-std::optional<Point2> Passability::block(const ObstacleWindow& window, const Point2& place) {
+std::optional<Point2> Clearance::block(const ObstacleWindow& window, const Point2& place) {
   const auto change = [&](const Point2& block) {
     const int cell = window.cellAt(block);
     if (cell >= 0) {
@@ -75,7 +74,7 @@ std::optional<Point2> Passability::block(const ObstacleWindow& window, const Poi
   return oldest;
 }
 
-bool Passability::squeeze(bool on) {
+bool Clearance::relaxClearance(bool on) {
   const double radius = footprint_radius_ + (on ? -0.5 * resolution_ : 0.5 * tight_clearance_);
   if (radius == tight_radius_) {
     return false;
@@ -84,7 +83,7 @@ bool Passability::squeeze(bool on) {
   return true;
 }
 
-void Passability::outdate(int cell) {
+void Clearance::outdate(int cell) {
   if (cell == outdated_) {
     return;
   }
@@ -99,9 +98,9 @@ void Passability::outdate(int cell) {
   }
 }
 
-void Passability::outdateAll() { std::fill(judged_.begin(), judged_.end(), kUnknown); }
+void Clearance::outdateAll() { std::fill(judged_.begin(), judged_.end(), kUnknown); }
 
-std::uint8_t Passability::exits(const ObstacleWindow& window, int cell) {
+std::uint8_t Clearance::exits(const ObstacleWindow& window, int cell) {
   judgement(window, cell);
   const auto i = static_cast<std::size_t>(cell);
   if ((judged_[i] & kExitsKnown) == 0) {
@@ -111,8 +110,8 @@ std::uint8_t Passability::exits(const ObstacleWindow& window, int cell) {
   return exits_[i];
 }
 
-bool Passability::isFree(const ObstacleWindow& window, const Point2& from, const Point2& to,
-                         Passage wanted_passage) const {
+bool Clearance::isFree(const ObstacleWindow& window, const Point2& from, const Point2& to,
+                       Passage wanted_passage) const {
   const double wanted = wanted_passage == Passage::kRoomy    ? roomy_radius_
                         : wanted_passage == Passage::kNarrow ? narrow_radius_
                                                              : tight_radius_;
@@ -139,7 +138,7 @@ bool Passability::isFree(const ObstacleWindow& window, const Point2& from, const
   return true;
 }
 
-bool Passability::isAnythingNear(const ObstacleWindow& window, int cell, int reach) const {
+bool Clearance::isAnythingNear(const ObstacleWindow& window, int cell, int reach) const {
   constexpr int kWidest = 31;
   if (reach > kWidest) {
     return true;  // there may be, somewhere
@@ -152,7 +151,7 @@ bool Passability::isAnythingNear(const ObstacleWindow& window, int cell, int rea
   return (bits & lowestBits(2 * reach + 1)) != 0 || isBlockNear(window, cell, reach);
 }
 
-bool Passability::isBlockNear(const ObstacleWindow& window, int cell, int reach) const {
+bool Clearance::isBlockNear(const ObstacleWindow& window, int cell, int reach) const {
   if (blocks_.empty()) {
     return false;
   }
@@ -161,7 +160,7 @@ bool Passability::isBlockNear(const ObstacleWindow& window, int cell, int reach)
                      [&](const Point2& block) { return distanceBetween(block, middle) < (reach + 1) * cell_size_; });
 }
 
-std::uint8_t Passability::judge(const ObstacleWindow& window, int cell) const {
+std::uint8_t Clearance::judge(const ObstacleWindow& window, int cell) const {
   if (!isAnythingNear(window, cell, near_cells_)) {
     return kNothingNear;
   }
@@ -173,7 +172,7 @@ std::uint8_t Passability::judge(const ObstacleWindow& window, int cell) const {
   return judgementOf(squared * resolution_ * resolution_, best_square);
 }
 
-std::uint8_t Passability::judgementOf(double squared, int best_square) const {
+std::uint8_t Clearance::judgementOf(double squared, int best_square) const {
   const Passage passage = squared < tight_radius_ * tight_radius_     ? Passage::kBlocked
                           : squared < narrow_radius_ * narrow_radius_ ? Passage::kTight
                           : squared < roomy_radius_ * roomy_radius_   ? Passage::kNarrow
@@ -181,7 +180,7 @@ std::uint8_t Passability::judgementOf(double squared, int best_square) const {
   return static_cast<std::uint8_t>(static_cast<int>(passage) << 4 | best_square);
 }
 
-int Passability::bestSquare(const ObstacleWindow& window, int cell, int* squared) const {
+int Clearance::bestSquare(const ObstacleWindow& window, int cell, int* squared) const {
   static_assert(kSide == kLanes, "a row of squares side by side");
   constexpr int kFar = 1 << 20;
   // Beyond both ends a square is taken as occupied that is farther away than all that matter.
@@ -223,7 +222,7 @@ int Passability::bestSquare(const ObstacleWindow& window, int cell, int* squared
   return best;
 }
 
-std::uint8_t Passability::judgeExits(const ObstacleWindow& window, int cell) {
+std::uint8_t Clearance::judgeExits(const ObstacleWindow& window, int cell) {
   const int column = cell % side_;
   const int row = cell / side_;
   if (column == 0 || row == 0 || column == side_ - 1 || row == side_ - 1) {
@@ -250,7 +249,7 @@ std::uint8_t Passability::judgeExits(const ObstacleWindow& window, int cell) {
   return exits;
 }
 
-bool Passability::isLineFree(const ObstacleWindow& window, const Square& from, const Square& to) const {
+bool Clearance::isLineFree(const ObstacleWindow& window, const Square& from, const Square& to) const {
   const Square& lower = from.row <= to.row ? from : to;
   const Square& upper = from.row <= to.row ? to : from;
   const std::uint64_t* mask = line_masks_.mask(upper.column - lower.column, upper.row - lower.row);
@@ -262,7 +261,7 @@ bool Passability::isLineFree(const ObstacleWindow& window, const Square& from, c
   return met == 0;
 }
 
-bool Passability::isGapFree(const ObstacleWindow& window, const Point2& position, double radius) const {
+bool Clearance::isGapFree(const ObstacleWindow& window, const Point2& position, double radius) const {
   const auto isNear = [&](const Point2& block) { return distanceBetween(position, block) < radius; };
   if (std::any_of(blocks_.begin(), blocks_.end(), isNear)) {
     return false;
@@ -290,7 +289,7 @@ bool Passability::isGapFree(const ObstacleWindow& window, const Point2& position
   return true;
 }
 
-std::uint8_t Passability::judgeAmongBlocks(const ObstacleWindow& window, int cell) const {
+std::uint8_t Clearance::judgeAmongBlocks(const ObstacleWindow& window, int cell) const {
   collectNearby(window, cell, near_cells_);
   if (nearby_.empty()) {
     return kNothingNear;
@@ -313,7 +312,7 @@ std::uint8_t Passability::judgeAmongBlocks(const ObstacleWindow& window, int cel
   return judgementOf(best, best_square);
 }
 
-std::uint8_t Passability::judgeExitsAmongBlocks(const ObstacleWindow& window, int cell) {
+std::uint8_t Clearance::judgeExitsAmongBlocks(const ObstacleWindow& window, int cell) {
   const auto neighbourOf = [&](const CellIndex& step) { return cell + step.row * side_ + step.column; };
   for (const CellIndex& step : kGridRaySteps)
     judgement(window, neighbourOf(step));  // before others are collected than here
@@ -335,7 +334,7 @@ std::uint8_t Passability::judgeExitsAmongBlocks(const ObstacleWindow& window, in
   return exits;
 }
 
-void Passability::collectNearby(const ObstacleWindow& window, int cell, int reach) const {
+void Clearance::collectNearby(const ObstacleWindow& window, int cell, int reach) const {
   nearby_.clear();
   const Square first = window.squareOf(cell, 0);
   const int squares = kSide * reach;
@@ -356,7 +355,7 @@ void Passability::collectNearby(const ObstacleWindow& window, int cell, int reac
   }
 }
 
-void Passability::setTightRadius(double radius) {
+void Clearance::setTightRadius(double radius) {
   tight_radius_ = radius;
   if (near_cells_ <= kMostNearCells) {
     line_masks_.setRadius(onThePath(radius) / resolution_);

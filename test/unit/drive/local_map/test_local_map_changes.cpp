@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
 
@@ -18,10 +18,10 @@ using test::returnsAt;
 const AgentParameters kDefaults;
 const double kResolution = kDefaults.memory.resolution;
 
-ObstacleMemory smallMemory() {
+LocalMap smallMemory() {
   MemoryParameters parameters = kDefaults.memory;
   parameters.width = 20.0;
-  return ObstacleMemory(parameters, kDefaults.shield);
+  return LocalMap(parameters, kDefaults.shield);
 }
 
 using Square = std::pair<int, int>;  // column, row in the odometry frame
@@ -34,7 +34,7 @@ Point2 centerOf(const Square& square) {
   return {(square.first + 0.5) * kResolution, (square.second + 0.5) * kResolution};
 }
 
-/// What ObstacleMemory::add() is meant to do, square by square. Where the last digits of single precision decide, it
+/// What LocalMap::add() is meant to do, square by square. Where the last digits of single precision decide, it
 /// says that it does not know.
 class PlainMemory {
  public:
@@ -130,11 +130,11 @@ class ComingAndGoing {
   Hokuyo scanner_;
 };
 
-TEST(ObstacleMemoryChanges, AreWhatAPlainMemoryForgetsAndMarks) {
+TEST(LocalMapChanges, AreWhatAPlainMemoryForgetsAndMarks) {
   int forgotten = 0;
   for (unsigned seed = 1; seed <= 3; ++seed) {
     ComingAndGoing world(seed);
-    ObstacleMemory memory = smallMemory();
+    LocalMap memory = smallMemory();
     PlainMemory plain;
     std::set<Square> occupied;
     for (int i = 0; i < 40; ++i) {
@@ -144,7 +144,7 @@ TEST(ObstacleMemoryChanges, AreWhatAPlainMemoryForgetsAndMarks) {
       if (i > 0) {
         ASSERT_FALSE(memory.everythingChanged());
       }
-      for (const ObstacleMemory::Change& change : memory.changes()) {
+      for (const LocalMap::Change& change : memory.changes()) {
         const Square square = squareAt(change.place);
         // A change that is none would make others look at it for nothing.
         ASSERT_EQ(occupied.count(square), change.occupied ? 0u : 1u);
@@ -159,17 +159,17 @@ TEST(ObstacleMemoryChanges, AreWhatAPlainMemoryForgetsAndMarks) {
   EXPECT_GT(forgotten, 1000);  // boxes that went away
 }
 
-TEST(ObstacleMemoryChanges, LeaveNoJudgementBehindThatIsOutOfDate) {
+TEST(LocalMapChanges, LeaveNoJudgementBehindThatIsOutOfDate) {
   ComingAndGoing world(7);
-  ObstacleMemory memory = smallMemory();
+  LocalMap memory = smallMemory();
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(2.0, 7.0);
   for (int i = 0; i < 12; ++i) {
     memory.add(world.next({4.0 + 0.1 * i, 4.5, 0.3 * i}));
     if (i % 3 == 2) memory.block({place(random), place(random)});
-    ObstacleMemory anew = memory;
-    anew.squeeze(true);
-    anew.squeeze(false);
+    LocalMap anew = memory;
+    anew.relaxClearance(true);
+    anew.relaxClearance(false);
     for (int cell = 0; cell < memory.side() * memory.side(); ++cell) {
       ASSERT_EQ(static_cast<int>(memory.passage(cell)), static_cast<int>(anew.passage(cell))) << "cell " << cell;
       ASSERT_EQ(memory.exits(cell), anew.exits(cell)) << "cell " << cell;
@@ -178,10 +178,10 @@ TEST(ObstacleMemoryChanges, LeaveNoJudgementBehindThatIsOutOfDate) {
   }
 }
 
-TEST(ObstacleMemoryChanges, AreNoneWhereAStandingRobotSeesTheSame) {
+TEST(LocalMapChanges, AreNoneWhereAStandingRobotSeesTheSame) {
   const GridWorld world(test::emptyHall(8.0, 8.0));
   const Situation situation = test::seenFrom(world, {4.0, 4.0, 0.3});
-  ObstacleMemory memory = smallMemory();
+  LocalMap memory = smallMemory();
   memory.add(situation);
   memory.clearChanges();
   memory.add(situation);
@@ -189,8 +189,8 @@ TEST(ObstacleMemoryChanges, AreNoneWhereAStandingRobotSeesTheSame) {
   EXPECT_FALSE(memory.everythingChanged());
 }
 
-TEST(ObstacleMemoryChanges, ListBlockedPlacesAndThoseThatAreForgotten) {
-  ObstacleMemory memory = smallMemory();
+TEST(LocalMapChanges, ListBlockedPlacesAndThoseThatAreForgotten) {
+  LocalMap memory = smallMemory();
   memory.add(test::situationAt({}));
   for (int i = 0; i < 32; ++i) memory.block({0.1 * i, 3.0});
   memory.clearChanges();
@@ -203,8 +203,8 @@ TEST(ObstacleMemoryChanges, ListBlockedPlacesAndThoseThatAreForgotten) {
   EXPECT_TRUE(memory.changes()[1].occupied);
 }
 
-TEST(ObstacleMemoryChanges, AreEverythingWhenTheWindowMovesOrAllIsForgottenOrJudgedOtherwise) {
-  ObstacleMemory memory = smallMemory();
+TEST(LocalMapChanges, AreEverythingWhenTheWindowMovesOrAllIsForgottenOrJudgedOtherwise) {
+  LocalMap memory = smallMemory();
   EXPECT_TRUE(memory.everythingChanged()) << "at first";
   memory.add(returnsAt({{1.0, 0.0}}));
   memory.clearChanges();
@@ -213,17 +213,17 @@ TEST(ObstacleMemoryChanges, AreEverythingWhenTheWindowMovesOrAllIsForgottenOrJud
   memory.add(returnsAt({{1.0, 0.0}}, {3.0, 0.0, 0.0}));
   EXPECT_TRUE(memory.everythingChanged()) << "the window moved";
   memory.clearChanges();
-  memory.squeeze(false);
+  memory.relaxClearance(false);
   EXPECT_FALSE(memory.everythingChanged()) << "it was off already";
-  memory.squeeze(true);
+  memory.relaxClearance(true);
   EXPECT_TRUE(memory.everythingChanged());
   memory.clearChanges();
   memory.forget();
   EXPECT_TRUE(memory.everythingChanged());
 }
 
-TEST(ObstacleMemoryChanges, AreEverythingWhenTheyAreTooManyToBeListed) {
-  ObstacleMemory memory = smallMemory();
+TEST(LocalMapChanges, AreEverythingWhenTheyAreTooManyToBeListed) {
+  LocalMap memory = smallMemory();
   memory.add(test::situationAt({}));
   memory.clearChanges();
   for (int row = 0; row < 30; ++row) {

@@ -24,9 +24,9 @@ enum class Passage : std::uint8_t {
 /// Whether it fits into a cell is decided at the best of its 16 squares, and whether it fits through to a neighbour on
 /// the straight line between the best squares of both. Answers are kept until they are outdated. The window is not the
 /// object's own: it is handed to each question.
-class Passability {
+class Clearance {
  public:
-  Passability(const MemoryParameters& parameters, const ShieldParameters& shield, const ObstacleWindow& window);
+  Clearance(const MemoryParameters& parameters, const ShieldParameters& shield, const ObstacleWindow& window);
 
   /// Nothing is blocked, and everything has changed.
   void forget();
@@ -36,7 +36,7 @@ class Passability {
 
   /// Whether places count as passable that seem too narrow by not more than the error of noise and squares. Returns
   /// true if that has changed: then everything is outdated.
-  bool squeeze(bool on);
+  bool relaxClearance(bool on);
 
   /// Something has changed in a cell.
   void outdate(int cell);

@@ -4,7 +4,7 @@
 #include "lstm_planner/drive/decision/decision.hpp"
 #include "lstm_planner/drive/local_map/full_turn.hpp"
 #include "lstm_planner/drive/local_map/kept_route.hpp"
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 #include "lstm_planner/drive/local_map/route_bounds.hpp"
 #include "lstm_planner/drive/local_map/route_finder.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
@@ -20,9 +20,9 @@ namespace lstm_planner {
 /// A path that was found is kept without a new search as long as a search could find none that is worth turning for.
 /// Bounds tell: no path is shorter than the straight line, nor cheaper than RouteBounds says. The path itself is costed
 /// anew where something changed beside it. All costs are in m.
-class RouteGuide {
+class Replanner {
  public:
-  explicit RouteGuide(const AgentParameters& parameters);
+  explicit Replanner(const AgentParameters& parameters);
 
   /// A new goal; what is remembered of the obstacles stays.
   void start();
@@ -54,7 +54,7 @@ class RouteGuide {
   const Route& route() const { return route_.route(); }
 
   /// What is remembered.
-  const ObstacleMemory& memory() const { return memory_; }
+  const LocalMap& memory() const { return memory_; }
 
   /// The point that lies that far (m) along the route, of which there must be one.
   Point2 pointAhead(double distance) const;
@@ -73,9 +73,7 @@ class RouteGuide {
   const Point2& end() const { return route().points.back(); }
 
   /// Whether the footprint fits through on the straight path from one place to the other, as far as is remembered.
-  bool isPassable(const Point2& from, const Point2& to) {
-    return memory_.isFree(from, to, ObstacleMemory::Passage::kTight);
-  }
+  bool isPassable(const Point2& from, const Point2& to) { return memory_.isFree(from, to, LocalMap::Passage::kTight); }
 
   /// Everything is forgotten, e.g. because the odometry jumped.
   void forget();
@@ -93,18 +91,18 @@ class RouteGuide {
   Decision::Source lookAround(const Situation& situation);
 
   AgentParameters parameters_;
-  ObstacleMemory memory_;
+  LocalMap memory_;
   RouteFinder finder_;
   RouteBounds bounds_;
   KeptRoute route_;
   KeptRoute candidate_;
   Route found_;
   long searches_ = 0;
-  bool has_costs_ = false;  ///< of a search: the finder's costToGo() holds, but for what has changed since
-  double tolerance_ = 0.0;  ///< of the last update()
-  bool looking_ = false;    ///< turning, after everything was forgotten
-  FullTurn turn_;           ///< while looking
-  bool squeezing_ = false;  ///< no path was found otherwise
+  bool has_costs_ = false;             ///< of a search: the finder's costToGo() holds, but for what has changed since
+  double tolerance_ = 0.0;             ///< of the last update()
+  bool looking_ = false;               ///< turning, after everything was forgotten
+  FullTurn turn_;                      ///< while looking
+  bool clearance_is_relaxed_ = false;  ///< no path was found otherwise
   int closed_in_a_row_ = 0;
   int forgotten_ = 0;  ///< times since the last progress
 };

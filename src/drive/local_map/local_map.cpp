@@ -1,4 +1,4 @@
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,31 +17,31 @@ constexpr double kUnderneath = 0.9;
 
 }  // namespace
 
-ObstacleMemory::ObstacleMemory(const MemoryParameters& parameters, const ShieldParameters& shield)
+LocalMap::LocalMap(const MemoryParameters& parameters, const ShieldParameters& shield)
     : footprint_radius_(footprintOf(shield).inscribedRadius()),
       window_(parameters.width, parameters.resolution),
       scan_changes_(parameters.reach, parameters.resolution),
-      passability_(parameters, shield, window_),
+      clearance_(parameters, shield, window_),
       reach_(parameters.reach) {
   changes_.reserve(kMostChanges);
   forget();
 }
 
-void ObstacleMemory::forget() {
+void LocalMap::forget() {
   window_.clear();
   marks_.clear();
-  passability_.forget();
+  clearance_.forget();
   everything_changed_ = true;
 }
 
-void ObstacleMemory::add(const Situation& situation) {
+void LocalMap::add(const Situation& situation) {
   if (!isInReach(situation.pose)) {
     return;
   }
   if (window_.moveTo(situation.pose)) {
     outdateAll();
   }
-  passability_.startChanges();
+  clearance_.startChanges();
   takeOverMarks(situation);
   scan_changes_.find(situation, window_);
   for (const std::uint32_t key : scan_changes_.cleared()) {
@@ -57,7 +57,7 @@ void ObstacleMemory::add(const Situation& situation) {
   forgetUnderneath(situation.pose);
 }
 
-void ObstacleMemory::takeOverMarks(const Situation& situation) {
+void LocalMap::takeOverMarks(const Situation& situation) {
   if (situation.marked.empty() && marks_.empty()) return;
   collectMarks(situation);
   for (const Mark mark : marks_) {
@@ -71,7 +71,7 @@ void ObstacleMemory::takeOverMarks(const Situation& situation) {
   }
 }
 
-void ObstacleMemory::collectMarks(const Situation& situation) {
+void LocalMap::collectMarks(const Situation& situation) {
   marked_.clear();
   for (const Point2& place : situation.marked) {
     if (std::hypot(place.x, place.y) > reach_) continue;
@@ -86,7 +86,7 @@ void ObstacleMemory::collectMarks(const Situation& situation) {
   marked_.erase(std::unique(marked_.begin(), marked_.end()), marked_.end());
 }
 
-bool ObstacleMemory::isSeenBeside(const Square& square) const {
+bool LocalMap::isSeenBeside(const Square& square) const {
   for (int row = square.row - 1; row <= square.row + 1; ++row) {
     for (int column = square.column - 1; column <= square.column + 1; ++column) {
       const Square beside{column, row};
@@ -96,45 +96,45 @@ bool ObstacleMemory::isSeenBeside(const Square& square) const {
   return false;
 }
 
-bool ObstacleMemory::isMarked(const Square& square) const {
+bool LocalMap::isMarked(const Square& square) const {
   return !marks_.empty() && std::binary_search(marks_.begin(), marks_.end(), markAt(square));
 }
 
-ObstacleMemory::Mark ObstacleMemory::markAt(const Square& square) const {
+LocalMap::Mark LocalMap::markAt(const Square& square) const {
   const auto column = static_cast<std::uint32_t>(square.column + kSide * window_.originColumn());
   const auto row = static_cast<std::uint32_t>(square.row + kSide * window_.originRow());
   return static_cast<Mark>(row) << 32 | column;
 }
 
-Square ObstacleMemory::squareOfMark(Mark mark) const {
+Square LocalMap::squareOfMark(Mark mark) const {
   return {static_cast<int>(static_cast<std::uint32_t>(mark)) - kSide * window_.originColumn(),
           static_cast<int>(static_cast<std::uint32_t>(mark >> 32)) - kSide * window_.originRow()};
 }
 
-bool ObstacleMemory::isInWindow(const Square& square) const {
+bool LocalMap::isInWindow(const Square& square) const {
   const BitRows& squares = window_.squares();
   return square.column >= 0 && square.column < squares.columns() && square.row >= 0 && square.row < squares.rows();
 }
 
-void ObstacleMemory::block(const Point2& place) {
-  if (const std::optional<Point2> oldest = passability_.block(window_, place)) {
+void LocalMap::block(const Point2& place) {
+  if (const std::optional<Point2> oldest = clearance_.block(window_, place)) {
     noteChange(*oldest, false);
   }
   noteChange(place, true);
 }
 
-void ObstacleMemory::squeeze(bool on) {
-  if (passability_.squeeze(on)) {
+void LocalMap::relaxClearance(bool on) {
+  if (clearance_.relaxClearance(on)) {
     outdateAll();
   }
 }
 
-void ObstacleMemory::clearChanges() {
+void LocalMap::clearChanges() {
   changes_.clear();
   everything_changed_ = false;
 }
 
-void ObstacleMemory::forgetUnderneath(const Pose2& pose) {
+void LocalMap::forgetUnderneath(const Pose2& pose) {
   const Square here = window_.squareAt({pose.x, pose.y});
   const int first_column = here.column - kSide * window_.originColumn();
   const int first_row = here.row - kSide * window_.originRow();
@@ -150,12 +150,12 @@ void ObstacleMemory::forgetUnderneath(const Pose2& pose) {
   }
 }
 
-void ObstacleMemory::set(const Square& square, bool occupied) {
-  passability_.outdate(window_.set(square, occupied));
+void LocalMap::set(const Square& square, bool occupied) {
+  clearance_.outdate(window_.set(square, occupied));
   noteChange(window_.centerOf(square), occupied);
 }
 
-void ObstacleMemory::noteChange(const Point2& place, bool occupied) {
+void LocalMap::noteChange(const Point2& place, bool occupied) {
   if (changes_.size() < kMostChanges) {
     changes_.push_back({place, occupied});
   } else {
@@ -163,8 +163,8 @@ void ObstacleMemory::noteChange(const Point2& place, bool occupied) {
   }
 }
 
-void ObstacleMemory::outdateAll() {
-  passability_.outdateAll();
+void LocalMap::outdateAll() {
+  clearance_.outdateAll();
   everything_changed_ = true;
 }
 

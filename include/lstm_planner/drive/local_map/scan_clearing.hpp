@@ -12,10 +12,10 @@ namespace lstm_planner {
 /// it. Made for thousands of places per scan: as much as possible is done once per scan, or for a whole neighbourhood.
 ///
 /// Places are relative to the scanner, m, in a frame in which the base has the yaw that was given to show().
-class Sight {
+class ScanClearing {
  public:
   /// `neighbourhood`: radius around the middle of a cell in which its squares' middles lie, m.
-  explicit Sight(double neighbourhood) : neighbourhood_(static_cast<float>(neighbourhood)) {}
+  explicit ScanClearing(double neighbourhood) : neighbourhood_(static_cast<float>(neighbourhood)) {}
 
   /// Replaces the scan.
   void show(const RangeProfile& profile, double yaw);

@@ -6,15 +6,15 @@
 #include <random>
 #include <vector>
 
-#include "lstm_planner/drive/local_map/obstacle_memory.hpp"
+#include "lstm_planner/drive/local_map/local_map.hpp"
 #include "lstm_planner/drive/perception/reach.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
 
-namespace lstm_planner::test_obstacle_memory {
+namespace lstm_planner::test_local_map {
 namespace {
 
-using Passage = ObstacleMemory::Passage;
+using Passage = LocalMap::Passage;
 using test::returnsAt;
 using test::seenFrom;
 
@@ -28,47 +28,47 @@ Point2 squareOf(const Point2& place) {
           (std::floor(place.y / kResolution) + 0.5) * kResolution};
 }
 
-ObstacleMemory emptyMemory(double width = 20.0) {
+LocalMap emptyMemory(double width = 20.0) {
   MemoryParameters parameters = kDefaults.memory;
   parameters.width = width;
-  return ObstacleMemory(parameters, kDefaults.shield);
+  return LocalMap(parameters, kDefaults.shield);
 }
 
 /// Whether the robot cannot stand there, as far as is remembered.
-bool isBlocked(ObstacleMemory* memory, const Point2& place) { return !memory->isFree(place, place, Passage::kTight); }
+bool isBlocked(LocalMap* memory, const Point2& place) { return !memory->isFree(place, place, Passage::kTight); }
 
-TEST(ObstacleMemory, TakesAllThatWasNeverSeenForFree) {
-  ObstacleMemory memory = emptyMemory();
+TEST(LocalMap, TakesAllThatWasNeverSeenForFree) {
+  LocalMap memory = emptyMemory();
   memory.add(test::situationAt({}));
   EXPECT_EQ(memory.passage(memory.cellAt({3.0, -4.0})), Passage::kRoomy);
   EXPECT_EQ(memory.exits(memory.cellAt({3.0, -4.0})), 0xff);
 }
 
-TEST(ObstacleMemory, RemembersAWallAfterTurningAwayFromIt) {
+TEST(LocalMap, RemembersAWallAfterTurningAwayFromIt) {
   OccupancyGrid grid = test::emptyHall(8.0, 8.0);
   test::fillBox(5.0, 3.0, 5.1, 5.0, &grid);
   const GridWorld world(grid);
-  ObstacleMemory memory = emptyMemory();
+  LocalMap memory = emptyMemory();
   memory.add(seenFrom(world, {4.0, 4.0, 0.0}));
   EXPECT_TRUE(isBlocked(&memory, {5.05, 4.0}));
   memory.add(seenFrom(world, {4.0, 4.0, M_PI}));
   EXPECT_TRUE(isBlocked(&memory, {5.05, 4.0}));
 }
 
-TEST(ObstacleMemory, ForgetsWhatTheScanShowsClear) {
+TEST(LocalMap, ForgetsWhatTheScanShowsClear) {
   OccupancyGrid with_box = test::emptyHall(8.0, 8.0);
   test::fillBox(5.0, 3.7, 5.3, 4.3, &with_box);
-  ObstacleMemory memory = emptyMemory();
+  LocalMap memory = emptyMemory();
   memory.add(seenFrom(GridWorld(with_box), {4.0, 4.0, 0.0}));
   ASSERT_TRUE(isBlocked(&memory, {5.05, 4.0}));
   memory.add(seenFrom(GridWorld(test::emptyHall(8.0, 8.0)), {4.0, 4.0, 0.0}));
   EXPECT_EQ(memory.passage(memory.cellAt({5.05, 4.0})), Passage::kRoomy);
 }
 
-TEST(ObstacleMemory, KeepsWhatIsFartherThanTheScannerCanSee) {
+TEST(LocalMap, KeepsWhatIsFartherThanTheScannerCanSee) {
   OccupancyGrid with_box = test::emptyHall(12.0, 8.0);
   test::fillBox(8.0, 3.7, 8.3, 4.3, &with_box);
-  ObstacleMemory memory = emptyMemory();
+  LocalMap memory = emptyMemory();
   memory.add(seenFrom(GridWorld(with_box), {6.0, 4.0, 0.0}));
   ASSERT_TRUE(isBlocked(&memory, {8.05, 4.0}));
   // From farther away: no beam returns, which says nothing of what is beyond 3.5 m (an LDS-01).
@@ -83,10 +83,10 @@ TEST(ObstacleMemory, KeepsWhatIsFartherThanTheScannerCanSee) {
   EXPECT_FALSE(isBlocked(&memory, {8.05, 4.0}));
 }
 
-TEST(ObstacleMemory, KeepsWhatIsHiddenWhenTheScanEndsBeforeIt) {
+TEST(LocalMap, KeepsWhatIsHiddenWhenTheScanEndsBeforeIt) {
   OccupancyGrid grid = test::emptyHall(8.0, 8.0);
   test::fillBox(6.0, 3.7, 6.1, 4.3, &grid);
-  ObstacleMemory memory = emptyMemory();
+  LocalMap memory = emptyMemory();
   memory.add(seenFrom(GridWorld(grid), {4.0, 4.0, 0.0}));
   OccupancyGrid hidden = test::emptyHall(8.0, 8.0);
   test::fillBox(5.0, 3.0, 5.1, 5.0, &hidden);  // somebody stands in between
@@ -94,11 +94,11 @@ TEST(ObstacleMemory, KeepsWhatIsHiddenWhenTheScanEndsBeforeIt) {
   EXPECT_TRUE(isBlocked(&memory, {6.05, 4.0}));
 }
 
-TEST(ObstacleMemory, KeepsAWallThatBeamsGraze) {
+TEST(LocalMap, KeepsAWallThatBeamsGraze) {
   // The robot drives along a wall 0.25 m beside it: far ahead neighbouring beams end metres apart.
   const OccupancyGrid grid = test::emptyHall(12.0, 6.0);
   const GridWorld world(grid);
-  ObstacleMemory memory = emptyMemory(30.0);
+  LocalMap memory = emptyMemory(30.0);
   for (double x = 1.0; x < 8.0; x += 0.07) {
     memory.add(seenFrom(world, {x, 0.35, 0.02 * std::sin(20.0 * x)}));
   }
@@ -107,9 +107,9 @@ TEST(ObstacleMemory, KeepsAWallThatBeamsGraze) {
   }
 }
 
-TEST(ObstacleMemory, DoesNotForgetWhereTheScanKnowsNothing) {
+TEST(LocalMap, DoesNotForgetWhereTheScanKnowsNothing) {
   const GridWorld world(test::emptyHall(8.0, 8.0));
-  ObstacleMemory memory = emptyMemory();
+  LocalMap memory = emptyMemory();
   memory.add(seenFrom(world, {4.0, 4.0, 0.0}));
   Situation lost = seenFrom(GridWorld(test::emptyHall(40.0, 40.0)), {4.0, 4.0, 0.0});
   lost.obstacles.clear();
@@ -118,8 +118,8 @@ TEST(ObstacleMemory, DoesNotForgetWhereTheScanKnowsNothing) {
   EXPECT_TRUE(isBlocked(&memory, {7.95, 4.0}));
 }
 
-TEST(ObstacleMemory, CarriesWhatIsNearAlongWithTheRobot) {
-  ObstacleMemory memory = emptyMemory(10.0);
+TEST(LocalMap, CarriesWhatIsNearAlongWithTheRobot) {
+  LocalMap memory = emptyMemory(10.0);
   const Point2 post{1.0, 0.6};
   memory.add(returnsAt({post}));
   const int cells = memory.side() * memory.side();
@@ -140,8 +140,8 @@ TEST(ObstacleMemory, CarriesWhatIsNearAlongWithTheRobot) {
   EXPECT_EQ(memory.side() * memory.side(), cells);
 }
 
-TEST(ObstacleMemory, StartsAnewWhereTheRobotJumpsTo) {
-  ObstacleMemory memory = emptyMemory(10.0);
+TEST(LocalMap, StartsAnewWhereTheRobotJumpsTo) {
+  LocalMap memory = emptyMemory(10.0);
   memory.add(returnsAt({{1.0, 0.0}}));
   memory.add(returnsAt({{-998.0, 500.0}}, {-1000.0, 500.0, 1.0}));
   EXPECT_TRUE(isBlocked(&memory, {-998.0, 500.0}));
@@ -150,7 +150,7 @@ TEST(ObstacleMemory, StartsAnewWhereTheRobotJumpsTo) {
 
 /// The best passage across a corridor along y between two walls, `free` squares apart, at all alignments with the
 /// cells.
-TEST(ObstacleMemory, TellsPassagesApartByTheirWidth) {
+TEST(LocalMap, TellsPassagesApartByTheirWidth) {
   MemoryParameters parameters = kDefaults.memory;
   parameters.width = 10.0;
   parameters.comfort = 0.17;
@@ -167,7 +167,7 @@ TEST(ObstacleMemory, TellsPassagesApartByTheirWidth) {
                                             : Passage::kRoomy;
     seen[static_cast<int>(expected)] = true;
     for (int shift = 0; shift < 4; ++shift) {
-      ObstacleMemory memory(parameters, kDefaults.shield);
+      LocalMap memory(parameters, kDefaults.shield);
       const double left = 1.0 + (shift + 0.5) * kResolution;
       const double right = left + (free + 1) * kResolution;
       std::vector<Point2> walls = test::wall({left, -2.0}, {left, 2.0});
@@ -185,7 +185,7 @@ TEST(ObstacleMemory, TellsPassagesApartByTheirWidth) {
   EXPECT_TRUE(seen[0] && seen[1] && seen[2] && seen[3]);
 }
 
-TEST(ObstacleMemory, LetsNoRobotThroughAGapThatItDoesNotFitInto) {
+TEST(LocalMap, LetsNoRobotThroughAGapThatItDoesNotFitInto) {
   // Two walls d squares apart are more than d - 1 and less than d + 1 squares of free space apart. A robot of 0.3485 m
   // asks for a square 3.8 squares from both: 8 squares. So what is below 7 squares = 0.35 m is never a passage, and
   // what is above 8 squares plus one = 0.45 m always is, however the walls lie on the squares.
@@ -194,7 +194,7 @@ TEST(ObstacleMemory, LetsNoRobotThroughAGapThatItDoesNotFitInto) {
   for (int i = 0; i < 200; ++i) {
     const double left = 1.0 + anywhere(random);
     for (const double width : {0.349, 0.451}) {
-      ObstacleMemory memory = emptyMemory(10.0);
+      LocalMap memory = emptyMemory(10.0);
       std::vector<Point2> walls = test::wall({left, -1.0}, {left, 1.0});
       for (const Point2& point : test::wall({left + width, -1.0}, {left + width, 1.0})) walls.push_back(point);
       memory.add(returnsAt(walls));
@@ -241,7 +241,7 @@ double nearest(const std::vector<Point2>& squares, const Point2& from, const Poi
   return nearest;
 }
 
-TEST(ObstacleMemory, JudgesPlacesAndExitsAsBruteForceOnTheSquaresDoes) {
+TEST(LocalMap, JudgesPlacesAndExitsAsBruteForceOnTheSquaresDoes) {
   constexpr int kColumns[] = {1, 1, 0, -1, -1, -1, 0, 1};
   constexpr int kRows[] = {0, 1, 1, 1, 0, -1, -1, -1};
   const double tight = kRadius + 0.5 * kDefaults.shield.tight_clearance;
@@ -252,7 +252,7 @@ TEST(ObstacleMemory, JudgesPlacesAndExitsAsBruteForceOnTheSquaresDoes) {
   int exits = 0;
   int walls = 0;
   for (int round = 0; round < 20; ++round) {
-    ObstacleMemory memory = emptyMemory(10.0);
+    LocalMap memory = emptyMemory(10.0);
     const std::vector<Point2> places = randomObstacles(&random);
     memory.add(returnsAt(places, {2.9, 2.9, 1.0}));
     std::vector<Point2> squares;
@@ -292,12 +292,12 @@ TEST(ObstacleMemory, JudgesPlacesAndExitsAsBruteForceOnTheSquaresDoes) {
   EXPECT_GT(walls, 20);  // what stands between two places that are both free
 }
 
-TEST(ObstacleMemory, LeadsThroughNoWallHoweverThinAndAtWhateverAngle) {
+TEST(LocalMap, LeadsThroughNoWallHoweverThinAndAtWhateverAngle) {
   // Everything that can be walked to from one side of a wall across the whole window lies on that side.
   for (double degrees = 0.0; degrees < 180.0; degrees += 7.3) {
     MemoryParameters parameters = kDefaults.memory;
     parameters.width = 4.0;
-    ObstacleMemory memory(parameters, kDefaults.shield);
+    LocalMap memory(parameters, kDefaults.shield);
     const double angle = degreesToRadians(degrees);
     const Point2 middle{0.013 * degrees / 10.0, 0.031};
     const Pose2 robot{middle.x - 0.8 * std::sin(angle), middle.y + 0.8 * std::cos(angle), 0.0};
@@ -327,8 +327,8 @@ TEST(ObstacleMemory, LeadsThroughNoWallHoweverThinAndAtWhateverAngle) {
   }
 }
 
-TEST(ObstacleMemory, SqueezesThroughWhatIsNarrowByTheBlurOfTheSquaresOnly) {
-  ObstacleMemory memory = emptyMemory(10.0);
+TEST(LocalMap, SqueezesThroughWhatIsNarrowByTheBlurOfTheSquaresOnly) {
+  LocalMap memory = emptyMemory(10.0);
   // Seven squares from wall to wall: the middle ones are 3 and 4 squares off, 0.15 m from the nearer wall.
   std::vector<Point2> walls = test::wall({1.025, -2.0}, {1.025, 2.0});
   for (const Point2& point : test::wall({1.375, -2.0}, {1.375, 2.0})) walls.push_back(point);
@@ -336,16 +336,16 @@ TEST(ObstacleMemory, SqueezesThroughWhatIsNarrowByTheBlurOfTheSquaresOnly) {
   const Point2 from{1.175, -1.0};
   const Point2 to{1.175, 1.0};
   EXPECT_FALSE(memory.isFree(from, to, Passage::kTight));
-  memory.squeeze(true);  // asks for 0.174 m less half a square: 0.149 m
+  memory.relaxClearance(true);  // asks for 0.174 m less half a square: 0.149 m
   EXPECT_TRUE(memory.isFree(from, to, Passage::kTight));
   EXPECT_FALSE(isBlocked(&memory, {1.175, 0.0}));
-  memory.squeeze(false);
+  memory.relaxClearance(false);
   EXPECT_FALSE(memory.isFree(from, to, Passage::kTight));
 }
 
-TEST(ObstacleMemory, ABlockedPlaceStaysBlockedThoughTheScanShowsItClear) {
+TEST(LocalMap, ABlockedPlaceStaysBlockedThoughTheScanShowsItClear) {
   const GridWorld world(test::emptyHall(8.0, 8.0));
-  ObstacleMemory memory = emptyMemory();
+  LocalMap memory = emptyMemory();
   memory.add(seenFrom(world, {4.0, 4.0, 0.0}));
   const Point2 place{5.0, 4.0};
   ASSERT_FALSE(isBlocked(&memory, place));
@@ -358,8 +358,8 @@ TEST(ObstacleMemory, ABlockedPlaceStaysBlockedThoughTheScanShowsItClear) {
   EXPECT_TRUE(memory.isFree({4.5, 4.0}, {5.5, 4.0}, Passage::kRoomy));
 }
 
-TEST(ObstacleMemory, ThirtyTwoBlockedPlacesAreKeptTheOldestIsForgotten) {
-  ObstacleMemory memory = emptyMemory(40.0);
+TEST(LocalMap, ThirtyTwoBlockedPlacesAreKeptTheOldestIsForgotten) {
+  LocalMap memory = emptyMemory(40.0);
   memory.add(test::situationAt({}));
   for (int i = 0; i <= 32; ++i) memory.block({-15.0 + 0.9 * i, 2.05});
   EXPECT_TRUE(memory.isFree({-15.0, 1.5}, {-15.0, 2.5}, Passage::kRoomy));
@@ -368,18 +368,18 @@ TEST(ObstacleMemory, ThirtyTwoBlockedPlacesAreKeptTheOldestIsForgotten) {
   }
 }
 
-TEST(ObstacleMemory, TakesThePlaceWhereTheRobotStandsForFree) {
-  ObstacleMemory memory = emptyMemory();
+TEST(LocalMap, TakesThePlaceWhereTheRobotStandsForFree) {
+  LocalMap memory = emptyMemory();
   memory.add(returnsAt({{2.0, 0.0}}));
   ASSERT_TRUE(isBlocked(&memory, {2.0, 0.0}));
   memory.add(returnsAt({{2.02, 0.03}}, {2.0, 0.05, 0.0}));  // odometry drifted, or the scanner sees the robot itself
   EXPECT_EQ(memory.passage(memory.cellAt({2.0, 0.05})), Passage::kRoomy);
 }
 
-TEST(ObstacleMemory, IgnoresAPoseThatIsNotFinite) {
+TEST(LocalMap, IgnoresAPoseThatIsNotFinite) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  ObstacleMemory memory = emptyMemory();
+  LocalMap memory = emptyMemory();
   memory.add(returnsAt({{1.0, 0.0}}));
   for (const Pose2& pose : {Pose2{nan, 0.0, 0.0}, Pose2{0.0, infinity, 0.0}, Pose2{0.0, 0.0, nan}}) {
     Situation situation = test::situationAt(pose, 0.0, {{0.5, 0.0}});
@@ -390,8 +390,8 @@ TEST(ObstacleMemory, IgnoresAPoseThatIsNotFinite) {
   EXPECT_GE(memory.cellAt({0.0, 0.0}), 0);
 }
 
-TEST(ObstacleMemory, StaysWhereItIsWhenThePoseIsOutOfReach) {
-  ObstacleMemory memory = emptyMemory();
+TEST(LocalMap, StaysWhereItIsWhenThePoseIsOutOfReach) {
+  LocalMap memory = emptyMemory();
   memory.add(returnsAt({{1.0, 0.0}}));
   for (const Pose2& pose : {Pose2{1.2e8, 0.0, 0.0}, Pose2{0.0, -1e12, 0.0}, Pose2{1e300, 1e300, 0.0}}) {
     memory.add(test::situationAt(pose, 0.0, {{0.5, 0.0}}));
@@ -402,17 +402,17 @@ TEST(ObstacleMemory, StaysWhereItIsWhenThePoseIsOutOfReach) {
   EXPECT_EQ(memory.cellAt({std::nan(""), 0.0}), -1);
 }
 
-TEST(ObstacleMemory, RemembersAmongTheFarthestPosesAsAtTheOrigin) {
+TEST(LocalMap, RemembersAmongTheFarthestPosesAsAtTheOrigin) {
   for (const Point2& corner : {Point2{kFarthestPose, kFarthestPose}, Point2{-kFarthestPose, kFarthestPose}}) {
-    ObstacleMemory memory = emptyMemory();
+    LocalMap memory = emptyMemory();
     memory.add(test::situationAt({corner.x, corner.y, M_PI_2}, 0.0, {{1.0, 0.0}}));
     EXPECT_TRUE(isBlocked(&memory, {corner.x, corner.y + 1.0}));
     EXPECT_FALSE(isBlocked(&memory, {corner.x + 1.0, corner.y}));
   }
 }
 
-TEST(ObstacleMemory, TakesNoNoticeOfReturnsThatAreTooFarForWholeNumbers) {
-  ObstacleMemory memory = emptyMemory();
+TEST(LocalMap, TakesNoNoticeOfReturnsThatAreTooFarForWholeNumbers) {
+  LocalMap memory = emptyMemory();
   memory.add(test::situationAt({}, 0.0, {{1e9, 0.0}, {1.0, 0.0}, {-1e30, 1e30}, {0.0, -1e38}}));
   EXPECT_TRUE(isBlocked(&memory, {1.0, 0.0}));
   for (int cell = 0; cell < memory.side() * memory.side(); ++cell) {
@@ -423,12 +423,12 @@ TEST(ObstacleMemory, TakesNoNoticeOfReturnsThatAreTooFarForWholeNumbers) {
   }
 }
 
-TEST(ObstacleMemory, DoesNotRememberWhatIsFartherThanItsReach) {
-  ObstacleMemory memory = emptyMemory(40.0);
+TEST(LocalMap, DoesNotRememberWhatIsFartherThanItsReach) {
+  LocalMap memory = emptyMemory(40.0);
   memory.add(returnsAt({{11.9, 0.0}, {0.0, 12.1}}));
   EXPECT_TRUE(isBlocked(&memory, {11.9, 0.0}));
   EXPECT_FALSE(isBlocked(&memory, {0.0, 12.1}));
 }
 
 }  // namespace
-}  // namespace lstm_planner::test_obstacle_memory
+}  // namespace lstm_planner::test_local_map

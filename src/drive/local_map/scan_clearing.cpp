@@ -1,4 +1,4 @@
-#include "lstm_planner/drive/local_map/sight.hpp"
+#include "lstm_planner/drive/local_map/scan_clearing.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -30,7 +30,7 @@ std::size_t roundedUp(std::size_t count, std::size_t unit) { return (count + uni
 
 }  // namespace
 
-void Sight::show(const RangeProfile& profile, double yaw) {
+void ScanClearing::show(const RangeProfile& profile, double yaw) {
   if (profile.ranges.empty() || profile.increment == 0.0) {
     finder_ = BeamFinder();
     return;
@@ -39,7 +39,7 @@ void Sight::show(const RangeProfile& profile, double yaw) {
   measureBeams(profile);
 }
 
-void Sight::measureBeams(const RangeProfile& profile) {
+void ScanClearing::measureBeams(const RangeProfile& profile) {
   const std::size_t beams = profile.ranges.size();
   const std::size_t length = roundedUp(beams, kBlock);
   padded_.resize(length + 2 * kBeside);
@@ -71,7 +71,7 @@ void Sight::measureBeams(const RangeProfile& profile) {
   }
 }
 
-float Sight::farthest(std::size_t first, std::size_t last) const {
+float ScanClearing::farthest(std::size_t first, std::size_t last) const {
   // Two powers of two that overlap.
   const std::size_t blocks = last + 1 - first;
   const auto level = static_cast<std::size_t>(highestBit(blocks));
@@ -80,7 +80,7 @@ float Sight::farthest(std::size_t first, std::size_t last) const {
   return std::max(most[first], most[last + 1 - (std::size_t{1} << level)]);
 }
 
-float Sight::limitOf(float squared, float first, float beyond) const {
+float ScanClearing::limitOf(float squared, float first, float beyond) const {
   if (squared < kCloseBy * kCloseBy) return kInfiniteRange;
   const auto last_beam = static_cast<float>(finder_.beams() - 1);
   if (first >= 0.0f && beyond <= last_beam) {
@@ -92,7 +92,7 @@ float Sight::limitOf(float squared, float first, float beyond) const {
   return first <= last_beam || beyond >= finder_.beamsATurn() ? kInfiniteRange : 0.0f;
 }
 
-void Sight::findLimits(const float* x, const float* y, std::size_t count, float* limits) const {
+void ScanClearing::findLimits(const float* x, const float* y, std::size_t count, float* limits) const {
   // A neighbourhood's half angle is the arc sine of its radius by its distance, less than 1.1 times that less 0.2 %;
   // and a beam is looked for half a beam to each side.
   const float beams_a_metre = 1.1f * neighbourhood_ * finder_.beamsARadian();
@@ -110,7 +110,7 @@ void Sight::findLimits(const float* x, const float* y, std::size_t count, float*
   }
 }
 
-void Sight::findClear(const float* x, const float* y, std::size_t count, std::uint8_t* clear) const {
+void ScanClearing::findClear(const float* x, const float* y, std::size_t count, std::uint8_t* clear) const {
   float positions[kMost];
   finder_.find(x, y, count, positions);
   for (std::size_t i = 0; i < count; ++i) {

@@ -5,11 +5,11 @@
 #include <limits>
 #include <vector>
 
-#include "lstm_planner/drive/local_map/route_guide.hpp"
+#include "lstm_planner/drive/local_map/replanner.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
 
-namespace lstm_planner::test_route_guide {
+namespace lstm_planner::test_replanner {
 namespace {
 
 using Source = Decision::Source;
@@ -23,7 +23,7 @@ OccupancyGrid closedRoom() {
   return grid;
 }
 
-class RouteGuideTest : public test::GuideFixture {
+class ReplannerTest : public test::GuideFixture {
  protected:
   /// Turns the robot on the spot by 40 degrees a time while it is told to look around, at most `turns` times round.
   Source lookAround(const World& world, Pose2* pose, double turns) {
@@ -73,7 +73,7 @@ class RouteGuideTest : public test::GuideFixture {
   double turned_ = 0.0;  ///< rad
 };
 
-TEST_F(RouteGuideTest, LeadsFromTheRobotToTheGoal) {
+TEST_F(ReplannerTest, LeadsFromTheRobotToTheGoal) {
   start({5.0, 3.0});
   ASSERT_EQ(update(returnsAt({}, {1.0, 0.0, 0.0})), Source::kRoute);
   EXPECT_EQ(guide_.route().points.front().x, 1.0);
@@ -84,7 +84,7 @@ TEST_F(RouteGuideTest, LeadsFromTheRobotToTheGoal) {
   EXPECT_EQ(guide_.pointAhead(7.0).x, 5.0);
 }
 
-TEST_F(RouteGuideTest, KnowsTheCornersAhead) {
+TEST_F(ReplannerTest, KnowsTheCornersAhead) {
   start({4.0, 0.0});
   ASSERT_EQ(update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0}))), Source::kRoute);
   const std::vector<Point2>& points = guide_.route().points;
@@ -100,7 +100,7 @@ TEST_F(RouteGuideTest, KnowsTheCornersAhead) {
   EXPECT_TRUE(ahead.empty());
 }
 
-TEST_F(RouteGuideTest, BelievesThatARoomIsClosedAfterThreeLooksAroundAndNotEarlier) {
+TEST_F(ReplannerTest, BelievesThatARoomIsClosedAfterThreeLooksAroundAndNotEarlier) {
   const GridWorld world(closedRoom());
   start({8.0, 2.0});
   Pose2 pose{2.0, 2.0, 0.0};
@@ -112,7 +112,7 @@ TEST_F(RouteGuideTest, BelievesThatARoomIsClosedAfterThreeLooksAroundAndNotEarli
   EXPECT_LT(turned_, 3.0 * 2.0 * M_PI + degreesToRadians(160.0));
 }
 
-TEST_F(RouteGuideTest, FindsTheDoorThatWasOpenedWhileItLookedAround) {
+TEST_F(ReplannerTest, FindsTheDoorThatWasOpenedWhileItLookedAround) {
   const GridWorld closed(closedRoom());
   OccupancyGrid grid = closedRoom();
   for (int row = 30; row < 60; ++row) {
@@ -126,7 +126,7 @@ TEST_F(RouteGuideTest, FindsTheDoorThatWasOpenedWhileItLookedAround) {
   EXPECT_EQ(lookAround(open, &pose, 1.5), Source::kRoute);
 }
 
-TEST_F(RouteGuideTest, OneWrongObstacleDoesNotCloseARoom) {
+TEST_F(ReplannerTest, OneWrongObstacleDoesNotCloseARoom) {
   OccupancyGrid grid = closedRoom();
   for (int row = 30; row < 60; ++row) {
     for (int column = 79; column < 83; ++column) grid.set({column, row}, Cell::kFree);
@@ -144,7 +144,7 @@ TEST_F(RouteGuideTest, OneWrongObstacleDoesNotCloseARoom) {
   EXPECT_LT(turned_, 2.0 * M_PI + 0.1);
 }
 
-TEST_F(RouteGuideTest, ARobotThatCannotTurnAroundSearchesWithWhatItSees) {
+TEST_F(ReplannerTest, ARobotThatCannotTurnAroundSearchesWithWhatItSees) {
   start({-4.0, 0.0});
   ASSERT_EQ(update(returnsAt(test::ring(0.8))), Source::kLookAround);
   Situation ahead = returnsAt(test::wall({1.0, -1.0}, {1.0, 1.0}));
@@ -155,7 +155,7 @@ TEST_F(RouteGuideTest, ARobotThatCannotTurnAroundSearchesWithWhatItSees) {
   EXPECT_EQ(update(ahead), Source::kRoute);
 }
 
-TEST_F(RouteGuideTest, IsLostWhenTheMemoryWasWrongAgainAndAgainWithoutProgress) {
+TEST_F(ReplannerTest, IsLostWhenTheMemoryWasWrongAgainAndAgainWithoutProgress) {
   const std::vector<Point2> around = test::ring(0.8);
   start({8.0, 0.0});
   // Each time it is enclosed all around, looks around, and sees something else.
@@ -167,7 +167,7 @@ TEST_F(RouteGuideTest, IsLostWhenTheMemoryWasWrongAgainAndAgainWithoutProgress) 
   EXPECT_EQ(update(returnsAt(around)), Source::kEscape);
 }
 
-TEST_F(RouteGuideTest, ProgressForgivesWhatWentWrong) {
+TEST_F(ReplannerTest, ProgressForgivesWhatWentWrong) {
   const std::vector<Point2> around = test::ring(0.8);
   start({8.0, 0.0});
   for (int time = 0; time < 20; ++time) {
@@ -178,7 +178,7 @@ TEST_F(RouteGuideTest, ProgressForgivesWhatWentWrong) {
   }
 }
 
-TEST_F(RouteGuideTest, ANewGoalIsFoundThroughWhatWasSeenBefore) {
+TEST_F(ReplannerTest, ANewGoalIsFoundThroughWhatWasSeenBefore) {
   start({-4.0, 0.0});
   update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})));
   start({4.0, 0.0});
@@ -189,7 +189,7 @@ TEST_F(RouteGuideTest, ANewGoalIsFoundThroughWhatWasSeenBefore) {
   EXPECT_DOUBLE_EQ(guide_.route().length, 4.0);
 }
 
-TEST_F(RouteGuideTest, DoesNotTurnBackForAPathThatIsHardlyBetter) {
+TEST_F(ReplannerTest, DoesNotTurnBackForAPathThatIsHardlyBetter) {
   start({4.0, 0.0});
   update(returnsAt(test::wall({2.0, -2.2}, {2.0, 1.5})));
   ASSERT_TRUE(goesAbove());
@@ -204,7 +204,7 @@ TEST_F(RouteGuideTest, DoesNotTurnBackForAPathThatIsHardlyBetter) {
   EXPECT_FALSE(goesAbove());
 }
 
-TEST_F(RouteGuideTest, TakesAMuchBetterPathAndLeavesOneThatIsBlocked) {
+TEST_F(ReplannerTest, TakesAMuchBetterPathAndLeavesOneThatIsBlocked) {
   start({4.0, 0.0});
   update(returnsAt(test::wall({2.0, -3.0}, {2.0, 1.0})));
   ASSERT_TRUE(goesAbove());
@@ -218,7 +218,7 @@ TEST_F(RouteGuideTest, TakesAMuchBetterPathAndLeavesOneThatIsBlocked) {
   EXPECT_DOUBLE_EQ(guide_.route().length, 4.0);
 }
 
-TEST_F(RouteGuideTest, KeepsItsPathToAGoalThatMovesALittle) {
+TEST_F(ReplannerTest, KeepsItsPathToAGoalThatMovesALittle) {
   const Situation wall = returnsAt(test::wall({2.0, -1.1}, {2.0, 1.0}));
   const Point2 moved{4.0, -0.2};
   start({4.0, 0.0});
@@ -236,7 +236,7 @@ TEST_F(RouteGuideTest, KeepsItsPathToAGoalThatMovesALittle) {
   EXPECT_FALSE(goesAbove());
 }
 
-TEST_F(RouteGuideTest, BlockedAheadItLeadsAnotherWay) {
+TEST_F(ReplannerTest, BlockedAheadItLeadsAnotherWay) {
   start({4.0, 0.0});
   const Situation here = returnsAt({});
   ASSERT_EQ(update(here), Source::kRoute);
@@ -252,7 +252,7 @@ TEST_F(RouteGuideTest, BlockedAheadItLeadsAnotherWay) {
   EXPECT_GT(nearest, parameters.shield.footprint_radius - parameters.memory.resolution);
 }
 
-TEST_F(RouteGuideTest, KeepsItsRouteWhileTheRobotDrivesAlongIt) {
+TEST_F(ReplannerTest, KeepsItsRouteWhileTheRobotDrivesAlongIt) {
   const std::vector<Point2> wall = test::wall({2.0, -1.0}, {2.0, 3.0});
   start({4.0, 0.0});
   update(returnsAt(wall));
@@ -270,7 +270,7 @@ TEST_F(RouteGuideTest, KeepsItsRouteWhileTheRobotDrivesAlongIt) {
   EXPECT_LT(driven, whole + 0.1);
 }
 
-TEST_F(RouteGuideTest, EndsBesideAGoalInAnObstacleIfTheToleranceAllowsIt) {
+TEST_F(ReplannerTest, EndsBesideAGoalInAnObstacleIfTheToleranceAllowsIt) {
   // The goal lies in the middle of a pillar: 0.3 + 0.174 m from where the robot can be.
   const double beside = 0.3 + AgentParameters().shield.footprint_radius;
   std::vector<Point2> pillar;
@@ -287,7 +287,7 @@ TEST_F(RouteGuideTest, EndsBesideAGoalInAnObstacleIfTheToleranceAllowsIt) {
   EXPECT_LE(distanceBetween(guide_.end(), Point2{8.0, 0.0}), tolerance_);
 }
 
-TEST_F(RouteGuideTest, TheRegretOfAStepIsHowMuchLongerThePathThroughItsEndIs) {
+TEST_F(ReplannerTest, TheRegretOfAStepIsHowMuchLongerThePathThroughItsEndIs) {
   const Point2 goal{4.0, 0.0};
   start(goal);
   ASSERT_EQ(update(returnsAt({})), Source::kRoute);
@@ -302,7 +302,7 @@ TEST_F(RouteGuideTest, TheRegretOfAStepIsHowMuchLongerThePathThroughItsEndIs) {
   EXPECT_EQ(guide_.route().points.size(), 2u) << "asking changes nothing";
 }
 
-TEST_F(RouteGuideTest, AStepIntoAClosedPlaceIsRegrettedWithoutEnd) {
+TEST_F(ReplannerTest, AStepIntoAClosedPlaceIsRegrettedWithoutEnd) {
   start({4.0, 0.0});
   std::vector<Point2> ring;
   for (const Point2& point : test::ring(0.6)) ring.push_back({-2.0 + point.x, point.y});
@@ -313,4 +313,4 @@ TEST_F(RouteGuideTest, AStepIntoAClosedPlaceIsRegrettedWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace lstm_planner::test_route_guide
+}  // namespace lstm_planner::test_replanner

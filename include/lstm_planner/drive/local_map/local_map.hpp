@@ -4,20 +4,20 @@
 #include <vector>
 
 #include "lstm_planner/drive/decision/agent_parameters.hpp"
+#include "lstm_planner/drive/local_map/clearance.hpp"
 #include "lstm_planner/drive/local_map/obstacle_window.hpp"
-#include "lstm_planner/drive/local_map/passability.hpp"
 #include "lstm_planner/drive/local_map/scan_changes.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 
 namespace lstm_planner {
 
 /// Remembers obstacles in a window that moves with the robot (ObstacleWindow), forgets an obstacle if the scanner later
-/// shows its place clear (ScanChanges), and knows where the footprint fits through (Passability). Its memory is
+/// shows its place clear (ScanChanges), and knows where the footprint fits through (Clearance). Its memory is
 /// bounded: about 0.6 MB with the defaults, for any size of the world and length of the path.
 ///
 /// All positions are in the odometry frame. Obstacles are kept in squares of MemoryParameters::resolution; a cell of
 /// four by four of them is the unit of the route search. What was never seen counts as free.
-class ObstacleMemory {
+class LocalMap {
  public:
   using Passage = lstm_planner::Passage;
 
@@ -31,7 +31,7 @@ class ObstacleMemory {
   static constexpr int kCellSquares = ObstacleWindow::kCellSquares;  ///< squares of a cell
 
   /// Throws as validate(AgentParameters) for parameters that do not fit together.
-  ObstacleMemory(const MemoryParameters& parameters, const ShieldParameters& shield);
+  LocalMap(const MemoryParameters& parameters, const ShieldParameters& shield);
 
   /// Nothing is known any more.
   void forget();
@@ -49,30 +49,30 @@ class ObstacleMemory {
 
   /// Whether places count as passable that seem too narrow by not more than the error of noise and squares. This is
   /// seldom true, but worth a try if there is no other path.
-  void squeeze(bool on);
+  void relaxClearance(bool on);
 
   /// Where obstacles are remembered: the middles of the occupied squares.
   std::vector<Point2> obstacles() const { return window_.occupied(); }
 
   /// What has changed since clearChanges(), in order; not all of it when everythingChanged().
   const std::vector<Change>& changes() const { return changes_; }
-  /// The window moved, everything was forgotten, squeeze() took effect, or too much changed to be listed.
+  /// The window moved, everything was forgotten, relaxClearance() took effect, or too much changed to be listed.
   bool everythingChanged() const { return everything_changed_; }
   void clearChanges();
 
   int side() const { return window_.side(); }  ///< cells a side of the window
   double cellSize() const { return window_.cellSize(); }
-  int nearCells() const { return passability_.nearCells(); }  ///< within which an obstacle matters to what is passable
+  int nearCells() const { return clearance_.nearCells(); }  ///< within which an obstacle matters to what is passable
   /// Index of the cell at a position, row by row; -1 outside the window.
   int cellAt(const Point2& position) const { return window_.cellAt(position); }
   Point2 centerOf(int cell) const { return window_.centerOf(cell); }
-  Passage passage(int cell) { return passability_.passage(window_, cell); }
+  Passage passage(int cell) { return clearance_.passage(window_, cell); }
   /// The place in a cell that is farthest from all obstacles.
-  Point2 bestPlace(int cell) { return passability_.bestPlace(window_, cell); }
+  Point2 bestPlace(int cell) { return clearance_.bestPlace(window_, cell); }
 
   /// To which of its eight neighbours the footprint can go from a cell, best place to best place: a bit each,
   /// counter-clockwise from the neighbour along x. 0 at the border of the window.
-  std::uint8_t exits(int cell) { return passability_.exits(window_, cell); }
+  std::uint8_t exits(int cell) { return clearance_.exits(window_, cell); }
 
   /// Visits the middles of the occupied squares in the square of twice that `reach` (m) round a place.
   template <typename Visit>
@@ -83,7 +83,7 @@ class ObstacleMemory {
   /// True when the straight path from one place to the other is a passage at least that good; ends outside the window
   /// are never free.
   bool isFree(const Point2& from, const Point2& to, Passage passage) const {
-    return passability_.isFree(window_, from, to, passage);
+    return clearance_.isFree(window_, from, to, passage);
   }
 
  private:
@@ -104,7 +104,7 @@ class ObstacleMemory {
   double footprint_radius_;  ///< m, inscribed
   ObstacleWindow window_;
   ScanChanges scan_changes_;
-  Passability passability_;
+  Clearance clearance_;
   double reach_;              ///< m, of what is remembered
   std::vector<Mark> marks_;   ///< of a costmap, sorted
   std::vector<Mark> marked_;  ///< of the current situation

@@ -1,4 +1,4 @@
-#include "lstm_planner/drive/local_map/route_guide.hpp"
+#include "lstm_planner/drive/local_map/replanner.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ bool isHardlyCostlier(double cost, double other_cost) {
 
 }  // namespace
 
-RouteGuide::RouteGuide(const AgentParameters& parameters)
+Replanner::Replanner(const AgentParameters& parameters)
     : parameters_(parameters),
       memory_(parameters.memory, parameters.shield),
       finder_(parameters.memory.tightness),
@@ -42,7 +42,7 @@ RouteGuide::RouteGuide(const AgentParameters& parameters)
   found_.points.reserve(route().points.capacity());
 }
 
-void RouteGuide::start() {
+void Replanner::start() {
   route_.clear();
   has_costs_ = false;
   looking_ = false;
@@ -50,24 +50,24 @@ void RouteGuide::start() {
   noteProgress();
 }
 
-void RouteGuide::moveGoal(const Point2& from, const Point2& to) {
+void Replanner::moveGoal(const Point2& from, const Point2& to) {
   if (!route_.isEmpty() && distanceBetween(end(), from) == 0.0) {
     route_.moveEnd(to);
   }
 }
 
-void RouteGuide::noteProgress() {
+void Replanner::noteProgress() {
   forgotten_ = 0;
-  squeezing_ = false;
-  memory_.squeeze(false);
+  clearance_is_relaxed_ = false;
+  memory_.relaxClearance(false);
 }
 
-void RouteGuide::forget() {
+void Replanner::forget() {
   memory_.forget();
   route_.clear();
 }
 
-Decision::Source RouteGuide::update(const Situation& situation, const Point2& goal, double tolerance) {
+Decision::Source Replanner::update(const Situation& situation, const Point2& goal, double tolerance) {
   tolerance_ = tolerance;
   turn_.note(situation.pose.yaw, situation.time);
   memory_.add(situation);
@@ -96,7 +96,7 @@ Decision::Source RouteGuide::update(const Situation& situation, const Point2& go
   return Source::kRoute;
 }
 
-double RouteGuide::regretOf(const Point2& here, const Point2& next, const Point2& goal, std::vector<Point2>* path_on) {
+double Replanner::regretOf(const Point2& here, const Point2& next, const Point2& goal, std::vector<Point2>* path_on) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const auto lengthFrom = [&](const Point2& place) {
     const bool is_known = has_costs_ && takeFromLastSearch(place, goal);
@@ -112,12 +112,12 @@ double RouteGuide::regretOf(const Point2& here, const Point2& next, const Point2
   return std::max(0.0, distanceBetween(here, next) + from_next - from_here);
 }
 
-bool RouteGuide::isGoalBehindObstacle(const Point2& here, const Point2& goal, double near) const {
+bool Replanner::isGoalBehindObstacle(const Point2& here, const Point2& goal, double near) const {
   return RouteFinder::isDetour(distanceBetween(here, goal), route().length,
                                std::max(kNearGoalTolerances * tolerance_, near));
 }
 
-bool RouteGuide::findRoute(const Point2& start, const Point2& goal, Route* route) {
+bool Replanner::findRoute(const Point2& start, const Point2& goal, Route* route) {
   ++searches_;
   const bool found = finder_.find(memory_, start, goal, tolerance_, route);
   has_costs_ = found && finder_.endsAtGoal();
@@ -125,7 +125,7 @@ bool RouteGuide::findRoute(const Point2& start, const Point2& goal, Route* route
   return found;
 }
 
-bool RouteGuide::takeBetter(const Point2& here) {
+bool Replanner::takeBetter(const Point2& here) {
   candidate_.swap(&found_);
   const double new_cost = candidate_.cost(memory_, finder_, kLookedAt);
   bounds_.noteRoute(memory_, finder_.costToGo(), here, new_cost);
@@ -139,7 +139,7 @@ bool RouteGuide::takeBetter(const Point2& here) {
 }
 
 /// Brings the route up to date; false when the costs of the last search tell nothing any more.
-bool RouteGuide::costsHold(const Point2& here, const Point2& goal) {
+bool Replanner::costsHold(const Point2& here, const Point2& goal) {
   if (route_.isEmpty()) {
     return false;
   }
@@ -148,20 +148,20 @@ bool RouteGuide::costsHold(const Point2& here, const Point2& goal) {
     has_costs_ = false;
     route_.noteAll();
   }
-  for (const ObstacleMemory::Change& change : memory_.changes()) {
+  for (const LocalMap::Change& change : memory_.changes()) {
     route_.note(memory_, change);
   }
   return has_costs_ && goalIsAsBefore(goal) &&
          !RouteFinder::isDetour(distanceBetween(here, goal), route_.route().length, tolerance_);
 }
 
-bool RouteGuide::isWorthKeeping(const Point2& here, const Point2& goal, double cost) const {
+bool Replanner::isWorthKeeping(const Point2& here, const Point2& goal, double cost) const {
   return isHardlyCostlier(cost, distanceBetween(here, end())) ||
          isHardlyCostlier(cost, bounds_.leastCost(memory_, finder_.costToGo(), here, goal));
 }
 
 /// By the last search alone; false when it takes a new one.
-bool RouteGuide::takeFromLastSearch(const Point2& here, const Point2& goal) {
+bool Replanner::takeFromLastSearch(const Point2& here, const Point2& goal) {
   if (memory_.cellAt(goal) != memory_.cellAt(bounds_.searchedGoal()) ||
       !finder_.fromLastSearch(memory_, here, &found_)) {
     return false;
@@ -173,13 +173,13 @@ bool RouteGuide::takeFromLastSearch(const Point2& here, const Point2& goal) {
 }
 
 /// False when a search might end elsewhere.
-bool RouteGuide::goalIsAsBefore(const Point2& goal) {
+bool Replanner::goalIsAsBefore(const Point2& goal) {
   const bool at_goal = distanceBetween(end(), goal) == 0.0;
   const Point2& searched_goal = bounds_.searchedGoal();
   const double moved = distanceBetween(goal, searched_goal);
   const double reach = KeptRoute::reachOfChanges(parameters_) + (at_goal ? 0.0 : tolerance_ + memory_.cellSize());
   const bool changed = moved > 0.0 || std::any_of(memory_.changes().begin(), memory_.changes().end(),
-                                                  [&](const ObstacleMemory::Change& change) {
+                                                  [&](const LocalMap::Change& change) {
                                                     const double x = change.place.x - goal.x;
                                                     const double y = change.place.y - goal.y;
                                                     return x * x + y * y < reach * reach;
@@ -190,17 +190,17 @@ bool RouteGuide::goalIsAsBefore(const Point2& goal) {
   if (!at_goal || (memory_.cellAt(goal) < 0) != (memory_.cellAt(searched_goal) < 0)) {
     return false;
   }
-  return memory_.cellAt(goal) < 0 || memory_.isFree(searched_goal, goal, ObstacleMemory::Passage::kTight);
+  return memory_.cellAt(goal) < 0 || memory_.isFree(searched_goal, goal, LocalMap::Passage::kTight);
 }
 
-Decision::Source RouteGuide::lookAround(const Situation& situation) {
+Decision::Source Replanner::lookAround(const Situation& situation) {
   route_.clear();
   if (looking_ && !turn_.isOver()) {
     return Source::kLookAround;
   }
-  if (looking_ && !squeezing_) {
-    squeezing_ = true;
-    memory_.squeeze(true);
+  if (looking_ && !clearance_is_relaxed_) {
+    clearance_is_relaxed_ = true;
+    memory_.relaxClearance(true);
     return Source::kLookAround;
   }
   if (looking_ && ++closed_in_a_row_ >= kClosedLooks) {
@@ -216,17 +216,17 @@ Decision::Source RouteGuide::lookAround(const Situation& situation) {
   return Source::kLookAround;
 }
 
-void RouteGuide::blockAhead() {
+void Replanner::blockAhead() {
   if (!route_.isEmpty()) {
     memory_.block(pointAhead(kBlockedAhead));
   }
 }
 
-void RouteGuide::blockTowards(const Point2& here, const Point2& next) {
+void Replanner::blockTowards(const Point2& here, const Point2& next) {
   memory_.block(pointAlong(here, directionTo(here, next), kBlockedAhead));
 }
 
-Point2 RouteGuide::pointAhead(double distance) const {
+Point2 Replanner::pointAhead(double distance) const {
   const std::vector<Point2>& points = route().points;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double leg = distanceBetween(points[i - 1], points[i]);
@@ -238,11 +238,11 @@ Point2 RouteGuide::pointAhead(double distance) const {
   return end();
 }
 
-double RouteGuide::bearingAhead(const Pose2& pose, double distance) const {
+double Replanner::bearingAhead(const Pose2& pose, double distance) const {
   return normalizeAngle(directionTo(pose, pointAhead(distance)) - pose.yaw);
 }
 
-void RouteGuide::pointsAhead(double distance, std::vector<Point2>* points) const {
+void Replanner::pointsAhead(double distance, std::vector<Point2>* points) const {
   const std::vector<Point2>& all = route().points;
   std::size_t i = 1;
   for (; i < all.size(); ++i) {
