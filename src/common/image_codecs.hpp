@@ -22,5 +22,5 @@ const ImageCodecs& imageCodecs();
 
 }  // namespace lstm_planner
 
-/// What the library has. In its own name, not in a namespace, as it is found by name.
+/// The library's entry point; extern "C", because dlsym() looks it up by name.
 extern "C" const lstm_planner::ImageCodecs* lstmPlannerImageCodecs();

@@ -43,8 +43,8 @@ class FootprintSweep {
   }
   double freeStraight(const Point2& point, double distance, double limit) const;
   double freeTurn(const Point2& point, double distance, double limit) const;
-  /// Calls note(place) for each place of the edge, grown by `distance`, and of what it is made of, that is as far from
-  /// the centre of the turn as `point`.
+  /// Calls note(place) for each point of the outline, grown by `distance`, at the same distance from the turning centre
+  /// as `point`.
   template <typename Note>
   void meet(const Point2& point, double distance, const Note& note) const;
   /// Where a place is around the centre of the turn, in the sense of the turn from below the centre, rad.

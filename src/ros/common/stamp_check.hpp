@@ -9,7 +9,7 @@ namespace lstm_planner {
 class StampCheck {
  public:
   /// False for a stamp (s) that is more than an hour ahead of when its message was received and of the stamps before,
-  /// unless the one before was the same hour's.
+  /// unless the previous stamp was ahead by about as much.
   bool isPlausible(double stamp, double received);
 
  private:

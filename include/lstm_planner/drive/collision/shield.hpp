@@ -30,9 +30,9 @@ class Shield {
   void add(const std::vector<Point2>& obstacles);
 
   /// Free length (m, at most `limit`) from `from` in `direction` (rad), and headed there, for the footprint grown by
-  /// `clearance`. Where the robot already is nearer to something than that, it may pass it but not come nearer still;
-  /// nearer than the hard margin (or the clearance, if that is less) it may only go away, so that the noise of a
-  /// scanner cannot lure it closer bit by bit. 0 when the first millimetre is blocked.
+  /// `clearance`. Inside the clearance the robot may drive past an obstacle but not approach it; inside the hard margin
+  /// (or the clearance, if that is less) it may only retreat: else the noise of a scanner would let it come closer bit
+  /// by bit. 0 when the first millimetre is blocked.
   double freeDistance(const Point2& from, double direction, double limit, double clearance) const {
     return freeLine(from, direction, limit, clearance, 0.0);
   }

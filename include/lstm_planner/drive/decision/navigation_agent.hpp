@@ -38,8 +38,8 @@ namespace lstm_planner {
 ///
 /// Where nothing is remembered (memory/enabled is false), nothing limits detours, and boundary following leads when the
 /// robot makes no progress. Without that, too (escape/enabled is false), a network that makes no progress draws its
-/// steps (AgentParameters::draw_after), and in the end a goal counts as reached in front of an obstacle in which, or
-/// behind which, odometry may have moved it (goal_drift).
+/// steps (AgentParameters::draw_after), and in the end a goal that drift may have moved into or behind an obstacle
+/// counts as reached in front of it (goal_drift).
 ///
 /// The hidden state advances once a step (StepClock) and at no other time: asking twice gives the same answer. Not
 /// thread safe. All poses and goals are in one frame, in which the robot moves without jumps: the odometry frame, or

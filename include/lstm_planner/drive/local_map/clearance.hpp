@@ -83,8 +83,7 @@ class Clearance {
   bool isLineFree(const ObstacleWindow& window, const Square& from, const Square& to) const;
   bool isGapFree(const ObstacleWindow& window, const Point2& position, double radius) const;
 
-  // Where something is blocked, or where squares are so small that 64 side by side are not enough: the same, obstacle
-  // by obstacle.
+  // Slow version, used near blocked places and for very small cells.
   void collectNearby(const ObstacleWindow& window, int cell, int reach) const;
   std::uint8_t judgeAmongBlocks(const ObstacleWindow& window, int cell) const;
   std::uint8_t judgeExitsAmongBlocks(const ObstacleWindow& window, int cell);

@@ -45,9 +45,8 @@ class CostToGo {
   /// What the path from a cell costs at least; exactly that from all cells of a path that was just found.
   std::uint32_t cost(int cell) const;
 
-  /// What a path from `from` costs at least if it leads through a cell round `freed`, where an obstacle has gone since
-  /// the search, and nothing has gone along the rest of the path. Cells for which that is `enough` anyway are not
-  /// looked at closely.
+  /// Lower bound of the cost of a path from `from` through the neighbourhood of `freed`, whose obstacle has disappeared
+  /// since the search. Cells where the bound is `enough` anyway are not looked at closely.
   std::uint32_t cheapestThrough(LocalMap& memory, int freed, int reach, int from, std::uint32_t enough) const;
 
   /// Cost of a path of so many cells where nothing is in between.

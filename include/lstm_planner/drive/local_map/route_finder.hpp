@@ -41,7 +41,7 @@ class RouteFinder {
 
   /// Of the last search that found a route.
   const CostToGo& costToGo() const { return cost_to_go_; }
-  /// Whether a route from there would have to be at the goal after such a detour that it ends before, see find().
+  /// Whether the detour is so long that the route should stop short of the goal, see find().
   static bool isDetour(double distance, double length, double tolerance);
 
   /// Cost of a straight piece of a route under what is remembered now, m; +inf when it is blocked.

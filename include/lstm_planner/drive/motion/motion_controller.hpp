@@ -125,10 +125,10 @@ struct MotionHistory {
 };
 
 /// Turns and drives along a plan; never commands a motion which, braking included, comes nearer to a return than the
-/// safety margin. What is looked at is the path that the robot really takes: on with the present twist until the
-/// command acts, which may be at once or after the reaction time, then along the commanded arc until it stands.
-/// And what its wheels make of it, which take time: while one of them brakes and the other one speeds up for a turn,
-/// the robot does not become slower, and a turn that goes on while it starts to drive swings its corners.
+/// safety margin. It checks the real path: the current motion until the command acts, at once or after the reaction
+/// time, then the commanded arc, braking to a stop. It also checks what the wheels make of that, since they take time:
+/// while one brakes and the other one speeds up for a turn, the robot does not become slower, and a turn that goes on
+/// while it starts to drive swings its corners.
 ///
 /// A circle may always turn in place. A polygon turns where its corners have room; else it drives on along a wider arc,
 /// or back along the path it came until it can turn.

@@ -10,7 +10,7 @@
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
 
-namespace lstm_planner::test_obstacle_memory_changes {
+namespace lstm_planner::test_local_map_changes {
 namespace {
 
 using test::returnsAt;
@@ -236,4 +236,4 @@ TEST(LocalMapChanges, AreEverythingWhenTheyAreTooManyToBeListed) {
 }
 
 }  // namespace
-}  // namespace lstm_planner::test_obstacle_memory_changes
+}  // namespace lstm_planner::test_local_map_changes
