@@ -99,6 +99,27 @@ TEST_F(MotionWithCorners, GoesOnBackUntilItCanTurn) {
   EXPECT_NE(turn.angular, 0.0);
 }
 
+TEST_F(MotionWithCorners, StandsBeforeItChangesItsWay) {
+  shield_.show(corridor());
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {-3.0, 0.1}});
+  // It never was behind: it drives on, and back once it has been there.
+  const MotionHistory never;
+  const MotionHistory was{Pose2{-0.06, 0.0, 0.0}};
+  ASSERT_GT(compute(plan, {}, never).linear, 0.0);
+  ASSERT_LT(compute(plan, {}, was).linear, 0.0);
+  const auto after = [](MotionHistory history, double linear) {
+    history.commanded = {{linear, 0.0}};
+    return history;
+  };
+  for (const MotionCommand& command : {compute(plan, {}, after(never, -0.1)), compute(plan, {}, after(was, 0.1))}) {
+    EXPECT_EQ(command.linear, 0.0);
+    EXPECT_EQ(command.angular, 0.0);
+    EXPECT_EQ(command.stop, StopReason::kObstacle);
+  }
+  EXPECT_GT(compute(plan, {}, after(never, 0.1)).linear, 0.0);
+  EXPECT_LT(compute(plan, {}, after(was, -0.1)).linear, 0.0);
+}
+
 TEST_F(MotionWithCorners, DoesNotBackNorTurnItsCornersWhereSomebodyMoves) {
   std::vector<Point2> posts = corridor();
   posts.push_back({0.3, 0.0});
