@@ -33,9 +33,10 @@ const std::vector<std::string> kNodes{"src/ros/recorder", "src/ros/advice", "src
 
 /// The sources whose messages tell a user why the robot does not move, or why a node does not work.
 std::string messageSources() {
-  std::vector<std::string> folders{"src/ros/planner",   "src/ros/controller", "src/ros/common",
-                                   "src/ros/move_base", "src/compat",         "src/drive/perception",
-                                   "src/drive",         "src/dataset",        "src/grid"};
+  std::vector<std::string> folders{"src/ros/planner",     "src/ros/controller",  "src/ros/common",
+                                   "src/ros/move_base",   "src/compat",          "src/drive/perception",
+                                   "src/drive/local_map", "src/drive/collision", "src/drive/decision",
+                                   "src/drive/motion",    "src/dataset",         "src/grid"};
   folders.insert(folders.end(), kNodes.begin(), kNodes.end());
   return sourcesIn(folders);
 }

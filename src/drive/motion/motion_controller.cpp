@@ -235,7 +235,8 @@ Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const 
   const double before = clampMagnitude(last.angular, parameters_.max_angular);
   const auto turningLess = [&](double share) { return before + share * (twist.angular - before); };
   constexpr double kLess[] = {0.5, 0.25, 0.0};
-  if (motion.free(twist) == WheelMotion::kFree) return twist;
+  double farthest = motion.free(twist);
+  if (farthest == WheelMotion::kFree) return twist;
   if (!now.persons.near) {  // on another arc it would have to yield anew
     for (const double share : kLess) {
       const Twist2 arc{twist.linear, turningLess(share)};
@@ -243,10 +244,10 @@ Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const 
     }
   }
   // Where nothing is free it brakes all the same: whoever drives on for a little more air has less of it next time.
-  Twist2 best;
-  double farthest = -1.0;
-  for (const Twist2& standing : {Twist2{0.0, twist.angular}, Twist2{0.0, turningLess(0.5)},
-                                 Twist2{0.0, turningLess(0.25)}, Twist2{0.0, before}, Twist2{}}) {
+  Twist2 best{0.0, twist.angular};
+  if (twist.linear != 0.0) farthest = -1.0;
+  for (const Twist2& standing :
+       {Twist2{0.0, turningLess(kLess[0])}, Twist2{0.0, turningLess(kLess[1])}, Twist2{0.0, before}, Twist2{}}) {
     const double free = motion.free(standing);
     if (free <= farthest) continue;
     farthest = free;
