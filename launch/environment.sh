@@ -283,6 +283,8 @@ builder() {
 build_targets() {
   local log="$workspace/build.log" status
   say "building in $workspace (log: $log)"
+  # CMake 4 refuses what catkin's own files ask for.
+  export CMAKE_POLICY_VERSION_MINIMUM="${CMAKE_POLICY_VERSION_MINIMUM:-3.5}"
   # Optional packages may have been installed since it was configured.
   # shellcheck disable=SC2046
   catkin_make -C "$workspace" $(builder) --force-cmake -j"$(parallel_jobs)" -DCMAKE_BUILD_TYPE=Release \
