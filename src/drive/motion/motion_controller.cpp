@@ -31,7 +31,7 @@ MotionCommand MotionController::compute(const MotionSituation& situation, const 
   if (plan.empty()) return {{}, StopReason::kNoPlan};
   if (!isFinite(pose)) return {{}, StopReason::kUnusableData};
   const Persons persons(shield.footprint(), yieldingReach(shield.footprintRadius()), moving, resting);
-  const Moment now{situation, persons, history, (history.has_stood ? kLeastMargin : 1.0) * parameters_.safety_margin};
+  const Moment now{situation, persons, history, (history.has_stood ? kNarrowMargin : 1.0) * parameters_.safety_margin};
   const MotionCommand command = choose(now, moving);
   return shield.footprint().isCircle() ? command : checked(command, now);
 }

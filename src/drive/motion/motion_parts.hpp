@@ -17,6 +17,10 @@ constexpr double kSlack = 1e-9;   ///< m or rad of rounding
 /// Share of the safety margin that is kept in any case: the margin is at least three times the noise of the scanner.
 constexpr double kLeastMargin = 0.5;
 
+/// Share of it that is kept by a robot with corners that has stood for long: the steps of ranges, of a map and of a
+/// simulator's cells come on top of noise there.
+constexpr double kNarrowMargin = 2.0 / 3.0;
+
 inline double clampMagnitude(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
 
 /// What moves, and what has moved and stands.

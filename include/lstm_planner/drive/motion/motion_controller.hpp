@@ -70,7 +70,8 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
         "distance kept between the footprint and every return; at least three times the noise of the scanner");
   visit("patience", motion.patience, {0.0, 3600.0}, "s",
         "time for which the robot may stand before an obstacle, with no person near; after half of it a robot with "
-        "corners creeps out with half the safety_margin, after all of it the controller says no, so that move_base "
+        "corners creeps out with two thirds of the safety_margin, after all of it the controller says no, so that "
+        "move_base "
         "recovers or aborts; about move_base's controller_patience; 0: it waits for ever");
   visit("slow_gap", motion.slow_gap, {0.001, 20.0}, "m",
         "the robot slows down if its path leads nearer to an obstacle than this; larger is slower");
@@ -118,7 +119,7 @@ struct MotionHistory {
   std::optional<Pose2> back;           ///< the next pose back, base frame
   bool goes_back = false;              ///< it was told to, last
   std::vector<Twist2> commanded = {};  ///< newest last, a period apart; they may not have reached the wheels
-  bool has_stood = false;              ///< for so long that half the safety margin must do
+  bool has_stood = false;              ///< for so long that two thirds of the safety margin must do
 
   /// That was commanded. Keeps those that may still be on their way for `time` s.
   void note(const Twist2& command, double time, double period);
