@@ -12,7 +12,7 @@ namespace {
 
 const AgentParameters kAgent;
 
-const RecordedDrive& driveIn(const std::string& world) {
+const RecordedDrive& driveIn(const char* world) {
   for (const RecordedDrive& drive : recordedDrives()) {
     if (drive.world == world) return drive;
   }
@@ -55,7 +55,7 @@ void rollOutPlan(benchmark::State& state) {
 BENCHMARK(rollOutPlan)->Arg(1)->Arg(10);
 
 /// From where the drive started to its goal, through all that was seen on it.
-void searchRoute(benchmark::State& state, const std::string& world) {
+void searchRoute(benchmark::State& state, const char* world) {
   const RecordedDrive& drive = driveIn(world);
   LocalMap memory = memoryOf(drive);
   RouteFinder finder(kAgent.memory.tightness);
@@ -71,7 +71,7 @@ BENCHMARK_CAPTURE(searchRoute, office, "office");
 BENCHMARK_CAPTURE(searchRoute, maze, "maze");
 
 /// A robot that stands and sees what it saw before: the look, and that the route is kept.
-void keepRoute(benchmark::State& state, const std::string& world) {
+void keepRoute(benchmark::State& state, const char* world) {
   const RecordedDrive& drive = driveIn(world);
   const Situation situation = situationOf(drive, drive.steps.front());
   Replanner guide(kAgent);
@@ -84,7 +84,7 @@ BENCHMARK_CAPTURE(keepRoute, office, "office");
 BENCHMARK_CAPTURE(keepRoute, maze, "maze");
 
 /// Whole drives; how many of the updates made a search.
-void updateRoute(benchmark::State& state, const std::string& world) {
+void updateRoute(benchmark::State& state, const char* world) {
   const RecordedDrive& drive = driveIn(world);
   std::vector<Situation> situations;
   for (std::size_t i = 0; i < drive.steps.size(); i += 5) situations.push_back(situationOf(drive, drive.steps[i]));

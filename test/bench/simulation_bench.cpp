@@ -45,7 +45,8 @@ void simulatedStep(benchmark::State& state) {
   SimulatedRobot robot(world, {}, benchTask(world).start, kSeed);
   robot.command({0.05, 1.0});
   for (auto _ : state) robot.advance(SimulatedRobot::Parameters().physics_period);
-  benchmark::DoNotOptimize(robot.truePose().x);
+  double x = robot.truePose().x;
+  benchmark::DoNotOptimize(x);
 }
 BENCHMARK(simulatedStep)->Unit(benchmark::kNanosecond);
 
