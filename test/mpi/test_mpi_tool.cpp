@@ -44,6 +44,7 @@ class MpiTool : public test::ToolTest {
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
     ::setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
+    ::setenv("PRTE_MCA_rmaps_default_mapping_policy", ":oversubscribe", 1);  // since version 5
     ToolTest::SetUp();
   }
 
@@ -131,8 +132,8 @@ TEST_F(MpiTool, WhenARankDiesTheRunEndsAndItsLastCheckpointIsGood) {
   const std::string training = trainingWith(
       "--method actor-critic --updates 1000000 --epochs 500000 --agents 64 --window 4 --goals 4", "broken");
   // The system kills the second rank after a second of processor time.
-  const std::string mortal = std::string("sh -c 'ulimit -t 1; exec ") + kTool + " " + training + "'";
-  const Outcome broken = runShell(std::string("mpirun -n 1 ") + kTool + " " + training + " : -n 1 " + mortal);
+  const Outcome broken = runShell("mpirun -n 2 sh -c '[ \"$OMPI_COMM_WORLD_RANK\" = 0 ] || ulimit -t 1; exec " +
+                                  std::string(kTool) + " " + training + "'");
   EXPECT_NE(broken.status, 0);
   EXPECT_NE(broken.output.find("rank 1"), std::string::npos) << broken.output;
   EXPECT_EQ(timesIn(broken.output, "wrote "), 0u) << broken.output;
