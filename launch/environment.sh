@@ -44,7 +44,10 @@ qt_of_rviz() {
   local libraries
   libraries="$(apt-cache depends "$1" 2>/dev/null | awk '/ Depends: .*rviz/ {print $2}')"
   # shellcheck disable=SC2086  # one word a package
-  if apt-cache depends "$1" $libraries 2>/dev/null | grep -q 'Depends: libqt6'; then echo qt6-base-dev; else echo qtbase5-dev; fi
+  case "$(apt-cache depends "$1" $libraries 2>/dev/null)" in
+    *'Depends: libqt6'*) echo qt6-base-dev ;;
+    *) echo qtbase5-dev ;;
+  esac
 }
 
 # Debian packages the build and the tests need, one a line.
