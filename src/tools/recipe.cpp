@@ -3,11 +3,10 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
-#include "tools/shared_file.hpp"
+#include "tools/shipped_yaml.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -32,22 +31,8 @@ Values valuesOf(const YAML::Node& node, const std::string& place) {
   return values;
 }
 
-std::string pathOf(const std::string& name) {
-  const std::string shared = findSharedFile("models/recipes/" + name + ".yaml");
-  if (std::filesystem::is_regular_file(shared)) return shared;
-  if (std::filesystem::is_regular_file(name)) return name;
-  throw std::invalid_argument("there is no recipe '" + name +
-                              "', expected a yaml file, or the NAME of a models/recipes/NAME.yaml");
-}
-
-Recipe readRecipe(const std::string& path) {
-  YAML::Node root;
-  try {
-    root = YAML::LoadFile(path);
-  } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(path + ": " + error.what());
-  }
-  if (!root.IsMap()) throw std::invalid_argument(path + ": expected KEY: VALUE in each line");
+Recipe readRecipe(const std::string& name) {
+  const auto [path, root] = readShippedYaml("recipe", "models/recipes", name, "KEY: VALUE in each line");
   Recipe recipe;
   for (const auto& entry : root) {
     const std::string key = entry.first.as<std::string>();
@@ -91,7 +76,7 @@ std::vector<std::string> expandRecipe(const std::vector<std::string>& arguments)
   auto argument = arguments.begin();
   const bool has_recipe =
       argument != arguments.end() && !isOption(*argument) && *argument != "-h" && !isSetting(*argument);
-  if (has_recipe) recipe = readRecipe(pathOf(*argument++));
+  if (has_recipe) recipe = readRecipe(*argument++);
   for (; argument != arguments.end() && isSetting(*argument); ++argument) {
     const auto [key, values] = readSetting(*argument);
     remove(key, &recipe);

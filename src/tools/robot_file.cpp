@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -16,7 +15,7 @@
 #include "lstm_planner/drive/decision/plugin_parameters.hpp"
 #include "lstm_planner/simulation/create2.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
-#include "tools/shared_file.hpp"
+#include "tools/shipped_yaml.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -86,24 +85,6 @@ class GroupReader {
   std::vector<std::string> known_;
 };
 
-std::string pathOf(const std::string& name) {
-  const std::string shared = findSharedFile("config/robots/" + name + ".yaml");
-  if (std::filesystem::is_regular_file(shared)) return shared;
-  if (std::filesystem::is_regular_file(name)) return name;
-  throw std::invalid_argument("there is no robot '" + name +
-                              "', expected a file, or the NAME of a config/robots/NAME.yaml");
-}
-
-YAML::Node load(const std::string& path) {
-  try {
-    const YAML::Node root = YAML::LoadFile(path);
-    if (root.IsMap()) return root;
-  } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(path + ": " + error.what());
-  }
-  throw std::invalid_argument(path + ": expected groups of parameters, as in config/robots/create2_hokuyo.yaml");
-}
-
 template <typename Visitor>
 std::optional<HokuyoParameters> readSecondScanner(const Visitor& visit) {
   bool is_mounted = false;
@@ -148,8 +129,8 @@ void checkBody(const std::string& path, const ShieldParameters& shield, const Cr
 }  // namespace
 
 void readRobotFile(const std::string& name, DriveParameters* drive, AgentParameters* agent) {
-  const std::string path = pathOf(name);
-  const YAML::Node root = load(path);
+  const auto [path, root] =
+      readShippedYaml("robot", "config/robots", name, "groups of parameters, as in config/robots/create2_hokuyo.yaml");
 
   GlobalPlannerParameters planner;
   planner.agent = *agent;

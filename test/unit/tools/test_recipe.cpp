@@ -112,6 +112,8 @@ TEST_F(Recipe, OfAShippedModelIsTheCommandThatTrainedIt) {
     if (entry.path().extension() == ".onnx") shipped.insert(entry.path().stem());
   }
   EXPECT_EQ(recipes, shipped);
+  const std::string named = runTool("train --help").output;
+  for (const std::string& name : recipes) EXPECT_NE(named.find(" " + name), std::string::npos) << name;
 }
 
 TEST_F(Recipe, TrainsANetwork) {
