@@ -233,26 +233,23 @@ Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const 
   const std::vector<Twist2>& commanded = now.history.commanded;
   const Twist2& last = commanded.empty() ? now.current : commanded.back();
   const double before = clampMagnitude(last.angular, parameters_.max_angular);
-  const auto turningLess = [&](double share) { return before + share * (twist.angular - before); };
-  constexpr double kLess[] = {0.5, 0.25, 0.0};
-  double farthest = motion.free(twist);
-  if (farthest == WheelMotion::kFree) return twist;
-  if (!now.persons.near) {  // on another arc it would have to yield anew
-    for (const double share : kLess) {
-      const Twist2 arc{twist.linear, turningLess(share)};
-      if (motion.free(arc) == WheelMotion::kFree) return arc;
-    }
-  }
-  // Where nothing is free it brakes all the same: whoever drives on for a little more air has less of it next time.
-  Twist2 best{0.0, twist.angular};
-  if (twist.linear != 0.0) farthest = -1.0;
-  for (const Twist2& standing :
-       {Twist2{0.0, turningLess(kLess[0])}, Twist2{0.0, turningLess(kLess[1])}, Twist2{0.0, before}, Twist2{}}) {
-    const double free = motion.free(standing);
-    if (free <= farthest) continue;
+  Twist2 best;
+  double farthest = -1.0;
+  const auto tryCommand = [&](const Twist2& command) {
+    if (farthest == WheelMotion::kFree) return;
+    const double free = motion.free(command);
+    // Where nothing is free it brakes: whoever drives on for a little more air has less of it next time.
+    if (free <= farthest || (command.linear != 0.0 && free != WheelMotion::kFree)) return;
     farthest = free;
-    best = standing;
-  }
+    best = command;
+  };
+  const auto turnLess = [&](double linear) {
+    for (const double share : {0.5, 0.25, 0.0}) tryCommand({linear, before + share * (twist.angular - before)});
+  };
+  tryCommand(twist);
+  if (twist.linear != 0.0 && !now.persons.near) turnLess(twist.linear);  // on another arc it would have to yield anew
+  turnLess(0.0);
+  tryCommand({});
   return best;
 }
 
