@@ -14,23 +14,27 @@ constexpr int kMostRetries = 4;      // until the robot gets away
 
 }  // namespace
 
-bool Patience::lasts(double limit, const MotionCommand& command, const std::vector<Pose2>& plan,
-                     const Situation& situation) {
+Patience::Left Patience::note(double limit, const MotionCommand& command, const std::vector<Pose2>& plan,
+                              const Situation& situation) {
+  if (plan.empty()) {
+    clear();
+    return Left::kMuch;
+  }
   stand_.note(situation.pose, situation.time, {plan.back().x, plan.back().y},
               command.linear != 0.0 || command.angular != 0.0);
   const bool is_excused = command.stop == StopReason::kPerson || command.stop == StopReason::kArrived;
   if (is_excused) stand_.excuse(situation.time);
-  is_half_gone_ = limit > 0.0 && stand_.stood() > 0.5 * limit;
+  const Left left = limit > 0.0 && stand_.stood() > 0.5 * limit ? Left::kLessThanHalf : Left::kMuch;
   const bool is_stuck = (command.stop == StopReason::kObstacle ? stand_.stood() : stand_.tried()) > limit;
   if (limit == 0.0 || !is_stuck) {
     gave_up_towards_.reset();
-    return true;
+    return left;
   }
   // Whoever hears of it has given up by then, or expects another try.
   if (stand_.stood() > kGivesUpFor * limit) stand_.clear();
-  if (!leadsAnotherWay(plan, situation.pose) || stand_.retries() >= kMostRetries) return false;
+  if (!leadsAnotherWay(plan, situation.pose) || stand_.retries() >= kMostRetries) return Left::kNone;
   stand_.retry();
-  return true;
+  return left;
 }
 
 /// Than the plan did with which the robot gave up here.
@@ -45,7 +49,6 @@ bool Patience::leadsAnotherWay(const std::vector<Pose2>& plan, const Pose2& pose
 void Patience::clear() {
   stand_.clear();
   gave_up_towards_.reset();
-  is_half_gone_ = false;
 }
 
 }  // namespace lstm_planner

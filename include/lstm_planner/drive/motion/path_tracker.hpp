@@ -37,12 +37,9 @@ class PathTracker {
           seenFreeBehind(situation, shield.footprint(), limits.safety_margin, limits.max_linear * limits.evade_time);
       command = controller_.evade(command, motion, moving_.follow(situation), free_behind, history_);
     }
-    if (plan.empty()) {
-      patience_.clear();
-    } else if (!patience_.lasts(controller_.parameters().patience, command, plan, situation)) {
-      command = {{}, StopReason::kStuck};
-    }
-    history_.has_stood = patience_.isHalfGone();
+    const Patience::Left left = patience_.note(controller_.parameters().patience, command, plan, situation);
+    if (left == Patience::Left::kNone) command = {{}, StopReason::kStuck};
+    history_.has_stood = left != Patience::Left::kMuch;
     history_.goes_back = command.goes_back;
     history_.note(command, controller_.reactionTime(), period);
     return command;

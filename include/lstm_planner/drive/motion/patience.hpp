@@ -15,14 +15,14 @@ namespace lstm_planner {
 /// passed.
 class Patience {
  public:
-  /// The robot is about to answer `plan` (not empty, odometry frame) in that situation with that command. Whether it
-  /// has patience yet, which lasts `limit` s; 0: always.
-  bool lasts(double limit, const MotionCommand& command, const std::vector<Pose2>& plan, const Situation& situation);
+  /// What is left of it.
+  enum class Left { kMuch, kLessThanHalf, kNone };
 
-  /// As of the last command asked about.
-  bool isHalfGone() const { return is_half_gone_; }
+  /// The robot is about to answer `plan` (odometry frame) in that situation with that command. Its patience lasts
+  /// `limit` s; 0: for ever. With an empty plan nothing is to be waited for.
+  Left note(double limit, const MotionCommand& command, const std::vector<Pose2>& plan, const Situation& situation);
 
-  /// Nothing is to be waited for, or the odometry jumped.
+  /// The odometry jumped.
   void clear();
 
  private:
@@ -30,7 +30,6 @@ class Patience {
 
   StandWatch stand_;
   std::optional<double> gave_up_towards_;  ///< rad, odometry frame
-  bool is_half_gone_ = false;
 };
 
 }  // namespace lstm_planner
