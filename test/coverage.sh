@@ -45,7 +45,7 @@ grep -E '^\[  FAILED  \]' "$log"
 
 mkdir -p "$workspace/coverage"
 gcovr --root "$source_dir" --object-directory "$workspace/build" \
-  --filter "$source_dir/src/(common|grid|network|drive|simulation|dataset|training|practice|grid_world)/" --filter "$source_dir/include/lstm_planner/(common|grid|network|drive|simulation|dataset|training|practice|grid_world)/" \
+  --filter "$source_dir/(src|include/lstm_planner)/" --exclude "$source_dir/(src|include/lstm_planner)/(ros|tools|compat)/" \
   --exclude-throw-branches --exclude-unreachable-branches -j "$(parallel_jobs)" \
   --txt --html-details "$workspace/coverage/index.html" --fail-under-line "$least" "$workspace/build"
 coverage_status=$?

@@ -57,8 +57,8 @@ class BeamAdder {
 
 BeamSum sumOfBeams(const float* ranges, std::size_t count, double cap) {
   auto float_cap = static_cast<float>(cap);
-  if (float_cap < cap)
-    float_cap = std::nextafter(float_cap, std::numeric_limits<float>::max());  // no float lies between the two
+  // No float lies between the two.
+  if (float_cap < cap) float_cap = std::nextafter(float_cap, std::numeric_limits<float>::max());
   BeamAdder even(float_cap);
   BeamAdder odd(float_cap);
   constexpr std::size_t kTogether = 2 * kLanes;

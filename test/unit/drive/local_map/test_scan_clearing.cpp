@@ -39,19 +39,19 @@ double plainReach(const RangeProfile& profile, double towards) {
   return nearest - 0.1;
 }
 
-float limitOf(const ScanClearing& sight, double x, double y) {
+float limitOf(const ScanClearing& clearing, double x, double y) {
   const std::array<float, 4> xs = {static_cast<float>(x)};
   const std::array<float, 4> ys = {static_cast<float>(y)};
   std::array<float, 4> limits;
-  sight.findLimits(xs.data(), ys.data(), 1, limits.data());
+  clearing.findLimits(xs.data(), ys.data(), 1, limits.data());
   return limits[0];
 }
 
-bool isClear(const ScanClearing& sight, double x, double y) {
+bool isClear(const ScanClearing& clearing, double x, double y) {
   const std::array<float, 4> xs = {static_cast<float>(x)};
   const std::array<float, 4> ys = {static_cast<float>(y)};
   std::array<std::uint8_t, 4> clear;
-  sight.findClear(xs.data(), ys.data(), 1, clear.data());
+  clearing.findClear(xs.data(), ys.data(), 1, clear.data());
   return clear[0] != 0;
 }
 
@@ -64,8 +64,8 @@ TEST(ScanClearing, ClearsWhatThePlainDefinitionClears) {
   std::mt19937 random(5);
   for (const double increment : {0.00436332, -0.00436332, 2.0 * M_PI / 720.0}) {
     const RangeProfile profile = scanOf(increment, increment < 0.006 ? 1081 : 720, &random);
-    ScanClearing sight(std::hypot(1.5, 1.5) * kResolution);
-    sight.show(profile, kYaw);
+    ScanClearing clearing(std::hypot(1.5, 1.5) * kResolution);
+    clearing.show(profile, kYaw);
     int cleared = 0;
     int cells_in_sight = 0;
     for (int square = 0; square < kCells * kCells * kSide * kSide; ++square) {
@@ -73,12 +73,12 @@ TEST(ScanClearing, ClearsWhatThePlainDefinitionClears) {
       const double left = kCorner + cell % kCells * kSide * kResolution;
       const double bottom = kCorner + cell / kCells * kSide * kResolution;
       const double to_middle = 0.5 * (kSide - 1) * kResolution;
-      const float limit = limitOf(sight, left + to_middle, bottom + to_middle);
+      const float limit = limitOf(clearing, left + to_middle, bottom + to_middle);
       if (square % (kSide * kSide) == 0 && limit > 0.0f) ++cells_in_sight;
       const double x = left + square % kSide * kResolution;
       const double y = bottom + square / kSide % kSide * kResolution;
       const double distance = std::hypot(x, y);
-      const bool is_clear = distance * distance < limit && isClear(sight, x, y);
+      const bool is_clear = distance * distance < limit && isClear(clearing, x, y);
       cleared += is_clear ? 1 : 0;
       const double towards = std::atan2(y, x) - kYaw;
       const double a = plainReach(profile, towards - 3e-5);
