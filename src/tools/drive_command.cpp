@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lstm_planner/common/parallel_for.hpp"
+#include "lstm_planner/grid/surface_points.hpp"
 #include "lstm_planner/simulation/drive_film.hpp"
 #include "tools/command.hpp"
 #include "tools/drive_options.hpp"
@@ -18,9 +19,17 @@
 namespace lstm_planner {
 namespace {
 
+/// All obstacles of a world, in the odometry frame of a drive.
+std::vector<Point2> obstaclesOf(const DriveWorld& world, const DriveTask& task, double spacing) {
+  std::vector<Point2> obstacles = surfacePoints(*world.map, spacing);
+  for (Point2& place : obstacles) place = toLocalFrame(task.start, place);
+  return obstacles;
+}
+
 DriveResult driveOnce(const DriveOptions& options, const DriveWorld& world, const NumberedDrive& exercise,
                       const DriveParameters& rules, const DrivePolicy& policy, DriveStates* states) {
   NavigationAgent agent(policy, options.agent);
+  if (options.knows_map) agent.know(obstaclesOf(world, exercise.task, 0.5 * options.agent.memory.resolution));
   if (!options.states.empty()) states->watch(&agent);
   std::optional<DriveFilm> film;
   DriveListener listener;

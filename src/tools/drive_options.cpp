@@ -60,6 +60,9 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
       "bearing");
   visitAgentParameters(agent,
                        line->parameters({{"detour/allowance", "detour-allowance"}, {"detour/share", "detour-share"}}));
+  line->addFlag(
+      "knows-map", &options->knows_map, true,
+      "the robot knows all obstacles of --map or --worlds from the start, as far as 50 m; only without --drift");
   line->addFlag("no-memory", &agent.memory.enabled, false,
                 "remember no obstacles: nothing limits the network's detours, and without progress the robot follows "
                 "boundaries");
@@ -85,7 +88,20 @@ void addOutputOptions(DriveOptions* options, CommandLine* line) {
   line->add("film-size", &options->film_parameters.longest_side, {100, 4000}, "pixels of a frame's longer side");
 }
 
+/// The obstacles are known by odometry, so that has to be right.
+void checkKnowsMap(const DriveOptions& options) {
+  const Create2Parameters& base = options.drive.robot.base;
+  if (options.maps.empty() && (options.kind.empty() || options.kind == kDynaBarn)) {
+    throw std::invalid_argument("--knows-map needs --map, or --worlds whose obstacles do not move");
+  }
+  if (!options.agent.memory.enabled) throw std::invalid_argument("--knows-map and --no-memory exclude each other");
+  if (base.odometry_error != 0.0 || base.slip != 0.0) {
+    throw std::invalid_argument("--knows-map needs odometry without error, expected --drift 0 and --slip 0");
+  }
+}
+
 void check(const DriveOptions& options) {
+  if (options.knows_map) checkKnowsMap(options);
   const int sources = (options.maps.empty() ? 0 : 1) + (options.barn.empty() ? 0 : 1) + (options.kind.empty() ? 0 : 1);
   if (sources > 1) throw std::invalid_argument("--map, --barn and --worlds exclude each other");
   if (sources == 0 && options.crowd.walkers == 0) {
@@ -122,6 +138,8 @@ bool readDriveOptions(const std::vector<std::string>& arguments, DriveOptions* o
     escape.patience_distance = kPatienceDistance * escape.patience_steps;
     options->model = findSharedFile(options->model);
     options->agent = fittedToFootprint(options->agent);
+    MemoryParameters& memory = options->agent.memory;
+    if (options->knows_map) memory.width = kMostSquaresASide * memory.resolution;
     check(*options);
   });
   return line.parse(arguments);

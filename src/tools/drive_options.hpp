@@ -33,6 +33,7 @@ struct DriveOptions {
   CrowdParameters crowd;
   DriveParameters drive;
   AgentParameters agent;
+  bool knows_map = false;  ///< from the start
 
   std::string json;
   std::string details;

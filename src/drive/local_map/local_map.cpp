@@ -39,6 +39,7 @@ void LocalMap::add(const Situation& situation) {
     return;
   }
   if (window_.moveTo(situation.pose)) {
+    markKnown();
     outdateAll();
   }
   clearance_.startChanges();
@@ -55,6 +56,13 @@ void LocalMap::add(const Situation& situation) {
   }
   // Where the robot stands nothing else can be.
   forgetUnderneath(situation.pose);
+}
+
+void LocalMap::markKnown() {
+  for (const Point2& place : known_) {
+    const Square square = squareAt(place);
+    if (isInWindow(square)) window_.set(square, true);
+  }
 }
 
 void LocalMap::takeOverMarks(const Situation& situation) {
@@ -75,9 +83,7 @@ void LocalMap::collectMarks(const Situation& situation) {
   marked_.clear();
   for (const Point2& place : situation.marked) {
     if (std::hypot(place.x, place.y) > reach_) continue;
-    const Point2 at = toParentFrame(situation.pose, place);
-    const Square absolute = window_.squareAt(at);
-    const Square square{absolute.column - kSide * window_.originColumn(), absolute.row - kSide * window_.originRow()};
+    const Square square = squareAt(toParentFrame(situation.pose, place));
     const bool is_underneath = isInWindow(square) && distanceBetween(window_.centerOf(square), situation.pose) <
                                                          kUnderneath * footprint_radius_;
     if (isInWindow(square) && !is_underneath && !isSeenBeside(square)) marked_.push_back(markAt(square));
@@ -111,6 +117,11 @@ Square LocalMap::squareOfMark(Mark mark) const {
           static_cast<int>(static_cast<std::uint32_t>(mark >> 32)) - kSide * window_.originRow()};
 }
 
+Square LocalMap::squareAt(const Point2& place) const {
+  const Square absolute = window_.squareAt(place);
+  return {absolute.column - kSide * window_.originColumn(), absolute.row - kSide * window_.originRow()};
+}
+
 bool LocalMap::isInWindow(const Square& square) const {
   const BitRows& squares = window_.squares();
   return square.column >= 0 && square.column < squares.columns() && square.row >= 0 && square.row < squares.rows();
@@ -135,13 +146,11 @@ void LocalMap::clearChanges() {
 }
 
 void LocalMap::forgetUnderneath(const Pose2& pose) {
-  const Square here = window_.squareAt({pose.x, pose.y});
-  const int first_column = here.column - kSide * window_.originColumn();
-  const int first_row = here.row - kSide * window_.originRow();
+  const Square here = squareAt({pose.x, pose.y});
   const int squares = static_cast<int>(footprint_radius_ / window_.resolution());
   for (int row = -squares; row <= squares; ++row) {
     for (int column = -squares; column <= squares; ++column) {
-      const Square square{first_column + column, first_row + row};
+      const Square square{here.column + column, here.row + row};
       if (isInWindow(square) && window_.isOccupied(square) &&
           distanceBetween(window_.centerOf(square), pose) < kUnderneath * footprint_radius_) {
         set(square, false);

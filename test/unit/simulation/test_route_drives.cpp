@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "lstm_planner/grid/surface_points.hpp"
 #include "lstm_planner/simulation/drive.hpp"
 #include "lstm_planner/simulation/generated_world.hpp"
 #include "lstm_planner/simulation/world_generators.hpp"
@@ -72,6 +74,39 @@ TEST(RouteDrives, LeavesADeadEndByTheShortestPath) {
   const DriveResult result = driveGuided(GridWorld(grid), {{1.5, 4.0, 0.0}, {10.0, 4.0}, 0.0}, test::quickDrive(200.0));
   // In to its end and out again on the way round its mouth: 5.3 m and 3 m, and 4.3 + 2.2 + 3 + 3.6 m outside.
   expectReached(result, 1.25 * (5.3 + 3.0 + 4.3 + 2.2 + 3.0 + 3.6));
+}
+
+TEST(RouteDrives, ARobotThatKnowsTheMapLooksIntoNoDeadEnd) {
+  // A room between start and goal with one door, towards the start, through which its corners are not seen.
+  OccupancyGrid grid = test::emptyHall(12.0, 8.0);
+  test::fillBox(4.0, 2.0, 4.1, 3.5, &grid);
+  test::fillBox(4.0, 4.5, 4.1, 6.0, &grid);
+  test::fillBox(7.0, 2.0, 7.1, 6.0, &grid);
+  test::fillBox(4.0, 2.0, 7.1, 2.1, &grid);
+  test::fillBox(4.0, 5.9, 7.1, 6.0, &grid);
+  const GridWorld world(grid);
+  const DriveTask task{{1.5, 4.0, 0.0}, {10.0, 4.0}, 0.0};
+  const auto looksIn = [](const DriveResult& drive) {
+    return std::any_of(drive.trace.begin(), drive.trace.end(), [](const Pose2& pose) {
+      return distanceBetween(pose, Point2{4.05, 4.0}) < 1.0;
+    });
+  };
+
+  const DriveResult route = driveGuided(world, task, test::quickDrive(200.0));
+  EXPECT_TRUE(looksIn(route));
+
+  NavigationAgent agent(noPolicy(), test::routeLed());
+  std::vector<Point2> obstacles = surfacePoints(grid, 0.5 * kDefaults.memory.resolution);
+  for (Point2& place : obstacles) place = toLocalFrame(task.start, place);
+  agent.know(obstacles);
+  const DriveResult known = drive(world, task, test::quickDrive(200.0), 1, &agent);
+  EXPECT_FALSE(looksIn(known));
+  // Round two corners of the room, as far away from them as there is room for.
+  const double beside = 2.0 - kRadius - kDefaults.memory.comfort;
+  const double around = std::hypot(2.5, 4.0 - beside) + 3.1 + std::hypot(2.9, 4.0 - beside);
+  expectReached(known, 1.05 * around);
+  // To the door and back again.
+  EXPECT_GT(route.path_length, known.path_length + 1.0);
 }
 
 TEST(RouteDrives, GetsOutOfASpiralWithoutTurningBack) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lstm_planner/common/boxed.hpp"
 #include "lstm_planner/common/detour_bound.hpp"
@@ -76,6 +77,12 @@ class NavigationAgent {
   /// Obstacles of a costmap that the last scan does not show (CostmapObstacles); base frame, m. They count as returns,
   /// until the next scan: then they must be given again.
   void mark(const std::vector<Point2>& obstacles);
+
+  /// Obstacles that are known before the drive, in the frame of the poses, m: they are remembered as if they had been
+  /// seen, also after a jump, which does not move them. For comparison with a robot that knows the map.
+  void know(std::vector<Point2> obstacles) {
+    if (replanner_) replanner_->know(std::move(obstacles));
+  }
 
   /// Decides in the situation that was perceived last: decision(). `is_new`: the goal was set since the last call.
   /// `jumps`: number of jumps of odometry or localisation so far. Throws std::invalid_argument for a goal out of reach

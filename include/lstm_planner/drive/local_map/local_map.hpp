@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "lstm_planner/drive/decision/agent_parameters.hpp"
@@ -42,6 +43,11 @@ class LocalMap {
   /// Obstacles of a costmap (Situation::marked) are added, also where the scan shows them clear, and removed when a
   /// situation does not have them any more; but not in or beside squares where the scan has shown an obstacle.
   void add(const Situation& situation);
+
+  /// Obstacles that are known beforehand (odometry frame): from the next add() on they are remembered as if they had
+  /// been seen, also where the window comes later and after forget(). They take the place of those that were known
+  /// before.
+  void know(std::vector<Point2> obstacles) { known_ = std::move(obstacles); }
 
   /// Marks a place as not passable although no obstacle was seen there; until forget(), or until many other places were
   /// marked.
@@ -89,12 +95,14 @@ class LocalMap {
  private:
   /// A square of the odometry frame in one number.
   using Mark = std::uint64_t;
+  void markKnown();
   void takeOverMarks(const Situation& situation);
   void collectMarks(const Situation& situation);
   bool isSeenBeside(const Square& square) const;
   bool isMarked(const Square& square) const;
   Mark markAt(const Square& square) const;
   Square squareOfMark(Mark mark) const;
+  Square squareAt(const Point2& place) const;
   bool isInWindow(const Square& square) const;
   void set(const Square& square, bool occupied);
   void forgetUnderneath(const Pose2& pose);
@@ -105,9 +113,10 @@ class LocalMap {
   ObstacleWindow window_;
   ScanChanges scan_changes_;
   Clearance clearance_;
-  double reach_;              ///< m, of what is remembered
-  std::vector<Mark> marks_;   ///< of a costmap, sorted
-  std::vector<Mark> marked_;  ///< of the current situation
+  double reach_;               ///< m, of what is remembered
+  std::vector<Point2> known_;  ///< beforehand
+  std::vector<Mark> marks_;    ///< of a costmap, sorted
+  std::vector<Mark> marked_;   ///< of the current situation
   std::vector<Change> changes_;
   bool everything_changed_ = true;
 };

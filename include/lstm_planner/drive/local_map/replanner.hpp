@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "lstm_planner/drive/decision/agent_parameters.hpp"
 #include "lstm_planner/drive/decision/decision.hpp"
 #include "lstm_planner/drive/local_map/full_turn.hpp"
@@ -29,6 +32,9 @@ class Replanner {
 
   /// The same goal lies a little elsewhere: a route that ended at it ends at it still.
   void moveGoal(const Point2& from, const Point2& to);
+
+  /// LocalMap::know()
+  void know(std::vector<Point2> obstacles) { memory_.know(std::move(obstacles)); }
 
   /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
   void noteProgress();

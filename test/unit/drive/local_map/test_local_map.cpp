@@ -140,6 +140,25 @@ TEST(LocalMap, CarriesWhatIsNearAlongWithTheRobot) {
   EXPECT_EQ(memory.side() * memory.side(), cells);
 }
 
+TEST(LocalMap, RemembersWhatIsKnownBeforehandAlsoFarAwayAndAfterForgetting) {
+  LocalMap memory = emptyMemory(10.0);
+  const Point2 near{1.0, 0.6};
+  const Point2 far{30.0, 0.6};
+  memory.know({near, far});
+  memory.add(returnsAt({}));
+  EXPECT_TRUE(isBlocked(&memory, near)) << "though it was never seen";
+  memory.add(returnsAt({}, {29.0, 0.0, 0.0}));
+  EXPECT_TRUE(isBlocked(&memory, far)) << "where the window comes later";
+  memory.forget();
+  memory.add(returnsAt({}));
+  EXPECT_TRUE(isBlocked(&memory, near));
+  EXPECT_FALSE(isBlocked(&memory, {near.x, near.y + 0.6}));
+  memory.know({});
+  memory.forget();
+  memory.add(returnsAt({}));
+  EXPECT_FALSE(isBlocked(&memory, near));
+}
+
 TEST(LocalMap, StartsAnewWhereTheRobotJumpsTo) {
   LocalMap memory = emptyMemory(10.0);
   memory.add(returnsAt({{1.0, 0.0}}));
