@@ -130,7 +130,7 @@ Agreement agreementOf(const std::vector<ReplayedDecision>& decisions) {
 std::string describeReplay(const DecisionReplay& replay) {
   std::map<std::string, long> sources;
   for (const ReplayedDecision& replayed : replay.decisions()) {
-    ++sources[toString(replayed.decision.source)];
+    ++sources[toString(replayed.decision.choice)];
   }
   std::map<std::string, long> rejections;
   for (int i = 0; i < kRejectionCount; ++i) {
@@ -167,7 +167,7 @@ void writeDecisions(const std::vector<ReplayedDecision>& decisions, std::ostream
   for (const ReplayedDecision& replayed : decisions) {
     csv.add(replayed.episode);
     csv.addFixed(replayed.stamp, kStampDecimals);
-    csv.add(toString(replayed.decision.source), toString(replayed.decision.overruled), replayed.decision.action);
+    csv.add(toString(replayed.decision.choice), toString(replayed.decision.overruled), replayed.decision.action);
     csv.addFixed(replayed.steering_angle, kAngleDecimals);
     csv.add(replayed.driven_action);
     csv.addFixed(replayed.driven_angle, kAngleDecimals);

@@ -77,7 +77,7 @@ class Practice {
       last.reward =
           static_cast<float>(left_before_ - left - parameters_.step_cost - parameters_.contact_cost * contacts);
       const Decision& decision = agent_.decision();
-      last.chosen = last.chosen && decision.source == Decision::Source::kNetwork && decision.action == last.action;
+      last.chosen = last.chosen && decision.choice == Leader::kNetwork && decision.action == last.action;
     }
     left_before_ = left;
     contacts_before_ = drive_.contacts();

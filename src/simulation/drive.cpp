@@ -145,9 +145,8 @@ class Run {
 
   void note(const Decision& decision) {
     if (decision.step != result_.steps) {
-      ++result_.steps_by.at(static_cast<std::size_t>(decision.source));
-      const bool is_by_leader =
-          decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy;
+      ++result_.steps_by.at(indexOf(decision.choice));
+      const bool is_by_leader = decision.choice == Leader::kNetwork || decision.choice == Leader::kGreedy;
       result_.steps_on_path += is_by_leader && decision.on_route ? 1 : 0;
       ++result_.overruled.at(static_cast<std::size_t>(decision.overruled));
     }
@@ -155,7 +154,7 @@ class Run {
     result_.steps = decision.step;
     result_.regret = decision.regret_used;
     result_.trace.push_back(robot_.truePose());
-    result_.led.push_back(decision.source);
+    result_.led.push_back(decision.choice);
     result_.on_path.push_back(decision.on_route);
     if (traffic_ == nullptr) return;
     const std::vector<Traffic::Body> bodies = traffic_->bodies();
@@ -193,9 +192,8 @@ void validate(const DriveParameters& parameters) {
 
 }  // namespace
 
-double shareOf(Decision::Source source, const std::vector<DriveResult>& results) {
-  return shareOfSteps(
-      results, [source](const DriveResult& result) { return result.steps_by[static_cast<std::size_t>(source)]; });
+double shareOf(Decision::Choice choice, const std::vector<DriveResult>& results) {
+  return shareOfSteps(results, [choice](const DriveResult& result) { return result.steps_by[indexOf(choice)]; });
 }
 
 double shareOf(Decision::Overruled overruled, const std::vector<DriveResult>& results) {
@@ -204,9 +202,9 @@ double shareOf(Decision::Overruled overruled, const std::vector<DriveResult>& re
   });
 }
 
-double shareOutOfSight(Decision::Source source, const std::vector<DriveResult>& results) {
-  const double out_of_sight = 1.0 - shareOf(Decision::Source::kGoalInSight, results);
-  return out_of_sight > 0.0 ? shareOf(source, results) / out_of_sight : 0.0;
+double shareOutOfSight(Decision::Choice choice, const std::vector<DriveResult>& results) {
+  const double out_of_sight = 1.0 - shareOf(Decision::Move::kGoalInSight, results);
+  return out_of_sight > 0.0 ? shareOf(choice, results) / out_of_sight : 0.0;
 }
 
 double shareOnPath(const std::vector<DriveResult>& results) {

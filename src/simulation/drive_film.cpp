@@ -9,9 +9,9 @@
 
 #include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/picture_file.hpp"
+#include "simulation/choice_colors.hpp"
 #include "simulation/drive_colours.hpp"
 #include "simulation/map_canvas.hpp"
-#include "simulation/source_colors.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -47,7 +47,7 @@ class DriveFilm::Screen {
 
  private:
   struct Part {
-    Decision::Source source;
+    Decision::Choice choice;
     bool on_path;
     std::vector<Point2> path;
   };
@@ -74,11 +74,11 @@ class DriveFilm::Screen {
 
   void noteTrace() {
     const Point2 here{moment_->pose.x, moment_->pose.y};
-    const Decision::Source source = moment_->agent.decision().source;
+    const Decision::Choice choice = moment_->agent.decision().choice;
     const bool on_path = moment_->agent.decision().on_route;
     if (!parts_.empty()) parts_.back().path.push_back(here);
-    const bool goes_on = !parts_.empty() && parts_.back().source == source && parts_.back().on_path == on_path;
-    if (!goes_on) parts_.push_back({source, on_path, {here}});
+    const bool goes_on = !parts_.empty() && parts_.back().choice == choice && parts_.back().on_path == on_path;
+    if (!goes_on) parts_.push_back({choice, on_path, {here}});
   }
 
   void draw() {
@@ -86,7 +86,7 @@ class DriveFilm::Screen {
     canvas_.image().setTo(colours::kFree, seen_);
     drawMemory();
     drawScan();
-    for (const Part& part : parts_) canvas_.polyline(part.path, colorOf(part.source, part.on_path), kTraceWidth);
+    for (const Part& part : parts_) canvas_.polyline(part.path, colorOf(part.choice, part.on_path), kTraceWidth);
     drawPlan();
     const double radius = moment_->agent.parameters().shield.footprint_radius;
     canvas_.circle(task_.goal, radius, colours::kGoal, cv::FILLED);

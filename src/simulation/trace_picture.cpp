@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "lstm_planner/common/picture_file.hpp"
+#include "simulation/choice_colors.hpp"
 #include "simulation/drive_colours.hpp"
 #include "simulation/map_canvas.hpp"
-#include "simulation/source_colors.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -99,22 +99,24 @@ std::vector<LegendEntry> legendOf(const TracePicture& picture, const MapCanvas& 
   add(!picture.starts.empty(), "start", colours::kStart, 0);
   add(std::any_of(goals.begin(), goals.end(), isReached), "goal", colours::kGoal, 0);
   add(!std::all_of(goals.begin(), goals.end(), isReached), "goal, missed", colours::kMissedGoal, 0);
-  add(!picture.traces.empty() && picture.parts.empty(), "driven", colorOf(Decision::Source::kNetwork), dash);
-  using Source = Decision::Source;
-  const auto decided = [&](Source source) {
+  add(!picture.traces.empty() && picture.parts.empty(), "driven", colorOf(Leader::kNetwork), dash);
+  using Move = Decision::Move;
+  const auto decided = [&](Decision::Choice choice) {
     return std::any_of(picture.parts.begin(), picture.parts.end(),
-                       [source](const TracePicture::Part& part) { return part.source == source; });
+                       [choice](const TracePicture::Part& part) { return part.choice == choice; });
   };
-  const auto isDetour = [](const TracePicture::Part& part) { return part.source == Source::kNetwork && !part.on_path; };
-  const auto addSource = [&](Source source, const char* text) { add(decided(source), text, colorOf(source), dash); };
-  addSource(Source::kNetwork, "decided by the network");
+  const auto isDetour = [](const TracePicture::Part& part) { return part.choice == Leader::kNetwork && !part.on_path; };
+  const auto addChoice = [&](Decision::Choice choice, const char* text) {
+    add(decided(choice), text, colorOf(choice), dash);
+  };
+  addChoice(Leader::kNetwork, "decided by the network");
   add(std::any_of(picture.parts.begin(), picture.parts.end(), isDetour), "by the network, beside the remembered path",
-      colorOf(Source::kNetwork, false), dash);
-  addSource(Source::kGreedy, "going for the goal");
-  addSource(Source::kRoute, "decided by the remembered path");
-  addSource(Source::kEscape, "along a boundary");
-  add(decided(Source::kGoalInSight) || decided(Source::kLookAround), "goal in sight, or turning",
-      colorOf(Source::kGoalInSight), dash);
+      colorOf(Leader::kNetwork, false), dash);
+  addChoice(Leader::kGreedy, "going for the goal");
+  addChoice(Leader::kRoute, "decided by the remembered path");
+  addChoice(Leader::kEscape, "along a boundary");
+  add(decided(Move::kGoalInSight) || decided(Move::kLookAround), "goal in sight, or turning",
+      colorOf(Move::kGoalInSight), dash);
   add(!picture.walkers.empty(), "people", kWalker, dash);
   add(!picture.contacts.empty(), "contact", kContact, 0);
   const double scale = scaleOf(canvas);
@@ -201,10 +203,9 @@ void writeTracePicture(const std::string& path, const OccupancyGrid& map, const 
   for (const Circle& circle : picture.circles)
     canvas.circle(circle.center, circle.radius, colours::kObstacle, cv::FILLED);
   drawWalkers(picture, &canvas);
-  for (const std::vector<Point2>& trace : picture.traces)
-    canvas.polyline(trace, colorOf(Decision::Source::kNetwork), kPartWidth);
+  for (const std::vector<Point2>& trace : picture.traces) canvas.polyline(trace, colorOf(Leader::kNetwork), kPartWidth);
   for (const TracePicture::Part& part : picture.parts)
-    canvas.polyline(part.path, colorOf(part.source, part.on_path), kPartWidth);
+    canvas.polyline(part.path, colorOf(part.choice, part.on_path), kPartWidth);
   for (const Pose2& start : picture.starts) drawStart(start, picture.robot_radius, &canvas);
   for (const TracePicture::Goal& goal : picture.goals) drawGoal(goal, picture.robot_radius, &canvas);
   for (const Point2& contact : picture.contacts) canvas.cross(contact, picture.robot_radius, kContact, 2.5);

@@ -50,7 +50,7 @@ DriveResult driveOnce(const DriveOptions& options, const DriveWorld& world, cons
 
 /// Only a network that leads is read: the others need no file. Says what the planner would warn of.
 DrivePolicy policyOf(const DriveOptions& options) {
-  if (options.agent.leader != Decision::Source::kNetwork) return noPolicy();
+  if (options.agent.leader != Leader::kNetwork) return noPolicy();
   DrivePolicy policy = DrivePolicy::fromFile(options.model);
   for (const std::string& warning : {sizeWarning(policy.description(), options.agent.shield.footprint_radius),
                                      standInWarning(policy.description(), options.drive.robot.scanner.range_max)}) {

@@ -113,7 +113,7 @@ void check(const DriveOptions& options) {
   validate(options.drive.robot.scanner);
   validate(options.drive.motion);
   validate(options.agent);
-  if (!options.states.empty() && (options.only.size() != 1 || options.agent.leader != Decision::Source::kNetwork)) {
+  if (!options.states.empty() && (options.only.size() != 1 || options.agent.leader != Leader::kNetwork)) {
     throw std::invalid_argument("--states draws one drive: it needs --only with one number, and a network that leads");
   }
   if (!options.film.empty() && options.only.size() != 1) {

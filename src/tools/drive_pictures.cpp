@@ -76,7 +76,7 @@ std::vector<TracePicture::Part> partsOf(const DriveResult& result) {
     const Point2 here{result.trace[i].x, result.trace[i].y};
     if (!parts.empty()) parts.back().path.push_back(here);
     const bool on_path = result.on_path[i] != 0;
-    const bool goes_on = !parts.empty() && parts.back().source == result.led[i] && parts.back().on_path == on_path;
+    const bool goes_on = !parts.empty() && parts.back().choice == result.led[i] && parts.back().on_path == on_path;
     if (!goes_on) parts.push_back({result.led[i], on_path, {here}});
   }
   return parts;

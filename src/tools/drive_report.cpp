@@ -54,10 +54,9 @@ std::string lineOf(const TextTable& table, const std::string& name, const DriveS
 /// Who decided how many of the steps.
 void printLeaders(std::ostream& out, const std::vector<DriveResult>& results) {
   out << "decided by" << std::fixed << std::setprecision(1);
-  for (std::size_t i = 0; i < kDecisionSources; ++i) {
-    const auto source = static_cast<Decision::Source>(i);
-    const double share = shareOf(source, results);
-    if (share > 0.0) out << "  " << toString(source) << ' ' << 100.0 * share << " %";
+  for (const Decision::Choice& choice : kChoices) {
+    const double share = shareOf(choice, results);
+    if (share > 0.0) out << "  " << toString(choice) << ' ' << 100.0 * share << " %";
   }
   out << "\n";
 }
@@ -71,7 +70,7 @@ void printNetwork(std::ostream& out, const std::vector<DriveResult>& results) {
     driven += result.path_length;
   }
   out << "of the steps without the goal in sight the network decided "
-      << 100.0 * shareOutOfSight(Decision::Source::kNetwork, results) << " %; of all steps it decided "
+      << 100.0 * shareOutOfSight(Leader::kNetwork, results) << " %; of all steps it decided "
       << 100.0 * shareOnPath(results) << " % along the remembered path, and was overruled by the shield in "
       << 100.0 * shareOf(Decision::Overruled::kByShield, results) << " %, by the bound in "
       << 100.0 * shareOf(Decision::Overruled::kByBound, results) << " %; its detours were "
@@ -96,8 +95,8 @@ void printDynaBarn(std::ostream& out, const DriveCourse& course, const DriveResu
   }
 }
 
-std::string columnName(Decision::Source source) {
-  std::string name = toString(source);
+std::string columnName(Decision::Choice choice) {
+  std::string name = toString(choice);
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
@@ -116,12 +115,11 @@ nlohmann::json toJson(const std::vector<DriveResult>& results, bool is_barn) {
                          {"p95_ratio", summary.p95_ratio},
                          {"mean_time_s", summary.mean_time},
                          {"mean_goal_error_m", summary.mean_goal_error}};
-  for (std::size_t i = 0; i < kDecisionSources; ++i) {
-    const auto source = static_cast<Decision::Source>(i);
-    json["led"][toString(source)] = shareOf(source, results);
+  for (const Decision::Choice& choice : kChoices) {
+    json["led"][toString(choice)] = shareOf(choice, results);
   }
   json["led_on_path"] = shareOnPath(results);
-  json["network_of_steps_out_of_sight"] = shareOutOfSight(Decision::Source::kNetwork, results);
+  json["network_of_steps_out_of_sight"] = shareOutOfSight(Leader::kNetwork, results);
   json["overruled_by_shield"] = shareOf(Decision::Overruled::kByShield, results);
   json["overruled_by_bound"] = shareOf(Decision::Overruled::kByBound, results);
   if (is_barn && hasReferencePaths(results)) {
@@ -164,7 +162,7 @@ void printDriveSummary(std::ostream& out, const DriveCourse& course, const Drive
   const std::vector<DriveResult> all = together(results);
   out << lineOf(table, leftText(course.worlds.size() == 1 ? course.worlds[0].name : "all", width), summarize(all));
   printLeaders(out, all);
-  if (shareOf(Decision::Source::kNetwork, all) > 0.0) printNetwork(out, all);
+  if (shareOf(Leader::kNetwork, all) > 0.0) printNetwork(out, all);
   if (course.is_barn) printBarnScore(out, all);
   if (course.left_out > 0)
     out << "worlds left out, because the robot does not fit into them: " << course.left_out << '\n';
@@ -180,7 +178,7 @@ std::string driveJson(const DriveOptions& options, const DriveCourse& course, co
   json["memory"] = options.agent.memory.enabled;
   json["escape"] = options.agent.escape.enabled;
   json["patience_steps"] = options.agent.escape.patience_steps;
-  if (options.agent.leader == Decision::Source::kNetwork) json["model"] = options.model;
+  if (options.agent.leader == Leader::kNetwork) json["model"] = options.model;
   json["seed"] = options.seed;
   json["walkers"] = options.crowd.walkers;
   json["noise_m"] = robot.scanner.noise;
@@ -208,7 +206,7 @@ std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
   csv.add("world", "number", "start_x", "start_y", "start_yaw", "goal_x", "goal_y", "end", "contacts", "bumped",
           "bumped_moving", "time_s", "path_m", "shortest_m", "goal_error_m", "goal_seemed", "steps", "on_path",
           "overruled_by_shield", "overruled_by_bound", "regret_m");
-  for (std::size_t i = 0; i < kDecisionSources; ++i) csv.add("by_" + columnName(static_cast<Decision::Source>(i)));
+  for (const Decision::Choice& choice : kChoices) csv.add("by_" + columnName(choice));
   csv.endRow();
   for (std::size_t i = 0; i < course.worlds.size(); ++i) {
     for (std::size_t k = 0; k < results[i].size(); ++k) {

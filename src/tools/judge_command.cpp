@@ -36,11 +36,11 @@ struct JudgeOptions {
 
 void check(const JudgeOptions& options) {
   validate(options.course);
-  const Decision::Source leader = leaderNamed(options.leader);
-  if (leader == Decision::Source::kNetwork && options.model.empty()) {
+  const Leader leader = leaderNamed(options.leader);
+  if (leader == Leader::kNetwork && options.model.empty()) {
     throw std::invalid_argument("--model is needed if the network leads");
   }
-  if (!options.recordings.empty() && leader != Decision::Source::kNetwork) {
+  if (!options.recordings.empty() && leader != Leader::kNetwork) {
     throw std::invalid_argument("--recordings judges a network, --leader is '" + options.leader + "'");
   }
 }
@@ -128,15 +128,15 @@ void judgeByRecordings(const JudgeOptions& options, const DrivePolicy& policy) {
 int runJudge(const std::vector<std::string>& arguments) {
   JudgeOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  const Decision::Source leader = leaderNamed(options.leader);
-  const DrivePolicy policy = leader == Decision::Source::kNetwork ? DrivePolicy::fromFile(options.model) : noPolicy();
+  const Leader leader = leaderNamed(options.leader);
+  const DrivePolicy policy = leader == Leader::kNetwork ? DrivePolicy::fromFile(options.model) : noPolicy();
   if (!options.recordings.empty()) {
     judgeByRecordings(options, policy);
     return 0;
   }
   AgentParameters agent = practiceAgent(policy.description());
   agent.leader = leader;
-  agent.memory.enabled = leader == Decision::Source::kRoute;
+  agent.memory.enabled = leader == Leader::kRoute;
   if (agent.memory.enabled) agent.goal_drift = AgentParameters().goal_drift;
   std::vector<Sums> by_kind(options.course.worlds.size());
   Sums all;

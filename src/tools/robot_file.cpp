@@ -12,7 +12,7 @@
 
 #include "lstm_planner/common/nearest_name.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
-#include "lstm_planner/drive/decision/plugin_parameters.hpp"
+#include "lstm_planner/drive/plugin_parameters.hpp"
 #include "lstm_planner/simulation/create2.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
 #include "tools/shipped_yaml.hpp"

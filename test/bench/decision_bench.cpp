@@ -151,7 +151,7 @@ double heapInUse() {
 /// call of a drive forgets all that was seen in the one before; it is left out. Cold: with caches that other programs
 /// have used since the last call. agent_bytes: what the agent holds of the heap after the drives.
 void plan(benchmark::State& state, int rollout_steps, bool cold, const std::string& world,
-          Decision::Source leader = Decision::Source::kRoute) {
+          Leader leader = Leader::kRoute) {
   std::vector<Replay> replays;
   for (const RecordedDrive& drive : recordedDrives()) {
     if (world.empty() || drive.world == world) replays.emplace_back(drive, rollout_steps, cold);
@@ -176,13 +176,13 @@ BENCHMARK_CAPTURE(plan, makePlan_cold, kMakePlan, true, "")->Iterations(kPasses)
 BENCHMARK_CAPTURE(plan, makePlan_office, kMakePlan, false, "office")
     ->Iterations(kPasses)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(plan, network, kMakePlan, false, "", Decision::Source::kNetwork)
+BENCHMARK_CAPTURE(plan, network, kMakePlan, false, "", Leader::kNetwork)
     ->Iterations(kPasses)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(plan, network_office, kMakePlan, false, "office", Decision::Source::kNetwork)
+BENCHMARK_CAPTURE(plan, network_office, kMakePlan, false, "office", Leader::kNetwork)
     ->Iterations(kPasses)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(plan, network_building, kMakePlan, false, "building", Decision::Source::kNetwork)
+BENCHMARK_CAPTURE(plan, network_building, kMakePlan, false, "building", Leader::kNetwork)
     ->Iterations(kPasses)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan, makePlan_maze, kMakePlan, false, "maze")->Iterations(kPasses)->Unit(benchmark::kMillisecond);

@@ -70,7 +70,7 @@ class Parts {
   DrivePolicy policy_ = shippedPolicy();
   Shield shield_;
   LocalMap memory_{parameters_.memory, parameters_.shield};
-  Replanner guide_{parameters_};
+  Replanner guide_{parameters_.memory, parameters_.shield};
   DriveTrace trace_;
   MovingReturns moving_{MovingReturnsParameters()};
   Point2 goal_;

@@ -74,7 +74,7 @@ BENCHMARK_CAPTURE(searchRoute, maze, "maze");
 void keepRoute(benchmark::State& state, const char* world) {
   const RecordedDrive& drive = driveIn(world);
   const Situation situation = situationOf(drive, drive.steps.front());
-  Replanner guide(kAgent);
+  Replanner guide(kAgent.memory, kAgent.shield);
   guide.start();
   for (auto _ : state)
     benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}, kAgent.goal_tolerance));
@@ -90,7 +90,7 @@ void updateRoute(benchmark::State& state, const char* world) {
   for (std::size_t i = 0; i < drive.steps.size(); i += 5) situations.push_back(situationOf(drive, drive.steps[i]));
   long updates = 0;
   long searches = 0;
-  Replanner guide(kAgent);
+  Replanner guide(kAgent.memory, kAgent.shield);
   for (auto _ : state) {
     guide.forget();
     guide.start();

@@ -23,7 +23,7 @@ int main(int argc, char** argv) try {
   const AgentParameters parameters;  // config/parameters.md explains them
   NavigationAgent agent(DrivePolicy::fromFile(argc > 1 ? argv[1] : "models/create2_lstm.onnx"), parameters);
   std::vector<Pose2> plan{Pose2{}};
-  for (int i = 0; i < 200 && agent.decision().source != Decision::Source::kArrived; ++i) {
+  for (int i = 0; i < 200 && agent.decision().choice != Decision::Move::kArrived; ++i) {
     const Pose2 pose = plan.size() > 2 ? plan[2] : plan.back();  // yours comes from odometry
     const LaserScan scan = scanFrom(pose, 0.2 * i);
     const auto begin = std::chrono::steady_clock::now();
@@ -32,10 +32,10 @@ int main(int argc, char** argv) try {
     rollOut(agent.situation(), agent.decision(), agent.shield(), goal, parameters, RolloutParameters(), &plan);
     const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
     const double angle = normalizeAngle(agent.decision().direction - pose.yaw);  // rad, to the left
-    std::cout << "steer " << std::lround(angle * 180.0 / M_PI) << " degrees (" << toString(agent.decision().source)
+    std::cout << "steer " << std::lround(angle * 180.0 / M_PI) << " degrees (" << toString(agent.decision().choice)
               << "), a plan of " << plan.size() << " poses, " << std::lround(time.count()) << " us\n";
   }
-  return agent.decision().source == Decision::Source::kArrived ? 0 : 1;
+  return agent.decision().choice == Decision::Move::kArrived ? 0 : 1;
 } catch (const std::exception& error) {
   std::cerr << error.what() << "\n";
   return 1;

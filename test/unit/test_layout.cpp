@@ -86,6 +86,20 @@ TEST_P(LayoutTest, NothingIsIncludedButWhatItStandsOn) {
   }
 }
 
+/// The rooms of the drive library, each stands on those before it.
+TEST(DriveLayout, NothingIsIncludedFromARoomThatStandsOnThisOne) {
+  const std::vector<std::string> rooms = {"perception", "collision", "local_map", "decision", "motion"};
+  const std::regex room("^(?:lstm_planner/)?drive/([a-z_]+)/");
+  for (auto here = rooms.begin(); here != rooms.end(); ++here) {
+    const int files = visitIncludes("drive/" + *here, [&](const std::string& file, const std::string& included) {
+      std::smatch match;
+      if (!std::regex_search(included, match, room)) return;
+      EXPECT_NE(std::find(rooms.begin(), here + 1, match[1].str()), here + 1) << file << " includes " << included;
+    });
+    EXPECT_GT(files, 5) << *here;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Libraries, LayoutTest, testing::ValuesIn(kLibraries),
                          [](const auto& info) { return std::string(info.param.name); });
 

@@ -75,23 +75,23 @@ struct DriveResult {
   /// The first thing that the robot said of the goal but that it is reachable, if it did.
   Decision::GoalSeems goal_seemed = Decision::GoalSeems::kReachable;
   long steps = 0;
-  std::array<long, kDecisionSources> steps_by{};   ///< of these, by Decision::Source
+  std::array<long, kChoices.size()> steps_by{};    ///< of these, one of kChoices each
   long steps_on_path = 0;                          ///< of these, decided by the leader along the remembered path
   std::array<long, kOverruledKinds> overruled{};   ///< of these, by Decision::Overruled
   double regret = 0.0;                             ///< m, Decision::regret_used in the end
   std::vector<Pose2> trace;                        ///< true poses, one a command
-  std::vector<Decision::Source> led;               ///< who decided, one a pose of the trace
+  std::vector<Decision::Choice> led;               ///< who decided, one a pose of the trace
   std::vector<char> on_path;                       ///< whether along the remembered path, one a pose of the trace
   std::vector<Point2> contact_places;              ///< where the robot was
   std::vector<std::vector<Point2>> walker_traces;  ///< by walker, one place a pose of the trace
 };
 
-/// Share of the steps of all drives that a source decided.
-double shareOf(Decision::Source source, const std::vector<DriveResult>& results);
+/// Share of the steps of all drives that were chosen so.
+double shareOf(Decision::Choice choice, const std::vector<DriveResult>& results);
 /// Share of the steps in which the leader was overruled so.
 double shareOf(Decision::Overruled overruled, const std::vector<DriveResult>& results);
-/// Share of the steps that a source decided among those without the goal in sight.
-double shareOutOfSight(Decision::Source source, const std::vector<DriveResult>& results);
+/// Share of the steps that were chosen so among those without the goal in sight.
+double shareOutOfSight(Decision::Choice choice, const std::vector<DriveResult>& results);
 /// Share of the steps that the leader decided along the remembered path.
 double shareOnPath(const std::vector<DriveResult>& results);
 

@@ -20,7 +20,7 @@ struct TracePicture {
   };
   /// A part of a path, in the colour of who decided it.
   struct Part {
-    Decision::Source source = Decision::Source::kNetwork;
+    Decision::Choice choice = Leader::kNetwork;
     bool on_path = true;  ///< along the remembered path
     std::vector<Point2> path;
   };

@@ -11,10 +11,6 @@ namespace lstm_planner {
 
 namespace {
 
-using Source = Decision::Source;
-
-const char* const kNoLeader = "none";
-
 /// Of the footprint radius: a coarser memory would have paths that lead through walls.
 constexpr double kCoarsest = 0.29;
 
@@ -40,19 +36,6 @@ double widestRadius(const AgentParameters& parameters) {
 
 }  // namespace
 
-std::string nameOfLeader(Source leader) { return leader == Source::kGreedy ? kNoLeader : toString(leader); }
-
-Source leaderNamed(const std::string& name) {
-  for (const Source leader : {Source::kNetwork, Source::kRoute, Source::kGreedy}) {
-    if (name == nameOfLeader(leader)) return leader;
-  }
-  throw std::invalid_argument("leader is '" + name + "', expected network, route or none");
-}
-
-Footprint footprintOf(const ShieldParameters& shield) {
-  return footprintOf("shield/footprint", shield.footprint_radius, shield.footprint);
-}
-
 AgentParameters fittedToFootprint(AgentParameters parameters) {
   ShieldParameters& shield = parameters.shield;
   if (!shield.footprint.empty()) shield.footprint_radius = footprintOf(shield).passingRadius();
@@ -75,7 +58,7 @@ AgentParameters fittedToFootprint(AgentParameters parameters) {
 
 void validate(const AgentParameters& parameters) {
   leaderNamed(nameOfLeader(parameters.leader));
-  if (parameters.leader == Source::kRoute && !parameters.memory.enabled) {
+  if (parameters.leader == Leader::kRoute && !parameters.memory.enabled) {
     throw std::invalid_argument(
         "leader is route, expected network where memory/enabled is false: no path is remembered");
   }

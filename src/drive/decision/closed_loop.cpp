@@ -12,7 +12,7 @@ ClosedLoop::End ClosedLoop::run(const Point2& goal, const std::function<bool()>&
   while (goes_on()) {
     if (!robot_.sense(range_cap, &situation_)) continue;
     const Decision& decision = agent_.update(situation_);
-    if (decision.source == Decision::Source::kNoPath) return End::kNoPath;
+    if (decision.choice == Decision::Move::kNoPath) return End::kNoPath;
     if (robot_.hasArrived(situation_, endOfPlan(decision, goal, agent_.parameters()))) return End::kArrived;
     note(decision);
     robot_.carryOut(situation_, decision, agent_);

@@ -1,24 +1,24 @@
 #include "lstm_planner/drive/decision/decision.hpp"
 
+#include <algorithm>
+
 namespace lstm_planner {
 
-const char* toString(Decision::Source source) {
-  switch (source) {
-    case Decision::Source::kNetwork:
-      return "network";
-    case Decision::Source::kGreedy:
-      return "greedy";
-    case Decision::Source::kGoalInSight:
+std::size_t indexOf(Decision::Choice choice) {
+  return static_cast<std::size_t>(std::find(kChoices.begin(), kChoices.end(), choice) - kChoices.begin());
+}
+
+const char* toString(Decision::Choice choice) {
+  switch (choice.move) {
+    case Decision::Move::kStep:
+      return toString(choice.by);
+    case Decision::Move::kGoalInSight:
       return "goal in sight";
-    case Decision::Source::kRoute:
-      return "route";
-    case Decision::Source::kEscape:
-      return "escape";
-    case Decision::Source::kLookAround:
+    case Decision::Move::kLookAround:
       return "look around";
-    case Decision::Source::kArrived:
+    case Decision::Move::kArrived:
       return "arrived";
-    case Decision::Source::kNoPath:
+    case Decision::Move::kNoPath:
       return "no path";
   }
   return "unknown";

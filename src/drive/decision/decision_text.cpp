@@ -36,25 +36,33 @@ std::string describeRoute(const Decision& decision) {
   return text;
 }
 
+std::string describeStep(const Decision& decision) {
+  switch (decision.choice.by) {
+    case Leader::kNetwork:
+      return describeAction(decision, "the network");
+    case Leader::kGreedy:
+      return describeAction(decision, "the bearing of the goal");
+    case Leader::kRoute:
+      return describeRoute(decision);
+    case Leader::kEscape:
+      return "the robot follows a boundary";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string describe(const Decision& decision) {
-  switch (decision.source) {
-    case Decision::Source::kNetwork:
-      return describeAction(decision, "the network");
-    case Decision::Source::kGreedy:
-      return describeAction(decision, "the bearing of the goal");
-    case Decision::Source::kRoute:
-      return describeRoute(decision);
-    case Decision::Source::kGoalInSight:
+  switch (decision.choice.move) {
+    case Decision::Move::kStep:
+      return describeStep(decision);
+    case Decision::Move::kGoalInSight:
       return "the goal is in sight";
-    case Decision::Source::kEscape:
-      return "the robot follows a boundary";
-    case Decision::Source::kLookAround:
+    case Decision::Move::kLookAround:
       return "the robot looks around";
-    case Decision::Source::kArrived:
+    case Decision::Move::kArrived:
       return "the robot has arrived";
-    case Decision::Source::kNoPath:
+    case Decision::Move::kNoPath:
       return "there is no path to the goal";
   }
   return "";

@@ -13,13 +13,6 @@ namespace lstm_planner {
 
 namespace {
 
-/// Directions beside the route that are tried when its first metres are not free: steps and farthest, rad.
-constexpr double kAsideStep = 0.0873;
-constexpr double kFarthestAside = 1.05;
-
-/// Places ahead that are taken as blocked, one after the other, before the robot looks around.
-constexpr int kBlocks = 3;
-
 constexpr double kSamePlace = 1e-6;  // m
 
 /// A turn by so much (rad) counts as much as a whole step of a detour.
@@ -50,7 +43,7 @@ bool isHidden(const LocalMap& memory, const Pose2& pose, const Point2& goal, dou
 
 /// Only a network that leads must fit.
 void checkLeader(const PolicyDescription& description, const AgentParameters& parameters) {
-  if (parameters.leader == Decision::Source::kNetwork) checkFits(description, parameters.step.length);
+  if (parameters.leader == Leader::kNetwork) checkFits(description, parameters.step.length);
 }
 
 std::optional<OutOfView> outOfViewOf(const Shield& shield) {
@@ -67,9 +60,10 @@ NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& para
       chosen_(parameters.leader),
       shield_(footprintOf(parameters.shield), parameters.shield.tight_clearance, parameters.shield.reach),
       out_of_view_(outOfViewOf(shield_)),
-      actions_(parameters),
-      escape_(parameters.escape, parameters.shield),
-      replanner_(parameters.memory.enabled ? Boxed<Replanner>(Replanner(parameters)) : Boxed<Replanner>()),
+      action_leader_(parameters),
+      escape_leader_(parameters.escape, parameters.shield),
+      replanner_(parameters.memory.enabled ? Boxed<Replanner>(Replanner(parameters.memory, parameters.shield))
+                                           : Boxed<Replanner>()),
       bound_(parameters.detour),
       clock_(parameters.step),
       progress_(parameters.escape.progress) {
@@ -90,20 +84,20 @@ void NavigationAgent::change(const AgentParameters& parameters) {
   changed.escape.last_resort = parameters.escape.last_resort;
   validate(changed);
   checkLeader(policy_.description(), changed);
-  const Source leader = leaderBy(changed);
+  const Leader leader = leaderBy(changed);
   parameters_ = changed;
   choose(leader, kChosen);
 }
 
 /// As the parameters say; but the path through what is remembered in place of a network that sees too little.
-NavigationAgent::Source NavigationAgent::leaderBy(const AgentParameters& parameters) const {
-  const bool is_network = parameters.leader == Source::kNetwork && reach_ > 0.0;
+Leader NavigationAgent::leaderBy(const AgentParameters& parameters) const {
+  const bool is_network = parameters.leader == Leader::kNetwork && reach_ > 0.0;
   if (!is_network || reachesFarEnough(policy_.description(), reach_)) return parameters.leader;
   if (!replanner_) throw std::invalid_argument(reachProblem(policy_.description(), reach_));
-  return Source::kRoute;
+  return Leader::kRoute;
 }
 
-void NavigationAgent::choose(Source leader, const char* why) {
+void NavigationAgent::choose(Leader leader, const char* why) {
   const bool is_led_as_chosen = decision_.leader == chosen_;
   if (is_led_as_chosen && leader != chosen_) lead(leader, why);
   chosen_ = leader;
@@ -125,7 +119,7 @@ void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, 
 
 void NavigationAgent::show(const Situation& situation) {
   reach_ = std::max(reach_, situation.profile.farthest_range);
-  const Source leader = leaderBy(parameters_);
+  const Leader leader = leaderBy(parameters_);
   choose(leader, leader == parameters_.leader ? kFarEnough : kTooShort);
   shield_.show(situation.obstacles);
   if (!out_of_view_) return;
@@ -181,7 +175,7 @@ void NavigationAgent::setGoal(const Point2& goal) {
   driven_ = 0.0;
   look_around_turn_ = 0.0;
   lead(chosen_, kNewGoal);
-  decision_.source = Source::kLookAround;
+  decision_.choice = Move::kLookAround;
   decision_.action = -1;
   decision_.preferred = -1;
   decision_.destination = goal;
@@ -203,7 +197,7 @@ void NavigationAgent::moveGoal(const Point2& goal) {
   if (!decision_.path_on.empty()) follow(&decision_.path_on.back());
   if (progress_.hasBest()) progress_.moveBest(distanceBetween(best_position_, goal));
   if (replanner_) replanner_->moveGoal(goal_, goal);
-  escape_.moveGoal(goal_, goal);
+  escape_leader_.moveGoal(goal_, goal);
   goal_ = goal;
 }
 
@@ -220,7 +214,7 @@ const Decision& NavigationAgent::update(const Situation& situation) {
 }
 
 const Decision& NavigationAgent::decideAbout(const Situation& situation) {
-  if (decision_.source == Source::kNoPath) {
+  if (decision_.choice == Move::kNoPath) {
     return decision_;
   }
   if (distanceBetween(situation.pose, decision_.destination) <= parameters_.goal_tolerance) {
@@ -244,7 +238,7 @@ const Decision& NavigationAgent::decideAbout(const Situation& situation) {
       replanner_->blockTowards({situation.pose.x, situation.pose.y}, decision_.waypoint);
       decide(situation);
     } else {
-      lookAround(situation);
+      contextOf(situation).lookAround();
     }
   } else if (!pathIsFree(situation)) {
     decide(situation);
@@ -253,9 +247,9 @@ const Decision& NavigationAgent::decideAbout(const Situation& situation) {
 }
 
 void NavigationAgent::arrive(const Situation& situation) {
-  const Source source = countsAsArrival(decision_, goal_, parameters_) ? Source::kArrived : Source::kNoPath;
-  goTo(situation, source, directionTo(situation.pose, decision_.destination),
-       distanceBetween(situation.pose, decision_.destination));
+  const Choice choice = countsAsArrival(decision_, goal_, parameters_) ? Move::kArrived : Move::kNoPath;
+  contextOf(situation).goTo(choice, directionTo(situation.pose, decision_.destination),
+                            distanceBetween(situation.pose, decision_.destination));
   decision_.path_on.clear();
 }
 
@@ -267,7 +261,7 @@ Decision NavigationAgent::preview(const Situation& situation, const Point2& goal
 }
 
 bool NavigationAgent::stepIsOver(const Situation& situation) const {
-  if (decision_.source == Source::kEscape) {
+  if (decision_.choice == Leader::kEscape) {
     // Half way already, so that the robot need not slow down for the next bend.
     return distanceBetween(situation.pose, decision_.waypoint) < parameters_.step.reached ||
            clock_.moved(situation) >= 0.5 * parameters_.escape.follow_step;
@@ -276,12 +270,12 @@ bool NavigationAgent::stepIsOver(const Situation& situation) const {
 }
 
 bool NavigationAgent::pathIsFree(const Situation& situation) const {
-  if (decision_.source == Source::kLookAround) {
+  if (decision_.choice == Move::kLookAround) {
     return true;
   }
   const double distance = std::min(distanceBetween(situation.pose, decision_.waypoint), parameters_.step.length);
   const double direction = directionTo(situation.pose, decision_.waypoint);
-  return freeDistance(situation, direction, distance, parameters_.shield.tight_clearance) >= distance - 0.02;
+  return freeDistance(situation, direction, distance) >= distance - 0.02;
 }
 
 void NavigationAgent::noteProgress(const Situation& situation) {
@@ -301,10 +295,10 @@ void NavigationAgent::startFrom(const Situation& situation, const char* why) {
   lead(chosen_, why);
 }
 
-void NavigationAgent::lead(Source leader, const char* why) {
-  if (leader == Source::kEscape) {
+void NavigationAgent::lead(Leader leader, const char* why) {
+  if (leader == Leader::kEscape) {
     if (decision_.leader == leader) return;
-    escape_.start();
+    escape_leader_.start();
   }
   decision_.leader = leader;
   decision_.why = why;
@@ -316,9 +310,9 @@ bool NavigationAgent::isOutOfPatience(double times) const {
 }
 
 void NavigationAgent::losePatience() {
-  if (!parameters_.escape.enabled || decision_.leader == Source::kEscape) return;
-  if (replanner_ && isOutOfPatience(parameters_.escape.last_resort)) lead(Source::kEscape, kNoProgressForLong);
-  if (!replanner_ && isOutOfPatience(1.0)) lead(Source::kEscape, kNoProgress);
+  if (!parameters_.escape.enabled || decision_.leader == Leader::kEscape) return;
+  if (replanner_ && isOutOfPatience(parameters_.escape.last_resort)) lead(Leader::kEscape, kNoProgressForLong);
+  if (!replanner_ && isOutOfPatience(1.0)) lead(Leader::kEscape, kNoProgress);
 }
 
 /// Nothing rescues the leader, the goal is near, and it seems to lie in or behind an obstacle.
@@ -369,7 +363,7 @@ double NavigationAgent::previousAction() const {
 }
 
 void NavigationAgent::advanceNetwork(const Observation& observation) {
-  if (chosen_ != Source::kNetwork) {
+  if (chosen_ != Leader::kNetwork) {
     preferBearing(policy_.description().actions, observation.goal_bearing, &decision_.preferences);
     return;
   }
@@ -385,21 +379,22 @@ void NavigationAgent::advanceNetwork(const Observation& observation) {
 }
 
 void NavigationAgent::decide(const Situation& situation) {
-  const Source guidance = guide(situation);
-  if (parameters_.escape.enabled && guidance == Source::kEscape) {
-    lead(Source::kEscape, kMemoryWrong);
+  const StepContext step = contextOf(situation);
+  const Answer answer = step.searchPath();
+  if (parameters_.escape.enabled && answer == Answer::kLost) {
+    lead(Leader::kEscape, kMemoryWrong);
   }
   decision_.on_route = false;
   decision_.overruled = Decision::Overruled::kNo;
   decision_.regret = 0.0;
   decision_.path_on.clear();
   bound_.choose(0.0);
-  if (!chooseGoalInSight(situation)) {
-    chooseAsLed(situation, guidance);
+  if (!chooseGoalInSight(step)) {
+    chooseAsLed(step, answer);
   }
   decision_.regret_used = bound_.used();
   decision_.regret_allowed = bound_.allowed(driven_);
-  decision_.goal_seems = judgeGoal(situation, guidance);
+  decision_.goal_seems = judgeGoal(situation, answer);
   if (decision_.on_route) {
     replanner_->pointsAhead(distanceBetween(clock_.pose(), decision_.waypoint), &decision_.path_on);
   } else if (!isOneStep(decision_)) {
@@ -407,10 +402,10 @@ void NavigationAgent::decide(const Situation& situation) {
   }
 }
 
-Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Source guidance) const {
+Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Answer answer) const {
   using GoalSeems = Decision::GoalSeems;
-  if (!replanner_ || decision_.leader == Source::kEscape) return GoalSeems::kReachable;
-  if (guidance == Source::kLookAround || guidance == Source::kNoPath) {
+  if (!replanner_ || decision_.leader == Leader::kEscape) return GoalSeems::kReachable;
+  if (answer == Answer::kLookAround || answer == Answer::kNoPath) {
     const bool is_hidden = isHidden(replanner_->memory(), situation.pose, goal_, parameters_.goal_in_sight);
     return is_hidden ? GoalSeems::kInObstacle : GoalSeems::kEnclosed;
   }
@@ -421,28 +416,17 @@ Decision::GoalSeems NavigationAgent::judgeGoal(const Situation& situation, Sourc
                                                                                   : GoalSeems::kReachable;
 }
 
-/// Remembers what is seen, and searches the path through it: kRoute, kLookAround, kNoPath, or kEscape.
-NavigationAgent::Source NavigationAgent::guide(const Situation& situation) {
-  if (!replanner_) {
-    return Source::kRoute;
-  }
-  decision_.destination = goal_;
-  const Source guidance = replanner_->update(situation, goal_, reachedWithin());
-  if (guidance == Source::kRoute) decision_.destination = replanner_->end();
-  return guidance;
-}
-
 bool NavigationAgent::isInView(const Situation& situation, double direction) {
   return std::abs(normalizeAngle(direction - situation.pose.yaw)) <= M_PI_2;
 }
 
 /// Whether the robot could drive straight to a goal in that direction (rad), so far away (m).
 bool NavigationAgent::isFreeUpTo(const Situation& situation, double direction, double distance) const {
-  return freeDistance(situation, direction, distance, parameters_.shield.tight_clearance) >=
-         distance - 0.5 * parameters_.goal_tolerance;
+  return freeDistance(situation, direction, distance) >= distance - 0.5 * parameters_.goal_tolerance;
 }
 
-bool NavigationAgent::chooseGoalInSight(const Situation& situation) {
+bool NavigationAgent::chooseGoalInSight(const StepContext& step) {
+  const Situation& situation = step.situation;
   const double distance = distanceBetween(situation.pose, decision_.destination);
   if (!parameters_.shield_enabled || distance > parameters_.goal_in_sight) {
     return false;
@@ -451,147 +435,42 @@ bool NavigationAgent::chooseGoalInSight(const Situation& situation) {
   if (!isInView(situation, direction) || !isFreeUpTo(situation, direction, distance)) {
     return false;
   }
-  goTo(situation, Source::kGoalInSight, direction, distance);
+  step.goTo(Move::kGoalInSight, direction, distance);
   return true;
 }
 
-void NavigationAgent::chooseAsLed(const Situation& situation, Source guidance) {
-  if (decision_.leader == Source::kRoute) {
-    chooseRoute(situation, guidance);
-  } else if (decision_.leader == Source::kEscape) {
-    chooseEscape(situation);
-  } else if (replanner_) {
-    chooseWithinBound(situation, guidance);
-  } else {
-    chooseAction(situation);
+/// m that are free in that direction (rad), at most `limit`, with the tight clearance.
+double NavigationAgent::freeDistance(const Situation& situation, double direction, double limit) const {
+  return shield_.freeDistance({}, direction - situation.pose.yaw, limit, parameters_.shield.tight_clearance);
+}
+
+void NavigationAgent::chooseAsLed(const StepContext& step, Answer answer) {
+  if (leading().decide(step, answer)) return;
+  startFrom(step.situation, kNearerThanEver);
+  leading().decide(step, step.searchPath());
+}
+
+StepLeader& NavigationAgent::leading() {
+  switch (decision_.leader) {
+    case Leader::kNetwork:
+    case Leader::kGreedy:
+      return action_leader_;
+    case Leader::kRoute:
+      return route_leader_;
+    case Leader::kEscape:
+      return escape_leader_;
   }
+  return route_leader_;
 }
 
-std::optional<ActionChoice::Action> NavigationAgent::chooseAmongActions(const Situation& situation) {
-  const auto chosen = actions_.choose(policy_.description().actions, clock_.pose().yaw, situation.pose.yaw, shield_,
-                                      decision_.preferences, imposed_action_, &decision_.allowed);
-  const bool is_preferred = chosen && (decision_.preferred < 0 || chosen->index == decision_.preferred);
-  if (!is_preferred) decision_.overruled = Decision::Overruled::kByShield;
-  return chosen;
-}
-
-void NavigationAgent::chooseAction(const Situation& situation) {
-  const std::optional<ActionChoice::Action> chosen = chooseAmongActions(situation);
-  if (chosen) {
-    takeAction(situation, *chosen);
-  } else {
-    lookAround(situation);
-  }
-}
-
-void NavigationAgent::takeAction(const Situation& situation, const ActionChoice::Action& action) {
-  goTo(situation, decision_.leader, clock_.pose().yaw + policy_.description().actions.angle(action.index), action.free);
-  decision_.action = action.index;
-  look_around_turn_ = 0.0;
-}
-
-void NavigationAgent::chooseWithinBound(const Situation& situation, Source guidance) {
-  const std::optional<ActionChoice::Action> chosen =
-      guidance == Source::kRoute ? chooseAmongActions(situation) : std::nullopt;
-  if (!chosen) {
-    chooseRoute(situation, guidance);
-    return;
-  }
-  const ActionSet& actions = policy_.description().actions;
-  const double step_yaw = clock_.pose().yaw;
-  const Pose2 step_pose{situation.pose.x, situation.pose.y, step_yaw};
-  const bool is_along_path =
-      actions.nearest(replanner_->bearingAhead(step_pose, parameters_.step.length)) == chosen->index;
-  if (is_along_path && !imposed_action_ && followRoute(situation, decision_.leader)) {
-    decision_.action = chosen->index;
-    return;
-  }
-  const Point2 here{situation.pose.x, situation.pose.y};
-  const Point2 next = pointAlong(situation.pose, step_yaw + actions.angle(chosen->index), chosen->free);
-  decision_.regret = replanner_->regretOf(here, next, goal_, &decision_.path_on);
-  if (imposed_action_ || bound_.allows(decision_.regret, driven_)) {
-    bound_.choose(decision_.regret);
-    takeAction(situation, *chosen);
-  } else {
-    decision_.overruled = Decision::Overruled::kByBound;
-    chooseRoute(situation, guidance);
-  }
-}
-
-void NavigationAgent::chooseRoute(const Situation& situation, Source guidance) {
-  for (int blocks = 0; blocks <= kBlocks; ++blocks) {
-    if (guidance == Source::kNoPath) {
-      goTo(situation, Source::kNoPath, situation.pose.yaw, 0.0);
-      return;
-    }
-    if (guidance != Source::kRoute) {
-      break;
-    }
-    if (followRoute(situation, Source::kRoute)) {
-      return;
-    }
-    replanner_->blockAhead();
-    guidance = guide(situation);
-  }
-  lookAround(situation);
-}
-
-bool NavigationAgent::followRoute(const Situation& situation, Source source) {
-  const ShieldParameters& shield = parameters_.shield;
-  for (const double ahead : {1.0, 0.5}) {
-    const Point2 target = replanner_->pointAhead(ahead * parameters_.step.length);
-    const double distance = distanceBetween(situation.pose, target);
-    const double wanted = std::min(distance, shield.shortest_step);
-    const double direction = directionTo(situation.pose, target);
-    for (double aside = 0.0; aside < (ahead < 1.0 ? kFarthestAside : 0.5 * kAsideStep); aside += kAsideStep) {
-      for (const double side : {1.0, -1.0}) {
-        const double free =
-            freeDistance(situation, direction + side * aside, std::max(distance, wanted), shield.tight_clearance);
-        if (free >= wanted && (free >= 0.9 * distance || ahead < 1.0)) {
-          goTo(situation, source, direction + side * aside, free);
-          decision_.on_route = true;
-          look_around_turn_ = 0.0;
-          return true;
-        }
-      }
-    }
-  }
-  return false;
-}
-
-void NavigationAgent::chooseEscape(const Situation& situation) {
-  Heading move;
-  const std::optional<Source> source = escape_.decide(situation, shield_, goal_, progress_.target(), &move);
-  if (!source) {
-    startFrom(situation, kNearerThanEver);
-    chooseAsLed(situation, guide(situation));
-  } else if (*source == Source::kNoPath) {
-    goTo(situation, Source::kNoPath, situation.pose.yaw, 0.0);
-  } else {
-    goTo(situation, *source, move.direction, std::max(move.distance, parameters_.shield.shortest_step));
-  }
-}
-
-void NavigationAgent::lookAround(const Situation& situation) {
-  if (look_around_turn_ == 0.0) {
-    const double bearing = normalizeAngle(directionTo(situation.pose, goal_) - situation.pose.yaw);
-    look_around_turn_ = bearing < 0.0 ? -1.0 : 1.0;
-  }
-  goTo(situation, Source::kLookAround, situation.pose.yaw + look_around_turn_ * 2.0, parameters_.shield.shortest_step);
-  decision_.path_on.clear();
-}
-
-void NavigationAgent::goTo(const Situation& situation, Source source, double direction, double distance) {
-  decision_.source = source;
-  decision_.action = -1;
-  decision_.on_route = false;
-  decision_.direction = normalizeAngle(direction);
-  decision_.waypoint = pointAlong(situation.pose, direction, distance);
-}
-
-double NavigationAgent::freeDistance(const Situation& situation, double direction, double limit,
-                                     double clearance) const {
-  return shield_.freeDistance({}, direction - situation.pose.yaw, limit, clearance);
+StepContext NavigationAgent::contextOf(const Situation& situation) {
+  return {parameters_,     policy_.description().actions,
+          situation,       shield_,
+          goal_,           clock_.pose().yaw,
+          driven_,         progress_.target(),
+          imposed_action_, replanner_ ? &*replanner_ : nullptr,
+          &bound_,         &look_around_turn_,
+          &decision_};
 }
 
 }  // namespace lstm_planner

@@ -30,7 +30,7 @@ Observation Observer::observe(const Situation& situation, const Point2& goal, do
   if (last_pose_) driven_ += distanceBetween(*last_pose_, situation.pose);
   last_pose_ = situation.pose;
   if (!parameters_.memory.enabled) return observation;
-  if (replanner_.update(situation, goal, toleranceAfter(driven_, parameters_)) == Decision::Source::kRoute) {
+  if (replanner_.update(situation, goal, toleranceAfter(driven_, parameters_)) == Replanner::Answer::kRoute) {
     observation.route_bearing = replanner_.bearingAhead(situation.pose, parameters_.step.length);
     observation.route_length = replanner_.route().length;
   }

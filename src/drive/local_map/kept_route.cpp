@@ -28,14 +28,14 @@ constexpr double kPulled = 8.0;
 
 }  // namespace
 
-KeptRoute::KeptRoute(const AgentParameters& parameters) : reach_(reachOfChanges(parameters)) {
+KeptRoute::KeptRoute(const MemoryParameters& parameters, const ShieldParameters& shield)
+    : reach_(reachOfChanges(parameters, shield)) {
   route_.points.reserve(kReserved);
   pieces_.reserve(kReserved);
 }
 
-double KeptRoute::reachOfChanges(const AgentParameters& parameters) {
-  const ShieldParameters& shield = parameters.shield;
-  const double comfort = std::max(parameters.memory.comfort, shield.clearance + 0.5 * parameters.memory.resolution);
+double KeptRoute::reachOfChanges(const MemoryParameters& parameters, const ShieldParameters& shield) {
+  const double comfort = std::max(parameters.comfort, shield.clearance + 0.5 * parameters.resolution);
   return shield.footprint_radius + comfort;
 }
 

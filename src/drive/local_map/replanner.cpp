@@ -8,8 +8,6 @@ namespace lstm_planner {
 
 namespace {
 
-using Source = Decision::Source;
-
 /// Hysteresis: a new path is taken when it is this much better, a share, and m. Else every new wall seen would make the
 /// robot turn back and forth between two paths of the same length.
 constexpr double kWorthTurning = 0.08;
@@ -32,13 +30,13 @@ bool isHardlyCostlier(double cost, double other_cost) {
 
 }  // namespace
 
-Replanner::Replanner(const AgentParameters& parameters)
-    : parameters_(parameters),
-      memory_(parameters.memory, parameters.shield),
-      finder_(parameters.memory.tightness),
-      bounds_(parameters),
-      route_(parameters),
-      candidate_(parameters) {
+Replanner::Replanner(const MemoryParameters& parameters, const ShieldParameters& shield)
+    : memory_(parameters, shield),
+      finder_(parameters.tightness),
+      bounds_(parameters, shield),
+      route_(parameters, shield),
+      candidate_(parameters, shield),
+      reach_of_changes_(KeptRoute::reachOfChanges(parameters, shield)) {
   found_.points.reserve(route().points.capacity());
 }
 
@@ -67,7 +65,7 @@ void Replanner::forget() {
   route_.clear();
 }
 
-Decision::Source Replanner::update(const Situation& situation, const Point2& goal, double tolerance) {
+Replanner::Answer Replanner::update(const Situation& situation, const Point2& goal, double tolerance) {
   tolerance_ = tolerance;
   turn_.note(situation.pose.yaw, situation.time);
   memory_.add(situation);
@@ -79,7 +77,7 @@ Decision::Source Replanner::update(const Situation& situation, const Point2& goa
                           (cost - kWorthTurningMetres) / (1.0 + kWorthTurning));
     if (isWorthKeeping(here, goal, cost)) {
       closed_in_a_row_ = 0;
-      return Source::kRoute;
+      return Answer::kRoute;
     }
     found = takeFromLastSearch(here, goal);
   }
@@ -93,7 +91,7 @@ Decision::Source Replanner::update(const Situation& situation, const Point2& goa
   looking_ = false;
   closed_in_a_row_ = 0;
   takeBetter(here);
-  return Source::kRoute;
+  return Answer::kRoute;
 }
 
 double Replanner::regretOf(const Point2& here, const Point2& next, const Point2& goal, std::vector<Point2>* path_on) {
@@ -177,7 +175,7 @@ bool Replanner::goalIsAsBefore(const Point2& goal) {
   const bool at_goal = distanceBetween(end(), goal) == 0.0;
   const Point2& searched_goal = bounds_.searchedGoal();
   const double moved = distanceBetween(goal, searched_goal);
-  const double reach = KeptRoute::reachOfChanges(parameters_) + (at_goal ? 0.0 : tolerance_ + memory_.cellSize());
+  const double reach = reach_of_changes_ + (at_goal ? 0.0 : tolerance_ + memory_.cellSize());
   const bool changed = moved > 0.0 || std::any_of(memory_.changes().begin(), memory_.changes().end(),
                                                   [&](const LocalMap::Change& change) {
                                                     const double x = change.place.x - goal.x;
@@ -193,27 +191,27 @@ bool Replanner::goalIsAsBefore(const Point2& goal) {
   return memory_.cellAt(goal) < 0 || memory_.isFree(searched_goal, goal, LocalMap::Passage::kTight);
 }
 
-Decision::Source Replanner::lookAround(const Situation& situation) {
+Replanner::Answer Replanner::lookAround(const Situation& situation) {
   route_.clear();
   if (looking_ && !turn_.isOver()) {
-    return Source::kLookAround;
+    return Answer::kLookAround;
   }
   if (looking_ && !clearance_is_relaxed_) {
     clearance_is_relaxed_ = true;
     memory_.relaxClearance(true);
-    return Source::kLookAround;
+    return Answer::kLookAround;
   }
   if (looking_ && ++closed_in_a_row_ >= kClosedLooks) {
-    return Source::kNoPath;
+    return Answer::kNoPath;
   }
   if (!looking_ && ++forgotten_ > kMostForgotten) {
-    return Source::kEscape;
+    return Answer::kLost;
   }
   looking_ = true;
   turn_.start(situation.pose.yaw, situation.time);
   memory_.forget();
   memory_.add(situation);
-  return Source::kLookAround;
+  return Answer::kLookAround;
 }
 
 void Replanner::blockAhead() {

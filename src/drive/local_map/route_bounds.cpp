@@ -7,8 +7,8 @@
 
 namespace lstm_planner {
 
-RouteBounds::RouteBounds(const AgentParameters& parameters)
-    : reach_(KeptRoute::reachOfChanges(parameters)), tightness_(parameters.memory.tightness) {}
+RouteBounds::RouteBounds(const MemoryParameters& parameters, const ShieldParameters& shield)
+    : reach_(KeptRoute::reachOfChanges(parameters, shield)), tightness_(parameters.tightness) {}
 
 void RouteBounds::noteSearch(const LocalMap& memory, const Point2& start, const Point2& goal) {
   searched_goal_ = goal;

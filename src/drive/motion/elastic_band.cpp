@@ -20,9 +20,9 @@ constexpr double kStill = 1e-3;  ///< m; a round that moves no point farther is 
 
 const Decision& ElasticBand::bend(const NavigationAgent& agent, const Pose2& robot, const Decision& decision,
                                   double clearance) {
-  using Source = Decision::Source;
-  const bool is_known = decision.on_route || decision.source == Source::kGoalInSight ||
-                        (isOneStep(decision) && !decision.path_on.empty());
+  using Move = Decision::Move;
+  const bool is_known =
+      decision.on_route || decision.choice == Move::kGoalInSight || (isOneStep(decision) && !decision.path_on.empty());
   const LocalMap* memory = agent.memory();
   if (clearance <= 0.0 || memory == nullptr || !is_known) return decision;
   distance_ = agent.parameters().shield.footprint_radius + clearance;

@@ -142,7 +142,7 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
   plan->clear();
   plan->push_back(situation.pose);
   PlanLine line(parameters.spacing, plan);
-  if (decision.source != Decision::Source::kArrived) {
+  if (decision.choice != Decision::Move::kArrived) {
     line.lineTo(decision.waypoint);
     for (const Point2& corner : decision.path_on) {
       line.lineTo(corner);
@@ -156,7 +156,7 @@ void rollOut(const Situation& situation, const Decision& decision, const Shield&
       at = pointAlong(at, direction, shield.freeDistance(at, direction, agent.step.length, agent.shield.clearance));
       line.lineTo(toParentFrame(situation.pose, at));
     }
-    const bool moves = decision.path_on.empty() && decision.source != Decision::Source::kLookAround;
+    const bool moves = decision.path_on.empty() && decision.choice != Decision::Move::kLookAround;
     const StepsTowards steps(local_goal, shield, agent);
     for (int left = moves ? parameters.steps : 0; left > 0 && distanceBetween(at, local_goal) > agent.goal_tolerance;) {
       const int made = steps.go(left, &at, &direction);

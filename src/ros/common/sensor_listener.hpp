@@ -11,11 +11,11 @@
 #include <optional>
 #include <string>
 
-#include "lstm_planner/drive/decision/plugin_parameters.hpp"
 #include "lstm_planner/drive/perception/laser_scan.hpp"
 #include "lstm_planner/drive/perception/odometry_history.hpp"
 #include "lstm_planner/drive/perception/period_meter.hpp"
 #include "lstm_planner/drive/perception/scanner_watch.hpp"
+#include "lstm_planner/drive/plugin_parameters.hpp"
 #include "lstm_planner/ros/common/scanner_mounts.hpp"
 #include "ros/common/message_queue.hpp"
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "lstm_planner/drive/collision/shield.hpp"
-#include "lstm_planner/drive/decision/plugin_parameters.hpp"
 #include "lstm_planner/drive/motion/path_tracker.hpp"
 #include "lstm_planner/drive/perception/out_of_view.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
+#include "lstm_planner/drive/plugin_parameters.hpp"
 #include "ros/common/costmap_reader.hpp"
 #include "ros/common/frame_transformer.hpp"
 #include "ros/common/message_queue.hpp"

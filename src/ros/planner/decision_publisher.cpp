@@ -38,15 +38,10 @@ void add(const std::string& key, const std::string& value, DiagnosticStatus* sta
 }
 
 unsigned char levelOf(const Decision& decision) {
-  switch (decision.source) {
-    case Decision::Source::kNoPath:
-      return DiagnosticStatus::ERROR;
-    case Decision::Source::kLookAround:
-    case Decision::Source::kEscape:
-      return DiagnosticStatus::WARN;
-    default:
-      return DiagnosticStatus::OK;
-  }
+  using Move = Decision::Move;
+  if (decision.choice == Move::kNoPath) return DiagnosticStatus::ERROR;
+  const bool is_odd = decision.choice == Move::kLookAround || decision.choice == Leader::kEscape;
+  return is_odd ? DiagnosticStatus::WARN : DiagnosticStatus::OK;
 }
 
 }  // namespace
@@ -63,7 +58,7 @@ void DecisionPublisher::publish(const std_msgs::Header& header, const Situation&
   DiagnosticStatus status;
   status.level = levelOf(decision);
   status.name = "lstm_planner: decision";
-  status.message = toString(decision.source);
+  status.message = toString(decision.choice);
   add("what", describe(decision), &status);
   add("leader", toString(decision.leader), &status);
   add("why", decision.why, &status);

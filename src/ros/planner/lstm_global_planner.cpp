@@ -147,11 +147,11 @@ void LstmGlobalPlanner::describeState(PluginDiagnostics::Status* status) const {
     return;
   }
   if (!answer_.refusal.empty()) {
-    const bool is_final = answer_.is_decided && decision.source == Decision::Source::kNoPath;
+    const bool is_final = answer_.is_decided && decision.choice == Decision::Move::kNoPath;
     status->summary(is_final ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN, "no plan");
     status->add("why", answer_.refusal);
   } else {
-    const bool is_rescue = decision.leader == Decision::Source::kEscape;
+    const bool is_rescue = decision.leader == Leader::kEscape;
     // Why it leads is of the step with which it began to.
     const bool is_reachable = decision.goal_seems == Decision::GoalSeems::kReachable;
     const std::string why =
@@ -164,7 +164,7 @@ void LstmGlobalPlanner::describeState(PluginDiagnostics::Status* status) const {
 void LstmGlobalPlanner::describeFigures(PluginDiagnostics::Status* status) const {
   if (!isAsked() || !answer_.is_decided) return;
   const Decision& decision = plan_maker_->agent().decision();
-  status->add("decided by", toString(decision.source));
+  status->add("decided by", toString(decision.choice));
   status->add("what was decided", describe(decision));
   status->add("step", decision.step);
   status->add("the goal seems", toString(decision.goal_seems));

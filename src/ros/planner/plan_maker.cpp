@@ -33,7 +33,7 @@ DrivePolicy policyOf(const GlobalPlannerParameters& parameters, std::string* pro
   try {
     return DrivePolicy::fromFile(resolvePackagePath(parameters.model));
   } catch (const std::exception& error) {
-    if (parameters.agent.leader == Decision::Source::kNetwork) throw;
+    if (parameters.agent.leader == Leader::kNetwork) throw;
     *problem = error.what();
     return noPolicy();
   }
@@ -62,13 +62,13 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
 
 void PlanMaker::warnOfTheNetwork() const {
   const AgentParameters& agent = agent_.parameters();
-  if (agent.leader != Decision::Source::kNetwork) return;
+  if (agent.leader != Leader::kNetwork) return;
   const std::string warning = sizeWarning(agent_.policy().description(), agent.shield.footprint_radius);
   if (!warning.empty()) ROS_WARN("%s", warning.c_str());
 }
 
 void PlanMaker::change(const GlobalPlannerParameters& parameters) {
-  const bool is_to_lead = parameters.agent.leader == Decision::Source::kNetwork;
+  const bool is_to_lead = parameters.agent.leader == Leader::kNetwork;
   if (is_to_lead && !model_problem_.empty()) throw std::invalid_argument(model_problem_);
   const bool is_new_leader = parameters.agent.leader != agent_.parameters().leader;
   agent_.change(parameters.agent);
@@ -116,7 +116,7 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
     sayWhereGoalSeems(decision);
     publish(decision, global_goal, *plan);
   }
-  if (decision.source != Decision::Source::kNoPath) return;
+  if (decision.choice != Decision::Move::kNoPath) return;
   if (driven) noteEnd(false);
   if (driven && end_) throw PlanRefused(end_->text());
   throw PlanRefused("there is no path to the goal: obstacles enclose the goal or the robot");
@@ -124,12 +124,12 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
 
 void PlanMaker::noteEnd(bool is_unasked) {
   const bool is_reported = goals_.takeSuccess();
-  const Decision::Source source = agent_.decision().source;
-  const bool is_refused = source == Decision::Source::kNoPath && agent_.endsBesideGoal();
+  const Decision::Choice choice = agent_.decision().choice;
+  const bool is_refused = choice == Decision::Move::kNoPath && agent_.endsBesideGoal();
   const Pose2 robot = compose(global_from_odometry_, sensors_.newestPose().value_or(Pose2()));
   // A report that is late may be about the goal before.
   const bool is_at_end = distanceBetween(robot, agent_.decision().destination) <= kFarthestEnd;
-  const bool is_over = is_refused || (is_reported && is_at_end) || (is_unasked && source == Decision::Source::kArrived);
+  const bool is_over = is_refused || (is_reported && is_at_end) || (is_unasked && choice == Decision::Move::kArrived);
   if (!is_driving_ || !is_over) return;
   is_driving_ = false;
   end_ = DriveEnd{agent_.goal(), distanceBetween(robot, agent_.goal()), agent_.endsBesideGoal(), !is_refused};
@@ -216,7 +216,7 @@ void PlanMaker::sayThatTheScannerIsTooShort() {
 void PlanMaker::sayWhoLeads(const Decision& decision) {
   if (decision.leader == leader_) return;
   leader_ = decision.leader;
-  ROS_INFO("from step %ld on the %s leads: %s", decision.step, toString(leader_), decision.why);
+  ROS_INFO("from step %ld on the %s leads: %s", decision.step, toString(decision.leader), decision.why);
 }
 
 /// Each once a goal: what is seen of a wall changes from step to step.

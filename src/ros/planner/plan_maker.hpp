@@ -116,9 +116,9 @@ class PlanMaker {
   Pose2 driven_goal_;             ///< global frame
   bool is_driving_ = false;       ///< a goal was set, and it is not known how it ended
   std::optional<DriveEnd> end_;
-  Decision::Source leader_ = Decision::Source::kArrived;  ///< that was said last; none of the leaders at first
-  bool said_too_short_ = false;                           ///< of the scanner, that it is so for the network
-  std::set<Decision::GoalSeems> said_of_goal_;            ///< since it was set
+  std::optional<Leader> leader_;                ///< that was said last
+  bool said_too_short_ = false;                 ///< of the scanner, that it is so for the network
+  std::set<Decision::GoalSeems> said_of_goal_;  ///< since it was set
 };
 
 }  // namespace lstm_planner

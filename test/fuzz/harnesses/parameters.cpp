@@ -14,7 +14,7 @@
 namespace lstm_planner::fuzz::parameters_harness {
 namespace {
 
-constexpr std::array kLeaders{Decision::Source::kNetwork, Decision::Source::kRoute, Decision::Source::kGreedy};
+constexpr std::array kLeaders{Leader::kNetwork, Leader::kRoute, Leader::kGreedy};
 
 /// Any value for some of the parameters, the default for the others.
 class ParameterChanger {

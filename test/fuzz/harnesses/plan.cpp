@@ -14,9 +14,9 @@ namespace lstm_planner::fuzz::plan_harness {
 namespace {
 
 constexpr int kMostCalls = 8;
-constexpr std::array kLeaders{Decision::Source::kNetwork, Decision::Source::kRoute, Decision::Source::kGreedy};
+constexpr std::array kLeaders{Leader::kNetwork, Leader::kRoute, Leader::kGreedy};
 
-AgentParameters smallWorld(Decision::Source leader) {
+AgentParameters smallWorld(Leader leader) {
   AgentParameters parameters;
   parameters.leader = leader;
   parameters.memory = smallMemory();

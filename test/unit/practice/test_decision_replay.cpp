@@ -57,7 +57,7 @@ TEST(DecisionReplayTest, TellsWhatPlannerAndDriverDidAtEachStep) {
   const ReplayedDecision& second = replay.decisions()[1];
   EXPECT_EQ(second.stamp, step(1).stamp);
   EXPECT_EQ(second.next_stamp, step(2).stamp);
-  EXPECT_EQ(second.decision.source, Decision::Source::kNetwork);
+  EXPECT_EQ(second.decision.choice, Leader::kNetwork);
   EXPECT_EQ(second.decision.preferences.size(), 5u);
   EXPECT_EQ(second.action, 3);
   EXPECT_NEAR(second.steering_angle, M_PI / 4.0, 1e-6);
@@ -182,7 +182,7 @@ TEST(DecisionReplayTest, AScannerThatIsTooShortForTheModelIsLedByTheRoute) {
   short_sighted.geometry.range_max = 1.0;  // less than half the model's range cap
   short_sighted.ranges.assign(361, 0.9f);
   replay.addStep(short_sighted);
-  EXPECT_EQ(replay.decisions().back().decision.leader, Decision::Source::kRoute);
+  EXPECT_EQ(replay.decisions().back().decision.leader, Leader::kRoute);
 }
 
 TEST(DecisionReplayTest, WritesARowADecision) {

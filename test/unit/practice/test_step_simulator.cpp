@@ -45,7 +45,7 @@ TEST(StepSimulator, LetsTheOdometryErr) {
 
 TEST(PracticeAgent, HasNoHelp) {
   const AgentParameters agent = practiceAgent(PolicyDescription());
-  EXPECT_EQ(agent.leader, Decision::Source::kNetwork);
+  EXPECT_EQ(agent.leader, Leader::kNetwork);
   EXPECT_FALSE(agent.memory.enabled);
   EXPECT_FALSE(agent.escape.enabled) << "it is to learn to get out by itself";
 }

@@ -108,13 +108,12 @@ TEST(Drive, ReachesAGoalInAnEmptyHall) {
   const DriveResult result = drive(world, {{1.0, 2.0, 0.0}, {5.0, 2.0}, 4.0}, {}, 1, &agent);
   EXPECT_EQ(result.end, DriveResult::End::kReached);
   EXPECT_EQ(result.contacts, 0);
-  const auto by = [&](Decision::Source source) { return result.steps_by[static_cast<std::size_t>(source)]; };
-  EXPECT_GT(by(Decision::Source::kNetwork), 5);
-  EXPECT_GT(by(Decision::Source::kGoalInSight), 1) << "the last metre and a half";
-  EXPECT_EQ(by(Decision::Source::kNetwork) + by(Decision::Source::kGoalInSight), result.steps);
-  EXPECT_EQ(shareOf(Decision::Source::kRoute, {result}), 0.0);
-  EXPECT_DOUBLE_EQ(shareOf(Decision::Source::kNetwork, {result}) + shareOf(Decision::Source::kGoalInSight, {result}),
-                   1.0);
+  const auto by = [&](Decision::Choice source) { return result.steps_by[indexOf(source)]; };
+  EXPECT_GT(by(Leader::kNetwork), 5);
+  EXPECT_GT(by(Decision::Move::kGoalInSight), 1) << "the last metre and a half";
+  EXPECT_EQ(by(Leader::kNetwork) + by(Decision::Move::kGoalInSight), result.steps);
+  EXPECT_EQ(shareOf(Leader::kRoute, {result}), 0.0);
+  EXPECT_DOUBLE_EQ(shareOf(Leader::kNetwork, {result}) + shareOf(Decision::Move::kGoalInSight, {result}), 1.0);
   EXPECT_NEAR(result.path_length, 3.8, 0.05);  // 4 m less the controller's tolerance of 0.2 m
   EXPECT_EQ(result.trace.size(), result.led.size());
   EXPECT_EQ(result.shortest, 4.0);

@@ -51,7 +51,7 @@ TEST(EscapeDrives, LeavesADeadEndBetweenStartAndGoal) {
   test::fillBox(4.0, 5.9, 7.1, 6.0, &grid);
   const DriveResult result = driveStubbornly(GridWorld(grid), {1.5, 4.0, 0.0}, {10.0, 4.0}, 900.0);
   expectEnd(result, End::kReached);
-  EXPECT_GT(result.steps_by[static_cast<std::size_t>(Decision::Source::kEscape)], 0);
+  EXPECT_GT(result.steps_by[indexOf(Leader::kEscape)], 0);
 }
 
 TEST(EscapeDrives, GoesRoundTheEndOfAThinWall) {

@@ -18,7 +18,7 @@ struct Score {
 };
 
 /// Alone: no rescue, no memory of obstacles. 40 drives in worlds of a kind that no training saw.
-Score scoreOf(const DrivePolicy& policy, WorldKind kind, Decision::Source leader = Decision::Source::kNetwork) {
+Score scoreOf(const DrivePolicy& policy, WorldKind kind, Leader leader = Leader::kNetwork) {
   constexpr int kWorlds = 10;
   constexpr int kMostSteps = 600;
   constexpr std::uint64_t kSeed = 4;
@@ -60,7 +60,7 @@ TEST_P(ShippedRobotModel, LeadsAloneWhereUselessPoliciesDoNot) {
   EXPECT_GE(shipped.arrival, bound.arrival);
   EXPECT_GE(shipped.efficiency, bound.efficiency);
   if (bound.greedy_fails) {
-    EXPECT_LT(scoreOf(noPolicy(), bound.kind, Decision::Source::kGreedy).arrival, bound.arrival) << "greedy";
+    EXPECT_LT(scoreOf(noPolicy(), bound.kind, Leader::kGreedy).arrival, bound.arrival) << "greedy";
   }
   EXPECT_LT(scoreOf(test::straightAheadPolicy(), bound.kind).arrival, bound.arrival) << "straight on";
   EXPECT_LT(scoreOf(randomPolicy(), bound.kind).arrival, bound.arrival) << "random weights";
@@ -78,7 +78,7 @@ TEST(ShippedRobotModelAlone, FindsTheDoorsOfRoomsWhereUselessPoliciesDoNot) {
   const Score shipped = scoreOf(DrivePolicy::fromFile(path), WorldKind::kRooms);
   EXPECT_GE(shipped.arrival, 0.8);
   EXPECT_GE(shipped.efficiency, 0.65);
-  EXPECT_LT(scoreOf(noPolicy(), WorldKind::kRooms, Decision::Source::kGreedy).arrival, 0.8) << "greedy";
+  EXPECT_LT(scoreOf(noPolicy(), WorldKind::kRooms, Leader::kGreedy).arrival, 0.8) << "greedy";
   EXPECT_LT(scoreOf(test::straightAheadPolicy(), WorldKind::kRooms).arrival, 0.8) << "straight on";
   EXPECT_LT(scoreOf(randomPolicy(), WorldKind::kRooms).arrival, 0.8) << "random weights";
 }

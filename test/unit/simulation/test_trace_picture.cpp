@@ -59,7 +59,7 @@ TEST(TracePicture, TellsReachedGoalsFromMissedOnes) {
 TEST(TracePicture, DrawsEscapesOverTracesAndCirclesUnderThem) {
   TracePicture picture;
   picture.traces = {{{0.0, 3.0}, {4.0, 3.0}}};
-  picture.parts = {{Decision::Source::kRoute, true, {{1.0, 3.0}, {2.0, 3.0}}}};
+  picture.parts = {{Leader::kRoute, true, {{1.0, 3.0}, {2.0, 3.0}}}};
   picture.circles = {{{3.0, 3.0}, 0.5}};
   const cv::Mat image = draw(room(), picture, 1000);
   EXPECT_TRUE(isRed(pixel(image, 250, 299)) || isRed(pixel(image, 250, 300)));

@@ -1,25 +1,33 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/drive/decision/leader.hpp"
 
 namespace lstm_planner {
 
 /// One decision: who leads and why, what the robot does, and what the plan consists of. This record describes the whole
 /// state of a drive to a goal; all of it is published.
 struct Decision {
-  /// Who decides. Those that lead do so for many steps; the others stand in for the leader.
-  enum class Source {
-    kNetwork,      ///< leads: the allowed action that the network prefers
-    kGreedy,       ///< leads: the allowed action nearest to the goal's bearing
-    kGoalInSight,  ///< the goal is near and the straight path free
-    kRoute,        ///< leads, or overrules the network: the path through what is remembered
-    kEscape,       ///< leads: boundary following
-    kLookAround,   ///< nothing is free in sight, or all around must be seen: turn
+  /// What the robot does.
+  enum class Move {
+    kStep,         ///< what somebody decided who may lead
+    kGoalInSight,  ///< goes straight to the goal: it is near, and the path free
+    kLookAround,   ///< turns: nothing is free in sight, or all around must be seen
     kArrived,      ///< within the goal tolerance
     kNoPath        ///< the goal cannot be reached: no path through what was seen leads there
+  };
+
+  /// What the robot does, and if it is a step: who decided it.
+  struct Choice {
+    constexpr Choice(Leader leader) : by(leader) {}
+    constexpr Choice(Move what) : move(what) {}
+
+    Move move = Move::kStep;
+    Leader by = Leader::kNetwork;  ///< the leader, or who overruled it
   };
 
   /// Who did not let the leader do what it preferred of all.
@@ -37,17 +45,17 @@ struct Decision {
     kEnclosed         ///< no path is known; the robot looks around
   };
 
-  Source leader = Source::kNetwork;     ///< who leads; another source decides in its place for the moment
-  const char* why = "";                 ///< it leads: a few words
-  Source source = Source::kLookAround;  ///< who decided this
-  Point2 waypoint;                      ///< odometry frame
-  double direction = 0.0;               ///< rad, odometry frame, from where the decision was made to the waypoint
-  int action = -1;                      ///< index of the steering angle; -1 when the waypoint is not one of them
-  int preferred = -1;                   ///< the network's answer: the action that it prefers of all, or that was drawn
-                                        ///< by its preferences; -1 when it is not asked
-  std::vector<float> preferences;       ///< the network's, one an action
-  std::vector<char> allowed;            ///< the shield's word, one an action
-  bool on_route = false;                ///< the waypoint lies on, or beside, the path through what is remembered
+  Leader leader = Leader::kNetwork;  ///< who leads; another may decide in its place for the moment
+  const char* why = "";              ///< it leads: a few words
+  Choice choice = Move::kLookAround;
+  Point2 waypoint;                 ///< odometry frame
+  double direction = 0.0;          ///< rad, odometry frame, from where the decision was made to the waypoint
+  int action = -1;                 ///< index of the steering angle; -1 when the waypoint is not one of them
+  int preferred = -1;              ///< the network's answer: the action that it prefers of all, or that was drawn
+                                   ///< by its preferences; -1 when it is not asked
+  std::vector<float> preferences;  ///< the network's, one an action
+  std::vector<char> allowed;       ///< the shield's word, one an action
+  bool on_route = false;           ///< the waypoint lies on, or beside, the path through what is remembered
   Overruled overruled = Overruled::kNo;
   double regret = 0.0;       ///< m by which the preferred, allowed action is longer than the remembered path; +inf:
                              ///< no path is known from its end
@@ -61,17 +69,28 @@ struct Decision {
   long step = 0;  ///< counts the steps since the goal was set
 };
 
+constexpr bool operator==(const Decision::Choice& a, const Decision::Choice& b) {
+  return a.move == b.move && (a.move != Decision::Move::kStep || a.by == b.by);
+}
+constexpr bool operator!=(const Decision::Choice& a, const Decision::Choice& b) { return !(a == b); }
+
 /// Whether only a direction was decided, by one who does not look behind the waypoint.
 inline bool isOneStep(const Decision& decision) {
-  const bool is_by_action =
-      decision.source == Decision::Source::kNetwork || decision.source == Decision::Source::kGreedy;
+  const bool is_by_action = decision.choice == Leader::kNetwork || decision.choice == Leader::kGreedy;
   return is_by_action && !decision.on_route;
 }
 
-constexpr std::size_t kDecisionSources = 8;
+/// Every choice there is.
+constexpr std::array<Decision::Choice, 8> kChoices = {
+    Leader::kNetwork,         Leader::kGreedy,        Decision::Move::kGoalInSight,
+    Leader::kRoute,           Leader::kEscape,        Decision::Move::kLookAround,
+    Decision::Move::kArrived, Decision::Move::kNoPath};
+/// Its place among them.
+std::size_t indexOf(Decision::Choice choice);
+
 constexpr std::size_t kOverruledKinds = 3;
-/// "network", "greedy", "goal in sight", "route", "escape", "look around", "arrived", "no path".
-const char* toString(Decision::Source source);
+/// As toString(Leader), or "goal in sight", "look around", "arrived", "no path".
+const char* toString(Decision::Choice choice);
 /// "no", "by the shield", "by the bound".
 const char* toString(Decision::Overruled overruled);
 /// "reachable", "in an obstacle", "behind an obstacle", "enclosed".

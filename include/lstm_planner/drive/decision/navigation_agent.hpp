@@ -10,14 +10,16 @@
 #include "lstm_planner/common/detour_bound.hpp"
 #include "lstm_planner/common/progress_watch.hpp"
 #include "lstm_planner/drive/collision/shield.hpp"
-#include "lstm_planner/drive/decision/action_choice.hpp"
+#include "lstm_planner/drive/decision/action_leader.hpp"
 #include "lstm_planner/drive/decision/agent_parameters.hpp"
 #include "lstm_planner/drive/decision/arrival.hpp"
 #include "lstm_planner/drive/decision/decision.hpp"
 #include "lstm_planner/drive/decision/drive_policy.hpp"
 #include "lstm_planner/drive/decision/drive_trace.hpp"
-#include "lstm_planner/drive/decision/escape.hpp"
+#include "lstm_planner/drive/decision/escape_leader.hpp"
+#include "lstm_planner/drive/decision/route_leader.hpp"
 #include "lstm_planner/drive/decision/step_clock.hpp"
+#include "lstm_planner/drive/decision/step_leader.hpp"
 #include "lstm_planner/drive/local_map/replanner.hpp"
 #include "lstm_planner/drive/perception/laser_scan.hpp"
 #include "lstm_planner/drive/perception/out_of_view.hpp"
@@ -33,7 +35,7 @@ namespace lstm_planner {
 /// (Replanner) tells what the preferred one of the others costs more than the best: it is carried out while the sum of
 /// these detours stays within a bound (DetourBound), otherwise that path decides the step. If the path leaves in the
 /// direction of the preferred angle, the waypoint lies on the path. Where the remembered obstacles were wrong too
-/// often, the last resort is boundary following (Escape).
+/// often, the last resort is boundary following (BugAlgorithm).
 ///
 /// With AgentParameters::leader the path, or only the goal's bearing, leads instead of the network.
 ///
@@ -140,7 +142,9 @@ class NavigationAgent {
   std::string standInWarning() const;
 
  private:
-  using Source = Decision::Source;
+  using Choice = Decision::Choice;
+  using Move = Decision::Move;
+  using Answer = Replanner::Answer;
 
   const Decision& decideAbout(const Situation& situation);
   void show(const Situation& situation);
@@ -155,9 +159,9 @@ class NavigationAgent {
   bool isBesideGoal(const Situation& situation) const;
   void stopBesideGoal(const Situation& situation);
   bool isOutOfPatience(double times) const;
-  Source leaderBy(const AgentParameters& parameters) const;
-  void choose(Source leader, const char* why);
-  void lead(Source leader, const char* why);
+  Leader leaderBy(const AgentParameters& parameters) const;
+  void choose(Leader leader, const char* why);
+  void lead(Leader leader, const char* why);
   void startStep(const Situation& situation);
   void advanceNetwork(const Observation& observation);
   double previousAction() const;
@@ -165,22 +169,14 @@ class NavigationAgent {
 
   // A decision.
   void decide(const Situation& situation);
-  Decision::GoalSeems judgeGoal(const Situation& situation, Source guidance) const;
-  Source guide(const Situation& situation);
+  StepContext contextOf(const Situation& situation);
+  Decision::GoalSeems judgeGoal(const Situation& situation, Answer answer) const;
   static bool isInView(const Situation& situation, double direction);
   bool isFreeUpTo(const Situation& situation, double direction, double distance) const;
-  bool chooseGoalInSight(const Situation& situation);
-  void chooseAsLed(const Situation& situation, Source guidance);
-  std::optional<ActionChoice::Action> chooseAmongActions(const Situation& situation);
-  void chooseAction(const Situation& situation);
-  void chooseWithinBound(const Situation& situation, Source guidance);
-  void takeAction(const Situation& situation, const ActionChoice::Action& action);
-  void chooseRoute(const Situation& situation, Source guidance);
-  bool followRoute(const Situation& situation, Source source);
-  void chooseEscape(const Situation& situation);
-  void lookAround(const Situation& situation);
-  void goTo(const Situation& situation, Source source, double direction, double distance);
-  double freeDistance(const Situation& situation, double direction, double limit, double clearance) const;
+  double freeDistance(const Situation& situation, double direction, double limit) const;
+  bool chooseGoalInSight(const StepContext& step);
+  void chooseAsLed(const StepContext& step, Answer answer);
+  StepLeader& leading();
 
   DrivePolicy policy_;
   AgentParameters parameters_;
@@ -189,15 +185,16 @@ class NavigationAgent {
   bool is_new_goal_ = false;  ///< nothing was decided for it
   long jumps_ = 0;            ///< that were heard of
 
-  Source chosen_;       ///< who is to lead: as the parameters say, or in place of a network that cannot
+  Leader chosen_;       ///< who is to lead: as the parameters say, or in place of a network that cannot
   double reach_ = 0.0;  ///< m, the largest range_max so far
 
   Point2 goal_;
   Decision decision_;
   Shield shield_;
   std::optional<OutOfView> out_of_view_;  ///< none of a circle: what it turns away from it does not hit
-  ActionChoice actions_;
-  Escape escape_;
+  ActionLeader action_leader_;
+  RouteLeader route_leader_;
+  EscapeLeader escape_leader_;
   Boxed<Replanner> replanner_;  ///< none where nothing is to be remembered
   DetourBound bound_;
   DriveTrace trace_;

@@ -19,7 +19,8 @@ Observation observe(const Situation& situation, const Point2& goal, double previ
 /// What a recorder remembers of a drive, as the agent would: obstacles and places.
 class Observer {
  public:
-  explicit Observer(const AgentParameters& parameters) : parameters_(parameters), replanner_(parameters) {}
+  explicit Observer(const AgentParameters& parameters)
+      : parameters_(parameters), replanner_(parameters.memory, parameters.shield) {}
 
   /// A new goal (odometry frame): the drive so far is forgotten, the obstacles not.
   void start(const Point2& goal);

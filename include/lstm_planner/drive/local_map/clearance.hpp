@@ -4,8 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "lstm_planner/drive/decision/agent_parameters.hpp"
+#include "lstm_planner/drive/collision/shield_parameters.hpp"
 #include "lstm_planner/drive/local_map/line_masks.hpp"
+#include "lstm_planner/drive/local_map/memory_parameters.hpp"
 #include "lstm_planner/drive/local_map/obstacle_window.hpp"
 
 namespace lstm_planner {

@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "lstm_planner/drive/decision/agent_parameters.hpp"
+#include "lstm_planner/drive/collision/shield_parameters.hpp"
 #include "lstm_planner/drive/local_map/local_map.hpp"
+#include "lstm_planner/drive/local_map/memory_parameters.hpp"
 #include "lstm_planner/drive/local_map/route_finder.hpp"
 
 namespace lstm_planner {
@@ -13,10 +14,10 @@ namespace lstm_planner {
 /// again only if something has changed beside it since the last check.
 class KeptRoute {
  public:
-  explicit KeptRoute(const AgentParameters& parameters);
+  KeptRoute(const MemoryParameters& parameters, const ShieldParameters& shield);
 
   /// How far from a place, m, a change in the memory may make a path through it better or worse.
-  static double reachOfChanges(const AgentParameters& parameters);
+  static double reachOfChanges(const MemoryParameters& parameters, const ShieldParameters& shield);
 
   const Route& route() const { return route_; }
   bool isEmpty() const { return route_.points.size() < 2; }

@@ -4,8 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/drive/decision/agent_parameters.hpp"
+#include "lstm_planner/drive/collision/shield_parameters.hpp"
 #include "lstm_planner/drive/local_map/clearance.hpp"
+#include "lstm_planner/drive/local_map/memory_parameters.hpp"
 #include "lstm_planner/drive/local_map/obstacle_window.hpp"
 #include "lstm_planner/drive/local_map/scan_changes.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"

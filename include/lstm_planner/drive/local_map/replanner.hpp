@@ -3,11 +3,11 @@
 #include <utility>
 #include <vector>
 
-#include "lstm_planner/drive/decision/agent_parameters.hpp"
-#include "lstm_planner/drive/decision/decision.hpp"
+#include "lstm_planner/drive/collision/shield_parameters.hpp"
 #include "lstm_planner/drive/local_map/full_turn.hpp"
 #include "lstm_planner/drive/local_map/kept_route.hpp"
 #include "lstm_planner/drive/local_map/local_map.hpp"
+#include "lstm_planner/drive/local_map/memory_parameters.hpp"
 #include "lstm_planner/drive/local_map/route_bounds.hpp"
 #include "lstm_planner/drive/local_map/route_finder.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
@@ -25,7 +25,14 @@ namespace lstm_planner {
 /// anew where something changed beside it. All costs are in m.
 class Replanner {
  public:
-  explicit Replanner(const AgentParameters& parameters);
+  enum class Answer {
+    kRoute,       ///< follow route()
+    kLookAround,  ///< turn on the spot, so that everything around is seen
+    kNoPath,      ///< no path leads to the goal from here
+    kLost         ///< what is remembered was wrong too often: the goal must be found by other means
+  };
+
+  Replanner(const MemoryParameters& parameters, const ShieldParameters& shield);
 
   /// A new goal; what is remembered of the obstacles stays.
   void start();
@@ -40,10 +47,8 @@ class Replanner {
   void noteProgress();
 
   /// Takes in the situation and searches a new path where that may change it; one that is hardly better than the last
-  /// one is not taken. kRoute: follow route(); kLookAround: turn on the spot, so that everything around is seen;
-  /// kNoPath: no path leads to the goal from here; kEscape: the memory was wrong too often, the goal must be found by
-  /// other means. `tolerance`: how near (m) to a goal in or behind an obstacle the route may end.
-  Decision::Source update(const Situation& situation, const Point2& goal, double tolerance);
+  /// one is not taken. `tolerance`: how near (m) to a goal in or behind an obstacle the route may end.
+  Answer update(const Situation& situation, const Point2& goal, double tolerance);
 
   /// What it costs to go straight to `next` first, m: how much longer that and the shortest path from there are than
   /// the shortest path from `here`, never below 0; +inf where no path leads on from there. To be asked when update()
@@ -94,15 +99,15 @@ class Replanner {
   bool isWorthKeeping(const Point2& here, const Point2& goal, double cost) const;
   bool takeFromLastSearch(const Point2& here, const Point2& goal);
   bool takeBetter(const Point2& here);
-  Decision::Source lookAround(const Situation& situation);
+  Answer lookAround(const Situation& situation);
 
-  AgentParameters parameters_;
   LocalMap memory_;
   RouteFinder finder_;
   RouteBounds bounds_;
   KeptRoute route_;
   KeptRoute candidate_;
   Route found_;
+  double reach_of_changes_;  ///< m, KeptRoute::reachOfChanges()
   long searches_ = 0;
   bool has_costs_ = false;             ///< of a search: the finder's costToGo() holds, but for what has changed since
   double tolerance_ = 0.0;             ///< of the last update()

@@ -2,9 +2,10 @@
 
 #include <cstdint>
 
-#include "lstm_planner/drive/decision/agent_parameters.hpp"
+#include "lstm_planner/drive/collision/shield_parameters.hpp"
 #include "lstm_planner/drive/local_map/cost_to_go.hpp"
 #include "lstm_planner/drive/local_map/local_map.hpp"
+#include "lstm_planner/drive/local_map/memory_parameters.hpp"
 
 namespace lstm_planner {
 
@@ -17,7 +18,7 @@ namespace lstm_planner {
 /// the ratio of the two is measured at every route found, and the bounds are scaled by it.
 class RouteBounds {
  public:
-  explicit RouteBounds(const AgentParameters& parameters);
+  RouteBounds(const MemoryParameters& parameters, const ShieldParameters& shield);
 
   /// A search was made from `start` to `goal`: what changed before it no longer matters.
   void noteSearch(const LocalMap& memory, const Point2& start, const Point2& goal);

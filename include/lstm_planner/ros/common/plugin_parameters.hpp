@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lstm_planner/drive/decision/plugin_parameters.hpp"
+#include "lstm_planner/drive/plugin_parameters.hpp"
 
 namespace lstm_planner {
 

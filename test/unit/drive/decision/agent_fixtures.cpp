@@ -25,7 +25,7 @@ DrivePolicy policyPreferring(const std::vector<float>& preferences) {
 
 AgentParameters routeLed() {
   AgentParameters parameters;
-  parameters.leader = Decision::Source::kRoute;
+  parameters.leader = Leader::kRoute;
   return parameters;
 }
 

@@ -58,8 +58,7 @@ TEST(AgentParameters, NamesTheParameterThatIsWrong) {
 }
 
 TEST(AgentParameters, NameTheirLeaders) {
-  for (const Decision::Source leader :
-       {Decision::Source::kNetwork, Decision::Source::kRoute, Decision::Source::kGreedy}) {
+  for (const Leader leader : {Leader::kNetwork, Leader::kRoute, Leader::kGreedy}) {
     EXPECT_EQ(leaderNamed(nameOfLeader(leader)), leader);
   }
   try {
@@ -72,7 +71,7 @@ TEST(AgentParameters, NameTheirLeaders) {
 
 TEST(AgentParameters, ARouteCannotLeadWhereNothingIsRemembered) {
   EXPECT_NE(complaintAbout([](AgentParameters* p) {
-              p->leader = Decision::Source::kRoute;
+              p->leader = Leader::kRoute;
               p->memory.enabled = false;
             }).find("leader is route"),
             std::string::npos);

@@ -14,7 +14,7 @@
 namespace lstm_planner::test_arrival {
 namespace {
 
-using Source = Decision::Source;
+using Move = Decision::Move;
 
 const Pose2 kGoal{2.0, 0.0, 0.3};
 
@@ -67,7 +67,7 @@ TEST(Arrival, APlanToAGoalInAnObstacleEndsWhereTheRobotHasArrived) {
   const Point2 end = drive.agent().decision().destination;
   EXPECT_EQ(drive.plan().back().x, end.x);
   EXPECT_EQ(drive.plan().back().yaw, kGoal.yaw);
-  EXPECT_EQ(drive.arrive().source, Source::kArrived);
+  EXPECT_EQ(drive.arrive().choice, Move::kArrived);
 }
 
 TEST(Arrival, WhereThatDoesNotCountThePlanLeadsToTheGoalAndThereIsNoPathInTheEnd) {
@@ -81,9 +81,9 @@ TEST(Arrival, WhereThatDoesNotCountThePlanLeadsToTheGoalAndThereIsNoPathInTheEnd
   double nearest = 1.0;
   for (const Pose2& pose : plan) nearest = std::min(nearest, distanceBetween(pose, end));
   EXPECT_LT(nearest, 0.03) << "on the way it leads where the robot can go";
-  EXPECT_EQ(drive.arrive().source, Source::kNoPath);
+  EXPECT_EQ(drive.arrive().choice, Move::kNoPath);
   EXPECT_TRUE(drive.agent().endsBesideGoal());
-  EXPECT_EQ(drive.look({}).source, Source::kNoPath) << "until there is another goal";
+  EXPECT_EQ(drive.look({}).choice, Move::kNoPath) << "until there is another goal";
 }
 
 TEST(Arrival, AGoalThatCanBeReachedIsReachedEitherWay) {
@@ -92,7 +92,7 @@ TEST(Arrival, AGoalThatCanBeReachedIsReachedEitherWay) {
     parameters.arrive_beside_goal = counts;
     NavigationAgent agent(test::straightAheadPolicy(), parameters);
     agent.setGoal({2.0, 0.0});
-    EXPECT_EQ(agent.update(test::returnsAt({}, {1.9, 0.0, 0.0})).source, Source::kArrived) << counts;
+    EXPECT_EQ(agent.update(test::returnsAt({}, {1.9, 0.0, 0.0})).choice, Move::kArrived) << counts;
     EXPECT_FALSE(agent.endsBesideGoal());
   }
 }
@@ -102,7 +102,7 @@ TEST(Arrival, AGoalSeemsToLieInAnObstacleAlsoWhereTheEndOfThePathIsInSight) {
   EXPECT_EQ(drive.agent().decision().goal_seems, Decision::GoalSeems::kInObstacle);
   const Point2 end = drive.agent().decision().destination;
   const Decision& decision = drive.look({end.x - 0.4, end.y, 0.0});
-  EXPECT_EQ(decision.source, Source::kGoalInSight);
+  EXPECT_EQ(decision.choice, Move::kGoalInSight);
   EXPECT_EQ(decision.goal_seems, Decision::GoalSeems::kInObstacle);
 }
 

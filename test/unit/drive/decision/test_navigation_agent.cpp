@@ -9,7 +9,7 @@
 namespace lstm_planner::test_navigation_agent {
 namespace {
 
-using Source = Decision::Source;
+using Move = Decision::Move;
 using test::situationAt;
 
 constexpr int kRight = 0;
@@ -51,7 +51,7 @@ std::vector<Point2> wallAhead() { return test::wall({0.25, -1.0}, {0.25, 1.0}); 
 
 TEST_F(NavigationAgentTest, GoesOneStepInThePreferredDirection) {
   const Decision& decision = agent_.update(situationAt({1.0, 2.0, M_PI_2}));
-  EXPECT_EQ(decision.source, Source::kNetwork);
+  EXPECT_EQ(decision.choice, Leader::kNetwork);
   EXPECT_EQ(decision.action, kStraight);
   EXPECT_EQ(decision.step, 1);
   EXPECT_NEAR(decision.direction, M_PI_2, 1e-12);
@@ -64,7 +64,7 @@ TEST_F(NavigationAgentTest, AskingTwiceGivesTheSameAnswer) {
   const Network::HiddenState before = hiddenState();
   for (int i = 1; i < 10; ++i) {
     const Decision& again = agent_.update(situationAt({}, 0.01 * i));
-    EXPECT_EQ(again.source, first.source);
+    EXPECT_EQ(again.choice, first.choice);
     EXPECT_EQ(again.action, first.action);
     EXPECT_EQ(again.step, first.step);
     EXPECT_EQ(again.waypoint.x, first.waypoint.x);
@@ -167,7 +167,7 @@ TEST_F(NavigationAgentTest, AGoalInSightIsFollowedAtOnce) {
   agent_.update(situationAt({}));
   agent_.moveGoal({1.2, -1.0});
   const Decision& decision = agent_.update(situationAt({}, 0.1));
-  EXPECT_EQ(decision.source, Source::kGoalInSight);
+  EXPECT_EQ(decision.choice, Move::kGoalInSight);
   EXPECT_EQ(decision.step, 1);
   EXPECT_EQ(decision.waypoint.x, 1.2);
   EXPECT_EQ(decision.waypoint.y, -1.0);
@@ -176,9 +176,9 @@ TEST_F(NavigationAgentTest, AGoalInSightIsFollowedAtOnce) {
 
 TEST_F(NavigationAgentTest, HasArrivedWhereTheGoalMovedTo) {
   agent_.setGoal({1.0, 0.0});
-  EXPECT_EQ(agent_.update(situationAt({0.7, 0.0, 0.0})).source, Source::kGoalInSight);
+  EXPECT_EQ(agent_.update(situationAt({0.7, 0.0, 0.0})).choice, Move::kGoalInSight);
   agent_.moveGoal({0.8, 0.0});
-  EXPECT_EQ(agent_.update(situationAt({0.7, 0.0, 0.0}, 0.1)).source, Source::kArrived);
+  EXPECT_EQ(agent_.update(situationAt({0.7, 0.0, 0.0}, 0.1)).choice, Move::kArrived);
 }
 
 TEST_F(NavigationAgentTest, PreviewChangesNothing) {
@@ -206,7 +206,7 @@ TEST_F(NavigationAgentTest, PreviewAnswersAsAFreshAgentWould) {
   NavigationAgent fresh(policy(), parameters());
   fresh.setGoal(goal);
   const Decision& expected = fresh.update(situation);
-  EXPECT_EQ(preview.source, expected.source);
+  EXPECT_EQ(preview.choice, expected.choice);
   EXPECT_EQ(preview.action, expected.action);
   EXPECT_EQ(preview.step, expected.step);
   EXPECT_EQ(preview.waypoint.x, expected.waypoint.x);
@@ -219,7 +219,7 @@ TEST_F(NavigationAgentTest, ShieldMasksThePreferredActionBeforeAWall) {
   const Decision& decision = agent_.update(situationAt({}, 0.0, wallAhead()));
   EXPECT_EQ(decision.allowed, (std::vector<char>{1, 0, 0, 0, 1}));
   EXPECT_EQ(decision.action, kLeft);  // preferred to the right
-  EXPECT_EQ(decision.source, Source::kNetwork);
+  EXPECT_EQ(decision.choice, Leader::kNetwork);
 }
 
 TEST_F(NavigationAgentTest, ChoosesAnewWithoutSteppingWhenThePathIsBlocked) {
@@ -236,13 +236,13 @@ TEST_F(NavigationAgentTest, UsesTheTightClearanceWhereThereIsNoOtherPath) {
   std::vector<Point2> passage = test::wall({-0.24, 0.22}, {2.0, 0.22});
   for (const Point2& point : test::wall({-0.24, -0.22}, {2.0, -0.22})) passage.push_back(point);
   const Decision& decision = agent_.update(situationAt({}, 0.0, passage));
-  EXPECT_EQ(decision.source, Source::kNetwork);
+  EXPECT_EQ(decision.choice, Leader::kNetwork);
   EXPECT_EQ(decision.action, kStraight);
 }
 
 TEST_F(NavigationAgentTest, LooksAroundWhenNoActionIsFree) {
   const Decision& decision = agent_.update(situationAt({}, 0.0, test::ring(0.3)));
-  EXPECT_EQ(decision.source, Source::kLookAround);
+  EXPECT_EQ(decision.choice, Move::kLookAround);
   EXPECT_EQ(decision.action, -1);
   EXPECT_GT(std::abs(decision.direction), 1.0);  // well off the heading, or the robot would not turn
 }
@@ -260,14 +260,14 @@ TEST_F(NavigationAgentTest, LooksAroundWhenTheRobotStandsStillAndNothingIsRememb
   NavigationAgent agent(policy(), parameters);
   agent.setGoal({10.0, 0.0});
   agent.update(situationAt({}));
-  EXPECT_EQ(agent.update(situationAt({}, 1.9)).source, Source::kNetwork);
-  EXPECT_EQ(agent.update(situationAt({0.005, 0.0, 0.0}, 2.1)).source, Source::kLookAround);
+  EXPECT_EQ(agent.update(situationAt({}, 1.9)).choice, Leader::kNetwork);
+  EXPECT_EQ(agent.update(situationAt({0.005, 0.0, 0.0}, 2.1)).choice, Move::kLookAround);
 }
 
 TEST_F(NavigationAgentTest, TakesAGoalInSightStraight) {
   agent_.setGoal({1.0, -1.0});
   const Decision& decision = agent_.update(situationAt({}));
-  EXPECT_EQ(decision.source, Source::kGoalInSight);
+  EXPECT_EQ(decision.choice, Move::kGoalInSight);
   EXPECT_NEAR(decision.direction, -M_PI_4, 1e-12);
   EXPECT_NEAR(decision.waypoint.x, 1.0, 1e-12);
   EXPECT_NEAR(decision.waypoint.y, -1.0, 1e-12);
@@ -275,13 +275,13 @@ TEST_F(NavigationAgentTest, TakesAGoalInSightStraight) {
 
 TEST_F(NavigationAgentTest, LeavesAGoalBehindAWallToTheLeader) {
   agent_.setGoal({1.0, -1.0});
-  EXPECT_NE(agent_.update(situationAt({}, 0.0, test::wall({0.7, -1.5}, {0.7, 1.5}))).source, Source::kGoalInSight);
+  EXPECT_NE(agent_.update(situationAt({}, 0.0, test::wall({0.7, -1.5}, {0.7, 1.5}))).choice, Move::kGoalInSight);
 }
 
 TEST_F(NavigationAgentTest, HasArrivedWithinTheTolerance) {
   agent_.setGoal({0.1, 0.1});
-  EXPECT_EQ(agent_.update(situationAt({})).source, Source::kArrived);
-  EXPECT_EQ(agent_.update(situationAt({-0.1, 0.1, 0.0}, 0.1)).source, Source::kGoalInSight);
+  EXPECT_EQ(agent_.update(situationAt({})).choice, Move::kArrived);
+  EXPECT_EQ(agent_.update(situationAt({-0.1, 0.1, 0.0}, 0.1)).choice, Move::kGoalInSight);
 }
 
 TEST_F(NavigationAgentTest, WithoutShieldTheNetworkIsFree) {

@@ -67,7 +67,7 @@ TEST_F(NavigationReach, DecidesAmongUtmCoordinatesAsAtTheOrigin) {
     at_origin.drive({8.0, 5.0}, step == 0, 0);
     agent_.perceive(makeHokuyoScan(3.0f), {}, {shift.x + pose.x, shift.y + pose.y, pose.yaw}, step);
     agent_.drive({shift.x + 8.0, shift.y + 5.0}, step == 0, 0);
-    ASSERT_EQ(agent_.decision().source, at_origin.decision().source) << step;
+    ASSERT_EQ(agent_.decision().choice, at_origin.decision().choice) << step;
     ASSERT_NEAR(agent_.decision().direction, at_origin.decision().direction, 1e-6) << step;
   }
 }

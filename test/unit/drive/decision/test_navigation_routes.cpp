@@ -12,7 +12,7 @@
 namespace lstm_planner::test_navigation_routes {
 namespace {
 
-using Source = Decision::Source;
+using Move = Decision::Move;
 using test::returnsAt;
 using test::situationAt;
 
@@ -46,7 +46,7 @@ TEST_F(NavigationRoutes, TheWaypointLiesOnTheRouteThatLeads) {
   for (const double yaw : {0.0, 0.3, 1.0, M_PI}) {
     agent_.setGoal({4.0, 0.0});
     const Decision& decision = agent_.update(situationAt({0.0, 0.0, yaw}));
-    EXPECT_EQ(decision.source, Source::kRoute);
+    EXPECT_EQ(decision.choice, Leader::kRoute);
     EXPECT_TRUE(decision.on_route);
     EXPECT_NEAR(decision.waypoint.x, 0.4, 1e-12);  // not where the heading points to
     EXPECT_NEAR(decision.waypoint.y, 0.0, 1e-12);
@@ -57,7 +57,7 @@ TEST_F(NavigationRoutes, ARouteThatLeadsAsksNoNetwork) {
   const Network::HiddenState hidden = agent_.policy().hiddenState();
   for (int step = 0; step < 5; ++step) {
     const Decision& decision = agent_.update(situationAt({0.4 * step, 0.0, 0.0}, step));
-    EXPECT_NE(decision.source, Source::kNetwork);
+    EXPECT_NE(decision.choice, Leader::kNetwork);
     EXPECT_EQ(decision.preferred, -1);
     EXPECT_EQ(decision.overruled, Decision::Overruled::kNo);
   }
@@ -66,13 +66,13 @@ TEST_F(NavigationRoutes, ARouteThatLeadsAsksNoNetwork) {
 
 TEST_F(NavigationRoutes, WithoutALeaderTheAllowedAngleNearestToTheGoalIsTaken) {
   AgentParameters parameters;
-  parameters.leader = Decision::Source::kGreedy;
+  parameters.leader = Leader::kGreedy;
   NavigationAgent agent(stubbornPolicy(), parameters);
   const double bearings[] = {-1.4, -0.7, 0.1, 0.9, 2.9};
   for (int action = 0; action < 5; ++action) {
     agent.setGoal(pointAlong(Point2{}, bearings[action], 5.0));
     const Decision& decision = agent.update(situationAt({}));
-    EXPECT_EQ(decision.source, Source::kGreedy);
+    EXPECT_EQ(decision.choice, Leader::kGreedy);
     EXPECT_EQ(decision.action, action);
     EXPECT_EQ(decision.preferred, -1);
   }
@@ -149,7 +149,7 @@ TEST_F(NavigationRoutes, AGoalInAClosedRingBesideTheRobotSeemsToLieInAnObstacle)
   std::vector<Point2> box;
   for (const Point2& point : test::ring(0.3)) box.push_back({goal.x + point.x, goal.y + point.y});
   EXPECT_EQ(agent.update(returnsAt(box)).goal_seems, Decision::GoalSeems::kInObstacle);
-  EXPECT_EQ(agent.decision().source, Decision::Source::kLookAround);
+  EXPECT_EQ(agent.decision().choice, Decision::Move::kLookAround);
   EXPECT_DOUBLE_EQ(agent.reachedWithin(), parameters.goal_tolerance);
 }
 
@@ -182,7 +182,7 @@ struct BesideThePillar {
       situation.time = 0.5 * step;
       agent.update(situation);
     }
-    is_to_be_reached = agent.decision().source == Source::kRoute;
+    is_to_be_reached = agent.decision().choice == Leader::kRoute;
     end = distanceBetween(agent.decision().destination, goal);
   }
 
@@ -256,7 +256,7 @@ TEST_F(NavigationRoutes, WithoutMemoryThereIsNoPathOn) {
 TEST_F(NavigationRoutes, ARobotThatIsHeldUpOnTheRouteIsLedAnotherWay) {
   ASSERT_NEAR(agent_.update(situationAt({})).direction, 0.0, 1e-9);
   const Decision& decision = agent_.update(situationAt({}, 2.1));
-  EXPECT_EQ(decision.source, Source::kRoute);
+  EXPECT_EQ(decision.choice, Leader::kRoute);
   ASSERT_TRUE(decision.on_route);
   // Round a place 0.3 m ahead: at less than the footprint from it there is no path.
   EXPECT_GT(std::abs(decision.direction), 0.3);
@@ -267,17 +267,17 @@ TEST_F(NavigationRoutes, SaysThatThereIsNoPathAfterThreeTurnsInAClosedRing) {
   double turned = 0.0;
   for (int i = 0; i < 100; ++i) {
     const Decision& decision = agent_.update(situationAt({0.0, 0.0, turned}, 0.5 * i, test::ring(0.8)));
-    if (decision.source == Source::kNoPath) break;
-    ASSERT_EQ(decision.source, Source::kLookAround) << i;
+    if (decision.choice == Move::kNoPath) break;
+    ASSERT_EQ(decision.choice, Move::kLookAround) << i;
     turned += 0.5;
   }
-  EXPECT_EQ(agent_.decision().source, Source::kNoPath);
+  EXPECT_EQ(agent_.decision().choice, Move::kNoPath);
   EXPECT_GT(turned, 3.0 * (2.0 * M_PI - 0.5));
   EXPECT_LT(turned, 3.0 * (2.0 * M_PI + 0.5) + 1.0);
   // It stays with that until there is a new goal.
-  EXPECT_EQ(agent_.update(situationAt({}, 99.0)).source, Source::kNoPath);
+  EXPECT_EQ(agent_.update(situationAt({}, 99.0)).choice, Move::kNoPath);
   agent_.setGoal({0.3, 0.3});
-  EXPECT_NE(agent_.update(situationAt({}, 99.1, test::ring(0.8))).source, Source::kNoPath);
+  EXPECT_NE(agent_.update(situationAt({}, 99.1, test::ring(0.8))).choice, Move::kNoPath);
 }
 
 TEST_F(NavigationRoutes, BoundariesAreFollowedAtTheLastResort) {
@@ -288,8 +288,8 @@ TEST_F(NavigationRoutes, BoundariesAreFollowedAtTheLastResort) {
   agent.setGoal({4.0, 0.0});
   // It goes to and fro without coming nearer.
   for (int step = 0; step <= 6; ++step) {
-    const Source source = agent.update(situationAt({step % 2 == 0 ? 0.0 : -0.5, 0.0, 0.0}, step)).source;
-    EXPECT_EQ(source, step < 6 ? Source::kRoute : Source::kEscape) << step;
+    const Decision::Choice choice = agent.update(situationAt({step % 2 == 0 ? 0.0 : -0.5, 0.0, 0.0}, step)).choice;
+    EXPECT_EQ(choice, step < 6 ? Leader::kRoute : Leader::kEscape) << step;
   }
 }
 

@@ -10,7 +10,7 @@ namespace lstm_planner::test_network_alone {
 namespace {
 
 using GoalSeems = Decision::GoalSeems;
-using Source = Decision::Source;
+using Move = Decision::Move;
 using test::situationAt;
 
 constexpr int kStraight = 2;
@@ -95,28 +95,28 @@ class GoalBehindAWallTest : public NetworkAloneTest {
 
 TEST_F(GoalBehindAWallTest, CountsAsReachedAfterEightTimesThePatience) {
   const int steps = 8 * parameters_.escape.patience_steps;
-  EXPECT_NE(after(steps - 1, wall_).source, Source::kArrived);
+  EXPECT_NE(after(steps - 1, wall_).choice, Move::kArrived);
   const Decision decision = after(steps, wall_);
-  EXPECT_EQ(decision.source, Source::kArrived);
+  EXPECT_EQ(decision.choice, Move::kArrived);
   EXPECT_EQ(decision.goal_seems, GoalSeems::kBehindObstacle);
   EXPECT_NEAR(distanceBetween(decision.destination, Point2{kPlace.x, kPlace.y}), 0.05, 1e-9)
       << "where the robot stands";
 }
 
 TEST_F(GoalBehindAWallTest, IsDrivenToIfThereIsNoWall) {
-  EXPECT_EQ(after(parameters_.escape.patience_steps, {}).source, Source::kGoalInSight);
+  EXPECT_EQ(after(parameters_.escape.patience_steps, {}).choice, Move::kGoalInSight);
 }
 
 TEST_F(GoalBehindAWallTest, IsNotReachedIfOdometryIsRight) {
   parameters_.goal_drift = 0.0;
-  EXPECT_NE(after(10 * parameters_.escape.patience_steps, wall_).source, Source::kArrived);
+  EXPECT_NE(after(10 * parameters_.escape.patience_steps, wall_).choice, Move::kArrived);
 }
 
 TEST_F(GoalBehindAWallTest, IsSearchedForByFollowingBoundaries) {
   parameters_.escape.enabled = true;
   const Decision decision = after(parameters_.escape.patience_steps, wall_);
-  EXPECT_NE(decision.source, Source::kArrived);
-  EXPECT_EQ(decision.leader, Source::kEscape);
+  EXPECT_NE(decision.choice, Move::kArrived);
+  EXPECT_EQ(decision.leader, Leader::kEscape);
 }
 
 }  // namespace

@@ -11,7 +11,6 @@ namespace lstm_planner::test_network_under_bound {
 namespace {
 
 using Overruled = Decision::Overruled;
-using Source = Decision::Source;
 using test::returnsAt;
 using test::situationAt;
 
@@ -37,7 +36,7 @@ TEST(NetworkUnderBound, AChoiceInTheDirectionOfThePathIsMadeExactByThePath) {
   NavigationAgent agent = agentPreferring(kPrefersStraight);
   // The nearest steering angle to -0.3 rad is straight on.
   const Decision& decision = agent.update(situationAt({0.0, 0.0, 0.3}));
-  EXPECT_EQ(decision.source, Source::kNetwork);
+  EXPECT_EQ(decision.choice, Leader::kNetwork);
   EXPECT_EQ(decision.action, kStraight);
   EXPECT_TRUE(decision.on_route);
   EXPECT_NEAR(decision.waypoint.x, 0.4, 1e-12);
@@ -49,7 +48,7 @@ TEST(NetworkUnderBound, AChoiceInTheDirectionOfThePathIsMadeExactByThePath) {
 TEST(NetworkUnderBound, ADetourWithinTheBoundIsCarriedOut) {
   NavigationAgent agent = agentPreferring(kPrefersLeft);
   const Decision& decision = agent.update(situationAt({}));
-  EXPECT_EQ(decision.source, Source::kNetwork);
+  EXPECT_EQ(decision.choice, Leader::kNetwork);
   EXPECT_EQ(decision.action, kLeft);
   EXPECT_FALSE(decision.on_route);
   // 0.4 m aside, and hardly more than before from there; a path from cell to cell is up to 8 % longer.
@@ -66,7 +65,7 @@ TEST(NetworkUnderBound, ADetourBeyondTheBoundIsOverruledByThePath) {
   const double used = agent.decision().regret_used;
   // Left again would be straight back: 0.8 m.
   const Decision& decision = agent.update(situationAt({0.0, 0.4, M_PI_2}, 1.0));
-  EXPECT_EQ(decision.source, Source::kRoute);
+  EXPECT_EQ(decision.choice, Leader::kRoute);
   EXPECT_EQ(decision.overruled, Overruled::kByBound);
   EXPECT_EQ(decision.preferred, kLeft);
   EXPECT_TRUE(decision.on_route);
@@ -97,7 +96,7 @@ TEST(NetworkUnderBound, WithoutAnyAllowanceOnlyTheDirectionOfThePathIsLeft) {
   NavigationAgent agent = agentPreferring(kPrefersLeft, {0.0, 0.0});
   EXPECT_EQ(agent.update(situationAt({})).overruled, Overruled::kByBound);
   agent.setGoal(kGoal);
-  EXPECT_EQ(agent.update(situationAt({0.0, 0.0, -M_PI_2}, 1.0)).source, Source::kNetwork)
+  EXPECT_EQ(agent.update(situationAt({0.0, 0.0, -M_PI_2}, 1.0)).choice, Leader::kNetwork)
       << "the path leads to the left";
 }
 
@@ -105,7 +104,7 @@ TEST(NetworkUnderBound, ADeadEndThatIsKnownIsOverruled) {
   NavigationAgent agent = agentPreferring(kPrefersStraight, {0.1, 0.0});
   const Decision& decision = agent.update(returnsAt(kWall, {1.2, 1.0, 0.0}));
   EXPECT_EQ(decision.overruled, Overruled::kByBound) << "towards the wall, and back again";
-  EXPECT_EQ(decision.source, Source::kRoute);
+  EXPECT_EQ(decision.choice, Leader::kRoute);
 }
 
 TEST(NetworkUnderBound, WhatWasPassedIsRemembered) {

@@ -13,11 +13,9 @@
 namespace lstm_planner::test_scanner_reach {
 namespace {
 
-using Source = Decision::Source;
-
 AgentParameters networkLed() {
   AgentParameters parameters;
-  parameters.leader = Source::kNetwork;
+  parameters.leader = Leader::kNetwork;
   return parameters;
 }
 
@@ -42,7 +40,7 @@ class ScannerReach : public ::testing::Test {
 
 TEST_F(ScannerReach, TheRememberedPathLeadsWhereTheScannerIsTooShortForTheNetwork) {
   const Decision& decision = step(2.77);
-  EXPECT_EQ(decision.leader, Source::kRoute);
+  EXPECT_EQ(decision.leader, Leader::kRoute);
   EXPECT_TRUE(decision.on_route);
   EXPECT_EQ(decision.preferred, -1) << "the network is not asked";
   EXPECT_EQ(agent_.standInWarning(),
@@ -51,33 +49,33 @@ TEST_F(ScannerReach, TheRememberedPathLeadsWhereTheScannerIsTooShortForTheNetwor
 }
 
 TEST_F(ScannerReach, TheNetworkLeadsWhereItIsLongEnough) {
-  EXPECT_EQ(step(3.0).leader, Source::kNetwork);
+  EXPECT_EQ(step(3.0).leader, Leader::kNetwork);
   EXPECT_EQ(agent_.standInWarning(), "");
 }
 
 TEST_F(ScannerReach, TheLargestRangeSoFarCountsAndNotThatOfOneScan) {
   // Some drivers send the largest reading as range_max.
-  for (const double range_max : {2.4, 2.77, 2.0}) EXPECT_EQ(step(range_max).leader, Source::kRoute) << range_max;
-  EXPECT_EQ(step(3.4).leader, Source::kNetwork);
-  for (const double range_max : {2.1, 2.77, 2.9}) EXPECT_EQ(step(range_max).leader, Source::kNetwork) << range_max;
+  for (const double range_max : {2.4, 2.77, 2.0}) EXPECT_EQ(step(range_max).leader, Leader::kRoute) << range_max;
+  EXPECT_EQ(step(3.4).leader, Leader::kNetwork);
+  for (const double range_max : {2.1, 2.77, 2.9}) EXPECT_EQ(step(range_max).leader, Leader::kNetwork) << range_max;
   EXPECT_EQ(agent_.standInWarning(), "");
 }
 
 TEST_F(ScannerReach, ANewGoalIsLedAsTheLastOne) {
   step(2.77);
   agent_.setGoal({20.0, 3.0});
-  EXPECT_EQ(agent_.decision().leader, Source::kRoute);
+  EXPECT_EQ(agent_.decision().leader, Leader::kRoute);
 }
 
 TEST_F(ScannerReach, OnlyANetworkThatLeadsNeedsIt) {
   AgentParameters changed = networkLed();
-  changed.leader = Source::kRoute;
+  changed.leader = Leader::kRoute;
   agent_.change(changed);
-  EXPECT_EQ(step(2.0).leader, Source::kRoute);
+  EXPECT_EQ(step(2.0).leader, Leader::kRoute);
   EXPECT_EQ(agent_.standInWarning(), "") << "nobody stands in for anybody";
-  changed.leader = Source::kNetwork;
+  changed.leader = Leader::kNetwork;
   agent_.change(changed);
-  EXPECT_EQ(step(2.0).leader, Source::kRoute);
+  EXPECT_EQ(step(2.0).leader, Leader::kRoute);
   EXPECT_NE(agent_.standInWarning(), "");
 }
 
@@ -101,7 +99,7 @@ TEST(ScannerReachInSimulation, ARobotWithAShortScannerArrivesLedByTheRememberedP
   NavigationAgent agent(leftwards(), networkLed());
   const DriveResult result = drive(world, {{1.0, 2.0, 0.0}, {8.0, 2.0}}, parameters, 1, &agent);
   EXPECT_EQ(result.end, DriveResult::End::kReached);
-  EXPECT_EQ(result.steps_by.at(static_cast<std::size_t>(Source::kNetwork)), 0);
+  EXPECT_EQ(result.steps_by.at(indexOf(Leader::kNetwork)), 0);
   EXPECT_NE(agent.standInWarning(), "");
 }
 
@@ -111,13 +109,13 @@ TEST(StepLength, ConcernsOnlyAModelThatLeads) {
   const std::string why =
       test::refusalOf<std::invalid_argument>([&] { NavigationAgent agent(leftwards(), parameters); });
   EXPECT_NE(why.find("step/length is 0.5"), std::string::npos) << why;
-  parameters.leader = Source::kRoute;
+  parameters.leader = Leader::kRoute;
   NavigationAgent agent(leftwards(), parameters);
   AgentParameters changed = parameters;
-  changed.leader = Source::kNetwork;
+  changed.leader = Leader::kNetwork;
   EXPECT_NE(test::refusalOf<std::invalid_argument>([&] { agent.change(changed); }).find("step/length is 0.5"),
             std::string::npos);
-  EXPECT_EQ(agent.parameters().leader, Source::kRoute);
+  EXPECT_EQ(agent.parameters().leader, Leader::kRoute);
 }
 
 }  // namespace

@@ -61,9 +61,9 @@ class GuideFixture : public ::testing::Test {
     guide_.moveGoal(goal_, goal);
     goal_ = goal;
   }
-  Decision::Source update(const Situation& situation) { return guide_.update(situation, goal_, tolerance_); }
+  Replanner::Answer update(const Situation& situation) { return guide_.update(situation, goal_, tolerance_); }
 
-  Replanner guide_{AgentParameters()};
+  Replanner guide_{MemoryParameters(), ShieldParameters()};
   double tolerance_ = AgentParameters().goal_tolerance;  ///< m
 
  private:

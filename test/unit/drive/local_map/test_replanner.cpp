@@ -12,7 +12,7 @@
 namespace lstm_planner::test_replanner {
 namespace {
 
-using Source = Decision::Source;
+using Answer = Replanner::Answer;
 using test::returnsAt;
 using test::seenFrom;
 
@@ -26,10 +26,10 @@ OccupancyGrid closedRoom() {
 class ReplannerTest : public test::GuideFixture {
  protected:
   /// Turns the robot on the spot by 40 degrees a time while it is told to look around, at most `turns` times round.
-  Source lookAround(const World& world, Pose2* pose, double turns) {
-    Source status = update(seenFrom(world, *pose));
+  Answer lookAround(const World& world, Pose2* pose, double turns) {
+    Answer status = update(seenFrom(world, *pose));
     turned_ = 0.0;
-    while (status == Source::kLookAround && turned_ < 2.0 * M_PI * turns) {
+    while (status == Answer::kLookAround && turned_ < 2.0 * M_PI * turns) {
       pose->yaw += degreesToRadians(40.0);
       turned_ += degreesToRadians(40.0);
       status = update(seenFrom(world, *pose));
@@ -49,8 +49,8 @@ class ReplannerTest : public test::GuideFixture {
   }
 
   /// A turn on the spot where nothing is seen; the answer in the end.
-  Source turn(Pose2 pose = {}) {
-    Source status = Source::kLookAround;
+  Answer turn(Pose2 pose = {}) {
+    Answer status = Answer::kLookAround;
     for (int i = 0; i < 10; ++i) {
       pose.yaw += degreesToRadians(40.0);
       status = update(returnsAt({}, pose));
@@ -75,7 +75,7 @@ class ReplannerTest : public test::GuideFixture {
 
 TEST_F(ReplannerTest, LeadsFromTheRobotToTheGoal) {
   start({5.0, 3.0});
-  ASSERT_EQ(update(returnsAt({}, {1.0, 0.0, 0.0})), Source::kRoute);
+  ASSERT_EQ(update(returnsAt({}, {1.0, 0.0, 0.0})), Answer::kRoute);
   EXPECT_EQ(guide_.route().points.front().x, 1.0);
   EXPECT_EQ(guide_.end().x, 5.0);
   EXPECT_DOUBLE_EQ(guide_.route().length, 5.0);
@@ -86,7 +86,7 @@ TEST_F(ReplannerTest, LeadsFromTheRobotToTheGoal) {
 
 TEST_F(ReplannerTest, KnowsTheCornersAhead) {
   start({4.0, 0.0});
-  ASSERT_EQ(update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0}))), Source::kRoute);
+  ASSERT_EQ(update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0}))), Answer::kRoute);
   const std::vector<Point2>& points = guide_.route().points;
   ASSERT_GE(points.size(), 3u);
   std::vector<Point2> ahead;
@@ -106,7 +106,7 @@ TEST_F(ReplannerTest, BelievesThatARoomIsClosedAfterThreeLooksAroundAndNotEarlie
   Pose2 pose{2.0, 2.0, 0.0};
   // What lies behind the robot at first is unknown, and a path leads there.
   for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) update(seenFrom(world, {2.0, 2.0, yaw}));
-  EXPECT_EQ(lookAround(world, &pose, 8.0), Source::kNoPath);
+  EXPECT_EQ(lookAround(world, &pose, 8.0), Answer::kNoPath);
   // Three full turns, each less what the scanner sees more than its heading, and more by what it turns at once.
   EXPECT_GT(turned_, 3.0 * (2.0 * M_PI - 0.5) - degreesToRadians(160.0));
   EXPECT_LT(turned_, 3.0 * 2.0 * M_PI + degreesToRadians(160.0));
@@ -122,8 +122,8 @@ TEST_F(ReplannerTest, FindsTheDoorThatWasOpenedWhileItLookedAround) {
   start({8.0, 2.0});
   Pose2 pose{2.0, 2.0, 0.0};
   for (double yaw = 0.0; yaw < 3.2; yaw += 0.8) update(seenFrom(closed, {2.0, 2.0, yaw}));
-  ASSERT_EQ(lookAround(closed, &pose, 1.5), Source::kLookAround);
-  EXPECT_EQ(lookAround(open, &pose, 1.5), Source::kRoute);
+  ASSERT_EQ(lookAround(closed, &pose, 1.5), Answer::kLookAround);
+  EXPECT_EQ(lookAround(open, &pose, 1.5), Answer::kRoute);
 }
 
 TEST_F(ReplannerTest, OneWrongObstacleDoesNotCloseARoom) {
@@ -138,21 +138,21 @@ TEST_F(ReplannerTest, OneWrongObstacleDoesNotCloseARoom) {
   Situation person = seenFrom(world, {2.0, 2.0, 0.0});
   for (const Point2& point : test::wall({2.1, -0.6}, {2.1, 1.1})) person.obstacles.push_back(point);
   person.profile.ranges.clear();
-  EXPECT_EQ(update(person), Source::kLookAround);
+  EXPECT_EQ(update(person), Answer::kLookAround);
   Pose2 pose{2.0, 2.0, 0.0};
-  EXPECT_EQ(lookAround(world, &pose, 8.0), Source::kRoute);
+  EXPECT_EQ(lookAround(world, &pose, 8.0), Answer::kRoute);
   EXPECT_LT(turned_, 2.0 * M_PI + 0.1);
 }
 
 TEST_F(ReplannerTest, ARobotThatCannotTurnAroundSearchesWithWhatItSees) {
   start({-4.0, 0.0});
-  ASSERT_EQ(update(returnsAt(test::ring(0.8))), Source::kLookAround);
+  ASSERT_EQ(update(returnsAt(test::ring(0.8))), Answer::kLookAround);
   Situation ahead = returnsAt(test::wall({1.0, -1.0}, {1.0, 1.0}));
   ahead.time = 1.0;
-  ASSERT_EQ(update(ahead), Source::kLookAround) << "it may be about to turn";
+  ASSERT_EQ(update(ahead), Answer::kLookAround) << "it may be about to turn";
   guide_.forget();
   ahead.time = 6.0;
-  EXPECT_EQ(update(ahead), Source::kRoute);
+  EXPECT_EQ(update(ahead), Answer::kRoute);
 }
 
 TEST_F(ReplannerTest, IsLostWhenTheMemoryWasWrongAgainAndAgainWithoutProgress) {
@@ -160,20 +160,20 @@ TEST_F(ReplannerTest, IsLostWhenTheMemoryWasWrongAgainAndAgainWithoutProgress) {
   start({8.0, 0.0});
   // Each time it is enclosed all around, looks around, and sees something else.
   for (int time = 0; time < 4; ++time) {
-    ASSERT_EQ(update(returnsAt(around)), Source::kLookAround) << time;
+    ASSERT_EQ(update(returnsAt(around)), Answer::kLookAround) << time;
     guide_.forget();
-    ASSERT_EQ(turn(), Source::kRoute) << time;
+    ASSERT_EQ(turn(), Answer::kRoute) << time;
   }
-  EXPECT_EQ(update(returnsAt(around)), Source::kEscape);
+  EXPECT_EQ(update(returnsAt(around)), Answer::kLost);
 }
 
 TEST_F(ReplannerTest, ProgressForgivesWhatWentWrong) {
   const std::vector<Point2> around = test::ring(0.8);
   start({8.0, 0.0});
   for (int time = 0; time < 20; ++time) {
-    ASSERT_EQ(update(returnsAt(around)), Source::kLookAround) << time;
+    ASSERT_EQ(update(returnsAt(around)), Answer::kLookAround) << time;
     guide_.forget();
-    ASSERT_EQ(turn(), Source::kRoute) << time;
+    ASSERT_EQ(turn(), Answer::kRoute) << time;
     guide_.noteProgress();
   }
 }
@@ -182,10 +182,10 @@ TEST_F(ReplannerTest, ANewGoalIsFoundThroughWhatWasSeenBefore) {
   start({-4.0, 0.0});
   update(returnsAt(test::wall({2.0, -1.0}, {2.0, 3.0})));
   start({4.0, 0.0});
-  ASSERT_EQ(update(returnsAt({})), Source::kRoute);
+  ASSERT_EQ(update(returnsAt({})), Answer::kRoute);
   EXPECT_GT(guide_.route().length, 2.0 * std::sqrt(5.0));
   guide_.forget();
-  ASSERT_EQ(update(returnsAt({})), Source::kRoute);
+  ASSERT_EQ(update(returnsAt({})), Answer::kRoute);
   EXPECT_DOUBLE_EQ(guide_.route().length, 4.0);
 }
 
@@ -222,26 +222,26 @@ TEST_F(ReplannerTest, KeepsItsPathToAGoalThatMovesALittle) {
   const Situation wall = returnsAt(test::wall({2.0, -1.1}, {2.0, 1.0}));
   const Point2 moved{4.0, -0.2};
   start({4.0, 0.0});
-  ASSERT_EQ(update(wall), Source::kRoute);
+  ASSERT_EQ(update(wall), Answer::kRoute);
   ASSERT_TRUE(goesAbove());
   moveGoal(moved);
   EXPECT_EQ(guide_.end().y, moved.y);
   EXPECT_DOUBLE_EQ(guide_.route().length, lengthOf(guide_.route().points));
-  ASSERT_EQ(update(wall), Source::kRoute);
+  ASSERT_EQ(update(wall), Answer::kRoute);
   EXPECT_TRUE(goesAbove());
   EXPECT_EQ(guide_.end().y, moved.y);
   // Who sets out for it anew goes below, where it is nearer now.
   start(moved);
-  ASSERT_EQ(update(wall), Source::kRoute);
+  ASSERT_EQ(update(wall), Answer::kRoute);
   EXPECT_FALSE(goesAbove());
 }
 
 TEST_F(ReplannerTest, BlockedAheadItLeadsAnotherWay) {
   start({4.0, 0.0});
   const Situation here = returnsAt({});
-  ASSERT_EQ(update(here), Source::kRoute);
+  ASSERT_EQ(update(here), Answer::kRoute);
   guide_.blockAhead();
-  ASSERT_EQ(update(here), Source::kRoute);
+  ASSERT_EQ(update(here), Answer::kRoute);
   // Round a place 0.3 m ahead, at the footprint's distance at least.
   EXPECT_GT(guide_.route().length, 4.05);
   double nearest = 1.0;
@@ -263,7 +263,7 @@ TEST_F(ReplannerTest, KeepsItsRouteWhileTheRobotDrivesAlongIt) {
     const Point2 next = guide_.pointAhead(0.1);
     driven += distanceBetween(pose, next);
     pose = {next.x, next.y, directionTo(pose, next)};
-    ASSERT_EQ(update(returnsAt(wall, pose)), Source::kRoute);
+    ASSERT_EQ(update(returnsAt(wall, pose)), Answer::kRoute);
     // What is left and what was driven are together no more than the whole was: corners are only cut.
     ASSERT_LT(guide_.route().length + driven, whole + 0.1);
   }
@@ -280,17 +280,17 @@ TEST_F(ReplannerTest, EndsBesideAGoalInAnObstacleIfTheToleranceAllowsIt) {
   const Situation seen = returnsAt(pillar, {4.0, 0.0, 0.0});
   start({8.0, 0.0});
   tolerance_ = beside;
-  EXPECT_EQ(update(seen), Source::kLookAround) << "the tight clearance is missing";
+  EXPECT_EQ(update(seen), Answer::kLookAround) << "the tight clearance is missing";
   tolerance_ = beside + 0.15;
   start({8.0, 0.0});
-  ASSERT_EQ(update(seen), Source::kRoute);
+  ASSERT_EQ(update(seen), Answer::kRoute);
   EXPECT_LE(distanceBetween(guide_.end(), Point2{8.0, 0.0}), tolerance_);
 }
 
 TEST_F(ReplannerTest, TheRegretOfAStepIsHowMuchLongerThePathThroughItsEndIs) {
   const Point2 goal{4.0, 0.0};
   start(goal);
-  ASSERT_EQ(update(returnsAt({})), Source::kRoute);
+  ASSERT_EQ(update(returnsAt({})), Answer::kRoute);
   // A path from cell to cell is up to 8 % longer than the straight line; both ends of the difference are.
   const double rounding = 0.08 * 0.4 + guide_.memory().cellSize();
   std::vector<Point2> path_on;
@@ -306,7 +306,7 @@ TEST_F(ReplannerTest, AStepIntoAClosedPlaceIsRegrettedWithoutEnd) {
   start({4.0, 0.0});
   std::vector<Point2> ring;
   for (const Point2& point : test::ring(0.6)) ring.push_back({-2.0 + point.x, point.y});
-  ASSERT_EQ(update(returnsAt(ring)), Source::kRoute);
+  ASSERT_EQ(update(returnsAt(ring)), Answer::kRoute);
   std::vector<Point2> path_on;
   EXPECT_EQ(guide_.regretOf({}, {-2.0, 0.0}, {4.0, 0.0}, &path_on), std::numeric_limits<double>::infinity());
   EXPECT_TRUE(path_on.empty());

@@ -15,7 +15,7 @@
 namespace lstm_planner::test_route_searches {
 namespace {
 
-using Source = Decision::Source;
+using Answer = Replanner::Answer;
 using test::returnsAt;
 
 const AgentParameters kDefaults;
@@ -37,7 +37,7 @@ class RouteSearches : public test::GuideFixture {
  protected:
   RouteSearches() {
     start({6.0, 0.0});
-    EXPECT_EQ(update(returnsAt(wall_)), Source::kRoute);
+    EXPECT_EQ(update(returnsAt(wall_)), Answer::kRoute);
     EXPECT_EQ(guide_.searches(), 1);
   }
 
@@ -56,7 +56,7 @@ TEST_F(RouteSearches, NoneIsMadeWhileTheRobotDrivesAlongAndNothingChanges) {
   while (distanceBetween(pose, Point2{6.0, 0.0}) > 0.3) {
     const Point2 next = guide_.pointAhead(0.2);
     pose = {next.x, next.y, directionTo(pose, next)};
-    ASSERT_EQ(update(returnsAt(wall_, pose)), Source::kRoute);
+    ASSERT_EQ(update(returnsAt(wall_, pose)), Answer::kRoute);
     ASSERT_EQ(guide_.searches(), 1) << "at " << pose.x << " " << pose.y;
     ASSERT_EQ(guide_.route().points.front().x, pose.x);
     ASSERT_FLOAT_EQ(guide_.route().length, lengthOf(guide_.route().points));
@@ -69,7 +69,7 @@ TEST_F(RouteSearches, CornersThatTheFirstHadAreCutOnThePath) {
   Pose2 pose;
   double driven = 0.0;
   while (distanceBetween(pose, goal) > 0.3) {
-    ASSERT_EQ(update(returnsAt({}, pose)), Source::kRoute);
+    ASSERT_EQ(update(returnsAt({}, pose)), Answer::kRoute);
     const Point2 next = guide_.pointAhead(0.2);
     driven += distanceBetween(pose, next);
     pose = {next.x, next.y, directionTo(pose, next)};
@@ -81,7 +81,7 @@ TEST_F(RouteSearches, CornersThatTheFirstHadAreCutOnThePath) {
 TEST_F(RouteSearches, NoneIsMadeForAnObstacleThatAppearsElsewhere) {
   std::vector<Point2> places = wall_;
   for (const Point2& point : test::wall({1.0, 2.0}, {2.0, 2.0})) places.push_back(point);
-  ASSERT_EQ(update(returnsAt(places)), Source::kRoute);
+  ASSERT_EQ(update(returnsAt(places)), Answer::kRoute);
   EXPECT_EQ(guide_.searches(), 1);
 }
 
@@ -91,30 +91,30 @@ TEST_F(RouteSearches, OneIsMadeWhenAnObstacleLiesOnThePath) {
   for (const Point2& point : test::wall({middle.x, middle.y - 1.0}, {middle.x, middle.y + 1.0})) {
     places.push_back(point);
   }
-  ASSERT_EQ(update(returnsAt(places)), Source::kRoute);
+  ASSERT_EQ(update(returnsAt(places)), Answer::kRoute);
   EXPECT_EQ(guide_.searches(), 2);
-  ASSERT_EQ(update(returnsAt(places)), Source::kRoute);
+  ASSERT_EQ(update(returnsAt(places)), Answer::kRoute);
   EXPECT_EQ(guide_.searches(), 2);
 }
 
 TEST_F(RouteSearches, OneIsMadeWhenAShortcutOpens) {
   // A door of 1.2 m where the straight path leads through the wall.
   const double aside = std::atan2(0.6, 3.0);
-  ASSERT_EQ(update(seeingThrough(-aside, aside, {})), Source::kRoute);
+  ASSERT_EQ(update(seeingThrough(-aside, aside, {})), Answer::kRoute);
   EXPECT_EQ(guide_.searches(), 2);
   EXPECT_LT(guide_.route().length, 6.1);
 }
 
 TEST_F(RouteSearches, NoneIsMadeForAGapThatLeadsNowhereNearer) {
   // The upper half metre of the wall: above it is still farther than below.
-  ASSERT_EQ(update(seeingThrough(std::atan2(3.5, 3.0), 1.0, {})), Source::kRoute);
+  ASSERT_EQ(update(seeingThrough(std::atan2(3.5, 3.0), 1.0, {})), Answer::kRoute);
   EXPECT_EQ(guide_.searches(), 1);
 }
 
 TEST_F(RouteSearches, OneIsMadeWhenTheRobotIsPushedOff) {
   ASSERT_LT(highest(), 1.0);
   // Near the upper end of the wall the path round that end is much shorter than back to the lower one.
-  ASSERT_EQ(update(returnsAt(wall_, {2.4, 4.2, 0.0})), Source::kRoute);
+  ASSERT_EQ(update(returnsAt(wall_, {2.4, 4.2, 0.0})), Answer::kRoute);
   EXPECT_EQ(guide_.searches(), 2);
   EXPECT_GT(highest(), 4.0);
 }
@@ -127,11 +127,11 @@ TEST_F(RouteSearches, OneIsMadeForABlockedPathFromBesideADoorPost) {
   for (const double side : {-1.0, 1.0}) {
     for (const Point2& point : test::wall({0.42, side * 0.22}, {0.42, side * 3.0})) places.push_back(point);
   }
-  Replanner guide(kDefaults);
+  Replanner guide(kDefaults.memory, kDefaults.shield);
   guide.start();
-  ASSERT_EQ(guide.update(returnsAt(places, pose), goal, kDefaults.goal_tolerance), Source::kRoute);
+  ASSERT_EQ(guide.update(returnsAt(places, pose), goal, kDefaults.goal_tolerance), Answer::kRoute);
   for (const Point2& point : test::wall({3.0, -1.0}, {3.0, 1.0})) places.push_back(point);
-  ASSERT_EQ(guide.update(returnsAt(places, pose), goal, kDefaults.goal_tolerance), Source::kRoute);
+  ASSERT_EQ(guide.update(returnsAt(places, pose), goal, kDefaults.goal_tolerance), Answer::kRoute);
   const std::vector<Point2>& points = guide.route().points;
   for (std::size_t i = 2; i < points.size(); ++i) {
     EXPECT_TRUE(guide.isPassable(points[i - 1], points[i])) << "piece " << i;
@@ -140,11 +140,11 @@ TEST_F(RouteSearches, OneIsMadeForABlockedPathFromBesideADoorPost) {
 
 TEST_F(RouteSearches, OneIsMadeForANewGoalAndNoneForOneThatMovesALittle) {
   moveGoal({6.01, 0.01});
-  ASSERT_EQ(update(returnsAt(wall_)), Source::kRoute);
+  ASSERT_EQ(update(returnsAt(wall_)), Answer::kRoute);
   EXPECT_EQ(guide_.searches(), 1);
   EXPECT_EQ(guide_.end().x, 6.01);
   start({5.0, 2.0});
-  ASSERT_EQ(update(returnsAt(wall_)), Source::kRoute);
+  ASSERT_EQ(update(returnsAt(wall_)), Answer::kRoute);
   EXPECT_EQ(guide_.searches(), 2);
 }
 
@@ -157,8 +157,8 @@ TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
   std::uniform_real_distribution<double> place(-6.0, 6.0);
   std::uniform_real_distribution<double> direction(-M_PI, M_PI);
   std::uniform_real_distribution<double> length(0.5, 2.5);
-  Replanner keeping(kDefaults);
-  Replanner searching(kDefaults);
+  Replanner keeping(kDefaults.memory, kDefaults.shield);
+  Replanner searching(kDefaults.memory, kDefaults.shield);
   LocalMap memory(kDefaults.memory, kDefaults.shield);
   const RouteFinder finder(kDefaults.memory.tightness);
   const Point2 goal{8.0, 0.0};
@@ -179,9 +179,9 @@ TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
     }
     memory.add(situation);
     searching.start();  // knows no route: searches
-    const Source kept = keeping.update(situation, goal, kDefaults.goal_tolerance);
-    if (searching.update(situation, goal, kDefaults.goal_tolerance) != Source::kRoute) break;
-    ASSERT_EQ(kept, Source::kRoute) << "step " << step;
+    const Answer kept = keeping.update(situation, goal, kDefaults.goal_tolerance);
+    if (searching.update(situation, goal, kDefaults.goal_tolerance) != Answer::kRoute) break;
+    ASSERT_EQ(kept, Answer::kRoute) << "step " << step;
     const double cost = test::costOf(keeping.route(), finder, &memory);
     const double least = test::costOf(searching.route(), finder, &memory);
     // 8 % and 0.3 m are not worth turning for; along cells a path may be up to 8 % longer than it is.

@@ -91,7 +91,7 @@ TEST_F(ElasticBandAtADoor, BendsNoStepOfTheNetworkButWhatComesBehindIt) {
   agent.setGoal({4.6, 1.0});
   const Situation situation = test::seenFrom(world_, pose);
   const Decision& decision = agent.update(situation);
-  ASSERT_EQ(decision.source, Decision::Source::kNetwork);
+  ASSERT_EQ(decision.choice, Leader::kNetwork);
   ASSERT_FALSE(decision.on_route);
   std::vector<Pose2> plan;
   rollOut(situation, band_.bend(agent, pose, decision, kClearance), agent.shield(), {4.6, 1.0, 0.0}, parameters, {},
@@ -134,7 +134,7 @@ TEST_F(ElasticBandAtADoor, BendsTheWayToAGoalInSight) {
   const Pose2 pose{2.6, 2.3, 0.0};
   const Pose2 goal{3.8, 2.3, 0.0};
   EXPECT_NEAR(crossing(plan(pose, goal, 0.0)), 2.3, 1e-6);
-  EXPECT_EQ(agent_.decision().source, Decision::Source::kGoalInSight);
+  EXPECT_EQ(agent_.decision().choice, Decision::Move::kGoalInSight);
   EXPECT_GT(crossing(plan(pose, goal, kClearance)), 2.3 + 0.05);
 }
 
@@ -159,7 +159,7 @@ TEST_F(ElasticBandAtADoor, LeavesAloneWhatFollowsNoPath) {
   agent.setGoal({4.6, 1.0});
   const Pose2 pose{1.8, 0.9, M_PI_4};
   const Decision& decision = agent.update(test::seenFrom(world_, pose));
-  ASSERT_EQ(decision.source, Decision::Source::kNetwork);
+  ASSERT_EQ(decision.choice, Leader::kNetwork);
   EXPECT_EQ(&band_.bend(agent, pose, decision, kClearance), &decision);
 }
 

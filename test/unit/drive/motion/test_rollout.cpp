@@ -107,7 +107,7 @@ TEST_F(Rollout, StaysWhereTheGoalIs) {
 
 TEST_F(Rollout, LeadsToTheSideWhileLookingAround) {
   const std::vector<Pose2>& plan = planFor(situationAt({}, 0.0, test::ring(0.3)), {5.0, 0.0, 1.0});
-  EXPECT_EQ(agent_.decision().source, Decision::Source::kLookAround);
+  EXPECT_EQ(agent_.decision().choice, Decision::Move::kLookAround);
   EXPECT_GT(std::abs(plan[1].yaw), 1.0);
   EXPECT_EQ(plan.back().x, 5.0);
   EXPECT_LE(longestGap(), parameters_.spacing + 1e-9);
@@ -136,7 +136,7 @@ TEST_F(Rollout, IsDenseToTheEndForOrdinaryDistances) {
 TEST_F(Rollout, FollowsALongRouteMoreCoarselyFarFromTheRobot) {
   // Rows of 50 m, 1 m apart: 2.6 km.
   Decision decision;
-  decision.source = Decision::Source::kRoute;
+  decision.choice = Leader::kRoute;
   decision.waypoint = {0.4, 0.0};
   for (int row = 0; row < 50; ++row) {
     decision.path_on.push_back({row % 2 == 0 ? 50.0 : 0.0, static_cast<double>(row)});

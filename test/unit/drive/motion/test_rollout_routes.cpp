@@ -14,8 +14,6 @@
 namespace lstm_planner::test_rollout_routes {
 namespace {
 
-using Source = Decision::Source;
-
 const AgentParameters kDefaults;
 const double kRadius = kDefaults.shield.footprint_radius;
 
@@ -65,7 +63,7 @@ TEST_P(RolloutInForests, IsDenseEndsAtTheGoalAndGoesThroughNothingThatIsKnown) {
     const Situation situation = test::seenFrom(world_, pose);
     const Decision& decision = agent.update(situation);
     rollOut(situation, decision, agent.shield(), goal, kDefaults, parameters, &plan);
-    if (decision.source != Source::kNetwork && decision.source != Source::kRoute) continue;
+    if (decision.choice != Leader::kNetwork && decision.choice != Leader::kRoute) continue;
     ++checked;
     SCOPED_TRACE("plan " + std::to_string(i) + (decision.on_route ? " on the route" : " off the route"));
     // Where a network leads, what lies beyond what is seen to be free is not searched: a straight line to the goal.

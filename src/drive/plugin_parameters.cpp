@@ -1,4 +1,4 @@
-#include "lstm_planner/drive/decision/plugin_parameters.hpp"
+#include "lstm_planner/drive/plugin_parameters.hpp"
 
 #include <stdexcept>
 
@@ -10,7 +10,7 @@ void validate(const GlobalPlannerParameters& parameters) {
   visitGlobalPlannerParameters(parameters, RangeCheck());
   validate(parameters.sensors.scan_rules);
   validate(parameters.agent);
-  if (parameters.agent.leader == Decision::Source::kGreedy) {
+  if (parameters.agent.leader == Leader::kGreedy) {
     throw std::invalid_argument("leader is 'none', expected network or route: none is for comparisons in simulation");
   }
 }

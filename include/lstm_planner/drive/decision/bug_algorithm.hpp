@@ -1,10 +1,8 @@
 #pragma once
 
-#include <optional>
-
 #include "lstm_planner/drive/collision/shield.hpp"
-#include "lstm_planner/drive/decision/agent_parameters.hpp"
-#include "lstm_planner/drive/decision/decision.hpp"
+#include "lstm_planner/drive/collision/shield_parameters.hpp"
+#include "lstm_planner/drive/decision/escape_parameters.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 
 namespace lstm_planner {
@@ -23,9 +21,16 @@ struct Heading {
 /// most. After a full turn around the boundary it goes around once more, closer; then it reports no path (after
 /// Lumelsky and Stepanov, "Path-planning strategies for a point mobile automaton", Algorithmica 1987; Kamon and Rivlin,
 /// "Sensory-based motion planning with global proofs", 1997; Baeza-Yates et al., "Searching in the plane", 1993).
-class Escape {
+class BugAlgorithm {
  public:
-  Escape(const EscapeParameters& parameters, const ShieldParameters& shield);
+  enum class Answer {
+    kGo,          ///< `move` is the path to drive
+    kLookAround,  ///< boxed in: `move` is where to turn
+    kNoPath,      ///< it went all around: the goal cannot be reached from here
+    kNearer       ///< it is done: the robot is nearer to the goal than ever
+  };
+
+  BugAlgorithm(const EscapeParameters& parameters, const ShieldParameters& shield);
 
   /// Starts from here.
   void start();
@@ -34,11 +39,10 @@ class Escape {
   /// where the boundary was met.
   void moveGoal(const Point2& from, const Point2& to);
 
-  /// The next step in the current situation; `shield` knows its obstacles. kEscape or kLookAround: `move` is the path
-  /// to drive. kNoPath: it went all around, the goal cannot be reached from here. No value: the escape is over, because
-  /// no boundary is followed and the goal is nearer than `target_distance` (m).
-  std::optional<Decision::Source> decide(const Situation& situation, const Shield& shield, const Point2& goal,
-                                         double target_distance, Heading* move);
+  /// The next step in the current situation; `shield` knows its obstacles. kNearer: no boundary is followed, and the
+  /// goal is nearer than `target_distance` (m).
+  Answer decide(const Situation& situation, const Shield& shield, const Point2& goal, double target_distance,
+                Heading* move);
 
  private:
   double openTowardsGoal(const Situation& situation, const Shield& shield, const Point2& goal, double distance) const;

@@ -1,4 +1,4 @@
-#include "lstm_planner/drive/decision/escape.hpp"
+#include "lstm_planner/drive/decision/bug_algorithm.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,28 +7,28 @@
 namespace lstm_planner {
 
 namespace {
-/// Boundaries that are gone around twice before the escape gives up for good.
+/// Boundaries that are gone around twice before it gives up for good.
 constexpr int kMostRounds = 5;
 }  // namespace
 
-Escape::Escape(const EscapeParameters& parameters, const ShieldParameters& shield)
+BugAlgorithm::BugAlgorithm(const EscapeParameters& parameters, const ShieldParameters& shield)
     : parameters_(parameters),
       roomy_clearance_(shield.clearance),
       tight_clearance_(shield.tight_clearance),
       sight_(shield.reach - footprintOf(shield).circumscribedRadius()) {}
 
-void Escape::start() {
+void BugAlgorithm::start() {
   leave_below_ = std::numeric_limits<double>::infinity();
   following_ = false;
   rounds_ = 0;
 }
 
-void Escape::moveGoal(const Point2& from, const Point2& to) {
+void BugAlgorithm::moveGoal(const Point2& from, const Point2& to) {
   leave_below_ += distanceBetween(hit_position_, to) - distanceBetween(hit_position_, from);
 }
 
-std::optional<Decision::Source> Escape::decide(const Situation& situation, const Shield& shield, const Point2& goal,
-                                               double target_distance, Heading* move) {
+BugAlgorithm::Answer BugAlgorithm::decide(const Situation& situation, const Shield& shield, const Point2& goal,
+                                          double target_distance, Heading* move) {
   const double distance = distanceBetween(situation.pose, goal);
   const double open = openTowardsGoal(situation, shield, goal, distance);
   const bool can_go = open >= std::min(distance, parameters_.follow_step);
@@ -44,34 +44,34 @@ std::optional<Decision::Source> Escape::decide(const Situation& situation, const
       leave_below_ = nearest;  // What turns out not to be open must not be believed again.
     } else if (loopClosed(situation.pose)) {
       if (tight_ || rounds_ == kMostRounds) {
-        return Decision::Source::kNoPath;
+        return Answer::kNoPath;
       }
       followTight(situation.pose, goal);
     }
   }
   if (!following_) {
     if (distance < target_distance) {
-      return std::nullopt;
+      return Answer::kNearer;
     }
     if (can_go) {
       *move = {directionTo(situation.pose, goal), std::min(distance, parameters_.follow_step)};
-      return Decision::Source::kEscape;
+      return Answer::kGo;
     }
     meetBoundary(situation, shield, goal);
   }
   *move = follow(situation, shield);
-  return move->distance > 0.0 ? Decision::Source::kEscape : Decision::Source::kLookAround;
+  return move->distance > 0.0 ? Answer::kGo : Answer::kLookAround;
 }
 
-double Escape::openTowardsGoal(const Situation& situation, const Shield& shield, const Point2& goal,
-                               double distance) const {
+double BugAlgorithm::openTowardsGoal(const Situation& situation, const Shield& shield, const Point2& goal,
+                                     double distance) const {
   const double direction = directionTo(situation.pose, goal) - situation.pose.yaw;
   return shield.freeDistance({}, direction, std::min(distance, sight_), clearance());
 }
 
-double Escape::clearance() const { return following_ && tight_ ? tight_clearance_ : roomy_clearance_; }
+double BugAlgorithm::clearance() const { return following_ && tight_ ? tight_clearance_ : roomy_clearance_; }
 
-void Escape::followTight(const Pose2& pose, const Point2& goal) {
+void BugAlgorithm::followTight(const Pose2& pose, const Point2& goal) {
   // Noise makes doors look narrower than they are: once more around, as close as the robot can.
   tight_ = true;
   ++rounds_;
@@ -83,7 +83,7 @@ void Escape::followTight(const Pose2& pose, const Point2& goal) {
   last_position_ = pose;
 }
 
-void Escape::meetBoundary(const Situation& situation, const Shield& shield, const Point2& goal) {
+void BugAlgorithm::meetBoundary(const Situation& situation, const Shield& shield, const Point2& goal) {
   following_ = true;
   hit_position_ = {situation.pose.x, situation.pose.y};
   leave_below_ = std::min(leave_below_, distanceBetween(situation.pose, goal));
@@ -111,7 +111,7 @@ void Escape::meetBoundary(const Situation& situation, const Shield& shield, cons
   travel_direction_ = normalizeAngle(to_goal - side_ * parameters_.wall_turn);
 }
 
-void Escape::measureBoundary(const Pose2& pose) {
+void BugAlgorithm::measureBoundary(const Pose2& pose) {
   const double moved = distanceBetween(last_position_, pose);
   // Shorter moves have no reliable direction.
   if (moved < 0.3 * parameters_.follow_step) {
@@ -138,7 +138,7 @@ void Escape::measureBoundary(const Pose2& pose) {
   }
 }
 
-double Escape::turnOf(double direction) const {
+double BugAlgorithm::turnOf(double direction) const {
   // Probing starts wall_turn on the side of the wall and sweeps away from it: a larger turn towards the wall than that
   // was really one away from it, of more than half a circle.
   const double turn = normalizeAngle(direction - travel_direction_);
@@ -146,7 +146,7 @@ double Escape::turnOf(double direction) const {
   return side_ * turn > parameters_.wall_turn + slack ? turn - side_ * 2.0 * M_PI : turn;
 }
 
-bool Escape::loopClosed(const Pose2& pose) const {
+bool BugAlgorithm::loopClosed(const Pose2& pose) const {
   if (std::abs(along_) < parameters_.loop_length || distanceBetween(pose, hit_position_) > parameters_.loop_tolerance) {
     return false;
   }
@@ -156,7 +156,7 @@ bool Escape::loopClosed(const Pose2& pose) const {
   return off_circle < M_PI_2 && std::abs(normalizeAngle(travel_direction_ - direction)) < M_PI_2;
 }
 
-Heading Escape::follow(const Situation& situation, const Shield& shield) {
+Heading BugAlgorithm::follow(const Situation& situation, const Shield& shield) {
   const double start = travel_direction_ + side_ * parameters_.wall_turn;
   Heading move;
   if (probe(situation, shield, start, clearance(), &move) || probe(situation, shield, start, tight_clearance_, &move)) {
@@ -166,8 +166,8 @@ Heading Escape::follow(const Situation& situation, const Shield& shield) {
   return {situation.pose.yaw - side_ * 2.0, 0.0};
 }
 
-bool Escape::probe(const Situation& situation, const Shield& shield, double start, double clearance,
-                   Heading* move) const {
+bool BugAlgorithm::probe(const Situation& situation, const Shield& shield, double start, double clearance,
+                         Heading* move) const {
   const int probes = static_cast<int>(2.0 * M_PI / parameters_.probe_angle);
   for (int i = 0; i < probes; ++i) {
     const double direction = start - side_ * i * parameters_.probe_angle;
