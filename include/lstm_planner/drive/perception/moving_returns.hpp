@@ -17,7 +17,7 @@ struct MovingReturnsParameters {
   double range = 4.0;
   double youngest = 0.2;
   double oldest = 0.6;
-  double range_margin = 0.1;
+  double range_margin = 0.07;
   double lateral_margin = 0.05;
   double angle_margin = 0.03;
   int fewest_beams = 4;
