@@ -55,7 +55,6 @@ DatasetTrainingParameters thesisDatasetTraining() {
   TrainerParameters& trainer = parameters.trainer;
   trainer.epochs = 500;
   trainer.batch_size = 1;
-  trainer.shards = 1;
   trainer.averaging = 0.999;
   OptimiserParameters& optimiser = trainer.optimiser;
   optimiser.kind = OptimiserKind::kMomentum;
@@ -77,7 +76,6 @@ DatasetTrainingParameters stableDatasetTraining() {
   TrainerParameters& trainer = parameters.trainer;
   trainer.epochs = 60;
   trainer.batch_size = 16;
-  trainer.shards = 2;
   trainer.averaging = 0.98;
   trainer.optimiser.kind = OptimiserKind::kAdam;
   trainer.optimiser.learning_rate = 0.01;

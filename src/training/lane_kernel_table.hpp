@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lstm_planner/training/lane_kernels.hpp"
+
 namespace lstm_planner {
 
 /// The functions of lane_kernels.hpp as compiled for one instruction set.
@@ -12,9 +14,9 @@ struct LaneKernels {
   void (*apply_tanh)(float* values, int count);
   void (*multiply_by_tanh_derivative)(const float* results, float* gradient, int count);
   void (*lstm_forward)(float* gates, const float* previous_cell, float* cell, float* cell_tanh, float* output,
-                       int cells, int lanes);
+                       int cells, int lanes, Candidate candidate);
   void (*lstm_backward)(float* gates, const float* previous_cell, const float* cell_tanh, const float* output_gradient,
-                        float* cell_gradient, int cells, int lanes);
+                        float* cell_gradient, int cells, int lanes, Candidate candidate);
 };
 
 extern const LaneKernels kLaneKernelsBaseline;

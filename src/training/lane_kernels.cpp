@@ -54,13 +54,13 @@ void multiplyByTanhDerivative(const float* results, float* gradient, int count) 
 }
 
 void lstmForward(float* gates, const float* previous_cell, float* cell, float* cell_tanh, float* output, int cells,
-                 int lanes) {
-  kernels().lstm_forward(gates, previous_cell, cell, cell_tanh, output, cells, lanes);
+                 int lanes, Candidate candidate) {
+  kernels().lstm_forward(gates, previous_cell, cell, cell_tanh, output, cells, lanes, candidate);
 }
 
 void lstmBackward(float* gates, const float* previous_cell, const float* cell_tanh, const float* output_gradient,
-                  float* cell_gradient, int cells, int lanes) {
-  kernels().lstm_backward(gates, previous_cell, cell_tanh, output_gradient, cell_gradient, cells, lanes);
+                  float* cell_gradient, int cells, int lanes, Candidate candidate) {
+  kernels().lstm_backward(gates, previous_cell, cell_tanh, output_gradient, cell_gradient, cells, lanes, candidate);
 }
 
 }  // namespace lstm_planner

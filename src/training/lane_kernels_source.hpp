@@ -147,12 +147,13 @@ void multiplyByTanhDerivativeOfLanes(const float* results, float* gradient, int 
   }
 }
 
-template <class V>
+template <class V, Candidate kCandidate>
 LSTM_PLANNER_INLINE void stepCells(float* gates, int gate_stride, const float* previous_cell, float* cell,
                                    float* cell_tanh, float* output) {
   const V input_gate = sigmoid(loadGroup<V>(gates));
   store(input_gate, gates);
-  const V candidate = hyperbolicTangent(loadGroup<V>(gates + 3 * gate_stride));
+  const V candidate_sum = loadGroup<V>(gates + 3 * gate_stride);
+  const V candidate = kCandidate == Candidate::kTanh ? hyperbolicTangent(candidate_sum) : sigmoid(candidate_sum);
   store(candidate, gates + 3 * gate_stride);
   const V forget_gate = sigmoid(loadGroup<V>(gates + 2 * gate_stride));
   store(forget_gate, gates + 2 * gate_stride);
@@ -166,21 +167,26 @@ LSTM_PLANNER_INLINE void stepCells(float* gates, int gate_stride, const float* p
   store(next_tanh * output_gate, output);
 }
 
-void lstmForwardOfLanes(float* gates, const float* previous_cell, float* cell, float* cell_tanh, float* output,
-                        int cells, int lanes) {
+template <Candidate kCandidate>
+void stepAllCells(float* gates, const float* previous_cell, float* cell, float* cell_tanh, float* output, int count) {
   constexpr int kStride = kTogether * kWidest;
-  const int count = cells * lanes;
   int i = 0;
   for (; i + kStride <= count; i += kStride) {
-    stepCells<Vectors<kTogether>>(gates + i, count, previous_cell + i, cell + i, cell_tanh + i, output + i);
+    stepCells<Vectors<kTogether>, kCandidate>(gates + i, count, previous_cell + i, cell + i, cell_tanh + i, output + i);
   }
   for (; i < count; i += kWidest) {
-    stepCells<Vectors<1>>(gates + i, count, previous_cell + i, cell + i, cell_tanh + i, output + i);
+    stepCells<Vectors<1>, kCandidate>(gates + i, count, previous_cell + i, cell + i, cell_tanh + i, output + i);
   }
 }
 
+void lstmForwardOfLanes(float* gates, const float* previous_cell, float* cell, float* cell_tanh, float* output,
+                        int cells, int lanes, Candidate candidate) {
+  const auto step = candidate == Candidate::kTanh ? stepAllCells<Candidate::kTanh> : stepAllCells<Candidate::kSigmoid>;
+  step(gates, previous_cell, cell, cell_tanh, output, cells * lanes);
+}
+
 void lstmBackwardOfLanes(float* gates, const float* previous_cell, const float* cell_tanh, const float* output_gradient,
-                         float* cell_gradient, int cells, int lanes) {
+                         float* cell_gradient, int cells, int lanes, Candidate activation) {
   using V = Vectors<1>;
   const int count = cells * lanes;
   for (int i = 0; i < count; i += kWidest) {
@@ -194,7 +200,8 @@ void lstmBackwardOfLanes(float* gates, const float* previous_cell, const float* 
     store(by_cell * candidate * input_gate * (1.0f - input_gate), gates + i);
     store(by_output * tanh_of_cell * output_gate * (1.0f - output_gate), gates + count + i);
     store(by_cell * loadGroup<V>(previous_cell + i) * forget_gate * (1.0f - forget_gate), gates + 2 * count + i);
-    store(by_cell * input_gate * (1.0f - candidate * candidate), gates + 3 * count + i);
+    const V slope = activation == Candidate::kTanh ? 1.0f - candidate * candidate : candidate * (1.0f - candidate);
+    store(by_cell * input_gate * slope, gates + 3 * count + i);
     store(by_cell * forget_gate, cell_gradient + i);
   }
 }

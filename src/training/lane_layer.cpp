@@ -5,26 +5,57 @@
 namespace lstm_planner {
 namespace {
 
+void activate(Activation activation, float* values, int count) {
+  const auto halve = [&](float offset) {
+    for (int i = 0; i < count; ++i) values[i] = 0.5f * values[i] + offset;
+  };
+  switch (activation) {
+    case Activation::kIdentity:
+      return;
+    case Activation::kTanh:
+      return applyTanh(values, count);
+    case Activation::kSigmoid:  // by way of tanh
+      halve(0.0f);
+      applyTanh(values, count);
+      return halve(0.5f);
+    case Activation::kRelu:
+      for (int i = 0; i < count; ++i) values[i] = std::max(values[i], 0.0f);
+      return;
+  }
+}
+
+/// Multiplies `gradient` by the activation's derivative, written in terms of its result.
+void multiplyByDerivative(Activation activation, const float* results, float* gradient, int count) {
+  switch (activation) {
+    case Activation::kIdentity:
+      return;
+    case Activation::kTanh:
+      return multiplyByTanhDerivative(results, gradient, count);
+    case Activation::kSigmoid:
+      for (int i = 0; i < count; ++i) gradient[i] *= results[i] * (1.0f - results[i]);
+      return;
+    case Activation::kRelu:
+      for (int i = 0; i < count; ++i) gradient[i] = results[i] > 0.0f ? gradient[i] : 0.0f;
+      return;
+  }
+}
+
 class DenseLanes : public LaneLayer {
  public:
   DenseLanes(const DenseLayer& layer, int lanes, int steps)
       : LaneLayer(static_cast<int>(layer.weights.cols()), static_cast<int>(layer.weights.rows()),
                   static_cast<int>(layer.weights.rows()), lanes, steps),
-        activation_(layer.activation) {
-    if (activation_ != Activation::kIdentity && activation_ != Activation::kTanh) {
-      throw std::invalid_argument("a dense layer for reinforcement learning is neither linear nor tanh");
-    }
-  }
+        activation_(layer.activation) {}
 
   void forward(const float* parameters, int step, const float* inputs) override {
     weigh(parameters, parameters + units_ * inputs_, step, inputs);
     std::copy_n(sums(step), units_ * lanes_, LaneLayer::results(step));
-    if (activation_ == Activation::kTanh) applyTanh(LaneLayer::results(step), units_ * lanes_);
+    activate(activation_, LaneLayer::results(step), units_ * lanes_);
   }
 
   void backward(const float* /*parameters*/, int step) override {
     std::copy_n(resultGradient(), units_ * lanes_, sums(step));
-    if (activation_ == Activation::kTanh) multiplyByTanhDerivative(results(step), sums(step), units_ * lanes_);
+    multiplyByDerivative(activation_, results(step), sums(step), units_ * lanes_);
   }
 
  private:
@@ -132,13 +163,10 @@ class LstmLanes : public RecurrentLanes {
   LstmLanes(const LstmLayer& layer, int lanes, int steps)
       : RecurrentLanes(static_cast<int>(layer.input.cols()), static_cast<int>(layer.input.rows()),
                        static_cast<int>(layer.recurrent.cols()), lanes, steps),
+        candidate_(layer.candidate == Activation::kTanh ? Candidate::kTanh : Candidate::kSigmoid),
         cells_(static_cast<std::size_t>(outputs_) * static_cast<std::size_t>(lanes * (steps + 1))),
         cell_tanhs_(cells_.size()),
-        cell_gradient_(static_cast<std::size_t>(outputs_ * lanes)) {
-    if (layer.candidate != Activation::kTanh) {
-      throw std::invalid_argument("an LSTM layer for reinforcement learning has a candidate that is not tanh");
-    }
-  }
+        cell_gradient_(static_cast<std::size_t>(outputs_ * lanes)) {}
 
   void startBackward() override {
     RecurrentLanes::startBackward();
@@ -171,16 +199,17 @@ class LstmLanes : public RecurrentLanes {
  protected:
   void activate(int step) override {
     lstmForward(sums(step), cells(step), cells(step + 1), cell_tanhs_.data() + at(step, outputs_),
-                LaneLayer::results(step), outputs_, lanes_);
+                LaneLayer::results(step), outputs_, lanes_, candidate_);
   }
   void activateBackward(int step, const float* gradient) override {
     lstmBackward(sums(step), cells(step), cell_tanhs_.data() + at(step, outputs_), gradient, cell_gradient_.data(),
-                 outputs_, lanes_);
+                 outputs_, lanes_, candidate_);
   }
 
  private:
   float* cells(int step) { return cells_.data() + at(step, outputs_); }
 
+  Candidate candidate_;
   std::vector<float> cells_;  ///< cell states before each step, and after the last
   std::vector<float> cell_tanhs_;
   std::vector<float> cell_gradient_;
@@ -194,7 +223,7 @@ std::unique_ptr<LaneLayer> makeLaneLayer(const Layer& layer, int lanes, int step
   if (const auto* recurrent = std::get_if<RecurrentLayer>(&layer)) {
     return std::make_unique<PlainRecurrentLanes>(*recurrent, lanes, steps);
   }
-  throw std::invalid_argument("a softmax layer cannot be part of a network for reinforcement learning");
+  throw std::invalid_argument("a softmax can only be trained as the last of several layers, with the cross-entropy");
 }
 
 }  // namespace lstm_planner

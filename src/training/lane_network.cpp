@@ -44,6 +44,12 @@ void LaneNetwork::forget(int step, int lane) {
   for (const auto& layer : layers_) layer->forget(step, lane);
 }
 
+void LaneNetwork::reset() {
+  std::vector<float> zero = state();
+  std::fill(zero.begin(), zero.end(), 0.0f);
+  setState(zero);
+}
+
 void LaneNetwork::carryOver(int steps) {
   for (const auto& layer : layers_) layer->carryOver(steps);
 }
@@ -66,7 +72,7 @@ void LaneNetwork::setState(const std::vector<float>& state) {
   }
 }
 
-void LaneNetwork::backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient) {
+void LaneNetwork::backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient, float* by_inputs) {
   for (const auto& layer : layers_) layer->startBackward();
   for (int step = steps; step-- > 0;) {
     const float* own = parameters.data() + parameters.size();
@@ -76,6 +82,7 @@ void LaneNetwork::backward(const Eigen::VectorXf& parameters, int steps, Eigen::
       own -= layer.parameterCount();
       layer.backward(own, step);
       if (index > 0) layer.inputGradient(own, step, layers_[index - 1]->resultGradient());
+      if (index == 0 && by_inputs != nullptr) layer.inputGradient(own, step, by_inputs + offset(step, input_size_));
     }
   }
   float* own_gradient = gradient.data();

@@ -6,27 +6,42 @@
 #include <string>
 #include <utility>
 
-#include "lstm_planner/common/parallel_for.hpp"
 #include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
+#include "lstm_planner/training/tile_exchange.hpp"
 
 namespace lstm_planner {
 namespace {
 
-using Batch = std::vector<const Sequence*>;
+using Batch = SequenceGradient::Batch;
 
-/// Loss and gradient of a batch, computed shard by shard and summed in the shards' order: the sum does not depend on
-/// which thread of which rank did which shard.
-class ShardedGradient {
+/// A group's LossSum as numbers that ranks exchange: counts are exact as double up to 2^53.
+struct GroupLoss {
+  GroupLoss(const LossSum& sum, Eigen::Index classes)
+      : loss(sum.loss), weight(sum.weight), counts(Eigen::MatrixXd::Zero(classes, classes)) {
+    if (sum.confusion.size() > 0) counts = sum.confusion.cast<double>();
+  }
+  LossSum sum() const { return {loss, weight, counts.cast<std::int64_t>()}; }
+
+  double loss;
+  double weight;
+  Eigen::MatrixXd counts;
+};
+
+std::vector<double*> numbersOf(GroupLoss* group) {
+  std::vector<double*> numbers = {&group->loss, &group->weight};
+  for (Eigen::Index i = 0; i < group->counts.size(); ++i) numbers.push_back(group->counts.data() + i);
+  return numbers;
+}
+
+/// Loss and gradient of a batch, computed group by group and summed in the groups' order: the sum does not depend on
+/// which thread of which rank did which group.
+class GroupedGradient {
  public:
-  ShardedGradient(const LayerStack& layers, Loss loss, int shards, int threads, Communicator* ranks)
-      : shards_(static_cast<std::size_t>(shards)),
-        threads_(std::min(shards, threads)),
-        ranks_(ranks),
-        own_(shareOf(shards, ranks->rank(), ranks->size())),
-        classes_(outputSize(layers)) {
-    for (int thread = 0; thread < threads_; ++thread) workers_.emplace_back(layers, loss);
+  GroupedGradient(const LayerStack& layers, Loss loss, int threads, Communicator* ranks)
+      : exchange_(ranks, threads), classes_(outputSize(layers)) {
+    for (int thread = 0; thread < threads; ++thread) workers_.emplace_back(layers, loss);
   }
 
   LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch) { return evaluate(parameters, batch, nullptr); }
@@ -36,84 +51,30 @@ class ShardedGradient {
   }
 
  private:
-  struct Shard {
-    Batch batch;
-    LossSum loss;
-    Eigen::VectorXf gradient;
-  };
-
   LossSum evaluate(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient) {
-    deal(batch);
-    parallelFor(own_.count(), threads_, [&](int index, int thread) {
-      Shard& shard = shards_[static_cast<std::size_t>(own_.first + index)];
-      auto& worker = workers_[static_cast<std::size_t>(thread)];
-      shard.loss = gradient != nullptr ? worker.lossAndGradient(parameters, shard.batch, shard.gradient)
-                                       : worker.loss(parameters, shard.batch);
-    });
-    if (ranks_->size() > 1) {
-      exchangeLosses();
-      if (gradient != nullptr) exchangeGradients(parameters.size());
-    }
     LossSum sum;
-    if (gradient != nullptr) gradient->setZero(parameters.size());
-    for (const Shard& shard : shards_) {
-      sum += shard.loss;
-      if (gradient != nullptr) *gradient += shard.gradient;
+    if (batch.empty()) return sum;
+    const std::vector<Batch> groups = SequenceGradient::groupsOf(batch);
+    const auto count = static_cast<int>(groups.size());
+    std::vector<Eigen::VectorXf> gradients(groups.size());
+    const auto work = [&](int group, int thread) {
+      const auto index = static_cast<std::size_t>(group);
+      SequenceGradient& worker = workers_[static_cast<std::size_t>(thread)];
+      return GroupLoss(gradient != nullptr ? worker.lossAndGradient(parameters, groups[index], gradients[index])
+                                           : worker.loss(parameters, groups[index]),
+                       classes_);
+    };
+    for (const GroupLoss& group : exchange_.each(count, GroupLoss({}, classes_), work)) sum += group.sum();
+    if (gradient != nullptr) {
+      const auto gradientOf = [&](int group) { return gradients[static_cast<std::size_t>(group)]; };
+      *gradient = exchange_.sumOf(count, parameters.size(), gradientOf);
     }
     return sum;
   }
 
-  template <typename Scalar>
-  void exchangeColumns(Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>* columns) {
-    exchangeShares(ranks_, static_cast<int>(shards_.size()), static_cast<std::size_t>(columns->rows()),
-                   columns->data());
-  }
-
-  void exchangeGradients(Eigen::Index parameters) {
-    Eigen::MatrixXf columns(parameters, static_cast<Eigen::Index>(shards_.size()));
-    for (int shard = own_.first; shard < own_.last; ++shard) columns.col(shard) = shardAt(shard).gradient;
-    exchangeColumns(&columns);
-    for (int shard = 0; shard < columns.cols(); ++shard) shardAt(shard).gradient = columns.col(shard);
-  }
-
-  void exchangeLosses() {
-    // Counts are exact as double up to 2^53.
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(2 + classes_ * classes_, static_cast<Eigen::Index>(shards_.size()));
-    const auto countsOf = [&](int shard) {
-      return Eigen::Map<Eigen::MatrixXd>(columns.col(shard).data() + 2, classes_, classes_);
-    };
-    for (int shard = own_.first; shard < own_.last; ++shard) {
-      const LossSum& loss = shardAt(shard).loss;
-      columns.col(shard).head(2) << loss.loss, loss.weight;
-      if (loss.confusion.size() > 0) countsOf(shard) = loss.confusion.cast<double>();
-    }
-    exchangeColumns(&columns);
-    for (int shard = 0; shard < columns.cols(); ++shard) {
-      LossSum& loss = shardAt(shard).loss;
-      loss.loss = columns(0, shard);
-      loss.weight = columns(1, shard);
-      loss.confusion = countsOf(shard).cast<std::int64_t>();
-    }
-  }
-
-  Shard& shardAt(int index) { return shards_[static_cast<std::size_t>(index)]; }
-
-  /// Like cards, the longest sequences first, so that all shards have about as much to do.
-  void deal(Batch batch) {
-    std::stable_sort(batch.begin(), batch.end(),
-                     [](const Sequence* a, const Sequence* b) { return a->steps() > b->steps(); });
-    for (Shard& shard : shards_) shard.batch.clear();
-    for (std::size_t index = 0; index < batch.size(); ++index) {
-      shards_[index % shards_.size()].batch.push_back(batch[index]);
-    }
-  }
-
-  std::vector<Shard> shards_;
-  int threads_;
-  Communicator* ranks_;
-  Share own_;  ///< the shards that this rank does
+  TileExchange exchange_;
   Eigen::Index classes_;
-  std::vector<SequenceGradient<float>> workers_;
+  std::vector<SequenceGradient> workers_;
 };
 
 void requireAtLeastOne(const char* name, int value) {
@@ -136,12 +97,6 @@ std::vector<Batch> cut(const Batch& sequences, int size) {
     batches[index * count / sequences.size()].push_back(sequences[index]);
   }
   return batches;
-}
-
-LossSum sumOfLosses(const Eigen::VectorXf& parameters, const std::vector<Batch>& batches, ShardedGradient& gradient) {
-  LossSum sum;
-  for (const Batch& batch : batches) sum += gradient.loss(parameters, batch);
-  return sum;
 }
 
 bool isBetter(const LossSum& candidate, const LossSum& best) {
@@ -189,10 +144,10 @@ class Trainer::Implementation {
       : parameters_(parameters),
         layers_(checked(layers, training, validation, parameters)),
         state_(*state),
-        gradient_(layers, parameters.loss, parameters.shards, parameters.threads, parameters.communicator),
+        gradient_(layers, parameters.loss, parameters.threads, parameters.communicator),
         optimiser_(parameters.optimiser, weightMask(layers)),
         order_(pointersTo(training)),
-        validation_(cut(pointersTo(validation), parameters.batch_size)),
+        validation_(pointersTo(validation)),
         random_(parameters.seed),
         weights_(parameterVector(layers)) {
     if (averages()) averaged_weights_ = weights_;
@@ -257,9 +212,9 @@ class Trainer::Implementation {
       optimiser_.update(mean_gradient_, report.learning_rate, weights_);
       if (averages()) average();
     }
-    report.validation = sumOfLosses(weights_, validation_, gradient_);
+    report.validation = gradient_.loss(weights_, validation_);
     requireFinite(report.validation, "validation", epoch);
-    if (averages()) report.averaged = sumOfLosses(averaged_weights_, validation_, gradient_);
+    if (averages()) report.averaged = gradient_.loss(averaged_weights_, validation_);
     return report;
   }
 
@@ -272,10 +227,10 @@ class Trainer::Implementation {
   const TrainerParameters parameters_;
   const LayerStack layers_;
   TrainingState& state_;
-  ShardedGradient gradient_;
+  GroupedGradient gradient_;
   Optimiser optimiser_;
   Batch order_;
-  std::vector<Batch> validation_;
+  Batch validation_;
   Random random_;
   Eigen::VectorXf weights_;
   Eigen::VectorXf averaged_weights_;  ///< empty without averaging
@@ -294,7 +249,6 @@ TrainingResult Trainer::result() const { return implementation_->result(); }
 void validate(const TrainerParameters& parameters) {
   requireAtLeastOne("epochs", parameters.epochs);
   requireAtLeastOne("batch_size", parameters.batch_size);
-  requireAtLeastOne("shards", parameters.shards);
   requireAtLeastOne("threads", parameters.threads);
   checkParameter(parameters.averaging >= 0.0 && parameters.averaging < 1.0, "averaging", parameters.averaging,
                  "a share in [0, 1)");
@@ -317,9 +271,8 @@ LossSum evaluate(const LayerStack& layers, const std::vector<Sequence>& sequence
   requireAtLeastOne("threads", threads);
   validateLayers(layers);
   validateSequences(sequences, inputSize(layers), outputSize(layers), "evaluation");
-  const TrainerParameters defaults;
-  ShardedGradient gradient(layers, defaults.loss, defaults.shards, threads, oneProcess());
-  return sumOfLosses(parameterVector(layers), cut(pointersTo(sequences), defaults.batch_size), gradient);
+  GroupedGradient gradient(layers, TrainerParameters{}.loss, threads, oneProcess());
+  return gradient.loss(parameterVector(layers), pointersTo(sequences));
 }
 
 }  // namespace lstm_planner

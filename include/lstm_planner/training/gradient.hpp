@@ -2,10 +2,10 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "lstm_planner/network/layers.hpp"
+#include "lstm_planner/training/lane_network.hpp"
 #include "lstm_planner/training/sequence.hpp"
 
 namespace lstm_planner {
@@ -40,45 +40,53 @@ struct LossSum {
 /// prints phi_n for z_n. With the Euclidean loss the preferences y take the place of the probabilities (Eq. 2.7, 2.10),
 /// and there is no softmax. Errors go back to the first step of every sequence.
 ///
-/// An object holds the layers' shapes and the memory for one batch at a time: one object a thread.
-/// Scalar is float for training and double for checking the gradient.
-template <typename Scalar>
+/// The sequences are the lanes of a LaneNetwork, kTogether at a time, the longest first; short ones wait for the
+/// longest of their group. An object holds the memory for one group: one object a thread.
 class SequenceGradient {
  public:
-  using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
+  using Batch = std::vector<const Sequence*>;
+
+  /// Sequences that are computed side by side.
+  static constexpr int kTogether = 16;
 
   /// Throws std::invalid_argument when the layers do not fit together, a softmax is not the last layer, or there is one
   /// and the loss is Euclidean.
   explicit SequenceGradient(const LayerStack& layers, Loss loss = Loss::kCrossEntropy);
-  SequenceGradient(SequenceGradient&&) noexcept;
-  SequenceGradient& operator=(SequenceGradient&&) noexcept;
-  ~SequenceGradient();
+
+  /// Cuts a batch into groups of kTogether or fewer, alike in length.
+  static std::vector<Batch> groupsOf(Batch batch);
 
   /// Number of parameters, ordered as in parameterVector().
-  Eigen::Index parameterCount() const;
+  Eigen::Index parameterCount() const { return parameter_count_; }
 
   /// Loss with the given parameters, forward only.
-  LossSum loss(const Vector& parameters, const std::vector<const Sequence*>& batch);
+  LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch) { return evaluate(parameters, batch, nullptr); }
 
   /// The same, and the gradient of LossSum::loss (a sum, not a mean) in `gradient`.
   /// Sequences must be valid (validateSequences); a wrong number of parameters throws std::invalid_argument.
-  LossSum lossAndGradient(const Vector& parameters, const std::vector<const Sequence*>& batch, Vector& gradient);
+  LossSum lossAndGradient(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf& gradient) {
+    return evaluate(parameters, batch, &gradient);
+  }
 
   /// Preferences before the softmax, outputs x steps, for one sequence.
-  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> preferences(const Vector& parameters, const Sequence& sequence);
-
-  /// Derivative by the inputs, inputs x steps, of the sum of the preferences times `factors` (outputs x steps), for one
-  /// sequence, whose labels are not looked at. Throws std::invalid_argument for factors of another size.
-  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> inputGradient(
-      const Vector& parameters, const Sequence& sequence,
-      const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& factors);
+  Eigen::MatrixXf preferences(const Eigen::VectorXf& parameters, const Sequence& sequence);
 
  private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
-};
+  using Rows = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-extern template class SequenceGradient<float>;
-extern template class SequenceGradient<double>;
+  LossSum evaluate(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient);
+  void start(const Eigen::VectorXf& parameters, Eigen::Index steps);
+  Eigen::Map<const Rows> forward(const Eigen::VectorXf& parameters, const Batch& group, Eigen::Index step);
+  void addCrossEntropy(const Eigen::Map<const Rows>& preferences, const Batch& group, Eigen::Index step, LossSum* sum);
+  void addEuclidean(const Eigen::Map<const Rows>& preferences, const Batch& group, Eigen::Index step, LossSum* sum);
+
+  LayerStack layers_;  ///< without the softmax
+  Loss loss_;
+  Eigen::Index parameter_count_;
+  Eigen::Index longest_;  ///< steps for which there is room in network_
+  LaneNetwork network_;
+  Eigen::Array<float, 1, Eigen::Dynamic> largest_;  ///< preference of a lane
+  Eigen::Array<float, 1, Eigen::Dynamic> total_;
+};
 
 }  // namespace lstm_planner

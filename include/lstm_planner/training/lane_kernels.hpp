@@ -29,14 +29,17 @@ void applyTanh(float* values, int count);
 /// gradient *= 1 - result^2.
 void multiplyByTanhDerivative(const float* results, float* gradient, int count);
 
+/// The activation of an LSTM's candidate.
+enum class Candidate { kTanh, kSigmoid };
+
 /// One step of LSTM cells. `gates` holds the weighted sums of i, o, f, c (cells rows each) and gets their activations;
 /// `cell` is the new cell state, `cell_tanh` its tanh, `output` the layer's output.
 void lstmForward(float* gates, const float* previous_cell, float* cell, float* cell_tanh, float* output, int cells,
-                 int lanes);
+                 int lanes, Candidate candidate);
 
 /// Back through one step: `output_gradient` by the output; `cell_gradient` by the new cell state from the step after,
 /// becomes that by the previous cell state; `gates` become gradients by the weighted sums.
 void lstmBackward(float* gates, const float* previous_cell, const float* cell_tanh, const float* output_gradient,
-                  float* cell_gradient, int cells, int lanes);
+                  float* cell_gradient, int cells, int lanes, Candidate candidate);
 
 }  // namespace lstm_planner

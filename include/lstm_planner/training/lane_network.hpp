@@ -10,16 +10,15 @@ namespace lstm_planner {
 
 class LaneLayer;
 
-/// A network over many lanes at once, step by step forward through a window of time and back through it: what
-/// reinforcement learning needs, where the next input depends on the last output. See lane_kernels.hpp for the layout
-/// of values (a row of lanes a value).
+/// A network over many lanes at once, step by step forward through a window of time and back through it: sequences that
+/// are known (SequenceGradient), or agents whose next input depends on the last output (reinforcement learning). See
+/// lane_kernels.hpp for the layout of values (a row of lanes a value).
 ///
-/// Dense layers (identity or tanh), LSTM and plain recurrent layers. The hidden state is carried from window to window;
-/// errors go back to the window's first step (truncated back-propagation).
+/// All layers but a softmax. The hidden state is carried from window to window; errors go back to the window's first
+/// step (truncated back-propagation).
 class LaneNetwork {
  public:
-  /// `lanes` is a multiple of kLaneGroup, `steps` the window's length. Throws std::invalid_argument for layers of
-  /// other kinds.
+  /// `lanes` is a multiple of kLaneGroup, `steps` the window's length. Throws std::invalid_argument for a softmax.
   LaneNetwork(const LayerStack& layers, int lanes, int steps);
   LaneNetwork(LaneNetwork&&) noexcept;
   LaneNetwork& operator=(LaneNetwork&&) noexcept;
@@ -42,6 +41,9 @@ class LaneNetwork {
   /// pass. To be called before forward(step).
   void forget(int step, int lane);
 
+  /// The hidden state before step 0 becomes zero in every lane.
+  void reset();
+
   /// The state after step `steps - 1` becomes that before step 0, for the next window.
   void carryOver(int steps);
 
@@ -52,8 +54,9 @@ class LaneNetwork {
   /// The rows of the error's derivative by the outputs, to be filled before backward().
   float* outputGradient(int step) { return output_gradient_.data() + offset(step, output_size_); }
 
-  /// Adds the error's derivative by the parameters for the first `steps` steps. Spoils what forward() left.
-  void backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient);
+  /// Adds the error's derivative by the parameters for the first `steps` steps. Spoils what forward() left. Where they
+  /// are wanted, `by_inputs` gets the derivatives by the inputs, laid out as inputs(0) to inputs(steps - 1).
+  void backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient, float* by_inputs = nullptr);
 
  private:
   std::size_t offset(int step, int size) const {

@@ -16,10 +16,9 @@ namespace lstm_planner {
 /// How a network learns from sequences.
 struct TrainerParameters {
   int epochs = 20;       ///< passes over the training set, >= 1
-  int batch_size = 128;  ///< sequences an update, >= 1; at least 16 a shard keep the matrix products efficient
-  int shards = 8;        ///< parts of a batch whose gradients are summed in order, >= 1; changes the rounding
-  int threads = 2;       ///< >= 1; more than `shards` are of no use; does not change the result
-  Communicator* communicator = oneProcess();  ///< ranks that share the shards; does not change the result
+  int batch_size = 128;  ///< sequences an update, >= 1; one takes as long as 16
+  int threads = 2;       ///< >= 1; each has groups of a batch (SequenceGradient); does not change the result
+  Communicator* communicator = oneProcess();  ///< ranks that share the groups; does not change the result
   std::uint64_t seed = 1;                     ///< of the order of the sequences
   OptimiserParameters optimiser;
   Loss loss = Loss::kCrossEntropy;  ///< that is made small; also of the reports

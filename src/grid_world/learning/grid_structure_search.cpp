@@ -38,8 +38,7 @@ std::optional<StructureOutcome> run(const StructureTrial& trial, const GridImita
   TrainerParameters trainer = parameters.trainer;
   trainer.batch_size = sequencesWithSteps(trial.sequence_steps, dataset.training);
   trainer.seed = parameters.seed;
-  trainer.shards = 1;  // a batch has a few sequences: cut up it would be slower, and the trials keep the threads busy
-  trainer.threads = 1;
+  trainer.threads = 1;  // the trials keep the threads busy
   const TrainingResult result = train(layers, dataset.training, dataset.validation, trainer, report);
   if (static_cast<int>(result.curve.size()) < trainer.epochs) return std::nullopt;
   const EpochReport& best = result.best();

@@ -3,9 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lstm_planner/training/gradient.hpp"
 #include "lstm_planner/training/initialisation.hpp"
-#include "lstm_planner/training/parameter_vector.hpp"
 #include "training/input_sensitivity.hpp"
 #include "training/recall_task.hpp"
 
@@ -17,41 +15,14 @@ std::vector<Sequence> silence(int inputs, int steps) {
   return {{Eigen::MatrixXf::Zero(inputs, steps), Eigen::VectorXi::Zero(steps), Eigen::VectorXf::Zero(steps)}};
 }
 
-TEST(InputGradient, AgreesWithCentralFiniteDifferences) {
-  LayerStack layers = makeLstmStack(3, {4, 3}, 2);
-  initialise({}, 3, layers);
-  const Eigen::VectorXd parameters = parameterVector(layers).cast<double>();
-  Sequence sequence = recallSequences(1, 5, 1).front();
-  const Eigen::MatrixXd factors = Eigen::MatrixXd::Random(2, sequence.steps());
-  SequenceGradient<double> computer(layers);
-  const Eigen::MatrixXd gradient = computer.inputGradient(parameters, sequence, factors);
-  ASSERT_EQ(gradient.rows(), 3);
-  ASSERT_EQ(gradient.cols(), sequence.steps());
-  const auto sum = [&] { return computer.preferences(parameters, sequence).cwiseProduct(factors).sum(); };
-  // Inputs are float: a power of two is added exactly; truncation grows with its square, 1e-6.
-  constexpr float kStep = 1.0f / 1024.0f;
-  for (Eigen::Index step = 0; step < sequence.steps(); ++step) {
-    for (Eigen::Index input = 0; input < 3; ++input) {
-      const float kept = sequence.inputs(input, step);
-      sequence.inputs(input, step) = kept + kStep;
-      const double above = sum();
-      sequence.inputs(input, step) = kept - kStep;
-      const double below = sum();
-      sequence.inputs(input, step) = kept;
-      EXPECT_NEAR(gradient(input, step), (above - below) / (2.0 * static_cast<double>(kStep)), 1e-6);
-    }
-  }
-  EXPECT_GT(gradient.norm(), 1e-3);
-  EXPECT_THROW(computer.inputGradient(parameters, sequence, Eigen::MatrixXd::Zero(2, 1)), std::invalid_argument);
-}
-
 TEST(FirstStepSensitivity, OfAPlainRecurrentUnitIsItsWeightToThePowerOfTheSteps) {
   const RecurrentLayer layer{Eigen::MatrixXf::Constant(1, 1, 2.0f), Eigen::MatrixXf::Constant(1, 1, -0.5f),
                              Eigen::VectorXf::Zero(1)};
   EXPECT_DOUBLE_EQ(spectralRadius(layer), 0.5);
   const Eigen::MatrixXd sensitivity = firstStepSensitivity({layer}, silence(1, 30));
   ASSERT_EQ(sensitivity.cols(), 30);
-  for (int step = 0; step < 30; ++step) EXPECT_DOUBLE_EQ(sensitivity(0, step), 2.0 * std::pow(0.5, step));  // Eq. 2.20
+  for (int step = 0; step < 30; ++step)
+    EXPECT_NEAR(sensitivity(0, step) / (2.0 * std::pow(0.5, step)), 1.0, 1e-5);  // Eq. 2.20
 }
 
 double spectralRadiusOf(const Eigen::Matrix2f& recurrent) {
@@ -76,7 +47,7 @@ TEST(FirstStepSensitivity, OfAnLstmCellStaysAsLongAsTheForgetGateIsOpen) {
   EXPECT_NEAR(sensitivity(0, 0), 0.5, 1e-6);
   EXPECT_NEAR(sensitivity(0, 99), 0.5, 1e-6);
   layer.bias[2] = 0.0f;  // half open
-  EXPECT_NEAR(firstStepSensitivity({layer}, silence(1, 30))(0, 29), 0.5 * std::pow(0.5, 29), 1e-12);
+  EXPECT_NEAR(firstStepSensitivity({layer}, silence(1, 30))(0, 29) / (0.5 * std::pow(0.5, 29)), 1.0, 1e-5);
 }
 
 TEST(FirstStepSensitivity, RefusesWhatHasNone) {

@@ -4,11 +4,12 @@
 
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/network/network.hpp"
-#include "lstm_planner/training/gradient.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/lane_kernels.hpp"
 #include "lstm_planner/training/lane_network.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
+#include "lstm_planner/training/sequence.hpp"
+#include "unit/training/double_network.hpp"
 
 namespace lstm_planner::test_lane_network {
 namespace {
@@ -78,31 +79,50 @@ TEST(LaneNetwork, GivesWhatTheNetworkGivesOneByOneAcrossWindowsAndForgetting) {
   }
 }
 
-TEST(LaneNetwork, GradientIsThatOfBackPropagationThroughTimeInDoublePrecision) {
+TEST(LaneNetwork, GradientsByParametersAndInputsAreThoseOfTheEquationsInDoublePrecision) {
   const LayerStack layers = mixedStack();
   const Eigen::VectorXf parameters = parameterVector(layers);
   const auto sequences = randomSequences(9);
-  std::vector<const Sequence*> batch;
-  for (const Sequence& sequence : sequences) batch.push_back(&sequence);
-  SequenceGradient<double> reference(layers);
-  Eigen::VectorXd expected;
-  reference.lossAndGradient(parameters.cast<double>(), batch, expected);
-
+  const Eigen::MatrixXd factors = Eigen::MatrixXd::Random(4, kSteps);
   LaneNetwork lanes(layers, kLanes, kSteps);
   for (int step = 0; step < kSteps; ++step) {
     fillInputs(sequences, step, lanes);
-    const float* outputs = lanes.forward(parameters, step);
+    lanes.forward(parameters, step);
     for (int lane = 0; lane < kLanes; ++lane) {
-      Eigen::Vector4f probabilities;
-      for (int row = 0; row < 4; ++row) probabilities[row] = std::exp(outputs[row * kLanes + lane]);
-      probabilities /= probabilities.sum();
-      probabilities[sequences[static_cast<std::size_t>(lane)].labels[step]] -= 1.0f;
-      for (int row = 0; row < 4; ++row) lanes.outputGradient(step)[row * kLanes + lane] = probabilities[row];
+      for (int row = 0; row < 4; ++row) {
+        lanes.outputGradient(step)[row * kLanes + lane] = static_cast<float>(factors(row, step));
+      }
     }
   }
   Eigen::VectorXf gradient = Eigen::VectorXf::Zero(parameters.size());
-  lanes.backward(parameters, kSteps, gradient);
+  std::vector<float> by_inputs(kSteps * kInputs * kLanes);
+  lanes.backward(parameters, kSteps, gradient, by_inputs.data());
+
+  const auto errorOf = [&](const Eigen::VectorXd& place, const Eigen::MatrixXd& inputs) {
+    DoubleNetwork network(layers, place);
+    double sum = 0.0;
+    for (int step = 0; step < kSteps; ++step) sum += factors.col(step).dot(network.forward(inputs.col(step)));
+    return sum;
+  };
+  const Eigen::VectorXd expected = centralDifferences(parameters.cast<double>(), [&](const Eigen::VectorXd& place) {
+    double sum = 0.0;
+    for (const Sequence& sequence : sequences) sum += errorOf(place, sequence.inputs.cast<double>());
+    return sum;
+  });
   EXPECT_LT((gradient.cast<double>() - expected).norm(), 1e-5 * expected.norm());
+
+  constexpr int kLane = 3;
+  const Eigen::MatrixXd inputs = sequences[kLane].inputs.cast<double>();
+  const Eigen::VectorXd exact = parameters.cast<double>();
+  const Eigen::VectorXd by_lane = centralDifferences(
+      Eigen::Map<const Eigen::VectorXd>(inputs.data(), inputs.size()), [&](const Eigen::VectorXd& place) {
+        return errorOf(exact, Eigen::Map<const Eigen::MatrixXd>(place.data(), kInputs, kSteps));
+      });
+  Eigen::VectorXd found(by_lane.size());
+  for (int i = 0; i < found.size(); ++i) {
+    found[i] = static_cast<double>(by_inputs[static_cast<std::size_t>(i * kLanes + kLane)]);
+  }
+  EXPECT_LT((found - by_lane).norm(), 1e-5 * by_lane.norm());
 }
 
 TEST(LaneNetwork, ErrorsDoNotPassTheBeginningOfAnEpisode) {

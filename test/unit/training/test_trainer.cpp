@@ -23,7 +23,7 @@ LayerStack startingRecallLayers() {
   return layers;
 }
 
-/// Lengths differ, so that shards get different work and threads finish in any order.
+/// Lengths differ, so that groups get different work and threads finish in any order.
 std::vector<Sequence> raggedParitySequences() {
   std::vector<Sequence> sequences;
   for (int steps = 3; steps < 30; ++steps) {
@@ -105,7 +105,7 @@ TEST(Trainer, KeepsTheBestEpochOnTheValidationSet) {
   EXPECT_LT(result.best_epoch, 30);
 }
 
-TEST(Trainer, StepGoesAgainstTheGradientOfTheMeanLossOverAllShards) {
+TEST(Trainer, StepGoesAgainstTheGradientOfTheMeanLossOverAllGroups) {
   const LayerStack layers = startingLayers();
   const auto sequences = raggedParitySequences();
   TrainerParameters parameters;
@@ -116,13 +116,13 @@ TEST(Trainer, StepGoesAgainstTheGradientOfTheMeanLossOverAllShards) {
   parameters.optimiser.max_gradient_norm = 0.0;
   std::vector<const Sequence*> batch;
   for (const Sequence& sequence : sequences) batch.push_back(&sequence);
-  const Eigen::VectorXd weights = parameterVector(layers).cast<double>();
-  Eigen::VectorXd gradient;
-  const LossSum sum = SequenceGradient<double>(layers).lossAndGradient(weights, batch, gradient);
-  const Eigen::VectorXd expected = weights - 0.5 / sum.weight * gradient;
+  const Eigen::VectorXf weights = parameterVector(layers);
+  Eigen::VectorXf gradient;
+  const LossSum sum = SequenceGradient(layers).lossAndGradient(weights, batch, gradient);
+  const Eigen::VectorXf expected = weights - static_cast<float>(0.5 / sum.weight) * gradient;
   const Eigen::VectorXf trained = parameterVector(train(layers, sequences, {}, parameters).layers);
-  EXPECT_LT((trained.cast<double>() - expected).cwiseAbs().maxCoeff(), 1e-6);  // single precision of weights below 2
-  EXPECT_GT((expected - weights).norm(), 1e-3);
+  EXPECT_LT((trained - expected).cwiseAbs().maxCoeff(), 1e-6f);  // single precision of weights below 2
+  EXPECT_GT((expected - weights).norm(), 1e-3f);
 }
 
 TEST(Trainer, ReportsEachEpochAndEndsWhenTold) {
@@ -280,7 +280,6 @@ TEST(Trainer, RefusesBadParametersAndSets) {
   };
   refused([](TrainerParameters& p) { p.epochs = 0; });
   refused([](TrainerParameters& p) { p.batch_size = 0; });
-  refused([](TrainerParameters& p) { p.shards = 0; });
   refused([](TrainerParameters& p) { p.threads = -1; });
   refused([](TrainerParameters& p) { p.averaging = 1.0; });
   refused([](TrainerParameters& p) { p.optimiser.learning_rate = -1.0; });

@@ -26,10 +26,9 @@ Outcome trainOn(Communicator* communicator) {
   }
   TrainerParameters parameters;
   parameters.epochs = 3;
-  parameters.batch_size = 20;
+  parameters.batch_size = 40;  // three groups
   parameters.threads = 1;
   parameters.communicator = communicator;
-  // 3 sequences in 8 shards: some shards are empty.
   const TrainingResult result = train(layers, training, paritySequences(3, 8, 1), parameters);
   Outcome outcome;
   outcome.weights = parameterVector(result.layers);
@@ -45,7 +44,7 @@ Outcome trainOn(Communicator* communicator) {
 
 TEST(Trainer, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
   const Outcome one = trainOn(oneProcess());
-  for (const int ranks : {2, 3, 9}) {  // 9: more ranks than there are shards
+  for (const int ranks : {2, 3, 9}) {  // 9: more ranks than there are groups
     for (const Outcome& outcome : onRanks(ranks, trainOn)) {
       EXPECT_EQ(outcome.weights, one.weights) << ranks << " ranks";
       EXPECT_EQ(outcome.curve, one.curve) << ranks << " ranks";

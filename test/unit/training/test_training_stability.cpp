@@ -44,7 +44,6 @@ TrainerParameters nervous(int epochs) {
   TrainerParameters parameters;
   parameters.epochs = epochs;
   parameters.batch_size = 1;
-  parameters.shards = 1;
   parameters.threads = 1;
   parameters.averaging = 0.9;
   parameters.optimiser.kind = OptimiserKind::kMomentum;
