@@ -196,7 +196,7 @@ double shareOf(Decision::Choice choice, const std::vector<DriveResult>& results)
   return shareOfSteps(results, [choice](const DriveResult& result) { return result.steps_by[indexOf(choice)]; });
 }
 
-double shareOf(Decision::Overruled overruled, const std::vector<DriveResult>& results) {
+double shareOf(Overruled overruled, const std::vector<DriveResult>& results) {
   return shareOfSteps(results, [overruled](const DriveResult& result) {
     return result.overruled[static_cast<std::size_t>(overruled)];
   });

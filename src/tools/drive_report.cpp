@@ -72,8 +72,8 @@ void printNetwork(std::ostream& out, const std::vector<DriveResult>& results) {
   out << "of the steps without the goal in sight the network decided "
       << 100.0 * shareOutOfSight(Leader::kNetwork, results) << " %; of all steps it decided "
       << 100.0 * shareOnPath(results) << " % along the remembered path, and was overruled by the shield in "
-      << 100.0 * shareOf(Decision::Overruled::kByShield, results) << " %, by the bound in "
-      << 100.0 * shareOf(Decision::Overruled::kByBound, results) << " %; its detours were "
+      << 100.0 * shareOf(Overruled::kByShield, results) << " %, by the bound in "
+      << 100.0 * shareOf(Overruled::kByBound, results) << " %; its detours were "
       << (driven > 0.0 ? 100.0 * regret / driven : 0.0) << " % of the driven paths\n";
 }
 
@@ -120,8 +120,8 @@ nlohmann::json toJson(const std::vector<DriveResult>& results, bool is_barn) {
   }
   json["led_on_path"] = shareOnPath(results);
   json["network_of_steps_out_of_sight"] = shareOutOfSight(Leader::kNetwork, results);
-  json["overruled_by_shield"] = shareOf(Decision::Overruled::kByShield, results);
-  json["overruled_by_bound"] = shareOf(Decision::Overruled::kByBound, results);
+  json["overruled_by_shield"] = shareOf(Overruled::kByShield, results);
+  json["overruled_by_bound"] = shareOf(Overruled::kByBound, results);
   if (is_barn && hasReferencePaths(results)) {
     json["barn_score_k4"] = meanBarnScore(results, 4.0);
     json["barn_score_k2"] = meanBarnScore(results, 2.0);
@@ -216,8 +216,8 @@ std::string driveCsv(const DriveCourse& course, const DriveResults& results) {
       csv.add(course.worlds[i].name, exercise.number, task.start.x, task.start.y, task.start.yaw, task.goal.x,
               task.goal.y, toString(result.end), result.contacts, result.bumped, result.bumped_moving, result.time,
               result.path_length, result.shortest, result.goal_error, toString(result.goal_seemed), result.steps,
-              result.steps_on_path, result.overruled[static_cast<std::size_t>(Decision::Overruled::kByShield)],
-              result.overruled[static_cast<std::size_t>(Decision::Overruled::kByBound)], result.regret);
+              result.steps_on_path, result.overruled[static_cast<std::size_t>(Overruled::kByShield)],
+              result.overruled[static_cast<std::size_t>(Overruled::kByBound)], result.regret);
       csv.addAll(result.steps_by);
       csv.endRow();
     }

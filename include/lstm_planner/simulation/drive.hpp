@@ -77,7 +77,7 @@ struct DriveResult {
   long steps = 0;
   std::array<long, kChoices.size()> steps_by{};    ///< of these, one of kChoices each
   long steps_on_path = 0;                          ///< of these, decided by the leader along the remembered path
-  std::array<long, kOverruledKinds> overruled{};   ///< of these, by Decision::Overruled
+  std::array<long, kOverruledKinds> overruled{};   ///< of these, by Overruled
   double regret = 0.0;                             ///< m, Decision::regret_used in the end
   std::vector<Pose2> trace;                        ///< true poses, one a command
   std::vector<Decision::Choice> led;               ///< who decided, one a pose of the trace
@@ -89,7 +89,7 @@ struct DriveResult {
 /// Share of the steps of all drives that were chosen so.
 double shareOf(Decision::Choice choice, const std::vector<DriveResult>& results);
 /// Share of the steps in which the leader was overruled so.
-double shareOf(Decision::Overruled overruled, const std::vector<DriveResult>& results);
+double shareOf(Overruled overruled, const std::vector<DriveResult>& results);
 /// Share of the steps that were chosen so among those without the goal in sight.
 double shareOutOfSight(Decision::Choice choice, const std::vector<DriveResult>& results);
 /// Share of the steps that the leader decided along the remembered path.

@@ -34,7 +34,7 @@ bool ActionLeader::decide(const StepContext& step, Replanner::Answer answer) {
   }
   decision.regret = regretOf(step, *chosen);
   if (!step.imposed && !step.bound->allows(decision.regret, step.driven)) {
-    decision.overruled = Decision::Overruled::kByBound;
+    decision.overruled = Overruled::kByBound;
     return route_.decide(step, answer);
   }
   step.bound->choose(decision.regret);
@@ -47,7 +47,7 @@ std::optional<ActionChoice::Action> ActionLeader::choose(const StepContext& step
   const auto chosen = choice_.choose(step.actions, step.start_yaw, step.situation.pose.yaw, step.shield,
                                      decision.preferences, step.imposed, &decision.allowed);
   const bool is_preferred = chosen && (decision.preferred < 0 || chosen->index == decision.preferred);
-  if (!is_preferred) decision.overruled = Decision::Overruled::kByShield;
+  if (!is_preferred) decision.overruled = Overruled::kByShield;
   return chosen;
 }
 

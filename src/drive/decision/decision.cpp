@@ -24,18 +24,6 @@ const char* toString(Decision::Choice choice) {
   return "unknown";
 }
 
-const char* toString(Decision::Overruled overruled) {
-  switch (overruled) {
-    case Decision::Overruled::kNo:
-      return "no";
-    case Decision::Overruled::kByShield:
-      return "by the shield";
-    case Decision::Overruled::kByBound:
-      return "by the bound";
-  }
-  return "unknown";
-}
-
 const char* toString(Decision::GoalSeems goal_seems) {
   switch (goal_seems) {
     case Decision::GoalSeems::kReachable:

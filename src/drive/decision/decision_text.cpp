@@ -17,20 +17,20 @@ std::string describeAction(const Decision& decision, const std::string& leader) 
   std::string text = leader + " decided";
   if (decision.on_route) text += ", along the remembered path";
   if (!decision.on_route && decision.regret > 0.0) text += ", a detour of " + metres(decision.regret);
-  if (decision.overruled == Decision::Overruled::kByShield) text += "; the shield removed what it preferred";
+  if (decision.overruled == Overruled::kByShield) text += "; the shield removed what it preferred";
   return text;
 }
 
 std::string describeRoute(const Decision& decision) {
   const std::string text = "the remembered path decided";
   switch (decision.overruled) {
-    case Decision::Overruled::kByShield:
+    case Overruled::kByShield:
       return text + ": the shield removed all steering angles";
-    case Decision::Overruled::kByBound:
+    case Overruled::kByBound:
       if (!std::isfinite(decision.regret)) return text + ": no path leads on from where the leader would go";
       return text + ": the leader's detour of " + metres(decision.regret) + " would exceed the bound (" +
              metres(decision.regret_used) + " of " + metres(decision.regret_allowed) + " used)";
-    case Decision::Overruled::kNo:
+    case Overruled::kNo:
       break;
   }
   return text;

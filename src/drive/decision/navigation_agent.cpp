@@ -180,7 +180,7 @@ void NavigationAgent::setGoal(const Point2& goal) {
   decision_.preferred = -1;
   decision_.destination = goal;
   decision_.goal_seems = Decision::GoalSeems::kReachable;
-  decision_.overruled = Decision::Overruled::kNo;
+  decision_.overruled = Overruled::kNo;
   decision_.regret = 0.0;
   decision_.path_on.clear();
   decision_.step = 0;
@@ -385,7 +385,7 @@ void NavigationAgent::decide(const Situation& situation) {
     lead(Leader::kEscape, kMemoryWrong);
   }
   decision_.on_route = false;
-  decision_.overruled = Decision::Overruled::kNo;
+  decision_.overruled = Overruled::kNo;
   decision_.regret = 0.0;
   decision_.path_on.clear();
   bound_.choose(0.0);

@@ -70,7 +70,7 @@ void NetworkGridAgent::choose() {
   direction_ = bestMove();
   Eigen::Index preferred = 0;
   preferences_.maxCoeff(&preferred);
-  overruled_ = direction_ == static_cast<int>(preferred) ? GridOverruled::kNo : GridOverruled::kByShield;
+  overruled_ = direction_ == static_cast<int>(preferred) ? Overruled::kNo : Overruled::kByShield;
   if (guide_) {
     chooseWithinBound(direction_);
   } else if (draw_after_ > 0 && watch_.isExhausted(draw_after_, kAnyDetour)) {
@@ -87,7 +87,7 @@ void NetworkGridAgent::chooseWithinBound(int preferred) {
     on_path_ = regret == 0.0;
     return;
   }
-  if (has_path) overruled_ = GridOverruled::kByBound;
+  if (has_path) overruled_ = Overruled::kByBound;
   direction_ = guide_->direction();
   leader_ = guide_->leader();
 }

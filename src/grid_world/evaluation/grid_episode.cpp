@@ -42,8 +42,8 @@ class CircleWatch {
 void countDecision(const GridAgent& agent, GridEpisode* episode) {
   ++episode->led[static_cast<std::size_t>(agent.leader())];
   episode->on_path += agent.onPath() ? 1 : 0;
-  episode->overruled_by_shield += agent.overruled() == GridOverruled::kByShield ? 1 : 0;
-  episode->overruled_by_bound += agent.overruled() == GridOverruled::kByBound ? 1 : 0;
+  episode->overruled_by_shield += agent.overruled() == Overruled::kByShield ? 1 : 0;
+  episode->overruled_by_bound += agent.overruled() == Overruled::kByBound ? 1 : 0;
 }
 
 /// Walks to the end.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/common/overruled.hpp"
 #include "lstm_planner/drive/decision/leader.hpp"
 
 namespace lstm_planner {
@@ -28,13 +29,6 @@ struct Decision {
 
     Move move = Move::kStep;
     Leader by = Leader::kNetwork;  ///< the leader, or who overruled it
-  };
-
-  /// Who did not let the leader do what it preferred of all.
-  enum class Overruled {
-    kNo,        ///< nobody, or it has no preference
-    kByShield,  ///< something is in the way: another steering angle was taken, or none was free
-    kByBound    ///< the detour would be too long (DetourBound): the path through what is remembered was taken
   };
 
   /// What the remembered obstacles say about the goal.
@@ -88,11 +82,8 @@ constexpr std::array<Decision::Choice, 8> kChoices = {
 /// Its place among them.
 std::size_t indexOf(Decision::Choice choice);
 
-constexpr std::size_t kOverruledKinds = 3;
 /// As toString(Leader), or "goal in sight", "look around", "arrived", "no path".
 const char* toString(Decision::Choice choice);
-/// "no", "by the shield", "by the bound".
-const char* toString(Decision::Overruled overruled);
 /// "reachable", "in an obstacle", "behind an obstacle", "enclosed".
 const char* toString(Decision::GoalSeems goal_seems);
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "lstm_planner/common/overruled.hpp"
 #include "lstm_planner/grid/passable_grid.hpp"
 
 namespace lstm_planner {
@@ -31,13 +32,6 @@ constexpr int kGridLeaderCount = 4;
 /// "network", "search", "boundary", "greedy".
 const char* nameOf(GridLeader leader);
 
-/// Who did not let a network do what it preferred of all.
-enum class GridOverruled {
-  kNo,        ///< nobody, or the agent is no network
-  kByShield,  ///< the rays show that something is in the way
-  kByBound    ///< the detour would be too long (DetourBound): the remembered path decided
-};
-
 /// An agent that moves from cell to cell towards a goal: the one interface of learned, reactive and searching agents.
 ///
 /// An episode is start(), then observe(), decide(), step() again and again, until the goal is reached.
@@ -57,7 +51,7 @@ class GridAgent {
   virtual GridLeader leader() const = 0;
 
   /// Of that decision, where it is a network's.
-  virtual GridOverruled overruled() const { return GridOverruled::kNo; }
+  virtual Overruled overruled() const { return Overruled::kNo; }
   /// The move of a network lies on a shortest path between the remembered walls.
   virtual bool onPath() const { return false; }
 

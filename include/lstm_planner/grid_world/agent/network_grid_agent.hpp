@@ -40,7 +40,7 @@ class NetworkGridAgent : public GridAgent {
   void observe(const GridObservation& observation) override;
   int decide() override { return direction_; }
   GridLeader leader() const override { return leader_; }
-  GridOverruled overruled() const override { return overruled_; }
+  Overruled overruled() const override { return overruled_; }
   bool onPath() const override { return on_path_; }
   void step(int direction, bool moved) override;
   std::size_t peakBytes() const override;
@@ -69,7 +69,7 @@ class NetworkGridAgent : public GridAgent {
   Eigen::VectorXf preferences_;
   int direction_ = kNoPath;
   GridLeader leader_ = GridLeader::kNetwork;
-  GridOverruled overruled_ = GridOverruled::kNo;
+  Overruled overruled_ = Overruled::kNo;
   bool on_path_ = false;
 };
 

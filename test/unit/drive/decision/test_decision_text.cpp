@@ -7,7 +7,6 @@
 namespace lstm_planner::test_decision_text {
 namespace {
 
-using Overruled = Decision::Overruled;
 
 Decision decisionBy(Decision::Choice choice, Overruled overruled = Overruled::kNo) {
   Decision decision;

@@ -59,7 +59,7 @@ TEST_F(NavigationRoutes, ARouteThatLeadsAsksNoNetwork) {
     const Decision& decision = agent_.update(situationAt({0.4 * step, 0.0, 0.0}, step));
     EXPECT_NE(decision.choice, Leader::kNetwork);
     EXPECT_EQ(decision.preferred, -1);
-    EXPECT_EQ(decision.overruled, Decision::Overruled::kNo);
+    EXPECT_EQ(decision.overruled, Overruled::kNo);
   }
   EXPECT_EQ(agent_.policy().hiddenState(), hidden);
 }

@@ -53,7 +53,7 @@ TEST_F(NetworkAloneTest, DrawsItsStepsOnceItHasMadeNoProgressForLong) {
   NavigationAgent agent = agentTo({10.0, 0.0});
   EXPECT_EQ(stepToAndFro({}, parameters_.draw_after, {}, &agent), std::set<int>{kStraight});
   EXPECT_EQ(stepToAndFro({}, 100, {}, &agent), (std::set<int>{0, 1, 2, 3, 4}));
-  EXPECT_EQ(agent.decision().overruled, Decision::Overruled::kNo) << "what was drawn is the network's answer";
+  EXPECT_EQ(agent.decision().overruled, Overruled::kNo) << "what was drawn is the network's answer";
 }
 
 TEST_F(NetworkAloneTest, DrawsNothingIfItIsNotAllowed) {

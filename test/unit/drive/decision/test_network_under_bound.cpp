@@ -10,7 +10,6 @@
 namespace lstm_planner::test_network_under_bound {
 namespace {
 
-using Overruled = Decision::Overruled;
 using test::returnsAt;
 using test::situationAt;
 

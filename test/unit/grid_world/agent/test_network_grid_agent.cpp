@@ -164,8 +164,8 @@ Decisions decisionsOf(const Model& model, const DetourParameters& detour, const 
     agent.observe({cell, goal, senseRanges(grid, cell)});
     decisions.network += agent.leader() == GridLeader::kNetwork ? 1 : 0;
     decisions.on_path += agent.onPath() ? 1 : 0;
-    decisions.by_shield += agent.overruled() == GridOverruled::kByShield ? 1 : 0;
-    decisions.by_bound += agent.overruled() == GridOverruled::kByBound ? 1 : 0;
+    decisions.by_shield += agent.overruled() == Overruled::kByShield ? 1 : 0;
+    decisions.by_bound += agent.overruled() == Overruled::kByBound ? 1 : 0;
     const int direction = agent.decide();
     EXPECT_TRUE(movePossible(grid, cell, direction, CornerCutting::kForbidden));
     cell = cellBeside(cell, direction);

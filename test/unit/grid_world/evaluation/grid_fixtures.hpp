@@ -34,7 +34,7 @@ class ScriptedAgent : public GridAgent {
   void observe(const GridObservation& observation) override { observations.push_back(observation); }
   int decide() override { return directions_[steps_ % directions_.size()]; }
   GridLeader leader() const override { return steps_ < 3 ? GridLeader::kNetwork : GridLeader::kBoundary; }
-  GridOverruled overruled() const override { return steps_ == 1 ? GridOverruled::kByShield : GridOverruled::kByBound; }
+  Overruled overruled() const override { return steps_ == 1 ? Overruled::kByShield : Overruled::kByBound; }
   bool onPath() const override { return steps_ == 0; }
   void step(int /*direction*/, bool moved) override {
     last_moved = moved;
