@@ -30,22 +30,12 @@ Pose2 turned(const Pose2& pose, double angle) {
   return {place.x, place.y, normalizeAngle(pose.yaw + angle)};
 }
 
-void mirror(Observation* observation) {
-  std::reverse(observation->sector_ranges.begin(), observation->sector_ranges.end());
-  for (double* angle : {&observation->goal_bearing, &observation->heading, &observation->previous_action,
-                        &observation->route_bearing}) {
-    *angle = normalizeAngle(-*angle);
-  }
-  // Ahead and behind stay, the others lie from ahead to behind on either side.
-  std::reverse(observation->visits.begin() + 1, observation->visits.end());
-}
-
 void mirror(DriveStep* step, int actions) {
   step->pose = mirrored(step->pose);
   step->next_pose = mirrored(step->next_pose);
   step->twist.angular = -step->twist.angular;
   step->goal.y = -step->goal.y;
-  mirror(&step->observation);
+  step->observation = mirrored(step->observation);
   std::reverse(step->minimum_ranges.begin(), step->minimum_ranges.end());
   std::reverse(step->beams.begin(), step->beams.end());
   std::reverse(step->measured.begin(), step->measured.end());

@@ -130,24 +130,14 @@ nlohmann::json settingsOf(const RobotNetworkOptions& network, const EncoderParam
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder) {
   std::vector<std::string>& layout = encoder->input_layout;
   for (const std::string& group : groups) {
-    if (group == "visits") {
-      for (int i = 0; i < kPlaceDirections; ++i) layout.push_back("visits_" + std::to_string(i));
-    } else if (group == "events") {
-      for (int i = 0; i < kSectorCount; ++i) layout.push_back("event_" + std::to_string(i));
-    } else if (group == "events-alone") {
+    if (group == "events-alone") {
       for (std::string& name : layout) {
         if (name.rfind("sector_", 0) == 0) name.replace(0, 7, "event_");
       }
     } else if (group == "angles") {
       useAnglesAlone(&layout);
-    } else if (group == "trace") {
-      for (const char* name :
-           {"step_visits_", "step_freshness_", "room_visits_", "room_freshness_", "hall_visits_", "hall_freshness_"}) {
-        for (int i = 0; i < kPlaceDirections; ++i) layout.push_back(name + std::to_string(i));
-      }
-      layout.insert(layout.end(), {"room_visits", "behind_best", "steps_since_best"});
-    } else if (group == "motion") {
-      layout.insert(layout.end(), {"motion_forward", "motion_left", "motion_turn"});
+    } else if (group == "events" || group == "visits" || group == "trace" || group == "motion") {
+      for (const std::string& name : inputsOfGroup(group)) layout.push_back(name);
     } else {
       throw std::invalid_argument("--inputs names '" + group +
                                   "', expected some of events, events-alone, angles, visits, trace, motion");

@@ -27,6 +27,25 @@ Observation observe(const Sectors& sectors, const Pose2& pose, const Point2& goa
   return observation;
 }
 
+Observation mirrored(Observation observation) {
+  // Ahead and behind stay, the others lie from ahead to behind on either side.
+  const auto mirrorAround = [](std::array<double, kPlaceDirections>* values) {
+    std::reverse(values->begin() + 1, values->end());
+  };
+  std::reverse(observation.sector_ranges.begin(), observation.sector_ranges.end());
+  for (double* angle : {&observation.goal_bearing, &observation.heading, &observation.previous_action,
+                        &observation.route_bearing, &observation.turn}) {
+    *angle = normalizeAngle(-*angle);
+  }
+  mirrorAround(&observation.visits);
+  for (PlacesAround& places : observation.places) {
+    mirrorAround(&places.visits);
+    mirrorAround(&places.ages);
+  }
+  observation.motion.y = -observation.motion.y;
+  return observation;
+}
+
 double yawOfQuaternion(double x, double y, double z, double w) {
   const double largest = std::max({std::abs(x), std::abs(y), std::abs(z), std::abs(w)});
   if (!(largest > 0.0) || !std::isfinite(x + y + z + w)) return std::numeric_limits<double>::quiet_NaN();

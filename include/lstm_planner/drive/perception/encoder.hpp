@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/drive/perception/network_inputs.hpp"
 #include "lstm_planner/drive/perception/observation.hpp"
 #include "lstm_planner/network/metadata_reader.hpp"
 
@@ -17,18 +18,8 @@ namespace lstm_planner {
 
 /// Everything needed to turn an Observation into the network's input; it travels in the model file's metadata.
 struct EncoderParameters {
-  /// Names of the inputs in their order: sector_0 .. sector_7, goal_distance, goal_bearing, goal_bearing_sin,
-  /// goal_bearing_cos, heading, heading_sin, heading_cos, previous_action; event_0 .. event_7 (1 where a sector's range
-  /// is below event_range: thesis 4.3.1); of its own drive
-  /// visits_0 .. visits_7, step_visits_0 .. 7, step_freshness_0 .. 7, and the same for room_ and hall_
-  /// (Observation::places on three scales; a place is the fresher the less long ago the robot was there, 0 where it
-  /// never was), room_visits, behind_best, steps_since_best; motion_forward, motion_left, motion_turn since the step
-  /// before; previous_action_sin, previous_action_cos; seen_0 .. seen_7 (1 where the scanner looks into a sector: all
-  /// of them of the view ahead).
-  std::vector<std::string> input_layout = {"sector_0",      "sector_1",         "sector_2",         "sector_3",
-                                           "sector_4",      "sector_5",         "sector_6",         "sector_7",
-                                           "goal_distance", "goal_bearing_sin", "goal_bearing_cos", "heading_sin",
-                                           "heading_cos",   "previous_action"};
+  /// Names of the inputs (networkInputs()) in their order.
+  std::vector<std::string> input_layout = inputsOfGroup("thesis");
   int sector_count = kSectorCount;
   double angle_span = M_PI;      ///< rad, centred on the heading
   double range_cap = 6.0;        ///< m; sectors are encoded as range / range_cap
@@ -99,57 +90,14 @@ class Encoder {
                    int stride) const;
 
  private:
-  /// What one number of the input is.
-  enum class Feature : std::uint8_t {
-    kSector,
-    kGoalDistance,
-    kGoalBearing,
-    kGoalBearingSin,
-    kGoalBearingCos,
-    kHeading,
-    kHeadingSin,
-    kHeadingCos,
-    kPreviousAction,
-    kEvent,
-    kVisits,
-    kPlaceVisits,
-    kPlaceFreshness,
-    kRoomVisits,
-    kBehindBest,
-    kStepsSinceBest,
-    kMotionForward,
-    kMotionLeft,
-    kMotionTurn,
-    kPreviousActionSin,
-    kPreviousActionCos,
-    kSeen
-  };
-  /// What one input of the network shows.
-  struct Input {
-    Feature feature;
-    std::uint8_t index;  ///< of the sector or direction, for features of which there are eight
-    std::uint8_t scale;  ///< of the places
-  };
   /// Inputs that show the same of several sectors or directions, or a single one.
   struct Group {
-    Feature feature;
-    std::uint8_t scale;
-    std::uint8_t count;
-    std::array<std::uint8_t, kDriveViews> index;  ///< of the sector or direction, in rising order
-    std::array<std::int16_t, kDriveViews> at;     ///< where it stands in the input
+    const NetworkInput* input;
+    std::array<std::int16_t, kDriveViews> at;  ///< where each stands in the input, -1 where it does not
   };
-  friend void validate(const EncoderParameters& parameters);
-  static Input inputNamed(const std::string& name);
   void findGroups();
-  /// A value for each of the group's inputs, by its index.
-  template <typename Value>
-  static void fill(const Group& group, const Value& value, float* input);
   void fill(const Group& group, const Observation& observation, float* input) const;
-  double roundedBy(double heading) const;
-  template <typename Value>
-  static void fillViews(const ViewBearings& bearings, const Value& value, float* row);
-  bool fillBearings(Feature feature, const ViewBearings& bearings, float* row) const;
-  static void spread(const Group& group, const float* ahead, int direction, float* inputs, int stride);
+  void fillViews(const Group& group, const ViewBearings& bearings, float* row) const;
 
   std::shared_ptr<const EncoderParameters> parameters_;
   std::vector<Group> groups_;

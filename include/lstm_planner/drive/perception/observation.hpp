@@ -45,6 +45,9 @@ struct Observation {
 Observation observe(const Sectors& sectors, const Pose2& pose, const Point2& goal, double previous_action,
                     double position_cell = 0.0);
 
+/// What would be observed if right and left were exchanged.
+Observation mirrored(Observation observation);
+
 /// Yaw of a quaternion, rad in (-pi, pi]. Not necessarily a unit quaternion; NaN when it is zero or not finite.
 double yawOfQuaternion(double x, double y, double z, double w);
 
