@@ -168,9 +168,16 @@ Relay& relay() {
   return relay;
 }
 
+/// One for all tests: what a node says before it has noticed a new listener is lost.
+LogListener& log() {
+  static LogListener log;
+  return log;
+}
+
 class BadDayTest : public testing::Test {
  protected:
   void SetUp() override {
+    log();
     ASSERT_TRUE(eventually([] { return relay().time() > 0.0; }));
     ASSERT_TRUE(client_.waitForServer(ros::Duration(60.0)));
     drive();
@@ -196,11 +203,11 @@ class BadDayTest : public testing::Test {
 
   /// Breaks something, and expects that the robot stands soon and says why.
   void expectStands(const Passage& fault, double within, const std::string& sentence) {
-    const int before = log_.count(sentence);
+    const int before = log().count(sentence);
     const double begin = relay().use(fault);
     ASSERT_TRUE(eventually([&] { return relay().time() > begin + within + kWatched; }));
     EXPECT_LE(relay().lastMotion() - begin, within) << "s until it stood";
-    EXPECT_TRUE(eventually([&] { return log_.count(sentence) > before; })) << sentence;
+    EXPECT_TRUE(eventually([&] { return log().count(sentence) > before; })) << sentence;
   }
 
   /// All is well again. A goal that was given up meanwhile is given again.
@@ -213,7 +220,6 @@ class BadDayTest : public testing::Test {
   }
 
   Client client_{"move_base", true};
-  LogListener log_;
 };
 
 struct Fault {
