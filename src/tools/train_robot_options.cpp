@@ -24,6 +24,17 @@ void fitInputsToViews(EncoderParameters* encoder) {
   validate(*encoder);
 }
 
+/// The groups of networkInputs() but those that a network has anyway.
+std::vector<std::string> groupsToAdd() {
+  std::vector<std::string> groups;
+  for (const NetworkInput& input : networkInputs()) {
+    const std::string group = input.group;
+    const bool is_known = std::find(groups.begin(), groups.end(), group) != groups.end();
+    if (!is_known && group != "thesis" && group != "views") groups.push_back(group);
+  }
+  return groups;
+}
+
 /// One number in place of sine and cosine.
 void useAnglesAlone(std::vector<std::string>* layout) {
   for (const std::string angle : {"goal_bearing", "heading"}) {
@@ -136,11 +147,14 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
       }
     } else if (group == "angles") {
       useAnglesAlone(&layout);
-    } else if (group == "events" || group == "visits" || group == "trace" || group == "motion") {
-      for (const std::string& name : inputsOfGroup(group)) layout.push_back(name);
     } else {
-      throw std::invalid_argument("--inputs names '" + group +
-                                  "', expected some of events, events-alone, angles, visits, trace, motion");
+      const std::vector<std::string> groups = groupsToAdd();
+      if (std::find(groups.begin(), groups.end(), group) == groups.end()) {
+        std::string expected = "events-alone";
+        for (const std::string& name : groups) expected += ", " + name;
+        throw std::invalid_argument("--inputs names '" + group + "', expected some of " + expected);
+      }
+      for (const std::string& name : inputsOfGroup(group)) layout.push_back(name);
     }
   }
   validate(*encoder);
