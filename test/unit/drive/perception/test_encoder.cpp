@@ -43,14 +43,6 @@ TEST(Encoder, TellsHowOftenTheRobotWasThere) {
   EXPECT_NEAR(input[1], 0.75, 1e-6);
 }
 
-TEST(Encoder, TellsFarGoalsApartByTheLogarithm) {
-  EncoderParameters parameters;
-  parameters.input_layout = {"goal_distance_log"};
-  Observation observation;
-  observation.goal_distance = parameters.distance_scale * (std::exp(2.0) - 1.0);
-  EXPECT_NEAR(encode(parameters, observation)[0], 2.0, 1e-6);
-}
-
 TEST(Encoder, IsToldNothingThatASearchFound) {
   EncoderParameters parameters;
   parameters.input_layout.push_back("route_bearing_sin");
