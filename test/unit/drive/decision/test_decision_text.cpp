@@ -7,7 +7,6 @@
 namespace lstm_planner::test_decision_text {
 namespace {
 
-
 Decision decisionBy(Decision::Choice choice, Overruled overruled = Overruled::kNo) {
   Decision decision;
   decision.choice = choice;
