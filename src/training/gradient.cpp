@@ -27,11 +27,8 @@ LayerStack withoutSoftmax(LayerStack layers, Loss loss) {
   return layers;
 }
 
-/// The weight of a lane's step; 0 where the lane has ended, or never had a sequence.
-float weightOf(const SequenceGradient::Batch& group, Index lane, Index step) {
-  if (lane >= static_cast<Index>(group.size())) return 0.0f;
-  const Sequence& sequence = *group[static_cast<std::size_t>(lane)];
-  return step < sequence.steps() ? sequence.weights[step] : 0.0f;
+bool isRecurrent(const Layer& layer) {
+  return std::holds_alternative<LstmLayer>(layer) || std::holds_alternative<RecurrentLayer>(layer);
 }
 
 /// The answer of a step whose weight is not 0.
@@ -41,10 +38,6 @@ void note(const Column& preferences, Index label, float weight, LossSum* sum) {
   preferences.maxCoeff(&answer);
   ++sum->confusion(label, answer);
   sum->weight += static_cast<double>(weight);
-}
-
-Index labelOf(const SequenceGradient::Batch& group, Index lane, Index step) {
-  return group[static_cast<std::size_t>(lane)]->labels[step];
 }
 
 }  // namespace
@@ -91,12 +84,11 @@ LossSum SequenceGradient::evaluate(const Eigen::VectorXf& parameters, const Batc
   LossSum sum;
   if (!batch.empty()) sum.confusion.setZero(network_.outputSize(), network_.outputSize());
   for (const Batch& group : groupsOf(batch)) {
-    const Index steps = group.front()->steps();
-    start(parameters, steps);
+    start(parameters, lanesOf(group));
+    const Index steps = lanes_.front().steps;
     for (Index step = 0; step < steps; ++step) {
-      const Eigen::Map<const Rows> preferences = forward(parameters, group, step);
-      loss_ == Loss::kEuclidean ? addEuclidean(preferences, group, step, &sum)
-                                : addCrossEntropy(preferences, group, step, &sum);
+      const Eigen::Map<const Rows> preferences = forward(parameters, step);
+      loss_ == Loss::kEuclidean ? addEuclidean(preferences, step, &sum) : addCrossEntropy(preferences, step, &sum);
     }
     if (gradient != nullptr) network_.backward(parameters, static_cast<int>(steps), *gradient);
   }
@@ -104,55 +96,77 @@ LossSum SequenceGradient::evaluate(const Eigen::VectorXf& parameters, const Batc
 }
 
 Eigen::MatrixXf SequenceGradient::preferences(const Eigen::VectorXf& parameters, const Sequence& sequence) {
-  start(parameters, sequence.steps());
+  start(parameters, {{&sequence, 0, sequence.steps()}});
   Eigen::MatrixXf preferences(network_.outputSize(), sequence.steps());
   for (Index step = 0; step < sequence.steps(); ++step) {
-    preferences.col(step) = forward(parameters, {&sequence}, step).col(0);
+    preferences.col(step) = forward(parameters, step).col(0);
   }
   return preferences;
 }
 
-void SequenceGradient::start(const Eigen::VectorXf& parameters, Index steps) {
+std::vector<SequenceGradient::Piece> SequenceGradient::lanesOf(const Batch& group) const {
+  const bool remembers = std::any_of(layers_.begin(), layers_.end(), isRecurrent);
+  const Index pieces = remembers ? 1 : kLanes / static_cast<Index>(group.size());
+  std::vector<Piece> lanes;
+  for (const Sequence* sequence : group) {
+    const Index length = (sequence->steps() + pieces - 1) / pieces;
+    for (Index first = 0; first < sequence->steps(); first += length) {
+      lanes.push_back({sequence, first, std::min(length, sequence->steps() - first)});
+    }
+  }
+  return lanes;
+}
+
+void SequenceGradient::start(const Eigen::VectorXf& parameters, const std::vector<Piece>& lanes) {
   if (parameters.size() != parameter_count_) {
     throw std::invalid_argument("parameter vector has " + std::to_string(parameters.size()) +
                                 " values, the layers expect " + std::to_string(parameter_count_));
   }
-  if (steps > longest_) {
-    longest_ = steps;
-    network_ = LaneNetwork(layers_, kLanes, static_cast<int>(steps));
+  lanes_ = lanes;
+  if (lanes_.front().steps > longest_) {
+    longest_ = lanes_.front().steps;
+    network_ = LaneNetwork(layers_, kLanes, static_cast<int>(longest_));
   }
   network_.reset();
 }
 
-Eigen::Map<const SequenceGradient::Rows> SequenceGradient::forward(const Eigen::VectorXf& parameters,
-                                                                   const Batch& group, Index step) {
+Eigen::Map<const SequenceGradient::Rows> SequenceGradient::forward(const Eigen::VectorXf& parameters, Index step) {
   Eigen::Map<Rows> inputs(network_.inputs(static_cast<int>(step)), network_.inputSize(), kLanes);
-  for (Index lane = 0; lane < kLanes; ++lane) {
-    const bool runs = lane < static_cast<Index>(group.size()) && step < group[static_cast<std::size_t>(lane)]->steps();
-    if (runs) {
-      inputs.col(lane) = group[static_cast<std::size_t>(lane)]->inputs.col(step).array();
-    } else {
-      inputs.col(lane).setZero();
-    }
+  inputs.setZero();
+  for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
+    const Piece& piece = lanes_[lane];
+    if (step >= piece.steps) continue;
+    inputs.col(static_cast<Index>(lane)) = piece.sequence->inputs.col(piece.first + step).array();
   }
   const float* outputs = network_.forward(parameters, static_cast<int>(step));
   return {outputs, network_.outputSize(), kLanes};
 }
 
+/// The weight of a lane's step; 0 where the lane has ended, or has nothing to compute.
+float SequenceGradient::weightOf(Index lane, Index step) const {
+  if (lane >= static_cast<Index>(lanes_.size())) return 0.0f;
+  const Piece& piece = lanes_[static_cast<std::size_t>(lane)];
+  return step < piece.steps ? piece.sequence->weights[piece.first + step] : 0.0f;
+}
+
+Index SequenceGradient::labelOf(Index lane, Index step) const {
+  const Piece& piece = lanes_[static_cast<std::size_t>(lane)];
+  return piece.sequence->labels[piece.first + step];
+}
+
 /// With the softmax; leaves the derivative by the preferences to the network, as addEuclidean() does.
-void SequenceGradient::addCrossEntropy(const Eigen::Map<const Rows>& preferences, const Batch& group, Index step,
-                                       LossSum* sum) {
+void SequenceGradient::addCrossEntropy(const Eigen::Map<const Rows>& preferences, Index step, LossSum* sum) {
   Eigen::Map<Rows> gradient(network_.outputGradient(static_cast<int>(step)), preferences.rows(), kLanes);
   largest_ = preferences.colwise().maxCoeff();
   gradient = (preferences.rowwise() - largest_).exp();
   total_ = gradient.colwise().sum();
   for (Index lane = 0; lane < kLanes; ++lane) {
-    const float weight = weightOf(group, lane, step);
+    const float weight = weightOf(lane, step);
     if (!(weight > 0.0f)) {
       gradient.col(lane).setZero();
       continue;
     }
-    const Index label = labelOf(group, lane, step);
+    const Index label = labelOf(lane, step);
     sum->loss += static_cast<double>(weight) * (std::log(static_cast<double>(total_[lane])) -
                                                 static_cast<double>(preferences(label, lane) - largest_[lane]));
     note(preferences.col(lane), label, weight, sum);
@@ -161,17 +175,16 @@ void SequenceGradient::addCrossEntropy(const Eigen::Map<const Rows>& preferences
   }
 }
 
-void SequenceGradient::addEuclidean(const Eigen::Map<const Rows>& preferences, const Batch& group, Index step,
-                                    LossSum* sum) {
+void SequenceGradient::addEuclidean(const Eigen::Map<const Rows>& preferences, Index step, LossSum* sum) {
   Eigen::Map<Rows> gradient(network_.outputGradient(static_cast<int>(step)), preferences.rows(), kLanes);
   gradient = preferences;
   for (Index lane = 0; lane < kLanes; ++lane) {
-    const float weight = weightOf(group, lane, step);
+    const float weight = weightOf(lane, step);
     if (!(weight > 0.0f)) {
       gradient.col(lane).setZero();
       continue;
     }
-    const Index label = labelOf(group, lane, step);
+    const Index label = labelOf(lane, step);
     gradient(label, lane) -= 1.0f;
     sum->loss += static_cast<double>(weight) * 0.5 * static_cast<double>(gradient.col(lane).matrix().squaredNorm());
     note(preferences.col(lane), label, weight, sum);

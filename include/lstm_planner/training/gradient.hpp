@@ -41,7 +41,8 @@ struct LossSum {
 /// and there is no softmax. Errors go back to the first step of every sequence.
 ///
 /// The sequences are the lanes of a LaneNetwork, kTogether at a time, the longest first; short ones wait for the
-/// longest of their group. An object holds the memory for one group: one object a thread.
+/// longest of their group. Without a recurrent layer a sequence may be cut into several lanes. An object holds the
+/// memory for one group: one object a thread.
 class SequenceGradient {
  public:
   using Batch = std::vector<const Sequence*>;
@@ -73,18 +74,28 @@ class SequenceGradient {
 
  private:
   using Rows = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  /// What a lane computes.
+  struct Piece {
+    const Sequence* sequence;
+    Eigen::Index first;  ///< step
+    Eigen::Index steps;
+  };
 
   LossSum evaluate(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf* gradient);
-  void start(const Eigen::VectorXf& parameters, Eigen::Index steps);
-  Eigen::Map<const Rows> forward(const Eigen::VectorXf& parameters, const Batch& group, Eigen::Index step);
-  void addCrossEntropy(const Eigen::Map<const Rows>& preferences, const Batch& group, Eigen::Index step, LossSum* sum);
-  void addEuclidean(const Eigen::Map<const Rows>& preferences, const Batch& group, Eigen::Index step, LossSum* sum);
+  std::vector<Piece> lanesOf(const Batch& group) const;
+  void start(const Eigen::VectorXf& parameters, const std::vector<Piece>& lanes);
+  Eigen::Map<const Rows> forward(const Eigen::VectorXf& parameters, Eigen::Index step);
+  float weightOf(Eigen::Index lane, Eigen::Index step) const;
+  Eigen::Index labelOf(Eigen::Index lane, Eigen::Index step) const;
+  void addCrossEntropy(const Eigen::Map<const Rows>& preferences, Eigen::Index step, LossSum* sum);
+  void addEuclidean(const Eigen::Map<const Rows>& preferences, Eigen::Index step, LossSum* sum);
 
   LayerStack layers_;  ///< without the softmax
   Loss loss_;
   Eigen::Index parameter_count_;
   Eigen::Index longest_;  ///< steps for which there is room in network_
   LaneNetwork network_;
+  std::vector<Piece> lanes_;                        ///< the longest first
   Eigen::Array<float, 1, Eigen::Dynamic> largest_;  ///< preference of a lane
   Eigen::Array<float, 1, Eigen::Dynamic> total_;
 };
