@@ -8,17 +8,37 @@
 
 namespace lstm_planner {
 
+namespace {
+
+constexpr double kRounding = 1e-3;  // of the angle between two beams; places are computed from ranges in single precision
+
+}  // namespace
+
+/// rad in [0, 2 pi) from the first beam, in the sense in which the beams follow each other.
+double RangeProfile::turnTo(double towards) const {
+  const double sense = increment < 0.0 ? -1.0 : 1.0;
+  const double turn = std::fmod(sense * (towards - first_direction), kFullTurn);
+  return turn < 0.0 ? turn + kFullTurn : turn;
+}
+
 long RangeProfile::beamTowards(double towards) const {
   if (ranges.empty() || increment == 0.0) return -1;
-  const double sense = increment < 0.0 ? -1.0 : 1.0;
-  double turn = std::fmod(sense * (towards - first_direction), kFullTurn);
-  if (turn < 0.0) turn += kFullTurn;
+  const double turn = turnTo(towards);
   const double step = std::abs(increment);
   const long beam = std::lround(turn / step);
   const long count = static_cast<long>(ranges.size());
   if (beam < count) return beam;
   // Just before the first beam is nearly a whole turn after it.
   return kFullTurn - turn < step ? 0 : (turn / step < static_cast<double>(count) ? count - 1 : -1);
+}
+
+bool RangeProfile::isInView(double towards) const {
+  if (ranges.empty() || increment == 0.0) return false;
+  const double step = std::abs(increment);
+  const double width = step * static_cast<double>(ranges.size() - 1);
+  const double turn = turnTo(towards);
+  const double rounding = kRounding * step;
+  return width + 1.5 * step > kFullTurn || turn <= width + rounding || turn >= kFullTurn - rounding;
 }
 
 void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules& rules, RangeProfile* profile) {

@@ -2,24 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace lstm_planner {
 
 namespace {
 
-constexpr std::size_t kMost = 2000;   // points
-constexpr double kSamePlace = 0.01;   // m
-constexpr double kHiddenBy = 0.1;     // m of air between what hides a return and the return
-constexpr std::size_t kCompared = 8;  // neighbours in a scan lie beside each other
+constexpr std::size_t kMost = 2000;  // points
+constexpr double kSamePlace = 0.01;  // m
+constexpr double kHiddenBy = 0.1;    // m of air between what hides a return and the return
 
 double squaredLength(const Point2& point) { return point.x * point.x + point.y * point.y; }
 
 }  // namespace
 
 bool OutOfView::isInView(const RangeProfile& profile, const Point2& place) {
-  const long beam = profile.beamTowards(directionTo(profile.origin, place));
-  if (beam < 0) return false;
+  const double direction = directionTo(profile.origin, place);
+  // Beside the last beam nothing is in view, however near: what a slow turn takes out of view leaves it there.
+  if (!profile.isInView(direction)) return false;
+  const long beam = profile.beamTowards(direction);
   const auto i = static_cast<std::size_t>(beam);
   const float range = profile.ranges[i];
   if (!(range > 0.0F)) return false;  // not measured
@@ -33,17 +33,27 @@ bool OutOfView::isInView(const Situation& situation, const Point2& place) {
 }
 
 void OutOfView::show(const Situation& situation) {
-  old_.assign(seen_last_.begin(), seen_last_.end());  // newest first: beyond kMost the oldest give way
-  old_.insert(old_.end(), points_.begin(), points_.end());
-  points_.clear();
   const Pose2 before = compose(inverse(situation.pose), pose_);
+  const auto matters = [&](const Point2& place) {
+    return squaredLength(place) <= near_ * near_ && !isInView(situation, place);
+  };
+  // A return beside a remembered one adds nothing, and must not replace it: in a slow turn each one is beside the next.
+  const auto isKnown = [this](const Point2& place) {
+    return std::any_of(points_.begin(), points_.end(),
+                       [&](const Point2& other) { return distanceBetween(place, other) < kSamePlace; });
+  };
+  old_.swap(points_);
+  points_.clear();
   for (const Point2& point : old_) {
     const Point2 place = toParentFrame(before, point);
-    if (points_.size() >= kMost || squaredLength(place) > near_ * near_ || isInView(situation, place)) continue;
-    const std::size_t first = points_.size() - std::min(points_.size(), kCompared);
-    const bool is_known = std::any_of(points_.begin() + static_cast<std::ptrdiff_t>(first), points_.end(),
-                                      [&](const Point2& other) { return distanceBetween(place, other) < kSamePlace; });
-    if (!is_known) points_.push_back(place);
+    if (matters(place)) points_.push_back(place);
+  }
+  for (const Point2& point : seen_last_) {
+    const Point2 place = toParentFrame(before, point);
+    if (matters(place) && !isKnown(place)) points_.push_back(place);
+  }
+  if (points_.size() > kMost) {  // the oldest give way
+    points_.erase(points_.begin(), points_.end() - static_cast<std::ptrdiff_t>(kMost));
   }
   seen_last_.clear();
   for (const Point2& point : situation.obstacles) {

@@ -54,6 +54,11 @@ struct RangeProfile {
   bool isMeasured(std::size_t beam) const { return ranges[beam] > 0.0f && std::isfinite(ranges[beam]); }
   /// Index of the beam nearest to `direction` (rad, base frame); -1 when none is within an increment of it.
   long beamTowards(double direction) const;
+  /// Whether `direction` (rad, base frame) lies between the first and the last beam. All do if the scan closes.
+  bool isInView(double direction) const;
+
+ private:
+  double turnTo(double direction) const;
 };
 
 /// Fills a profile from a scan; its memory is reused.

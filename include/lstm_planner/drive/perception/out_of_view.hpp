@@ -34,7 +34,7 @@ class OutOfView {
 
   double near_;                    ///< m from the robot's middle within which returns matter
   Pose2 pose_;                     ///< odometry frame, of the last situation
-  std::vector<Point2> points_;     ///< base frame
+  std::vector<Point2> points_;     ///< base frame, oldest first
   std::vector<Point2> seen_last_;  ///< returns of the last situation within near_, base frame
   std::vector<Point2> old_;        ///< memory that is used again
 };

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -60,6 +61,23 @@ TEST_F(OutOfViewTest, RemembersWhatLeftTheFieldOfViewWhereItIs) {
   const Pose2 on{0.0, 0.02, M_PI - 0.3};
   sense(on);
   EXPECT_GT(onThePost(on, kPost), 10u);
+}
+
+TEST_F(OutOfViewTest, RemembersWhatASlowTurnTakesOutOfView) {
+  constexpr double kTurn = 0.3 * M_PI / 180.0;  // per scan; less than half of the angle between two beams
+  sense({});
+  const std::vector<Point2> seen = situation_.obstacles;
+  ASSERT_GT(seen.size(), 10u);
+  Pose2 pose;
+  for (; pose.yaw < M_PI_2 + 0.25; pose.yaw += kTurn) sense(pose);
+  onThePost(situation_.pose, kPost);
+  for (const Point2& place : seen) {
+    double nearest = 1.0;
+    for (const Point2& point : out_of_view_.points()) {
+      nearest = std::min(nearest, distanceBetween(place, toParentFrame(situation_.pose, point)));
+    }
+    EXPECT_LT(nearest, 0.02) << "1 cm between what is remembered, and 1 cm between two beams";
+  }
 }
 
 TEST_F(OutOfViewTest, TheScanCountsWhenThePlaceIsInViewAgain) {
