@@ -3,46 +3,77 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "lstm_planner/training/lane_kernels.hpp"
-#include "lstm_planner/training/lane_network.hpp"
-#include "lstm_planner/training/parameter_vector.hpp"
-
 namespace lstm_planner {
 namespace {
 
-/// The gradients of a unit's outputs at all steps by the first input: lane s has that of step s.
-class LaneGradients {
- public:
-  LaneGradients(const LayerStack& layers, int steps)
-      : steps_(steps),
-        parameters_(parameterVector(layers)),
-        network_(layers, (steps + kLaneGroup - 1) / kLaneGroup * kLaneGroup, steps),
-        unused_(Eigen::VectorXf::Zero(parameters_.size())),
-        by_inputs_(network_.inputSize() * steps, network_.lanes()) {}
+using Eigen::ArrayXd;
+using Eigen::MatrixXd;
 
-  Eigen::RowVectorXd squaredNorms(const Sequence& sequence, int unit) {
-    network_.reset();
-    for (int step = 0; step < steps_; ++step) {
-      rowsOf(network_.inputs(step), network_.inputSize()).colwise() = sequence.inputs.col(step);
-      network_.forward(parameters_, step);
-      rowsOf(network_.outputGradient(step), network_.outputSize()).setZero();
-      rowsOf(network_.outputGradient(step), network_.outputSize())(unit, step) = 1.0f;
-    }
-    network_.backward(parameters_, steps_, unused_, by_inputs_.data());
-    return by_inputs_.topRows(network_.inputSize()).leftCols(steps_).cast<double>().colwise().squaredNorm();
-  }
+/// The output of a recurrent layer, and its derivative by the inputs of the first step. It is carried forward with the
+/// state: exact where it has become far smaller than single precision can hold, in memory that does not grow with time.
+template <typename Recurrent>
+struct Unrolled {
+  explicit Unrolled(const Recurrent& of)
+      : layer(of),
+        input(of.input.template cast<double>()),
+        recurrent(of.recurrent.template cast<double>()),
+        output(ArrayXd::Zero(of.recurrent.cols())),
+        cell(output),
+        output_by(MatrixXd::Zero(of.recurrent.cols(), of.input.cols())),
+        cell_by(output_by) {}
 
- private:
-  using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-  Eigen::Map<Rows> rowsOf(float* values, int rows) const { return {values, rows, network_.lanes()}; }
-
-  int steps_;
-  Eigen::VectorXf parameters_;
-  LaneNetwork network_;
-  Eigen::VectorXf unused_;
-  Rows by_inputs_;  ///< of all steps
+  const Recurrent& layer;
+  MatrixXd input;
+  MatrixXd recurrent;
+  ArrayXd output;
+  ArrayXd cell;
+  MatrixXd output_by;
+  MatrixXd cell_by;
 };
+
+MatrixXd scaled(const ArrayXd& rows, const MatrixXd& by) { return rows.matrix().asDiagonal() * by; }
+
+/// Thesis Eq. 2.14.
+void advance(const ArrayXd& sums, const MatrixXd& by, Unrolled<RecurrentLayer>* state) {
+  state->output = sums.tanh();
+  state->output_by = scaled(1.0 - state->output.square(), by);
+}
+
+/// Thesis Eq. 2.21-2.25.
+void advance(const ArrayXd& sums, const MatrixXd& by, Unrolled<LstmLayer>* state) {
+  const Eigen::Index cells = state->output.size();
+  const ArrayXd gates = 1.0 / (1.0 + (-sums.head(3 * cells)).exp());
+  const MatrixXd gates_by = scaled(gates * (1.0 - gates), by.topRows(3 * cells));
+  const bool is_tanh = state->layer.candidate == Activation::kTanh;
+  const ArrayXd raw = sums.tail(cells);
+  const ArrayXd candidate = is_tanh ? ArrayXd(raw.tanh()) : ArrayXd(1.0 / (1.0 + (-raw).exp()));
+  const ArrayXd slope = is_tanh ? ArrayXd(1.0 - candidate.square()) : ArrayXd(candidate * (1.0 - candidate));
+  const ArrayXd in = gates.head(cells);
+  const ArrayXd out = gates.segment(cells, cells);
+  const ArrayXd forget = gates.tail(cells);
+  state->cell_by = scaled(forget, state->cell_by) + scaled(state->cell, gates_by.bottomRows(cells)) +
+                   scaled(in * slope, by.bottomRows(cells)) + scaled(candidate, gates_by.topRows(cells));
+  state->cell = forget * state->cell + in * candidate;
+  const ArrayXd shown = state->cell.tanh();
+  state->output = shown * out;
+  state->output_by =
+      scaled(out * (1.0 - shown.square()), state->cell_by) + scaled(shown, gates_by.middleRows(cells, cells));
+}
+
+/// Adds the squared length of the derivative of each unit (row) at each step (column).
+template <typename Recurrent>
+void addSquares(const Recurrent& layer, const Sequence& sequence, MatrixXd* squares) {
+  Unrolled<Recurrent> state(layer);
+  const Eigen::VectorXd bias = layer.bias.template cast<double>();
+  for (Eigen::Index step = 0; step < sequence.steps(); ++step) {
+    const Eigen::VectorXd sums = state.input * sequence.inputs.col(step).template cast<double>() +
+                                 state.recurrent * state.output.matrix() + bias;
+    MatrixXd by = state.recurrent * state.output_by;
+    if (step == 0) by += state.input;
+    advance(sums.array(), by, &state);
+    squares->col(step) += state.output_by.rowwise().squaredNorm();
+  }
+}
 
 }  // namespace
 
@@ -51,14 +82,15 @@ Eigen::MatrixXd firstStepSensitivity(const LayerStack& layers, const std::vector
                                              std::holds_alternative<RecurrentLayer>(layers.front()));
   if (!recurrent) throw std::invalid_argument("the first layer is not recurrent, expected LSTM or plain recurrent");
   if (sequences.empty()) throw std::invalid_argument("there are no sequences, expected at least one");
-  const LayerStack first = {layers.front()};
-  const Eigen::Index units = outputSize(first);
   const Eigen::Index steps = sequences.front().steps();
-  LaneGradients gradients(first, static_cast<int>(steps));
-  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(units, steps);
+  MatrixXd squares = MatrixXd::Zero(outputSize({layers.front()}), steps);
   for (const Sequence& sequence : sequences) {
     if (sequence.steps() != steps) throw std::invalid_argument("the sequences differ in length, expected one length");
-    for (int unit = 0; unit < units; ++unit) squares.row(unit) += gradients.squaredNorms(sequence, unit);
+    if (const auto* lstm = std::get_if<LstmLayer>(&layers.front())) {
+      addSquares(*lstm, sequence, &squares);
+    } else {
+      addSquares(std::get<RecurrentLayer>(layers.front()), sequence, &squares);
+    }
   }
   return (squares / static_cast<double>(sequences.size())).cwiseSqrt();
 }

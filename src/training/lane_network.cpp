@@ -72,7 +72,7 @@ void LaneNetwork::setState(const std::vector<float>& state) {
   }
 }
 
-void LaneNetwork::backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient, float* by_inputs) {
+void LaneNetwork::backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient) {
   for (const auto& layer : layers_) layer->startBackward();
   for (int step = steps; step-- > 0;) {
     const float* own = parameters.data() + parameters.size();
@@ -82,7 +82,6 @@ void LaneNetwork::backward(const Eigen::VectorXf& parameters, int steps, Eigen::
       own -= layer.parameterCount();
       layer.backward(own, step);
       if (index > 0) layer.inputGradient(own, step, layers_[index - 1]->resultGradient());
-      if (index == 0 && by_inputs != nullptr) layer.inputGradient(own, step, by_inputs + offset(step, input_size_));
     }
   }
   float* own_gradient = gradient.data();

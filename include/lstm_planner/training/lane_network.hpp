@@ -18,7 +18,8 @@ class LaneLayer;
 /// step (truncated back-propagation).
 class LaneNetwork {
  public:
-  /// `lanes` is a multiple of kLaneGroup, `steps` the window's length. Throws std::invalid_argument for a softmax.
+  /// `lanes` is a multiple of kLaneGroup, `steps` the window's length. Throws std::invalid_argument for a softmax,
+  /// and for other lanes or steps.
   LaneNetwork(const LayerStack& layers, int lanes, int steps);
   LaneNetwork(LaneNetwork&&) noexcept;
   LaneNetwork& operator=(LaneNetwork&&) noexcept;
@@ -54,9 +55,8 @@ class LaneNetwork {
   /// The rows of the error's derivative by the outputs, to be filled before backward().
   float* outputGradient(int step) { return output_gradient_.data() + offset(step, output_size_); }
 
-  /// Adds the error's derivative by the parameters for the first `steps` steps. Spoils what forward() left. Where they
-  /// are wanted, `by_inputs` gets the derivatives by the inputs, laid out as inputs(0) to inputs(steps - 1).
-  void backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient, float* by_inputs = nullptr);
+  /// Adds the error's derivative by the parameters for the first `steps` steps. Spoils what forward() left.
+  void backward(const Eigen::VectorXf& parameters, int steps, Eigen::VectorXf& gradient);
 
  private:
   std::size_t offset(int step, int size) const {

@@ -4,8 +4,10 @@
 #include <stdexcept>
 
 #include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/parameter_vector.hpp"
 #include "training/input_sensitivity.hpp"
 #include "training/recall_task.hpp"
+#include "unit/training/double_network.hpp"
 
 namespace lstm_planner::test_input_sensitivity {
 namespace {
@@ -48,6 +50,51 @@ TEST(FirstStepSensitivity, OfAnLstmCellStaysAsLongAsTheForgetGateIsOpen) {
   EXPECT_NEAR(sensitivity(0, 99), 0.5, 1e-6);
   layer.bias[2] = 0.0f;  // half open
   EXPECT_NEAR(firstStepSensitivity({layer}, silence(1, 30))(0, 29) / (0.5 * std::pow(0.5, 29)), 1.0, 1e-5);
+}
+
+/// By central differences of the equations, for several units, inputs and sequences.
+Eigen::MatrixXd expectedSensitivity(const LayerStack& first, const std::vector<Sequence>& sequences) {
+  const Eigen::VectorXd parameters = parameterVector(first).cast<double>();
+  const Eigen::Index steps = sequences.front().steps();
+  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(outputSize(first), steps);
+  for (const Sequence& sequence : sequences) {
+    const Eigen::MatrixXd inputs = sequence.inputs.cast<double>();
+    for (int unit = 0; unit < squares.rows(); ++unit) {
+      for (int last = 0; last < steps; ++last) {
+        const auto outputOf = [&](const Eigen::VectorXd& first_inputs) {
+          DoubleNetwork network(first, parameters);
+          double output = network.forward(first_inputs)[unit];
+          for (int step = 1; step <= last; ++step) output = network.forward(inputs.col(step))[unit];
+          return output;
+        };
+        squares(unit, last) += centralDifferences(inputs.col(0), outputOf).squaredNorm();
+      }
+    }
+  }
+  return (squares / static_cast<double>(sequences.size())).cwiseSqrt();
+}
+
+TEST(FirstStepSensitivity, IsTheDerivativeOfTheEquations) {
+  constexpr int kUnits = 2;
+  const std::vector<Sequence> sequences = recallSequences(2, 4, 1);
+  const int inputs = static_cast<int>(sequences.front().inputs.rows());
+  LayerStack lstm = {makeLstmStack(inputs, {kUnits}, 2).front()};
+  LayerStack sigmoid = lstm;
+  std::get<LstmLayer>(sigmoid.front()).candidate = Activation::kSigmoid;
+  const LayerStack plain = {RecurrentLayer{Eigen::MatrixXf::Random(kUnits, inputs),
+                                           Eigen::MatrixXf::Random(kUnits, kUnits), Eigen::VectorXf::Random(kUnits)}};
+  initialise({}, 3, lstm);
+  initialise({}, 4, sigmoid);
+  for (const LayerStack& first : {lstm, sigmoid, plain}) {
+    const Eigen::MatrixXd expected = expectedSensitivity(first, sequences);
+    EXPECT_LT((firstStepSensitivity(first, sequences) - expected).norm(), 1e-6 * expected.norm());
+  }
+}
+
+TEST(FirstStepSensitivity, IsExactWhereSinglePrecisionEnds) {
+  const RecurrentLayer layer{Eigen::MatrixXf::Ones(1, 1), Eigen::MatrixXf::Constant(1, 1, 0.25f),
+                             Eigen::VectorXf::Zero(1)};
+  EXPECT_NEAR(firstStepSensitivity({layer}, silence(1, 101))(0, 100) / std::pow(0.25, 100), 1.0, 1e-9);  // 6e-61
 }
 
 TEST(FirstStepSensitivity, RefusesWhatHasNone) {

@@ -79,7 +79,7 @@ TEST(LaneNetwork, GivesWhatTheNetworkGivesOneByOneAcrossWindowsAndForgetting) {
   }
 }
 
-TEST(LaneNetwork, GradientsByParametersAndInputsAreThoseOfTheEquationsInDoublePrecision) {
+TEST(LaneNetwork, GradientsAreThoseOfTheEquationsInDoublePrecision) {
   const LayerStack layers = mixedStack();
   const Eigen::VectorXf parameters = parameterVector(layers);
   const auto sequences = randomSequences(9);
@@ -95,8 +95,7 @@ TEST(LaneNetwork, GradientsByParametersAndInputsAreThoseOfTheEquationsInDoublePr
     }
   }
   Eigen::VectorXf gradient = Eigen::VectorXf::Zero(parameters.size());
-  std::vector<float> by_inputs(kSteps * kInputs * kLanes);
-  lanes.backward(parameters, kSteps, gradient, by_inputs.data());
+  lanes.backward(parameters, kSteps, gradient);
 
   const auto errorOf = [&](const Eigen::VectorXd& place, const Eigen::MatrixXd& inputs) {
     DoubleNetwork network(layers, place);
@@ -110,19 +109,6 @@ TEST(LaneNetwork, GradientsByParametersAndInputsAreThoseOfTheEquationsInDoublePr
     return sum;
   });
   EXPECT_LT((gradient.cast<double>() - expected).norm(), 1e-5 * expected.norm());
-
-  constexpr int kLane = 3;
-  const Eigen::MatrixXd inputs = sequences[kLane].inputs.cast<double>();
-  const Eigen::VectorXd exact = parameters.cast<double>();
-  const Eigen::VectorXd by_lane = centralDifferences(
-      Eigen::Map<const Eigen::VectorXd>(inputs.data(), inputs.size()), [&](const Eigen::VectorXd& place) {
-        return errorOf(exact, Eigen::Map<const Eigen::MatrixXd>(place.data(), kInputs, kSteps));
-      });
-  Eigen::VectorXd found(by_lane.size());
-  for (int i = 0; i < found.size(); ++i) {
-    found[i] = static_cast<double>(by_inputs[static_cast<std::size_t>(i * kLanes + kLane)]);
-  }
-  EXPECT_LT((found - by_lane).norm(), 1e-5 * by_lane.norm());
 }
 
 TEST(LaneNetwork, ErrorsDoNotPassTheBeginningOfAnEpisode) {
@@ -140,6 +126,7 @@ TEST(LaneNetwork, ErrorsDoNotPassTheBeginningOfAnEpisode) {
     lanes.backward(parameters, 2, gradient);
     return gradient;
   };
+  EXPECT_GT(gradientWithFirstInput(1.0f).norm(), 0.1f);
   EXPECT_EQ(gradientWithFirstInput(1.0f), gradientWithFirstInput(-2.0f));
 }
 
