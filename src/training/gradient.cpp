@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "lstm_planner/training/lane_kernels.hpp"
 
@@ -93,15 +92,6 @@ LossSum SequenceGradient::evaluate(const Eigen::VectorXf& parameters, const Batc
     if (gradient != nullptr) network_.backward(parameters, static_cast<int>(steps), *gradient);
   }
   return sum;
-}
-
-Eigen::MatrixXf SequenceGradient::preferences(const Eigen::VectorXf& parameters, const Sequence& sequence) {
-  start(parameters, {{&sequence, 0, sequence.steps()}});
-  Eigen::MatrixXf preferences(network_.outputSize(), sequence.steps());
-  for (Index step = 0; step < sequence.steps(); ++step) {
-    preferences.col(step) = forward(parameters, step).col(0);
-  }
-  return preferences;
 }
 
 std::vector<SequenceGradient::Piece> SequenceGradient::lanesOf(const Batch& group) const {

@@ -129,7 +129,7 @@ void accumulateBiasGradientOfLanes(const float* unit_gradients, int units, int s
   for (int unit = 0; unit < units; ++unit) {
     LaneGroup sum = {};
     for (int step = 0; step < steps; ++step) {
-      const float* row = unit_gradients + (step * units + unit) * lanes;
+      const float* row = unit_gradients + static_cast<std::ptrdiff_t>(step * units + unit) * lanes;
       for (int lane = 0; lane < lanes; lane += kLaneGroup) sum = sum + loadGroup<LaneGroup>(row + lane);
     }
     gradient[unit] += sumOf(sum);

@@ -37,7 +37,6 @@ class LaneLayer {
   virtual void readState(float* /*state*/) const {}
   virtual void writeState(const float* /*state*/) {}
 
-  int outputs() const { return outputs_; }
   const float* results(int step) const { return results_.data() + at(step, outputs_); }
   float* resultGradient() { return result_gradients_.data(); }
 

@@ -66,7 +66,9 @@ class GroupedGradient {
     };
     for (const GroupLoss& group : exchange_.each(count, GroupLoss({}, classes_), work)) sum += group.sum();
     if (gradient != nullptr) {
-      const auto gradientOf = [&](int group) { return gradients[static_cast<std::size_t>(group)]; };
+      const auto gradientOf = [&](int group) -> const Eigen::VectorXf& {
+        return gradients[static_cast<std::size_t>(group)];
+      };
       *gradient = exchange_.sumOf(count, parameters.size(), gradientOf);
     }
     return sum;

@@ -57,10 +57,7 @@ class SequenceGradient {
   /// Cuts a batch into groups of kTogether or fewer, alike in length.
   static std::vector<Batch> groupsOf(Batch batch);
 
-  /// Number of parameters, ordered as in parameterVector().
-  Eigen::Index parameterCount() const { return parameter_count_; }
-
-  /// Loss with the given parameters, forward only.
+  /// Loss with the given parameters, ordered as in parameterVector(), forward only.
   LossSum loss(const Eigen::VectorXf& parameters, const Batch& batch) { return evaluate(parameters, batch, nullptr); }
 
   /// The same, and the gradient of LossSum::loss (a sum, not a mean) in `gradient`.
@@ -68,9 +65,6 @@ class SequenceGradient {
   LossSum lossAndGradient(const Eigen::VectorXf& parameters, const Batch& batch, Eigen::VectorXf& gradient) {
     return evaluate(parameters, batch, &gradient);
   }
-
-  /// Preferences before the softmax, outputs x steps, for one sequence.
-  Eigen::MatrixXf preferences(const Eigen::VectorXf& parameters, const Sequence& sequence);
 
  private:
   using Rows = Eigen::Array<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

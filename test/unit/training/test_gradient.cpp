@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "lstm_planner/common/random.hpp"
-#include "lstm_planner/network/network.hpp"
 #include "lstm_planner/training/gradient.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
@@ -138,23 +137,6 @@ TEST(SequenceGradient, TheEuclideanLossIsHalfTheSquaredDistanceToTheTarget) {
   EXPECT_EQ(gradient, Eigen::Vector4f(3.0f * 0.5f * 2.0f, 3.0f * -1.25f * 2.0f, 3.0f * 0.5f, 3.0f * -1.25f));
 }
 
-TEST(SequenceGradient, ForwardPassAgreesWithTheNetworkThatDrives) {
-  for (const NamedStack& stack : stacksOfEachKind()) {
-    if (std::holds_alternative<SoftmaxLayer>(stack.layers.back())) continue;  // preferences come before the softmax
-    SCOPED_TRACE(stack.name);
-    Random random(8);
-    const Sequence sequence = randomSequence(50, random);
-    SequenceGradient computer(stack.layers);
-    const Eigen::MatrixXf preferences = computer.preferences(parameterVector(stack.layers), sequence);
-    Network network(stack.layers);
-    for (int step = 0; step < sequence.steps(); ++step) {
-      const Eigen::VectorXf& expected = network.forward(sequence.inputs.col(step));
-      // Single precision with tanh to a few units in the last place, fed back over 50 steps.
-      ASSERT_LT((preferences.col(step) - expected).cwiseAbs().maxCoeff(), 1e-5f) << "step " << step;
-    }
-  }
-}
-
 TEST(SequenceGradient, SoftmaxLayerIsTheOneOfTheLoss) {
   LayerStack layers = makeLstmStack(kInputs, {4}, kOutputs);
   initialise({}, 2, layers);
@@ -165,11 +147,11 @@ TEST(SequenceGradient, SoftmaxLayerIsTheOneOfTheLoss) {
   EXPECT_EQ(SequenceGradient(layers).loss(parameters, pointersTo(sequences)).loss, without);
 }
 
-TEST(SequenceGradient, BatchIsTheSumOfItsSequences) {
-  LayerStack layers = makeLstmStack(kInputs, {4, 4}, kOutputs);
+/// More than are computed together, of different lengths.
+void expectThatTheBatchIsTheSum(LayerStack layers) {
   initialise({}, 9, layers);
   const Eigen::VectorXf parameters = parameterVector(layers);
-  std::vector<Sequence> sequences;  // more than are computed together
+  std::vector<Sequence> sequences;
   for (int i = 0; i < 4; ++i) {
     for (const Sequence& sequence : raggedSequences()) sequences.push_back(sequence);
   }
@@ -187,6 +169,11 @@ TEST(SequenceGradient, BatchIsTheSumOfItsSequences) {
   EXPECT_EQ(whole.confusion, parts.confusion);
   EXPECT_EQ(whole.confusion.sum(), 4 * (4 + 7 + 1 + 7 + 5 - 2));  // all steps but the two without a weight
   EXPECT_LT((together - sum).norm(), 1e-6f * sum.norm());
+}
+
+TEST(SequenceGradient, BatchIsTheSumOfItsSequences) {
+  expectThatTheBatchIsTheSum(makeLstmStack(kInputs, {4, 4}, kOutputs));
+  expectThatTheBatchIsTheSum(makeDenseStack(kInputs, {4}, kOutputs));  // without memory a sequence is cut
 }
 
 TEST(SequenceGradient, EqualPreferencesLoseTheLogarithmOfTheNumberOfClasses) {
