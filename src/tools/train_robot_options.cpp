@@ -140,6 +140,7 @@ nlohmann::json settingsOf(const RobotNetworkOptions& network, const EncoderParam
 
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder) {
   std::vector<std::string>& layout = encoder->input_layout;
+  const std::vector<std::string> known = groupsToAdd();
   for (const std::string& group : groups) {
     if (group == "events-alone") {
       for (std::string& name : layout) {
@@ -148,10 +149,9 @@ void addInputs(const std::vector<std::string>& groups, EncoderParameters* encode
     } else if (group == "angles") {
       useAnglesAlone(&layout);
     } else {
-      const std::vector<std::string> groups = groupsToAdd();
-      if (std::find(groups.begin(), groups.end(), group) == groups.end()) {
+      if (std::find(known.begin(), known.end(), group) == known.end()) {
         std::string expected = "events-alone";
-        for (const std::string& name : groups) expected += ", " + name;
+        for (const std::string& name : known) expected += ", " + name;
         throw std::invalid_argument("--inputs names '" + group + "', expected some of " + expected);
       }
       for (const std::string& name : inputsOfGroup(group)) layout.push_back(name);

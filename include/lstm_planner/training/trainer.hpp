@@ -16,7 +16,7 @@ namespace lstm_planner {
 /// How a network learns from sequences.
 struct TrainerParameters {
   int epochs = 20;       ///< passes over the training set, >= 1
-  int batch_size = 128;  ///< sequences an update, >= 1; one takes as long as 16
+  int batch_size = 128;  ///< sequences an update, >= 1; with memory one takes as long as 16
   int threads = 2;       ///< >= 1; each has groups of a batch (SequenceGradient); does not change the result
   Communicator* communicator = oneProcess();  ///< ranks that share the groups; does not change the result
   std::uint64_t seed = 1;                     ///< of the order of the sequences

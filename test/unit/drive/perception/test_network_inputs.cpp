@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -54,20 +55,23 @@ TEST(NetworkInputs, MirrorAsTheirRowsSay) {
   }
 }
 
-TEST(NetworkInputs, AViewTurnedByAnEighthIsThatOfARobotTurnedByAnEighth) {
+TEST(NetworkInputs, AViewIsThatOfARobotTurnedByItsAngle) {
   const EncoderParameters parameters;
   Observation observation = randomObservation(2);
   observation.turn = 0.0;
   observation.heading = 0.0;
-  Observation turned = observation;
-  turned.heading = -kViewAngle;  // in the odometry frame: the view looks along its x axis then
-  turned.goal_bearing = normalizeAngle(observation.goal_bearing - kViewAngle);
-  turned.previous_action = normalizeAngle(observation.previous_action - kViewAngle);
-  turned.motion = toLocalFrame({0.0, 0.0, kViewAngle}, observation.motion);
-  for (const NetworkInput& input : networkInputs()) {
-    if (input.turns != InputTurns::kBearing) continue;
-    EXPECT_NEAR(input.from(bearingsOf(observation), parameters, 1), input.value(turned, parameters, 0), 1e-12)
-        << input.name;
+  for (int view = 0; view < kDriveViews; ++view) {
+    const double angle = view * kViewAngle;
+    Observation turned = observation;
+    turned.heading = normalizeAngle(-angle);  // in the odometry frame: the view looks along its x axis then
+    turned.goal_bearing = normalizeAngle(observation.goal_bearing - angle);
+    turned.previous_action = normalizeAngle(observation.previous_action - angle);
+    turned.motion = toLocalFrame({0.0, 0.0, angle}, observation.motion);
+    for (const NetworkInput& input : networkInputs()) {
+      if (input.turns != InputTurns::kBearing) continue;
+      EXPECT_NEAR(input.from(bearingsOf(observation), parameters, view), input.value(turned, parameters, 0), 1e-12)
+          << input.name << " in view " << view;
+    }
   }
 }
 
@@ -91,6 +95,11 @@ TEST(NetworkInputs, EachNameIsFoundAndBelongsToOneRow) {
 TEST(NetworkInputs, StandInTheTableOfThePage) {
   std::ifstream file(LSTM_PLANNER_SOURCE_DIR "/models/onnx.md");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t table = page.find("| input | value | group |\n");
+  const auto end = page.begin() + static_cast<std::ptrdiff_t>(page.find("\n\n", table));
+  constexpr int kHead = 2;  // rows
+  EXPECT_EQ(std::count(page.begin() + static_cast<std::ptrdiff_t>(table), end, '\n') + 1 - kHead,
+            static_cast<std::ptrdiff_t>(networkInputs().size()));
   for (const NetworkInput& input : networkInputs()) {
     const std::string name = input.name;
     const std::string names = input.count > 1 ? "`" + name + "_0` ... `" + name + "_7`" : "`" + name + "`";
