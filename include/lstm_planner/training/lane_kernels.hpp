@@ -3,7 +3,8 @@
 namespace lstm_planner {
 
 /// Arithmetic on many steps side by side: a value of the network is a row of `lanes` numbers, one for each agent or
-/// sequence that is at the same step, so that one instruction works for 16 of them whatever the sizes of the layers are.
+/// sequence that is at the same step, so that one instruction works for 16 of them whatever the sizes of the layers
+/// are.
 ///
 /// `lanes` is a multiple of kLaneGroup, rows lie one behind the other. These functions are compiled several times, for
 /// the instruction sets of x86-64, and the fastest that the machine has is chosen at run time. The results of those

@@ -10,7 +10,8 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kRounding = 1e-3;  // of the angle between two beams; places are computed from ranges in single precision
+// Of the angle between two beams: places are computed from ranges in single precision.
+constexpr double kRounding = 1e-3;
 
 }  // namespace
 
