@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "lstm_planner/common/random.hpp"
+#include "lstm_planner/network/network.hpp"
 #include "lstm_planner/training/gradient.hpp"
 #include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/lane_kernels.hpp"
+#include "lstm_planner/training/lane_network.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "unit/training/double_network.hpp"
 
@@ -135,6 +139,28 @@ TEST(SequenceGradient, TheEuclideanLossIsHalfTheSquaredDistanceToTheTarget) {
   EXPECT_EQ(sum.weight, 3.0);
   EXPECT_EQ(sum.confusion(1, 0), 1);  // the answer is the higher preference
   EXPECT_EQ(gradient, Eigen::Vector4f(3.0f * 0.5f * 2.0f, 3.0f * -1.25f * 2.0f, 3.0f * 0.5f, 3.0f * -1.25f));
+}
+
+TEST(LaneNetwork, ForwardPassOfEachKindAgreesWithTheNetworkThatDrives) {
+  for (const NamedStack& stack : stacksOfEachKind()) {
+    if (std::holds_alternative<SoftmaxLayer>(stack.layers.back())) continue;  // the lanes have none
+    SCOPED_TRACE(stack.name);
+    Random random(8);
+    const Sequence sequence = randomSequence(50, random);
+    const Eigen::VectorXf parameters = parameterVector(stack.layers);
+    LaneNetwork lanes(stack.layers, kLaneGroup, static_cast<int>(sequence.steps()));
+    Network network(stack.layers);
+    for (int step = 0; step < sequence.steps(); ++step) {
+      for (int i = 0; i < kInputs; ++i) {
+        std::fill_n(lanes.inputs(step) + i * kLaneGroup, kLaneGroup, sequence.inputs(i, step));
+      }
+      const float* found = lanes.forward(parameters, step);
+      const Eigen::VectorXf& expected = network.forward(sequence.inputs.col(step));
+      // Single precision with tanh to a few units in the last place, fed back over 50 steps.
+      for (int i = 0; i < expected.size(); ++i)
+        ASSERT_NEAR(found[i * kLaneGroup], expected[i], 1e-5f) << "step " << step;
+    }
+  }
 }
 
 TEST(SequenceGradient, SoftmaxLayerIsTheOneOfTheLoss) {

@@ -81,10 +81,11 @@ TEST(FirstStepSensitivity, IsTheDerivativeOfTheEquations) {
   LayerStack lstm = {makeLstmStack(inputs, {kUnits}, 2).front()};
   LayerStack sigmoid = lstm;
   std::get<LstmLayer>(sigmoid.front()).candidate = Activation::kSigmoid;
-  const LayerStack plain = {RecurrentLayer{Eigen::MatrixXf::Random(kUnits, inputs),
-                                           Eigen::MatrixXf::Random(kUnits, kUnits), Eigen::VectorXf::Random(kUnits)}};
+  LayerStack plain = {RecurrentLayer{Eigen::MatrixXf::Zero(kUnits, inputs), Eigen::MatrixXf::Zero(kUnits, kUnits),
+                                     Eigen::VectorXf::Zero(kUnits)}};
   initialise({}, 3, lstm);
   initialise({}, 4, sigmoid);
+  initialise({}, 5, plain);
   for (const LayerStack& first : {lstm, sigmoid, plain}) {
     const Eigen::MatrixXd expected = expectedSensitivity(first, sequences);
     EXPECT_LT((firstStepSensitivity(first, sequences) - expected).norm(), 1e-6 * expected.norm());
