@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "lstm_planner/common/parameter_visitors.hpp"
@@ -51,11 +52,17 @@ class ControlledRobot : public LoopRobot {
       const Decision& bent = band_.bend(agent, situation.pose, decision, parameters_.rollout.clearance);
       rollOut(situation, bent, agent.shield(), goal_, agent.parameters(), parameters_.rollout, &plan_);
     }
-    robot_.command(
-        tracker_.compute(plan_, situation, robot_.measuredTwist(), agent.shield(), parameters_.control_period));
+    const MotionCommand command =
+        tracker_.compute(plan_, situation, robot_.measuredTwist(), agent.shield(), parameters_.control_period);
+    if (command.stop != StopReason::kStuck) stuck_since_.reset();
+    if (command.stop == StopReason::kStuck && !stuck_since_) stuck_since_ = robot_.time();
+    robot_.command(command);
     if (listener_) listener_({robot_.time(), robot_.truePose(), situation, plan_, agent});
     robot_.advance(parameters_.control_period);
   }
+
+  /// Whether move_base would stop trying, whose controller_patience is about as long.
+  bool hasGivenUp() const { return stuck_since_ && robot_.time() - *stuck_since_ > parameters_.motion.patience; }
 
  private:
   static constexpr double kSameTime = 1e-6;  // s
@@ -69,7 +76,8 @@ class ControlledRobot : public LoopRobot {
   Pose2 goal_;
   std::vector<Pose2> plan_;
   int tick_ = 0;
-  double next_scan_ = 0.0;  ///< s
+  double next_scan_ = 0.0;             ///< s
+  std::optional<double> stuck_since_;  ///< s
 };
 
 /// One drive as it goes on, and what is noted of it.
@@ -115,7 +123,8 @@ class Run {
       contacts_seen_ = robot_.contacts();
       result_.contact_places.push_back({robot_.truePose().x, robot_.truePose().y});
     }
-    return robot_.time() < parameters_.time_limit && !refereeSaysArrived() && !isEndedByTouch();
+    return robot_.time() < parameters_.time_limit && !refereeSaysArrived() && !isEndedByTouch() &&
+           !controlled_.hasGivenUp();
   }
 
   DriveResult::End judge(ClosedLoop::End end) const {
@@ -128,8 +137,8 @@ class Run {
         break;
     }
     if (isEndedByTouch()) return DriveResult::End::kTouched;
-    const bool in_time = robot_.time() < parameters_.time_limit;
-    return in_time && refereeSaysArrived() ? DriveResult::End::kReached : DriveResult::End::kTimeout;
+    if (robot_.time() >= parameters_.time_limit) return DriveResult::End::kTimeout;
+    return refereeSaysArrived() ? DriveResult::End::kReached : DriveResult::End::kStuck;
   }
 
   double allowedRadius() const {
@@ -254,6 +263,9 @@ DriveSummary summarize(const std::vector<DriveResult>& results) {
         break;
       case DriveResult::End::kTouched:
         ++summary.touched;
+        break;
+      case DriveResult::End::kStuck:
+        ++summary.stuck;
         break;
     }
   }

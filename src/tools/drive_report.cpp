@@ -45,7 +45,7 @@ void printBarnScore(std::ostream& out, const std::vector<DriveResult>& results) 
 std::string lineOf(const TextTable& table, const std::string& name, const DriveSummary& summary) {
   return table.line({name, std::to_string(summary.goals), std::to_string(summary.reached),
                      std::to_string(summary.contacts), std::to_string(summary.bumped), std::to_string(summary.no_path),
-                     std::to_string(summary.timeouts), std::to_string(summary.elsewhere),
+                     std::to_string(summary.timeouts), std::to_string(summary.stuck), std::to_string(summary.elsewhere),
                      fixedText(summary.mean_ratio, 2), fixedText(summary.p95_ratio, 2),
                      fixedText(summary.mean_time, 1) + " s"}) +
          '\n';
@@ -110,6 +110,7 @@ nlohmann::json toJson(const std::vector<DriveResult>& results, bool is_barn) {
                          {"bumped_moving", summary.bumped_moving},
                          {"timeouts", summary.timeouts},
                          {"no_path", summary.no_path},
+                         {"stuck", summary.stuck},
                          {"elsewhere", summary.elsewhere},
                          {"mean_ratio", summary.mean_ratio},
                          {"p95_ratio", summary.p95_ratio},
@@ -143,6 +144,8 @@ const char* toString(DriveResult::End end) {
       return "elsewhere";
     case DriveResult::End::kTouched:
       return "touched";
+    case DriveResult::End::kStuck:
+      return "stuck";
   }
   return "";
 }
@@ -150,9 +153,9 @@ const char* toString(DriveResult::End end) {
 void printDriveSummary(std::ostream& out, const DriveCourse& course, const DriveResults& results) {
   std::size_t width = 5;
   for (const DriveWorld& world : course.worlds) width = std::max(width, world.name.size());
-  const TextTable table(
-      leftText("world", width) +
-      "  goals  reached  contacts  bumped  no path  timeouts  elsewhere  path / shortest: mean    p95  mean time");
+  const TextTable table(leftText("world", width) +
+                        "  goals  reached  contacts  bumped  no path  timeouts  stuck  elsewhere  path / shortest: "
+                        "mean    p95  mean time");
   out << table.headings() << '\n';
   if (course.worlds.size() > 1 && course.worlds.size() <= kMostLines) {
     for (std::size_t i = 0; i < course.worlds.size(); ++i) {

@@ -62,7 +62,8 @@ struct DriveResult {
     kTimeout,    ///< the time limit passed
     kNoPath,     ///< the robot said that there is none
     kElsewhere,  ///< the robot said that it had arrived, and had not
-    kTouched     ///< it touched something, or was run into, where that ends the drive
+    kTouched,    ///< it touched something, or was run into, where that ends the drive
+    kStuck       ///< the controller gave up (StopReason::kStuck) for MotionParameters::patience: move_base would abort
   };
   End end = End::kTimeout;
   int contacts = 0;          ///< the robot's own doing, see SimulatedRobot
@@ -114,6 +115,7 @@ struct DriveSummary {
   int timeouts = 0;
   int elsewhere = 0;
   int touched = 0;  ///< drives that ended so
+  int stuck = 0;    ///< likewise
   double mean_ratio = 0.0;
   double p95_ratio = 0.0;
   double mean_time = 0.0;        ///< s, of those that arrived

@@ -15,6 +15,7 @@ constexpr double kTurnSlack = 0.02;   // rad of an angle to turn by that need no
 constexpr double kLeastTurn = 0.05;   // rad that are worth a turn
 constexpr double kSlowestTurn = 0.1;  // rad/s; slower is standing
 constexpr double kTurnsOnly = 0.01;   // m; a path back that is shorter is a turn in place
+constexpr double kArcRadius = 0.4;    // m; on a narrower arc back the heading matters more than the place
 constexpr double kFastestBack = 0.2;  // m/s; faster it would leave the path that it came before it sees that
 constexpr double kShares[] = {1.0, 0.75, 0.5, 0.35, 0.2, 0.1, 0.05};
 constexpr double kNarrower[] = {0.7, 0.45, 0.2, 0.0};
@@ -113,18 +114,16 @@ MotionCommand MotionController::makeRoom(double error, const Moment& now) const 
   return out ? MotionCommand{*out, StopReason::kNone} : MotionCommand{{}, StopReason::kObstacle};
 }
 
+bool MotionController::canTurnRound(const Moment& now) const {
+  return now.shield.freeTurn({}, 2.0 * M_PI, now.margin) >= 2.0 * M_PI - kTurnSlack;
+}
+
 std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
   if (!now.history.back) return std::nullopt;
-  if (isTold(now.history, 1.0)) return MotionCommand{{}, StopReason::kObstacle, true};
   const Pose2& back = *now.history.back;
-  const double turn = normalizeAngle(back.yaw);
+  const Twist2 wanted = twistTo(back);
+  if (isTold(now.history, wanted.linear > 0.0 ? -1.0 : 1.0)) return MotionCommand{{}, StopReason::kObstacle, true};
   const double away = std::hypot(back.x, back.y);
-  Twist2 wanted{0.0, clampMagnitude(parameters_.heading_gain * turn, 0.5 * parameters_.max_angular)};
-  if (away >= kTurnsOnly) {
-    // The arc that leads there ends with about the heading that the robot had there.
-    wanted = {-std::min(slowSpeed(parameters_), kFastestBack), 0.0};
-    wanted.angular = clampMagnitude(wanted.linear * 2.0 * back.y / (away * away), parameters_.max_angular);
-  }
   SafeMotion isSafe(*this, now, now.history, kLeastMargin * parameters_.safety_margin);  // it was there already
   const auto twist = fastestShare(wanted, [&](const Twist2& share) {
     const Twist2 limited = withinWheelLimits(share);
@@ -134,6 +133,23 @@ std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
   });
   if (!twist) return std::nullopt;
   return MotionCommand{withinWheelLimits(*twist), StopReason::kNone, true};
+}
+
+/// Towards a pose of the trail (base frame), backwards or, where the robot had gone back, forwards.
+Twist2 MotionController::twistTo(const Pose2& place) const {
+  const double turn = normalizeAngle(place.yaw);
+  const double away = std::hypot(place.x, place.y);
+  // The arc that ends with that heading is so long.
+  const double along = place.x * std::cos(0.5 * turn) + place.y * std::sin(0.5 * turn);
+  const double fastest = std::min(slowSpeed(parameters_), kFastestBack);
+  if (std::abs(along) >= kTurnsOnly && std::abs(along) >= kArcRadius * std::abs(turn)) {
+    // The arc that leads there ends with about the heading that the robot had there.
+    const double linear = std::copysign(fastest, along);
+    return {linear, clampMagnitude(linear * 2.0 * place.y / (away * away), parameters_.max_angular)};
+  }
+  const double time = std::max(
+      {std::abs(along) / fastest, 2.0 * std::abs(turn) / parameters_.max_angular, 1.0 / parameters_.heading_gain});
+  return {std::abs(along) < kTurnsOnly ? 0.0 : along / time, turn / time};
 }
 
 double MotionController::turningSpeed(double angle, const Moment& now) const {

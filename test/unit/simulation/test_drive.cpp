@@ -217,6 +217,26 @@ TEST(Drive, EndsAtTheFirstTouchWhereTheRulesSaySo) {
   EXPECT_EQ(summarize({result}).touched, 1);
 }
 
+TEST(Drive, EndsWhereTheControllerGivesUp) {
+  // A blind alley as wide as the robot, which looks at its end and never was elsewhere: it can neither turn nor go
+  // back.
+  OccupancyGrid alley = test::emptyHall(6.0, 4.0);
+  test::fillBox(4.0, 1.6, 6.0, 1.75, &alley);
+  test::fillBox(4.0, 2.25, 6.0, 2.4, &alley);
+  test::fillBox(5.0, 1.6, 6.0, 2.4, &alley);
+  DriveParameters parameters = test::quickDrive(600.0);
+  parameters.robot.base.footprint = "[[0.3, 0.2], [0.3, -0.2], [-0.3, -0.2], [-0.3, 0.2]]";
+  AgentParameters agent_parameters;
+  agent_parameters.shield.footprint = parameters.robot.base.footprint;
+  agent_parameters.shield.footprint_radius = 0.2;
+  NavigationAgent agent(test::straightAheadPolicy(), agent_parameters);
+  const DriveResult result = drive(GridWorld(alley), {{4.6, 2.0, 0.0}, {1.0, 2.0}, 3.6}, parameters, 1, &agent);
+  EXPECT_EQ(result.end, DriveResult::End::kStuck);
+  EXPECT_EQ(result.contacts, 0);
+  EXPECT_LT(result.time, 6.0 * parameters.motion.patience);
+  EXPECT_EQ(summarize({result}).stuck, 1);
+}
+
 TEST(Drive, KeepsThePathsOfThePeopleAround) {
   const GridWorld world(test::emptyHall(6.0, 4.0));
   const std::vector<Point2> places = standingPlaces(world, 0.3);

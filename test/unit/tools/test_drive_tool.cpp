@@ -42,7 +42,7 @@ class DriveTool : public test::ToolTest {
 
 int ends(const nlohmann::json& json) {
   return json["reached"].get<int>() + json["timeouts"].get<int>() + json["no_path"].get<int>() +
-         json["elsewhere"].get<int>();
+         json["stuck"].get<int>() + json["elsewhere"].get<int>();
 }
 
 TEST_F(DriveTool, JudgesDrivesAmongPeopleAlikeByAnyNumberOfThreads) {

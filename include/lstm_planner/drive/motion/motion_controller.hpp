@@ -68,10 +68,12 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
         "time from a measurement to the motion of the wheels, with the driver's loop; longer stops earlier");
   visit("safety_margin", motion.safety_margin, {0.001, 5.0}, "m",
         "distance kept between the footprint and every return; at least three times the noise of the scanner");
-  visit("patience", motion.patience, {0.0, 3600.0}, "s",
-        "time for which the robot may stand before an obstacle, with no person near; after half of it a robot with "
-        "corners creeps out with two thirds of the safety_margin, after all of it the controller says no, so that "
-        "move_base recovers or aborts; about move_base's controller_patience; 0: it waits for ever");
+  visit(
+      "patience", motion.patience, {0.0, 3600.0}, "s",
+      "time for which the robot may stand before an obstacle, with no person near; after half of it a robot with "
+      "corners creeps out with two thirds of the safety_margin, and goes back the way it came until it can turn round, "
+      "after all of it the controller says no, so that "
+      "move_base recovers or aborts; about move_base's controller_patience; 0: it waits for ever");
   visit("slow_gap", motion.slow_gap, {0.001, 20.0}, "m",
         "the robot slows down if its path leads nearer to an obstacle than this; larger is slower");
   visit("slow_speed", motion.slow_speed, {0.001, 10.0}, "m/s",
@@ -119,6 +121,7 @@ struct MotionHistory {
   bool goes_back = false;              ///< it was told to, last
   std::vector<Twist2> commanded = {};  ///< newest last, a period apart; they may not have reached the wheels
   bool has_stood = false;              ///< for so long that two thirds of the safety margin must do
+  bool backs_out = false;              ///< it is to go back until it can turn round, not only towards the plan
 
   /// That was commanded. Keeps those that may still be on their way for `time` s.
   void note(const Twist2& command, double time, double period);
@@ -131,7 +134,7 @@ struct MotionHistory {
 /// while it starts to drive swings its corners.
 ///
 /// A circle may always turn in place. A polygon turns where its corners have room; else it drives on along a wider arc,
-/// or back along the path it came until it can turn.
+/// or back along the path it came until it can turn; if it has stood for long, until it can turn round.
 ///
 /// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
 /// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves
@@ -188,7 +191,9 @@ class MotionController {
   MotionCommand driveWithCorners(const Twist2& wanted, double error, const Moment& now) const;
   MotionCommand turnWithCorners(double error, const Moment& now) const;
   MotionCommand makeRoom(double error, const Moment& now) const;
+  bool canTurnRound(const Moment& now) const;
   std::optional<MotionCommand> goBack(const Moment& now) const;
+  Twist2 twistTo(const Pose2& place) const;
   double yieldingTurn(const Persons& persons) const;
   double turningSpeed(double angle, const Moment& now) const;
   double fastest(const Twist2& wanted, const Moment& now, StopReason* stop) const;

@@ -27,7 +27,7 @@ class PathTracker {
     moving_.show(situation);
     if (!shield.footprint().isCircle()) {
       trail_.note(situation.pose, history_.goes_back);
-      history_.back = trail_.back(situation.pose);
+      history_.back = trail_.back(situation.pose, history_.goes_back);
     }
     const MotionSituation motion{plan, situation.pose, twist, shield, period};
     MotionCommand command = controller_.compute(motion, moving_.points(), moving_.resting(), history_);
@@ -41,6 +41,8 @@ class PathTracker {
     if (left == Patience::Left::kNone) command = {{}, StopReason::kStuck};
     history_.has_stood = left != Patience::Left::kMuch;
     history_.goes_back = command.goes_back;
+    const bool stands = command.linear == 0.0 && command.angular == 0.0;
+    history_.backs_out = command.goes_back ? history_.backs_out || history_.has_stood : history_.backs_out && stands;
     history_.note(command, controller_.reactionTime(), period);
     return command;
   }

@@ -15,7 +15,7 @@ TEST(Trail, LeadsBackAlongTheArcThatTheRobotCame) {
   Pose2 pose = alongArc({1.0, 2.0, 0.5}, curvature, 0.5);
   int steps = 0;
   bool goes_back = true;
-  while (distanceBetween(pose, Pose2{1.0, 2.0, 0.5}) > 0.15) {  // seven spacings
+  while (distanceBetween(pose, Pose2{1.0, 2.0, 0.5}) > 0.11) {  // five spacings
     const auto back = trail.back(pose);
     if (back) {
       EXPECT_LT(back->x, 0.0);
@@ -39,16 +39,29 @@ TEST(Trail, RemembersTurnsInPlace) {
   EXPECT_LT(back->yaw, -0.1);
 }
 
-TEST(Trail, HoldsALittleMoreThanAMetre) {
+TEST(Trail, HoldsThreeMetres) {
   Trail trail;
   for (int i = 0; i <= 500; ++i) trail.note({0.01 * i, 0.0, 0.0}, false);
   Pose2 pose{5.0, 0.0, 0.0};
-  for (int i = 0; i < 300; ++i) {
-    const bool goes_back = trail.back(pose).has_value();
+  bool goes_back = false;
+  for (int i = 0; i < 400; ++i) {
+    goes_back = trail.back(pose, goes_back).has_value();
     if (goes_back) pose.x -= 0.01;
     trail.note(pose, goes_back);
   }
-  EXPECT_NEAR(pose.x, 5.0 - (60 - 7) * 0.02, 0.05) << "to within seven spacings of its end";
+  EXPECT_NEAR(pose.x, 5.0 - (150 - 5) * 0.02, 0.05) << "to within five spacings of its end";
+}
+
+TEST(Trail, LeadsPastWhatTheRobotDidInBetween) {
+  Trail trail;
+  for (int i = 0; i <= 50; ++i) trail.note({0.02 * i, 0.0, 0.0}, false);
+  // At the end it tries to turn, for longer than the trail is long.
+  for (int i = 0; i < 1000; ++i) trail.note({1.0, 0.0, 0.3 * std::sin(0.2 * i)}, false);
+  trail.note({1.0, 0.0, 0.0}, false);
+  const auto back = trail.back({1.0, 0.0, 0.0});
+  ASSERT_TRUE(back);
+  EXPECT_NEAR(back->x, -0.11, 0.011) << "five spacings, or six";
+  EXPECT_NEAR(back->yaw, 0.0, 1e-9);
 }
 
 TEST(Trail, LeadsNowhereFromBesideIt) {
@@ -58,6 +71,8 @@ TEST(Trail, LeadsNowhereFromBesideIt) {
   EXPECT_TRUE(trail.back(last));
   EXPECT_FALSE(trail.back({last.x, 0.03, 0.0})) << "two centimetres are its spacing";
   EXPECT_FALSE(trail.back({last.x, 0.0, 0.06})) << "and 0.05 rad";
+  EXPECT_TRUE(trail.back({last.x, 0.03, 0.0}, true)) << "whoever goes back cuts corners";
+  EXPECT_FALSE(trail.back({last.x, 0.06, 0.0}, true));
 }
 
 TEST(Trail, HasNothingAtTheStartAndAfterAJump) {
