@@ -62,11 +62,11 @@ MotionCommand MotionController::checked(const MotionCommand& command, const Mome
 
 MotionCommand MotionController::driveWithCorners(const Twist2& wanted, double error, const Moment& now) const {
   StopReason stop = StopReason::kNone;
-  if (now.history.goes_back) return makeRoom(error, now);
+  const bool heads_there = std::abs(error) < kLeastTurn;
+  if (now.history.goes_back && !heads_there) return makeRoom(error, now);
   const double speed = fastest(wanted, now, &stop);
   const bool drives = speed >= kSlowest || (speed >= kCreep && speed >= wanted.linear - kCreep);
   if (drives) return {withinWheelLimits({speed, wanted.angular}), stop};
-  const bool heads_there = std::abs(error) < kLeastTurn;
   if (stop == StopReason::kPerson || heads_there) return {{}, stop};
   return turnWithCorners(error, now);
 }

@@ -28,6 +28,8 @@ Patience::Left Patience::note(double limit, const MotionCommand& command, const 
   const bool is_stuck = (command.stop == StopReason::kObstacle ? stand_.stood() : stand_.tried()) > limit;
   if (limit == 0.0 || !is_stuck) {
     gave_up_towards_.reset();
+    // Back through places where it has just been it does get away.
+    if (left == Left::kLessThanHalf && command.goes_back && stand_.retries() < kMostRetries) stand_.retry();
     return left;
   }
   // Whoever hears of it has given up by then, or expects another try.

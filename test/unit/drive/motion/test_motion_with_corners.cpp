@@ -99,6 +99,14 @@ TEST_F(MotionWithCorners, GoesOnBackUntilItCanTurn) {
   EXPECT_NE(turn.angular, 0.0);
 }
 
+TEST_F(MotionWithCorners, GoesOnBackNoFartherWhereThePlanLeadsStraightOn) {
+  shield_.show(corridor());
+  const MotionHistory history{Pose2{-0.1, 0.0, 0.0}, true};
+  const MotionCommand on = compute(planAlong({{0.0, 0.0}, {3.0, 0.0}}), {}, history);
+  EXPECT_FALSE(on.goes_back);
+  EXPECT_GT(on.linear, 0.0);
+}
+
 TEST_F(MotionWithCorners, BacksOutUntilItCanTurnRoundWhereItHasStood) {
   // Room for a turn to the plan, 0.5 rad to the left, but not for a turn round: a post is where a corner would be after
   // 2.7 rad.

@@ -53,5 +53,18 @@ TEST_F(PathTrackerTest, TriesAgainWhenThePlanLeadsAnotherWay) {
   EXPECT_NE(follow(1.1, kPeriod), StopReason::kStuck);
 }
 
+TEST(Patience, BeginsAnewFourTimesWhileTheRobotGoesBack) {
+  Patience patience;
+  Situation situation;
+  MotionCommand back;
+  back.linear = -0.05;
+  back.goes_back = true;
+  while (patience.note(kPatience, back, {{}, {3.0, 0.0, 0.0}}, situation) != Patience::Left::kNone) {
+    situation.time += kPeriod;
+    ASSERT_LT(situation.time, 10.0 * kPatience) << "but not for ever";
+  }
+  EXPECT_NEAR(situation.time, (4 * 0.5 + 1.0) * kPatience, 1.0);
+}
+
 }  // namespace
 }  // namespace lstm_planner::test_path_tracker
