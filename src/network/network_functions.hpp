@@ -7,14 +7,6 @@
 namespace lstm_planner::simd {
 namespace {
 
-/// 0 where the value is so small that products with it would soon be denormal, on which processors are slow.
-template <class V>
-LSTM_PLANNER_INLINE V flushTiny(V value) {
-  constexpr float kTiny = 1e-15f;
-  const auto is_tiny = (value < broadcast<V>(kTiny)) & (value > broadcast<V>(-kTiny));
-  return is_tiny ? V{} : value;
-}
-
 /// A quotient that is not yet divided: a division takes as long as three products and keeps others waiting, and the
 /// quotients of a product can share one.
 template <class V>
@@ -22,11 +14,6 @@ struct Fraction {
   V numerator;
   V denominator;
 };
-
-template <class V>
-LSTM_PLANNER_INLINE V value(Fraction<V> fraction) {
-  return fraction.numerator / fraction.denominator;
-}
 
 /// Polynomials with tanh(x) = x P(x^2) / Q(x^2) within 2e-8 on [-9, 9] (a minimax fit); single precision adds the rest.
 /// All coefficients are positive, so that nothing cancels. Beyond the limit x stands still, at a value where single
@@ -63,24 +50,11 @@ LSTM_PLANNER_INLINE TanhTerms<V> tanhTerms(V x) {
           evenPolynomial(kTanhQ, square, fourth_power)};
 }
 
-/// `factor` times tanh(x), at no cost in time: x waits for the polynomials.
-template <class V>
-LSTM_PLANNER_INLINE Fraction<V> tanhFraction(V x, float factor = 1.0f) {
-  const TanhTerms<V> terms = tanhTerms(x);
-  return {broadcast<V>(factor) * terms.limited_x * terms.p, terms.q};
-}
-
-/// Twice the sigmoid of 2 x: 1 + tanh(x). The factors are left to the caller, who may have them in the weights.
-template <class V>
-LSTM_PLANNER_INLINE Fraction<V> twiceSigmoidOfTwiceFraction(V x) {
-  const TanhTerms<V> terms = tanhTerms(x);
-  return {multiplyAdd(terms.limited_x, terms.p, terms.q), terms.q};
-}
-
 /// Within 4e-7.
 template <class V>
 LSTM_PLANNER_INLINE V tanh(V x) {
-  return value(tanhFraction(x));
+  const TanhTerms<V> terms = tanhTerms(x);
+  return terms.limited_x * terms.p / terms.q;
 }
 
 /// e^x within 4e-7 of its size, for x limited to [-87, 87].

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -160,12 +161,16 @@ PackedWeights::PackedWeights(const std::vector<LayerMatrices>& layers, const std
     items.push_back({layer.recurrent, &layer, &kernels[index], &packed.recurrent, 0});
     items.push_back({layer.input, &layer, &kernels[index], &packed.input, 0});
   }
-  memory_.resize(roundedUp(arrange(&items) + kFloatsAPage, kFloatsALine) / kFloatsALine);
-  const auto address = reinterpret_cast<std::uintptr_t>(memory_.data()) / sizeof(float);
-  float* first_page = reinterpret_cast<float*>(memory_.data()) + (roundedUp(address, kFloatsAPage) - address);
+  const std::size_t size = arrange(&items);
+  const bool has_pages =
+      std::any_of(items.begin(), items.end(), [](const Item& item) { return item.packed->column_stride > 0; });
+  memory_.resize(roundedUp(size + (has_pages ? kFloatsAPage : 0), kFloatsALine) / kFloatsALine);
+  auto* first = reinterpret_cast<float*>(memory_.data());
+  const auto address = reinterpret_cast<std::uintptr_t>(first) / sizeof(float);
+  if (has_pages) first += roundedUp(address, kFloatsAPage) - address;
   for (const Item& item : items) {
-    item.packed->weights = first_page + item.offset;
-    write(item, first_page + item.offset);
+    item.packed->weights = first + item.offset;
+    write(item, first + item.offset);
   }
 }
 

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <string>
 
 #include "bench_support.hpp"
+#include "lstm_planner/network/model_file.hpp"
 #include "lstm_planner/network/network.hpp"
 
 namespace lstm_planner::inference_bench {
@@ -57,6 +59,28 @@ BENCHMARK(inferenceKernel)
       for (std::size_t i = 0; i < runnableInstructionSets().size(); ++i) sets.push_back(static_cast<int>(i));
       addArgumentPairs({8, 16, 32, 64, 33}, sets, family);
     }) -> Unit(benchmark::kMicrosecond);
+
+/// A step of all eight views of a shipped network, one after the other.
+void inferenceViews(benchmark::State& state, const char* model) {
+  constexpr int kViews = 8;
+  const LayerStack layers = readModelFile(std::string(LSTM_PLANNER_SOURCE_DIR "/models/") + model).layers;
+  const InstructionSet set = runnableInstructionSets()[static_cast<std::size_t>(state.range(0))];
+  Network network(layers, set, kViews);
+  const Eigen::MatrixXf inputs = Eigen::MatrixXf::Random(network.inputSize(), kViews);
+  for (auto _ : state) {
+    for (int view = 0; view < kViews; ++view) {
+      benchmark::DoNotOptimize(network.forward(inputs.col(view), view).data());
+    }
+  }
+  state.SetLabel(toString(set));
+}
+void addSets(benchmark::internal::Benchmark* family) {
+  family->ArgNames({"set"});
+  for (std::size_t i = 0; i < runnableInstructionSets().size(); ++i) family->Arg(static_cast<int>(i));
+}
+BENCHMARK_CAPTURE(inferenceViews, create2_lstm, "create2_lstm.onnx")->Apply(addSets);
+BENCHMARK_CAPTURE(inferenceViews, grid_lstm, "grid_lstm.onnx")->Apply(addSets);
+BENCHMARK_CAPTURE(inferenceViews, grid_qlearning, "grid_qlearning.onnx")->Apply(addSets);
 
 }  // namespace
 }  // namespace lstm_planner::inference_bench

@@ -1,5 +1,6 @@
 #include "lstm_planner/drive/decision/drive_policy.hpp"
 
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -76,24 +77,20 @@ std::vector<int> viewsOf(const ActionSet& actions) {
 DrivePolicy::DrivePolicy(PolicyDescription description, const LayerStack& layers)
     : description_(std::make_shared<const PolicyDescription>(std::move(description))),
       encoder_(std::shared_ptr<const EncoderParameters>(description_, &description_->encoder)),
+      network_(layers, fastestInstructionSet(), description_->encoder.views),
       input_(encoder_.size()) {
-  validateLayers(layers);
-  if (inputSize(layers) != encoder_.size()) {
-    throw std::invalid_argument("the network takes " + std::to_string(inputSize(layers)) +
+  if (network_.inputSize() != encoder_.size()) {
+    throw std::invalid_argument("the network takes " + std::to_string(network_.inputSize()) +
                                 " inputs, its input layout has " + std::to_string(encoder_.size()));
   }
   const bool has_views = description_->encoder.views != 1;
-  if (outputSize(layers) != networkOutputs(*description_)) {
+  if (network_.outputSize() != networkOutputs(*description_)) {
     throw std::invalid_argument(
-        "the network has " + std::to_string(outputSize(layers)) + " outputs, " +
+        "the network has " + std::to_string(network_.outputSize()) + " outputs, " +
         (has_views ? "eight views have 1" : "its action set has " + std::to_string(description_->actions.size())));
   }
-  if (!has_views) {
-    network_.emplace(layers);
-    return;
-  }
+  if (!has_views) return;
   action_views_ = viewsOf(description_->actions);
-  views_.emplace(layers, kDriveViews);
   view_inputs_.resize(encoder_.size(), kDriveViews);
   preferences_.resize(description_->actions.size());
 }
@@ -108,33 +105,32 @@ DrivePolicy DrivePolicy::fromFile(const std::string& path) {
 }
 
 const Eigen::VectorXf& DrivePolicy::advance(const Observation& observation) {
-  if (views_) return advanceViews(observation);
+  if (description_->encoder.views != 1) return advanceViews(observation);
   encoder_.encode(observation, input_);
-  return network_->forward(input_);
+  return network_.forward(input_);
 }
 
 const Eigen::VectorXf& DrivePolicy::advanceViews(const Observation& observation) {
   const ViewBearings bearings = bearingsOf(observation);
   encoder_.encodeViews(observation, bearings, input_.data(), view_inputs_.data(), kDriveViews);
-  const BatchNetwork::Values& outputs = views_->forward(view_inputs_);
+  std::array<float, kDriveViews> outputs;
+  for (int view = 0; view < kDriveViews; ++view) {
+    input_ = view_inputs_.col(view);
+    outputs[static_cast<std::size_t>(view)] = network_.forward(input_, view)[0];
+  }
   for (std::size_t action = 0; action < action_views_.size(); ++action) {
     const int direction = (bearings.ahead + action_views_[action]) % kDriveViews;
-    preferences_[static_cast<Eigen::Index>(action)] = outputs(0, direction);
+    preferences_[static_cast<Eigen::Index>(action)] = outputs[static_cast<std::size_t>(direction)];
   }
   return preferences_;
 }
 
-void DrivePolicy::reset() {
-  if (network_) network_->reset();
-  if (views_) views_->reset();
-}
+void DrivePolicy::reset() { network_.reset(); }
 
 Eigen::VectorXf DrivePolicy::hiddenState() const {
-  if (network_) return network_->hiddenState();
-  Eigen::VectorXf all(kDriveViews * views_->hiddenStateSize());
-  for (int view = 0; view < kDriveViews; ++view) {
-    all.segment(view * views_->hiddenStateSize(), views_->hiddenStateSize()) = views_->hiddenState(view);
-  }
+  const Eigen::Index size = network_.hiddenState().size();
+  Eigen::VectorXf all(network_.sequences() * size);
+  for (int view = 0; view < network_.sequences(); ++view) all.segment(view * size, size) = network_.hiddenState(view);
   return all;
 }
 

@@ -15,21 +15,17 @@ NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
       draw_after_(options.draw_after),
       corner_cutting_(options.corner_cutting),
       encoder_(readGridEncoderParameters(model.metadata)),
+      network_(model.layers, fastestInstructionSet(), encoder_.parameters().views),
       memory_(makeGridMemory(encoder_.parameters(), options.corner_cutting, !options.guided)),
       bound_(options.detour),
-      inputs_(encoder_.size(), encoder_.parameters().views),
+      input_(encoder_.size()),
       preferences_(kGridMoveCount) {
-  const int inputs = inputSize(model.layers);
-  const int outputs = outputSize(model.layers);
+  const int inputs = network_.inputSize();
+  const int outputs = network_.outputSize();
   if (inputs != encoder_.size() || outputs != encoder_.outputs()) {
     throw std::invalid_argument("the network has " + std::to_string(inputs) + " inputs and " + std::to_string(outputs) +
                                 " outputs, its description expects " + std::to_string(encoder_.size()) + " and " +
                                 std::to_string(encoder_.outputs()));
-  }
-  if (inputs_.cols() == 1) {
-    network_.emplace(model.layers);
-  } else {
-    views_.emplace(model.layers, encoder_.parameters().views);
   }
   if (options.guided) {
     GridGuideParameters guide = options.guide;
@@ -44,8 +40,7 @@ void NetworkGridAgent::start(CellIndex start, CellIndex /*goal*/) {
   bound_.start();
   walked_ = 0.0;
   watch_.start();
-  if (network_) network_->reset();
-  if (views_) views_->reset();
+  network_.reset();
 }
 
 void NetworkGridAgent::observe(const GridObservation& observation) {
@@ -58,9 +53,11 @@ void NetworkGridAgent::observe(const GridObservation& observation) {
 
 void NetworkGridAgent::judgeMoves() {
   encoder_.prepare(memory_);
-  encoder_.encodeViews(inputs_.data(), encoder_.parameters().views);
-  if (network_) preferences_ = network_->forward(Eigen::Map<const Eigen::VectorXf>(inputs_.data(), inputs_.rows()));
-  if (views_) preferences_ = views_->forward(inputs_).row(0);
+  const int outputs = encoder_.outputs();
+  for (int view = 0; view < network_.sequences(); ++view) {
+    encoder_.encode(view, input_.data(), 1);
+    preferences_.segment(view * outputs, outputs) = network_.forward(input_, view);
+  }
 }
 
 void NetworkGridAgent::choose() {
@@ -126,12 +123,7 @@ void NetworkGridAgent::step(int direction, bool moved) {
 }
 
 std::size_t NetworkGridAgent::peakBytes() const {
-  std::size_t network = 0;
-  if (views_) network = views_->bytes();
-  if (network_) {
-    const auto state = 3 * static_cast<std::size_t>(network_->hiddenState().size());
-    network = (network_->weights() + state) * sizeof(float);
-  }
+  const std::size_t network = network_.weights() * sizeof(float) + network_.stateBytes();
   return sizeof(*this) + memory_.bytes() + (guide_ ? sizeof(*guide_) + guide_->bytes() : 0) + network;
 }
 

@@ -185,6 +185,34 @@ TEST(Network, HiddenStatesThatDoNotFitAreRefused) {
   EXPECT_TRUE(network.hiddenState().isZero(0.0f));
 }
 
+TEST(Network, SequencesAreSetByThemselvesAndForgetTogether) {
+  LayerMaker make(37);
+  Network network(make.thesisNet(), fastestInstructionSet(), 3);
+  EXPECT_EQ(network.sequences(), 3);
+  const VectorXf input = make.input(11);
+  const VectorXf first = network.forward(input, 0);
+  for (const int other : {1, 2}) EXPECT_EQ(VectorXf(network.forward(input, other)), first);
+  const VectorXf second = network.forward(input, 2);
+  network.setHiddenState(network.hiddenState(2), 0);
+  network.setHiddenState(VectorXf::Zero(32), 2);
+  EXPECT_EQ(VectorXf(network.forward(input, 2)), first);
+  EXPECT_EQ(VectorXf(network.forward(input, 1)), second);
+  EXPECT_EQ(network.hiddenState(0).size(), 32);
+  network.reset();
+  for (const int any : {0, 1, 2}) EXPECT_EQ(VectorXf(network.forward(input, any)), first);
+}
+
+TEST(Network, SequencesThatThereAreNotAreRefused) {
+  const LayerStack layers = LayerMaker(39).thesisNet();
+  EXPECT_THROW(Network(layers, fastestInstructionSet(), 0), std::invalid_argument);
+  Network network(layers, fastestInstructionSet(), 2);
+  for (const int no_sequence : {-1, 2}) {
+    EXPECT_THROW(network.forward(VectorXf::Zero(11), no_sequence), std::out_of_range);
+    EXPECT_THROW(network.hiddenState(no_sequence), std::out_of_range);
+    EXPECT_THROW(network.setHiddenState(VectorXf::Zero(32), no_sequence), std::out_of_range);
+  }
+}
+
 TEST(Network, BadInputsAreRefusedAndChangeNothing) {
   LayerMaker make(29);
   Network network(make.thesisNet());

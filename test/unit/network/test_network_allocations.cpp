@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "lstm_planner/network/batch_network.hpp"
+#include <functional>
+
 #include "lstm_planner/network/network.hpp"
 #include "support/heap_count.hpp"
 #include "unit/network/network_fixtures.hpp"
@@ -12,7 +13,8 @@ TEST(NetworkAllocations, NoneInAThousandSteps) {
   if (!heapIsCounted()) GTEST_SKIP() << kHeapIsNotCounted;
   test::LayerMaker make(1);
   Network network({make.dense(11, 12, Activation::kRelu), make.lstm(12, 64), make.lstm(64, 8, Activation::kSigmoid),
-                   make.recurrent(8, 8), make.dense(8, 8, Activation::kTanh), SoftmaxLayer{}});
+                   make.recurrent(8, 8), make.dense(8, 8, Activation::kTanh), SoftmaxLayer{}},
+                  fastestInstructionSet(), 3);
   const Eigen::VectorXf input = make.input(11);
   const long before_control = heapCount().allocations;
   const Eigen::VectorXf control = input + input;
@@ -22,26 +24,30 @@ TEST(NetworkAllocations, NoneInAThousandSteps) {
   const Network::HiddenState saved = network.hiddenState();
   const long before = heapCount().allocations;
   for (int step = 0; step < 1000; ++step) {
-    network.forward(input);
+    network.forward(input, step % network.sequences());
     if (step % 100 == 0) network.reset();
-    if (step % 100 == 50) network.setHiddenState(saved);
+    if (step % 100 == 50) network.setHiddenState(saved, 1);
   }
   EXPECT_EQ(heapCount().allocations - before, 0);
 }
 
-TEST(BatchNetworkAllocations, NoneInAThousandSteps) {
+long heldBy(const std::function<Network()>& make) {
+  const long before = heapCount().live_bytes;
+  const Network network = make();
+  return heapCount().live_bytes - before;
+}
+
+TEST(NetworkAllocations, CopiesAndSequencesShareTheWeights) {
   if (!heapIsCounted()) GTEST_SKIP() << kHeapIsNotCounted;
   test::LayerMaker make(2);
-  BatchNetwork network({make.lstm(11, 32), make.recurrent(32, 8), make.dense(8, 8), SoftmaxLayer{}}, 70);
-  const BatchNetwork::Values inputs = BatchNetwork::Values::Ones(11, 70);
-  const BatchNetwork::HiddenState saved = network.hiddenState(3);
-  const long before = heapCount().allocations;
-  for (int step = 0; step < 1000; ++step) {
-    network.forward(inputs);
-    if (step % 100 == 0) network.reset();
-    if (step % 100 == 50) network.setHiddenState(3, saved);
-  }
-  EXPECT_EQ(heapCount().allocations - before, 0);
+  const LayerStack layers = {make.dense(85, 32), make.lstm(32, 16), make.dense(16, 1)};
+  const Network original(layers);
+  const long weights = static_cast<long>(original.weights() * sizeof(float));
+  const long one = heldBy([&] { return Network(layers); });
+  const long eight = heldBy([&] { return Network(layers, fastestInstructionSet(), 8); });
+  EXPECT_GT(one, weights);
+  EXPECT_LT(heldBy([&] { return original; }), weights / 10);
+  EXPECT_LT(eight - one, weights / 3);
 }
 
 }  // namespace

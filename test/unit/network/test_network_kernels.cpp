@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "lstm_planner/network/network.hpp"
 #include "support/instruction_sets.hpp"
@@ -189,6 +191,24 @@ TEST_P(NetworkKernels, CopiesAreIndependent) {
   network.forward(make.input(11));
   EXPECT_EQ(VectorXf(copy.forward(input)), expected);
   EXPECT_EQ(VectorXf(assigned.forward(input)), expected);
+}
+
+TEST_P(NetworkKernels, SequencesOfOneNetworkEqualNetworksOfTheirOwn) {
+  constexpr int kSequences = 3;
+  LayerMaker make(13);
+  for (const LayerStack& layers : {make.thesisNet(), LayerStack{make.dense(11, 6), make.lstm(6, 33), make.dense(33, 1)},
+                                   LayerStack{make.recurrent(11, 9), make.lstm(9, 5), SoftmaxLayer{}}}) {
+    Network together(layers, GetParam(), kSequences);
+    std::vector<Network> alone(kSequences, Network(layers, GetParam()));
+    std::mt19937 random(14);
+    for (int step = 0; step < 200; ++step) {
+      const int sequence = std::uniform_int_distribution<int>(0, kSequences - 1)(random);
+      Network& single = alone[static_cast<std::size_t>(sequence)];
+      const VectorXf input = make.input(11);
+      ASSERT_EQ(together.forward(input, sequence), single.forward(input)) << "step " << step;
+      ASSERT_EQ(together.hiddenState(sequence), single.hiddenState()) << "step " << step;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Runnable, NetworkKernels, testing::ValuesIn(runnableInstructionSets()),

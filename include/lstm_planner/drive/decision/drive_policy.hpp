@@ -3,13 +3,11 @@
 #include <Eigen/Core>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "lstm_planner/drive/decision/action_set.hpp"
 #include "lstm_planner/drive/perception/encoder.hpp"
-#include "lstm_planner/network/batch_network.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "lstm_planner/network/network.hpp"
 
@@ -41,9 +39,10 @@ std::vector<int> viewsOf(const ActionSet& actions);
 /// Observation in, preferences over the steering angles out, with a memory in between: encoder and network together.
 ///
 /// With eight views the same network is evaluated for each of eight directions, which are constant in the odometry
-/// frame; one of them is the heading, rounded to 45 degrees. Each view has its own hidden state, and all advance at
-/// each step. The preference for an action is the output of the view into whose direction it steers. When the robot
-/// turns, a hidden state stays with its direction. Copies share weights and description.
+/// frame; one of them is the heading, rounded to 45 degrees. Each view is a sequence of the network, with its own
+/// hidden state, and all advance at each step. The preference for an action is the output of the view into whose
+/// direction it steers. When the robot turns, a hidden state stays with its direction. Copies share weights and
+/// description.
 class DrivePolicy {
  public:
   /// Throws std::invalid_argument when network, encoder and action set do not fit together.
@@ -52,7 +51,8 @@ class DrivePolicy {
   /// Throws ModelFileError, with the path and what is wrong or does not fit.
   static DrivePolicy fromFile(const std::string& path);
 
-  /// Advances the hidden state by one step and returns one preference an action; valid until the next call.
+  /// Advances the hidden state by one step and returns one preference an action; valid until the next call. Throws
+  /// std::invalid_argument if the observation is not finite; then some of eight views may have advanced.
   const Eigen::VectorXf& advance(const Observation& observation);
 
   void reset();
@@ -66,13 +66,12 @@ class DrivePolicy {
 
   std::shared_ptr<const PolicyDescription> description_;
   Encoder encoder_;
-  std::optional<Network> network_;  ///< with one view only
+  Network network_;  ///< a sequence a view, which is a direction of the odometry frame where there are eight
   Eigen::VectorXf input_;
 
   // With eight views only.
-  std::optional<BatchNetwork> views_;  ///< an agent a direction of the odometry frame
   std::vector<int> action_views_;
-  BatchNetwork::Values view_inputs_;
+  Eigen::Matrix<float, Eigen::Dynamic, kDriveViews, Eigen::RowMajor> view_inputs_;  ///< a row an input
   Eigen::VectorXf preferences_;
 };
 

@@ -2,13 +2,11 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 
 #include "lstm_planner/common/detour_bound.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/agent/grid_guide.hpp"
 #include "lstm_planner/grid_world/agent/grid_progress_watch.hpp"
-#include "lstm_planner/network/batch_network.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "lstm_planner/network/network.hpp"
 
@@ -58,14 +56,13 @@ class NetworkGridAgent : public GridAgent {
   int draw_after_;
   CornerCutting corner_cutting_;
   GridEncoder encoder_;
-  std::optional<Network> network_;     ///< of the only view
-  std::optional<BatchNetwork> views_;  ///< or of several, which go through it side by side
+  Network network_;  ///< a sequence a view
   GridMemory memory_;
   std::unique_ptr<GridGuide> guide_;  ///< if it is guided
   DetourBound bound_;
-  double walked_ = 0.0;          ///< cells
-  GridProgressWatch watch_;      ///< if it is not guided
-  BatchNetwork::Values inputs_;  ///< a column a view
+  double walked_ = 0.0;      ///< cells
+  GridProgressWatch watch_;  ///< if it is not guided
+  Eigen::VectorXf input_;    ///< of one view
   Eigen::VectorXf preferences_;
   int direction_ = kNoPath;
   GridLeader leader_ = GridLeader::kNetwork;

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/drive/decision/drive_policy.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "support/heap_count.hpp"
 #include "support/scratch_folder.hpp"
+#include "unit/network/network_fixtures.hpp"
 
 namespace lstm_planner::test_drive_policy_views {
 namespace {
@@ -47,6 +49,31 @@ Observation someObservation(Random& random) {
   observation.previous_action = M_PI_4;
   observation.turn = uniform(random, -1.0, 1.0);
   return observation;
+}
+
+TEST(DrivePolicyViews, EqualEightNetworksInPlainLoops) {
+  DrivePolicy policy = randomPolicy();
+  const Encoder encoder(eightViews().encoder);
+  std::vector<test::ReferenceNetwork> references(kDriveViews, test::ReferenceNetwork(randomLayers()));
+  const std::vector<int> action_views = viewsOf(policy.description().actions);
+  Random random(13);
+  for (int step = 0; step < 200; ++step) {
+    const Observation observation = someObservation(random);
+    const Eigen::VectorXf& preferences = policy.advance(observation);
+    const ViewBearings bearings = bearingsOf(observation);
+    Eigen::VectorXf ahead(encoder.size());
+    encoder.encode(observation, ahead);
+    Eigen::Matrix<float, Eigen::Dynamic, kDriveViews, Eigen::RowMajor> inputs(encoder.size(), kDriveViews);
+    encoder.turn(ahead.data(), bearings, inputs.data(), kDriveViews);
+    std::vector<double> outputs;
+    for (int view = 0; view < kDriveViews; ++view) {
+      outputs.push_back(references[static_cast<std::size_t>(view)].forward(inputs.col(view)).front());
+    }
+    for (std::size_t action = 0; action < action_views.size(); ++action) {
+      const auto direction = static_cast<std::size_t>((bearings.ahead + action_views[action]) % kDriveViews);
+      ASSERT_NEAR(preferences[static_cast<Eigen::Index>(action)], outputs[direction], 1e-5) << "step " << step;
+    }
+  }
 }
 
 TEST(DrivePolicyViews, StatesStayWithTheirDirectionWhenTheRobotTurns) {

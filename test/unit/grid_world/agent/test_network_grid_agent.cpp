@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
+#include "unit/network/network_fixtures.hpp"
 
 namespace lstm_planner::test_network_grid_agent {
 namespace {
@@ -53,6 +55,39 @@ TEST(NetworkGridAgent, NeverRunsIntoWhatItSensedHoweverBadTheNetworkIs) {
     options.guided = false;
     NetworkGridAgent agent(randomModel(views), options);
     EXPECT_NE(stepsToArrive(agent, cup(), {20, 20}, {35, 20}, 2000), -1);
+  }
+}
+
+TEST(NetworkGridAgent, PrefersWhatEightNetworksInPlainLoopsPrefer) {
+  const Model model = randomModel(8);
+  NetworkGridAgent::Options options;
+  options.guided = false;
+  options.shield = false;
+  NetworkGridAgent agent(model, options);
+  GridEncoder encoder(readGridEncoderParameters(model.metadata));
+  GridMemory memory = makeGridMemory(encoder.parameters());
+  std::vector<test::ReferenceNetwork> references(kGridMoveCount, test::ReferenceNetwork(model.layers));
+  const PassableGrid grid = cup();
+  CellIndex cell{20, 20};
+  agent.start(cell, {35, 20});
+  memory.start();
+  for (int step = 0; step < 20; ++step) {
+    const GridObservation observation{cell, {35, 20}, senseRanges(grid, cell)};
+    agent.observe(observation);
+    memory.observe(observation);
+    encoder.prepare(memory);
+    std::vector<double> preferences;
+    for (int view = 0; view < kGridMoveCount; ++view) {
+      Eigen::VectorXf input(encoder.size());
+      encoder.encode(view, input.data(), 1);
+      preferences.push_back(references[static_cast<std::size_t>(view)].forward(input).front());
+    }
+    const auto best = std::max_element(preferences.begin(), preferences.end()) - preferences.begin();
+    ASSERT_EQ(agent.decide(), best) << "step " << step;
+    const bool moved = movePossible(grid, cell, agent.decide(), CornerCutting::kForbidden);
+    if (moved) cell = cellBeside(cell, agent.decide());
+    if (moved) memory.step(agent.decide());
+    agent.step(agent.decide(), moved);
   }
 }
 

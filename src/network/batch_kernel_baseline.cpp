@@ -1,1 +1,0 @@
-#include "network/batch_kernel_source.hpp"
