@@ -45,11 +45,12 @@ class MotionTrial {
       for (const Point2& point : returns) seen.push_back(toLocalFrame(pose_, point));
       shield.show(seen);
       trail.note(pose_, history.goes_back);
-      if (!footprint.isCircle()) history.back = trail.back(pose_);
+      if (!footprint.isCircle()) history.back = trail.back(pose_, history.goes_back);
       const std::vector<Pose2> plan{pose_, {goal.x, goal.y, 0.0}};
       const MotionCommand command = controller.compute({plan, pose_, twist(), shield, period}, {}, {}, history);
       if (command.goes_back) margin_ = 0.5 * motion.safety_margin;
       history.goes_back = command.goes_back;
+      history.backs_out = command.goes_back && has_stood;
       history.note(command, motion.reaction_time, period);
       commands_.push_back({time_ + kStep * std::floor(latency / kStep), command});
       has_moved = has_moved || command.linear != 0.0 || command.angular != 0.0;

@@ -7,9 +7,9 @@
 
 namespace lstm_planner {
 
-/// The last 3 m of the path that a robot came, as poses in the odometry frame: where it was nothing stands, and how it
-/// came it can go back, also where it does not see. Loops are cut: what it did between two visits of a place is no way
-/// back.
+/// The last 1.5 m of the path that a robot came, as poses in the odometry frame: where it was nothing stands, and how
+/// it came it can go back, also where it does not see. Loops are cut: what it did between two visits of a place is no
+/// way back.
 class Trail {
  public:
   /// The robot is here now. `goes_back`: it retraces the trail, which becomes shorter instead of longer.

@@ -39,7 +39,7 @@ TEST(Trail, RemembersTurnsInPlace) {
   EXPECT_LT(back->yaw, -0.1);
 }
 
-TEST(Trail, HoldsThreeMetres) {
+TEST(Trail, HoldsAMetreAndAHalf) {
   Trail trail;
   for (int i = 0; i <= 500; ++i) trail.note({0.01 * i, 0.0, 0.0}, false);
   Pose2 pose{5.0, 0.0, 0.0};
@@ -49,7 +49,7 @@ TEST(Trail, HoldsThreeMetres) {
     if (goes_back) pose.x -= 0.01;
     trail.note(pose, goes_back);
   }
-  EXPECT_NEAR(pose.x, 5.0 - (150 - 5) * 0.02, 0.05) << "to within five spacings of its end";
+  EXPECT_NEAR(pose.x, 5.0 - (75 - 5) * 0.02, 0.05) << "to within five spacings of its end";
 }
 
 TEST(Trail, LeadsPastWhatTheRobotDidInBetween) {
