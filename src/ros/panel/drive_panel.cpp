@@ -19,7 +19,7 @@ namespace lstm_planner {
 namespace {
 
 constexpr int kRefreshPeriod = 200;  // ms
-constexpr int kLeastHeight = 350;    // pixels
+constexpr int kLeastHeight = 420;    // pixels, for two lines of Planner, This step and Controller each
 constexpr int kQueue = 10;
 
 double now() { return ros::SteadyTime::now().toSec(); }
