@@ -7,13 +7,13 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kSpacing = 0.02;    // m between poses, at the least
-constexpr double kTurn = 0.05;       // rad, likewise
-constexpr double kSpacings = 75.0;   // that are remembered: 1.5 m, or half a turn in place and 0.2 m
-constexpr double kThere = 0.5;       // spacings; nearer than that the robot is there
-constexpr double kAhead = 5.0;       // spacings to the pose that it goes back to
-constexpr double kOff = 1.0;         // spacings; farther from where it was it does not know what is behind it
-constexpr double kOffBack = 2.5;     // spacings, of a robot that goes back already: it cuts corners
+constexpr double kSpacing = 0.02;   // m between poses, at the least
+constexpr double kTurn = 0.05;      // rad, likewise
+constexpr double kSpacings = 75.0;  // that are remembered: 1.5 m, or half a turn in place and 0.2 m
+constexpr double kThere = 0.5;      // spacings; nearer than that the robot is there
+constexpr double kAhead = 5.0;      // spacings to the pose that it goes back to
+constexpr double kOff = 1.0;        // spacings; farther from where it was it does not know what is behind it
+constexpr double kOffBack = 2.5;    // spacings, of a robot that goes back already: it cuts corners
 
 /// In spacings.
 double apart(const Pose2& a, const Pose2& b) {
