@@ -288,9 +288,10 @@ build_targets() {
   say "building in $workspace (log: $log)"
   # CMake 4 refuses what catkin's own files ask for.
   export CMAKE_POLICY_VERSION_MINIMUM="${CMAKE_POLICY_VERSION_MINIMUM:-3.5}"
-  # Optional packages may have been installed since it was configured.
+  # Optional packages may have been installed since it was configured. A unity build from nothing takes three quarters of the time.
   # shellcheck disable=SC2046
   catkin_make -C "$workspace" $(builder) --force-cmake -j"$(parallel_jobs)" -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_PROJECT_lstm_planner_INCLUDE="$source_dir/src/unity_build.cmake" \
     -DCMAKE_CXX_FLAGS="${CXXFLAGS:-}" -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3 "$@" </dev/null 2>&1 | tee "$log" |
     grep --line-buffered -E '^\[ *[0-9]+(%|/[0-9]+)\] (Building|Linking)|warning:|error:|undefined reference|\*\*\*|^CMake Error'
   status="${PIPESTATUS[0]}"

@@ -58,8 +58,9 @@ run_unit_tests() {
 }
 
 case "$kind" in
-  address) tests=("${plugin_tests[@]}") targets=(lstm_planner_unit_tests ros_tests) ;;
-  thread) tests=(plugin_threads) targets=(ros_tests) ;;
+  address)
+    tests=("${plugin_tests[@]}") targets=(lstm_planner_unit_tests ros_tests) sanitizers=address,undefined,float-cast-overflow ;;
+  thread) tests=(plugin_threads) targets=(ros_tests) sanitizers=thread ;;
   --help | -h) usage; exit 0 ;;
   *) fail "'$kind' is no kind of sanitizer, expected address or thread; see --help." ;;
 esac
@@ -79,7 +80,7 @@ while [ "$#" -gt 0 ]; do
   shift
 done
 
-set_up "-DLSTM_PLANNER_SANITIZER=$kind" lstm_planner_plugins "${targets[@]}"
+set_up "-DLSTM_PLANNER_SANITIZERS=$sanitizers" lstm_planner_plugins "${targets[@]}"
 if [ "$build_only" = true ]; then exit 0; fi
 
 export LSTM_PLANNER_SHARED="${LSTM_PLANNER_SHARED:-$source_dir/../shared}"

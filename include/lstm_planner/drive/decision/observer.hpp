@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "lstm_planner/drive/decision/agent_parameters.hpp"
 #include "lstm_planner/drive/decision/drive_trace.hpp"
 #include "lstm_planner/drive/local_map/replanner.hpp"
 #include "lstm_planner/drive/perception/observation.hpp"
