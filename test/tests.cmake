@@ -11,7 +11,7 @@ if(CATKIN_ENABLE_TESTING)
   if(unit_test_sources)
     # What the panel shows is prepared without rviz and Qt, and what a recipe says without the rest of the tool.
     list(APPEND unit_test_sources src/ros/panel/drive_view.cpp src/tools/recipe.cpp src/tools/shared_file.cpp
-      src/tools/shipped_yaml.cpp test/support/heap_count.cpp test/bench/recorded_steps.cpp ${fuzz_harnesses}
+      test/support/heap_count.cpp test/bench/recorded_steps.cpp ${fuzz_harnesses}
       test/fuzz/harness.cpp test/fuzz/test_corpus.cpp)
     catkin_add_gtest(lstm_planner_unit_tests ${unit_test_sources})
     target_include_directories(lstm_planner_unit_tests PRIVATE src test)

@@ -5,8 +5,9 @@
 #include "lstm_planner/common/input_file.hpp"
 #include "lstm_planner/common/output_file.hpp"
 #include "network/onnx_field_count.hpp"
+#include "network/onnx_graph.hpp"
 #include "network/onnx_names.hpp"
-#include "network/onnx_reader.hpp"
+#include "network/onnx_tensor.hpp"
 #include "network/onnx_writer.hpp"
 #include "onnx_subset.pb.h"
 
@@ -33,6 +34,41 @@ onnx_subset::ModelProto parsed(const std::string& path) {
     throw ModelFileError("it is truncated or not protobuf, expected an ONNX model");
   }
   return file;
+}
+
+std::int64_t opsetVersion(const onnx_subset::ModelProto& file) {
+  for (const auto& opset : file.opset_import()) {
+    if (!onnx::isStandardDomain(opset.domain())) continue;
+    if (opset.version() < onnx::kOldestOpset || opset.version() > onnx::kNewestOpset) {
+      throw ModelFileError("the operator set is version " + std::to_string(opset.version()) + ", expected " +
+                           std::to_string(onnx::kOldestOpset) + " to " + std::to_string(onnx::kNewestOpset));
+    }
+    return opset.version();
+  }
+  throw ModelFileError("no ONNX operator set is named, expected version " + std::to_string(onnx::kOldestOpset) +
+                       " to " + std::to_string(onnx::kNewestOpset));
+}
+
+/// Whatever the graph is. Throws ModelFileError for a key that is there twice.
+std::map<std::string, std::string> readMetadata(const onnx_subset::ModelProto& file) {
+  std::map<std::string, std::string> metadata;
+  for (const auto& entry : file.metadata_props()) {
+    if (!metadata.emplace(entry.key(), entry.value()).second) {
+      throw ModelFileError("the metadata hold " + onnx::quoted(entry.key()) + " twice, expected once");
+    }
+  }
+  return metadata;
+}
+
+/// The layers and the metadata. Throws ModelFileError with a sentence that does not name the file.
+Model readModel(const onnx_subset::ModelProto& file) {
+  if (file.ir_version() < 1 || !file.has_graph()) {
+    throw ModelFileError("there is no graph in it, expected an ONNX model");
+  }
+  Model model;
+  model.layers = onnx::GraphReader(file.graph(), opsetVersion(file)).read();
+  model.metadata = readMetadata(file);
+  return model;
 }
 
 /// Two serialised messages one after the other are one message. With the graph last, no truncated file is complete in
@@ -69,7 +105,7 @@ void replaceFile(const std::string& path, const std::string& bytes) {
 
 Model readModelFile(const std::string& path) {
   try {
-    Model model = onnx::readModel(parsed(path));
+    Model model = readModel(parsed(path));
     validateLayers(model.layers);
     return model;
   } catch (const ModelFileError& error) {
@@ -81,7 +117,7 @@ Model readModelFile(const std::string& path) {
 
 std::map<std::string, std::string> readModelMetadata(const std::string& path) {
   try {
-    return onnx::readMetadata(parsed(path));
+    return readMetadata(parsed(path));
   } catch (const ModelFileError& error) {
     throw ModelFileError(fileName(path) + error.what());
   }

@@ -1,20 +1,71 @@
 #include "lstm_planner/practice/drive_actor_critic.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
+#include "lstm_planner/practice/recorded_choices.hpp"
 #include "lstm_planner/training/actor_critic.hpp"
+#include "lstm_planner/training/label_balance.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "practice/drive_batch.hpp"
 #include "practice/drive_practice.hpp"
-#include "practice/recorded_practice.hpp"
 
 namespace lstm_planner {
 namespace {
+
+PracticeEpisode toPractice(const std::vector<RecordedChoice>& choices, const Encoder& encoder, std::size_t actions) {
+  const auto own = static_cast<std::size_t>(encoder.size());
+  PracticeEpisode episode;
+  episode.recorded = true;
+  episode.probabilities.assign(choices.size() * actions, 1.0f / static_cast<float>(actions));
+  episode.inputs.assign(choices.size() * (own + kDrivePrivilegedInputs), 0.0f);
+  float* input = episode.inputs.data();
+  for (const RecordedChoice& choice : choices) {
+    encoder.encode(choice.observation, Eigen::Map<Eigen::VectorXf>(input, encoder.size()));
+    input += own + kDrivePrivilegedInputs;
+    if (encoder.parameters().views != 1) episode.bearings.push_back(bearingsOf(choice.observation));
+    PracticeEpisode::Step step;
+    step.action = choice.label;
+    step.chosen = true;
+    episode.steps.push_back(step);
+  }
+  return episode;
+}
+
+void weigh(std::size_t actions, std::vector<PracticeEpisode>* episodes) {
+  std::vector<long> counts(actions);
+  for (const PracticeEpisode& episode : *episodes) {
+    for (const PracticeEpisode::Step& step : episode.steps) ++counts[static_cast<std::size_t>(step.action)];
+  }
+  const std::vector<double> weights = labelWeights(counts, LabelBalance::kSquareRoot);
+  for (PracticeEpisode& episode : *episodes) {
+    for (PracticeEpisode::Step& step : episode.steps) {
+      step.weight = static_cast<float>(weights[static_cast<std::size_t>(step.action)]);
+    }
+  }
+}
+
+/// Recorded drives in the form of practised ones, with the driver's steering angles as actions. Rare angles weigh more
+/// (LabelBalance::kSquareRoot), 1 on average. Throws as forEachRecordedEpisode().
+std::vector<PracticeEpisode> recordedPractice(const Dataset& dataset, const PolicyDescription& policy,
+                                              double label_distance) {
+  const Encoder encoder(policy.encoder);
+  const auto actions = static_cast<std::size_t>(policy.actions.size());
+  std::vector<PracticeEpisode> episodes;
+  forEachRecordedEpisode(dataset, policy, label_distance, [&](const std::vector<RecordedChoice>& choices) {
+    episodes.push_back(toPractice(choices, encoder, actions));
+  });
+  weigh(actions, &episodes);
+  return episodes;
+}
 
 const ActorCritic::CheckpointNames kActorCriticNames{"lstm_planner drive actor-critic 1", "iterations"};
 
@@ -118,6 +169,12 @@ void validate(const DriveActorCriticParameters& parameters) {
 std::unique_ptr<DriveActorCritic> makeDriveActorCritic(const DriveActorCriticParameters& parameters,
                                                        LayerStack layers) {
   return std::make_unique<PractisingActorCritic>(parameters, std::move(layers));
+}
+
+DriveReinforcement::DriveReinforcement(int iterations, int judgements, DriveActorCritic* learner)
+    : iterations_(iterations), interval_(std::max(1, iterations / std::max(1, judgements))), learner_(*learner) {
+  checkParameter(iterations >= 1, "iterations", iterations, "at least 1");
+  checkParameter(judgements >= 1, "judgements", judgements, "at least 1");
 }
 
 }  // namespace lstm_planner

@@ -2,20 +2,108 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
+#include "lstm_planner/common/communicator.hpp"
 #include "lstm_planner/common/parallel_for.hpp"
 #include "lstm_planner/drive/decision/action_choice.hpp"
 #include "lstm_planner/practice/step_simulator.hpp"
 #include "lstm_planner/training/policy_gradient.hpp"
-#include "practice/practice_exchange.hpp"
 
 namespace lstm_planner {
 namespace {
+
+/// Calls field(member) for all that a drive consists of.
+template <typename Episode, typename Field>
+void forEachField(Episode* episode, const Field& field) {
+  field(&episode->kind);
+  field(&episode->arrived);
+  field(&episode->recorded);
+  field(&episode->steps);
+  field(&episode->inputs);
+  field(&episode->bearings);
+  field(&episode->probabilities);
+}
+
+class Writer {
+ public:
+  template <typename Value>
+  void operator()(const Value* value) const {
+    static_assert(std::is_trivially_copyable_v<Value>, "values are sent as bytes");
+    append(value, sizeof(Value));
+  }
+  template <typename Value>
+  void operator()(const std::vector<Value>* values) const {
+    static_assert(std::is_trivially_copyable_v<Value>, "values are sent as bytes");
+    const std::size_t count = values->size();
+    append(&count, sizeof(count));
+    append(values->data(), count * sizeof(Value));
+  }
+
+  explicit Writer(std::vector<std::uint8_t>* bytes) : bytes_(*bytes) {}
+
+ private:
+  void append(const void* from, std::size_t size) const {
+    const auto* const first = static_cast<const std::uint8_t*>(from);
+    bytes_.insert(bytes_.end(), first, first + size);
+  }
+
+  std::vector<std::uint8_t>& bytes_;
+};
+
+class Reader {
+ public:
+  explicit Reader(const std::uint8_t** next) : next_(*next) {}
+
+  template <typename Value>
+  void operator()(Value* value) const {
+    take(value, sizeof(Value));
+  }
+  template <typename Value>
+  void operator()(std::vector<Value>* values) const {
+    std::size_t count = 0;
+    take(&count, sizeof(count));
+    values->resize(count);
+    take(values->data(), count * sizeof(Value));
+  }
+
+ private:
+  void take(void* to, std::size_t size) const {
+    if (size > 0) std::memcpy(to, next_, size);
+    next_ += size;
+  }
+
+  const std::uint8_t*& next_;
+};
+
+/// The drives of all ranks, in the order of the ranks, from those of this one. Every rank has to call it.
+std::vector<PracticeEpisode> exchangeEpisodes(Communicator* ranks, std::vector<PracticeEpisode> own) {
+  if (ranks->size() == 1) return own;
+  std::vector<std::uint8_t> written;
+  for (const PracticeEpisode& episode : own) forEachField(&episode, Writer(&written));
+
+  std::vector<std::size_t> bytes(static_cast<std::size_t>(ranks->size()));
+  bytes[static_cast<std::size_t>(ranks->rank())] = written.size();
+  exchangeShares(ranks, ranks->size(), 1, bytes.data());
+  std::vector<std::uint8_t> all(std::accumulate(bytes.begin(), bytes.end(), std::size_t{0}));
+  const std::size_t before = std::accumulate(bytes.begin(), bytes.begin() + ranks->rank(), std::size_t{0});
+  std::copy(written.begin(), written.end(), all.begin() + static_cast<std::ptrdiff_t>(before));
+  ranks->exchangeBytes(all.data(), bytes);
+
+  std::vector<PracticeEpisode> episodes;
+  for (const std::uint8_t* next = all.data(); next != all.data() + all.size();) {
+    forEachField(&episodes.emplace_back(), Reader(&next));
+  }
+  return episodes;
+}
 
 /// m of path counted at the most, also where no path is known.
 constexpr double kLongestPath = 100.0;

@@ -41,23 +41,19 @@ if(LSTM_PLANNER_COMPAT)
   list(APPEND ros_libraries lstm_planner_compat)
 endif()
 
-# A node NAME is src/ros/ROOM/NAME_node.cpp with the NAME*.cpp beside it that only it needs. The rest of common, planner
-# and controller is the plugin library, the rest of the other rooms is for nodes and the tool. A node that loads plugins
-# must not be linked with them, hence --as-needed.
+# A node NAME is src/ros/ROOM/NAME.cpp with the NAME_*.cpp beside it that only it needs. The rest of common, planner and
+# controller is the plugin library, the rest of the other rooms is for nodes and the tool. A node that loads plugins must
+# not be linked with them, hence --as-needed. The first one parses the headers for all of them: one that the demo needs.
+set(node_names create2_stub bag_replay dataset_recorder demo_runner drive_advice scripted_teleoperator)
 file(GLOB ros_sources CONFIGURE_DEPENDS src/ros/*/*.cpp)
 list(FILTER ros_sources EXCLUDE REGEX "/ros/panel/")
-set(node_sources ${ros_sources})
-list(FILTER node_sources INCLUDE REGEX "_node\\.cpp$")
-if(NOT LSTM_PLANNER_COMPAT)
-  list(FILTER ros_sources EXCLUDE REGEX "/standalone_move_base[^/]*$")
-  list(FILTER node_sources EXCLUDE REGEX "/standalone_move_base[^/]*$")
+if(LSTM_PLANNER_COMPAT)
+  list(APPEND node_names standalone_move_base)
+else()
+  list(FILTER ros_sources EXCLUDE REGEX "/ros/move_base/")
 endif()
-set(node_names)
 set(shared_sources ${ros_sources})
-foreach(node_source IN LISTS node_sources)
-  get_filename_component(node_name ${node_source} NAME_WE)
-  string(REGEX REPLACE "_node$" "" node_name ${node_name})
-  list(APPEND node_names ${node_name})
+foreach(node_name IN LISTS node_names)
   set(sources_of_${node_name} ${ros_sources})
   list(FILTER sources_of_${node_name} INCLUDE REGEX "/${node_name}[^/]*$")
   list(FILTER shared_sources EXCLUDE REGEX "/${node_name}[^/]*$")
@@ -90,12 +86,8 @@ function(add_node node_name)
   target_compile_options(${node_name} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_link_libraries(${node_name} PRIVATE -Wl,--as-needed ${libraries_of_${node_name}} lstm_planner_plugins
     lstm_planner_ros_interface Threads::Threads)
+  install(TARGETS ${node_name} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 endfunction()
-# The first one parses the headers for all of them: one that the demo needs.
-set(first_node ${node_names})
-list(FILTER first_node INCLUDE REGEX "^create2_stub$")
-set(node_names ${first_node} ${node_names})
-list(REMOVE_DUPLICATES node_names)
 set(libraries_of_create2_stub lstm_planner_simulation)
 set(libraries_of_demo_runner lstm_planner_simulation)
 foreach(node_name IN ITEMS bag_replay dataset_recorder drive_advice scripted_teleoperator)
@@ -130,7 +122,6 @@ install(TARGETS ${ros_libraries}
   LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION}
   RUNTIME DESTINATION ${CATKIN_GLOBAL_BIN_DESTINATION}
 )
-install(TARGETS ${node_names} RUNTIME DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 install(DIRECTORY include/${PROJECT_NAME}/ros DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})
 if(LSTM_PLANNER_COMPAT)
   install(DIRECTORY include/${PROJECT_NAME}/compat DESTINATION ${CATKIN_PACKAGE_INCLUDE_DESTINATION})

@@ -9,7 +9,6 @@
 
 #include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/picture_file.hpp"
-#include "simulation/choice_colors.hpp"
 #include "simulation/drive_colours.hpp"
 #include "simulation/map_canvas.hpp"
 

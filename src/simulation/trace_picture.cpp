@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "lstm_planner/common/picture_file.hpp"
-#include "simulation/choice_colors.hpp"
 #include "simulation/drive_colours.hpp"
 #include "simulation/map_canvas.hpp"
 

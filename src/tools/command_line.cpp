@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "lstm_planner/common/nearest_name.hpp"
-#include "tools/option_number.hpp"
+#include "tools/option_text.hpp"
 #include "tools/output_file.hpp"
-#include "tools/wrapped_text.hpp"
 
 namespace lstm_planner {
 namespace {

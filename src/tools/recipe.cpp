@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tools/shipped_yaml.hpp"
+#include "tools/shared_file.hpp"
 
 namespace lstm_planner {
 namespace {

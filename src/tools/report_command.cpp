@@ -11,10 +11,8 @@
 #include "tools/grid_options.hpp"
 #include "tools/output_file.hpp"
 #include "tools/ranks.hpp"
+#include "tools/report_commands.hpp"
 #include "tools/report_files.hpp"
-#include "tools/report_memory.hpp"
-#include "tools/report_q_table.hpp"
-#include "tools/report_thesis.hpp"
 
 namespace lstm_planner {
 

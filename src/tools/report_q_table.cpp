@@ -1,5 +1,3 @@
-#include "tools/report_q_table.hpp"
-
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -11,6 +9,7 @@
 #include "tools/progress.hpp"
 #include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
+#include "tools/report_commands.hpp"
 
 namespace lstm_planner {
 

@@ -1,5 +1,3 @@
-#include "tools/report_thesis.hpp"
-
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -17,6 +15,7 @@
 #include "tools/progress.hpp"
 #include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
+#include "tools/report_commands.hpp"
 #include "tools/report_files.hpp"
 
 namespace lstm_planner {

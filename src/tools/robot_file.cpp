@@ -15,7 +15,7 @@
 #include "lstm_planner/drive/plugin_parameters.hpp"
 #include "lstm_planner/simulation/create2.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
-#include "tools/shipped_yaml.hpp"
+#include "tools/shared_file.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -1,9 +1,12 @@
 #include "tools/shared_file.hpp"
 
+#include <yaml-cpp/yaml.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
 #include <vector>
 
@@ -31,6 +34,14 @@ std::vector<fs::path> sourceFolders(const fs::path& prefix) {
   return folders;
 }
 
+std::string pathOf(const std::string& what, const std::string& folder, const std::string& name) {
+  const std::string shared = findSharedFile(folder + "/" + name + ".yaml");
+  if (std::filesystem::is_regular_file(shared)) return shared;
+  if (std::filesystem::is_regular_file(name)) return name;
+  throw std::invalid_argument("there is no " + what + " '" + name + "', expected a yaml file, or the NAME of a " +
+                              folder + "/NAME.yaml");
+}
+
 }  // namespace
 
 std::string findSharedFile(const std::string& name) {
@@ -46,6 +57,18 @@ std::string findSharedFile(const std::string& name) {
     if (fs::exists(candidate, ignored)) return candidate.string();
   }
   return name;
+}
+
+ShippedYaml readShippedYaml(const std::string& what, const std::string& folder, const std::string& name,
+                            const std::string& expected) {
+  const std::string path = pathOf(what, folder, name);
+  try {
+    const YAML::Node root = YAML::LoadFile(path);
+    if (root.IsMap()) return {path, root};
+  } catch (const YAML::Exception& error) {
+    throw std::invalid_argument(path + ": " + error.what());
+  }
+  throw std::invalid_argument(path + ": expected " + expected);
 }
 
 }  // namespace lstm_planner

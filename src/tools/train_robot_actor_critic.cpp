@@ -1,78 +1,187 @@
+#include <iostream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/practice/drive_actor_critic.hpp"
 #include "lstm_planner/practice/recorded_choices.hpp"
+#include "tools/ranks.hpp"
 #include "tools/recorded_datasets.hpp"
 #include "tools/train_commands.hpp"
-#include "tools/train_robot_reinforcement.hpp"
+#include "tools/train_robot_options.hpp"
+#include "tools/training_host.hpp"
+#include "tools/visited_settings.hpp"
 
 namespace lstm_planner {
-
 namespace {
 
-/// Somebody's drives that the network is to follow.
-struct FollowedDrives {
-  std::vector<std::string> recordings;
-  std::vector<std::string> validation;
-  double weight = 0.3;
+/// Times that the network is judged in a whole training, but for the first.
+constexpr int kJudgements = 10;
+
+/// What is to be trained, and how.
+struct RobotReinforcementPlan {
+  RobotTrainingOptions options;
+  RobotNetworkOptions network;
+  std::string init;           ///< model to start with; empty: a new network
+  std::string checkpoint;     ///< empty: none
+  std::string keep = "best";  ///< which network is written: best of the judgements, or last
+  DriveActorCriticParameters learner;
+  std::vector<std::string> recordings;  ///< somebody's drives that the network is to follow
+  std::vector<std::string> validation;  ///< likewise, to judge it
+  double recordings_weight = 0.3;
+  nlohmann::json settings;  ///< what the learning depends on
 };
 
-const char* const kColumns = "iteration     steps  reward  arrival  entropy  explained";
-
-std::vector<std::string> cellsOf(const ReinforcementReport& report) {
-  return {std::to_string(report.update), fixedText(report.steps, 0),   fixedText(report.reward, 3),
-          fixedText(report.arrival, 3),  fixedText(report.entropy, 3), fixedText(report.explained, 3)};
+/// settingsOf() without what older checkpoints do not name, where that is the default: they go on.
+nlohmann::json changedSettingsOf(const RobotNetworkOptions& network, const EncoderParameters& encoder) {
+  const nlohmann::json defaults = settingsOf(RobotNetworkOptions(), EncoderParameters());
+  nlohmann::json settings = settingsOf(network, encoder);
+  for (const char* name : {"event-range", "position-cell", "heading-cell", "activation", "candidate"}) {
+    if (settings[name] == defaults[name]) settings.erase(name);
+  }
+  return settings;
 }
 
-/// How often the network would have done what the drivers of `recordings` did.
-std::string agreementWith(const Dataset& recordings, const DrivePolicy& policy) {
-  const ConfusionMatrix taken = preferencesIn(recordings, policy);
-  return "; recordings: " + accuracyText(taken) + " (majority-class baseline: " + majorityText(taken) + ")";
+nlohmann::json settingsOf(const RobotReinforcementPlan& plan) {
+  nlohmann::json settings = settingsOf(plan.options);
+  settings.update(changedSettingsOf(plan.network, plan.learner.policy.encoder));
+  settings.update({{"method", "actor-critic"}, {"init", plan.init}});
+  visitPracticeParameters(plan.learner, noteIn(&settings));
+  visitPolicyChangeParameters(plan.learner, noteIn(&settings));
+  if (!plan.recordings.empty()) {
+    settings.update({{"recordings", plan.recordings}, {"recordings-weight", plan.recordings_weight}});
+  }
+  visitActorCriticParameters(plan.learner, "m", noteIn(&settings));
+  return settings;
 }
 
-bool readOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan,
-                 DriveActorCriticParameters* parameters, FollowedDrives* followed) {
-  DriveActorCriticParameters& p = *parameters;
+void addOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan, CommandLine* line) {
+  DriveActorCriticParameters& p = plan->learner;
+  addRobotTrainingOptions(arguments, &plan->options, line);
+  line->addFile("init", &plan->init, "model file to start from; it determines layers and inputs");
+  line->addOutput("checkpoint", &plan->checkpoint, "checkpoint file: is written, and continued from if it exists");
+  line->addChoice("keep", &plan->keep, {"best", "last"},
+                  "which network to write: best (the most efficient of the networks judged so far) or last");
+  visitPracticeParameters(p, line->everyParameter());
+  addRobotNetworkOptions(&plan->network, &p.policy.encoder, line);
+  visitPolicyChangeParameters(p, line->everyParameter());
+  line->addFiles("recordings", &plan->recordings,
+                 "datasets of recorded drives: the network also learns to steer as their driver does");
+  line->add("recordings-weight", &plan->recordings_weight, {1e-6, 1e6},
+            "weight of a recorded step; a practised step has the weight 1");
+  line->addFiles("validation-recordings", &plan->validation, "recorded drives for validation");
+  visitActorCriticParameters(p, "m", line->everyParameter());
+}
+
+/// False when the help was asked for. Throws std::invalid_argument with a sentence for values that make no sense.
+bool readPlan(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan) {
+  DriveActorCriticParameters& p = plan->learner;
   CommandLine line("train --method actor-critic",
                    "trains a network for the robot by reinforcement: one that already drives (--init), or a new one");
-  addRobotReinforcementOptions(arguments, plan, &p, &line);
-  visitPolicyChangeParameters(p, line.everyParameter());
-  line.addFiles("recordings", &followed->recordings,
-                "datasets of recorded drives: the network also learns to steer as their driver does");
-  line.add("recordings-weight", &followed->weight, {1e-6, 1e6},
-           "weight of a recorded step; a practised step has the weight 1");
-  line.addFiles("validation-recordings", &followed->validation, "recorded drives for validation");
-  visitActorCriticParameters(p, "m", line.everyParameter());
+  addOptions(arguments, plan, &line);
+  line.whenParsed([&] {
+    if (plan->init.empty()) {
+      finishRobotNetworkOptions(line, &plan->network, &p.policy.encoder);
+    } else {
+      checkModelDecides(line);
+    }
+  });
   if (!line.parse(arguments)) return false;
   if (plan->init.empty() && !line.given("sharpness")) p.sharpness = 1.0;  // there is nothing to sharpen yet
-  finishRobotReinforcement("actor-critic", plan, &p);
-  visitPolicyChangeParameters(p, noteIn(&plan->settings));
-  if (!followed->recordings.empty()) {
-    plan->settings.update({{"recordings", followed->recordings}, {"recordings-weight", followed->weight}});
-  }
-  visitActorCriticParameters(p, "m", noteIn(&plan->settings));
+  p.course = plan->options.course;
+  p.max_steps = plan->options.max_steps;
+  p.seed = plan->options.seed;
+  p.threads = plan->options.threads;
+  p.communicator = ranks();
+  plan->settings = settingsOf(*plan);
   return true;
 }
+
+/// Those of the model to start with, whose description replaces `policy`, or new ones.
+LayerStack firstLayers(const RobotReinforcementPlan& plan, PolicyDescription* policy) {
+  if (!plan.init.empty()) {
+    Model model = readModelFile(plan.init);
+    *policy = readPolicyDescription(model.metadata);
+    return std::move(model.layers);
+  }
+  const int inputs = static_cast<int>(policy->encoder.input_layout.size());
+  LayerStack layers = makeNetwork(inputs, plan.network.shape, networkOutputs(*policy));
+  initialise({}, plan.options.seed, layers);
+  return layers;
+}
+
+class RobotReinforcementHost : public ToolTrainingHost {
+ public:
+  RobotReinforcementHost(const TrainingLoopOptions& loop, const RobotReinforcementPlan& plan,
+                         const DriveReinforcement& training)
+      : ToolTrainingHost(loop),
+        options_(plan.options),
+        policy_(plan.learner.policy),
+        training_(training),
+        is_validated_(!plan.validation.empty()) {
+    if (is_validated_) validation_ = readDatasetsFor(policy_, plan.validation);
+  }
+
+  void stepDone() override {
+    const ReinforcementReport& report = training_.report();
+    std::cout << table_.line({std::to_string(report.update), fixedText(report.steps, 0), fixedText(report.reward, 3),
+                              fixedText(report.arrival, 3), fixedText(report.entropy, 3),
+                              fixedText(report.explained, 3)})
+              << std::endl;
+    ToolTrainingHost::stepDone();
+  }
+  double judge(const LayerStack& layers) override {
+    score_ = judgeDrives(DrivePolicy(policy_, layers), options_.course, options_.validation, options_.max_steps,
+                         options_.seed, options_.threads);
+    return score_.efficiency;
+  }
+  void keep(const LayerStack& layers) override { writeRobotModel(options_, policy_, layers, score_); }
+  void judged(const Judgement& judgement) override {
+    std::cout << std::string(table_.headings().size() + 1, ' ') << "| " << toText(score_)
+              << (judgement.best ? " (best)" : "") << (is_validated_ ? agreement() : "") << std::endl;
+  }
+
+ private:
+  /// How often the network would have done what the drivers of the recordings did.
+  std::string agreement() const {
+    const ConfusionMatrix taken = preferencesIn(validation_, DrivePolicy(policy_, training_.layers()));
+    return "; recordings: " + accuracyText(taken) + " (majority-class baseline: " + majorityText(taken) + ")";
+  }
+  double progress() const override { return training_.progress(); }
+  std::string position() const override { return "iteration " + std::to_string(training_.iterations()); }
+  std::string scoreText(double score) const override { return namedScore("efficiency", score); }
+  void printHeader() const override { std::cout << table_.headings() << " | validation drives" << std::endl; }
+
+  const TextTable table_{"iteration     steps  reward  arrival  entropy  explained"};
+  const RobotTrainingOptions& options_;
+  const PolicyDescription& policy_;
+  const DriveReinforcement& training_;
+  const bool is_validated_;
+  Dataset validation_;
+  DriveScore score_;  ///< what was judged last
+};
 
 }  // namespace
 
 int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
   RobotReinforcementPlan plan;
-  DriveActorCriticParameters parameters;
-  FollowedDrives followed;
-  if (!readOptions(arguments, &plan, &parameters, &followed)) return 0;
-  LayerStack layers = firstLayers(plan, &parameters.policy);
-  const PolicyDescription& policy = parameters.policy;
-  const auto learner = makeDriveActorCritic(parameters, std::move(layers));
-  if (!followed.recordings.empty()) learner->follow(readDatasetsFor(policy, followed.recordings), followed.weight);
-  RobotLearningTable table{TextTable(kColumns), cellsOf};
-  if (!followed.validation.empty()) {
-    table.remark = [&policy, recordings = readDatasetsFor(policy, followed.validation)](const LayerStack& network) {
-      return agreementWith(recordings, DrivePolicy(policy, network));
-    };
+  if (!readPlan(arguments, &plan)) return 0;
+  LayerStack layers = firstLayers(plan, &plan.learner.policy);
+  const auto learner = makeDriveActorCritic(plan.learner, std::move(layers));
+  if (!plan.recordings.empty()) {
+    learner->follow(readDatasetsFor(plan.learner.policy, plan.recordings), plan.recordings_weight);
   }
-  return trainByReinforcement(plan, policy, parameters.iterations, table, learner.get());
+  TrainingLoopOptions loop;
+  loop.checkpoint = plan.checkpoint;
+  loop.settings = plan.settings;
+  loop.output = plan.options.output;
+  loop.keep_last = plan.keep == "last";
+  loop.communicator = ranks();
+  DriveReinforcement training(plan.learner.iterations, kJudgements, learner.get());
+  RobotReinforcementHost host(loop, plan, training);
+  return host.end(runTraining(loop, &training, &host));
 }
 
 }  // namespace lstm_planner

@@ -9,7 +9,7 @@
 #include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
-#include "training/optimiser_json.hpp"
+#include "training/checkpoint_json.hpp"
 
 namespace lstm_planner {
 namespace {

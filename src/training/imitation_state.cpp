@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lstm_planner/training/imitation_rounds.hpp"
-#include "training/optimiser_json.hpp"
+#include "training/checkpoint_json.hpp"
 
 namespace lstm_planner {
 namespace {

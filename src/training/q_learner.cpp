@@ -10,7 +10,7 @@
 #include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "lstm_planner/training/q_learning_targets.hpp"
-#include "training/optimiser_json.hpp"
+#include "training/checkpoint_json.hpp"
 
 namespace lstm_planner {
 

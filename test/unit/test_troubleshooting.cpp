@@ -151,7 +151,7 @@ TEST(Troubleshooting, TellsOfEveryWarningOfTheRecordersStatus) {
 
 TEST(Troubleshooting, TellsWhyAGoalIsRefused) {
   const std::string page = contentOf(inSource("launch/troubleshooting.md"));
-  const std::vector<std::string> reasons = found(contentOf(inSource("src/ros/move_base/standalone_move_base_goal.cpp")),
+  const std::vector<std::string> reasons = found(contentOf(inSource("src/ros/move_base/standalone_move_base.cpp")),
                                                  "throw std::invalid_argument\\(\"([^\"]*)\"");
   EXPECT_GE(reasons.size(), 5u);
   for (const std::string& reason : reasons) {

@@ -5,8 +5,11 @@
 #include <vector>
 
 #include "lstm_planner/dataset/dataset.hpp"
-#include "lstm_planner/practice/drive_learner.hpp"
+#include "lstm_planner/drive/decision/drive_policy.hpp"
+#include "lstm_planner/practice/drive_course.hpp"
 #include "lstm_planner/training/actor_critic.hpp"
+#include "lstm_planner/training/reinforcement_learner.hpp"
+#include "lstm_planner/training/training_loop.hpp"
 
 namespace lstm_planner {
 
@@ -16,7 +19,7 @@ namespace lstm_planner {
 /// it brings the robot nearer to the goal by the teacher's path, less a cost.
 ///
 /// Lengths are in m, and an episode is a drive.
-struct DriveActorCriticParameters : ActorCriticParameters, PracticeParameters {
+struct DriveActorCriticParameters : ActorCriticParameters {
   DriveActorCriticParameters() {
     window = 32;
     entropy_start = 0.003;
@@ -27,11 +30,31 @@ struct DriveActorCriticParameters : ActorCriticParameters, PracticeParameters {
     critic_learning_rate = 0.005;
   }
 
-  double sharpness = 3.0;  ///< times the first policy's preferences, which imitation leaves too close for drawing
-  double clip = 0.2;       ///< how far from 1 a probability's change still counts
+  PolicyDescription policy;
+  DriveCourseParameters course;
+  int iterations = 60;        ///< collect, then update
+  int worlds = 16;            ///< an iteration, new ones each time
+  int goals = 2;              ///< a world
+  int starts = 8;             ///< drives to a goal
+  int passes = 4;             ///< over what was collected
+  double contact_cost = 0.5;  ///< m; of the reward by progress
+  double sharpness = 3.0;     ///< times the first policy's preferences, which imitation leaves too close for drawing
+  double clip = 0.2;          ///< how far from 1 a probability's change still counts
 };
 
-/// Visits what is its own and has an option, named as it; see parameter_visitors.hpp.
+/// Visits what says how it practises, named as the options; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitPracticeParameters(Parameters& p, const Visitor& visit) {
+  visit("iterations", p.iterations, {1, 1e6}, "", "iterations of collecting drives and learning");
+  visit("worlds", p.worlds, {1, 1e5}, "", "worlds per iteration");
+  visit("goals", p.goals, {1, 1e4}, "", "goals per world");
+  visit("starts", p.starts, {1, 1e4}, "", "drives per goal");
+  visit("window", p.window, {1, 1e5}, "", "largest number of steps of backpropagation through time");
+  visit("passes", p.passes, {1, 1e4}, "", "passes over the collected drives");
+  visit("contact-cost", p.contact_cost, {0.0, 1e6}, "m", "cost of a contact, where the reward is the progress");
+}
+
+/// Visits what says how it changes the policy, named as the options; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
 void visitPolicyChangeParameters(Parameters& p, const Visitor& visit) {
   visit("sharpness", p.sharpness, {1e-9, 1e9}, "", "factor on the preferences of the network of --init");
@@ -41,8 +64,12 @@ void visitPolicyChangeParameters(Parameters& p, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DriveActorCriticParameters& parameters);
 
-class DriveActorCritic : public DriveLearner {
+class DriveActorCritic : public ReinforcementLearner {
  public:
+  /// Collects drives and learns from them. What happens depends only on the weights, the seed, and how many iterations
+  /// there were before.
+  virtual ReinforcementReport iterate() = 0;
+
   /// From now on each iteration also learns to steer as the driver of these drives did (cross-entropy, rare angles
   /// weigh more), with the `weight` that the mean over the recorded steps has beside the mean over the practised ones.
   /// So a network that drives can take over somebody's manner without forgetting how to arrive. Throws
@@ -52,5 +79,30 @@ class DriveActorCritic : public DriveLearner {
 
 /// `layers` are the policy's, with weights to start from. Throws std::invalid_argument for what does not fit.
 std::unique_ptr<DriveActorCritic> makeDriveActorCritic(const DriveActorCriticParameters& parameters, LayerStack layers);
+
+/// Reinforcement learning of the robot: a step is an iteration of the learner, which is judged before the first, after
+/// the last, and as often as is told in between.
+class DriveReinforcement : public SteppedTraining {
+ public:
+  /// `learner` must outlive it. Throws std::invalid_argument unless there is an iteration and a judgement.
+  DriveReinforcement(int iterations, int judgements, DriveActorCritic* learner);
+
+  const ReinforcementReport& report() const { return report_; }  ///< of the last step
+  int iterations() const { return learner_.updates(); }          ///< done so far
+  double progress() const { return static_cast<double>(learner_.updates()) / iterations_; }
+
+  bool done() const override { return learner_.updates() >= iterations_; }
+  void step() override { report_ = learner_.iterate(); }
+  const LayerStack& layers() const override { return learner_.layers(); }
+  bool judgementDue() const override { return done() || learner_.updates() % interval_ == 0; }
+  std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
+  void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
+
+ private:
+  int iterations_;
+  int interval_;  ///< iterations from judgement to judgement
+  DriveActorCritic& learner_;
+  ReinforcementReport report_;
+};
 
 }  // namespace lstm_planner

@@ -27,7 +27,10 @@ class Traffic : public CircleWorld {
 
  protected:
   /// The bodies have moved: they are seen and touched where they are now.
-  void show(const std::vector<Body>& bodies);
+  void show(const std::vector<Body>& bodies) {
+    circles().clear();
+    for (const Body& body : bodies) circles().push_back(body.circle);
+  }
 
  private:
   const World& surroundings_;

@@ -7,12 +7,22 @@
 #include <limits>
 #include <utility>
 
-#include "grid_world/agent/moves_between.hpp"
 #include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/grid/passable_grid.hpp"
 #include "lstm_planner/grid_world/search/exact_octile.hpp"
 
 namespace lstm_planner {
 namespace {
+
+/// The moves that walls beside a cell leave, both with bit d for direction d.
+unsigned movesBetween(unsigned walls, CornerCutting corner_cutting) {
+  constexpr unsigned kDiagonals = 0xaa;
+  unsigned blocked = walls;
+  if (corner_cutting == CornerCutting::kForbidden) {
+    blocked |= (walls << 1 | walls >> 7 | walls >> 1 | walls << 7) & kDiagonals;
+  }
+  return ~blocked & 0xff;
+}
 
 using Passage = BlockGraph::Passage;
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "lstm_planner/grid_world/agent/grid_block.hpp"
+#include "lstm_planner/grid_world/agent/seen_grid.hpp"
 
 namespace lstm_planner {
 

@@ -10,11 +10,11 @@ class BoundaryAgent : public GridAgent {
  public:
   explicit BoundaryAgent(const BoundaryParameters& parameters = {}) : follower_(parameters) {}
 
-  void start(CellIndex start, CellIndex goal) override;
+  void start(CellIndex /*start*/, CellIndex /*goal*/) override { follower_.start(); }
   void observe(const GridObservation& observation) override { follower_.observe(observation); }
   int decide() override { return follower_.decide(); }
   GridLeader leader() const override { return GridLeader::kBoundary; }
-  void step(int direction, bool moved) override;
+  void step(int /*direction*/, bool /*moved*/) override {}
   std::size_t peakBytes() const override { return follower_.peakBytes(); }
 
  private:

@@ -4,12 +4,15 @@
 #include <ros/callback_queue.h>
 
 #include <exception>
+#include <utility>
 
 #include "lstm_planner/common/output_file.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/common/parameter_reader.hpp"
+#include "ros/common/node_main.hpp"
 
 namespace lstm_planner {
-
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
@@ -144,4 +147,27 @@ void DriveAdvice::publishAgreement() {
   agreement_.publish(status);
 }
 
+DriveAdviceParameters loadDriveAdviceParameters(const ros::NodeHandle& private_node) {
+  DriveAdviceParameters parameters;
+  ParameterReader reader(private_node);
+  visitDriveAdviceParameters(parameters, reader.visitor());
+  // A robot's file (config/robots) is for move_base and the simulation, too.
+  for (const char* group :
+       {"LstmGlobalPlanner", "SteeringController", "global_costmap", "local_costmap", "create2_stub"}) {
+    reader.knowGroup(group);
+  }
+  reader.warnOfUnknown();
+  visitDriveAdviceParameters(std::as_const(parameters), RangeCheck());
+  parameters.planner = loadGlobalPlannerParameters(ros::NodeHandle(private_node, "LstmGlobalPlanner"));
+  return parameters;
+}
+
 }  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  using namespace lstm_planner;
+  // How often both agreed is said at the end.
+  return runUntilStopped(argc, argv, "drive_advice", [](const ros::NodeHandle& node, const auto& stop) {
+    return DriveAdvice(loadDriveAdviceParameters(node)).run(stop);
+  });
+}

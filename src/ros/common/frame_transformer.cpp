@@ -2,7 +2,7 @@
 
 #include "lstm_planner/drive/perception/message_age.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "ros/common/seconds_between.hpp"
+#include "ros/common/timing.hpp"
 
 namespace lstm_planner {
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <exception>
 
-#include "ros/common/log_period.hpp"
+#include "ros/common/timing.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -7,7 +7,7 @@
 #include <exception>
 
 #include "lstm_planner/drive/perception/message_age.hpp"
-#include "ros/common/log_period.hpp"
+#include "ros/common/timing.hpp"
 
 namespace lstm_planner {
 namespace {

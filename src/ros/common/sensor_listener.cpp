@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "ros/common/seconds_between.hpp"
+#include "ros/common/timing.hpp"
 
 namespace lstm_planner {
 

@@ -4,7 +4,7 @@
 
 #include <exception>
 
-#include "ros/common/log_period.hpp"
+#include "ros/common/timing.hpp"
 
 namespace lstm_planner {
 namespace {

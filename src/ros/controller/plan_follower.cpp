@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "ros/common/seconds_between.hpp"
+#include "ros/common/timing.hpp"
 
 namespace lstm_planner {
 

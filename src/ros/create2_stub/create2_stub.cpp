@@ -1,20 +1,37 @@
-#include "ros/create2_stub/create2_stub.hpp"
-
+#include <geometry_msgs/Twist.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <rosgraph_msgs/Clock.h>
 #include <std_msgs/UInt32.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/static_transform_broadcaster.h>
+#include <tf2_ros/transform_broadcaster.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lstm_planner/common/words.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
+#include "lstm_planner/ros/common/parameter_reader.hpp"
+#include "lstm_planner/ros/create2_stub/create2_stub_parameters.hpp"
+#include "lstm_planner/simulation/localiser.hpp"
+#include "ros/common/node_main.hpp"
+#include "ros/create2_stub/create2_stub_driver.hpp"
+#include "ros/create2_stub/create2_stub_scanner.hpp"
+#include "ros/create2_stub/create2_stub_world.hpp"
+#include "ros/create2_stub/schedule.hpp"
 
 namespace lstm_planner {
+
 namespace {
 
 constexpr std::uint64_t kStep = 5'000'000;  // ns of physics at a time
@@ -25,7 +42,70 @@ constexpr std::uint64_t kClockStart = 100'000'000'000;  // ns; later than any bu
 constexpr std::uint64_t kLongestGap = 1'000'000'000;    // ns that are made up for when the node was held up
 constexpr double kStaleReport = 10.0;                   // s between two warnings
 
-}  // namespace
+/// The node `create2_stub`: a simulated Create 2 with a Hokuyo, or two, in a map, seen through the topics of
+/// create_driver and urg_node. The physics runs in fixed steps of 5 ms in lock step with scans and driver loop, on one
+/// of three clocks: the computer's, a /clock that someone else publishes, or a /clock of its own (parameter
+/// publish_clock).
+///
+/// Publishes beside the driver's topics (Create2StubDriver): `scan`; `second_scan` if it has a second scanner;
+/// `~contacts` (std_msgs/UInt32, latched) and
+/// `~ground_truth` (nav_msgs/Odometry in the map frame, 40 Hz), for judging only. Services: `~pause_scan`
+/// and `~pause_second_scan` (std_srvs/SetBool, true = no scans), `~jump_odometry` (std_srvs/Trigger).
+class Create2Stub {
+ public:
+  /// Throws std::invalid_argument naming what does not fit.
+  explicit Create2Stub(const Create2StubParameters& parameters);
+
+  /// Returns when ROS shuts down.
+  void run();
+
+ private:
+  void runOwnClock();
+  void waitForCommand();
+  void onCommand(const geometry_msgs::Twist::ConstPtr& message);
+  void runGivenClock();
+  void restartAt(const ros::Time& time);
+  void advance();
+  void watchOthers();
+  void publishStaticTransforms();
+  bool isLocalised() const { return parameters_.publish_map && parameters_.localisation_jump > 0.0; }
+  void publishLocalisation();
+  void publishMap();
+  void publishScans();
+  void publishGroundTruth();
+  void publishContacts();
+  bool jumpOdometry(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  ros::Time simulatedTime() const;
+  ros::Time driverTime() const;  ///< on a clock that runs by itself no two messages of the driver have the same stamp
+
+  Create2StubParameters parameters_;
+  std::unique_ptr<World> building_;
+  WorldWithRobots world_;
+  RobotInWorld robot_;
+  Create2StubScanner scanner_;
+  std::optional<Create2StubScanner> second_scanner_;
+  Create2StubDriver driver_;
+  Localiser localiser_;
+  std::uint64_t time_ = 0;  ///< ns, end of the last physics step
+  Schedule driver_loop_;
+  Schedule encoders_;
+  Schedule clock_;
+  unsigned contacts_published_ = 0;
+  bool controlled_ = false;         ///< by a controller that sends command after command
+  std::uint64_t command_time_ = 0;  ///< ns, when the last command came
+
+  ros::NodeHandle node_;
+  ros::NodeHandle private_node_{"~"};
+  tf2_ros::TransformBroadcaster broadcaster_;
+  tf2_ros::StaticTransformBroadcaster static_broadcaster_;
+  ros::Subscriber command_subscriber_;
+  std::vector<ros::Subscriber> other_subscribers_;
+  ros::Publisher truth_publisher_;
+  ros::Publisher contacts_publisher_;
+  ros::Publisher map_publisher_;
+  ros::Publisher clock_publisher_;
+  ros::ServiceServer jump_service_;
+};
 
 Create2Stub::Create2Stub(const Create2StubParameters& parameters)
     : parameters_(parameters),
@@ -243,4 +323,32 @@ bool Create2Stub::jumpOdometry(std_srvs::Trigger::Request&, std_srvs::Trigger::R
   return true;
 }
 
+}  // namespace
+
+Create2StubParameters loadCreate2StubParameters(const ros::NodeHandle& private_node) {
+  ParameterReader reader(private_node);
+  Create2StubParameters parameters;
+  readPose(private_node, "scenario/start", &parameters.start);
+  visitCreate2StubParameters(parameters, reader.visitor());
+  visitCreate2StubParameters(std::as_const(parameters), RangeCheck{private_node.getNamespace() + "/"});
+  validate(parameters.robot);
+  validate(parameters.laser);
+  validate(parameters.second_laser);
+  if (parameters.robot_model != "CREATE_2") {
+    throw std::invalid_argument("parameter " + private_node.resolveName("robot_model") + " is '" +
+                                parameters.robot_model + "', expected CREATE_2, the only model that is simulated");
+  }
+  reader.knowGroup("scenario");  // the demo runner's
+  reader.warnOfUnknown();
+  return parameters;
+}
+
 }  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  using namespace lstm_planner;
+  return runNode(argc, argv, "create2_stub", [](const ros::NodeHandle& node) {
+    Create2Stub(loadCreate2StubParameters(node)).run();
+    return 0;
+  });
+}

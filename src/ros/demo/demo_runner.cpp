@@ -8,6 +8,7 @@
 
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
+#include "ros/common/node_main.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -196,3 +197,9 @@ void DemoRunner::drawPicture() const {
 }
 
 }  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  using namespace lstm_planner;
+  return runNode(argc, argv, "demo_runner",
+                 [](const ros::NodeHandle& node) { return DemoRunner(loadDemoParameters(node)).run(); });
+}

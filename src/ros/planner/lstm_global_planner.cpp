@@ -12,9 +12,9 @@
 #include "ros/common/costmap_footprint.hpp"
 #include "ros/common/costmap_reader.hpp"
 #include "ros/common/guarded.hpp"
-#include "ros/common/log_period.hpp"
 #include "ros/common/plugin_diagnostics.hpp"
 #include "ros/common/reconfigure_server.hpp"
+#include "ros/common/timing.hpp"
 #include "ros/planner/plan_maker.hpp"
 
 PLUGINLIB_EXPORT_CLASS(lstm_planner::LstmGlobalPlanner, nav_core::BaseGlobalPlanner)

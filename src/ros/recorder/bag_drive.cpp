@@ -19,20 +19,44 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "lstm_planner/common/input_file.hpp"
 #include "lstm_planner/dataset/event_order.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/recorder/drive_messages.hpp"
-#include "ros/common/stamp_check.hpp"
 #include "ros/recorder/bag_message.hpp"
 #include "ros/recorder/bag_odometry.hpp"
 #include "ros/recorder/bag_topics.hpp"
 
 namespace lstm_planner {
-
 namespace {
+
+/// Tells stamps that are far ahead of all others, such as 2^32 - 1 s, from a clock that was set: they would make tf
+/// forget everything else.
+class StampCheck {
+ public:
+  /// False for a stamp (s) that is more than an hour ahead of when its message was received and of the stamps before,
+  /// unless the previous stamp was ahead by about as much.
+  bool isPlausible(double stamp, double received);
+
+ private:
+  std::optional<double> newest_;   ///< s
+  std::optional<double> refused_;  ///< s, the last one
+};
+
+bool StampCheck::isPlausible(double stamp, double received) {
+  constexpr double kHour = 3600.0;  // s
+  const bool is_near = stamp <= std::max(received, newest_.value_or(received)) + kHour;
+  const bool is_other_clock = refused_ && std::abs(stamp - *refused_) <= kHour;
+  if (is_near || is_other_clock) {
+    newest_ = stamp;
+    return true;
+  }
+  refused_ = stamp;
+  return false;
+}
 
 using OpenBags = std::vector<std::unique_ptr<rosbag::Bag>>;
 

@@ -1,10 +1,31 @@
-#include "ros/recorder/dataset_recorder.hpp"
-
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+#include <tf2_ros/buffer.h>
 
+#include <algorithm>
+#include <csignal>
+#include <deque>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "lstm_planner/common/random.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
-#include "ros/recorder/dataset_recorder_implementation.hpp"
+#include "lstm_planner/ros/common/transform_listener.hpp"
+#include "lstm_planner/ros/recorder/drive_messages.hpp"
+#include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
+#include "ros/common/node_main.hpp"
+#include "ros/recorder/dataset_recorder_file.hpp"
+#include "ros/recorder/dataset_recorder_markers.hpp"
+#include "ros/recorder/dataset_recorder_progress.hpp"
+#include "ros/recorder/dataset_recorder_status.hpp"
 
 namespace lstm_planner {
 
@@ -17,16 +38,121 @@ constexpr int kGoalQueue = 20;
 const ros::WallDuration kStatusPeriod(1.0);
 constexpr double kLongestDelay = 0.5;  // s that odometry is behind the clock, at the most
 
-}  // namespace
+/// Picks waypoints at random, never the same twice in a row; the same order for the same seed on every machine.
+class WaypointPicker {
+ public:
+  WaypointPicker(const std::vector<NamedPose>& waypoints, int seed)
+      : waypoints_(waypoints), random_(static_cast<Random::result_type>(seed)) {}
+
+  bool empty() const { return waypoints_.empty(); }
+
+  /// Requires !empty().
+  const NamedPose& next() {
+    std::size_t i = uniformIndex(random_, waypoints_.size() - (last_ ? 1 : 0));
+    if (last_ && i >= *last_) ++i;
+    last_ = i;
+    return waypoints_.at(i);
+  }
+
+ private:
+  std::vector<NamedPose> waypoints_;
+  Random random_;
+  std::optional<std::size_t> last_;
+};
+
+/// The node `dataset_recorder`: makes a dataset of how somebody drives the robot, whoever that is.
+///
+/// Subscribed topics:
+///  - `scan` (sensor_msgs/LaserScan), `odom` (nav_msgs/Odometry), and tf, for where the scanner sits
+///  - `move_base/goal` (move_base_msgs/MoveBaseActionGoal), `move_base_simple/goal` (geometry_msgs/PoseStamped): the
+///    goal that is driven to
+///  - `move_base/cancel` (actionlib_msgs/GoalID), `move_base/result` (move_base_msgs/MoveBaseActionResult): its end,
+///    unless it succeeded; arrival is told by odometry
+///
+/// Published topics:
+///  - `~goal` (geometry_msgs/PoseStamped, latched): the waypoint to drive to, where there are waypoints
+///  - `~markers` (visualization_msgs/MarkerArray): what is recorded, see RecorderMarkers
+///  - `/diagnostics` (diagnostic_msgs/DiagnosticArray), once a second of the computer's clock, and after every service;
+///    the same in short goes into the log every ten seconds
+///
+/// Services:
+///  - `~pause` (std_srvs/SetBool): true: nothing becomes a step until false. Ends the running episode
+///  - `~discard_episode` (std_srvs/Trigger): the running episode, or else the last one, is not to be learned from. The
+///    goal stays the goal; a new episode starts
+///  - `~finish` (std_srvs/Trigger): writes everything, marks the recording as finished, and ends the node
+///
+/// Parameters: RecorderNodeParameters.
+///
+/// The file is made when the first odometry is heard: there is none of a robot that was not there. All callbacks come
+/// in the thread of run(); none throws.
+class DatasetRecorder {
+ public:
+  explicit DatasetRecorder(const RecorderNodeParameters& parameters);
+
+  /// Records until `stop` is not 0, ROS is shut down or ~finish is called; then all that was heard is written. Returns
+  /// the node's exit code: 0, or 1 when the file could not be made or not all steps could be written.
+  int run(const volatile std::sig_atomic_t& stop);
+
+ private:
+  /// What had been made of the drive at a time.
+  struct Snapshot {
+    long steps = 0;
+    RejectionCounts rejections{};
+  };
+
+  void guarded(const std::function<void()>& work);
+
+  void onScan(const sensor_msgs::LaserScan::ConstPtr& scan);
+  void onOdometry(const nav_msgs::Odometry::ConstPtr& odometry);
+  void onActionGoal(const move_base_msgs::MoveBaseActionGoal::ConstPtr& goal);
+  void onSimpleGoal(const geometry_msgs::PoseStamped::ConstPtr& goal);
+  void onCancel(const actionlib_msgs::GoalID::ConstPtr& cancel);
+  void onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result);
+  void openFile(const std::string& odometry_frame);
+  ros::Time goalHeardNow();
+  void afterSensing();
+  void pickGoal();
+
+  bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  bool discardEpisode(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool finishByService(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  std::string finish();
+
+  void onTimer(const ros::WallTimerEvent& event);
+  RecordingStatus status() const;
+  void publishStatus();
+
+  RecorderNodeParameters parameters_;
+  RecorderFile file_;
+  RecordingProgress progress_;
+  tf2_ros::Buffer tf_;
+  TransformListener tf_listener_;
+  DriveMessages messages_;
+  WaypointPicker waypoints_;
+  std::optional<int> exit_code_;  ///< once nothing is recorded any more
+  std::string problem_;           ///< what nobody expected to go wrong
+
+  long scans_heard_ = 0;
+  long odometry_heard_ = 0;
+  long goals_heard_ = 0;            ///< and their ends
+  ros::WallTime last_scan_;         ///< zero before the first
+  ros::WallTime last_odometry_;     ///< zero before the first
+  ros::Time odometry_stamp_;        ///< of the newest
+  ros::Time goal_stamp_;            ///< of the newest odometry when the newest goal was heard
+  std::deque<Snapshot> snapshots_;  ///< of the last ten seconds, one a second
+  long timer_calls_ = 0;
+
+  ros::NodeHandle node_;
+  ros::NodeHandle private_node_{"~"};
+  RecorderMarkers markers_;
+  ros::Publisher goal_publisher_;
+  ros::Publisher diagnostics_publisher_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::vector<ros::ServiceServer> services_;
+  ros::WallTimer timer_;
+};
 
 DatasetRecorder::DatasetRecorder(const RecorderNodeParameters& parameters)
-    : implementation_(std::make_unique<Implementation>(parameters)) {}
-
-DatasetRecorder::~DatasetRecorder() = default;
-
-int DatasetRecorder::run(const volatile std::sig_atomic_t& stop) { return implementation_->run(stop); }
-
-DatasetRecorder::Implementation::Implementation(const RecorderNodeParameters& parameters)
     : parameters_(parameters),
       file_(parameters),
       progress_(parameters.recorder.action_angles.size()),
@@ -39,19 +165,19 @@ DatasetRecorder::Implementation::Implementation(const RecorderNodeParameters& pa
 
   // Without this, TCP holds a scan back until the one before is acknowledged: up to 40 ms.
   const ros::TransportHints hints = ros::TransportHints().tcpNoDelay();
-  subscribers_ = {node_.subscribe(parameters.scan_topic, kScanQueue, &Implementation::onScan, this, hints),
-                  node_.subscribe(parameters.odom_topic, kOdometryQueue, &Implementation::onOdometry, this, hints),
-                  node_.subscribe("move_base/goal", kGoalQueue, &Implementation::onActionGoal, this, hints),
-                  node_.subscribe("move_base_simple/goal", kGoalQueue, &Implementation::onSimpleGoal, this, hints),
-                  node_.subscribe("move_base/cancel", kGoalQueue, &Implementation::onCancel, this, hints),
-                  node_.subscribe("move_base/result", kGoalQueue, &Implementation::onResult, this, hints)};
-  services_ = {private_node_.advertiseService("pause", &Implementation::pause, this),
-               private_node_.advertiseService("discard_episode", &Implementation::discardEpisode, this),
-               private_node_.advertiseService("finish", &Implementation::finishByService, this)};
-  timer_ = private_node_.createWallTimer(kStatusPeriod, &Implementation::onTimer, this);
+  subscribers_ = {node_.subscribe(parameters.scan_topic, kScanQueue, &DatasetRecorder::onScan, this, hints),
+                  node_.subscribe(parameters.odom_topic, kOdometryQueue, &DatasetRecorder::onOdometry, this, hints),
+                  node_.subscribe("move_base/goal", kGoalQueue, &DatasetRecorder::onActionGoal, this, hints),
+                  node_.subscribe("move_base_simple/goal", kGoalQueue, &DatasetRecorder::onSimpleGoal, this, hints),
+                  node_.subscribe("move_base/cancel", kGoalQueue, &DatasetRecorder::onCancel, this, hints),
+                  node_.subscribe("move_base/result", kGoalQueue, &DatasetRecorder::onResult, this, hints)};
+  services_ = {private_node_.advertiseService("pause", &DatasetRecorder::pause, this),
+               private_node_.advertiseService("discard_episode", &DatasetRecorder::discardEpisode, this),
+               private_node_.advertiseService("finish", &DatasetRecorder::finishByService, this)};
+  timer_ = private_node_.createWallTimer(kStatusPeriod, &DatasetRecorder::onTimer, this);
 }
 
-int DatasetRecorder::Implementation::run(const volatile std::sig_atomic_t& stop) {
+int DatasetRecorder::run(const volatile std::sig_atomic_t& stop) {
   while (ros::ok() && stop == 0 && !exit_code_) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.1));
   }
@@ -60,7 +186,7 @@ int DatasetRecorder::Implementation::run(const volatile std::sig_atomic_t& stop)
   return *exit_code_;
 }
 
-void DatasetRecorder::Implementation::guarded(const std::function<void()>& work) {
+void DatasetRecorder::guarded(const std::function<void()>& work) {
   if (exit_code_) return;
   try {
     work();
@@ -70,7 +196,7 @@ void DatasetRecorder::Implementation::guarded(const std::function<void()>& work)
   }
 }
 
-void DatasetRecorder::Implementation::onScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
+void DatasetRecorder::onScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
   guarded([&] {
     ++scans_heard_;
     last_scan_ = ros::WallTime::now();
@@ -79,7 +205,7 @@ void DatasetRecorder::Implementation::onScan(const sensor_msgs::LaserScan::Const
   });
 }
 
-void DatasetRecorder::Implementation::onOdometry(const nav_msgs::Odometry::ConstPtr& odometry) {
+void DatasetRecorder::onOdometry(const nav_msgs::Odometry::ConstPtr& odometry) {
   if (!file_.isOpen() && !exit_code_) openFile(frameName(odometry->header.frame_id));
   guarded([&] {
     ++odometry_heard_;
@@ -91,7 +217,7 @@ void DatasetRecorder::Implementation::onOdometry(const nav_msgs::Odometry::Const
   });
 }
 
-void DatasetRecorder::Implementation::openFile(const std::string& odometry_frame) {
+void DatasetRecorder::openFile(const std::string& odometry_frame) {
   try {
     file_.open(odometry_frame, &progress_);
     ROS_INFO("recording into %s", file_.path().c_str());
@@ -101,40 +227,40 @@ void DatasetRecorder::Implementation::openFile(const std::string& odometry_frame
   }
 }
 
-void DatasetRecorder::Implementation::onActionGoal(const move_base_msgs::MoveBaseActionGoal::ConstPtr& goal) {
+void DatasetRecorder::onActionGoal(const move_base_msgs::MoveBaseActionGoal::ConstPtr& goal) {
   guarded([&] {
     ++goals_heard_;
     messages_.hear(*goal, "move_base/goal", goalHeardNow());
   });
 }
 
-void DatasetRecorder::Implementation::onSimpleGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
+void DatasetRecorder::onSimpleGoal(const geometry_msgs::PoseStamped::ConstPtr& goal) {
   guarded([&] {
     ++goals_heard_;
     messages_.hearGoal(*goal, "move_base_simple/goal", goalHeardNow());
   });
 }
 
-void DatasetRecorder::Implementation::onCancel(const actionlib_msgs::GoalID::ConstPtr& cancel) {
+void DatasetRecorder::onCancel(const actionlib_msgs::GoalID::ConstPtr& cancel) {
   guarded([&] {
     ++goals_heard_;
     messages_.hear(*cancel, ros::Time::now());
   });
 }
 
-void DatasetRecorder::Implementation::onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result) {
+void DatasetRecorder::onResult(const move_base_msgs::MoveBaseActionResult::ConstPtr& result) {
   guarded([&] {
     ++goals_heard_;
     messages_.hear(*result, ros::Time::now());
   });
 }
 
-ros::Time DatasetRecorder::Implementation::goalHeardNow() {
+ros::Time DatasetRecorder::goalHeardNow() {
   goal_stamp_ = odometry_stamp_;
   return ros::Time::now();
 }
 
-void DatasetRecorder::Implementation::afterSensing() {
+void DatasetRecorder::afterSensing() {
   pickGoal();
   const DriveRecorder& recorder = messages_.recorder();
   if (recorder.situation()) {
@@ -142,7 +268,7 @@ void DatasetRecorder::Implementation::afterSensing() {
   }
 }
 
-void DatasetRecorder::Implementation::pickGoal() {
+void DatasetRecorder::pickGoal() {
   const DriveRecorder& recorder = messages_.recorder();
   if (waypoints_.empty() || recorder.paused() || recorder.goal() || !file_.isOpen()) return;
   if (ros::Time::now().isZero()) return;  // a simulator's clock has not come yet
@@ -160,4 +286,134 @@ void DatasetRecorder::Implementation::pickGoal() {
   ROS_INFO("the next goal is %s at (%.2f, %.2f)", waypoint.name.c_str(), waypoint.pose.x, waypoint.pose.y);
 }
 
+bool DatasetRecorder::pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
+  guarded([&] { messages_.recorder().setPaused(request.data != 0); });
+  response.success = static_cast<unsigned char>(messages_.recorder().paused() == (request.data != 0));
+  response.message = (messages_.recorder().paused() ? "paused with " : "recording on with ") +
+                     std::to_string(progress_.steps()) + " steps";
+  publishStatus();
+  return true;
+}
+
+bool DatasetRecorder::discardEpisode(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  response.success = 0;
+  response.message = "there is no episode that is not discarded already";
+  guarded([&] {
+    if (!progress_.newest() || progress_.newest()->episode.discarded) return;
+    DriveRecorder& recorder = messages_.recorder();
+    const std::optional<GoalInFrame> goal = recorder.goal();
+    const std::string source = progress_.newest()->episode.goal_source;
+    if (recorder.inEpisode()) {
+      recorder.endEpisode(EpisodeEnd::kAborted);
+      if (goal) recorder.add(GoalHeard{goalHeardNow().toSec(), *goal, source});
+    }
+    if (!file_.discardEpisode()) return;
+    progress_.discardEpisode();
+    response.success = 1;
+    response.message = "an episode of " + std::to_string(progress_.newest()->poses.size()) +
+                       " steps will not be used for training; " + std::to_string(progress_.steps()) + " steps are left";
+  });
+  ROS_INFO("%s", response.message.c_str());
+  publishStatus();
+  return true;
+}
+
+bool DatasetRecorder::finishByService(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  response.message = exit_code_ ? "the recording has ended already" : finish();
+  response.success = static_cast<unsigned char>(exit_code_ == 0);
+  return true;
+}
+
+std::string DatasetRecorder::finish() {
+  std::ostringstream sentence;
+  try {
+    messages_.recorder().finish();
+    file_.finish();
+    exit_code_ = 0;
+    if (file_.isOpen()) {
+      sentence << progress_.steps() << " steps in " << progress_.episodes() - progress_.discarded()
+               << " episodes are in " << file_.path();
+    } else {
+      sentence << "no odometry was received on " << subscribers_.at(1).getTopic() << ", so there is no file";
+    }
+    ROS_INFO("finished: %s", sentence.str().c_str());
+    // ROS's log is silent once it is shut down, as by rosnode kill.
+    if (!ros::ok()) std::cout << "finished: " << sentence.str() << std::endl;
+  } catch (const std::exception& error) {
+    exit_code_ = 1;
+    sentence << error.what();
+    ROS_FATAL("%s", error.what());
+  }
+  return sentence.str();
+}
+
+void DatasetRecorder::onTimer(const ros::WallTimerEvent&) {
+  constexpr std::size_t kRecent = 10;
+  constexpr long kLogPeriod = 10;
+  guarded([this] {
+    snapshots_.push_back({progress_.steps(), progress_.rejections()});
+    if (snapshots_.size() > kRecent) snapshots_.pop_front();
+    publishStatus();
+    if (++timer_calls_ % kLogPeriod != 0) return;
+    const RecordingStatus now = status();
+    const std::string line = toLine(now);
+    if (toDiagnostic(now).level == diagnostic_msgs::DiagnosticStatus::OK) {
+      ROS_INFO("%s", line.c_str());
+    } else {
+      ROS_WARN("%s", line.c_str());
+    }
+    problem_.clear();
+  });
+}
+
+RecordingStatus DatasetRecorder::status() const {
+  constexpr double kShortestAlarm = 2.0;  // s
+  const auto silenceSince = [](const ros::WallTime& last) {
+    return last.isZero() ? std::nullopt : std::optional<double>((ros::WallTime::now() - last).toSec());
+  };
+  RecordingStatus status;
+  status.node = ros::this_node::getName().substr(1);
+  file_.describe(&status);
+  status.problem = problem_;
+  status.disk_low = parameters_.disk_low;
+  status.message_problem = messages_.problem();
+  status.scan_topic = subscribers_.at(0).getTopic();
+  status.odometry_topic = subscribers_.at(1).getTopic();
+  status.scans_heard = scans_heard_;
+  status.odometry_heard = odometry_heard_;
+  status.goals_heard = goals_heard_;
+  status.scan_silence = silenceSince(last_scan_);
+  status.odometry_silence = silenceSince(last_odometry_);
+  status.longest_silence = std::max(kShortestAlarm, parameters_.recorder.max_gap);
+  status.paused = messages_.recorder().paused();
+  status.goal = messages_.recorder().goal();
+  status.action_angles = parameters_.recorder.action_angles;
+  status.progress = &progress_;
+  if (!snapshots_.empty()) {
+    const Snapshot& before = snapshots_.front();
+    status.recent_steps = progress_.steps() - before.steps;
+    for (std::size_t i = 0; i < before.rejections.size(); ++i) {
+      status.recent_rejections[i] = progress_.rejections()[i] - before.rejections[i];
+    }
+  }
+  return status;
+}
+
+void DatasetRecorder::publishStatus() {
+  diagnostic_msgs::DiagnosticArray message;
+  message.header.stamp = ros::Time::now();
+  message.status.push_back(toDiagnostic(status()));
+  diagnostics_publisher_.publish(message);
+}
+
+}  // namespace
+
 }  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  using namespace lstm_planner;
+  // What was heard is written and said at the end.
+  return runUntilStopped(argc, argv, "dataset_recorder", [](const ros::NodeHandle& node, const auto& stop) {
+    return DatasetRecorder(loadRecorderNodeParameters(node)).run(stop);
+  });
+}

@@ -3,11 +3,14 @@
 #include <ros/ros.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "lstm_planner/common/output_file.hpp"
+#include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/ros/common/parameter_reader.hpp"
+#include "ros/common/node_main.hpp"
 
 namespace lstm_planner {
-
 namespace {
 
 const ros::WallDuration kSettling(0.5);  // within which a computer that is not too busy makes and serves connections
@@ -72,4 +75,32 @@ void BagReplay::showDecisionsUntil(const ros::Time& time) {
   }
 }
 
+BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node) {
+  BagReplayParameters parameters;
+  ParameterReader reader(private_node);
+  visitBagReplayParameters(parameters, reader.visitor());
+  SensorMount mount;
+  reader.know("mount");
+  if (readPose(private_node, "mount", &mount.pose)) {
+    parameters.drive.mount = mount;
+  }
+  reader.knowGroup("LstmGlobalPlanner");
+  reader.warnOfUnknown();
+  parameters.planner = loadGlobalPlannerParameters(ros::NodeHandle(private_node, "LstmGlobalPlanner"));
+  if (parameters.bag.empty()) {
+    throw std::invalid_argument("parameter " + private_node.resolveName("bag") +
+                                " is empty, expected the path of a bag");
+  }
+  visitBagReplayParameters(std::as_const(parameters), RangeCheck());
+  return parameters;
+}
+
 }  // namespace lstm_planner
+
+int main(int argc, char** argv) {
+  using namespace lstm_planner;
+  return runNode(argc, argv, "bag_replay", [](const ros::NodeHandle& node) {
+    BagReplay(loadBagReplayParameters(node)).run();
+    return 0;
+  });
+}

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ros/common/stopwatch.hpp"
+#include "ros/common/timing.hpp"
 
 namespace lstm_planner::test_stopwatch {
 namespace {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -30,7 +31,10 @@ enum class GridLeader {
 constexpr int kGridLeaderCount = 4;
 
 /// "network", "search", "boundary", "greedy".
-const char* nameOf(GridLeader leader);
+inline const char* nameOf(GridLeader leader) {
+  constexpr std::array<const char*, kGridLeaderCount> kNames = {"network", "search", "boundary", "greedy"};
+  return kNames[static_cast<std::size_t>(leader)];
+}
 
 /// An agent that moves from cell to cell towards a goal: the one interface of learned, reactive and searching agents.
 ///

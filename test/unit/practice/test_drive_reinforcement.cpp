@@ -2,19 +2,20 @@
 
 #include <stdexcept>
 
-#include "lstm_planner/practice/drive_learner.hpp"
+#include "lstm_planner/practice/drive_actor_critic.hpp"
 
-namespace lstm_planner::test_drive_learner {
+namespace lstm_planner::test_drive_reinforcement {
 namespace {
 
 /// Counts.
-class Learner : public DriveLearner {
+class Learner : public DriveActorCritic {
  public:
   ReinforcementReport iterate() override {
     ReinforcementReport report;
     report.update = ++updates_;
     return report;
   }
+  void follow(const Dataset& /*recordings*/, double /*weight*/) override {}
   int updates() const override { return updates_; }
   const LayerStack& layers() const override { return layers_; }
   std::vector<std::uint8_t> checkpoint() const override { return {static_cast<std::uint8_t>(updates_)}; }
@@ -51,4 +52,4 @@ TEST(DriveReinforcement, RefusesToDoNothing) {
 }
 
 }  // namespace
-}  // namespace lstm_planner::test_drive_learner
+}  // namespace lstm_planner::test_drive_reinforcement
