@@ -72,8 +72,8 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
       "patience", motion.patience, {0.0, 3600.0}, "s",
       "time for which the robot may stand before an obstacle, with no person near; after half of it a robot with "
       "corners creeps out with two thirds of the safety_margin, and goes back the way it came until it can turn round, "
-      "after all of it the controller says no, so that "
-      "move_base recovers or aborts; about move_base's controller_patience; 0: it waits for ever");
+      "after all of it the controller says no, so that move_base recovers or aborts; about move_base's "
+      "controller_patience; 0: it waits for ever");
   visit("slow_gap", motion.slow_gap, {0.001, 20.0}, "m",
         "the robot slows down if its path leads nearer to an obstacle than this; larger is slower");
   visit("slow_speed", motion.slow_speed, {0.001, 10.0}, "m/s",
