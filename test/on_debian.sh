@@ -93,7 +93,7 @@ commands() {
     echo 'bash test/without_ros.sh'
     return
   fi
-  sed -n 's/^RUN //p' "$source_dir/Dockerfile"
+  sed -n 's/^RUN //p' "$source_dir/launch/Dockerfile"
   [ "$what" = demo-only ] || echo 'bash test/run.sh'
 }
 
