@@ -25,13 +25,11 @@ class MotionTrial {
   bool has_stood = false;       ///< for so long that two thirds of the margin must do
 
   /// Drives for so many commands. How much nearer a return comes than it may, m: it may come as near as the margin, or,
-  /// if it is within the margin from the beginning, as near as it was. Half the margin counts for a robot that goes
-  /// back where it was, and for a circle: the other half is for what its wheels do meanwhile. Two thirds count for one
-  /// with corners that has stood.
+  /// if it is within the margin from the beginning, as near as it was. Of a robot with corners half the margin counts
+  /// while it goes back where it was, and two thirds after it has stood.
   double shortfall(int commands) {
     double worst = 0.0;
     margin_ = motion.safety_margin;
-    if (footprint.isCircle()) margin_ *= 0.5;
     if (has_stood && !footprint.isCircle()) margin_ *= 2.0 / 3.0;
     const MotionController controller(motion);
     Shield shield(footprint, motion.safety_margin, 4.0);

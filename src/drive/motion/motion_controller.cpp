@@ -230,8 +230,7 @@ double MotionController::allowedSpeed(const Twist2& twist, const MotionSituation
 /// A command to a circle, such that it is free where the robot really goes. Where it is not, the robot turns less, then
 /// brakes.
 Twist2 MotionController::steadied(const Twist2& twist, const Moment& now) const {
-  // The margin is also for what cannot be foreseen.
-  WheelMotion motion(parameters_, now, now.history, reaction_time_, kLeastMargin * parameters_.safety_margin);
+  WheelMotion motion(parameters_, now, now.history, reaction_time_, parameters_.safety_margin);
   // The robot may turn faster than it may be told to, as when somebody turns it.
   const std::vector<Twist2>& commanded = now.history.commanded;
   const Twist2& last = commanded.empty() ? now.current : commanded.back();

@@ -14,7 +14,8 @@ constexpr double kSpeedError = 0.02;
 constexpr double kCreep = 0.005;  ///< m/s; slower is standing
 constexpr double kSlack = 1e-9;   ///< m or rad of rounding
 
-/// Share of the safety margin that is kept in any case: the margin is at least three times the noise of the scanner.
+/// Share of the safety margin that is kept by a robot with corners that goes back where it was: the margin is at least
+/// three times the noise of the scanner.
 constexpr double kLeastMargin = 0.5;
 
 /// Share of it that is kept by a robot with corners that has stood for long: the steps of ranges, of a map and of a

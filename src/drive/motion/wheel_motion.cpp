@@ -10,7 +10,7 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kPiece = 0.05;     // s for which the wheels are taken to turn evenly
+constexpr double kPiece = 0.025;    // s for which the wheels are taken to turn evenly
 constexpr double kStanding = 0.01;  // m/s
 
 }  // namespace
