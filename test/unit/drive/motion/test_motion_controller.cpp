@@ -102,10 +102,15 @@ TEST_F(MotionControllerTest, DrivesOnWhileItTurns) {
   const Twist2 twist = compute(planAlong({{0.0, 0.0}, {3.0, 4.0}}));  // 0.93 rad to the left
   EXPECT_GT(twist.linear, 0.1);
   EXPECT_GT(twist.angular, 1.0);
-  // Stands a post where this arc leads, it turns on the spot.
+}
+
+TEST_F(MotionControllerTest, BrakesBeforeAPostOnItsArcAndThenTurns) {
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {3.0, 4.0}});
   shield_.show({{0.2, 0.15}, {kRadius + 0.035, 0.0}});
-  EXPECT_EQ(compute(planAlong({{0.0, 0.0}, {3.0, 4.0}})).linear, 0.0);
-  EXPECT_GT(compute(planAlong({{0.0, 0.0}, {3.0, 4.0}})).angular, 1.0);
+  EXPECT_EQ(compute(plan).linear, 0.0);
+  EXPECT_EQ(compute(plan).angular, 0.0) << "it would keep its speed for longer";
+  EXPECT_LT(compute(plan, {}, {}).linear, 0.01);
+  EXPECT_GT(compute(plan, {}, {}).angular, 1.0);
 }
 
 TEST_F(MotionControllerTest, KeepsItsArcWhereAWheelIsAtItsLimit) {
