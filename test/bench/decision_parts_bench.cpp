@@ -48,7 +48,6 @@ class Parts {
     situation_.time = step.time;
     times->moving_returns.measure([&] { moving_.show(situation_.profile, situation_.pose, situation_.time); });
     times->memory.measure([&] { memory_.add(situation_); });
-    memory_.clearChanges();
     times->memory_and_route.measure([&] { guide_.update(situation_, goal_, parameters_.goal_tolerance); });
     times->observe_and_network.measure([&] {
       const Observation observation =

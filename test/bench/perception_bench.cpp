@@ -143,7 +143,6 @@ void remember(const std::vector<Situation>& seen, benchmark::State* state) {
       situation = next;
       if (situation.time < last) memory.forget();  // the next drive starts
       last = situation.time;
-      memory.clearChanges();
       times.time(call++, [&] { memory.add(situation); });
     }
   }

@@ -70,7 +70,7 @@ void searchRoute(benchmark::State& state, const char* world) {
 BENCHMARK_CAPTURE(searchRoute, office, "office");
 BENCHMARK_CAPTURE(searchRoute, maze, "maze");
 
-/// A robot that stands and sees what it saw before: the look, and that the route is kept.
+/// A robot that stands and sees what it saw before.
 void keepRoute(benchmark::State& state, const char* world) {
   const RecordedDrive& drive = driveIn(world);
   const Situation situation = situationOf(drive, drive.steps.front());
@@ -78,29 +78,24 @@ void keepRoute(benchmark::State& state, const char* world) {
   guide.start();
   for (auto _ : state)
     benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}, kAgent.goal_tolerance));
-  state.counters["searches"] = static_cast<double>(guide.searches());
 }
 BENCHMARK_CAPTURE(keepRoute, office, "office");
 BENCHMARK_CAPTURE(keepRoute, maze, "maze");
 
-/// Whole drives; how many of the updates made a search.
+/// Whole drives.
 void updateRoute(benchmark::State& state, const char* world) {
   const RecordedDrive& drive = driveIn(world);
   std::vector<Situation> situations;
   for (std::size_t i = 0; i < drive.steps.size(); i += 5) situations.push_back(situationOf(drive, drive.steps[i]));
   long updates = 0;
-  long searches = 0;
   Replanner guide(kAgent.memory, kAgent.shield);
   for (auto _ : state) {
     guide.forget();
     guide.start();
-    const long before = guide.searches();
     for (const Situation& situation : situations)
       benchmark::DoNotOptimize(guide.update(situation, {drive.goal.x, drive.goal.y}, kAgent.goal_tolerance));
     updates += static_cast<long>(situations.size());
-    searches += guide.searches() - before;
   }
-  state.counters["searches_per_update"] = static_cast<double>(searches) / static_cast<double>(updates);
   state.SetItemsProcessed(updates);
 }
 BENCHMARK_CAPTURE(updateRoute, office, "office")->Unit(benchmark::kMicrosecond);

@@ -15,7 +15,7 @@ bool isAlongPath(const StepContext& step, int action) {
 double regretOf(const StepContext& step, const ActionChoice::Action& action) {
   const Pose2& pose = step.situation.pose;
   const Point2 next = pointAlong(pose, step.start_yaw + step.actions.angle(action.index), action.free);
-  return step.replanner->regretOf({pose.x, pose.y}, next, step.goal, &step.decision->path_on);
+  return step.replanner->regretOf({pose.x, pose.y}, next, &step.decision->path_on);
 }
 
 }  // namespace

@@ -55,32 +55,24 @@ void Clearance::forget() {
   outdateAll();
 }
 
-std::optional<Point2> Clearance::block(const ObstacleWindow& window, const Point2& place) {
-  const auto change = [&](const Point2& block) {
-    const int cell = window.cellAt(block);
-    if (cell >= 0) {
-      startChanges();
-      outdate(cell);
-    }
+void Clearance::block(const ObstacleWindow& window, const Point2& place) {
+  const auto outdateAt = [&](const Point2& block) {
+    startChanges();
+    if (const int cell = window.cellAt(block); cell >= 0) outdate(cell);
   };
-  std::optional<Point2> oldest;
   if (blocks_.size() == kMostBlocks) {
-    oldest = blocks_.front();
-    change(*oldest);
+    outdateAt(blocks_.front());
     blocks_.erase(blocks_.begin());
   }
   blocks_.push_back(place);
-  change(place);
-  return oldest;
+  outdateAt(place);
 }
 
-bool Clearance::relaxClearance(bool on) {
+void Clearance::relaxClearance(bool on) {
   const double radius = footprint_radius_ + (on ? -0.5 * resolution_ : 0.5 * tight_clearance_);
-  if (radius == tight_radius_) {
-    return false;
-  }
+  if (radius == tight_radius_) return;
   setTightRadius(radius);
-  return true;
+  outdateAll();
 }
 
 void Clearance::outdate(int cell) {

@@ -9,9 +9,6 @@ namespace lstm_planner {
 
 namespace {
 
-/// More changes than this since they were cleared count as everything.
-constexpr std::size_t kMostChanges = 1024;
-
 /// Nearer to the middle of the robot than this, in footprint radii, nothing else can be.
 constexpr double kUnderneath = 0.9;
 
@@ -23,7 +20,6 @@ LocalMap::LocalMap(const MemoryParameters& parameters, const ShieldParameters& s
       scan_changes_(parameters.reach, parameters.resolution),
       clearance_(parameters, shield, window_),
       reach_(parameters.reach) {
-  changes_.reserve(kMostChanges);
   forget();
 }
 
@@ -31,7 +27,6 @@ void LocalMap::forget() {
   window_.clear();
   marks_.clear();
   clearance_.forget();
-  everything_changed_ = true;
 }
 
 void LocalMap::add(const Situation& situation) {
@@ -40,7 +35,7 @@ void LocalMap::add(const Situation& situation) {
   }
   if (window_.moveTo(situation.pose)) {
     markKnown();
-    outdateAll();
+    clearance_.outdateAll();
   }
   clearance_.startChanges();
   takeOverMarks(situation);
@@ -127,23 +122,9 @@ bool LocalMap::isInWindow(const Square& square) const {
   return square.column >= 0 && square.column < squares.columns() && square.row >= 0 && square.row < squares.rows();
 }
 
-void LocalMap::block(const Point2& place) {
-  if (const std::optional<Point2> oldest = clearance_.block(window_, place)) {
-    noteChange(*oldest, false);
-  }
-  noteChange(place, true);
-}
+void LocalMap::block(const Point2& place) { clearance_.block(window_, place); }
 
-void LocalMap::relaxClearance(bool on) {
-  if (clearance_.relaxClearance(on)) {
-    outdateAll();
-  }
-}
-
-void LocalMap::clearChanges() {
-  changes_.clear();
-  everything_changed_ = false;
-}
+void LocalMap::relaxClearance(bool on) { clearance_.relaxClearance(on); }
 
 void LocalMap::forgetUnderneath(const Pose2& pose) {
   const Square here = squareAt({pose.x, pose.y});
@@ -159,22 +140,6 @@ void LocalMap::forgetUnderneath(const Pose2& pose) {
   }
 }
 
-void LocalMap::set(const Square& square, bool occupied) {
-  clearance_.outdate(window_.set(square, occupied));
-  noteChange(window_.centerOf(square), occupied);
-}
-
-void LocalMap::noteChange(const Point2& place, bool occupied) {
-  if (changes_.size() < kMostChanges) {
-    changes_.push_back({place, occupied});
-  } else {
-    everything_changed_ = true;
-  }
-}
-
-void LocalMap::outdateAll() {
-  clearance_.outdateAll();
-  everything_changed_ = true;
-}
+void LocalMap::set(const Square& square, bool occupied) { clearance_.outdate(window_.set(square, occupied)); }
 
 }  // namespace lstm_planner

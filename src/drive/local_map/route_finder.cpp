@@ -72,7 +72,6 @@ bool RouteFinder::isDetour(double distance, double length, double tolerance) {
 }
 
 bool RouteFinder::find(LocalMap& memory, const Point2& start, const Point2& goal, double tolerance, Route* route) {
-  ends_at_goal_ = false;
   const int first = memory.cellAt(start);
   if (first < 0) {
     return false;
@@ -87,10 +86,7 @@ bool RouteFinder::find(LocalMap& memory, const Point2& start, const Point2& goal
     follow(memory, start, route);
     // Who is near enough already does not make a long detour for a place that is hardly nearer: more likely odometry
     // has put it behind the wall.
-    if (!isDetour(distanceBetween(start, goal), route->length, tolerance)) {
-      ends_at_goal_ = true;
-      return true;
-    }
+    if (!isDetour(distanceBetween(start, goal), route->length, tolerance)) return true;
   }
   if (!search(memory, first, goal, tolerance)) {
     return false;
@@ -99,11 +95,9 @@ bool RouteFinder::find(LocalMap& memory, const Point2& start, const Point2& goal
   return true;
 }
 
-bool RouteFinder::fromLastSearch(LocalMap& memory, const Point2& start, Route* route) {
+bool RouteFinder::findFrom(LocalMap& memory, const Point2& start, Route* route) {
   const int first = memory.cellAt(start);
-  if (!ends_at_goal_ || first < 0 || !cost_to_go_.traceFrom(memory, first, end_column_, end_row_)) {
-    return false;
-  }
+  if (first < 0 || !cost_to_go_.searchOn(memory, first, end_column_, end_row_)) return false;
   follow(memory, start, route);
   return true;
 }
@@ -229,7 +223,7 @@ std::size_t RouteFinder::farthestInSight(LocalMap& memory, const std::vector<Poi
   return at + seen;
 }
 
-double RouteFinder::costOf(LocalMap& memory, const Point2& from, const Point2& to) const {
+double RouteFinder::costOf(const LocalMap& memory, const Point2& from, const Point2& to) const {
   using Passage = LocalMap::Passage;
   const double length = distanceBetween(from, to);
   if (memory.cellAt(to) < 0 || memory.cellAt(from) < 0 || memory.isFree(from, to, Passage::kRoomy)) {

@@ -177,7 +177,6 @@ void LstmGlobalPlanner::describeFigures(PluginDiagnostics::Status* status) const
     status->add("detours of the network (m)", decision.regret_used);
     status->add("detours that are allowed (m)", decision.regret_allowed);
   }
-  status->add("searches for a path", plan_maker_->agent().searches());
   status->add("time for the plan (ms)", 1e3 * answer_.duration);
   status->add("longest time for a plan (ms)", 1e3 * answer_.longest);
 }

@@ -129,8 +129,6 @@ class NavigationAgent {
   }
   /// The remembered obstacles; null if memory/enabled is false.
   const LocalMap* memory() const { return replanner_ ? &replanner_->memory() : nullptr; }
-  /// Number of searches for paths through the remembered obstacles so far.
-  long searches() const { return replanner_ ? replanner_->searches() : 0; }
   const AgentParameters& parameters() const { return parameters_; }
   const DrivePolicy& policy() const { return policy_; }
   /// m from the goal within which it counts as reached where it lies in or behind an obstacle (goal_drift).

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "lstm_planner/drive/collision/shield_parameters.hpp"
@@ -32,12 +31,11 @@ class Clearance {
   /// Nothing is blocked, and everything has changed.
   void forget();
 
-  /// A place is blocked from now on. Of too many the oldest gives way: that one.
-  std::optional<Point2> block(const ObstacleWindow& window, const Point2& place);
+  /// A place is blocked from now on. Of too many the oldest gives way.
+  void block(const ObstacleWindow& window, const Point2& place);
 
-  /// Whether places count as passable that seem too narrow by not more than the error of noise and squares. Returns
-  /// true if that has changed: then everything is outdated.
-  bool relaxClearance(bool on);
+  /// Whether places count as passable that seem too narrow by not more than the error of noise and squares.
+  void relaxClearance(bool on);
 
   /// Something has changed in a cell.
   void outdate(int cell);

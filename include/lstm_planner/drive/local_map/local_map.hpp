@@ -15,19 +15,13 @@ namespace lstm_planner {
 
 /// Remembers obstacles in a window that moves with the robot (ObstacleWindow), forgets an obstacle if the scanner later
 /// shows its place clear (ScanChanges), and knows where the footprint fits through (Clearance). Its memory is
-/// bounded: about 0.6 MB with the defaults, for any size of the world and length of the path.
+/// bounded: about 0.9 MB with the defaults, for any size of the world and length of the path.
 ///
 /// All positions are in the odometry frame. Obstacles are kept in squares of MemoryParameters::resolution; a cell of
 /// four by four of them is the unit of the route search. What was never seen counts as free.
 class LocalMap {
  public:
   using Passage = lstm_planner::Passage;
-
-  /// A place where something was seen, blocked or forgotten.
-  struct Change {
-    Point2 place;   ///< odometry frame
-    bool occupied;  ///< now
-  };
 
   static constexpr int kSide = ObstacleWindow::kSide;                ///< squares a side of a cell
   static constexpr int kCellSquares = ObstacleWindow::kCellSquares;  ///< squares of a cell
@@ -60,12 +54,6 @@ class LocalMap {
 
   /// Where obstacles are remembered: the middles of the occupied squares.
   std::vector<Point2> obstacles() const { return window_.occupied(); }
-
-  /// What has changed since clearChanges(), in order; not all of it when everythingChanged().
-  const std::vector<Change>& changes() const { return changes_; }
-  /// The window moved, everything was forgotten, relaxClearance() took effect, or too much changed to be listed.
-  bool everythingChanged() const { return everything_changed_; }
-  void clearChanges();
 
   int side() const { return window_.side(); }  ///< cells a side of the window
   double cellSize() const { return window_.cellSize(); }
@@ -107,8 +95,6 @@ class LocalMap {
   bool isInWindow(const Square& square) const;
   void set(const Square& square, bool occupied);
   void forgetUnderneath(const Pose2& pose);
-  void noteChange(const Point2& place, bool occupied);
-  void outdateAll();
 
   double footprint_radius_;  ///< m, inscribed
   ObstacleWindow window_;
@@ -118,8 +104,6 @@ class LocalMap {
   std::vector<Point2> known_;  ///< beforehand
   std::vector<Mark> marks_;    ///< of a costmap, sorted
   std::vector<Mark> marked_;   ///< of the current situation
-  std::vector<Change> changes_;
-  bool everything_changed_ = true;
 };
 
 }  // namespace lstm_planner

@@ -8,7 +8,6 @@
 #include "lstm_planner/drive/local_map/kept_route.hpp"
 #include "lstm_planner/drive/local_map/local_map.hpp"
 #include "lstm_planner/drive/local_map/memory_parameters.hpp"
-#include "lstm_planner/drive/local_map/route_bounds.hpp"
 #include "lstm_planner/drive/local_map/route_finder.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 
@@ -20,9 +19,8 @@ namespace lstm_planner {
 /// forgotten and looked at anew, all around, then narrower places are tried; only what is closed even so, seen from one
 /// place, several times in a row, is believed.
 ///
-/// A path that was found is kept without a new search as long as a search could find none that is worth turning for.
-/// Bounds tell: no path is shorter than the straight line, nor cheaper than RouteBounds says. The path itself is costed
-/// anew where something changed beside it. All costs are in m.
+/// It searches at every step, and keeps the path that it has as long as the one it finds is hardly better: else every
+/// new wall would make the robot turn to and fro between two paths of about the same length. All costs are in m.
 class Replanner {
  public:
   enum class Answer {
@@ -46,14 +44,14 @@ class Replanner {
   /// The robot came nearer to the goal than ever: what went wrong before is forgiven.
   void noteProgress();
 
-  /// Takes in the situation and searches a new path where that may change it; one that is hardly better than the last
-  /// one is not taken. `tolerance`: how near (m) to a goal in or behind an obstacle the route may end.
+  /// Takes in the situation and searches a path; one that is hardly better than the last one is not taken. `tolerance`:
+  /// how near (m) to a goal in or behind an obstacle the route may end.
   Answer update(const Situation& situation, const Point2& goal, double tolerance);
 
   /// What it costs to go straight to `next` first, m: how much longer that and the shortest path from there are than
   /// the shortest path from `here`, never below 0; +inf where no path leads on from there. To be asked when update()
   /// has found a route, which stays the same. `path_on`: the corners of the path behind `next`.
-  double regretOf(const Point2& here, const Point2& next, const Point2& goal, std::vector<Point2>* path_on);
+  double regretOf(const Point2& here, const Point2& next, std::vector<Point2>* path_on);
 
   /// The start of the route turned out to be blocked although the memory does not know why.
   void blockAhead();
@@ -89,27 +87,16 @@ class Replanner {
   /// Everything is forgotten, e.g. because the odometry jumped.
   void forget();
 
-  /// Searches made so far.
-  long searches() const { return searches_; }
-
  private:
-  bool findRoute(const Point2& start, const Point2& goal, Route* route);
-  bool costsHold(const Point2& here, const Point2& goal);
-  bool goalIsAsBefore(const Point2& goal);
-  bool isWorthKeeping(const Point2& here, const Point2& goal, double cost) const;
-  bool takeFromLastSearch(const Point2& here, const Point2& goal);
-  bool takeBetter(const Point2& here);
+  bool isWorthKeeping() const;
+  double costOf(const Route& route) const;
   Answer lookAround(const Situation& situation);
 
   LocalMap memory_;
   RouteFinder finder_;
-  RouteBounds bounds_;
   KeptRoute route_;
-  KeptRoute candidate_;
   Route found_;
-  double reach_of_changes_;  ///< m, KeptRoute::reachOfChanges()
-  long searches_ = 0;
-  bool has_costs_ = false;             ///< of a search: the finder's costToGo() holds, but for what has changed since
+  double shortest_ = 0.0;              ///< m, of the shortest path that the last update() knew
   double tolerance_ = 0.0;             ///< of the last update()
   bool looking_ = false;               ///< turning, after everything was forgotten
   FullTurn turn_;                      ///< while looking

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "lstm_planner/drive/local_map/cost_to_go.hpp"
@@ -31,21 +30,15 @@ class RouteFinder {
   /// the start is near it, is replaced by the first place on the path that is at most `tolerance` (m) from the goal.
   bool find(LocalMap& memory, const Point2& start, const Point2& goal, double tolerance, Route* route);
 
-  /// A route from another place to the end of the last route that ended at the goal, without a new search; false if
-  /// that search did not cover the place. If obstacles have gone since then, there may be a better route.
-  bool fromLastSearch(LocalMap& memory, const Point2& start, Route* route);
+  /// A route from another place to where the last one ends, or to another end of the same search if that is nearer. The
+  /// memory must not have changed since. False if there is none.
+  bool findFrom(LocalMap& memory, const Point2& start, Route* route);
 
-  /// Whether the last route found ends at the goal, or at the place nearest to it: costToGo() is then what is left of
-  /// the path there.
-  bool endsAtGoal() const { return ends_at_goal_; }
-
-  /// Of the last search that found a route.
-  const CostToGo& costToGo() const { return cost_to_go_; }
   /// Whether the detour is so long that the route should stop short of the goal, see find().
   static bool isDetour(double distance, double length, double tolerance);
 
   /// Cost of a straight piece of a route under what is remembered now, m; +inf when it is blocked.
-  double costOf(LocalMap& memory, const Point2& from, const Point2& to) const;
+  double costOf(const LocalMap& memory, const Point2& from, const Point2& to) const;
 
  private:
   /// Where paths may end.
@@ -69,7 +62,6 @@ class RouteFinder {
   int end_column_ = 0;  ///< of the end's cell, which may lie outside
   int end_row_ = 0;
   double tolerance_ = 0.0;
-  bool ends_at_goal_ = false;
 };
 
 }  // namespace lstm_planner

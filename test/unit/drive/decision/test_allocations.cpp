@@ -76,11 +76,11 @@ long heldBytes(const AgentParameters& parameters) {
   return heapCount().live_bytes - before;
 }
 
-TEST(Allocations, TheRescueKeepsAtMostOneMegabyte) {
+TEST(Allocations, TheRescueKeepsAtMost1200Kilobytes) {
   if (!heapIsCounted()) GTEST_SKIP() << kHeapIsNotCounted;
   AgentParameters without;
   without.memory.enabled = false;
-  EXPECT_LE(heldBytes({}) - heldBytes(without), 1 << 20);
+  EXPECT_LE(heldBytes({}) - heldBytes(without), 1200000);
 }
 
 /// The same as a URG-04LX sees it, the thesis's scanner: 683 beams over 240 degrees.

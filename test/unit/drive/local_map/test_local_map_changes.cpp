@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
@@ -131,26 +132,20 @@ class ComingAndGoing {
 };
 
 TEST(LocalMapChanges, AreWhatAPlainMemoryForgetsAndMarks) {
-  int forgotten = 0;
+  long forgotten = 0;
   for (unsigned seed = 1; seed <= 3; ++seed) {
     ComingAndGoing world(seed);
     LocalMap memory = smallMemory();
     PlainMemory plain;
-    std::set<Square> occupied;
+    std::set<Square> before;
     for (int i = 0; i < 40; ++i) {
       const Situation situation = world.next({4.0 + 0.04 * i, 4.5 + 0.5 * std::sin(0.1 * i), 0.1 * i - 1.0});
-      memory.clearChanges();
       memory.add(situation);
-      if (i > 0) {
-        ASSERT_FALSE(memory.everythingChanged());
-      }
-      for (const LocalMap::Change& change : memory.changes()) {
-        const Square square = squareAt(change.place);
-        // A change that is none would make others look at it for nothing.
-        ASSERT_EQ(occupied.count(square), change.occupied ? 0u : 1u);
-        change.occupied ? void(occupied.insert(square)) : void(occupied.erase(square));
-        forgotten += change.occupied ? 0 : 1;
-      }
+      std::set<Square> occupied;
+      for (const Point2& place : memory.obstacles()) occupied.insert(squareAt(place));
+      forgotten += std::count_if(before.begin(), before.end(),
+                                 [&](const Square& square) { return occupied.count(square) == 0; });
+      before = occupied;
       plain.add(situation);
       plain.settleDoubts(occupied);
       ASSERT_EQ(occupied, plain.squares()) << "seed " << seed << ", look " << i;
@@ -176,63 +171,6 @@ TEST(LocalMapChanges, LeaveNoJudgementBehindThatIsOutOfDate) {
       ASSERT_EQ(distanceBetween(memory.bestPlace(cell), anew.bestPlace(cell)), 0.0) << "cell " << cell;
     }
   }
-}
-
-TEST(LocalMapChanges, AreNoneWhereAStandingRobotSeesTheSame) {
-  const GridWorld world(test::emptyHall(8.0, 8.0));
-  const Situation situation = test::seenFrom(world, {4.0, 4.0, 0.3});
-  LocalMap memory = smallMemory();
-  memory.add(situation);
-  memory.clearChanges();
-  memory.add(situation);
-  EXPECT_TRUE(memory.changes().empty());
-  EXPECT_FALSE(memory.everythingChanged());
-}
-
-TEST(LocalMapChanges, ListBlockedPlacesAndThoseThatAreForgotten) {
-  LocalMap memory = smallMemory();
-  memory.add(test::situationAt({}));
-  for (int i = 0; i < 32; ++i) memory.block({0.1 * i, 3.0});
-  memory.clearChanges();
-  memory.block({0.0, -3.0});
-  ASSERT_EQ(memory.changes().size(), 2u);
-  EXPECT_EQ(memory.changes()[0].place.x, 0.0);
-  EXPECT_EQ(memory.changes()[0].place.y, 3.0);
-  EXPECT_FALSE(memory.changes()[0].occupied);
-  EXPECT_EQ(memory.changes()[1].place.y, -3.0);
-  EXPECT_TRUE(memory.changes()[1].occupied);
-}
-
-TEST(LocalMapChanges, AreEverythingWhenTheWindowMovesOrAllIsForgottenOrJudgedOtherwise) {
-  LocalMap memory = smallMemory();
-  EXPECT_TRUE(memory.everythingChanged()) << "at first";
-  memory.add(returnsAt({{1.0, 0.0}}));
-  memory.clearChanges();
-  memory.add(returnsAt({{1.0, 0.0}}, {2.0, 0.0, 0.0}));
-  EXPECT_FALSE(memory.everythingChanged()) << "less than an eighth of the window";
-  memory.add(returnsAt({{1.0, 0.0}}, {3.0, 0.0, 0.0}));
-  EXPECT_TRUE(memory.everythingChanged()) << "the window moved";
-  memory.clearChanges();
-  memory.relaxClearance(false);
-  EXPECT_FALSE(memory.everythingChanged()) << "it was off already";
-  memory.relaxClearance(true);
-  EXPECT_TRUE(memory.everythingChanged());
-  memory.clearChanges();
-  memory.forget();
-  EXPECT_TRUE(memory.everythingChanged());
-}
-
-TEST(LocalMapChanges, AreEverythingWhenTheyAreTooManyToBeListed) {
-  LocalMap memory = smallMemory();
-  memory.add(test::situationAt({}));
-  memory.clearChanges();
-  for (int row = 0; row < 30; ++row) {
-    std::vector<Point2> places;
-    for (int column = 0; column < 80; ++column) places.push_back({2.0 + kResolution * column, kResolution * row});
-    memory.add(returnsAt(places));
-  }
-  EXPECT_TRUE(memory.everythingChanged());  // 2,400 squares
-  EXPECT_LE(memory.changes().size(), 2048u);
 }
 
 }  // namespace

@@ -50,13 +50,15 @@ TEST_F(ObstacleMarksTest, AreGoneAsSoonAsTheCostmapIsCleared) {
   EXPECT_FALSE(isBlocked({5.0, 4.2}));
 }
 
-TEST_F(ObstacleMarksTest, ChangeNothingAsLongAsTheyStay) {
-  sense({kMark});
-  memory_.clearChanges();
-  sense({kMark});
-  EXPECT_TRUE(memory_.changes().empty());
+TEST_F(ObstacleMarksTest, AreOneSquareAsLongAsTheyStay) {
   sense({});
-  EXPECT_EQ(memory_.changes().size(), 1u);
+  const std::size_t without = memory_.obstacles().size();
+  for (int i = 0; i < 2; ++i) {
+    sense({kMark});
+    EXPECT_EQ(memory_.obstacles().size(), without + 1);
+  }
+  sense({});
+  EXPECT_EQ(memory_.obstacles().size(), without);
 }
 
 TEST_F(ObstacleMarksTest, TakeNothingAwayThatTheScanHasSeen) {

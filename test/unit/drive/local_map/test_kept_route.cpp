@@ -12,7 +12,7 @@
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
 
-namespace lstm_planner::test_route_searches {
+namespace lstm_planner::test_kept_route {
 namespace {
 
 using Answer = Replanner::Answer;
@@ -33,12 +33,11 @@ Situation seeingThrough(double from, double to, const Pose2& pose) {
   return situation;
 }
 
-class RouteSearches : public test::GuideFixture {
+class KeptRouteTest : public test::GuideFixture {
  protected:
-  RouteSearches() {
+  KeptRouteTest() {
     start({6.0, 0.0});
     EXPECT_EQ(update(returnsAt(wall_)), Answer::kRoute);
-    EXPECT_EQ(guide_.searches(), 1);
   }
 
   double highest() const {
@@ -47,23 +46,29 @@ class RouteSearches : public test::GuideFixture {
     return highest;
   }
 
+  void expectPassable(Replanner* guide) {
+    const std::vector<Point2>& points = guide->route().points;
+    for (std::size_t i = 2; i < points.size(); ++i) {
+      EXPECT_TRUE(guide->isPassable(points[i - 1], points[i])) << "piece " << i;
+    }
+  }
+
   /// Below it the path is shorter.
   const std::vector<Point2> wall_ = test::wall({3.0, -2.0}, {3.0, 4.0});
 };
 
-TEST_F(RouteSearches, NoneIsMadeWhileTheRobotDrivesAlongAndNothingChanges) {
+TEST_F(KeptRouteTest, BeginsWhereTheRobotIs) {
   Pose2 pose;
   while (distanceBetween(pose, Point2{6.0, 0.0}) > 0.3) {
     const Point2 next = guide_.pointAhead(0.2);
     pose = {next.x, next.y, directionTo(pose, next)};
     ASSERT_EQ(update(returnsAt(wall_, pose)), Answer::kRoute);
-    ASSERT_EQ(guide_.searches(), 1) << "at " << pose.x << " " << pose.y;
     ASSERT_EQ(guide_.route().points.front().x, pose.x);
-    ASSERT_FLOAT_EQ(guide_.route().length, lengthOf(guide_.route().points));
+    ASSERT_EQ(guide_.route().length, lengthOf(guide_.route().points));
   }
 }
 
-TEST_F(RouteSearches, CornersThatTheFirstHadAreCutOnThePath) {
+TEST_F(KeptRouteTest, CutsCornersThatTheFirstHad) {
   const Point2 goal{-25.0, 5.0};
   start(goal);
   Pose2 pose;
@@ -78,48 +83,42 @@ TEST_F(RouteSearches, CornersThatTheFirstHadAreCutOnThePath) {
   EXPECT_LT(driven, 1.02 * distanceBetween(Point2{}, goal));
 }
 
-TEST_F(RouteSearches, NoneIsMadeForAnObstacleThatAppearsElsewhere) {
+TEST_F(KeptRouteTest, StaysWhenAnObstacleAppearsElsewhere) {
+  const std::vector<Point2> before = guide_.route().points;
   std::vector<Point2> places = wall_;
   for (const Point2& point : test::wall({1.0, 2.0}, {2.0, 2.0})) places.push_back(point);
   ASSERT_EQ(update(returnsAt(places)), Answer::kRoute);
-  EXPECT_EQ(guide_.searches(), 1);
+  ASSERT_EQ(guide_.route().points.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(distanceBetween(guide_.route().points[i], before[i]), 0.0);
+  }
 }
 
-TEST_F(RouteSearches, OneIsMadeWhenAnObstacleLiesOnThePath) {
+TEST_F(KeptRouteTest, IsLeftWhenAnObstacleLiesOnIt) {
   const Point2 middle = guide_.pointAhead(0.5 * guide_.route().length);
   std::vector<Point2> places = wall_;
   for (const Point2& point : test::wall({middle.x, middle.y - 1.0}, {middle.x, middle.y + 1.0})) {
     places.push_back(point);
   }
   ASSERT_EQ(update(returnsAt(places)), Answer::kRoute);
-  EXPECT_EQ(guide_.searches(), 2);
-  ASSERT_EQ(update(returnsAt(places)), Answer::kRoute);
-  EXPECT_EQ(guide_.searches(), 2);
+  expectPassable(&guide_);
 }
 
-TEST_F(RouteSearches, OneIsMadeWhenAShortcutOpens) {
+TEST_F(KeptRouteTest, IsLeftWhenAShortcutOpens) {
   // A door of 1.2 m where the straight path leads through the wall.
   const double aside = std::atan2(0.6, 3.0);
   ASSERT_EQ(update(seeingThrough(-aside, aside, {})), Answer::kRoute);
-  EXPECT_EQ(guide_.searches(), 2);
   EXPECT_LT(guide_.route().length, 6.1);
 }
 
-TEST_F(RouteSearches, NoneIsMadeForAGapThatLeadsNowhereNearer) {
-  // The upper half metre of the wall: above it is still farther than below.
-  ASSERT_EQ(update(seeingThrough(std::atan2(3.5, 3.0), 1.0, {})), Answer::kRoute);
-  EXPECT_EQ(guide_.searches(), 1);
-}
-
-TEST_F(RouteSearches, OneIsMadeWhenTheRobotIsPushedOff) {
+TEST_F(KeptRouteTest, IsLeftWhenTheRobotIsPushedOff) {
   ASSERT_LT(highest(), 1.0);
   // Near the upper end of the wall the path round that end is much shorter than back to the lower one.
   ASSERT_EQ(update(returnsAt(wall_, {2.4, 4.2, 0.0})), Answer::kRoute);
-  EXPECT_EQ(guide_.searches(), 2);
   EXPECT_GT(highest(), 4.0);
 }
 
-TEST_F(RouteSearches, OneIsMadeForABlockedPathFromBesideADoorPost) {
+TEST_F(KeptRouteTest, IsLeftWhenItIsBlockedBehindADoorPost) {
   // From here no straight line leads into the door, so that what the path costs is not known.
   const Pose2 pose{0.24, 0.16, 0.0};
   const Point2 goal{6.0, 0.0};
@@ -132,27 +131,19 @@ TEST_F(RouteSearches, OneIsMadeForABlockedPathFromBesideADoorPost) {
   ASSERT_EQ(guide.update(returnsAt(places, pose), goal, kDefaults.goal_tolerance), Answer::kRoute);
   for (const Point2& point : test::wall({3.0, -1.0}, {3.0, 1.0})) places.push_back(point);
   ASSERT_EQ(guide.update(returnsAt(places, pose), goal, kDefaults.goal_tolerance), Answer::kRoute);
-  const std::vector<Point2>& points = guide.route().points;
-  for (std::size_t i = 2; i < points.size(); ++i) {
-    EXPECT_TRUE(guide.isPassable(points[i - 1], points[i])) << "piece " << i;
-  }
+  expectPassable(&guide);
 }
 
-TEST_F(RouteSearches, OneIsMadeForANewGoalAndNoneForOneThatMovesALittle) {
+TEST_F(KeptRouteTest, EndsAtAGoalThatMovesALittle) {
   moveGoal({6.01, 0.01});
   ASSERT_EQ(update(returnsAt(wall_)), Answer::kRoute);
-  EXPECT_EQ(guide_.searches(), 1);
   EXPECT_EQ(guide_.end().x, 6.01);
-  start({5.0, 2.0});
-  ASSERT_EQ(update(returnsAt(wall_)), Answer::kRoute);
-  EXPECT_EQ(guide_.searches(), 2);
 }
 
-/// A robot that sees walls come and go finds its path as one that searches at every step, but for the share that is not
-/// worth turning for.
-class RouteSearchesAmongWalls : public ::testing::TestWithParam<unsigned> {};
+/// A robot that sees walls come and go keeps its path, but for the share that is worth turning for.
+class KeptRouteAmongWalls : public ::testing::TestWithParam<unsigned> {};
 
-TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
+TEST_P(KeptRouteAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
   std::mt19937 random(GetParam());
   std::uniform_real_distribution<double> place(-6.0, 6.0);
   std::uniform_real_distribution<double> direction(-M_PI, M_PI);
@@ -184,17 +175,15 @@ TEST_P(RouteSearchesAmongWalls, KeepsNoRouteThatASearchFindsMuchBetter) {
     ASSERT_EQ(kept, Answer::kRoute) << "step " << step;
     const double cost = test::costOf(keeping.route(), finder, &memory);
     const double least = test::costOf(searching.route(), finder, &memory);
-    // 8 % and 0.3 m are not worth turning for; along cells a path may be up to 8 % longer than it is.
-    ASSERT_LE(cost, 1.08 * 1.08 * least + 0.3) << "step " << step;
+    ASSERT_LE(cost, 1.08 * least + 0.3 + 1e-9) << "8 % and 0.3 m are not worth turning for; step " << step;
     ++compared;
     const Point2 next = keeping.pointAhead(0.3);
     pose = {next.x, next.y, directionTo(pose, next)};
   }
   EXPECT_GT(compared, 20);
-  EXPECT_LT(keeping.searches(), searching.searches());
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RouteSearchesAmongWalls, ::testing::Range(1u, 9u), test::caseName("Seed"));
+INSTANTIATE_TEST_SUITE_P(Seeds, KeptRouteAmongWalls, ::testing::Range(1u, 9u), test::caseName("Seed"));
 
 TEST(CellQueue, GivesEstimatesInOrder) {
   std::mt19937 random(3);
@@ -226,4 +215,4 @@ TEST(CellQueue, GivesEstimatesInOrder) {
 }
 
 }  // namespace
-}  // namespace lstm_planner::test_route_searches
+}  // namespace lstm_planner::test_kept_route
