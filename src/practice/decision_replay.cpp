@@ -37,7 +37,7 @@ bool isJump(EpisodeEnd end) { return end == EpisodeEnd::kTimeJump || end == Epis
 }  // namespace
 
 DecisionReplay::DecisionReplay(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules)
-    : agent_(std::move(policy), parameters, rules) {}
+    : rules_((validate(rules), rules)), agent_(std::move(policy), parameters) {}
 
 void DecisionReplay::startEpisode(const Episode& episode) {
   const bool goes_on = episode_ && isJump(episode_->end) && sameGoal(episode_->goal, episode.goal);
@@ -67,8 +67,12 @@ ReplayedDecision DecisionReplay::decideAbout(const DriveStep& step) {
     ++jumps_;  // of the clock; OdometryHistory counts them, too
   }
   newest_ = step.stamp;
-  agent_.perceive(scanOf(step), step.geometry.mount, step.pose, step.stamp);
-  agent_.drive(step.goal, is_new_goal_, jumps_);
+  perceive(scanOf(step), step.geometry.mount, rules_, description().encoder.range_cap, &situation_);
+  situation_.pose = step.pose;
+  situation_.time = step.stamp;
+  agent_.perceive(situation_);
+  goal_changes_.tell(&agent_, step.goal, is_new_goal_, jumps_);
+  agent_.decide();
   is_new_goal_ = false;
 
   ReplayedDecision replayed;

@@ -69,11 +69,12 @@ class Replay {
     rollout_.steps = rollout_steps;
   }
 
-  /// `pass`: the how manieth replay by this agent.
-  void run(long pass, NavigationAgent* agent) {
+  void run(NavigationAgent* agent) {
+    agent->setGoal({drive_.goal.x, drive_.goal.y});
+    agent->restart();
     for (std::size_t i = 0; i < drive_.steps.size(); ++i) {
       forgetCaches();
-      call(drive_.steps[i], i == 0, pass, agent, &calls_[i]);
+      call(drive_.steps[i], i == 0, agent, &calls_[i]);
     }
   }
 
@@ -85,12 +86,18 @@ class Replay {
     benchmark::ClobberMemory();
   }
 
-  void call(const RecordedStep& step, bool is_new, long pass, NavigationAgent* agent, CallTime* time) {
+  void call(const RecordedStep& step, bool is_new, NavigationAgent* agent, CallTime* time) {
     const long last_step = is_new ? 0 : agent->decision().step;
     const Point2 last_waypoint = agent->decision().waypoint;
     time->whole.measure([&] {
-      time->look.measure([&] { agent->perceive(step.scan, drive_.mount, step.pose, step.time); });
-      time->drive.measure([&] { agent->drive({drive_.goal.x, drive_.goal.y}, is_new, pass); });
+      time->look.measure([&] {
+        perceive(step.scan, drive_.mount, Hokuyo::rules(), agent->policy().description().encoder.range_cap,
+                 &situation_);
+        situation_.pose = step.pose;
+        situation_.time = step.time;
+        agent->perceive(situation_);
+      });
+      time->drive.measure([&] { agent->decide(); });
       time->roll_out.measure([&] {
         rollOut(agent->situation(), agent->decision(), agent->shield(), drive_.goal, parameters_, rollout_, &plan_);
       });
@@ -105,6 +112,7 @@ class Replay {
   const RecordedDrive& drive_;
   AgentParameters parameters_;
   RolloutParameters rollout_;
+  Situation situation_;
   std::vector<Pose2> plan_;
   std::vector<StampedPose> poses_;
   std::vector<char> others_;  ///< what other programs would have in the caches
@@ -158,10 +166,9 @@ void plan(benchmark::State& state, int rollout_steps, bool cold, const std::stri
   }
   AgentParameters parameters;
   parameters.leader = leader;
-  auto agent = std::make_unique<NavigationAgent>(shippedPolicy(), parameters, Hokuyo::rules());
-  long pass = 0;
+  auto agent = std::make_unique<NavigationAgent>(shippedPolicy(), parameters);
   for (auto _ : state) {
-    for (Replay& replay : replays) replay.run(++pass, agent.get());
+    for (Replay& replay : replays) replay.run(agent.get());
   }
   const double with_agent = heapInUse();
   agent.reset();

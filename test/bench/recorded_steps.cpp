@@ -36,7 +36,7 @@ RecordedDrive recordDrive(const std::string& name, const World& world, const Dri
   SimulatedRobot::Parameters robot_parameters;
   robot_parameters.latency = kPeriod;
   SimulatedRobot robot(world, robot_parameters, task.start, seed);
-  NavigationAgent agent(shippedPolicy(), agent_parameters, Hokuyo::rules());
+  NavigationAgent agent(shippedPolicy(), agent_parameters);
   const MotionController controller{MotionParameters()};
   const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
 
@@ -44,14 +44,19 @@ RecordedDrive recordDrive(const std::string& name, const World& world, const Dri
   drive.world = name;
   drive.mount = robot_parameters.scanner.mount;
   drive.goal = {goal.x, goal.y, 0.0};
+  agent.setGoal(goal);
+  Situation situation;
   std::vector<Pose2> plan;
   while (robot.time() < longest && !controller.goalReached(robot.odometry(), drive.goal)) {
     RecordedStep step;
     robot.scan(&step.scan);
     step.pose = robot.odometry();
     step.time = robot.time();
-    agent.perceive(step.scan, drive.mount, step.pose, step.time);
-    agent.drive(goal, drive.steps.empty(), 0);
+    perceive(step.scan, drive.mount, Hokuyo::rules(), agent.policy().description().encoder.range_cap, &situation);
+    situation.pose = step.pose;
+    situation.time = step.time;
+    agent.perceive(situation);
+    agent.decide();
     rollOut(agent.situation(), agent.decision(), agent.shield(), drive.goal, agent_parameters, {}, &plan);
     robot.command(controller.compute({plan, step.pose, robot.measuredTwist(), agent.shield(), kPeriod}));
     robot.advance(kPeriod);

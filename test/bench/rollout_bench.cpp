@@ -37,10 +37,11 @@ LocalMap memoryOf(const RecordedDrive& drive) {
 /// A plan of so many steps through what one scan shows.
 void rollOutPlan(benchmark::State& state) {
   const RecordedDrive& drive = driveIn("office");
-  NavigationAgent agent(shippedPolicy(), kAgent, Hokuyo::rules());
+  NavigationAgent agent(shippedPolicy(), kAgent);
   const RecordedStep& step = drive.steps.front();
-  agent.perceive(step.scan, drive.mount, step.pose, step.time);
-  agent.drive({drive.goal.x, drive.goal.y}, true, 0);
+  agent.perceive(situationOf(drive, step));
+  agent.setGoal({drive.goal.x, drive.goal.y});
+  agent.decide();
   Decision decision = agent.decision();
   decision.path_on.clear();  // as if nothing were remembered
   RolloutParameters parameters;

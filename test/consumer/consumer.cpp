@@ -22,13 +22,18 @@ int main(int argc, char** argv) try {
   const Pose2 goal{6.5, 1.0, 0.0};   // m, m, rad, in the frame of the robot's poses
   const AgentParameters parameters;  // config/parameters.md explains them
   NavigationAgent agent(DrivePolicy::fromFile(argc > 1 ? argv[1] : "models/create2_lstm.onnx"), parameters);
+  agent.setGoal({goal.x, goal.y});
+  Situation situation;
   std::vector<Pose2> plan{Pose2{}};
   for (int i = 0; i < 200 && agent.decision().choice != Decision::Move::kArrived; ++i) {
     const Pose2 pose = plan.size() > 2 ? plan[2] : plan.back();  // yours comes from odometry
     const LaserScan scan = scanFrom(pose, 0.2 * i);
     const auto begin = std::chrono::steady_clock::now();
-    agent.perceive(scan, SensorMount(), pose, scan.stamp);
-    agent.drive({goal.x, goal.y}, i == 0, 0);
+    perceive(scan, SensorMount(), ScanRules(), agent.policy().description().encoder.range_cap, &situation);
+    situation.pose = pose;
+    situation.time = scan.stamp;
+    agent.perceive(situation);
+    agent.decide();
     rollOut(agent.situation(), agent.decision(), agent.shield(), goal, parameters, RolloutParameters(), &plan);
     const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begin;
     const double angle = normalizeAngle(agent.decision().direction - pose.yaw);  // rad, to the left

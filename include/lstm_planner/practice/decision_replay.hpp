@@ -7,6 +7,7 @@
 
 #include "lstm_planner/dataset/drive_step.hpp"
 #include "lstm_planner/dataset/recorder_parameters.hpp"
+#include "lstm_planner/drive/decision/goal_changes.hpp"
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
 
 namespace lstm_planner {
@@ -56,7 +57,10 @@ class DecisionReplay : public StepSink {
  private:
   ReplayedDecision decideAbout(const DriveStep& step);
 
+  ScanRules rules_;
   NavigationAgent agent_;
+  GoalChanges goal_changes_;
+  Situation situation_;
   std::optional<ReplayedDecision> advice_;
   std::optional<double> newest_;  ///< s, the stamp that was decided about last
   std::vector<ReplayedDecision> decisions_;

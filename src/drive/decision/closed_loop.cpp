@@ -11,7 +11,8 @@ ClosedLoop::End ClosedLoop::run(const Point2& goal, const std::function<bool()>&
   agent_.restart();  // what it remembers of another drive is in another odometry frame
   while (goes_on()) {
     if (!robot_.sense(range_cap, &situation_)) continue;
-    const Decision& decision = agent_.update(situation_);
+    agent_.perceive(situation_);
+    const Decision& decision = agent_.decide();
     if (decision.choice == Decision::Move::kNoPath) return End::kNoPath;
     if (robot_.hasArrived(situation_, endOfPlan(decision, goal, agent_.parameters()))) return End::kArrived;
     note(decision);

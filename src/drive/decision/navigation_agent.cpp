@@ -18,9 +18,6 @@ constexpr double kSamePlace = 1e-6;  // m
 /// A turn by so much (rad) counts as much as a whole step of a detour.
 constexpr double kTurnOfAStep = M_PI;
 
-/// m; a goal that moves farther between two calls is another goal.
-constexpr double kGoalShift = 0.25;
-
 /// Times the patience, after which a robot without rescue takes a goal behind an obstacle for reached: with one, twice
 /// as many of these were on the other side of a wall.
 constexpr double kPatienceBesideGoal = 8.0;
@@ -53,10 +50,9 @@ std::optional<OutOfView> outOfViewOf(const Shield& shield) {
 
 }  // namespace
 
-NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules)
+NavigationAgent::NavigationAgent(DrivePolicy policy, const AgentParameters& parameters)
     : policy_(std::move(policy)),
       parameters_((validate(parameters), parameters)),
-      rules_((validate(rules), rules)),
       chosen_(parameters.leader),
       shield_(footprintOf(parameters.shield), parameters.shield.tight_clearance, parameters.shield.reach),
       out_of_view_(outOfViewOf(shield_)),
@@ -107,24 +103,18 @@ std::string NavigationAgent::standInWarning() const {
   return chosen_ == parameters_.leader ? "" : lstm_planner::standInWarning(policy_.description(), reach_);
 }
 
-void NavigationAgent::perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time,
-                               const TakenScan* second) {
-  checkPose(pose);
-  lstm_planner::perceive(scan, mount, rules_, policy_.description().encoder.range_cap, &situation_);
-  situation_.pose = pose;
-  situation_.time = time;
-  if (second != nullptr) perceiveSecond(*second, rules_, &situation_);
-  show(situation_);
-}
-
-void NavigationAgent::show(const Situation& situation) {
-  reach_ = std::max(reach_, situation.profile.farthest_range);
+void NavigationAgent::perceive(const Situation& situation) {
+  checkPose(situation.pose);
+  situation_ = situation;
+  reach_ = std::max(reach_, situation_.profile.farthest_range);
   const Leader leader = leaderBy(parameters_);
   choose(leader, leader == parameters_.leader ? kFarEnough : kTooShort);
-  shield_.show(situation.obstacles);
-  if (!out_of_view_) return;
-  out_of_view_->show(situation);
-  shield_.add(out_of_view_->points());
+  shield_.show(situation_.obstacles);
+  if (out_of_view_) {
+    out_of_view_->show(situation_);
+    shield_.add(out_of_view_->points());
+  }
+  shield_.add(situation_.marked);
 }
 
 void NavigationAgent::mark(const std::vector<Point2>& obstacles) {
@@ -132,36 +122,12 @@ void NavigationAgent::mark(const std::vector<Point2>& obstacles) {
   shield_.add(obstacles);
 }
 
-NavigationAgent::Fresh NavigationAgent::drive(const Point2& goal, bool is_new, long jumps) {
-  is_new_goal_ = is_new_goal_ || is_new;
-  checkGoal(situation_.pose, goal);
-  const double shift = distanceBetween(goal_, goal);
-  const bool jumped = jumps != jumps_;
-  Fresh fresh = Fresh::kNo;
-  if (is_new_goal_) {
-    fresh = Fresh::kNewGoal;
-  } else if (jumped) {
-    fresh = Fresh::kJump;
-  } else if (shift > kGoalShift) {
-    fresh = Fresh::kGoalMoved;
-  }
-  if (fresh != Fresh::kNo) {
-    setGoal(goal);
-  } else if (shift > 0.0) {
-    moveGoal(goal);
-  }
-  if (jumped) {
-    restart();
-    jumps_ = jumps;
-  }
-  is_new_goal_ = false;
-  decideAbout(situation_);
-  return fresh;
-}
-
 Decision NavigationAgent::preview(const Point2& goal) const {
   checkGoal(situation_.pose, goal);
-  return preview(situation_, goal);
+  NavigationAgent fresh(*this);
+  fresh.step_listener_ = nullptr;
+  fresh.setGoal(goal);
+  return fresh.decide();
 }
 
 void NavigationAgent::setGoal(const Point2& goal) {
@@ -207,13 +173,8 @@ void NavigationAgent::restart() {
   setGoal(goal_);
 }
 
-const Decision& NavigationAgent::update(const Situation& situation) {
-  show(situation);
-  shield_.add(situation.marked);
-  return decideAbout(situation);
-}
-
-const Decision& NavigationAgent::decideAbout(const Situation& situation) {
+const Decision& NavigationAgent::decide() {
+  const Situation& situation = situation_;
   if (decision_.choice == Move::kNoPath) {
     return decision_;
   }
@@ -229,19 +190,19 @@ const Decision& NavigationAgent::decideAbout(const Situation& situation) {
       return decision_;
     }
     startStep(situation);
-    decide(situation);
+    decideStep(situation);
   } else if (clock_.isStalled(situation)) {
     if (decision_.on_route) {
       replanner_->blockAhead();
-      decide(situation);
+      decideStep(situation);
     } else if (replanner_ && isOneStep(decision_)) {
       replanner_->blockTowards({situation.pose.x, situation.pose.y}, decision_.waypoint);
-      decide(situation);
+      decideStep(situation);
     } else {
       contextOf(situation).lookAround();
     }
   } else if (!pathIsFree(situation)) {
-    decide(situation);
+    decideStep(situation);
   }
   return decision_;
 }
@@ -251,13 +212,6 @@ void NavigationAgent::arrive(const Situation& situation) {
   contextOf(situation).goTo(choice, directionTo(situation.pose, decision_.destination),
                             distanceBetween(situation.pose, decision_.destination));
   decision_.path_on.clear();
-}
-
-Decision NavigationAgent::preview(const Situation& situation, const Point2& goal) const {
-  NavigationAgent fresh(*this);
-  fresh.step_listener_ = nullptr;
-  fresh.setGoal(goal);
-  return fresh.update(situation);
 }
 
 bool NavigationAgent::stepIsOver(const Situation& situation) const {
@@ -378,7 +332,7 @@ void NavigationAgent::advanceNetwork(const Observation& observation) {
   }
 }
 
-void NavigationAgent::decide(const Situation& situation) {
+void NavigationAgent::decideStep(const Situation& situation) {
   const StepContext step = contextOf(situation);
   const Answer answer = step.searchPath();
   if (parameters_.escape.enabled && answer == Answer::kLost) {

@@ -45,7 +45,7 @@ PlanMaker::PlanMaker(const std::string& name, const GlobalPlannerParameters& par
                      const std::string& global_frame, const std::string& base_frame, costmap_2d::Costmap2DROS* costmap)
     : parameters_(parameters),
       global_frame_(frameName(global_frame)),
-      agent_(policyOf(parameters, &model_problem_), parameters.agent, parameters.sensors.scan_rules),
+      agent_(policyOf(parameters, &model_problem_), parameters.agent),
       tf_listener_(&tf_, messages_.nodeHandle()),
       frames_(tf_, parameters.sensors.tf_timeout),
       sensors_(&messages_, parameters.sensors, frameName(base_frame), tf_),
@@ -151,20 +151,22 @@ void PlanMaker::checkStart(const geometry_msgs::PoseStamped& start, const Pose2&
 
 void PlanMaker::perceive(const SensorReading& reading) {
   const ScanReading& first = reading.first;
-  const Pose2 pose = compose(global_from_odometry_, first.pose);
+  const ScanRules& rules = parameters_.sensors.scan_rules;
   fromMessage(*first.scan, &scan_);
+  lstm_planner::perceive(scan_, first.mount, rules, agent_.policy().description().encoder.range_cap, &seen_);
+  seen_.pose = compose(global_from_odometry_, first.pose);
+  seen_.time = first.stamp;
   if (const auto& second = reading.second) {
     fromMessage(*second->scan, &second_scan_);
-    const TakenScan taken{second_scan_, second->mount, compose(global_from_odometry_, second->pose), second->stamp};
-    agent_.perceive(scan_, first.mount, pose, first.stamp, &taken);
-  } else {
-    agent_.perceive(scan_, first.mount, pose, first.stamp);
+    const Pose2 pose = compose(global_from_odometry_, second->pose);
+    perceiveSecond({second_scan_, second->mount, pose, second->stamp}, rules, &seen_);
   }
+  agent_.perceive(seen_);
   if (!costmap_.isUsed()) return;
   // Cells around what is known to the centimetre would only make it larger.
   known_ = agent_.outOfView();
-  known_.insert(known_.end(), agent_.situation().obstacles.begin(), agent_.situation().obstacles.end());
-  agent_.mark(costmap_.read(agent_.situation().pose, known_));
+  known_.insert(known_.end(), seen_.obstacles.begin(), seen_.obstacles.end());
+  agent_.mark(costmap_.read(seen_.pose, known_));
 }
 
 void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
@@ -182,28 +184,28 @@ void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
 
 const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading, bool is_new) {
   const Point2 last_goal = agent_.goal();
-  switch (agent_.drive({goal.x, goal.y}, is_new, reading.jumps + corrections_.jumps())) {
-    case NavigationAgent::Fresh::kNewGoal:
+  switch (goal_changes_.tell(&agent_, {goal.x, goal.y}, is_new, reading.jumps + corrections_.jumps())) {
+    case GoalChanges::Fresh::kNewGoal:
       ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
       markers_.clearTrace();
       said_of_goal_.clear();
       is_driving_ = true;
       end_.reset();
       break;
-    case NavigationAgent::Fresh::kJump:
+    case GoalChanges::Fresh::kJump:
       ROS_WARN(
           "the odometry jumped, or the localisation moved the robot: the path so far and the remembered obstacles are "
           "deleted; the goal stays");
       markers_.clearTrace();
       break;
-    case NavigationAgent::Fresh::kGoalMoved:
+    case GoalChanges::Fresh::kGoalMoved:
       ROS_WARN("the goal moved by %.2f m in %s, the path so far is forgotten", distanceBetween(last_goal, goal),
                global_frame_.c_str());
       break;
-    case NavigationAgent::Fresh::kNo:
+    case GoalChanges::Fresh::kNo:
       break;
   }
-  return agent_.decision();
+  return agent_.decide();
 }
 
 /// Once, and again if a scan reached far enough in between.

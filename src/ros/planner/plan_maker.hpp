@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/drive/decision/goal_changes.hpp"
 #include "lstm_planner/drive/decision/goal_tracker.hpp"
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
 #include "lstm_planner/drive/motion/elastic_band.hpp"
@@ -101,6 +102,7 @@ class PlanMaker {
   std::vector<Point2> known_;  ///< returns of this scan and of earlier ones, base frame, m
   GoalListener goals_;
   GoalTracker tracker_;
+  GoalChanges goal_changes_;
   MarkerPublisher markers_;
   DecisionPublisher decisions_;
   ArrivalPublisher arrival_;
@@ -111,6 +113,7 @@ class PlanMaker {
   CorrectionWatch corrections_;
   Pose2 global_from_odometry_;    ///< of the current call
   LaserScan scan_, second_scan_;  ///< of the current call
+  Situation seen_;                ///< of the current call
   Decision preview_;              ///< of the last question
   std::vector<Pose2> plan_;       ///< of the current call, global frame
   Pose2 driven_goal_;             ///< global frame

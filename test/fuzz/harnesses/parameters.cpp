@@ -10,6 +10,7 @@
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
 #include "lstm_planner/drive/motion/motion_controller.hpp"
 #include "lstm_planner/drive/motion/rollout.hpp"
+#include "support/agent_steps.hpp"
 
 namespace lstm_planner::fuzz::parameters_harness {
 namespace {
@@ -105,12 +106,13 @@ LaserScan roomScan(int blocked) {
 constexpr int kSteps = 4;
 
 void drive(const AgentParameters& parameters) {
-  NavigationAgent agent(noPolicy(), parameters, {});
+  NavigationAgent agent(noPolicy(), parameters);
+  agent.setGoal({5.0, 2.0});
   std::vector<Pose2> plan;
   for (int step = 0; step < kSteps; ++step) {
     const Pose2 pose{0.3 * step, 0.0, 0.5 * step};
-    agent.perceive(roomScan(16 * step), {}, pose, 1000.0 + step);
-    agent.drive({5.0, 2.0}, step == 0, 0);
+    test::perceive(&agent, roomScan(16 * step), {}, pose, 1000.0 + step);
+    agent.decide();
     rollOut(agent.situation(), agent.decision(), agent.shield(), {5.0, 2.0, 0.0}, parameters, {}, &plan);
   }
 }

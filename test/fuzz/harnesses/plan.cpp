@@ -7,8 +7,9 @@
 #include "fuzz/harness.hpp"
 #include "fuzz/small_memory.hpp"
 #include "lstm_planner/drive/decision/drive_policy.hpp"
-#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/drive/decision/goal_changes.hpp"
 #include "lstm_planner/drive/motion/rollout.hpp"
+#include "support/agent_steps.hpp"
 
 namespace lstm_planner::fuzz::plan_harness {
 namespace {
@@ -34,7 +35,8 @@ void checkPlan(const std::vector<Pose2>& plan) {
 void plan(const std::uint8_t* data, std::size_t size) {
   FuzzInput input(data, size);
   const auto leader = kLeaders.at(static_cast<std::size_t>(input.integer(0, 2)));
-  NavigationAgent agent(noPolicy(), smallWorld(leader), {});
+  NavigationAgent agent(noPolicy(), smallWorld(leader));
+  GoalChanges changes;
   Pose2 pose;
   Pose2 goal{3.0, 0.0, 0.0};
   double time = 1000.0;
@@ -50,10 +52,10 @@ void plan(const std::uint8_t* data, std::size_t size) {
     if (!isFinite(pose) || !isFinite(goal)) return;
     const LaserScan scan = anyScan(&input);
     expectRefusal<std::invalid_argument>([&] {
-      agent.perceive(scan, anyMount(&input), pose, time);
+      test::perceive(&agent, scan, anyMount(&input), pose, time);
       const bool asks = (kind & 64) != 0;
-      if (!asks) agent.drive({goal.x, goal.y}, (kind & 128) != 0, jumps);
-      const Decision decision = asks ? agent.preview({goal.x, goal.y}) : agent.decision();
+      if (!asks) changes.tell(&agent, {goal.x, goal.y}, (kind & 128) != 0, jumps);
+      const Decision decision = asks ? agent.preview({goal.x, goal.y}) : agent.decide();
       Shield shield(0.17425, 0.03, 6.0);
       shield.show(agent.situation().obstacles);
       rollOut(agent.situation(), decision, shield, goal, smallWorld(leader), {}, &poses);

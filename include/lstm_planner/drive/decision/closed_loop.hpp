@@ -16,7 +16,7 @@ class LoopRobot {
   /// be used: the robot has stood for a moment instead.
   virtual bool sense(double range_cap, Situation* situation) = 0;
 
-  /// Drives as was decided until the agent is to look again. `agent` has been shown the situation.
+  /// Drives as was decided until the agent is to look again. `agent` has perceived the situation.
   virtual void carryOut(const Situation& situation, const Decision& decision, const NavigationAgent& agent) = 0;
 
   /// Whether it says itself that it has arrived at the end of its plan (odometry frame).

@@ -21,9 +21,7 @@
 #include "lstm_planner/drive/decision/step_clock.hpp"
 #include "lstm_planner/drive/decision/step_leader.hpp"
 #include "lstm_planner/drive/local_map/replanner.hpp"
-#include "lstm_planner/drive/perception/laser_scan.hpp"
 #include "lstm_planner/drive/perception/out_of_view.hpp"
-#include "lstm_planner/drive/perception/scan_rules.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 
 namespace lstm_planner {
@@ -49,32 +47,21 @@ namespace lstm_planner {
 /// one in which a localisation corrects it a little at a time.
 class NavigationAgent {
  public:
-  /// Why the drive so far was forgotten.
-  enum class Fresh {
-    kNo,        ///< it was not
-    kNewGoal,   ///< the goal was given anew
-    kJump,      ///< odometry or localisation jumped: what was seen is forgotten, too
-    kGoalMoved  ///< the goal moved farther than localisation corrects while the odometry is sound
-  };
-
-  /// `rules`: what the scanner's readings mean. Throws std::invalid_argument for bad parameters, or a network that is
-  /// to lead and does not fit them.
-  NavigationAgent(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules = {});
+  /// Throws std::invalid_argument for bad parameters, or a network that is to lead and does not fit them.
+  NavigationAgent(DrivePolicy policy, const AgentParameters& parameters);
 
   /// Changes leader, goal_tolerance, goal_in_sight and the escape's patience, from the next decision on; all other
   /// parameters stay. Throws std::invalid_argument, and changes nothing, if a value cannot be used, or as the
   /// constructor.
   void change(const AgentParameters& parameters);
 
-  /// What the scanner sees at `time` (s) from `pose`: situation(). `second`: what a second scanner saw last, null where
-  /// there is none; the network does not see it. Throws UnusableScan, or std::invalid_argument when the pose is out of
-  /// reach (checkPose).
+  /// What is seen, and from where (lstm_planner::perceive()): situation(). Throws std::invalid_argument when the pose
+  /// is out of reach (checkPose).
   ///
   /// Where the scanner does not reach as far as the network needs, the path through what is remembered leads in its
   /// place. Some drivers send the largest reading as range_max, so the largest one so far counts. Throws
   /// std::invalid_argument if nothing is remembered (memory/enabled is false).
-  void perceive(const LaserScan& scan, const SensorMount& mount, const Pose2& pose, double time,
-                const TakenScan* second = nullptr);
+  void perceive(const Situation& situation);
 
   /// Obstacles of a costmap that the last scan does not show (CostmapObstacles); base frame, m. They count as returns,
   /// until the next scan: then they must be given again.
@@ -86,12 +73,12 @@ class NavigationAgent {
     if (replanner_) replanner_->know(std::move(obstacles));
   }
 
-  /// Decides in the situation that was perceived last: decision(). `is_new`: the goal was set since the last call.
-  /// `jumps`: number of jumps of odometry or localisation so far. Throws std::invalid_argument for a goal out of reach
-  /// (checkGoal).
-  Fresh drive(const Point2& goal, bool is_new, long jumps);
+  /// Decides in the situation that was perceived last: decision(). A new step if the last one is over or its path is
+  /// blocked. GoalChanges checks the goal before.
+  const Decision& decide();
 
-  /// What drive() would decide, or throw, for a goal that has just been set. Does not change what drive() depends on.
+  /// What decide() would answer for a goal that has just been set. Does not change what decide() depends on. Throws
+  /// std::invalid_argument for a goal out of reach (checkGoal).
   Decision preview(const Point2& goal) const;
 
   /// A new goal: forgets the hidden state, the step and the escape, but not what was seen on the way.
@@ -103,13 +90,6 @@ class NavigationAgent {
 
   /// The odometry jumped, so remembered obstacles are in wrong places: forgets them, and all that setGoal() forgets.
   void restart();
-
-  /// The decision in a situation that was perceived elsewhere; a new one if the last step is over or its path is
-  /// blocked.
-  const Decision& update(const Situation& situation);
-
-  /// What update() would answer for a goal that has just been set; changes nothing that update() depends on.
-  Decision preview(const Situation& situation, const Point2& goal) const;
 
   /// Called once a step with the network's inputs, after the network has advanced. If it returns an action that the
   /// shield allows, this action is taken instead of the network's own: so a teacher can steer.
@@ -144,9 +124,6 @@ class NavigationAgent {
   using Move = Decision::Move;
   using Answer = Replanner::Answer;
 
-  const Decision& decideAbout(const Situation& situation);
-  void show(const Situation& situation);
-
   // A step.
   bool stepIsOver(const Situation& situation) const;
   bool pathIsFree(const Situation& situation) const;
@@ -166,7 +143,7 @@ class NavigationAgent {
   double drivenShare(const Situation& situation) const;
 
   // A decision.
-  void decide(const Situation& situation);
+  void decideStep(const Situation& situation);
   StepContext contextOf(const Situation& situation);
   Decision::GoalSeems judgeGoal(const Situation& situation, Answer answer) const;
   static bool isInView(const Situation& situation, double direction);
@@ -178,10 +155,7 @@ class NavigationAgent {
 
   DrivePolicy policy_;
   AgentParameters parameters_;
-  ScanRules rules_;
   Situation situation_;
-  bool is_new_goal_ = false;  ///< nothing was decided for it
-  long jumps_ = 0;            ///< that were heard of
 
   Leader chosen_;       ///< who is to lead: as the parameters say, or in place of a network that cannot
   double reach_ = 0.0;  ///< m, the largest range_max so far

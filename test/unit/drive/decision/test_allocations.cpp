@@ -18,17 +18,19 @@ namespace {
 class Driver {
  public:
   explicit Driver(const AgentParameters& parameters = {})
-      : parameters_(parameters), agent_(shippedPolicy(), parameters_, Hokuyo::rules()) {}
+      : parameters_(parameters), agent_(shippedPolicy(), parameters_) {}
 
   /// Each drive starts at another place: what was seen in the one before is forgotten.
   void run(const RecordedDrive& drive) {
-    ++jumps_;
-    bool is_new = true;
+    agent_.setGoal({drive.goal.x, drive.goal.y});
+    agent_.restart();
     for (const RecordedStep& step : drive.steps) {
-      agent_.perceive(step.scan, drive.mount, step.pose, step.time);
-      agent_.drive({drive.goal.x, drive.goal.y}, is_new, jumps_);
+      perceive(step.scan, drive.mount, Hokuyo::rules(), agent_.policy().description().encoder.range_cap, &situation_);
+      situation_.pose = step.pose;
+      situation_.time = step.time;
+      agent_.perceive(situation_);
+      agent_.decide();
       rollOut(agent_.situation(), agent_.decision(), agent_.shield(), drive.goal, parameters_, {}, &plan_);
-      is_new = false;
     }
   }
 
@@ -40,7 +42,7 @@ class Driver {
   AgentParameters parameters_;
   NavigationAgent agent_;
   std::vector<Pose2> plan_;
-  long jumps_ = 0;
+  Situation situation_;
 };
 
 TEST(HeapCount, SeesAllThatIsAskedFor) {
@@ -107,12 +109,14 @@ long heldWithoutRescue(const RecordedDrive& drive, const LaserScan& scan) {
   auto agent = std::make_unique<NavigationAgent>(shippedPolicy(), parameters);
   const long built = heapCount().live_bytes - before;
   Situation situation;
-  situation.obstacles.reserve(2 * scan.ranges.size());
   agent->setGoal({drive.goal.x, drive.goal.y});
   perceive(scan, drive.mount, Hokuyo::rules(), agent->policy().description().encoder.range_cap, &situation);
   const long seen = heapCount().live_bytes;
-  agent->update(situation);
-  return built + heapCount().live_bytes - seen;
+  const Situation copy = situation;
+  const long of_the_scan = heapCount().live_bytes - seen;
+  agent->perceive(situation);
+  agent->decide();
+  return built + heapCount().live_bytes - seen - 2 * of_the_scan;
 }
 
 TEST(Allocations, TheAgentWithoutRescueKeepsAtMost64Kibibytes) {

@@ -8,6 +8,7 @@
 #include "lstm_planner/drive/decision/arrival.hpp"
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
 #include "lstm_planner/drive/motion/rollout.hpp"
+#include "support/agent_steps.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
 
@@ -37,13 +38,13 @@ class DriveToTheRing {
  public:
   explicit DriveToTheRing(bool counts) : agent_(test::straightAheadPolicy(), badOdometry(counts)) {
     agent_.setGoal({kGoal.x, kGoal.y});
-    for (const double x : {-1.35, -0.9, -0.45}) agent_.update(test::returnsAt({}, {x, 0.0, 0.0}));
+    for (const double x : {-1.35, -0.9, -0.45}) test::decideIn(test::returnsAt({}, {x, 0.0, 0.0}), &agent_);
     look({});
   }
 
   const Decision& look(const Pose2& pose) {
     situation_ = test::returnsAt(ringAroundTheGoal(0.45), pose);
-    return agent_.update(situation_);
+    return test::decideIn(situation_, &agent_);
   }
   const Decision& arrive() {
     const Point2 end = agent_.decision().destination;
@@ -92,7 +93,7 @@ TEST(Arrival, AGoalThatCanBeReachedIsReachedEitherWay) {
     parameters.arrive_beside_goal = counts;
     NavigationAgent agent(test::straightAheadPolicy(), parameters);
     agent.setGoal({2.0, 0.0});
-    EXPECT_EQ(agent.update(test::returnsAt({}, {1.9, 0.0, 0.0})).choice, Move::kArrived) << counts;
+    EXPECT_EQ(test::decideIn(test::returnsAt({}, {1.9, 0.0, 0.0}), &agent).choice, Move::kArrived) << counts;
     EXPECT_FALSE(agent.endsBesideGoal());
   }
 }

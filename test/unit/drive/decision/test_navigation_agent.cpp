@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "support/agent_steps.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 
 namespace lstm_planner::test_navigation_agent {
@@ -34,10 +35,10 @@ class NavigationAgentTest : public ::testing::Test {
   /// Whether the agent makes a new step when it finds the robot there, after a first step at the origin at time 0.
   bool stepsAnew(const Pose2& pose, double time) {
     agent_.setGoal({10.0, 0.0});
-    agent_.update(situationAt({}));
+    test::decideIn(situationAt({}), &agent_);
     const Network::HiddenState before = hiddenState();
     const long step = agent_.decision().step;
-    agent_.update(situationAt(pose, time));
+    test::decideIn(situationAt(pose, time), &agent_);
     const bool advanced = hiddenState() != before;
     EXPECT_EQ(advanced, agent_.decision().step == step + 1);
     return advanced;
@@ -50,7 +51,7 @@ class NavigationAgentTest : public ::testing::Test {
 std::vector<Point2> wallAhead() { return test::wall({0.25, -1.0}, {0.25, 1.0}); }
 
 TEST_F(NavigationAgentTest, GoesOneStepInThePreferredDirection) {
-  const Decision& decision = agent_.update(situationAt({1.0, 2.0, M_PI_2}));
+  const Decision& decision = test::decideIn(situationAt({1.0, 2.0, M_PI_2}), &agent_);
   EXPECT_EQ(decision.choice, Leader::kNetwork);
   EXPECT_EQ(decision.action, kStraight);
   EXPECT_EQ(decision.step, 1);
@@ -60,10 +61,10 @@ TEST_F(NavigationAgentTest, GoesOneStepInThePreferredDirection) {
 }
 
 TEST_F(NavigationAgentTest, AskingTwiceGivesTheSameAnswer) {
-  const Decision first = agent_.update(situationAt({}));
+  const Decision first = test::decideIn(situationAt({}), &agent_);
   const Network::HiddenState before = hiddenState();
   for (int i = 1; i < 10; ++i) {
-    const Decision& again = agent_.update(situationAt({}, 0.01 * i));
+    const Decision& again = test::decideIn(situationAt({}, 0.01 * i), &agent_);
     EXPECT_EQ(again.choice, first.choice);
     EXPECT_EQ(again.action, first.action);
     EXPECT_EQ(again.step, first.step);
@@ -76,10 +77,10 @@ TEST_F(NavigationAgentTest, AskingTwiceGivesTheSameAnswer) {
 TEST_F(NavigationAgentTest, GoesNowhereWhereACostmapHasAnObstacle) {
   Situation situation = situationAt({});
   situation.marked = wallAhead();
-  EXPECT_NE(agent_.update(situation).action, kStraight);
+  EXPECT_NE(test::decideIn(situation, &agent_).action, kStraight);
   situation.marked.clear();
   agent_.setGoal({10.0, 0.0});
-  EXPECT_EQ(agent_.update(situation).action, kStraight) << "cleared";
+  EXPECT_EQ(test::decideIn(situation, &agent_).action, kStraight) << "cleared";
 }
 
 TEST_F(NavigationAgentTest, StepsAfterHalfASecondOnlyIfTheRobotHasMoved) {
@@ -99,35 +100,35 @@ TEST_F(NavigationAgentTest, StepsAfterAStepLengthOrATurnAtOnce) {
 }
 
 TEST_F(NavigationAgentTest, GoesOnSteppingWhenTheClockJumpsBack) {
-  agent_.update(situationAt({}, 1000.0));
-  agent_.update(situationAt({0.1, 0.0, 0.0}, 3.0));
+  test::decideIn(situationAt({}, 1000.0), &agent_);
+  test::decideIn(situationAt({0.1, 0.0, 0.0}, 3.0), &agent_);
   EXPECT_EQ(agent_.decision().step, 2);
 }
 
 TEST_F(NavigationAgentTest, ForgetsEverythingAtANewGoal) {
-  const Decision first = agent_.update(situationAt({}));
+  const Decision first = test::decideIn(situationAt({}), &agent_);
   const Network::HiddenState after_first = hiddenState();
   for (int i = 1; i < 5; ++i) {
-    agent_.update(situationAt({0.4 * i, 0.0, 0.0}, i));
+    test::decideIn(situationAt({0.4 * i, 0.0, 0.0}, i), &agent_);
   }
   agent_.setGoal({10.0, 0.0});
   EXPECT_TRUE(hiddenState().isZero(0.0f));
-  const Decision& again = agent_.update(situationAt({}, 9.0));
+  const Decision& again = test::decideIn(situationAt({}, 9.0), &agent_);
   EXPECT_EQ(hiddenState(), after_first);
   EXPECT_EQ(again.step, first.step);
   EXPECT_DOUBLE_EQ(agent_.bestDistance(), 10.0);
 }
 
 TEST_F(NavigationAgentTest, AGoalThatMovesALittleIsFollowedAndNothingIsForgotten) {
-  agent_.update(situationAt({}));
-  agent_.update(situationAt({0.4, 0.0, 0.0}, 1.0));
+  test::decideIn(situationAt({}), &agent_);
+  test::decideIn(situationAt({0.4, 0.0, 0.0}, 1.0), &agent_);
   const Network::HiddenState before = hiddenState();
   const Decision decided = agent_.decision();
   const Point2 goal{10.1, 0.2};
   agent_.moveGoal(goal);
   EXPECT_EQ(agent_.goal().x, goal.x);
   EXPECT_EQ(agent_.goal().y, goal.y);
-  const Decision& decision = agent_.update(situationAt({0.4, 0.0, 0.0}, 1.1));
+  const Decision& decision = test::decideIn(situationAt({0.4, 0.0, 0.0}, 1.1), &agent_);
   EXPECT_EQ(hiddenState(), before);
   EXPECT_EQ(decision.step, decided.step);
   EXPECT_EQ(decision.action, decided.action);
@@ -139,10 +140,10 @@ TEST_F(NavigationAgentTest, AGoalThatMovesALittleIsFollowedAndNothingIsForgotten
 TEST_F(NavigationAgentTest, ARouteEndsAtAGoalThatMovesALittle) {
   NavigationAgent agent(policy(), test::routeLed());
   agent.setGoal({10.0, 0.0});
-  agent.update(situationAt({}));
+  test::decideIn(situationAt({}), &agent);
   const Point2 goal{10.1, 0.2};
   agent.moveGoal(goal);
-  const Decision& decision = agent.update(situationAt({}, 0.1));
+  const Decision& decision = test::decideIn(situationAt({}, 0.1), &agent);
   ASSERT_FALSE(decision.path_on.empty());
   EXPECT_EQ(decision.path_on.back().x, goal.x);
   EXPECT_EQ(decision.path_on.back().y, goal.y);
@@ -150,23 +151,23 @@ TEST_F(NavigationAgentTest, ARouteEndsAtAGoalThatMovesALittle) {
 
 TEST_F(NavigationAgentTest, AGoalThatMovesTowardsTheRobotIsNoProgress) {
   const double progress = AgentParameters{}.escape.progress;
-  agent_.update(situationAt({}));
+  test::decideIn(situationAt({}), &agent_);
   double goal = 10.0;
   for (int i = 1; i <= 10; ++i) {
     goal -= 0.2;
     agent_.moveGoal({goal, 0.0});
-    agent_.update(situationAt({0.9 * progress, 0.0, 0.0}, i));
+    test::decideIn(situationAt({0.9 * progress, 0.0, 0.0}, i), &agent_);
     EXPECT_DOUBLE_EQ(agent_.bestDistance(), goal) << "from where the robot was at first";
   }
-  agent_.update(situationAt({1.1 * progress, 0.0, 0.0}, 11.0));
+  test::decideIn(situationAt({1.1 * progress, 0.0, 0.0}, 11.0), &agent_);
   EXPECT_DOUBLE_EQ(agent_.bestDistance(), goal - 1.1 * progress);
 }
 
 TEST_F(NavigationAgentTest, AGoalInSightIsFollowedAtOnce) {
   agent_.setGoal({1.0, -1.0});
-  agent_.update(situationAt({}));
+  test::decideIn(situationAt({}), &agent_);
   agent_.moveGoal({1.2, -1.0});
-  const Decision& decision = agent_.update(situationAt({}, 0.1));
+  const Decision& decision = test::decideIn(situationAt({}, 0.1), &agent_);
   EXPECT_EQ(decision.choice, Move::kGoalInSight);
   EXPECT_EQ(decision.step, 1);
   EXPECT_EQ(decision.waypoint.x, 1.2);
@@ -176,20 +177,20 @@ TEST_F(NavigationAgentTest, AGoalInSightIsFollowedAtOnce) {
 
 TEST_F(NavigationAgentTest, HasArrivedWhereTheGoalMovedTo) {
   agent_.setGoal({1.0, 0.0});
-  EXPECT_EQ(agent_.update(situationAt({0.7, 0.0, 0.0})).choice, Move::kGoalInSight);
+  EXPECT_EQ(test::decideIn(situationAt({0.7, 0.0, 0.0}), &agent_).choice, Move::kGoalInSight);
   agent_.moveGoal({0.8, 0.0});
-  EXPECT_EQ(agent_.update(situationAt({0.7, 0.0, 0.0}, 0.1)).choice, Move::kArrived);
+  EXPECT_EQ(test::decideIn(situationAt({0.7, 0.0, 0.0}, 0.1), &agent_).choice, Move::kArrived);
 }
 
 TEST_F(NavigationAgentTest, PreviewChangesNothing) {
-  agent_.update(situationAt({}));
+  test::decideIn(situationAt({}), &agent_);
   const Network::HiddenState before = hiddenState();
   int calls = 0;
   agent_.setStepListener([&calls](const Situation&, const Observation&) {
     ++calls;
     return std::optional<int>();
   });
-  agent_.preview(situationAt({3.0, 1.0, 1.0}, 5.0), {-4.0, 2.0});
+  test::previewIn(situationAt({3.0, 1.0, 1.0}, 5.0), {-4.0, 2.0}, agent_);
   EXPECT_EQ(hiddenState(), before);
   EXPECT_EQ(agent_.decision().step, 1);
   EXPECT_EQ(agent_.goal().x, 10.0);
@@ -198,14 +199,14 @@ TEST_F(NavigationAgentTest, PreviewChangesNothing) {
 
 TEST_F(NavigationAgentTest, PreviewAnswersAsAFreshAgentWould) {
   for (int i = 0; i < 6; ++i) {
-    agent_.update(situationAt({0.4 * i, 0.0, 0.0}, i));
+    test::decideIn(situationAt({0.4 * i, 0.0, 0.0}, i), &agent_);
   }
   const Situation situation = situationAt({3.0, 1.0, 1.0}, 9.0, wallAhead());
   const Point2 goal{-4.0, 2.0};
-  const Decision preview = agent_.preview(situation, goal);
+  const Decision preview = test::previewIn(situation, goal, agent_);
   NavigationAgent fresh(policy(), parameters());
   fresh.setGoal(goal);
-  const Decision& expected = fresh.update(situation);
+  const Decision& expected = test::decideIn(situation, &fresh);
   EXPECT_EQ(preview.choice, expected.choice);
   EXPECT_EQ(preview.action, expected.action);
   EXPECT_EQ(preview.step, expected.step);
@@ -216,16 +217,16 @@ TEST_F(NavigationAgentTest, PreviewAnswersAsAFreshAgentWould) {
 }
 
 TEST_F(NavigationAgentTest, ShieldMasksThePreferredActionBeforeAWall) {
-  const Decision& decision = agent_.update(situationAt({}, 0.0, wallAhead()));
+  const Decision& decision = test::decideIn(situationAt({}, 0.0, wallAhead()), &agent_);
   EXPECT_EQ(decision.allowed, (std::vector<char>{1, 0, 0, 0, 1}));
   EXPECT_EQ(decision.action, kLeft);  // preferred to the right
   EXPECT_EQ(decision.choice, Leader::kNetwork);
 }
 
 TEST_F(NavigationAgentTest, ChoosesAnewWithoutSteppingWhenThePathIsBlocked) {
-  agent_.update(situationAt({}));
+  test::decideIn(situationAt({}), &agent_);
   const Network::HiddenState before = hiddenState();
-  const Decision& decision = agent_.update(situationAt({}, 0.1, wallAhead()));
+  const Decision& decision = test::decideIn(situationAt({}, 0.1, wallAhead()), &agent_);
   EXPECT_EQ(decision.action, kLeft);
   EXPECT_EQ(decision.step, 1);
   EXPECT_EQ(hiddenState(), before);
@@ -235,13 +236,13 @@ TEST_F(NavigationAgentTest, UsesTheTightClearanceWhereThereIsNoOtherPath) {
   // A passage 0.44 m wide and closed behind: 4.6 cm on either side of the robot.
   std::vector<Point2> passage = test::wall({-0.24, 0.22}, {2.0, 0.22});
   for (const Point2& point : test::wall({-0.24, -0.22}, {2.0, -0.22})) passage.push_back(point);
-  const Decision& decision = agent_.update(situationAt({}, 0.0, passage));
+  const Decision& decision = test::decideIn(situationAt({}, 0.0, passage), &agent_);
   EXPECT_EQ(decision.choice, Leader::kNetwork);
   EXPECT_EQ(decision.action, kStraight);
 }
 
 TEST_F(NavigationAgentTest, LooksAroundWhenNoActionIsFree) {
-  const Decision& decision = agent_.update(situationAt({}, 0.0, test::ring(0.3)));
+  const Decision& decision = test::decideIn(situationAt({}, 0.0, test::ring(0.3)), &agent_);
   EXPECT_EQ(decision.choice, Move::kLookAround);
   EXPECT_EQ(decision.action, -1);
   EXPECT_GT(std::abs(decision.direction), 1.0);  // well off the heading, or the robot would not turn
@@ -249,9 +250,9 @@ TEST_F(NavigationAgentTest, LooksAroundWhenNoActionIsFree) {
 
 TEST_F(NavigationAgentTest, LooksAroundTowardsTheGoal) {
   agent_.setGoal({0.0, -10.0});
-  EXPECT_LT(agent_.update(situationAt({}, 0.0, test::ring(0.3))).direction, 0.0);
+  EXPECT_LT(test::decideIn(situationAt({}, 0.0, test::ring(0.3)), &agent_).direction, 0.0);
   agent_.setGoal({0.0, 10.0});
-  EXPECT_GT(agent_.update(situationAt({}, 0.0, test::ring(0.3))).direction, 0.0);
+  EXPECT_GT(test::decideIn(situationAt({}, 0.0, test::ring(0.3)), &agent_).direction, 0.0);
 }
 
 TEST_F(NavigationAgentTest, LooksAroundWhenTheRobotStandsStillAndNothingIsRemembered) {
@@ -259,14 +260,14 @@ TEST_F(NavigationAgentTest, LooksAroundWhenTheRobotStandsStillAndNothingIsRememb
   parameters.memory.enabled = false;
   NavigationAgent agent(policy(), parameters);
   agent.setGoal({10.0, 0.0});
-  agent.update(situationAt({}));
-  EXPECT_EQ(agent.update(situationAt({}, 1.9)).choice, Leader::kNetwork);
-  EXPECT_EQ(agent.update(situationAt({0.005, 0.0, 0.0}, 2.1)).choice, Move::kLookAround);
+  test::decideIn(situationAt({}), &agent);
+  EXPECT_EQ(test::decideIn(situationAt({}, 1.9), &agent).choice, Leader::kNetwork);
+  EXPECT_EQ(test::decideIn(situationAt({0.005, 0.0, 0.0}, 2.1), &agent).choice, Move::kLookAround);
 }
 
 TEST_F(NavigationAgentTest, TakesAGoalInSightStraight) {
   agent_.setGoal({1.0, -1.0});
-  const Decision& decision = agent_.update(situationAt({}));
+  const Decision& decision = test::decideIn(situationAt({}), &agent_);
   EXPECT_EQ(decision.choice, Move::kGoalInSight);
   EXPECT_NEAR(decision.direction, -M_PI_4, 1e-12);
   EXPECT_NEAR(decision.waypoint.x, 1.0, 1e-12);
@@ -275,13 +276,14 @@ TEST_F(NavigationAgentTest, TakesAGoalInSightStraight) {
 
 TEST_F(NavigationAgentTest, LeavesAGoalBehindAWallToTheLeader) {
   agent_.setGoal({1.0, -1.0});
-  EXPECT_NE(agent_.update(situationAt({}, 0.0, test::wall({0.7, -1.5}, {0.7, 1.5}))).choice, Move::kGoalInSight);
+  EXPECT_NE(test::decideIn(situationAt({}, 0.0, test::wall({0.7, -1.5}, {0.7, 1.5})), &agent_).choice,
+            Move::kGoalInSight);
 }
 
 TEST_F(NavigationAgentTest, HasArrivedWithinTheTolerance) {
   agent_.setGoal({0.1, 0.1});
-  EXPECT_EQ(agent_.update(situationAt({})).choice, Move::kArrived);
-  EXPECT_EQ(agent_.update(situationAt({-0.1, 0.1, 0.0}, 0.1)).choice, Move::kGoalInSight);
+  EXPECT_EQ(test::decideIn(situationAt({}), &agent_).choice, Move::kArrived);
+  EXPECT_EQ(test::decideIn(situationAt({-0.1, 0.1, 0.0}, 0.1), &agent_).choice, Move::kGoalInSight);
 }
 
 TEST_F(NavigationAgentTest, WithoutShieldTheNetworkIsFree) {
@@ -290,7 +292,7 @@ TEST_F(NavigationAgentTest, WithoutShieldTheNetworkIsFree) {
   parameters.shield_enabled = false;
   NavigationAgent agent(policy(), parameters);
   agent.setGoal({10.0, 0.0});
-  const Decision& decision = agent.update(situationAt({}, 0.0, wallAhead()));
+  const Decision& decision = test::decideIn(situationAt({}, 0.0, wallAhead()), &agent);
   EXPECT_EQ(decision.action, kStraight);
   EXPECT_EQ(decision.allowed, std::vector<char>(5, 1));
 }
@@ -302,16 +304,16 @@ TEST_F(NavigationAgentTest, StepListenerHearsEachStepOnceAndMayImposeAnAction) {
     ++calls;
     return kRight;
   });
-  EXPECT_EQ(agent_.update(situationAt({})).action, kRight);
-  EXPECT_EQ(agent_.update(situationAt({}, 0.1)).action, kRight);
+  EXPECT_EQ(test::decideIn(situationAt({}), &agent_).action, kRight);
+  EXPECT_EQ(test::decideIn(situationAt({}, 0.1), &agent_).action, kRight);
   EXPECT_EQ(calls, 1);
-  agent_.update(situationAt({0.0, -0.4, 0.0}, 1.0));
+  test::decideIn(situationAt({0.0, -0.4, 0.0}, 1.0), &agent_);
   EXPECT_EQ(calls, 2);
 }
 
 TEST_F(NavigationAgentTest, AnImposedActionStillHasToPassTheShield) {
   agent_.setStepListener([](const Situation&, const Observation&) { return std::optional<int>(kStraight); });
-  EXPECT_EQ(agent_.update(situationAt({}, 0.0, wallAhead())).action, kLeft);
+  EXPECT_EQ(test::decideIn(situationAt({}, 0.0, wallAhead()), &agent_).action, kLeft);
 }
 
 TEST_F(NavigationAgentTest, RefusesAPolicyForAnotherStepLength) {

@@ -5,8 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/drive/decision/goal_changes.hpp"
 #include "lstm_planner/drive/perception/reach.hpp"
+#include "support/agent_steps.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/perception/scan_builder.hpp"
 
@@ -24,11 +25,14 @@ std::string complaintOf(const std::function<void()>& action) {
 
 class NavigationReach : public ::testing::Test {
  protected:
-  NavigationReach() : agent_(test::straightAheadPolicy(), test::routeLed(), ScanRules()) {}
+  NavigationReach() : agent_(test::straightAheadPolicy(), test::routeLed()) {}
 
-  void standAt(const Pose2& pose) { agent_.perceive(makeHokuyoScan(5.0f), {}, pose, time_ += 1.0); }
+  void standAt(const Pose2& pose) { test::perceive(&agent_, makeHokuyoScan(5.0f), {}, pose, time_ += 1.0); }
+
+  GoalChanges::Fresh tell(const Point2& goal, bool is_new) { return changes_.tell(&agent_, goal, is_new, 0); }
 
   NavigationAgent agent_;
+  GoalChanges changes_;
   double time_ = 0.0;
 };
 
@@ -37,17 +41,17 @@ TEST_F(NavigationReach, RefusesAGoalThatIsTooFarAway) {
   const Point2 goal{4.5e6, 0.0};
   const std::string sentence =
       "the goal is 4.5e+06 m from the robot, expected at most 10000 m: is it given in the right frame?";
-  EXPECT_EQ(complaintOf([&] { agent_.drive(goal, true, 0); }), sentence);
+  EXPECT_EQ(complaintOf([&] { tell(goal, true); }), sentence);
   EXPECT_EQ(complaintOf([&] { agent_.preview(goal); }), sentence);
-  EXPECT_NE(complaintOf([&] { agent_.drive({std::numeric_limits<double>::quiet_NaN(), 0.0}, true, 0); }), "");
+  EXPECT_NE(complaintOf([&] { tell({std::numeric_limits<double>::quiet_NaN(), 0.0}, true); }), "");
 }
 
 TEST_F(NavigationReach, TakesAGoalThatWasTooFarAwayForNewWhenItCanBeDrivenTo) {
   standAt({});
-  EXPECT_NE(complaintOf([&] { agent_.drive({kFarthestGoal + 1.0, 0.0}, true, 0); }), "");
+  EXPECT_NE(complaintOf([&] { tell({kFarthestGoal + 1.0, 0.0}, true); }), "");
   standAt({2.0, 0.0, 0.0});
-  EXPECT_EQ(agent_.drive({kFarthestGoal + 1.0, 0.0}, false, 0), NavigationAgent::Fresh::kNewGoal);
-  EXPECT_EQ(agent_.drive({kFarthestGoal + 1.0, 0.0}, false, 0), NavigationAgent::Fresh::kNo);
+  EXPECT_EQ(tell({kFarthestGoal + 1.0, 0.0}, false), GoalChanges::Fresh::kNewGoal);
+  EXPECT_EQ(tell({kFarthestGoal + 1.0, 0.0}, false), GoalChanges::Fresh::kNo);
 }
 
 TEST_F(NavigationReach, RefusesAPoseThatIsTooFarAway) {
@@ -60,13 +64,15 @@ TEST_F(NavigationReach, RefusesAPoseThatIsTooFarAway) {
 
 TEST_F(NavigationReach, DecidesAmongUtmCoordinatesAsAtTheOrigin) {
   const Point2 shift{691608.0, 5334762.0};
-  NavigationAgent at_origin(test::straightAheadPolicy(), test::routeLed(), ScanRules());
+  NavigationAgent at_origin(test::straightAheadPolicy(), test::routeLed());
   for (int step = 0; step < 20; ++step) {
     const Pose2 pose{0.2 * step, 0.1, 0.3};
-    at_origin.perceive(makeHokuyoScan(3.0f), {}, pose, step);
-    at_origin.drive({8.0, 5.0}, step == 0, 0);
-    agent_.perceive(makeHokuyoScan(3.0f), {}, {shift.x + pose.x, shift.y + pose.y, pose.yaw}, step);
-    agent_.drive({shift.x + 8.0, shift.y + 5.0}, step == 0, 0);
+    test::perceive(&at_origin, makeHokuyoScan(3.0f), {}, pose, step);
+    if (step == 0) at_origin.setGoal({8.0, 5.0});
+    at_origin.decide();
+    test::perceive(&agent_, makeHokuyoScan(3.0f), {}, {shift.x + pose.x, shift.y + pose.y, pose.yaw}, step);
+    if (step == 0) agent_.setGoal({shift.x + 8.0, shift.y + 5.0});
+    agent_.decide();
     ASSERT_EQ(agent_.decision().choice, at_origin.decision().choice) << step;
     ASSERT_NEAR(agent_.decision().direction, at_origin.decision().direction, 1e-6) << step;
   }

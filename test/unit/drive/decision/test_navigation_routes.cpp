@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "support/agent_steps.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
 
@@ -45,7 +46,7 @@ const double kRoundTheWall = 2.0 * std::hypot(2.0, 1.0);  ///< m, at least, from
 TEST_F(NavigationRoutes, TheWaypointLiesOnTheRouteThatLeads) {
   for (const double yaw : {0.0, 0.3, 1.0, M_PI}) {
     agent_.setGoal({4.0, 0.0});
-    const Decision& decision = agent_.update(situationAt({0.0, 0.0, yaw}));
+    const Decision& decision = test::decideIn(situationAt({0.0, 0.0, yaw}), &agent_);
     EXPECT_EQ(decision.choice, Leader::kRoute);
     EXPECT_TRUE(decision.on_route);
     EXPECT_NEAR(decision.waypoint.x, 0.4, 1e-12);  // not where the heading points to
@@ -56,7 +57,7 @@ TEST_F(NavigationRoutes, TheWaypointLiesOnTheRouteThatLeads) {
 TEST_F(NavigationRoutes, ARouteThatLeadsAsksNoNetwork) {
   const Network::HiddenState hidden = agent_.policy().hiddenState();
   for (int step = 0; step < 5; ++step) {
-    const Decision& decision = agent_.update(situationAt({0.4 * step, 0.0, 0.0}, step));
+    const Decision& decision = test::decideIn(situationAt({0.4 * step, 0.0, 0.0}, step), &agent_);
     EXPECT_NE(decision.choice, Leader::kNetwork);
     EXPECT_EQ(decision.preferred, -1);
     EXPECT_EQ(decision.overruled, Overruled::kNo);
@@ -71,7 +72,7 @@ TEST_F(NavigationRoutes, WithoutALeaderTheAllowedAngleNearestToTheGoalIsTaken) {
   const double bearings[] = {-1.4, -0.7, 0.1, 0.9, 2.9};
   for (int action = 0; action < 5; ++action) {
     agent.setGoal(pointAlong(Point2{}, bearings[action], 5.0));
-    const Decision& decision = agent.update(situationAt({}));
+    const Decision& decision = test::decideIn(situationAt({}), &agent);
     EXPECT_EQ(decision.choice, Leader::kGreedy);
     EXPECT_EQ(decision.action, action);
     EXPECT_EQ(decision.preferred, -1);
@@ -81,7 +82,7 @@ TEST_F(NavigationRoutes, WithoutALeaderTheAllowedAngleNearestToTheGoalIsTaken) {
 TEST_F(NavigationRoutes, ThePathOnGoesFromTheWaypointToTheDestination) {
   for (const double yaw : {0.0, -0.4, 1.0, 2.5}) {
     agent_.setGoal({4.0, 0.0});
-    const Decision& decision = agent_.update(returnsAt(kWall, {0.0, 0.0, yaw}));
+    const Decision& decision = test::decideIn(returnsAt(kWall, {0.0, 0.0, yaw}), &agent_);
     ASSERT_FALSE(decision.path_on.empty()) << yaw;
     EXPECT_EQ(decision.path_on.back().x, 4.0);
     EXPECT_EQ(decision.path_on.back().y, 0.0);
@@ -102,7 +103,7 @@ TEST_F(NavigationRoutes, TheDestinationIsBesideAGoalThatLiesInSomething) {
   EXPECT_EQ(agent.decision().destination.x, goal.x);
   std::vector<Point2> pillar;
   for (const Point2& point : test::ring(0.2)) pillar.push_back({goal.x + point.x, goal.y + point.y});
-  const Decision& decision = agent.update(returnsAt(pillar));
+  const Decision& decision = test::decideIn(returnsAt(pillar), &agent);
   EXPECT_EQ(decision.goal_seems, Decision::GoalSeems::kReachable) << "within its tolerance";
   const double beside = distanceBetween(decision.destination, goal);
   EXPECT_GT(beside, 0.2 + 0.75 * tolerant.shield.footprint_radius);  // less what a square's rounding hides
@@ -114,7 +115,7 @@ TEST_F(NavigationRoutes, TheDestinationIsBesideAGoalThatLiesInSomething) {
   agent.moveGoal({goal.x + 0.1, goal.y});
   EXPECT_EQ(agent.decision().destination.x, destination.x);
   EXPECT_EQ(agent.decision().path_on.back().x, destination.x);
-  EXPECT_LE(distanceBetween(agent.update(returnsAt(pillar, {0.4, 0.0, 0.0})).destination, agent.goal()), 0.6);
+  EXPECT_LE(distanceBetween(test::decideIn(returnsAt(pillar, {0.4, 0.0, 0.0}), &agent).destination, agent.goal()), 0.6);
 }
 
 TEST_F(NavigationRoutes, AGoalThatIsNearBehindALongWallSeemsToLieBehindAnObstacle) {
@@ -123,7 +124,7 @@ TEST_F(NavigationRoutes, AGoalThatIsNearBehindALongWallSeemsToLieBehindAnObstacl
     parameters.goal_tolerance = tolerance;
     NavigationAgent agent(stubbornPolicy(), parameters);
     agent.setGoal({2.5, 0.0});
-    return agent.update(returnsAt(wall)).goal_seems;
+    return test::decideIn(returnsAt(wall), &agent).goal_seems;
   };
   // 12.6 m round the wall: more than three times the 2.8 m that count as near with this tolerance.
   const std::vector<Point2> long_wall = test::wall({2.0, -6.0}, {2.0, 6.0});
@@ -137,7 +138,7 @@ TEST_F(NavigationRoutes, AGoalInAClosedRingSeemsEnclosed) {
   agent.setGoal({3.0, 0.0});
   std::vector<Point2> ring;
   for (const Point2& point : test::ring(0.8)) ring.push_back({3.0 + point.x, point.y});
-  EXPECT_EQ(agent.update(returnsAt(ring)).goal_seems, Decision::GoalSeems::kEnclosed);
+  EXPECT_EQ(test::decideIn(returnsAt(ring), &agent).goal_seems, Decision::GoalSeems::kEnclosed);
 }
 
 TEST_F(NavigationRoutes, AGoalInAClosedRingBesideTheRobotSeemsToLieInAnObstacle) {
@@ -148,7 +149,7 @@ TEST_F(NavigationRoutes, AGoalInAClosedRingBesideTheRobotSeemsToLieInAnObstacle)
   agent.setGoal(goal);
   std::vector<Point2> box;
   for (const Point2& point : test::ring(0.3)) box.push_back({goal.x + point.x, goal.y + point.y});
-  EXPECT_EQ(agent.update(returnsAt(box)).goal_seems, Decision::GoalSeems::kInObstacle);
+  EXPECT_EQ(test::decideIn(returnsAt(box), &agent).goal_seems, Decision::GoalSeems::kInObstacle);
   EXPECT_EQ(agent.decision().choice, Decision::Move::kLookAround);
   EXPECT_DOUBLE_EQ(agent.reachedWithin(), parameters.goal_tolerance);
 }
@@ -158,7 +159,7 @@ TEST_F(NavigationRoutes, AGoalThatTheRobotStandsBesideSeemsToLieBehindAnObstacle
   agent.setGoal({1.2, 0.0});
   // 12.2 m round the wall: more than three times goal_in_sight.
   const std::vector<Point2> long_wall = test::wall({0.7, -6.0}, {0.7, 6.0});
-  EXPECT_EQ(agent.update(returnsAt(long_wall)).goal_seems, Decision::GoalSeems::kBehindObstacle);
+  EXPECT_EQ(test::decideIn(returnsAt(long_wall), &agent).goal_seems, Decision::GoalSeems::kBehindObstacle);
 }
 
 /// A goal in a pillar, shown to a robot that has driven up and down for so many steps. `tolerance`: a changed
@@ -174,13 +175,13 @@ struct BesideThePillar {
       for (const Point2& point : test::ring(radius)) pillar.push_back({goal.x + point.x, point.y});
     }
     agent.setGoal({0.0, 9.0});
-    agent.update(returnsAt({}));
+    test::decideIn(returnsAt({}), &agent);
     agent.setGoal(goal);  // what was driven before does not count
     for (int step = 0; step <= steps; ++step) {
       const Pose2 pose{step % 2 == 0 ? 4.0 : 4.5, 0.0, 0.0};
       Situation situation = step < steps ? returnsAt({}, pose) : returnsAt(pillar, pose);
       situation.time = 0.5 * step;
-      agent.update(situation);
+      test::decideIn(situation, &agent);
     }
     is_to_be_reached = agent.decision().choice == Leader::kRoute;
     end = distanceBetween(agent.decision().destination, goal);
@@ -209,37 +210,37 @@ TEST_F(NavigationRoutes, AToleranceThatIsChangedOnTheWayEndsTheDrive) {
 }
 
 TEST_F(NavigationRoutes, AskingTwiceChangesNothing) {
-  const Decision first = agent_.update(returnsAt(kWall));
+  const Decision first = test::decideIn(returnsAt(kWall), &agent_);
   const Network::HiddenState hidden = agent_.policy().hiddenState();
-  const Decision elsewhere = agent_.preview(returnsAt({}), {3.0, 0.0});
+  const Decision elsewhere = test::previewIn(returnsAt({}), {3.0, 0.0}, agent_);
   for (int i = 1; i < 10; ++i) {
     Situation again = returnsAt(kWall);
     again.time = 0.1 * i;
-    const Decision& decision = agent_.update(again);
+    const Decision& decision = test::decideIn(again, &agent_);
     EXPECT_EQ(decision.step, first.step);
     EXPECT_EQ(decision.waypoint.x, first.waypoint.x);
     EXPECT_EQ(decision.waypoint.y, first.waypoint.y);
     EXPECT_EQ(lengthOn(decision), lengthOn(first));
   }
   EXPECT_EQ(agent_.policy().hiddenState(), hidden);
-  EXPECT_EQ(lengthOn(agent_.preview(returnsAt({}), {3.0, 0.0})), lengthOn(elsewhere));
+  EXPECT_EQ(lengthOn(test::previewIn(returnsAt({}), {3.0, 0.0}, agent_)), lengthOn(elsewhere));
 }
 
 TEST_F(NavigationRoutes, APreviewKnowsWhatWasSeenAndLeavesNoTrace) {
-  agent_.update(returnsAt({}));
-  EXPECT_GT(lengthOn(agent_.preview(returnsAt(kWall), {4.0, 0.0})), 2.0 * std::sqrt(5.0) - 0.4);
+  test::decideIn(returnsAt({}), &agent_);
+  EXPECT_GT(lengthOn(test::previewIn(returnsAt(kWall), {4.0, 0.0}, agent_)), 2.0 * std::sqrt(5.0) - 0.4);
   // The wall was not there for the agent itself.
-  EXPECT_NEAR(lengthOn(agent_.preview(returnsAt({}), {4.0, 0.0})), 3.6, 1e-9);
-  const Decision& decision = agent_.update(returnsAt({}, {0.4, 0.0, 0.0}));
+  EXPECT_NEAR(lengthOn(test::previewIn(returnsAt({}), {4.0, 0.0}, agent_)), 3.6, 1e-9);
+  const Decision& decision = test::decideIn(returnsAt({}, {0.4, 0.0, 0.0}), &agent_);
   EXPECT_NEAR(lengthOn(decision), 4.0 - 0.8, 1e-9);
 }
 
 TEST_F(NavigationRoutes, ANewGoalKeepsWhatWasSeenAndARestartForgetsIt) {
-  agent_.update(returnsAt(kWall));
+  test::decideIn(returnsAt(kWall), &agent_);
   agent_.setGoal({4.0, 0.0});
-  EXPECT_GT(lengthOn(agent_.update(returnsAt({}))) + 0.4, kRoundTheWall);
+  EXPECT_GT(lengthOn(test::decideIn(returnsAt({}), &agent_)) + 0.4, kRoundTheWall);
   agent_.restart();
-  EXPECT_NEAR(lengthOn(agent_.update(returnsAt({}))), 3.6, 1e-9);
+  EXPECT_NEAR(lengthOn(test::decideIn(returnsAt({}), &agent_)), 3.6, 1e-9);
 }
 
 TEST_F(NavigationRoutes, WithoutMemoryThereIsNoPathOn) {
@@ -247,15 +248,15 @@ TEST_F(NavigationRoutes, WithoutMemoryThereIsNoPathOn) {
   forgetful.memory.enabled = false;
   NavigationAgent agent(stubbornPolicy(), forgetful);
   agent.setGoal({4.0, 0.0});
-  const Decision& decision = agent.update(returnsAt(kWall, {0.0, 0.0, 0.3}));
+  const Decision& decision = test::decideIn(returnsAt(kWall, {0.0, 0.0, 0.3}), &agent);
   EXPECT_TRUE(decision.path_on.empty());
   EXPECT_FALSE(decision.on_route);
   EXPECT_NEAR(decision.direction, 0.3, 1e-12);
 }
 
 TEST_F(NavigationRoutes, ARobotThatIsHeldUpOnTheRouteIsLedAnotherWay) {
-  ASSERT_NEAR(agent_.update(situationAt({})).direction, 0.0, 1e-9);
-  const Decision& decision = agent_.update(situationAt({}, 2.1));
+  ASSERT_NEAR(test::decideIn(situationAt({}), &agent_).direction, 0.0, 1e-9);
+  const Decision& decision = test::decideIn(situationAt({}, 2.1), &agent_);
   EXPECT_EQ(decision.choice, Leader::kRoute);
   ASSERT_TRUE(decision.on_route);
   // Round a place 0.3 m ahead: at less than the footprint from it there is no path.
@@ -266,7 +267,7 @@ TEST_F(NavigationRoutes, ARobotThatIsHeldUpOnTheRouteIsLedAnotherWay) {
 TEST_F(NavigationRoutes, SaysThatThereIsNoPathAfterThreeTurnsInAClosedRing) {
   double turned = 0.0;
   for (int i = 0; i < 100; ++i) {
-    const Decision& decision = agent_.update(situationAt({0.0, 0.0, turned}, 0.5 * i, test::ring(0.8)));
+    const Decision& decision = test::decideIn(situationAt({0.0, 0.0, turned}, 0.5 * i, test::ring(0.8)), &agent_);
     if (decision.choice == Move::kNoPath) break;
     ASSERT_EQ(decision.choice, Move::kLookAround) << i;
     turned += 0.5;
@@ -275,9 +276,9 @@ TEST_F(NavigationRoutes, SaysThatThereIsNoPathAfterThreeTurnsInAClosedRing) {
   EXPECT_GT(turned, 3.0 * (2.0 * M_PI - 0.5));
   EXPECT_LT(turned, 3.0 * (2.0 * M_PI + 0.5) + 1.0);
   // It stays with that until there is a new goal.
-  EXPECT_EQ(agent_.update(situationAt({}, 99.0)).choice, Move::kNoPath);
+  EXPECT_EQ(test::decideIn(situationAt({}, 99.0), &agent_).choice, Move::kNoPath);
   agent_.setGoal({0.3, 0.3});
-  EXPECT_NE(agent_.update(situationAt({}, 99.1, test::ring(0.8))).choice, Move::kNoPath);
+  EXPECT_NE(test::decideIn(situationAt({}, 99.1, test::ring(0.8)), &agent_).choice, Move::kNoPath);
 }
 
 TEST_F(NavigationRoutes, BoundariesAreFollowedAtTheLastResort) {
@@ -288,7 +289,8 @@ TEST_F(NavigationRoutes, BoundariesAreFollowedAtTheLastResort) {
   agent.setGoal({4.0, 0.0});
   // It goes to and fro without coming nearer.
   for (int step = 0; step <= 6; ++step) {
-    const Decision::Choice choice = agent.update(situationAt({step % 2 == 0 ? 0.0 : -0.5, 0.0, 0.0}, step)).choice;
+    const Decision::Choice choice =
+        test::decideIn(situationAt({step % 2 == 0 ? 0.0 : -0.5, 0.0, 0.0}, step), &agent).choice;
     EXPECT_EQ(choice, step < 6 ? Leader::kRoute : Leader::kEscape) << step;
   }
 }

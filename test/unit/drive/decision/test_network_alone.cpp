@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "support/agent_steps.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 
 namespace lstm_planner::test_network_alone {
@@ -35,14 +36,15 @@ class NetworkAloneTest : public ::testing::Test {
     std::set<int> actions;
     for (int i = 0; i < steps; ++i) {
       const Pose2 pose{place.x, place.y + (i % 2 == 0 ? 0.05 : -0.05), place.yaw};
-      actions.insert(agent->update(situationAt(pose, time_ += 1.0, obstacles)).action);
+      actions.insert(test::decideIn(situationAt(pose, time_ += 1.0, obstacles), agent).action);
     }
     return actions;
   }
 
   /// Drives 9.6 m straight to a place before the goal, in the open.
   void driveUpTo(const Pose2& place, NavigationAgent* agent) {
-    for (int i = 24; i > 0; --i) agent->update(situationAt({place.x - 0.4 * i, place.y, place.yaw}, time_ += 1.0));
+    for (int i = 24; i > 0; --i)
+      test::decideIn(situationAt({place.x - 0.4 * i, place.y, place.yaw}, time_ += 1.0), agent);
   }
 
   AgentParameters parameters_;
@@ -68,7 +70,7 @@ TEST_F(NetworkAloneTest, DrawsOnceAStepHoweverOftenItIsAsked) {
   for (int step = 0; step < 20; ++step) {
     stepToAndFro({0.1 * (step % 2), 0.0, 0.0}, 1, {}, &agent);
     const Decision first = agent.decision();
-    const Decision& again = agent.update(situationAt({0.1 * (step % 2), 0.05, 0.0}, time_ + 0.1));
+    const Decision& again = test::decideIn(situationAt({0.1 * (step % 2), 0.05, 0.0}, time_ + 0.1), &agent);
     EXPECT_EQ(again.step, first.step);
     EXPECT_EQ(again.action, first.action);
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "support/agent_steps.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
 
@@ -34,7 +35,7 @@ const std::vector<Point2> kWall = test::wall({2.0, -1.0}, {2.0, 3.0});
 TEST(NetworkUnderBound, AChoiceInTheDirectionOfThePathIsMadeExactByThePath) {
   NavigationAgent agent = agentPreferring(kPrefersStraight);
   // The nearest steering angle to -0.3 rad is straight on.
-  const Decision& decision = agent.update(situationAt({0.0, 0.0, 0.3}));
+  const Decision& decision = test::decideIn(situationAt({0.0, 0.0, 0.3}), &agent);
   EXPECT_EQ(decision.choice, Leader::kNetwork);
   EXPECT_EQ(decision.action, kStraight);
   EXPECT_TRUE(decision.on_route);
@@ -46,7 +47,7 @@ TEST(NetworkUnderBound, AChoiceInTheDirectionOfThePathIsMadeExactByThePath) {
 
 TEST(NetworkUnderBound, ADetourWithinTheBoundIsCarriedOut) {
   NavigationAgent agent = agentPreferring(kPrefersLeft);
-  const Decision& decision = agent.update(situationAt({}));
+  const Decision& decision = test::decideIn(situationAt({}), &agent);
   EXPECT_EQ(decision.choice, Leader::kNetwork);
   EXPECT_EQ(decision.action, kLeft);
   EXPECT_FALSE(decision.on_route);
@@ -60,10 +61,10 @@ TEST(NetworkUnderBound, ADetourWithinTheBoundIsCarriedOut) {
 
 TEST(NetworkUnderBound, ADetourBeyondTheBoundIsOverruledByThePath) {
   NavigationAgent agent = agentPreferring(kPrefersLeft);
-  agent.update(situationAt({}));
+  test::decideIn(situationAt({}), &agent);
   const double used = agent.decision().regret_used;
   // Left again would be straight back: 0.8 m.
-  const Decision& decision = agent.update(situationAt({0.0, 0.4, M_PI_2}, 1.0));
+  const Decision& decision = test::decideIn(situationAt({0.0, 0.4, M_PI_2}, 1.0), &agent);
   EXPECT_EQ(decision.choice, Leader::kRoute);
   EXPECT_EQ(decision.overruled, Overruled::kByBound);
   EXPECT_EQ(decision.preferred, kLeft);
@@ -74,42 +75,42 @@ TEST(NetworkUnderBound, ADetourBeyondTheBoundIsOverruledByThePath) {
 
 TEST(NetworkUnderBound, AskingAgainCountsADetourOnce) {
   NavigationAgent agent = agentPreferring(kPrefersLeft);
-  const double used = agent.update(situationAt({})).regret_used;
-  for (int i = 1; i < 5; ++i) EXPECT_EQ(agent.update(situationAt({}, 0.1 * i)).regret_used, used);
+  const double used = test::decideIn(situationAt({}), &agent).regret_used;
+  for (int i = 1; i < 5; ++i) EXPECT_EQ(test::decideIn(situationAt({}, 0.1 * i), &agent).regret_used, used);
   // The step's path is blocked: it is decided anew, in the same step.
   std::vector<Point2> beside = test::wall({-1.0, 0.3}, {1.0, 0.3});
-  EXPECT_EQ(agent.update(situationAt({}, 0.5, beside)).step, 1);
+  EXPECT_EQ(test::decideIn(situationAt({}, 0.5, beside), &agent).step, 1);
   EXPECT_LE(agent.decision().regret_used, agent.decision().regret) << "of the new choice alone";
 }
 
 TEST(NetworkUnderBound, TheBoundGrowsWithTheDrivenDistance) {
   NavigationAgent agent = agentPreferring(kPrefersStraight, {0.2, 0.1});
-  for (int step = 0; step <= 5; ++step) agent.update(situationAt({0.4 * step, 0.0, 0.0}, step));
+  for (int step = 0; step <= 5; ++step) test::decideIn(situationAt({0.4 * step, 0.0, 0.0}, step), &agent);
   EXPECT_NEAR(agent.decision().regret_allowed, 0.2 + 0.1 * 2.0, 1e-9);
   agent.setGoal(kGoal);
-  agent.update(situationAt({2.0, 0.0, 0.0}, 20.0));
+  test::decideIn(situationAt({2.0, 0.0, 0.0}, 20.0), &agent);
   EXPECT_NEAR(agent.decision().regret_allowed, 0.2, 1e-9) << "since the goal was set";
 }
 
 TEST(NetworkUnderBound, WithoutAnyAllowanceOnlyTheDirectionOfThePathIsLeft) {
   NavigationAgent agent = agentPreferring(kPrefersLeft, {0.0, 0.0});
-  EXPECT_EQ(agent.update(situationAt({})).overruled, Overruled::kByBound);
+  EXPECT_EQ(test::decideIn(situationAt({}), &agent).overruled, Overruled::kByBound);
   agent.setGoal(kGoal);
-  EXPECT_EQ(agent.update(situationAt({0.0, 0.0, -M_PI_2}, 1.0)).choice, Leader::kNetwork)
+  EXPECT_EQ(test::decideIn(situationAt({0.0, 0.0, -M_PI_2}, 1.0), &agent).choice, Leader::kNetwork)
       << "the path leads to the left";
 }
 
 TEST(NetworkUnderBound, ADeadEndThatIsKnownIsOverruled) {
   NavigationAgent agent = agentPreferring(kPrefersStraight, {0.1, 0.0});
-  const Decision& decision = agent.update(returnsAt(kWall, {1.2, 1.0, 0.0}));
+  const Decision& decision = test::decideIn(returnsAt(kWall, {1.2, 1.0, 0.0}), &agent);
   EXPECT_EQ(decision.overruled, Overruled::kByBound) << "towards the wall, and back again";
   EXPECT_EQ(decision.choice, Leader::kRoute);
 }
 
 TEST(NetworkUnderBound, WhatWasPassedIsRemembered) {
   NavigationAgent agent = agentPreferring(kPrefersStraight);
-  agent.update(returnsAt(kWall));
-  agent.update(returnsAt({}, {0.4, 0.0, 0.0}));
+  test::decideIn(returnsAt(kWall), &agent);
+  test::decideIn(returnsAt({}, {0.4, 0.0, 0.0}), &agent);
   double length = distanceBetween(Point2{0.4, 0.0}, agent.decision().waypoint);
   Point2 last = agent.decision().waypoint;
   for (const Point2& point : agent.decision().path_on) {
@@ -121,9 +122,9 @@ TEST(NetworkUnderBound, WhatWasPassedIsRemembered) {
 
 TEST(NetworkUnderBound, ItSaysWhenTheShieldTakesAwayWhatTheNetworkPrefers) {
   NavigationAgent agent = agentPreferring({0.0f, 1.0f, 3.0f, 2.0f, 0.0f});
-  EXPECT_EQ(agent.update(situationAt({})).overruled, Overruled::kNo);
+  EXPECT_EQ(test::decideIn(situationAt({}), &agent).overruled, Overruled::kNo);
   agent.setGoal(kGoal);
-  const Decision& blocked = agent.update(situationAt({}, 1.0, test::wall({0.3, -0.4}, {0.3, 0.4})));
+  const Decision& blocked = test::decideIn(situationAt({}, 1.0, test::wall({0.3, -0.4}, {0.3, 0.4})), &agent);
   EXPECT_EQ(blocked.preferred, kStraight);
   EXPECT_NE(blocked.action, kStraight);
   EXPECT_EQ(blocked.overruled, Overruled::kByShield);
@@ -131,8 +132,8 @@ TEST(NetworkUnderBound, ItSaysWhenTheShieldTakesAwayWhatTheNetworkPrefers) {
 
 TEST(NetworkUnderBound, ARobotThatIsHeldUpIsLedAnotherWay) {
   NavigationAgent agent = agentPreferring(kPrefersStraight);
-  ASSERT_NEAR(agent.update(situationAt({})).direction, 0.0, 1e-9);
-  const Decision& decision = agent.update(situationAt({}, 2.1));
+  ASSERT_NEAR(test::decideIn(situationAt({}), &agent).direction, 0.0, 1e-9);
+  const Decision& decision = test::decideIn(situationAt({}, 2.1), &agent);
   EXPECT_GT(std::abs(decision.direction), 0.3) << "round a place 0.3 m ahead";
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "support/agent_steps.hpp"
 #include "support/refusal.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/perception/scan_builder.hpp"
@@ -28,10 +29,9 @@ class ScannerReach : public ::testing::Test {
   const Decision& step(double range_max) {
     LaserScan scan = makeHokuyoScan(1.9f);
     scan.range_max = range_max;
-    agent_.perceive(scan, {}, {0.45 * steps_, 0.0, 0.0}, 0.5 * steps_);
-    agent_.drive({20.0, 0.0}, steps_ == 0, 0);
-    ++steps_;
-    return agent_.decision();
+    test::perceive(&agent_, scan, {}, {0.45 * steps_, 0.0, 0.0}, 0.5 * steps_);
+    if (steps_++ == 0) agent_.setGoal({20.0, 0.0});
+    return agent_.decide();
   }
 
   NavigationAgent agent_{leftwards(), networkLed()};
@@ -86,7 +86,7 @@ TEST(ScannerReachWithoutMemory, EveryScanOfAScannerThatIsTooShortIsRefused) {
   LaserScan scan = makeHokuyoScan(1.9f);
   scan.range_max = 2.5;
   for (int time = 0; time < 3; ++time) {
-    const std::string why = test::refusalOf<std::invalid_argument>([&] { agent.perceive(scan, {}, {}, time); });
+    const std::string why = test::refusalOf<std::invalid_argument>([&] { test::perceive(&agent, scan, {}, {}, time); });
     EXPECT_NE(why.find("the scanner reaches 2.5"), std::string::npos) << why;
   }
 }

@@ -7,6 +7,7 @@
 #include "lstm_planner/drive/motion/elastic_band.hpp"
 #include "lstm_planner/drive/motion/rollout.hpp"
 #include "lstm_planner/simulation/world_generators.hpp"
+#include "support/agent_steps.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
 
@@ -37,7 +38,7 @@ class ElasticBandAtADoor : public ::testing::Test {
   std::vector<Pose2> plan(const Pose2& pose, const Pose2& goal, double clearance) {
     agent_.setGoal({goal.x, goal.y});
     const Situation situation = test::seenFrom(world_, pose);
-    const Decision& decision = agent_.update(situation);
+    const Decision& decision = test::decideIn(situation, &agent_);
     std::vector<Pose2> plan;
     rollOut(situation, band_.bend(agent_, pose, decision, clearance), agent_.shield(), goal, agent_.parameters(), {},
             &plan);
@@ -90,7 +91,7 @@ TEST_F(ElasticBandAtADoor, BendsNoStepOfTheNetworkButWhatComesBehindIt) {
   const Pose2 pose{1.8, 0.9, 0.0};
   agent.setGoal({4.6, 1.0});
   const Situation situation = test::seenFrom(world_, pose);
-  const Decision& decision = agent.update(situation);
+  const Decision& decision = test::decideIn(situation, &agent);
   ASSERT_EQ(decision.choice, Leader::kNetwork);
   ASSERT_FALSE(decision.on_route);
   std::vector<Pose2> plan;
@@ -158,7 +159,7 @@ TEST_F(ElasticBandAtADoor, LeavesAloneWhatFollowsNoPath) {
   NavigationAgent agent(test::straightAheadPolicy(), forgetful);
   agent.setGoal({4.6, 1.0});
   const Pose2 pose{1.8, 0.9, M_PI_4};
-  const Decision& decision = agent.update(test::seenFrom(world_, pose));
+  const Decision& decision = test::decideIn(test::seenFrom(world_, pose), &agent);
   ASSERT_EQ(decision.choice, Leader::kNetwork);
   EXPECT_EQ(&band_.bend(agent, pose, decision, kClearance), &decision);
 }
@@ -166,7 +167,7 @@ TEST_F(ElasticBandAtADoor, LeavesAloneWhatFollowsNoPath) {
 TEST_F(ElasticBandAtADoor, LeavesEverythingAloneWithoutClearance) {
   agent_.setGoal({4.6, 1.0});
   const Pose2 pose{1.8, 0.9, M_PI_4};
-  const Decision& decision = agent_.update(test::seenFrom(world_, pose));
+  const Decision& decision = test::decideIn(test::seenFrom(world_, pose), &agent_);
   EXPECT_EQ(&band_.bend(agent_, pose, decision, 0.0), &decision);
   EXPECT_NE(&band_.bend(agent_, pose, decision, kClearance), &decision);
 }

@@ -5,6 +5,7 @@
 
 #include "lstm_planner/drive/motion/rollout.hpp"
 #include "lstm_planner/drive/perception/reach.hpp"
+#include "support/agent_steps.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 
 namespace lstm_planner::test_rollout {
@@ -25,7 +26,7 @@ class Rollout : public ::testing::Test {
 
   const std::vector<Pose2>& planFor(const Situation& situation, const Pose2& goal) {
     agent_.setGoal({goal.x, goal.y});
-    agent_.update(situation);
+    test::decideIn(situation, &agent_);
     rollOut(situation, agent_.decision(), agent_.shield(), goal, agent_.parameters(), parameters_, &plan_);
     return plan_;
   }

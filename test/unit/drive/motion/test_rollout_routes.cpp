@@ -7,6 +7,7 @@
 
 #include "lstm_planner/drive/motion/rollout.hpp"
 #include "lstm_planner/simulation/world_generators.hpp"
+#include "support/agent_steps.hpp"
 #include "support/case_name.hpp"
 #include "unit/drive/decision/agent_fixtures.hpp"
 #include "unit/drive/local_map/memory_fixtures.hpp"
@@ -61,7 +62,7 @@ TEST_P(RolloutInForests, IsDenseEndsAtTheGoalAndGoesThroughNothingThatIsKnown) {
     const Pose2 goal{target.x, target.y, yaw(random_)};
     agent.setGoal(target);
     const Situation situation = test::seenFrom(world_, pose);
-    const Decision& decision = agent.update(situation);
+    const Decision& decision = test::decideIn(situation, &agent);
     rollOut(situation, decision, agent.shield(), goal, kDefaults, parameters, &plan);
     if (decision.choice != Leader::kNetwork && decision.choice != Leader::kRoute) continue;
     ++checked;
@@ -97,10 +98,10 @@ TEST(RolloutOnRoutes, GoesRoundAWallThatIsNoLongerInSight) {
   const GridWorld world(grid);
   NavigationAgent agent(test::straightAheadPolicy(), test::routeLed());
   agent.setGoal({6.0, 2.0});
-  agent.update(test::seenFrom(world, {2.0, 2.0, 0.0}));
+  test::decideIn(test::seenFrom(world, {2.0, 2.0, 0.0}), &agent);
   // Turned back by 180 degrees the wall lies in the blind sector.
   const Situation situation = test::seenFrom(world, {2.0, 2.0, M_PI}, 1.0);
-  const Decision& decision = agent.update(situation);
+  const Decision& decision = test::decideIn(situation, &agent);
   std::vector<Pose2> plan;
   rollOut(situation, decision, agent.shield(), {6.0, 2.0, 1.0}, kDefaults, {}, &plan);
   for (std::size_t i = 0; i < plan.size(); ++i) {
@@ -118,7 +119,7 @@ TEST(RolloutOnRoutes, EndsBesideAGoalThatLiesInSomething) {
   std::vector<Point2> pillar;
   for (const Point2& point : test::ring(0.2)) pillar.push_back({4.0 + point.x, 0.1 + point.y});
   const Situation situation = test::returnsAt(pillar);
-  const Decision& decision = agent.update(situation);
+  const Decision& decision = test::decideIn(situation, &agent);
   std::vector<Pose2> plan;
   rollOut(situation, decision, agent.shield(), {4.0, 0.1, 2.0}, tolerant, {}, &plan);
   EXPECT_EQ(plan.back().x, decision.destination.x);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "lstm_planner/drive/decision/navigation_agent.hpp"
+
+namespace lstm_planner {
+
+/// Tells an agent what has become of its goal since the last decision.
+class GoalChanges {
+ public:
+  /// Why the drive so far was forgotten.
+  enum class Fresh {
+    kNo,        ///< it was not
+    kNewGoal,   ///< the goal was given anew
+    kJump,      ///< odometry or localisation jumped: what was seen is forgotten, too
+    kGoalMoved  ///< the goal moved farther than localisation corrects while the odometry is sound
+  };
+
+  /// `goal`: where it is now, in the frame of the poses. `is_new`: it was set since the last call. `jumps`: number of
+  /// jumps of odometry or localisation so far. Throws std::invalid_argument for a goal out of reach of what the agent
+  /// perceived last (checkGoal), and tells it nothing.
+  Fresh tell(NavigationAgent* agent, const Point2& goal, bool is_new, long jumps);
+
+ private:
+  bool is_new_ = false;  ///< nothing was decided for it
+  long jumps_ = 0;       ///< that were heard of
+};
+
+}  // namespace lstm_planner
