@@ -8,14 +8,10 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kMoved = 0.05;          // m; more than odometry's noise, less than the slowest robot drives in seconds
-constexpr double kTurned = 0.3;          // rad
-constexpr double kSameGoal = 0.25;       // m
-constexpr std::size_t kMostPlaces = 16;  // less than a turn around, and less than 1 m
-
-bool isSamePlace(const Pose2& one, const Pose2& other) {
-  return distanceBetween(one, other) <= kMoved && std::abs(normalizeAngle(one.yaw - other.yaw)) <= kTurned;
-}
+constexpr double kMoved = 0.1;          // m; more than odometry's noise, less than the slowest robot drives in seconds
+constexpr double kTurned = 0.3;         // rad
+constexpr double kSameGoal = 0.25;      // m
+constexpr std::size_t kMostPlaces = 8;  // less than 1 m
 
 }  // namespace
 
@@ -23,11 +19,7 @@ void StandWatch::note(const Pose2& pose, double time, const Point2& goal, bool i
   if (distanceBetween(goal_, goal) > kSameGoal || time < now_) clear();
   goal_ = goal;
   now_ = time;
-  const auto knows = [&](const Pose2& place) { return isSamePlace(place, pose); };
-  // Where it has just been it gets away from nothing: it may turn to and fro, or drive.
-  if (std::none_of(places_.begin(), places_.end(), knows)) {
-    places_.push_back(pose);
-    if (places_.size() > kMostPlaces) places_.pop_front();
+  if (isNew(pose)) {
     since_.reset();
     retries_ = 0;
   }
@@ -36,6 +28,27 @@ void StandWatch::note(const Pose2& pose, double time, const Point2& goal, bool i
     tried_.reset();
   }
   if (is_commanded && !tried_) tried_ = time;
+}
+
+/// Where it has just been it gets away from nothing: it may turn to and fro, or drive. Who looks around turns on.
+bool StandWatch::isNew(const Pose2& pose) {
+  heading_ += normalizeAngle(pose.yaw - heading_);
+  const auto known = std::find_if(places_.begin(), places_.end(),
+                                  [&](const Place& place) { return distanceBetween(place.position, pose) <= kMoved; });
+  if (known == places_.end()) {
+    places_.push_back({{pose.x, pose.y}, heading_, heading_});
+    if (places_.size() > kMostPlaces) places_.pop_front();
+    return true;
+  }
+  if (heading_ < known->rightmost - kTurned) {
+    known->rightmost = heading_;
+    return true;
+  }
+  if (heading_ > known->leftmost + kTurned) {
+    known->leftmost = heading_;
+    return true;
+  }
+  return false;
 }
 
 void StandWatch::excuse(double time) {

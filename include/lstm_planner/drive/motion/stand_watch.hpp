@@ -25,7 +25,16 @@ class StandWatch {
   int retries() const { return retries_; }                        ///< at this place
 
  private:
-  std::deque<Pose2> places_;  ///< where it was last, oldest first
+  /// Where it was, and how far it had turned there, rad; not wrapped.
+  struct Place {
+    Point2 position;
+    double rightmost;
+    double leftmost;
+  };
+  bool isNew(const Pose2& pose);
+
+  std::deque<Place> places_;  ///< where it was last, oldest first
+  double heading_ = 0.0;      ///< rad, not wrapped
   Point2 goal_;
   double now_ = 0.0;             ///< s
   std::optional<double> since_;  ///< s
