@@ -7,6 +7,9 @@ namespace lstm_planner {
 
 namespace {
 
+/// Points of a route for which memory is reserved.
+constexpr std::size_t kReserved = 256;
+
 /// A point this near to the robot is behind it, m.
 constexpr double kPassed = 0.25;
 
@@ -29,6 +32,8 @@ std::size_t passed(const LocalMap& memory, const Point2& here, const std::vector
 }
 
 }  // namespace
+
+KeptRoute::KeptRoute() { route_.points.reserve(kReserved); }
 
 void KeptRoute::swap(Route* route) { std::swap(route_, *route); }
 

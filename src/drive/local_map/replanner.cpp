@@ -21,9 +21,6 @@ constexpr int kMostForgotten = 4;  ///< without progress in between
 /// Tolerances within which a goal is near.
 constexpr double kNearGoalTolerances = 2.0;
 
-/// Points of a route for which memory is reserved.
-constexpr std::size_t kReserved = 256;
-
 constexpr double kBlockedAhead = 0.3;  ///< m to the place that is taken as blocked
 
 /// It can be driven, and no other path that costs so much is worth turning for.
@@ -35,10 +32,7 @@ bool isHardlyCostlier(double cost, double other_cost) {
 
 Replanner::Replanner(const MemoryParameters& parameters, const ShieldParameters& shield)
     : memory_(parameters, shield), finder_(parameters.tightness) {
-  Route reserved;
-  reserved.points.reserve(kReserved);
-  route_.swap(&reserved);
-  found_.points.reserve(kReserved);
+  found_.points.reserve(route().points.capacity());
 }
 
 void Replanner::start() {

@@ -40,15 +40,12 @@ bool StandWatch::isNew(const Pose2& pose) {
     if (places_.size() > kMostPlaces) places_.pop_front();
     return true;
   }
-  if (heading_ < known->rightmost - kTurned) {
-    known->rightmost = heading_;
-    return true;
+  const bool turns_on = heading_ < known->rightmost - kTurned || heading_ > known->leftmost + kTurned;
+  if (turns_on) {
+    known->rightmost = std::min(known->rightmost, heading_);
+    known->leftmost = std::max(known->leftmost, heading_);
   }
-  if (heading_ > known->leftmost + kTurned) {
-    known->leftmost = heading_;
-    return true;
-  }
-  return false;
+  return turns_on;
 }
 
 void StandWatch::excuse(double time) {

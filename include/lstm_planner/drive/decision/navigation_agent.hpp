@@ -74,7 +74,7 @@ class NavigationAgent {
   }
 
   /// Decides in the situation that was perceived last: decision(). A new step if the last one is over or its path is
-  /// blocked. GoalChanges checks the goal before.
+  /// blocked. The goal must be within reach (checkGoal), as GoalChanges makes sure.
   const Decision& decide();
 
   /// What decide() would answer for a goal that has just been set. Does not change what decide() depends on. Throws

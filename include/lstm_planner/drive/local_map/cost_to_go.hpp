@@ -9,7 +9,7 @@
 
 namespace lstm_planner {
 
-/// What the path to the goal costs from the cells of an LocalMap: A* from the goal towards a start.
+/// What the path to the goal costs from the cells of a LocalMap: A* from the goal towards a start.
 ///
 /// Searched from the goal, so that one search tells of other places near the start, too, what the path from there
 /// costs: it goes on until it has come to them.

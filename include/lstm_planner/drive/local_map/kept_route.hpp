@@ -8,6 +8,9 @@ namespace lstm_planner {
 /// The route that the robot follows, from where it is now.
 class KeptRoute {
  public:
+  /// Reserves the memory that most routes need.
+  KeptRoute();
+
   const Route& route() const { return route_; }
   bool isEmpty() const { return route_.points.size() < 2; }
 

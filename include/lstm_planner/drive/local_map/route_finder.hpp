@@ -11,13 +11,13 @@ namespace lstm_planner {
 struct Route {
   std::vector<Point2> points;  ///< odometry frame, from the start to the goal; straight between them
   double length = 0.0;         ///< m
-  double cost = 0.0;           ///< m, tight places counted several times
+  double cost = 0.0;           ///< m, from cell to cell, tight places counted several times
 };
 
 /// Length of a path that is straight between its points, m.
 double lengthOf(const std::vector<Point2>& points);
 
-/// Finds the shortest path through an LocalMap: A* on its cells, tight ones costing more, corners pulled straight
+/// Finds the shortest path through a LocalMap: A* on its cells, tight ones costing more, corners pulled straight
 /// near the start. Beyond the window the path is taken as straight. The memory needed is allocated once.
 class RouteFinder {
  public:
