@@ -16,7 +16,7 @@ inline void perceive(NavigationAgent* agent, const LaserScan& scan, const Sensor
 }
 
 /// What it decides there.
-inline const Decision& decideIn(Situation situation, NavigationAgent* agent) {
+inline Decision decideIn(const Situation& situation, NavigationAgent* agent) {
   agent->perceive(situation);
   return agent->decide();
 }
