@@ -63,15 +63,14 @@ ReplayedDecision DecisionReplay::decideAbout(const DriveStep& step) {
     throw std::invalid_argument("the step at " + std::to_string(step.stamp) +
                                 " s has no scan, without which nothing can be decided");
   }
-  if (newest_ && step.stamp < *newest_) {
-    ++jumps_;  // of the clock; OdometryHistory counts them, too
-  }
+  if (newest_ && step.stamp < *newest_) noteJump();  // of the clock; OdometryHistory counts them, too
   newest_ = step.stamp;
   perceive(scanOf(step), step.geometry.mount, rules_, description().encoder.range_cap, &situation_);
   situation_.pose = step.pose;
   situation_.time = step.stamp;
+  if (agent_.parameters().correct_drift) drift_.correct(&situation_);
   agent_.perceive(situation_);
-  goal_changes_.tell(&agent_, step.goal, is_new_goal_, jumps_);
+  goal_changes_.tell(&agent_, {step.goal.x, step.goal.y, 0.0}, drift_.correction(), is_new_goal_, jumps_);
   agent_.decide();
   is_new_goal_ = false;
 
@@ -81,7 +80,7 @@ ReplayedDecision DecisionReplay::decideAbout(const DriveStep& step) {
   replayed.pose = step.pose;
   replayed.goal = {step.goal.x, step.goal.y, episode_ ? episode_->goal.pose.yaw : 0.0};
   replayed.sectors = agent_.situation().sectors;
-  replayed.decision = agent_.decision();
+  replayed.decision = inParentFrame(inverse(drift_.correction()), agent_.decision());
   replayed.steering_angle = normalizeAngle(replayed.decision.direction - step.pose.yaw);
   replayed.action = description().actions.nearest(replayed.steering_angle);
   return replayed;
@@ -91,9 +90,12 @@ void DecisionReplay::endEpisode(double, EpisodeEnd end) {
   if (episode_) {
     episode_->end = end;
   }
-  if (end == EpisodeEnd::kOdometryJump) {
-    ++jumps_;
-  }
+  if (end == EpisodeEnd::kOdometryJump) noteJump();
+}
+
+void DecisionReplay::noteJump() {
+  ++jumps_;
+  drift_.restart();
 }
 
 RecorderParameters replayParameters(const PolicyDescription& description, const AgentParameters& agent,

@@ -10,6 +10,7 @@
 #include "lstm_planner/drive/decision/closed_loop.hpp"
 #include "lstm_planner/drive/motion/elastic_band.hpp"
 #include "lstm_planner/drive/motion/path_tracker.hpp"
+#include "lstm_planner/drive/perception/drift_correction.hpp"
 
 namespace lstm_planner {
 
@@ -18,21 +19,28 @@ namespace {
 /// A simulated robot that a controller leads along the agent's plans.
 class ControlledRobot : public LoopRobot {
  public:
-  ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters,
+  ControlledRobot(SimulatedRobot* robot, const DriveTask& task, const DriveParameters& parameters, bool correct_drift,
                   const DriveListener& listener)
-      : robot_(*robot), parameters_(parameters), listener_(listener), tracker_(parameters.motion) {
+      : robot_(*robot),
+        parameters_(parameters),
+        correct_drift_(correct_drift),
+        listener_(listener),
+        tracker_(parameters.motion) {
     tracker_.expectReactionTime(parameters.robot.longestScanPeriod(), parameters.control_period);
     const Point2 goal = toLocalFrame(task.start, task.goal);  // odometry starts at the start
     goal_ = {goal.x, goal.y, 0.0};
   }
 
   const Pose2& goal() const { return goal_; }  ///< odometry frame
+  /// Where the robot thinks it is; odometry frame as it was at the start.
+  Pose2 believedPose() const { return compose(correction_.correction(), robot_.believedPose()); }
 
   /// Sees what the last scan showed until the scanner has taken another one.
   bool sense(double range_cap, Situation* situation) override {
     if (robot_.time() < next_scan_) return true;
     try {
       robot_.sense(range_cap, situation);
+      if (isCorrected()) correction_.correct(situation);
     } catch (const UnusableScan&) {
       // Somebody is so near to the scanner that it measures nothing. The plugins stop the robot then.
       robot_.command({});
@@ -67,10 +75,14 @@ class ControlledRobot : public LoopRobot {
  private:
   static constexpr double kSameTime = 1e-6;  // s
   double scanPeriod() const { return 1.0 / parameters_.robot.scanner.rate; }
+  /// A localisation does it better.
+  bool isCorrected() const { return correct_drift_ && parameters_.robot.localisation_jump == 0.0; }
 
   SimulatedRobot& robot_;
   const DriveParameters& parameters_;
+  const bool correct_drift_;
   const DriveListener& listener_;
+  DriftCorrection correction_;
   PathTracker tracker_;
   ElasticBand band_;
   Pose2 goal_;
@@ -86,7 +98,7 @@ class Run {
   Run(SimulatedRobot* robot, const Traffic* traffic, const DriveTask& task, const DriveParameters& parameters,
       NavigationAgent* agent, const DriveListener& listener)
       : robot_(*robot),
-        controlled_(robot, task, parameters, listener),
+        controlled_(robot, task, parameters, agent->parameters().correct_drift, listener),
         traffic_(traffic),
         task_(task),
         parameters_(parameters),
@@ -144,11 +156,9 @@ class Run {
   double allowedRadius() const {
     if (parameters_.arrival == Arrival::kTruePosition) return parameters_.goal_radius;
     const double beside = distanceBetween(agent_.decision().destination, controlled_.goal());
-    double error = parameters_.robot.base.odometry_error * robot_.pathLength();
-    if (robot_.contacts() == 0) {
-      const Pose2 believed = compose(task_.start, robot_.believedPose());
-      error = std::max(error, distanceBetween(robot_.truePose(), believed));
-    }
+    const Pose2 believed = compose(task_.start, controlled_.believedPose());
+    const double error = robot_.contacts() == 0 ? distanceBetween(robot_.truePose(), believed)
+                                                : parameters_.robot.base.odometry_error * robot_.pathLength();
     return parameters_.goal_radius + error + std::min(beside, error);
   }
 

@@ -63,6 +63,8 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
   line->addFlag(
       "knows-map", &options->knows_map, true,
       "the robot knows all obstacles of --map or --worlds from the start, as far as 50 m; only without --drift");
+  line->addFlag("no-drift-correction", &agent.correct_drift, false,
+                "take the odometry as it is: do not match scans to take its drift away");
   line->addFlag("no-memory", &agent.memory.enabled, false,
                 "remember no obstacles: nothing limits the network's detours, and without progress the robot follows "
                 "boundaries");

@@ -51,6 +51,13 @@ std::string lineOf(const TextTable& table, const std::string& name, const DriveS
          '\n';
 }
 
+/// The goal's tolerance, and what the robot is wrong about where it is.
+void printGoalError(std::ostream& out, const std::vector<DriveResult>& results) {
+  const DriveSummary summary = summarize(results);
+  if (summary.reached == 0) return;
+  out << "where it arrived it stood " << fixedText(summary.mean_goal_error, 2) << " m from the goal on average\n";
+}
+
 /// Who decided how many of the steps.
 void printLeaders(std::ostream& out, const std::vector<DriveResult>& results) {
   out << "decided by" << std::fixed << std::setprecision(1);
@@ -164,6 +171,7 @@ void printDriveSummary(std::ostream& out, const DriveCourse& course, const Drive
   }
   const std::vector<DriveResult> all = together(results);
   out << lineOf(table, leftText(course.worlds.size() == 1 ? course.worlds[0].name : "all", width), summarize(all));
+  printGoalError(out, all);
   printLeaders(out, all);
   if (shareOf(Leader::kNetwork, all) > 0.0) printNetwork(out, all);
   if (course.is_barn) printBarnScore(out, all);

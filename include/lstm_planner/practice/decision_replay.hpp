@@ -9,6 +9,7 @@
 #include "lstm_planner/dataset/recorder_parameters.hpp"
 #include "lstm_planner/drive/decision/goal_changes.hpp"
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
+#include "lstm_planner/drive/perception/drift_correction.hpp"
 
 namespace lstm_planner {
 
@@ -56,9 +57,11 @@ class DecisionReplay : public StepSink {
 
  private:
   ReplayedDecision decideAbout(const DriveStep& step);
+  void noteJump();
 
   ScanRules rules_;
   NavigationAgent agent_;
+  DriftCorrection drift_;
   GoalChanges goal_changes_;
   Situation situation_;
   std::optional<ReplayedDecision> advice_;

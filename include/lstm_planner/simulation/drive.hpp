@@ -21,11 +21,10 @@ struct DriveTask {
 
 /// Who says that the robot has arrived.
 enum class Arrival {
-  /// The robot does, as in a building: its controller is within its tolerance of the goal by odometry. It knows no
-  /// better than odometry, so the true position may be off by more than the goal's radius: by the odometry's error
-  /// times the driven path, and in a drive without contacts by all that odometry is wrong by (after a contact wheels
-  /// may have spun, and that counts). A goal that odometry has moved into something is replaced by a place beside it,
-  /// as far away as odometry is wrong.
+  /// The robot does, as in a building: its controller is within its tolerance of the goal, as far as it knows. The true
+  /// position may be off by as much more as the robot is wrong about where it is; after a contact, when wheels may have
+  /// spun, by the odometry's error times the driven path. A goal that seems to lie in something is replaced by a place
+  /// beside it, at most that far away.
   kRobotSays,
   /// A referee does who knows the true position, and ends the drive there (BARN). The robot's own word ends it too.
   kTruePosition
@@ -48,8 +47,8 @@ struct DriveParameters {
 struct DriveMoment {
   double time;                     ///< s since the start
   Pose2 pose;                      ///< where the robot truly is, world frame
-  const Situation& situation;      ///< what it knows of that, odometry frame
-  const std::vector<Pose2>& plan;  ///< that the controller follows, odometry frame
+  const Situation& situation;      ///< what it knows of that, agent's frame
+  const std::vector<Pose2>& plan;  ///< that the controller follows, agent's frame
   const NavigationAgent& agent;    ///< which has decided
 };
 using DriveListener = std::function<void(const DriveMoment&)>;

@@ -8,6 +8,14 @@ std::size_t indexOf(Decision::Choice choice) {
   return static_cast<std::size_t>(std::find(kChoices.begin(), kChoices.end(), choice) - kChoices.begin());
 }
 
+Decision inParentFrame(const Pose2& frame, Decision decision) {
+  decision.waypoint = toParentFrame(frame, decision.waypoint);
+  decision.destination = toParentFrame(frame, decision.destination);
+  decision.direction = normalizeAngle(frame.yaw + decision.direction);
+  for (Point2& corner : decision.path_on) corner = toParentFrame(frame, corner);
+  return decision;
+}
+
 const char* toString(Decision::Choice choice) {
   switch (choice.move) {
     case Decision::Move::kStep:

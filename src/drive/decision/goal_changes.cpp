@@ -11,10 +11,12 @@ constexpr double kGoalShift = 0.25;
 
 }  // namespace
 
-GoalChanges::Fresh GoalChanges::tell(NavigationAgent* agent, const Point2& goal, bool is_new, long jumps) {
+GoalChanges::Fresh GoalChanges::tell(NavigationAgent* agent, const Pose2& goal, const Pose2& frame_of_goals,
+                                     bool is_new, long jumps) {
   is_new_ = is_new_ || is_new;
-  checkGoal(agent->situation().pose, goal);
-  const double shift = distanceBetween(agent->goal(), goal);
+  const Pose2 now = compose(frame_of_goals, goal);
+  checkGoal(agent->situation().pose, {now.x, now.y});
+  const double shift = distanceBetween(given_, goal);
   const bool jumped = jumps != jumps_;
   Fresh fresh = Fresh::kNo;
   if (is_new_) {
@@ -24,10 +26,12 @@ GoalChanges::Fresh GoalChanges::tell(NavigationAgent* agent, const Point2& goal,
   } else if (shift > kGoalShift) {
     fresh = Fresh::kGoalMoved;
   }
+  if (fresh != Fresh::kNo || shift > 0.0) goal_ = now;
+  given_ = goal;
   if (fresh != Fresh::kNo) {
-    agent->setGoal(goal);
+    agent->setGoal({goal_.x, goal_.y});
   } else if (shift > 0.0) {
-    agent->moveGoal(goal);
+    agent->moveGoal({goal_.x, goal_.y});
   }
   if (jumped) agent->restart();
   jumps_ = jumps;

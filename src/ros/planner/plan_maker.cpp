@@ -98,23 +98,29 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   global_from_odometry_ = frames_.transform(global_frame_, reading.odometry_frame, now_);
   checkStart(start, compose(global_from_odometry_, reading.newest_pose));
   corrections_.note(global_from_odometry_, reading.newest_pose);
+  const long jumps = reading.jumps + corrections_.jumps();
+  if (jumps != jumps_) drift_.restart();
+  jumps_ = jumps;
   perceive(reading);
   sayThatTheScannerIsTooShort();
 
   Pose2 global_goal =
       compose(frames_.transformAt(global_frame_, goal.frame, goal_message.header.stamp, now_), goal.pose);
   ask(goal, &global_goal);
-  if (verdict_ == GoalTracker::Verdict::kNewGoal) noteEnd(false);
+  const bool is_new = verdict_ == GoalTracker::Verdict::kNewGoal;
+  if (is_new) noteEnd(false);
   const bool driven = verdict_ != GoalTracker::Verdict::kQuestion;
-  const Decision& decision =
-      driven ? drive(global_goal, reading, verdict_ == GoalTracker::Verdict::kNewGoal) : preview(global_goal);
+  const Decision& decision = driven ? drive(global_goal, is_new) : preview(global_goal);
+  const Pose2 agent_goal = driven ? goal_changes_.goal() : compose(drift_.correction(), global_goal);
   const Decision& bent = band_.bend(agent_, agent_.situation().pose, decision, parameters_.rollout.clearance);
-  rollOut(agent_.situation(), bent, agent_.shield(), global_goal, parameters_.agent, parameters_.rollout, &plan_);
+  rollOut(agent_.situation(), bent, agent_.shield(), agent_goal, parameters_.agent, parameters_.rollout, &plan_);
+  const Pose2 global_from_agent = inverse(drift_.correction());
+  for (Pose2& pose : plan_) pose = compose(global_from_agent, pose);
   toMessages(plan_, header(), plan);
   if (driven) {
     sayWhoLeads(decision);
     sayWhereGoalSeems(decision);
-    publish(decision, global_goal, *plan);
+    publish(inParentFrame(global_from_agent, decision), compose(global_from_agent, agent_goal), *plan);
   }
   if (decision.choice != Decision::Move::kNoPath) return;
   if (driven) noteEnd(false);
@@ -126,13 +132,15 @@ void PlanMaker::noteEnd(bool is_unasked) {
   const bool is_reported = goals_.takeSuccess();
   const Decision::Choice choice = agent_.decision().choice;
   const bool is_refused = choice == Decision::Move::kNoPath && agent_.endsBesideGoal();
-  const Pose2 robot = compose(global_from_odometry_, sensors_.newestPose().value_or(Pose2()));
+  const Pose2 global_robot = compose(global_from_odometry_, sensors_.newestPose().value_or(Pose2()));
+  const Pose2 robot = compose(drift_.correction(), global_robot);
   // A report that is late may be about the goal before.
   const bool is_at_end = distanceBetween(robot, agent_.decision().destination) <= kFarthestEnd;
   const bool is_over = is_refused || (is_reported && is_at_end) || (is_unasked && choice == Decision::Move::kArrived);
   if (!is_driving_ || !is_over) return;
   is_driving_ = false;
-  end_ = DriveEnd{agent_.goal(), distanceBetween(robot, agent_.goal()), agent_.endsBesideGoal(), !is_refused};
+  end_ = DriveEnd{
+      {driven_goal_.x, driven_goal_.y}, distanceBetween(robot, agent_.goal()), agent_.endsBesideGoal(), !is_refused};
   arrival_.publish(*end_, global_frame_);
   if (end_->is_beside) ROS_WARN("%s", end_->text().c_str());
 }
@@ -161,12 +169,20 @@ void PlanMaker::perceive(const SensorReading& reading) {
     const Pose2 pose = compose(global_from_odometry_, second->pose);
     perceiveSecond({second_scan_, second->mount, pose, second->stamp}, rules, &seen_);
   }
+  const Pose2 global_pose = seen_.pose;
+  if (isDriftCorrected(reading)) drift_.correct(&seen_);
   agent_.perceive(seen_);
+  seen_.pose = global_pose;
   if (!costmap_.isUsed()) return;
   // Cells around what is known to the centimetre would only make it larger.
   known_ = agent_.outOfView();
   known_.insert(known_.end(), seen_.obstacles.begin(), seen_.obstacles.end());
   agent_.mark(costmap_.read(seen_.pose, known_));
+}
+
+/// A localisation corrects the other frames, better than scans alone can.
+bool PlanMaker::isDriftCorrected(const SensorReading& reading) const {
+  return parameters_.agent.correct_drift && frameName(reading.odometry_frame) == global_frame_;
 }
 
 void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
@@ -182,9 +198,9 @@ void PlanMaker::ask(const GoalInFrame& goal, Pose2* goal_in_global_frame) {
   }
 }
 
-const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading, bool is_new) {
+const Decision& PlanMaker::drive(const Pose2& goal, bool is_new) {
   const Point2 last_goal = agent_.goal();
-  switch (goal_changes_.tell(&agent_, {goal.x, goal.y}, is_new, reading.jumps + corrections_.jumps())) {
+  switch (goal_changes_.tell(&agent_, goal, drift_.correction(), is_new, jumps_)) {
     case GoalChanges::Fresh::kNewGoal:
       ROS_INFO("new goal (%.2f, %.2f) in %s", driven_goal_.x, driven_goal_.y, global_frame_.c_str());
       markers_.clearTrace();
@@ -199,8 +215,8 @@ const Decision& PlanMaker::drive(const Pose2& goal, const SensorReading& reading
       markers_.clearTrace();
       break;
     case GoalChanges::Fresh::kGoalMoved:
-      ROS_WARN("the goal moved by %.2f m in %s, the path so far is forgotten", distanceBetween(last_goal, goal),
-               global_frame_.c_str());
+      ROS_WARN("the goal moved by %.2f m in %s, the path so far is forgotten",
+               distanceBetween(last_goal, agent_.goal()), global_frame_.c_str());
       break;
     case GoalChanges::Fresh::kNo:
       break;
@@ -258,7 +274,8 @@ void PlanMaker::sayWhatIsInTheWay(const Decision& decision) const {
 }
 
 const Decision& PlanMaker::preview(const Pose2& goal) {
-  preview_ = agent_.preview({goal.x, goal.y});
+  const Pose2 agent_goal = compose(drift_.correction(), goal);
+  preview_ = agent_.preview({agent_goal.x, agent_goal.y});
   return preview_;
 }
 
@@ -271,8 +288,8 @@ std_msgs::Header PlanMaker::header() const {
 
 void PlanMaker::publish(const Decision& decision, const Pose2& goal,
                         const std::vector<geometry_msgs::PoseStamped>& plan) {
-  markers_.publish(header(), agent_.situation(), decision, goal);
-  decisions_.publish(header(), agent_.situation(), decision, goal);
+  markers_.publish(header(), seen_, decision, goal);
+  decisions_.publish(header(), seen_, decision, goal);
   if (plan_publisher_.getNumSubscribers() > 0) {
     nav_msgs::Path path;
     path.header = header();

@@ -15,6 +15,7 @@
 #include "lstm_planner/drive/decision/navigation_agent.hpp"
 #include "lstm_planner/drive/motion/elastic_band.hpp"
 #include "lstm_planner/drive/perception/correction_watch.hpp"
+#include "lstm_planner/drive/perception/drift_correction.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/common/transform_listener.hpp"
 #include "lstm_planner/ros/planner/decision_publisher.hpp"
@@ -36,8 +37,10 @@ class PlanRefused : public std::runtime_error {
 
 /// Turns sensor readings and a goal into a plan: what LstmGlobalPlanner does once it is initialised. Not thread safe.
 ///
-/// It thinks in the global frame. Where that is one in which a localisation corrects odometry, obstacles are remembered
-/// where they truly are, and the goal stays where it is.
+/// Where the global frame is one in which a localisation corrects odometry, the agent thinks in it: obstacles are
+/// remembered where they truly are, and the goal stays where it is. Where it is the odometry's own, the agent thinks in
+/// a frame that does not drift (DriftCorrection), and what it decides is moved to where that is in the global frame
+/// now.
 class PlanMaker {
  public:
   /// `name`: of the plugin; its topics live in "~/" + name. `global_frame`: the frame of the plans. `base_frame`: the
@@ -77,7 +80,8 @@ class PlanMaker {
   void checkStart(const geometry_msgs::PoseStamped& start, const Pose2& robot) const;
   void perceive(const SensorReading& reading);
   void ask(const GoalInFrame& goal, Pose2* goal_in_global_frame);
-  const Decision& drive(const Pose2& goal, const SensorReading& reading, bool is_new);
+  bool isDriftCorrected(const SensorReading& reading) const;
+  const Decision& drive(const Pose2& goal, bool is_new);
   const Decision& preview(const Pose2& goal);
   void warnOfTheNetwork() const;
   void sayThatTheScannerIsTooShort();
@@ -111,12 +115,14 @@ class PlanMaker {
   ros::Time now_;                                ///< of the current call
   std::optional<GoalTracker::Verdict> verdict_;  ///< of the current call
   CorrectionWatch corrections_;
+  DriftCorrection drift_;         ///< from the global frame to the agent's
+  long jumps_ = 0;                ///< of odometry or localisation, so far
   Pose2 global_from_odometry_;    ///< of the current call
   LaserScan scan_, second_scan_;  ///< of the current call
-  Situation seen_;                ///< of the current call
+  Situation seen_;                ///< of the current call, global frame
   Decision preview_;              ///< of the last question
   std::vector<Pose2> plan_;       ///< of the current call, global frame
-  Pose2 driven_goal_;             ///< global frame
+  Pose2 driven_goal_;             ///< global frame, as it was given
   bool is_driving_ = false;       ///< a goal was set, and it is not known how it ended
   std::optional<DriveEnd> end_;
   std::optional<Leader> leader_;                ///< that was said last

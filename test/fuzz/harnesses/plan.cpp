@@ -54,7 +54,7 @@ void plan(const std::uint8_t* data, std::size_t size) {
     expectRefusal<std::invalid_argument>([&] {
       test::perceive(&agent, scan, anyMount(&input), pose, time);
       const bool asks = (kind & 64) != 0;
-      if (!asks) changes.tell(&agent, {goal.x, goal.y}, (kind & 128) != 0, jumps);
+      if (!asks) changes.tell(&agent, goal, {}, (kind & 128) != 0, jumps);
       const Decision decision = asks ? agent.preview({goal.x, goal.y}) : agent.decide();
       Shield shield(0.17425, 0.03, 6.0);
       shield.show(agent.situation().obstacles);

@@ -5,6 +5,7 @@
 #include "fuzz/harness.hpp"
 #include "lstm_planner/drive/collision/shield.hpp"
 #include "lstm_planner/drive/motion/motion_controller.hpp"
+#include "lstm_planner/drive/perception/drift_correction.hpp"
 #include "lstm_planner/drive/perception/moving_returns.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 
@@ -66,6 +67,7 @@ void seeAndDrive(const std::uint8_t* data, std::size_t size) {
   static const std::vector<Pose2> straight_on = {{}, {0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}, {2.0, 0.0, 0.0}};
   Shield shield(kFootprint, parameters.safety_margin, 2.0);
   MovingReturns moving(parameters.moving);
+  DriftCorrection drift;
   Situation situation;
   double time = 0.0;
   for (std::size_t i = 0; i < kMostScans && !input.empty(); ++i) {
@@ -82,6 +84,9 @@ void seeAndDrive(const std::uint8_t* data, std::size_t size) {
     checkSituation(situation, scan);
     shield.show(situation.obstacles);
     moving.show(situation.profile, {}, time);
+    situation.pose = {input.numberIn(-2.0, 2.0), input.numberIn(-2.0, 2.0), input.numberIn(-M_PI, M_PI)};
+    drift.correct(&situation);
+    require(isFinite(situation.pose), "a corrected pose is finite");
     const Twist2 command = controller.compute({straight_on, {}, twist, shield, kPeriod}, moving.points());
     require(command.linear >= 0.0 && command.linear <= parameters.max_linear, "the speed is within its limits");
     const bool is_in_the_middle = mount.pose.x == 0.0 && mount.pose.y == 0.0;

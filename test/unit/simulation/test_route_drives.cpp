@@ -66,6 +66,24 @@ TEST(RouteDrives, AnEnclosedGoalIsKnownToBeEnclosed) {
   EXPECT_LT(result.path_length, 4.0 + 5.0 * 1.25 * round + 2.0 * kDefaults.escape.first_leg + 1.25 * round);
 }
 
+TEST(RouteDrives, ARobotWithOneWheelThatIsTooSmallArrives) {
+  OccupancyGrid grid = test::emptyHall(12.0, 8.0);
+  test::fillBox(4.0, 0.0, 4.5, 5.0, &grid);
+  test::fillBox(7.5, 3.0, 8.0, 8.0, &grid);
+  const DriveTask task{{1.5, 2.0, 0.0}, {10.0, 6.0}, 0.0};
+  DriveParameters parameters = test::quickDrive(200.0);
+  parameters.robot.base.drift = 0.01;  // turns it by 0.02 / 0.235 m = 5 degrees a metre, which odometry does not notice
+  const DriveResult corrected = driveGuided(GridWorld(grid), task, parameters);
+  expectReached(corrected, 20.0);
+  EXPECT_LT(corrected.goal_error, parameters.motion.position_tolerance + 0.05);
+
+  AgentParameters by_odometry = test::routeLed();
+  by_odometry.correct_drift = false;
+  NavigationAgent agent(noPolicy(), by_odometry);
+  const DriveResult alone = drive(GridWorld(grid), task, parameters, 1, &agent);
+  EXPECT_GT(alone.goal_error, 1.0) << "odometry alone does not do";
+}
+
 TEST(RouteDrives, LeavesADeadEndByTheShortestPath) {
   OccupancyGrid grid = test::emptyHall(12.0, 8.0);
   test::fillBox(7.0, 2.0, 7.1, 6.0, &grid);

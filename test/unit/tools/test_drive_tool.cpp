@@ -104,9 +104,10 @@ TEST_F(DriveTool, EachConditionHasItsEffect) {
   EXPECT_LT(usual["mean_goal_error_m"], 0.2) << "the odometry is exact, and position_tolerance 0.2 m";
   EXPECT_LT(usual["mean_ratio"], 1.5);
 
-  const nlohmann::json slip = drive("--slip 0.2");
+  const nlohmann::json slip = drive("--slip 0.2 --no-drift-correction");
   EXPECT_EQ(slip["slip"], 0.2);
   EXPECT_GT(slip["mean_goal_error_m"], 0.5) << "the odometry does not notice";
+  EXPECT_LT(drive("--slip 0.2")["mean_goal_error_m"], 0.25) << "the scans do";
   const nlohmann::json latency = drive("--latency 0.4");
   EXPECT_EQ(latency["latency_s"], 0.4);
   EXPECT_GT(latency["mean_time_s"], usual["mean_time_s"]) << "it drives with more care";

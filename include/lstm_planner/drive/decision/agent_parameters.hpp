@@ -36,7 +36,8 @@ struct AgentParameters {
   bool shield_enabled = true;
   double goal_tolerance = 0.15;
   double goal_in_sight = 1.5;
-  double goal_drift = 0.03;
+  bool correct_drift = true;
+  double goal_drift = 0.01;
   bool arrive_beside_goal = true;
   int draw_after = 60;
 };
@@ -54,11 +55,15 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
         "nearer to the goal than this the robot has arrived; not more than the controller's position_tolerance");
   visit("goal_in_sight", agent.goal_in_sight, {0.0, 100.0}, "m",
         "the robot drives straight to a goal that is nearer than this, if the straight path is free");
+  visit(
+      "correct_drift", agent.correct_drift, {}, "",
+      "matches scans with earlier ones, so that neither obstacles nor the goal drift with the odometry; has no effect "
+      "if the costmap's global frame is not that of the odometry, because a localisation corrects it then");
   visit("goal_drift", agent.goal_drift, {0.0, 0.9}, "",
-        "possible error of odometry (1.5 times the usual one), as a share of the driven distance: a goal that turns "
-        "out to lie in or behind an obstacle counts as reached from that distance; larger searches less often for a "
-        "path to the other side of a wall, and misses more goals that really are there; 0 if odometry is corrected by"
-        " a localisation");
+        "possible error of the robot's position (1.5 times the usual one), as a share of the driven distance: a goal "
+        "that turns out to lie in or behind an obstacle counts as reached from that distance; larger searches less "
+        "often for a path to the other side of a wall, and misses more goals that really are there; 0.03 if odometry "
+        "is wrong by 2 % and correct_drift is false; 0 with a localisation");
   visit("arrive_beside_goal", agent.arrive_beside_goal, {}, "",
         "whether a robot that stops in front of such a goal has arrived; false: it drives there all the same, then the "
         "planner says that it stopped beside the goal and makes no plan, so that move_base reports ABORTED");
@@ -92,7 +97,8 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
   visitEscapeParameters(agent.escape, visit);
 }
 
-/// How near (m) to the goal a robot that has driven so far (m) may have arrived: odometry may be wrong by goal_drift.
+/// How near (m) to the goal a robot that has driven so far (m) may have arrived: its position may be wrong by
+/// goal_drift.
 inline double toleranceAfter(double driven, const AgentParameters& parameters) {
   return parameters.goal_tolerance + parameters.goal_drift * driven;
 }

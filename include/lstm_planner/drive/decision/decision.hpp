@@ -74,6 +74,9 @@ inline bool isOneStep(const Decision& decision) {
   return is_by_action && !decision.on_route;
 }
 
+/// The decision as it is seen in the frame in which `frame` is given.
+Decision inParentFrame(const Pose2& frame, Decision decision);
+
 /// Every choice there is.
 constexpr std::array<Decision::Choice, 8> kChoices = {
     Leader::kNetwork,         Leader::kGreedy,        Decision::Move::kGoalInSight,

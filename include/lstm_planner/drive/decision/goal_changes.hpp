@@ -15,12 +15,19 @@ class GoalChanges {
     kGoalMoved  ///< the goal moved farther than localisation corrects while the odometry is sound
   };
 
-  /// `goal`: where it is now, in the frame of the poses. `is_new`: it was set since the last call. `jumps`: number of
-  /// jumps of odometry or localisation so far. Throws std::invalid_argument for a goal out of reach of what the agent
-  /// perceived last (checkGoal), and tells it nothing.
-  Fresh tell(NavigationAgent* agent, const Point2& goal, bool is_new, long jumps);
+  /// `goal`: where it is now, in the frame in which goals are given. `frame_of_goals`: as a pose in the agent's frame,
+  /// now; the two differ where drift is corrected (DriftCorrection). A goal that was not moved stays where it is in the
+  /// agent's frame. `is_new`: it was set since the last call. `jumps`: number of jumps of odometry or localisation so
+  /// far. Throws std::invalid_argument for a goal out of reach of what the agent perceived last (checkGoal), and tells
+  /// it nothing.
+  Fresh tell(NavigationAgent* agent, const Pose2& goal, const Pose2& frame_of_goals, bool is_new, long jumps);
+
+  /// The goal in the agent's frame.
+  const Pose2& goal() const { return goal_; }
 
  private:
+  Pose2 given_;          ///< the goal as it was given
+  Pose2 goal_;           ///< agent's frame
   bool is_new_ = false;  ///< nothing was decided for it
   long jumps_ = 0;       ///< that were heard of
 };

@@ -42,11 +42,11 @@ class DriveToTheRing {
     look({});
   }
 
-  const Decision& look(const Pose2& pose) {
+  Decision look(const Pose2& pose) {
     situation_ = test::returnsAt(ringAroundTheGoal(0.45), pose);
     return test::decideIn(situation_, &agent_);
   }
-  const Decision& arrive() {
+  Decision arrive() {
     const Point2 end = agent_.decision().destination;
     return look({end.x, end.y, 0.0});
   }

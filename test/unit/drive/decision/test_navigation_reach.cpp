@@ -29,7 +29,7 @@ class NavigationReach : public ::testing::Test {
 
   void standAt(const Pose2& pose) { test::perceive(&agent_, makeHokuyoScan(5.0f), {}, pose, time_ += 1.0); }
 
-  GoalChanges::Fresh tell(const Point2& goal, bool is_new) { return changes_.tell(&agent_, goal, is_new, 0); }
+  GoalChanges::Fresh tell(const Pose2& goal, bool is_new) { return changes_.tell(&agent_, goal, {}, is_new, 0); }
 
   NavigationAgent agent_;
   GoalChanges changes_;
@@ -41,7 +41,7 @@ TEST_F(NavigationReach, RefusesAGoalThatIsTooFarAway) {
   const Point2 goal{4.5e6, 0.0};
   const std::string sentence =
       "the goal is 4.5e+06 m from the robot, expected at most 10000 m: is it given in the right frame?";
-  EXPECT_EQ(complaintOf([&] { tell(goal, true); }), sentence);
+  EXPECT_EQ(complaintOf([&] { tell({goal.x, goal.y}, true); }), sentence);
   EXPECT_EQ(complaintOf([&] { agent_.preview(goal); }), sentence);
   EXPECT_NE(complaintOf([&] { tell({std::numeric_limits<double>::quiet_NaN(), 0.0}, true); }), "");
 }

@@ -26,7 +26,7 @@ DrivePolicy leftwards() { return test::policyPreferring({0.0f, 1.0f, 2.0f, 3.0f,
 /// A robot whose driver sends that as range_max from time to time. The model needs 3 m: half its range cap.
 class ScannerReach : public ::testing::Test {
  protected:
-  const Decision& step(double range_max) {
+  Decision step(double range_max) {
     LaserScan scan = makeHokuyoScan(1.9f);
     scan.range_max = range_max;
     test::perceive(&agent_, scan, {}, {0.45 * steps_, 0.0, 0.0}, 0.5 * steps_);

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lstm_planner/common/geometry.hpp"
+#include "lstm_planner/drive/perception/laser_scan.hpp"
+
+namespace lstm_planner {
+
+/// A piece of a wall, or of something else that is straight for about 0.4 m.
+struct SurfacePiece {
+  Point2 at;      ///< m
+  Point2 normal;  ///< unit vector to the side that the scanner sees; (0, 0): there is no surface
+};
+
+/// The surfaces that a scan shows. Each return gets the line through its neighbours:
+///
+///              normal
+///                 ^
+///       .   . ____|____ .   .     returns with noise, and the line through them
+///             '  at   '
+///
+/// and moves onto it, which takes most of the noise away. Corners, walls that are seen at a grazing angle, and what
+/// fewer than five beams hit show no surface. All is in the base frame of the scan.
+class ScanSurfaces {
+ public:
+  /// Takes the surfaces of a scan in place of those before.
+  void show(const RangeProfile& profile);
+
+  /// The piece nearest to `point` among those that lie in nearly the same direction from the scanner; null when none is
+  /// within `distance` (m).
+  const SurfacePiece* nearest(const Point2& point, double distance) const;
+
+  /// Pieces that are about `spacing` (m) apart; at most `most`, which are taken evenly from all.
+  void sample(double spacing, std::size_t most, std::vector<SurfacePiece>* pieces) const;
+
+ private:
+  SurfacePiece pieceAt(long beam) const;
+
+  Point2 origin_;                        ///< of the scanner
+  double first_direction_ = 0.0;         ///< rad, of the first beam
+  double increment_ = 0.0;               ///< rad
+  std::vector<SurfacePiece> pieces_;     ///< one a beam
+  std::vector<Point2> returns_;          ///< one a beam, as measured
+  std::vector<unsigned char> measured_;  ///< whether there is a return
+};
+
+}  // namespace lstm_planner
