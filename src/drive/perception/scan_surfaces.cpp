@@ -60,41 +60,52 @@ bool isSurface(const SurfacePiece& piece) { return piece.normal.x != 0.0 || piec
 
 double squaredDistance(const Point2& a, const Point2& b) { return square(a.x - b.x) + square(a.y - b.y); }
 
+/// The returns of a scan, from which pieces are made.
+class NeighbouringReturns {
+ public:
+  explicit NeighbouringReturns(const RangeProfile& profile) : profile_(profile), at_(profile.ranges.size()) {
+    for (std::size_t beam = 0; beam < at_.size(); ++beam) {
+      if (!profile.isMeasured(beam)) continue;
+      at_[beam] = pointAlong(profile.origin, profile.direction(beam), profile.ranges[beam]);
+    }
+  }
+
+  SurfacePiece pieceAt(long beam) const {
+    if (!isReturn(beam)) return {};
+    const Point2& at = at_[static_cast<std::size_t>(beam)];
+    // The beams of a coarse scanner lie far apart on a far wall.
+    const double width = distanceBetween(profile_.origin, at) * std::abs(profile_.increment);
+    const double radius = std::max(kPieceRadius, kPieceBeams * width);
+    Moments sums;
+    sums.add(0.0, 0.0);
+    for (const long side : {-1, 1}) {
+      for (long step = 1; step <= kMostBeamsASide && isReturn(beam + side * step); ++step) {
+        const Point2& there = at_[static_cast<std::size_t>(beam + side * step)];
+        if (squaredDistance(there, at) > square(radius)) break;
+        sums.add(there.x - at.x, there.y - at.y);
+      }
+    }
+    return sums.count >= kFewestReturns ? pieceOf(sums, at, profile_.origin) : SurfacePiece{at, {}};
+  }
+
+ private:
+  bool isReturn(long beam) const {
+    return beam >= 0 && beam < static_cast<long>(at_.size()) && profile_.isMeasured(static_cast<std::size_t>(beam));
+  }
+
+  const RangeProfile& profile_;
+  std::vector<Point2> at_;  ///< one a beam
+};
+
 }  // namespace
 
 void ScanSurfaces::show(const RangeProfile& profile) {
   origin_ = profile.origin;
   first_direction_ = profile.first_direction;
   increment_ = profile.increment;
-  const std::size_t beams = profile.ranges.size();
-  returns_.resize(beams);
-  measured_.resize(beams);
-  pieces_.resize(beams);
-  for (std::size_t beam = 0; beam < beams; ++beam) {
-    measured_[beam] = profile.isMeasured(beam) ? 1 : 0;
-    if (measured_[beam] != 0) returns_[beam] = pointAlong(origin_, profile.direction(beam), profile.ranges[beam]);
-  }
-  for (std::size_t beam = 0; beam < beams; ++beam) pieces_[beam] = pieceAt(static_cast<long>(beam));
-}
-
-SurfacePiece ScanSurfaces::pieceAt(long beam) const {
-  const auto index = [](long i) { return static_cast<std::size_t>(i); };
-  if (measured_[index(beam)] == 0) return {};
-  const Point2& at = returns_[index(beam)];
-  // The beams of a coarse scanner lie far apart on a far wall.
-  const double radius = std::max(kPieceRadius, kPieceBeams * distanceBetween(origin_, at) * std::abs(increment_));
-  Moments sums;
-  sums.add(0.0, 0.0);
-  for (const long side : {-1, 1}) {
-    for (long step = 1; step <= kMostBeamsASide; ++step) {
-      const long other = beam + side * step;
-      if (other < 0 || other >= static_cast<long>(returns_.size()) || measured_[index(other)] == 0) break;
-      const Point2& there = returns_[index(other)];
-      if (squaredDistance(there, at) > square(radius)) break;
-      sums.add(there.x - at.x, there.y - at.y);
-    }
-  }
-  return sums.count >= kFewestReturns ? pieceOf(sums, at, origin_) : SurfacePiece{at, {}};
+  const NeighbouringReturns returns(profile);
+  pieces_.resize(profile.ranges.size());
+  for (std::size_t beam = 0; beam < pieces_.size(); ++beam) pieces_[beam] = returns.pieceAt(static_cast<long>(beam));
 }
 
 const SurfacePiece* ScanSurfaces::nearest(const Point2& point, double distance) const {

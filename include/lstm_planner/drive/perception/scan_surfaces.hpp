@@ -36,14 +36,10 @@ class ScanSurfaces {
   void sample(double spacing, std::size_t most, std::vector<SurfacePiece>* pieces) const;
 
  private:
-  SurfacePiece pieceAt(long beam) const;
-
-  Point2 origin_;                        ///< of the scanner
-  double first_direction_ = 0.0;         ///< rad, of the first beam
-  double increment_ = 0.0;               ///< rad
-  std::vector<SurfacePiece> pieces_;     ///< one a beam
-  std::vector<Point2> returns_;          ///< one a beam, as measured
-  std::vector<unsigned char> measured_;  ///< whether there is a return
+  Point2 origin_;                     ///< of the scanner
+  double first_direction_ = 0.0;      ///< rad, of the first beam
+  double increment_ = 0.0;            ///< rad
+  std::vector<SurfacePiece> pieces_;  ///< one a beam
 };
 
 }  // namespace lstm_planner
