@@ -177,6 +177,7 @@ void LstmGlobalPlanner::describeFigures(PluginDiagnostics::Status* status) const
     status->add("detours of the network (m)", decision.regret_used);
     status->add("detours that are allowed (m)", decision.regret_allowed);
   }
+  status->add("drift of the odometry (m)", plan_maker_->drift());
   status->add("time for the plan (ms)", 1e3 * answer_.duration);
   status->add("longest time for a plan (ms)", 1e3 * answer_.longest);
 }

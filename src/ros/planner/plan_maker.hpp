@@ -70,6 +70,8 @@ class PlanMaker {
 
   /// How the drive is led.
   const NavigationAgent& agent() const { return agent_; }
+  /// m, by which the odometry is wrong about where the robot is now, as the scans say; 0 where drift is not corrected.
+  double drift() const { return distanceBetween(seen_.pose, agent_.situation().pose); }
   /// Why there is no model, which no network that leads needs; empty if there is one.
   const std::string& modelProblem() const { return model_problem_; }
   SensorListener& sensors() { return sensors_; }
