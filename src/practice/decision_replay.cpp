@@ -46,7 +46,7 @@ void DecisionReplay::startEpisode(const Episode& episode) {
   ++episodes_;
 }
 
-void DecisionReplay::startStep(const DriveStep& step) { advice_ = decideAbout(step); }
+void DecisionReplay::advise(const DriveStep& step) { advice_ = decideAbout(step); }
 
 void DecisionReplay::addStep(const DriveStep& step) {
   ReplayedDecision replayed = advice_ && advice_->stamp == step.stamp ? std::move(*advice_) : decideAbout(step);

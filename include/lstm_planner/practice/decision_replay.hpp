@@ -41,9 +41,9 @@ class DecisionReplay : public StepSink {
   DecisionReplay(DrivePolicy policy, const AgentParameters& parameters, const ScanRules& rules);
 
   void startEpisode(const Episode& episode) override;
-  /// Decides: advice(). Throws as addStep().
-  void startStep(const DriveStep& step) override;
-  /// Decides, unless that was done when the step began, and notes what the driver did: decisions(). Throws
+  /// Decides about a step that has just started, while somebody drives: advice(). Throws as addStep().
+  void advise(const DriveStep& step);
+  /// Decides, unless advise() has done it, and notes what the driver did: decisions(). Throws
   /// std::invalid_argument when the step has no scan, or one that the model was not made for.
   void addStep(const DriveStep& step) override;
   void endEpisode(double stamp, EpisodeEnd end) override;

@@ -48,9 +48,10 @@ void DriftCorrection::restart() {
 
 void DriftCorrection::correct(Situation* situation) {
   const Pose2 odometry = situation->pose;
-  if (keys_.empty() || isDue(odometry, turnRate(*situation))) {
+  const bool turns_fast = turnRate(*situation) > kFastestTurn;
+  if (keys_.empty() || isDue(odometry, turns_fast)) {
     surfaces_.show(situation->profile);
-    if (!keys_.empty()) match(odometry);
+    if (!keys_.empty()) match(odometry, turns_fast);
     if (keys_.empty()) keep(compose(correction_, odometry));
     last_odometry_ = odometry;
   }
@@ -65,13 +66,13 @@ double DriftCorrection::turnRate(const Situation& situation) const {
   return seconds > 0.0 ? turnBetween(previous_, situation.pose) / seconds : 0.0;
 }
 
-bool DriftCorrection::isDue(const Pose2& odometry, double turn_rate) const {
-  const double wait = turn_rate > kFastestTurn ? kLongestWait : 1.0;
+bool DriftCorrection::isDue(const Pose2& odometry, bool turns_fast) const {
+  const double wait = turns_fast ? kLongestWait : 1.0;
   return distanceBetween(last_odometry_, odometry) >= wait * kMatchedEvery ||
          turnBetween(last_odometry_, odometry) >= wait * kMatchedEveryTurn;
 }
 
-void DriftCorrection::match(const Pose2& odometry) {
+void DriftCorrection::match(const Pose2& odometry, bool turns_fast) {
   moved_ += distanceBetween(last_odometry_, odometry);
   turned_ += turnBetween(last_odometry_, odometry);
   const Pose2 predicted = compose(correction_, odometry);
@@ -82,7 +83,8 @@ void DriftCorrection::match(const Pose2& odometry) {
   const ScanMatch found = matchScan(pieces_, near_, predicted, error);
   const Pose2& pose = found.is_sure ? found.pose : predicted;
   if (found.is_sure) correction_ = compose(pose, inverse(odometry));
-  const bool is_new = isNew(pose, found.share);
+  // In a fast turn the stamps of scan and odometry may not fit, too: what does not match then is not to be kept.
+  const bool is_new = (found.is_sure || !turns_fast) && isNew(pose, found.share);
   if (is_new) keep(pose);
   if (!found.is_sure && !is_new) return;
   moved_ = 0.0;

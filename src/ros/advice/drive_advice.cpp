@@ -103,7 +103,7 @@ void DriveAdvice::startEpisode(const Episode& episode) {
 }
 
 void DriveAdvice::startStep(const DriveStep& step) {
-  replay_.startStep(step);
+  replay_.advise(step);
   display_.showAdvice(*replay_.advice(), messages_.odometryFrame());
 }
 

@@ -69,7 +69,7 @@ TEST(DecisionReplayTest, AdvisesWhenAStepBeginsAndTellsWhatWasDrivenAfterwards) 
   DecisionReplay replay = leftwards();
   replay.startEpisode(episodeTo(20.0));
   for (int n = 0; n < 10; ++n) {
-    replay.startStep(step(n));
+    replay.advise(step(n));
     ASSERT_TRUE(replay.advice());
     EXPECT_EQ(replay.advice()->action, 3);
     EXPECT_EQ(replay.decisions().size(), static_cast<std::size_t>(n));
@@ -85,9 +85,9 @@ TEST(DecisionReplayTest, AdvisesWhenAStepBeginsAndTellsWhatWasDrivenAfterwards) 
 TEST(DecisionReplayTest, AStepWhoseLabelDoesNotBecomeKnownIsNotCounted) {
   DecisionReplay replay = leftwards();
   replay.startEpisode(episodeTo(20.0));
-  replay.startStep(step(0));
+  replay.advise(step(0));
   replay.reject(Rejection::kNoAllowedAngle);
-  replay.startStep(step(1));
+  replay.advise(step(1));
   replay.addStep(step(1));
   ASSERT_EQ(replay.decisions().size(), 1u);
   EXPECT_EQ(replay.decisions()[0].stamp, step(1).stamp);

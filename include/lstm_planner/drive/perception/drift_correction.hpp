@@ -34,8 +34,8 @@ class DriftCorrection {
 
  private:
   double turnRate(const Situation& situation) const;
-  bool isDue(const Pose2& odometry, double turn_rate) const;
-  void match(const Pose2& odometry);
+  bool isDue(const Pose2& odometry, bool turns_fast) const;
+  void match(const Pose2& odometry, bool turns_fast);
   void chooseKeys(const Pose2& pose);
   bool isNew(const Pose2& pose, double share) const;
   void keep(const Pose2& pose);
