@@ -8,6 +8,7 @@
 #include "lstm_planner/drive/collision/shield.hpp"
 #include "lstm_planner/drive/decision/action_set.hpp"
 #include "lstm_planner/drive/local_map/local_map.hpp"
+#include "lstm_planner/drive/perception/drift_correction.hpp"
 #include "lstm_planner/drive/perception/moving_returns.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 #include "lstm_planner/simulation/drive.hpp"
@@ -101,6 +102,23 @@ void perceiving(benchmark::State& state) {
   times.report(&state);
 }
 BENCHMARK(perceiving)->Iterations(kPasses)->Unit(benchmark::kMillisecond);
+
+/// Each scan of the drives; every fourth or so is matched.
+void correctingDrift(benchmark::State& state) {
+  CallTimes times(situations().size());
+  Situation situation;
+  for (auto _ : state) {
+    DriftCorrection drift;
+    std::size_t call = 0;
+    for (const Situation& seen : situations()) {
+      situation = seen;
+      if (situation.time == 0.0) drift.restart();  // another drive
+      times.time(call++, [&] { drift.correct(&situation); });
+    }
+  }
+  times.report(&state);
+}
+BENCHMARK(correctingDrift)->Iterations(kPasses)->Unit(benchmark::kMillisecond);
 
 /// What a decision asks the shield: every steering angle, with both clearances, and the direction of the route.
 void shielding(benchmark::State& state) {
