@@ -110,8 +110,9 @@ void PlanMaker::makePlanFromWhatIsHeard(const geometry_msgs::PoseStamped& start,
   const bool is_new = verdict_ == GoalTracker::Verdict::kNewGoal;
   if (is_new) noteEnd(false);
   const bool driven = verdict_ != GoalTracker::Verdict::kQuestion;
-  const Decision& decision = driven ? drive(global_goal, is_new) : preview(global_goal);
-  const Pose2 agent_goal = driven ? goal_changes_.goal() : compose(drift_.correction(), global_goal);
+  const Pose2 asked = compose(drift_.correction(), global_goal);
+  const Decision& decision = driven ? drive(global_goal, is_new) : preview(asked);
+  const Pose2 agent_goal = driven ? goal_changes_.goal() : asked;
   const Decision& bent = band_.bend(agent_, agent_.situation().pose, decision, parameters_.rollout.clearance);
   rollOut(agent_.situation(), bent, agent_.shield(), agent_goal, parameters_.agent, parameters_.rollout, &plan_);
   const Pose2 global_from_agent = inverse(drift_.correction());
@@ -274,8 +275,7 @@ void PlanMaker::sayWhatIsInTheWay(const Decision& decision) const {
 }
 
 const Decision& PlanMaker::preview(const Pose2& goal) {
-  const Pose2 agent_goal = compose(drift_.correction(), goal);
-  preview_ = agent_.preview({agent_goal.x, agent_goal.y});
+  preview_ = agent_.preview({goal.x, goal.y});
   return preview_;
 }
 

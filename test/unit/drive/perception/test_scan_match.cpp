@@ -41,7 +41,6 @@ TEST(ScanMatch, FindsThePoseFromAPredictionThatIsWrong) {
 
 TEST(ScanMatch, LeansToNeitherSide) {
   const int trials = 200;
-  const KeyScan key = keyScan(kRoom, kKey);
   double sum = 0.0;
   double squares = 0.0;
   for (int trial = 0; trial < trials; ++trial) {
