@@ -32,8 +32,13 @@ constexpr double kDeadline = 30.0;        // s of the computer's clock after whi
 constexpr double kRobotRadius = 0.17425;  // m
 constexpr double kScanPeriod = 0.025;     // s, of ~ground_truth too
 constexpr double kClockPeriod = 0.01;     // s, resolution of a simulated clock
+constexpr double kClockLead = 0.05;       // s; the stub stops a robot whose last command is 0.2 s old
 
-/// Plays the simulator whose /clock the stub follows.
+/// s, of the newest ground truth that the running test has seen; 0 before its first.
+std::atomic<double> truth_time{0.0};
+
+/// Plays the simulator whose /clock the stub follows. It waits for a test that the computer gives no time to: otherwise
+/// the robot would stop for want of commands.
 class ClockSource {
  public:
   explicit ClockSource(bool wanted) {
@@ -43,6 +48,8 @@ class ClockSource {
       rosgraph_msgs::Clock message;
       message.clock = ros::Time(50.0);
       for (ros::WallRate rate(2.0 / kClockPeriod); running_; rate.sleep()) {
+        const double seen = truth_time;
+        if (seen > 0.0 && message.clock.toSec() > seen + kClockLead) continue;
         message.clock += ros::Duration(kClockPeriod);
         publisher_.publish(message);
       }
@@ -62,6 +69,7 @@ class ClockSource {
 class Create2Stub : public ::testing::Test {
  protected:
   void SetUp() override {
+    truth_time = 0.0;
     truth_subscriber_ = node_.subscribe("create2_stub/ground_truth", 1000, &Create2Stub::onTruth, this);
     odometry_subscriber_ = node_.subscribe("odom", 1000, &Create2Stub::onOdometry, this);
     scan_subscriber_ = node_.subscribe("scan", 1000, &Create2Stub::onScan, this);
@@ -131,7 +139,10 @@ class Create2Stub : public ::testing::Test {
   unsigned contacts_ = 0;
 
  private:
-  void onTruth(const nav_msgs::Odometry::ConstPtr& message) { truths_.push_back(*message); }
+  void onTruth(const nav_msgs::Odometry::ConstPtr& message) {
+    truths_.push_back(*message);
+    truth_time = time();
+  }
   void onScan(const sensor_msgs::LaserScan::ConstPtr& message) { scans_.push_back(*message); }
   void onContacts(const std_msgs::UInt32::ConstPtr& message) { contacts_ = message->data; }
   void onTransforms(const tf2_msgs::TFMessage::ConstPtr& message) {
