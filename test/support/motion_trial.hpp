@@ -48,7 +48,7 @@ class MotionTrial {
       const MotionCommand command = controller.compute({plan, pose_, twist(), shield, period}, {}, {}, history);
       if (command.goes_back) margin_ = 0.5 * motion.safety_margin;
       history.goes_back = command.goes_back;
-      history.backs_out = command.goes_back && has_stood;
+      history.gets_out = command.goes_back && has_stood;
       history.note(command, motion.reaction_time, period);
       commands_.push_back({time_ + kStep * std::floor(latency / kStep), command});
       has_moved = has_moved || command.linear != 0.0 || command.angular != 0.0;

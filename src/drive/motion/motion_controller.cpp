@@ -51,7 +51,7 @@ MotionCommand MotionController::choose(const Moment& now, const std::vector<Poin
     return {{0.0, clampMagnitude(parameters_.heading_gain * error, parameters_.max_angular)}, StopReason::kNone};
   }
 
-  if (now.history.backs_out && !persons.near && !canTurnRound(now)) {
+  if (now.history.gets_out && !persons.near) {
     if (const std::optional<MotionCommand> back = goBack(now)) return *back;
   }
   const Pose2 ahead = target(situation);

@@ -114,10 +114,6 @@ MotionCommand MotionController::makeRoom(double error, const Moment& now) const 
   return out ? MotionCommand{*out, StopReason::kNone} : MotionCommand{{}, StopReason::kObstacle};
 }
 
-bool MotionController::canTurnRound(const Moment& now) const {
-  return now.shield.freeTurn({}, 2.0 * M_PI, now.margin) >= 2.0 * M_PI - kTurnSlack;
-}
-
 std::optional<MotionCommand> MotionController::goBack(const Moment& now) const {
   if (!now.history.back) return std::nullopt;
   const Pose2& back = *now.history.back;

@@ -58,4 +58,12 @@ std::optional<Pose2> Trail::back(const Pose2& pose, bool goes_back) const {
   return std::nullopt;
 }
 
+bool Trail::endsAt(const Pose2& pose) const { return !places_.empty() && apart(pose, places_.front().pose) < kAhead; }
+
+std::vector<Pose2> Trail::seenFrom(const Pose2& pose) const {
+  std::vector<Pose2> poses;
+  for (const Place& place : places_) poses.push_back(compose(inverse(pose), place.pose));
+  return poses;
+}
+
 }  // namespace lstm_planner

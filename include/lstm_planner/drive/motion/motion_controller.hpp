@@ -71,8 +71,8 @@ void visitMotionParameters(Parameters& motion, const Visitor& visit) {
   visit(
       "patience", motion.patience, {0.0, 3600.0}, "s",
       "time for which the robot may stand before an obstacle, with no person near; after half of it a robot with "
-      "corners creeps out with two thirds of the safety_margin, and goes back the way it came until it can turn round, "
-      "after all of it the controller says no, so that move_base recovers or aborts; about move_base's "
+      "corners creeps out with two thirds of the safety_margin, on a way that it plans to where it can turn, and after "
+      "all of it the controller says no, so that move_base recovers or aborts; about move_base's "
       "controller_patience; 0: it waits for ever");
   visit("slow_gap", motion.slow_gap, {0.001, 20.0}, "m",
         "the robot slows down if its path leads nearer to an obstacle than this; larger is slower");
@@ -117,11 +117,11 @@ struct MotionSituation {
 
 /// What was commanded before, and the path that a robot with corners came (Trail).
 struct MotionHistory {
-  std::optional<Pose2> back;           ///< the next pose back, base frame
+  std::optional<Pose2> back;           ///< the next pose back, or of a planned way out, base frame
   bool goes_back = false;              ///< it was told to, last
   std::vector<Twist2> commanded = {};  ///< newest last, a period apart; they may not have reached the wheels
   bool has_stood = false;              ///< for so long that two thirds of the safety margin must do
-  bool backs_out = false;              ///< it is to go back until it can turn round, not only towards the plan
+  bool gets_out = false;               ///< `back` is of a planned way out: it is to go there
 
   /// That was commanded. Keeps those that may still be on their way for `time` s.
   void note(const Twist2& command, double time, double period);
@@ -134,7 +134,7 @@ struct MotionHistory {
 /// while it starts to drive swings its corners.
 ///
 /// A circle may always turn in place. A polygon turns where its corners have room; else it drives on along a wider arc,
-/// or back along the path it came until it can turn; if it has stood for long, until it can turn round.
+/// or back along the path it came until it can turn.
 ///
 /// Yields to what moves: it is never faster than lets it stand before a thing that comes straight towards it at the
 /// speed of a person could reach the margin around it. It waits there, and goes on, slowly at first, when nothing moves
@@ -191,7 +191,6 @@ class MotionController {
   MotionCommand driveWithCorners(const Twist2& wanted, double error, const Moment& now) const;
   MotionCommand turnWithCorners(double error, const Moment& now) const;
   MotionCommand makeRoom(double error, const Moment& now) const;
-  bool canTurnRound(const Moment& now) const;
   std::optional<MotionCommand> goBack(const Moment& now) const;
   Twist2 twistTo(const Pose2& place) const;
   double yieldingTurn(const Persons& persons) const;

@@ -1,18 +1,19 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lstm_planner/drive/motion/motion_controller.hpp"
 #include "lstm_planner/drive/motion/patience.hpp"
 #include "lstm_planner/drive/motion/trail.hpp"
 #include "lstm_planner/drive/perception/moving_surroundings.hpp"
-#include "lstm_planner/drive/perception/seen_free.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
 
 namespace lstm_planner {
 
 /// What follows a plan among people, in the robot and in simulation: sees by scan after scan what moves, and asks the
-/// controller for a command. Gives up (StopReason::kStuck) where its Patience ends.
+/// controller for a command. A robot with corners that has stood for half of its Patience is led by a planned way out
+/// (findWayOut). Gives up (StopReason::kStuck) where its Patience ends.
 class PathTracker {
  public:
   /// Throws as MotionController.
@@ -23,29 +24,7 @@ class PathTracker {
   /// The next command along a plan in the odometry frame, `period` s before the one after it. `shield` shows the
   /// situation's obstacles, `twist` is the measured one. Zero for an empty plan.
   MotionCommand compute(const std::vector<Pose2>& plan, const Situation& situation, const Twist2& twist,
-                        const Shield& shield, double period) {
-    moving_.show(situation);
-    if (!shield.footprint().isCircle()) {
-      trail_.note(situation.pose, history_.goes_back);
-      history_.back = trail_.back(situation.pose, history_.goes_back);
-    }
-    const MotionSituation motion{plan, situation.pose, twist, shield, period};
-    MotionCommand command = controller_.compute(motion, moving_.points(), moving_.resting(), history_);
-    if (controller_.parameters().evade_time > 0.0) {
-      const MotionParameters& limits = controller_.parameters();
-      const double free_behind =
-          seenFreeBehind(situation, shield.footprint(), limits.safety_margin, limits.max_linear * limits.evade_time);
-      command = controller_.evade(command, motion, moving_.follow(situation), free_behind, history_);
-    }
-    const Patience::Left left = patience_.note(controller_.parameters().patience, command, plan, situation);
-    if (left == Patience::Left::kNone) command = {{}, StopReason::kStuck};
-    history_.has_stood = left != Patience::Left::kMuch;
-    history_.goes_back = command.goes_back;
-    const bool stands = command.linear == 0.0 && command.angular == 0.0;
-    history_.backs_out = command.goes_back ? history_.backs_out || history_.has_stood : history_.backs_out && stands;
-    history_.note(command, controller_.reactionTime(), period);
-    return command;
-  }
+                        const Shield& shield, double period);
 
   /// From the next command on; what moves is found as before. Throws as MotionController, and changes nothing.
   void change(const MotionParameters& parameters) {
@@ -60,19 +39,20 @@ class PathTracker {
   }
 
   /// The odometry jumped: what was seen is somewhere else now.
-  void forget() {
-    moving_.reset();
-    trail_.clear();
-    patience_.clear();
-    history_ = {};
-  }
+  void forget();
 
   /// At the plan's last pose within the tolerances.
   bool goalReached(const Pose2& pose, const Pose2& goal) const { return controller_.goalReached(pose, goal); }
 
  private:
+  void lookBack(const std::vector<Pose2>& plan, const Situation& situation, const Shield& shield);
+  void planWayOut(const std::vector<Pose2>& plan, const Situation& situation, const Shield& shield);
+
   MotionController controller_;
-  Trail trail_;
+  Trail trail_;                     ///< where the robot came
+  Trail way_out_;                   ///< back to front: the planned one, while it is driven
+  std::optional<Pose2> wedged_at_;  ///< until it has got out; odometry frame
+  double planned_at_ = 0.0;         ///< s, when a way out was planned last
   MotionHistory history_;
   Patience patience_;
   MovingSurroundings moving_;

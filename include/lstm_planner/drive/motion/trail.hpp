@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <optional>
+#include <vector>
 
 #include "lstm_planner/common/geometry.hpp"
 
@@ -19,6 +20,14 @@ class Trail {
   /// 0.05 rad from each pose of the trail, 2.5 times that if it goes back already. A robot that stops there, and is
   /// noted, may go on back from there. The pose lies ahead where the robot had driven backwards.
   std::optional<Pose2> back(const Pose2& pose, bool goes_back = false) const;
+
+  /// Its poses as seen from one of them or from elsewhere, oldest first.
+  std::vector<Pose2> seenFrom(const Pose2& pose) const;
+
+  /// Whether a robot there has gone back all of it, to within five spacings, as back() leads it.
+  bool endsAt(const Pose2& pose) const;
+
+  bool isEmpty() const { return places_.empty(); }
 
   /// The odometry jumped.
   void clear() { places_.clear(); }

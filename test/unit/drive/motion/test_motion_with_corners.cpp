@@ -107,28 +107,22 @@ TEST_F(MotionWithCorners, GoesOnBackNoFartherWhereThePlanLeadsStraightOn) {
   EXPECT_GT(on.linear, 0.0);
 }
 
-TEST_F(MotionWithCorners, BacksOutUntilItCanTurnRoundWhereItHasStood) {
-  // Room for a turn to the plan, 0.5 rad to the left, but not for a turn round: a post is where a corner would be after
-  // 2.7 rad.
-  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, pointAlong(Point2{}, 0.5, 3.0)});
-  const auto [x, y] = pointAlong(Point2{}, 0.702 + 2.7, 0.333);
-  shield_.show({{x, y}, {0.45, 0.0}});
-  ASSERT_GT(shield_.freeTurn({}, 0.5, kMargin), 0.48);
-  ASSERT_LT(shield_.freeTurn({}, 2.0 * M_PI, kMargin), 6.0);
-  MotionHistory history{Pose2{-0.1, 0.0, 0.0}, true};
+TEST_F(MotionWithCorners, FollowsAPlannedWayOutAlsoWhereThePlanLeadsStraightOn) {
+  const std::vector<Pose2> plan = planAlong({{0.0, 0.0}, {3.0, 0.0}});
+  MotionHistory history{Pose2{-0.1, 0.0, 0.0}};
   EXPECT_FALSE(compute(plan, {}, history).goes_back);
-  history.backs_out = true;
+  history.gets_out = true;
   const MotionCommand out = compute(plan, {}, history);
   EXPECT_TRUE(out.goes_back);
   EXPECT_LT(out.linear, 0.0);
-  shield_.show({});
-  EXPECT_FALSE(compute(plan, {}, history).goes_back);
+  EXPECT_FALSE(controller_.compute({plan, {}, {}, shield_, kPeriod}, {{2.5, 0.0}}, {}, history).goes_back)
+      << "not where somebody moves";
 }
 
-TEST_F(MotionWithCorners, RetracesForwardsWhereItHadGoneBack) {
+TEST_F(MotionWithCorners, FollowsAWayOutForwardsToo) {
   shield_.show(corridor(0.25));
   MotionHistory history{Pose2{0.1, 0.0, 0.0}, true};
-  history.backs_out = true;
+  history.gets_out = true;
   const MotionCommand on = compute(planAlong({{0.0, 0.0}, {-3.0, 0.1}}), {}, history);
   EXPECT_TRUE(on.goes_back);
   EXPECT_GT(on.linear, 0.0);

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <vector>
 
+#include "lstm_planner/common/arc.hpp"
 #include "lstm_planner/drive/motion/path_tracker.hpp"
+#include "unit/drive/motion/motion_fixtures.hpp"
+#include "unit/drive/motion/plan_along.hpp"
 
 namespace lstm_planner::test_path_tracker {
 namespace {
@@ -51,6 +54,29 @@ TEST_F(PathTrackerTest, TriesAgainWhenThePlanLeadsAnotherWay) {
   ASSERT_EQ(follow(0.0, kPatience + 0.5), StopReason::kStuck);
   EXPECT_EQ(follow(0.9, kPeriod), StopReason::kStuck) << "less than 1 rad is not another way";
   EXPECT_NE(follow(1.1, kPeriod), StopReason::kStuck);
+}
+
+/// A Jackal in a corridor that is too narrow to turn in, and which ends 0.4 m ahead; the plan leads back.
+TEST(PathTracker, LeadsAWedgedRobotToWhereItCanTurn) {
+  MotionParameters motion = test::limitsOfJackal();
+  motion.patience = 15.0;
+  PathTracker tracker(motion);
+  Shield shield(test::jackal(), motion.safety_margin, 4.0);
+  Situation situation;
+  Twist2 twist;
+  while (std::abs(normalizeAngle(situation.pose.yaw)) < 2.5) {
+    situation.obstacles.clear();
+    for (double x = -3.0; x <= 0.4; x += 0.02) {
+      for (const double y : {0.29, -0.29}) situation.obstacles.push_back(toLocalFrame(situation.pose, {x, y}));
+    }
+    shield.show(situation.obstacles);
+    const Point2 here{situation.pose.x, situation.pose.y};
+    twist = tracker.compute(test::planAlong({here, {-3.0, 0.0}}), situation, twist, shield, kPeriod);
+    situation.pose = alongTurn(situation.pose, twist.linear * kPeriod, twist.angular * kPeriod);
+    situation.time += kPeriod;
+    ASSERT_LT(situation.time, 2.0 * motion.patience) << situation.pose.x << " " << situation.pose.yaw;
+    ASSERT_GT(shield.gap({}), 0.5 * motion.safety_margin);
+  }
 }
 
 TEST(Patience, BeginsAnewFourTimesWhileTheRobotGoesBack) {
