@@ -78,6 +78,9 @@ if(CATKIN_ENABLE_TESTING)
     add_dependencies(tests ${ros_test_executables})
   endif()
 
+  add_executable(lstm_planner_foresight EXCLUDE_FROM_ALL test/bench/foresight/foresight.cpp)
+  target_link_libraries(lstm_planner_foresight PRIVATE lstm_planner_simulation)
+
   # 1.5 (Debian 11, Ubuntu 20.04) has neither Benchmark::Name nor kSecond.
   find_package(benchmark 1.6 QUIET)
   if(benchmark_FOUND)
