@@ -20,12 +20,14 @@ struct WayPiece {
   double turn;
 };
 
+/// A pose that can be reached, and from which one.
 struct WayNode {
   Pose2 pose;
   WayPiece from_parent;
   int parent;
 };
 
+/// One search, see findWayOut().
 class WaySearch {
  public:
   WaySearch(const Shield& shield, double margin, const std::vector<Pose2>& was, const std::vector<Pose2>& plan)
@@ -133,7 +135,7 @@ class WaySearch {
     return normalizeAngle(directionTo(pose, ahead == plan_.end() ? plan_.back() : *ahead) - pose.yaw);
   }
 
-  /// `turn`: to the plan.
+  /// Whether it can turn by that much, to the plan, and drive on.
   bool isOut(const Pose2& pose, double turn) const {
     return isFree(pose, {0.0, turn}, margin_) && isFree({pose.x, pose.y, pose.yaw + turn}, {kAhead, 0.0}, margin_);
   }
@@ -156,8 +158,9 @@ class WaySearch {
     const auto& [length, turn] = node.from_parent;
     const double pieces = std::ceil(std::max(std::abs(length) / kSpacing, std::abs(turn) / kTurnSpacing));
     const Pose2& from = nodes_[static_cast<std::size_t>(node.parent)].pose;
-    for (double i = pieces - 1.0; i > 0.5; --i)
+    for (double i = pieces - 1.0; i > 0.5; --i) {
       poses->push_back(alongTurn(from, length * i / pieces, turn * i / pieces));
+    }
   }
 
   const Shield& shield_;

@@ -8,13 +8,14 @@
 namespace lstm_planner {
 
 /// A short manoeuvre after which a robot with corners, which is wedged in, can drive along its plan: it drives forwards
-/// and turns where the footprint, grown by `margin` (m), fits through the returns, and backwards only where it was.
+/// and turns where the footprint, grown by `margin` (m), fits through the returns, and backwards only where it was. The
+/// way that it came counts as free with three quarters of the margin.
 ///
-///      |  | ^                 The robot (R) cannot turn towards the plan (p), which lies behind it.
-///      |  | turns here        It drives on to where it can.
-///      |  |  ___
-///      | R| |
-///      | p| |
+///        turns here
+///          ^
+///        | | |     The robot (R, headed upwards) has no room to turn to its plan (p), which leads down. It drives on to
+///        | R |     where there is room.
+///        | p |
 ///
 /// Everything in the base frame. `was`: poses where the robot was. `plan`: from about where it is. The poses of the
 /// manoeuvre are at most 2 cm or 0.05 rad apart, from the robot on; the last one heads along the plan, with 0.3 m free
