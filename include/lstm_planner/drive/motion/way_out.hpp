@@ -13,8 +13,8 @@ namespace lstm_planner {
 ///
 ///        turns here
 ///          ^
-///        | | |     The robot (R, headed upwards) has no room to turn to its plan (p), which leads down. It drives on to
-///        | R |     where there is room.
+///        | | |     The robot (R, headed upwards) has no room to turn to its plan (p), which leads down.
+///        | R |     It drives on to where there is room.
 ///        | p |
 ///
 /// Everything in the base frame. `was`: poses where the robot was. `plan`: from about where it is. The poses of the
