@@ -14,7 +14,7 @@ constexpr double kPlannedAlong = 3.0;  // m of the plan that a way out leads to
 
 /// Shares of the safety margin that a way out keeps, the widest that there is first. More than is kept while it is
 /// driven (kLeastMargin): the robot does not drive it exactly.
-constexpr double kMargins[] = {1.0, 0.67};
+constexpr double kMargins[] = {1.0, kNarrowMargin};
 
 /// The first metres of a plan as seen from a pose.
 std::vector<Pose2> startOf(const std::vector<Pose2>& plan, const Pose2& pose) {
@@ -68,9 +68,10 @@ void PathTracker::planWayOut(const std::vector<Pose2>& plan, const Situation& si
   if (std::abs(situation.time - planned_at_) < kPlansEvery) return;
   planned_at_ = situation.time;
   const Pose2& pose = situation.pose;
+  const std::vector<Pose2> was = trail_.seenFrom(pose);
+  const std::vector<Pose2> start = startOf(plan, pose);
   for (const double share : kMargins) {
-    const std::vector<Pose2> way =
-        findWayOut(shield, share * controller_.parameters().safety_margin, trail_.seenFrom(pose), startOf(plan, pose));
+    const std::vector<Pose2> way = findWayOut(shield, share * controller_.parameters().safety_margin, was, start);
     for (auto place = way.rbegin(); place != way.rend(); ++place) way_out_.note(compose(pose, *place), false);
     if (!way.empty()) return;
   }

@@ -34,7 +34,7 @@ class WaySearch {
       : shield_(shield), margin_(margin), was_(was), plan_(plan) {}
 
   std::vector<Pose2> run() {
-    reach({}, {}, -1, 0.0);
+    add({}, {}, -1, 0.0);
     retrace();
     while (!open_.empty()) {
       const auto [cost, index] = open_.top();
@@ -76,7 +76,10 @@ class WaySearch {
   }
 
   void reach(const Pose2& pose, const WayPiece& piece, int parent, double cost) {
-    if (std::hypot(pose.x, pose.y) > kFarthest || settled_.count(keyOf(pose)) > 0) return;
+    if (std::hypot(pose.x, pose.y) <= kFarthest && settled_.count(keyOf(pose)) == 0) add(pose, piece, parent, cost);
+  }
+
+  void add(const Pose2& pose, const WayPiece& piece, int parent, double cost) {
     open_.push({cost, static_cast<int>(nodes_.size())});
     nodes_.push_back({pose, piece, parent});
   }
@@ -90,9 +93,7 @@ class WaySearch {
       const WayPiece piece{std::copysign(std::hypot(step.x, step.y), step.x), normalizeAngle(step.yaw)};
       if (std::hypot(place->x, place->y) > kFarthest || !isFree(from, piece, kWhereItWas * margin_)) return;
       cost += kBackCosts * std::abs(piece.length) + kTurnCosts * std::abs(piece.turn);
-      const int parent = static_cast<int>(nodes_.size()) - 1;
-      open_.push({cost, parent + 1});
-      nodes_.push_back({*place, piece, parent});
+      add(*place, piece, static_cast<int>(nodes_.size()) - 1, cost);
     }
   }
 

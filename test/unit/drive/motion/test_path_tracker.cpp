@@ -56,7 +56,8 @@ TEST_F(PathTrackerTest, TriesAgainWhenThePlanLeadsAnotherWay) {
   EXPECT_NE(follow(1.1, kPeriod), StopReason::kStuck);
 }
 
-/// A Jackal in a corridor that is too narrow to turn in, and which ends 0.4 m ahead; the plan leads back.
+/// A Jackal in a corridor that is too narrow to turn in, and which ends 0.4 m ahead; the plan leads back. Half of its
+/// patience passes before it plans, all of it may pass on the way. While it goes there it keeps half of the margin.
 TEST(PathTracker, LeadsAWedgedRobotToWhereItCanTurn) {
   MotionParameters motion = test::limitsOfJackal();
   motion.patience = 15.0;
