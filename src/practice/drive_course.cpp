@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/practice/step_simulator.hpp"
 #include "lstm_planner/simulation/standing_cells.hpp"
 
 namespace lstm_planner {
@@ -16,15 +17,13 @@ constexpr double kClearance = 0.12;
 /// m; a start this near to the goal is no dead end.
 constexpr double kNearGoal = 1.5;
 
-double neededDistance(const GridWorld& world, double footprint_radius) {
-  return distanceNeeded(footprint_radius + kClearance, world.grid());
-}
+double neededDistance(const GridWorld& world) { return distanceNeeded(kPracticeRadius + kClearance, world.grid()); }
 
 /// Fills the tasks of an exercise; false when hardly any place leads to the goal.
 bool drawStarts(const DriveCourseParameters& parameters, const std::vector<CellIndex>& standing, int starts,
                 Random& random, const Point2& goal, DriveExercise* exercise) {
   const OccupancyGrid& grid = exercise->world->grid();
-  const double needed = neededDistance(*exercise->world, exercise->footprint_radius);
+  const double needed = neededDistance(*exercise->world);
   for (int failures = 0; static_cast<int>(exercise->tasks.size()) < starts;) {
     CellIndex cell = standing[uniformIndex(random, standing.size())];
     if (uniform(random) < parameters.dead_end_share) {
@@ -50,8 +49,6 @@ void validate(const DriveCourseParameters& parameters) {
   checkPositive("shortest", parameters.shortest);
   checkParameter(parameters.dead_end_share >= 0.0 && parameters.dead_end_share <= 1.0, "dead_end_share",
                  parameters.dead_end_share, "a share in [0, 1]");
-  checkParameter(parameters.other_robots >= 0.0 && parameters.other_robots <= 1.0, "other_robots",
-                 parameters.other_robots, "a share in [0, 1]");
 }
 
 std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& parameters, WorldUse use, std::uint64_t seed,
@@ -61,22 +58,15 @@ std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& param
   Random random(~world_seed);
   const std::size_t kind = static_cast<std::size_t>(number) % parameters.worlds.size();
   const auto world = std::make_shared<const GridWorld>(generateWorld(parameters.worlds[kind], world_seed));
-  Teacher::Parameters teacher;
-  const bool other_robot = parameters.other_robots > 0.0 && uniform(random) < parameters.other_robots;
-  if (other_robot) teacher.footprint_radius = uniformFactor(random, kSmallestRobot, kLargestRobot);
-  const std::vector<CellIndex> standing =
-      standingCells(world->grid(), world->distances(), neededDistance(*world, teacher.footprint_radius));
-  if (standing.empty() && other_robot) return {};
+  const std::vector<CellIndex> standing = standingCells(world->grid(), world->distances(), neededDistance(*world));
   if (standing.empty()) throw std::runtime_error("a generated world has no place for the robot");
   std::vector<DriveExercise> exercises;
   for (int trial = 0; trial < kTries * goals && static_cast<int>(exercises.size()) < goals; ++trial) {
     DriveExercise exercise;
     exercise.kind = kind;
-    exercise.footprint_radius = teacher.footprint_radius;
-    exercise.other_robot = other_robot;
     exercise.world = world;
     const Point2 goal = world->grid().centerOf(standing[uniformIndex(random, standing.size())]);
-    exercise.teacher = std::make_unique<const Teacher>(*world, goal, teacher);
+    exercise.teacher = std::make_unique<const Teacher>(*world, goal, Teacher::Parameters());
     if (drawStarts(parameters, standing, starts, random, goal, &exercise)) exercises.push_back(std::move(exercise));
   }
   return exercises;

@@ -17,11 +17,11 @@ std::vector<JudgedDrive> judgeEach(const DrivePolicy& policy, const AgentParamet
     Random random(seed * 1000003ULL + static_cast<std::uint64_t>(world));
     for (const DriveExercise& exercise : makeDriveExercises(course, use, seed, world, kGoals, kStarts)) {
       for (const DriveTask& task : exercise.tasks) {
-        const PracticeConditions conditions = drawConditions(random, exercise.other_robot);
+        const PracticeConditions conditions = drawConditions(random);
         AgentParameters own = agent_parameters;
-        own.shield.footprint_radius = exercise.footprint_radius;
+        own.shield.footprint_radius = kPracticeRadius;
         NavigationAgent agent(policy, fittedToFootprint(own));
-        StepSimulator drive(*exercise.world, task, conditions, exercise.footprint_radius, random());
+        StepSimulator drive(*exercise.world, task, conditions, random());
         JudgedDrive judged;
         judged.kind = exercise.kind;
         judged.arrived = drive.run(max_steps, &agent) == DriveResult::End::kReached;

@@ -233,13 +233,13 @@ class Practice {
 PracticeEpisode practise(const DriveActorCriticParameters& parameters, const LayerStack& layers,
                          const DriveExercise& exercise, const DriveTask& task, std::uint64_t seed) {
   Random random(seed);
-  const PracticeConditions conditions = drawConditions(random, exercise.other_robot);
+  const PracticeConditions conditions = drawConditions(random);
   PolicyDescription description = parameters.policy;
-  description.footprint_radius = exercise.footprint_radius;
+  description.footprint_radius = kPracticeRadius;
   const AgentParameters agent_parameters = drawAgent(description, random);
   description.step_length = agent_parameters.step.length;
   NavigationAgent agent(DrivePolicy(description, layers), agent_parameters);
-  StepSimulator drive(*exercise.world, task, conditions, exercise.footprint_radius, random());
+  StepSimulator drive(*exercise.world, task, conditions, random());
   Practice practice(parameters, exercise, task, drive, agent, random());
   agent.setStepListener(
       [&practice](const Situation&, const Observation& observation) { return practice.step(observation); });

@@ -44,11 +44,11 @@ LabelledEpisode driveEpisode(const DriveExercise& exercise, const DriveTask& tas
                              const ImitationParameters& parameters, const LayerStack& layers, Driver driver,
                              std::uint64_t seed) {
   Random random(seed);
-  const PracticeConditions conditions = drawConditions(random, exercise.other_robot);
+  const PracticeConditions conditions = drawConditions(random);
   PolicyDescription policy = parameters.policy;
-  policy.footprint_radius = exercise.footprint_radius;
+  policy.footprint_radius = kPracticeRadius;
   NavigationAgent agent(DrivePolicy(policy, layers), practiceAgent(policy));
-  StepSimulator drive(*exercise.world, task, conditions, exercise.footprint_radius, random());
+  StepSimulator drive(*exercise.world, task, conditions, random());
   LabelledEpisode episode;
   TeacherRescue rescue(kNearer, parameters.stuck_steps, parameters.rescue_steps);
   agent.setStepListener([&](const Situation&, const Observation& observation) -> std::optional<int> {

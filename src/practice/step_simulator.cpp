@@ -40,7 +40,7 @@ AgentParameters practiceAgent(const PolicyDescription& policy) {
   return fittedToFootprint(agent);
 }
 
-PracticeConditions drawConditions(Random& random, bool other_robot) {
+PracticeConditions drawConditions(Random& random) {
   PracticeConditions conditions = usualConditions();
   conditions.scanner.noise = uniform(random, 0.002, 0.03);
   conditions.scanner.dropout = uniform(random) < 0.5 ? 0.001 : uniform(random, 0.0, 0.05);
@@ -52,20 +52,14 @@ PracticeConditions drawConditions(Random& random, bool other_robot) {
   conditions.travel_error = uniform(random, -0.03, 0.03);
   conditions.turn_error = uniform(random, -0.02, 0.02);
   conditions.slip = uniform(random, 0.0, 0.1);
-  if (other_robot) {
-    conditions.speed = uniformFactor(random, 0.2, 2.0);
-    conditions.scanner.sight = uniformFactor(random, 3.0, 30.0);
-    mount.pose.x *= 0.5;  // inside the smallest robot
-  }
   return conditions;
 }
 
 StepSimulator::StepSimulator(const World& world, const DriveTask& task, const PracticeConditions& conditions,
-                             double footprint_radius, std::uint64_t seed)
+                             std::uint64_t seed)
     : world_(world),
       task_(task),
       conditions_(conditions),
-      footprint_radius_(footprint_radius),
       random_(seed),
       scanner_(conditions.scanner, ~seed),
       pose_(task.start) {}
@@ -130,7 +124,7 @@ void StepSimulator::move(const Twist2& twist, double seconds) {
   double length = twist.linear * seconds;
   Pose2 next = alongMeanHeading(pose_, length * (1.0 + conditions_.slip * normal(random_)),
                                 turn * (1.0 + conditions_.slip * normal(random_)));
-  const bool touches = world_.touches({next.x, next.y}, footprint_radius_);
+  const bool touches = world_.touches({next.x, next.y}, kPracticeRadius);
   contacts_.note(touches);
   if (touches) {
     next = {pose_.x, pose_.y, next.yaw};

@@ -88,24 +88,12 @@ OccupancyGrid drawRooms(Random& random) {
   return generateRoomsWorld(rooms, random());
 }
 
-OccupancyGrid drawClutter(Random& random) {
-  ClutterParameters clutter;
-  clutter.width = uniform(random, 3.5, 7.0);
-  clutter.bay = uniform(random, 1.5, 6.0);
-  clutter.depth = uniform(random, 3.0, 7.0);
-  clutter.beyond = uniform(random, 1.5, 4.0);
-  clutter.around = uniform(random) < 0.5 ? 0.0 : uniform(random, 1.5, 3.0);
-  clutter.fill = uniform(random, 0.05, 0.3);
-  clutter.grain = drawCount(random, 1, 2);
-  return generateClutter(clutter, random());
-}
-
 }  // namespace
 
 const std::vector<WorldKind>& worldKinds() {
-  static const std::vector<WorldKind> kinds{WorldKind::kMaze,    WorldKind::kOffice,   WorldKind::kCorridors,
-                                            WorldKind::kForest,  WorldKind::kOpen,     WorldKind::kRooms,
-                                            WorldKind::kClutter, WorldKind::kFurnished};
+  static const std::vector<WorldKind> kinds{WorldKind::kMaze,     WorldKind::kOffice, WorldKind::kCorridors,
+                                            WorldKind::kForest,   WorldKind::kOpen,   WorldKind::kRooms,
+                                            WorldKind::kFurnished};
   return kinds;
 }
 
@@ -123,8 +111,6 @@ const char* toString(WorldKind kind) {
       return "open";
     case WorldKind::kRooms:
       return "rooms";
-    case WorldKind::kClutter:
-      return "clutter";
     case WorldKind::kFurnished:
       return "furnished";
   }
@@ -155,8 +141,6 @@ OccupancyGrid generateWorld(WorldKind kind, std::uint64_t seed) {
       return drawOpenField(random);
     case WorldKind::kRooms:
       return drawRooms(random);
-    case WorldKind::kClutter:
-      return drawClutter(random);
     case WorldKind::kFurnished:
       return drawFurnished(random);
   }

@@ -21,7 +21,7 @@ void addWorldOptions(DriveOptions* options, CommandLine* line) {
   line->addFiles("map", &options->maps, "map_server yaml files; FILE=0.19 replaces the free_thresh of a map");
   line->addFile("barn", &options->barn, "barn_cylinders.csv: the BARN worlds, by BARN's rules");
   line->add("worlds", &options->kind,
-            "generated worlds: mazes, offices, corridors, forest, open, rooms, clutter or furnished; or dynabarn: "
+            "generated worlds: mazes, offices, corridors, forest, open, rooms or furnished; or dynabarn: "
             "cylinders that move");
   visitCrowdParameters(options->crowd, line->parameters({{"walkers", "walkers"}}));
   line->add("free-threshold", &options->free_threshold, {-1.0, 1.0},

@@ -131,8 +131,6 @@ struct Conversion {
   std::vector<std::string> layout;
   std::vector<int> angles;  ///< degrees
   PolicyDescription policy;
-  GridEncoderParameters grid;
-  std::string grid_inputs = "trace";
   std::optional<int> views;
   std::string made_by;
 };
@@ -184,8 +182,6 @@ bool readConversion(const std::vector<std::string>& arguments, Conversion* conve
   line.add("views", &conversion->views, {1, 8},
            "1: one output per action; 8: one output, evaluated for each of eight directions")
       .default_text = "1";
-  line.addChoice("grid-inputs", &conversion->grid_inputs, gridInputNames(),
-                 "inputs of a network for the grid world, as those of train");
   line.add("made-by", &conversion->made_by, "how the network was trained; is stored in the file as training_command");
   addRobotOptions(conversion, &line);
   line.whenParsed([conversion] {
@@ -197,8 +193,6 @@ bool readConversion(const std::vector<std::string>& arguments, Conversion* conve
       for (const int degrees : c.angles) angles.push_back(degrees * M_PI / 180.0);
       c.policy.actions = ActionSet(angles);
     }
-    c.grid.inputs = gridInputsNamed(c.grid_inputs);
-    c.grid.views = c.views.value_or(1);
   });
   return line.parse(arguments);
 }
@@ -208,7 +202,7 @@ int modelConvert(const std::vector<std::string>& arguments) {
   if (!readConversion(arguments, &conversion)) return 0;
   Model& model = conversion.model;
   if (conversion.task == "grid") {
-    writeMetadata(conversion.grid, &model.metadata);
+    writeGridMetadata(&model.metadata);
   } else {
     writeMetadata(conversion.policy, &model.metadata);
   }

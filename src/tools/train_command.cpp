@@ -19,7 +19,7 @@ struct Choice {
 };
 
 constexpr const char* kRobotMethod = "dagger";
-constexpr const char* kGridMethod = "actor-critic";
+constexpr const char* kGridMethod = "dagger";
 
 bool namesDataset(const std::vector<std::string>& arguments) {
   return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
@@ -42,7 +42,7 @@ const char* const kHelp =
 trains a network for the robot or for the grid world
 
 RECIPE is a yaml file, or the name of one in models/recipes, by which the shipped networks were trained:
-  create2_lstm, create2_lstm_alone, grid_lstm, grid_lstm_2x8, grid_rnn_2x16, grid_mlp_4x64, grid_qlearning
+  create2_lstm, grid_lstm_2x8, grid_rnn_2x16, grid_mlp_4x64, grid_qlearning
 KEY=VALUE replaces a value of the recipe, or adds one: seed=2, cells=[8,8]; false takes a key away. Each key is an
 option, too: --seed 2, --cells 8 8.
 
@@ -52,8 +52,7 @@ There are these trainings. Each has its own keys, which it prints with --help:
   dataset=FILE                    the robot learns from recorded drives
   task=grid method=imitation      an agent of the grid world learns from A*, on paths that A* took
   task=grid method=dagger         likewise, on paths that the agent took
-  task=grid method=actor-critic   an agent of the grid world learns by reinforcement
-  task=grid method=q-learning     likewise, by Q-learning
+  task=grid method=q-learning     an agent of the grid world learns by Q-learning
   --search                        many small networks of the grid world learn, and are compared (thesis, tables 3.3-3.5)
 
 examples:
@@ -93,10 +92,8 @@ int runTrain(const std::vector<std::string>& given) {
   if (choice.search) return searchGridStructures(arguments);
   if (choice.method == "imitation") return trainGridByImitation(arguments);
   if (choice.method == "dagger") return trainGridByDagger(arguments);
-  if (choice.method == "actor-critic") return trainGridByActorCritic(arguments);
   if (choice.method == "q-learning") return trainGridByQLearning(arguments);
-  throw std::invalid_argument("--method is '" + choice.method +
-                              "', expected imitation, dagger, actor-critic or q-learning");
+  throw std::invalid_argument("--method is '" + choice.method + "', expected imitation, dagger or q-learning");
 }
 
 }  // namespace lstm_planner

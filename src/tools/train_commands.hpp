@@ -17,7 +17,6 @@ int trainRobotByDataset(const std::vector<std::string>& arguments);
 /// Agents of the grid world: --task grid, by --method.
 int trainGridByImitation(const std::vector<std::string>& arguments);
 int trainGridByDagger(const std::vector<std::string>& arguments);
-int trainGridByActorCritic(const std::vector<std::string>& arguments);
 int trainGridByQLearning(const std::vector<std::string>& arguments);
 
 /// Tables 3.3-3.5 of the thesis: --search.

@@ -44,13 +44,11 @@ void addOptimiserOptions(OptimiserParameters* optimiser, CommandLine* line) {
 void setDefaults(bool dagger, bool thesis, GridTrainingOptions* options, GridImitationParameters* parameters) {
   if (thesis) {
     *parameters = thesisImitation();
-    options->inputs = "thesis";
   } else {
     parameters->trainer.epochs = dagger ? 12 : 40;
     parameters->trainer.optimiser.learning_rate = 0.01;
   }
   parameters->rounds = dagger ? 10 : 1;
-  options->encoder = parameters->encoder;
   options->epochs = parameters->trainer.epochs;
 }
 
@@ -69,9 +67,8 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   CommandLine line("train --task grid --method " + method,
                    "trains a network for the grid world by imitation of the shortest path");
   addGridTrainingOptions(arguments, options, &line);
-  line.addFlag(
-      "thesis", &known, true,
-      "use the thesis's training as defaults (Tables 3.1 and 3.2): its inputs, momentum, L1 decay, 500 epochs");
+  line.addFlag("thesis", &known, true,
+               "use the thesis's training as defaults (Tables 3.1 and 3.2): momentum, L1 decay, 500 epochs");
   visitGridImitationParameters(p, line.everyParameter());
   line.addFlag("corner-cutting", &options->corner_cutting, CornerCutting::kAllowed,
                "diagonal moves may pass blocked cells at their sides");
@@ -82,7 +79,6 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   if (dagger) visitGridRoundParameters(p, line.everyParameter());
   if (!line.parse(arguments)) return false;
   if (thesis && !line.given("batch-steps")) p.batch_steps = dataset.sequence_steps;
-  p.encoder = options->encoder;
   p.trainer.epochs = options->epochs;
   p.course.min_length = options->min_length;
   p.course.max_length = options->max_length;
@@ -158,8 +154,7 @@ int trainByImitation(const std::string& method, const std::vector<std::string>& 
   loop.checkpoint = options.checkpoint;
   loop.output = options.output;
   loop.communicator = parameters.trainer.communicator = ranks();
-  const LayerStack layers = firstLayers(&options);
-  parameters.encoder = options.encoder;
+  const LayerStack layers = firstLayers(options);
   const GridTrainingMaps maps = loadGridTrainingMaps(options);
   const auto training = gridImitation(parameters, layers, maps.training, validationMaps(maps));
   GridImitationHost host(loop, GridJudge(options, maps.validation), parameters.trainer.epochs, *training);

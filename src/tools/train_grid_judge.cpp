@@ -5,6 +5,7 @@
 #include <sstream>
 #include <utility>
 
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 #include "tools/ranks.hpp"
@@ -17,7 +18,7 @@ GridJudge::GridJudge(const GridTrainingOptions& options, std::vector<GridTaskSet
 GridScore GridJudge::judge(const LayerStack& layers) const {
   Model model;
   model.layers = layers;
-  writeMetadata(options_.encoder, &model.metadata);
+  writeGridMetadata(&model.metadata);
   NetworkGridAgent::Options shield_alone;
   shield_alone.guided = false;
   shield_alone.corner_cutting = options_.corner_cutting;
@@ -40,7 +41,7 @@ GridScore GridJudge::judge(const LayerStack& layers) const {
 void GridJudge::write(const LayerStack& layers, const GridScore& score) const {
   Model model;
   model.layers = layers;
-  writeMetadata(options_.encoder, &model.metadata);
+  writeGridMetadata(&model.metadata);
   model.metadata["training_command"] = options_.command;
   std::ostringstream text;
   text << std::fixed << std::setprecision(3) << "arrival on validation maps with the shield alone, paths of "

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "tools/network_options.hpp"
 #include "tools/ranges.hpp"
@@ -12,11 +13,9 @@ namespace {
 
 void finish(const CommandLine& line, GridTrainingOptions* options) {
   GridTrainingOptions& o = *options;
-  o.encoder.inputs = gridInputsNamed(o.inputs);
-  const GridEncoder encoder(o.encoder);
   o.shape.kind = networkKindNamed(o.network);
   if (!line.given("cells") && o.shape.kind == NetworkShape::Kind::kMlp) o.shape.cells = {64, 64, 64, 64};
-  makeNetwork(encoder.size(), o.shape, encoder.outputs());
+  makeNetwork(kGridInputs, o.shape, kGridMoveCount);
 }
 
 }  // namespace
@@ -45,19 +44,14 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
   line->add("dead-ends", &o.dead_ends, kAnyShare,
             "share of the training episodes that start in a dead end, where there is one between the start and the "
             "goal: the blind spots of thesis ch. 5");
-  line->add("method", &o.method, "imitation, dagger, actor-critic or q-learning");
+  line->add("method", &o.method, "imitation, dagger or q-learning");
   line->add("network", &o.network, "lstm, rnn or mlp");
   line->add("cells", &o.shape.cells, kAnyLayer,
             "cells of each recurrent layer, or units of each layer of an mlp (default of an mlp: 64 64 64 64)");
   line->add("deep-in", &o.shape.deep_in, kAnyLayer, "units of each dense layer before the recurrent ones");
   line->add("deep-out", &o.shape.deep_out, kAnyLayer, "units of each dense layer after the recurrent ones");
   addActivationOptions(&o.shape, line);
-  line->add(
-      "inputs", &o.inputs,
-      "inputs: thesis (ranges, distance, angle, previous action), trace (also where the agent has been) or boundary "
-      "(also how far it has followed the boundary between it and the goal, and the trail back)");
-  line->add("views", &o.encoder.views, {1, 8}, "1, or 8: the same network is evaluated for each of eight directions");
-  line->addFile("from", &o.from, "ONNX file to start from, instead of random weights; it determines layers and inputs");
+  line->addFile("from", &o.from, "ONNX file to start from, instead of random weights; it determines the layers");
   line->addOutput("output", &o.output, "ONNX file to write: the best so far on the validation maps").required();
   line->addOutput("curve", &o.curve, "PNG file for the learning curve; a CSV file is written beside it");
   line->addOutput("checkpoint", &o.checkpoint, "checkpoint file: is written, and continued from if it exists");
@@ -75,8 +69,6 @@ nlohmann::json settingsOf(const GridTrainingOptions& options) {
                              {"cells", options.shape.cells},
                              {"deep-in", options.shape.deep_in},
                              {"deep-out", options.shape.deep_out},
-                             {"inputs", options.inputs},
-                             {"views", options.encoder.views},
                              {"from", options.from},
                              {"epochs", options.epochs},
                              {"validation", options.validation},
@@ -93,19 +85,18 @@ nlohmann::json settingsOf(const GridTrainingOptions& options) {
   return settings;
 }
 
-LayerStack firstLayers(GridTrainingOptions* options) {
-  if (!options->from.empty()) {
-    const Model model = readModelFile(options->from);
+LayerStack firstLayers(const GridTrainingOptions& options) {
+  if (!options.from.empty()) {
+    const Model model = readModelFile(options.from);
     try {
-      options->encoder = readGridEncoderParameters(model.metadata);
+      checkGridMetadata(model.metadata);
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("--from " + options->from + ": " + error.what());
+      throw std::invalid_argument("--from " + options.from + ": " + error.what());
     }
     return model.layers;
   }
-  const GridEncoder encoder(options->encoder);
-  LayerStack layers = makeNetwork(encoder.size(), options->shape, encoder.outputs());
-  initialise({}, options->seed, layers);
+  LayerStack layers = makeNetwork(kGridInputs, options.shape, kGridMoveCount);
+  initialise({}, options.seed, layers);
   return layers;
 }
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
 #include "lstm_planner/network/layers.hpp"
 #include "lstm_planner/training/initialisation.hpp"
@@ -25,9 +24,8 @@ struct GridTrainingOptions {
   double dead_ends = 0.0;  ///< share of the training episodes that start in one
   PassableRule rule = PassableRule::kBenchmark;
   CornerCutting corner_cutting = CornerCutting::kForbidden;  ///< in training and judging
-  GridEncoderParameters encoder;
   NetworkShape shape;
-  std::string from;  ///< model file to start with; decides encoder and shape
+  std::string from;  ///< model file to start with; decides the shape
   std::string output;
   std::string curve;
   std::string checkpoint;
@@ -37,9 +35,7 @@ struct GridTrainingOptions {
   std::uint64_t seed = 1;
   int threads = 2;
 
-  // As given, until checked.
-  std::string network = "lstm";
-  std::string inputs = "trace";
+  std::string network = "lstm";  ///< as given, until checked
 };
 
 // `options` hold the defaults and take the values; they must stay where they are until the line is parsed.
@@ -54,7 +50,7 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
 /// What a result depends on, for the checkpoint; a method adds its own.
 nlohmann::json settingsOf(const GridTrainingOptions& options);
 
-/// The network to start with: random, or that of `from`, which then also sets the encoder.
-LayerStack firstLayers(GridTrainingOptions* options);
+/// The network to start with: random, or that of `from`.
+LayerStack firstLayers(const GridTrainingOptions& options);
 
 }  // namespace lstm_planner

@@ -91,10 +91,8 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   line->add("method", &o.method, "dagger (default), actor-critic or dataset; --method NAME --help explains it");
   line->addOutput("output", &o.output, "ONNX file to write");
   line->add("kinds", &o.kinds,
-            "kinds of generated worlds: mazes offices corridors forest open rooms clutter furnished (default: all)");
+            "kinds of generated worlds: mazes offices corridors forest open rooms furnished (default: all)");
   line->add("dead-ends", &o.course.dead_end_share, kAnyShare, "share of the drives that start in a dead end");
-  line->add("other-robots", &o.course.other_robots, kAnyShare,
-            "share of the worlds in which robots of other sizes, speeds and scanners drive");
   line->add("shortest", &o.course.shortest, {0.01, 1e4}, "m; smallest length of the path from start to goal");
   line->add("max-steps", &o.max_steps, kAnyCount, "largest number of steps of a drive");
   line->add("validation", &o.validation, kAnyCount, "number of worlds for validation");
@@ -117,7 +115,6 @@ nlohmann::json settingsOf(const RobotTrainingOptions& options) {
                              {"max-steps", options.max_steps},
                              {"validation", options.validation},
                              {"seed", options.seed}};
-  if (options.course.other_robots > 0.0) settings["other-robots"] = options.course.other_robots;
   return settings;
 }
 
@@ -164,12 +161,7 @@ void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescriptio
                      const DriveScore& score) {
   Model model;
   model.layers = layers;
-  PolicyDescription described = policy;
-  if (options.course.other_robots > 0.0) {
-    described.smallest_radius = kSmallestRobot;
-    described.largest_radius = kLargestRobot;
-  }
-  writeMetadata(described, &model.metadata);
+  writeMetadata(policy, &model.metadata);
   model.metadata["training_command"] = options.command;
   model.metadata["score"] =
       std::to_string(score.drives) + " validation drives by the network and the shield: " + toText(score);

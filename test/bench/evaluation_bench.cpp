@@ -3,6 +3,7 @@
 #include "bench_support.hpp"
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid_world/agent/greedy_agent.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 
@@ -49,32 +50,22 @@ void runEpisodes(const GridAgentMaker& make_agent, int threads, benchmark::State
   meter.report("step", steps, &state);
 }
 
-void evaluateNetwork(benchmark::State& state, GridEncoderParameters::Inputs inputs) {
+void evaluateNetwork(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  GridEncoderParameters parameters;
-  parameters.inputs = inputs;
-  parameters.views = static_cast<int>(state.range(1));
-  const GridEncoder encoder(parameters);
   Model model;
-  model.layers = benchLstm(encoder.size(), {cells, cells}, encoder.outputs());
-  writeMetadata(parameters, &model.metadata);
+  model.layers = benchLstm(kGridInputs, {cells, cells}, kGridMoveCount);
+  writeGridMetadata(&model.metadata);
   const auto make_agent = [&](const PassableGrid& /*grid*/) {
     return std::make_unique<NetworkGridAgent>(model, NetworkGridAgent::Options{});
   };
-  runEpisodes(make_agent, static_cast<int>(state.range(2)), state);
+  runEpisodes(make_agent, static_cast<int>(state.range(1)), state);
 }
-BENCHMARK_CAPTURE(evaluateNetwork, thesis, GridEncoderParameters::Inputs::kThesis)
-    ->ArgNames({"cells", "views", "threads"})
-    ->Args({8, 1, 1})
-    ->Args({8, 1, 2})
-    ->Args({16, 1, 1})
-    ->Args({32, 1, 1})
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime();
-BENCHMARK_CAPTURE(evaluateNetwork, trace, GridEncoderParameters::Inputs::kTrace)
-    ->ArgNames({"cells", "views", "threads"})
-    ->Args({8, 1, 1})
-    ->Args({8, 8, 1})
+BENCHMARK(evaluateNetwork)
+    ->ArgNames({"cells", "threads"})
+    ->Args({8, 1})
+    ->Args({8, 2})
+    ->Args({16, 1})
+    ->Args({32, 1})
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
 

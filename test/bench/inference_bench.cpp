@@ -60,10 +60,10 @@ BENCHMARK(inferenceKernel)
       addArgumentPairs({8, 16, 32, 64, 33}, sets, family);
     }) -> Unit(benchmark::kMicrosecond);
 
-/// A step of all eight views of a shipped network, one after the other.
-void inferenceViews(benchmark::State& state, const char* model) {
+/// A step of all eight views of the shipped network, one after the other.
+void inferenceViews(benchmark::State& state) {
   constexpr int kViews = 8;
-  const LayerStack layers = readModelFile(std::string(LSTM_PLANNER_SOURCE_DIR "/models/") + model).layers;
+  const LayerStack layers = readModelFile(LSTM_PLANNER_SOURCE_DIR "/models/create2_lstm.onnx").layers;
   const InstructionSet set = runnableInstructionSets()[static_cast<std::size_t>(state.range(0))];
   Network network(layers, set, kViews);
   const Eigen::MatrixXf inputs = Eigen::MatrixXf::Random(network.inputSize(), kViews);
@@ -74,13 +74,9 @@ void inferenceViews(benchmark::State& state, const char* model) {
   }
   state.SetLabel(toString(set));
 }
-void addSets(benchmark::internal::Benchmark* family) {
-  family->ArgNames({"set"});
+BENCHMARK(inferenceViews)->ArgNames({"set"})->Apply([](auto* family) {
   for (std::size_t i = 0; i < runnableInstructionSets().size(); ++i) family->Arg(static_cast<int>(i));
-}
-BENCHMARK_CAPTURE(inferenceViews, create2_lstm, "create2_lstm.onnx")->Apply(addSets);
-BENCHMARK_CAPTURE(inferenceViews, grid_lstm, "grid_lstm.onnx")->Apply(addSets);
-BENCHMARK_CAPTURE(inferenceViews, grid_qlearning, "grid_qlearning.onnx")->Apply(addSets);
+});
 
 }  // namespace
 }  // namespace lstm_planner::inference_bench

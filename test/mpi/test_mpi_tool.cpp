@@ -57,8 +57,8 @@ class MpiTool : public test::ToolTest {
   }
 
   std::string trainingWith(const std::string& method_options, const std::string& name) const {
-    return "train --task grid --cells 4 --views 1 --map-size 32 --max-length 40 --validation 10 --threads 1 " +
-           method_options + filesOf(name);
+    return "train --task grid --cells 4 --map-size 32 --max-length 40 --validation 10 --threads 1 " + method_options +
+           filesOf(name);
   }
 
   /// What two processes leave behind is to be what one does, byte for byte.
@@ -99,7 +99,7 @@ TEST_F(MpiTool, RanksThatShareAnEvaluationFindWhatOneProcessFinds) {
 
 TEST_F(MpiTool, RanksThatShareReinforcementLearnWhatOneProcessLearns) {
   expectSameTraining(
-      trainingWith("--method actor-critic --updates 6 --epochs 2 --agents 192 --window 8 --goals 20", "model"));
+      trainingWith("--method q-learning --updates 6 --epochs 2 --agents 192 --window 8 --goals 20", "model"));
 }
 
 TEST_F(MpiTool, RanksThatShareTheRobotsDrivesLearnWhatOneProcessLearns) {
@@ -129,8 +129,8 @@ TEST_F(MpiTool, RefusesSeveralProcessesForWhatOneDoes) {
 }
 
 TEST_F(MpiTool, WhenARankDiesTheRunEndsAndItsLastCheckpointIsGood) {
-  const std::string training = trainingWith(
-      "--method actor-critic --updates 1000000 --epochs 500000 --agents 64 --window 4 --goals 4", "broken");
+  const std::string training =
+      trainingWith("--method q-learning --updates 1000000 --epochs 500000 --agents 64 --window 4 --goals 4", "broken");
   // The system kills the second rank after a second of processor time.
   const Outcome broken = runShell("mpirun -n 2 sh -c '[ \"$OMPI_COMM_WORLD_RANK\" = 0 ] || ulimit -t 1; exec " +
                                   std::string(kTool) + " " + training + "'");

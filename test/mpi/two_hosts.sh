@@ -97,7 +97,7 @@ on_two_hosts() {
 }
 
 training() { # epochs
-  echo "$tool train --task grid --method actor-critic --cells 8 --views 8 --map-size 64 --max-length 60 --epochs $1
+  echo "$tool train --task grid --method q-learning --cells 8 --map-size 64 --max-length 60 --epochs $1
     --updates $((6 * $1)) --agents 256 --goals 30 --validation 4 --threads 1 --output it.onnx --checkpoint it.checkpoint"
 }
 

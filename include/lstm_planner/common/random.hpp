@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -18,11 +17,6 @@ inline double uniform(Random& random) { return static_cast<double>(random() >> 1
 
 /// Uniform in [low, high).
 inline double uniform(Random& random, double low, double high) { return low + (high - low) * uniform(random); }
-
-/// Between two positive numbers, each factor as likely as another: the logarithm is uniform.
-inline double uniformFactor(Random& random, double low, double high) {
-  return low * std::pow(high / low, uniform(random));
-}
 
 /// Uniform in 0 .. count - 1; 0 if count is 0.
 inline std::size_t uniformIndex(Random& random, std::size_t count) {

@@ -18,7 +18,6 @@ struct DriveCourseParameters {
   std::vector<WorldKind> worlds = worldKinds();  ///< kinds of generated worlds, in turn
   double shortest = 2.0;                         ///< m, of the shortest path from start to goal
   double dead_end_share = 0.0;                   ///< of the drives that start in a dead end (thesis ch. 5)
-  double other_robots = 0.0;                     ///< share of the worlds in which a robot of another size practises
 };
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
@@ -26,20 +25,13 @@ void validate(const DriveCourseParameters& parameters);
 
 /// A goal in a generated world, the teacher that knows the path to it, and where to start from.
 struct DriveExercise {
-  std::size_t kind = 0;           ///< index in DriveCourseParameters::worlds
-  double footprint_radius = 0.0;  ///< m, of the robot that drives
-  bool other_robot = false;       ///< not the usual one
+  std::size_t kind = 0;  ///< index in DriveCourseParameters::worlds
   std::shared_ptr<const GridWorld> world;
   std::unique_ptr<const Teacher> teacher;
   std::vector<DriveTask> tasks;  ///< all with the same goal
 };
 
-/// Radii of other robots, m: from the smallest to the largest that practises.
-constexpr double kSmallestRobot = 0.09;
-constexpr double kLargestRobot = 0.5;
-
-/// The `number`-th world for a use, with up to `goals` goals of `starts` drives each; the same for the same seed. None
-/// where another robot is too large for the world.
+/// The `number`-th world for a use, with up to `goals` goals of `starts` drives each; the same for the same seed.
 std::vector<DriveExercise> makeDriveExercises(const DriveCourseParameters& parameters, WorldUse use, std::uint64_t seed,
                                               int number, int goals, int starts);
 

@@ -12,6 +12,9 @@
 
 namespace lstm_planner {
 
+/// m; footprint of the robot that practises, a Create 2.
+constexpr double kPracticeRadius = 0.17425;
+
 /// Under which conditions a robot practises: what differs from robot to robot and from day to day.
 struct PracticeConditions {
   HokuyoParameters scanner;   ///< with few beams: the averages hardly change
@@ -28,8 +31,7 @@ PracticeConditions usualConditions();
 
 /// Random conditions around the usual ones (domain randomisation: Tobin et al., "Domain randomization for transferring
 /// deep neural networks from simulation to the real world", IROS 2017).
-/// `other_robot`: of another make than the Create 2: 0.2 to 2 m/s, with a scanner that sees 3 to 30 m far.
-PracticeConditions drawConditions(Random& random, bool other_robot);
+PracticeConditions drawConditions(Random& random);
 
 /// The agent that practises: network and shield, without rescue or memory of obstacles.
 AgentParameters practiceAgent(const PolicyDescription& policy);
@@ -39,8 +41,7 @@ AgentParameters practiceAgent(const PolicyDescription& policy);
 class StepSimulator : private LoopRobot {
  public:
   /// `world` must outlive it. Deterministic for a seed.
-  StepSimulator(const World& world, const DriveTask& task, const PracticeConditions& conditions,
-                double footprint_radius, std::uint64_t seed);
+  StepSimulator(const World& world, const DriveTask& task, const PracticeConditions& conditions, std::uint64_t seed);
 
   /// Gives the agent the goal, and drives until it has arrived by its odometry, gives up, or has made so many steps.
   DriveResult::End run(int max_steps, NavigationAgent* agent);
@@ -59,7 +60,6 @@ class StepSimulator : private LoopRobot {
   const World& world_;
   DriveTask task_;
   PracticeConditions conditions_;
-  double footprint_radius_;
   Random random_;
   Hokuyo scanner_;
   LaserScan scan_;

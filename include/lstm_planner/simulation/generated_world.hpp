@@ -16,14 +16,13 @@ enum class WorldKind {
   kForest,     ///< poles at random, half of the forests with narrow gaps that are all wide enough
   kOpen,       ///< nothing in sight
   kRooms,      ///< empty rooms with doors
-  kClutter,    ///< irregular obstacles close together, with a bay before them
   kFurnished   ///< floor plans full of furniture, 0.4 to 0.8 m apart
 };
 
 /// All of them.
 const std::vector<WorldKind>& worldKinds();
 
-/// "mazes", "offices", "corridors", "forest", "open", "rooms", "clutter", "furnished".
+/// "mazes", "offices", "corridors", "forest", "open", "rooms", "furnished".
 const char* toString(WorldKind kind);
 /// Throws std::invalid_argument with the names there are.
 WorldKind worldKindOf(const std::string& name);

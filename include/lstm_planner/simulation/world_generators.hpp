@@ -64,23 +64,6 @@ struct ForestParameters {
 void validate(const ForestParameters& parameters);
 OccupancyGrid generateForest(const ForestParameters& parameters, std::uint64_t seed);
 
-/// A field of irregular obstacles, each of blocks of 0.15 m, between two side walls. Before it lies a bay that is
-/// closed on three sides, behind it open ground. From below upwards: wall, bay, field, open ground, wall. For a disc of
-/// `passage` there is a path from the bay through the field: obstacles are cleared away until there is one.
-struct ClutterParameters {
-  double width = 4.5;        ///< m between the side walls
-  double bay = 4.0;          ///< m
-  double depth = 5.0;        ///< m of the field
-  double beyond = 3.0;       ///< m of open ground
-  double around = 0.0;       ///< m of open ground on the outer sides of the side walls
-  double fill = 0.2;         ///< share of the field that is occupied, before anything is cleared
-  int grain = 1;             ///< blocks over which obstacles hang together: larger ones are fewer
-  double passage = 0.25;     ///< m, radius of the disc that gets through: the footprint and a clearance
-  double resolution = 0.05;  ///< m a cell
-};
-void validate(const ClutterParameters& parameters);
-OccupancyGrid generateClutter(const ClutterParameters& parameters, std::uint64_t seed);
-
 /// Nothing anywhere, not even a wall around it: a scanner sees nothing at all. The size is that of the part in which
 /// goals lie.
 struct OpenFieldParameters {

@@ -14,10 +14,6 @@ void checkNotNegative(const char* name, double value) {
 
 }  // namespace
 
-bool BoundaryParameters::turnsBack(double leg, double path_back, double farther) const {
-  return leg > std::max(first_leg, leg_growth * path_back) + goal_weight * farther;
-}
-
 BoundaryFollower::BoundaryFollower(const BoundaryParameters& parameters)
     : parameters_(parameters), trail_(parameters.corner_cutting) {
   checkNotNegative("first_leg", parameters.first_leg);
@@ -142,7 +138,8 @@ bool BoundaryFollower::shouldTurnBack() const {
   // Longer towards the goal than away from it.
   const double here = octileDistance(now_.cell, now_.goal).length();
   const double there = octileDistance(ends_[static_cast<std::size_t>(1 - end_)].edge.cell, now_.goal).length();
-  return parameters_.turnsBack(leg_, path_back_, there - here);
+  const double longest = std::max(parameters_.first_leg, parameters_.leg_growth * path_back_);
+  return leg_ > longest + parameters_.goal_weight * (there - here);
 }
 
 std::size_t BoundaryFollower::peakBytes() const { return sizeof(*this) + 2 * (kMostCells + 3) * sizeof(CellIndex); }

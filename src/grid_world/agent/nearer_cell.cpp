@@ -13,6 +13,15 @@ int rangeOf(const GridObservation& observation, int direction) {
   return observation.ranges[static_cast<std::size_t>(direction)];
 }
 
+/// How many steps ahead along a straight ray the cell lies that is nearest to the goal, as far as the ray is free.
+int stepsToNearestCell(const GridObservation& observation, int direction) {
+  const CellIndex step = kGridRaySteps[static_cast<std::size_t>(direction)];
+  // Going straight, the distance falls until abreast of the goal and grows from there on.
+  const int abreast = (observation.goal.column - observation.cell.column) * step.column +
+                      (observation.goal.row - observation.cell.row) * step.row;
+  return std::clamp(abreast, 0, rangeOf(observation, direction) - 1);
+}
+
 }  // namespace
 
 int directionToNearerNeighbour(const GridObservation& observation, OctileDistance best, CornerCutting corner_cutting) {
@@ -48,20 +57,11 @@ int openSteps(const GridObservation& observation, int direction, CornerCutting c
   return movePossible(observation.ranges, direction, corner_cutting) ? 1 : 0;
 }
 
-int stepsToNearestCell(const GridObservation& observation, int direction, CornerCutting corner_cutting) {
-  const CellIndex step = kGridRaySteps[static_cast<std::size_t>(direction)];
-  const int along = (observation.goal.column - observation.cell.column) * step.column +
-                    (observation.goal.row - observation.cell.row) * step.row;
-  // Going straight, the distance falls until abreast of the goal and grows from there on.
-  const int abreast = direction % 2 == 0 ? along : along / 2;
-  return std::clamp(abreast, 0, openSteps(observation, direction, corner_cutting));
-}
-
 int directionToNearerCell(const GridObservation& observation, OctileDistance best) {
   int found = kNoPath;
   int fewest = 0;
   for (int direction = 0; direction < kGridRayCount; direction += 2) {
-    const int steps = stepsToNearestCell(observation, direction, CornerCutting::kForbidden);
+    const int steps = stepsToNearestCell(observation, direction);
     if (steps < 1 || (found != kNoPath && steps >= fewest)) continue;
     const CellIndex seen = alongRay(observation.cell, static_cast<std::size_t>(direction), steps);
     if (!(octileDistance(seen, observation.goal) < best)) continue;

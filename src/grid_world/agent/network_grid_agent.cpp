@@ -3,30 +3,29 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <stdexcept>
 
 #include "lstm_planner/common/random.hpp"
+#include "lstm_planner/grid_world/search/exact_octile.hpp"
 #include "lstm_planner/training/policy_gradient.hpp"
 
 namespace lstm_planner {
+namespace {
+
+/// Refuses those of another model.
+const LayerStack& layersOf(const Model& model) {
+  checkGridMetadata(model.metadata);
+  checkGridNetwork(model.layers);
+  return model.layers;
+}
+
+}  // namespace
 
 NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
     : shield_(options.shield),
       draw_after_(options.draw_after),
       corner_cutting_(options.corner_cutting),
-      encoder_(readGridEncoderParameters(model.metadata)),
-      network_(model.layers, fastestInstructionSet(), encoder_.parameters().views),
-      memory_(makeGridMemory(encoder_.parameters(), options.corner_cutting, !options.guided)),
-      bound_(options.detour),
-      input_(encoder_.size()),
-      preferences_(kGridMoveCount) {
-  const int inputs = network_.inputSize();
-  const int outputs = network_.outputSize();
-  if (inputs != encoder_.size() || outputs != encoder_.outputs()) {
-    throw std::invalid_argument("the network has " + std::to_string(inputs) + " inputs and " + std::to_string(outputs) +
-                                " outputs, its description expects " + std::to_string(encoder_.size()) + " and " +
-                                std::to_string(encoder_.outputs()));
-  }
+      network_(layersOf(model)),
+      bound_(options.detour) {
   if (options.guided) {
     GridGuideParameters guide = options.guide;
     guide.corner_cutting = options.corner_cutting;
@@ -35,33 +34,25 @@ NetworkGridAgent::NetworkGridAgent(const Model& model, const Options& options)
 }
 
 void NetworkGridAgent::start(CellIndex start, CellIndex /*goal*/) {
-  memory_.start();
   if (guide_) guide_->start(start);
   bound_.start();
+  previous_direction_ = kNoPath;
   walked_ = 0.0;
-  watch_.start();
+  nearest_.clear();
   network_.reset();
 }
 
 void NetworkGridAgent::observe(const GridObservation& observation) {
-  memory_.observe(observation);
+  observation_ = observation;
   if (guide_) guide_->observe(observation);
-  if (!guide_) watch_.observe(observation, memory_.inNewPlace());
-  judgeMoves();
+  nearest_.note(octileDistance(observation.cell, observation.goal).length());
+  Eigen::VectorXf input(kGridInputs);
+  encodeGrid(observation, previous_direction_, input.data(), 1);
+  preferences_ = network_.forward(input);
   choose();
 }
 
-void NetworkGridAgent::judgeMoves() {
-  encoder_.prepare(memory_);
-  const int outputs = encoder_.outputs();
-  for (int view = 0; view < network_.sequences(); ++view) {
-    encoder_.encode(view, input_.data(), 1);
-    preferences_.segment(view * outputs, outputs) = network_.forward(input_, view);
-  }
-}
-
 void NetworkGridAgent::choose() {
-  constexpr int kAnyDetour = std::numeric_limits<int>::max();
   leader_ = GridLeader::kNetwork;
   on_path_ = false;
   direction_ = bestMove();
@@ -70,7 +61,7 @@ void NetworkGridAgent::choose() {
   overruled_ = direction_ == static_cast<int>(preferred) ? Overruled::kNo : Overruled::kByShield;
   if (guide_) {
     chooseWithinBound(direction_);
-  } else if (draw_after_ > 0 && watch_.isExhausted(draw_after_, kAnyDetour)) {
+  } else if (draw_after_ > 0 && nearest_.steps() >= draw_after_) {
     direction_ = drawnMove();
   }
 }
@@ -90,7 +81,7 @@ void NetworkGridAgent::chooseWithinBound(int preferred) {
 }
 
 bool NetworkGridAgent::mayMove(int direction) const {
-  return !shield_ || movePossible(memory_.observation().ranges, direction, corner_cutting_);
+  return !shield_ || movePossible(observation_.ranges, direction, corner_cutting_);
 }
 
 int NetworkGridAgent::bestMove() const {
@@ -107,7 +98,7 @@ int NetworkGridAgent::bestMove() const {
 
 int NetworkGridAgent::drawnMove() const {
   // By the number of steps alone: the same walk every time, and the same move when asked twice.
-  Random random(static_cast<std::uint64_t>(memory_.stepsSinceBest()));
+  Random random(static_cast<std::uint64_t>(nearest_.steps()));
   std::array<float, kGridMoveCount> chances{};
   const float total = fillChances(
       kGridMoveCount, [this](int direction) { return mayMove(direction); },
@@ -117,14 +108,14 @@ int NetworkGridAgent::drawnMove() const {
 
 void NetworkGridAgent::step(int direction, bool moved) {
   if (!moved) return;
-  memory_.step(direction);
+  previous_direction_ = direction;
   bound_.endStep(1.0);
   walked_ += moveLength(direction);
 }
 
 std::size_t NetworkGridAgent::peakBytes() const {
   const std::size_t network = network_.weights() * sizeof(float) + network_.stateBytes();
-  return sizeof(*this) + memory_.bytes() + (guide_ ? sizeof(*guide_) + guide_->bytes() : 0) + network;
+  return sizeof(*this) + (guide_ ? sizeof(*guide_) + guide_->bytes() : 0) + network;
 }
 
 }  // namespace lstm_planner

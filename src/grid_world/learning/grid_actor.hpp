@@ -1,20 +1,14 @@
 #pragma once
 
 #include "grid_world/agent/grid_walk.hpp"
-#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
+#include "lstm_planner/grid_world/agent/grid_agent.hpp"
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
+#include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 
 namespace lstm_planner {
 
-/// Rewards of reinforcement learning in the grid world, in cells.
-struct GridRewards {
-  /// What the distance to the goal after a step counts: with the discount of the returns, what the agent comes nearer
-  /// does not change which policy is the best one (Ng et al., "Policy invariance under reward transformations", ICML
-  /// 1999).
-  double distance_weight = 1.0;
-  double step_cost = 0.2;       ///< of every step, besides what it brings the agent nearer to the goal
-  double arrival_bonus = 10.0;  ///< for coming within one cell of the goal
-};
+/// R(s) as ThesisRewardWeights says. `previous_direction`: kNoPath before the first move.
+double thesisReward(const GridObservation& observation, int previous_direction, const ThesisRewardWeights& weights);
 
 /// One agent that learns: walks through one episode after the other.
 class GridActor {
@@ -27,37 +21,29 @@ class GridActor {
     double ratio = 0.0;  ///< length / optimum, where it arrived
   };
 
-  GridActor(const GridCourse& course, const GridEncoderParameters& encoder, std::uint64_t seed)
-      : course_(&course), random_(seed), memory_(makeGridMemory(encoder)) {
-    startEpisode();
-  }
+  GridActor(const GridCourse& course, std::uint64_t seed) : course_(&course), random_(seed) { startEpisode(); }
 
   bool atStart() const { return walk_.moves() == 0; }
   /// Senses; once before each step().
-  void observe() { memory_.observe(walk_.observe()); }
-  const GridMemory& memory() const { return memory_; }
+  void observe() { observation_ = walk_.observe(); }
+  const GridObservation& observation() const { return observation_; }
+  int previousDirection() const { return previous_direction_; }  ///< kNoPath before the first move
   /// Whether the shield allows a move.
-  bool possible(int direction) const {
-    return movePossible(memory_.observation().ranges, direction, CornerCutting::kForbidden);
-  }
+  bool possible(int direction) const { return movePossible(observation_.ranges, direction, CornerCutting::kForbidden); }
   Random& random() { return random_; }
-  std::size_t set() const { return episode_.set; }  ///< of the course
-
-  /// True length of the path to the goal from here, and from the cell beside (+inf when blocked), cells.
-  float distance() const { return episode_.goal->distances.at(walk_.cell()); }
-  float distanceBeside(int direction) const { return episode_.goal->distances.at(cellBeside(walk_.cell(), direction)); }
 
   /// `direction` must be possible. Where the episode ends the next one starts.
-  Outcome step(int direction, const GridRewards& rewards, int max_steps);
+  Outcome step(int direction, const GridQLearningParameters& parameters);
 
  private:
   void startEpisode();
-  double progress(float before, bool arrived, const GridRewards& rewards) const;
+  float distance() const { return episode_.goal->distances.at(walk_.cell()); }  ///< along the shortest path, cells
 
   const GridCourse* course_;
   Random random_;
   GridCourse::Episode episode_;
-  GridMemory memory_;
+  GridObservation observation_;
+  int previous_direction_ = kNoPath;
   GridWalk walk_;
   double walked_ = 0.0;  ///< cells
 };

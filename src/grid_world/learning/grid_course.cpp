@@ -175,8 +175,7 @@ std::size_t GridCourse::drawBucket(Random& random) const {
 }
 
 GridCourse::Episode GridCourse::draw(Random& random) const {
-  const std::size_t drawn = drawSet(random);
-  const CourseSet& set = sets_[drawn];
+  const CourseSet& set = sets_[drawSet(random)];
   // The length is drawn before the map: small maps, which have no long paths, are not to make short paths more
   // frequent.
   const std::size_t bucket = drawBucket(random);
@@ -190,7 +189,7 @@ GridCourse::Episode GridCourse::draw(Random& random) const {
       const CellIndex end = deadEndBelow(goal->map->grid, start, goal->goal, parameters_.corner_cutting);
       if (straightDistance(end, goal->goal) > kNearGoal) start = end;
     }
-    return {goal, start, drawn};
+    return {goal, start};
   }
   return draw(random);
 }

@@ -6,13 +6,12 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "grid_world/agent/a_star_agent.hpp"
 #include "lstm_planner/common/parallel_for.hpp"
 #include "lstm_planner/common/parameter_check.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 #include "lstm_planner/training/teacher_rescue.hpp"
@@ -69,28 +68,23 @@ class Supervisor {
 /// where there is one, whom it rescues.
 class TaughtAgent : public GridAgent {
  public:
-  TaughtAgent(const CourseGoal& goal, const GridDatasetParameters& parameters, const GridEncoder& encoder,
-              std::unique_ptr<GridAgent> learner)
+  TaughtAgent(const CourseGoal& goal, const GridDatasetParameters& parameters, std::unique_ptr<GridAgent> learner)
       : goal_(goal),
-        encoder_(encoder.parameters()),
-        memory_(makeGridMemory(encoder.parameters())),
         learner_(std::move(learner)),
         rescue_(kNearer, parameters.stuck_steps, parameters.rescue_steps),
         kind_(parameters.supervisor) {}
 
   void start(CellIndex start, CellIndex goal) override {
-    memory_.start();
+    previous_direction_ = kNoPath;
     supervisor_.emplace(goal_, start, kind_);
     if (learner_) learner_->start(start, goal);
   }
 
   void observe(const GridObservation& observation) override {
-    memory_.observe(observation);
-    encoder_.prepare(memory_);
-    const auto inputs = static_cast<std::size_t>(encoder_.size());
-    walk_.inputs.resize(walk_.inputs.size() + inputs);
-    encoder_.encode(0, &walk_.inputs[walk_.inputs.size() - inputs], 1);
-    direction_ = supervisor_->move(observation, memory_.previousDirection());
+    const std::size_t known = walk_.inputs.size();
+    walk_.inputs.resize(known + kGridInputs);
+    encodeGrid(observation, previous_direction_, &walk_.inputs[known], 1);
+    direction_ = supervisor_->move(observation, previous_direction_);
     walk_.labels.push_back(direction_);
     if (!learner_) return;
     learner_->observe(observation);
@@ -100,17 +94,16 @@ class TaughtAgent : public GridAgent {
   int decide() override { return direction_; }
   GridLeader leader() const override { return learner_ ? learner_->leader() : GridLeader::kSearch; }
   void step(int direction, bool moved) override {
-    memory_.step(direction);
+    previous_direction_ = direction;
     if (learner_) learner_->step(direction, moved);
   }
-  std::size_t peakBytes() const override { return memory_.bytes(); }
+  std::size_t peakBytes() const override { return 0; }
 
   Walk takeWalk() { return std::move(walk_); }
 
  private:
   const CourseGoal& goal_;
-  GridEncoder encoder_;
-  GridMemory memory_;
+  int previous_direction_ = kNoPath;
   std::unique_ptr<GridAgent> learner_;
   TeacherRescue rescue_;
   GridSupervisor kind_;
@@ -120,21 +113,21 @@ class TaughtAgent : public GridAgent {
 };
 
 /// One path, led by the supervisor where there is no `learner`, who is led to the end.
-Walk walkOf(const GridCourse::Episode& episode, const GridDatasetParameters& parameters, const GridEncoder& encoder,
+Walk walkOf(const GridCourse::Episode& episode, const GridDatasetParameters& parameters,
             std::unique_ptr<GridAgent> learner) {
   const CourseGoal& goal = *episode.goal;
   GridEpisodeRules rules;
   rules.corner_cutting = goal.corner_cutting;
   rules.max_steps = learner ? parameters.max_steps : gridStepBound(goal.map->grid);
-  TaughtAgent agent(goal, parameters, encoder, std::move(learner));
+  TaughtAgent agent(goal, parameters, std::move(learner));
   runGridEpisode(goal.map->grid, goal.map->ranges, episode.start, goal.goal, rules, &agent);
   return agent.takeWalk();
 }
 
 /// The first `steps` of it, each with weight.
-Sequence toSequence(const Walk& walk, std::size_t steps, int inputs) {
+Sequence toSequence(const Walk& walk, std::size_t steps) {
   const auto count = static_cast<Eigen::Index>(steps);
-  return {Eigen::Map<const Eigen::MatrixXf>(walk.inputs.data(), inputs, count),
+  return {Eigen::Map<const Eigen::MatrixXf>(walk.inputs.data(), kGridInputs, count),
           Eigen::Map<const Eigen::VectorXi>(walk.labels.data(), count), Eigen::VectorXf::Ones(count)};
 }
 
@@ -179,16 +172,10 @@ void validate(const GridDatasetParameters& parameters) {
                  "more than burn_in_steps");
 }
 
-std::vector<Sequence> collectGridSequences(const GridDatasetParameters& parameters,
-                                           const GridEncoderParameters& encoder_parameters, const GridCourse& course,
+std::vector<Sequence> collectGridSequences(const GridDatasetParameters& parameters, const GridCourse& course,
                                            const Model* learner, double learner_share, std::uint64_t seed,
                                            int threads) {
   validate(parameters);
-  if (encoder_parameters.views != 1) {
-    throw std::invalid_argument("imitation with " + std::to_string(encoder_parameters.views) +
-                                " views is not possible, expected 1 view: networks of 8 views learn by reinforcement");
-  }
-  const GridEncoder encoder(encoder_parameters);
   NetworkGridAgent::Options shield_alone;
   shield_alone.guided = false;
   shield_alone.corner_cutting = course.cornerCutting();
@@ -207,12 +194,12 @@ std::vector<Sequence> collectGridSequences(const GridDatasetParameters& paramete
       if (learner != nullptr && uniform(random) < learner_share) {
         agent = std::make_unique<NetworkGridAgent>(*learner, shield_alone);
       }
-      walks[static_cast<std::size_t>(index)] = walkOf(episode, parameters, encoder, std::move(agent));
+      walks[static_cast<std::size_t>(index)] = walkOf(episode, parameters, std::move(agent));
     });
     for (const Walk& walk : walks) {
       const std::size_t steps = std::min(walk.labels.size(), missing);
       missing -= steps;
-      cutIntoPieces(toSequence(walk, steps, encoder.size()), cut, &sequences);
+      cutIntoPieces(toSequence(walk, steps), cut, &sequences);
     }
   }
   return sequences;

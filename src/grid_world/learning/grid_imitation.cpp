@@ -1,11 +1,10 @@
 #include "lstm_planner/grid_world/learning/grid_imitation.hpp"
 
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/network/model_file.hpp"
 
 namespace lstm_planner {
@@ -40,9 +39,9 @@ class GridImitationCourse : public ImitationCourse {
                                 const LayerStack* learner, double learner_share, std::uint64_t seed) const {
     Model model;
     if (learner != nullptr) model.layers = *learner;
-    writeMetadata(parameters_.encoder, &model.metadata);
-    return collectGridSequences(dataset, parameters_.encoder, course, learner != nullptr ? &model : nullptr,
-                                learner_share, seed, parameters_.threads);
+    writeGridMetadata(&model.metadata);
+    return collectGridSequences(dataset, course, learner != nullptr ? &model : nullptr, learner_share, seed,
+                                parameters_.threads);
   }
 
   const GridImitationParameters parameters_;
@@ -54,7 +53,6 @@ class GridImitationCourse : public ImitationCourse {
 
 GridImitationParameters thesisImitation() {
   GridImitationParameters parameters;
-  parameters.encoder.inputs = GridEncoderParameters::Inputs::kThesis;
   parameters.batch_steps = parameters.dataset.sequence_steps;
   TrainerParameters& trainer = parameters.trainer;
   trainer.epochs = 500;
@@ -68,10 +66,6 @@ GridImitationParameters thesisImitation() {
 }
 
 void validate(const GridImitationParameters& parameters) {
-  if (parameters.encoder.views != 1) {
-    throw std::invalid_argument("imitation with " + std::to_string(parameters.encoder.views) +
-                                " views is not possible, expected 1 view: networks of 8 views learn by reinforcement");
-  }
   validate(parameters.course);
   validate(parameters.dataset);
   validate(parameters.trainer);

@@ -1,52 +1,90 @@
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "grid_world/learning/grid_q_learning_tile.hpp"
+#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
-#include "lstm_planner/training/q_learner.hpp"
+#include "lstm_planner/training/tile_exchange.hpp"
 
 namespace lstm_planner {
 namespace {
 
 const QLearner::CheckpointNames kQLearningNames{"lstm_planner q-learning 1", "updates"};
 
-void checkFit(const LayerStack& layers, const GridEncoder& encoder) {
-  if (inputSize(layers) == encoder.size() && outputSize(layers) == encoder.outputs()) return;
-  throw std::invalid_argument("the network has " + std::to_string(inputSize(layers)) + " inputs and " +
-                              std::to_string(outputSize(layers)) + " outputs, the encoder expects " +
-                              std::to_string(encoder.size()) + " and " + std::to_string(encoder.outputs()));
-}
+/// Updates between replacements of one of the course's goals.
+constexpr int kRenewalInterval = 8;
 
-class GridQLearning final : public GridLearner {
+/// Tiles of agents that learn together.
+class QTiles {
  public:
-  GridQLearning(const GridQLearningParameters& parameters, LayerStack layers)
-      : parameters_((validate(parameters), parameters)),
-        layers_((checkFit(layers, GridEncoder(parameters.encoder)), std::move(layers))),
-        learner_(kQLearningNames, parameters, parameters.updates, layers_),
-        tiles_(parameters.communicator, parameters.threads,
-               [this] { return std::make_unique<QTileRunner>(parameters_, layers_); }) {}
-
-  void startEpoch(int epoch, const GridCourse& course) override {
-    tiles_.start(parameters_.agents, course, parameters_.encoder,
-                 parameters_.seed * 1000003 + static_cast<std::uint64_t>(epoch));
+  QTiles(const GridQLearningParameters& parameters, const LayerStack& layers)
+      : parameters_(parameters), exchange_(parameters.communicator, parameters.threads) {
+    for (int thread = 0; thread < parameters.threads; ++thread) runners_.emplace_back(parameters, layers);
   }
 
-  void update() override {
-    if (tiles_.empty()) throw std::logic_error("Q-learning was to learn before its first epoch started");
-    learner_.startUpdate();
-    epsilon_ = learner_.epsilon();
-    const QSums sums = tiles_.run(QSums(), [&](QTileRunner* runner, QTile* tile) {
-      return runner->run(learner_.weights(), learner_.targetWeights(), epsilon_, tile);
+  /// New agents on a course, rounded up to whole tiles.
+  void start(const GridCourse& course, std::uint64_t seed) {
+    Random seeds(seed);
+    tiles_.clear();
+    tiles_.resize(static_cast<std::size_t>((parameters_.agents + QTile::kActors - 1) / QTile::kActors));
+    for (QTile& tile : tiles_) {
+      for (int actor = 0; actor < QTile::kActors; ++actor) tile.actors.emplace_back(course, seeds());
+    }
+  }
+
+  /// A window of all agents, and the sum of the gradients.
+  QSums run(const QLearner& learner, double epsilon, Eigen::VectorXf* gradient) {
+    const int count = static_cast<int>(tiles_.size());
+    const auto work = [&](int tile, int thread) {
+      return runners_[static_cast<std::size_t>(thread)].run(learner.weights(), learner.targetWeights(), epsilon,
+                                                            &tiles_[static_cast<std::size_t>(tile)]);
+    };
+    QSums all;
+    for (const QSums& sums : exchange_.each(count, QSums(), work)) all += sums;
+    *gradient = exchange_.sumOf(count, learner.weights().size(), [&](int tile) -> const Eigen::VectorXf& {
+      return tiles_[static_cast<std::size_t>(tile)].gradient;
     });
-    const Eigen::VectorXf gradient = tiles_.sumOf(&QTile::gradient, learner_.weights().size());
-    learner_.update(gradient / static_cast<float>(sums.values.steps));
-    learner_.finishUpdate(sums.values.steps);
-    sums_ += sums;
+    return all;
+  }
+
+ private:
+  const GridQLearningParameters& parameters_;
+  TileExchange exchange_;
+  std::vector<QTileRunner> runners_;  ///< one a thread
+  std::vector<QTile> tiles_;
+};
+
+class GridQLearningOnMaps final : public GridQLearning {
+ public:
+  GridQLearningOnMaps(const GridQLearningParameters& parameters, std::vector<GridCourse::Set> maps, LayerStack layers)
+      : parameters_(parameters),
+        maps_(std::move(maps)),
+        layers_(std::move(layers)),
+        learner_(kQLearningNames, parameters, parameters.updates, layers_),
+        tiles_(parameters_, layers_) {}
+
+  int epoch() const override { return epoch_; }
+  double progress() const override { return learner_.progress(); }
+  bool done() const override { return epoch_ == parameters_.epochs; }
+  bool judgementDue() const override { return epoch_done_; }
+  bool resumable() const override { return !course_; }
+
+  void step() override {
+    if (!course_) startEpoch();
+    update();
+    epoch_done_ = learner_.updates() == firstUpdate(epoch_ + 1);
+    if (epoch_done_) {
+      ++epoch_;
+      course_.reset();
+    } else if (learner_.updates() % kRenewalInterval == 0) {
+      course_->renew(1);
+    }
   }
 
   ReinforcementReport report() override {
@@ -59,20 +97,50 @@ class GridQLearning final : public GridLearner {
     return report;
   }
 
-  int updates() const override { return learner_.updates(); }
   const LayerStack& layers() const override {
     setParameterVector(learner_.weights(), layers_);
     return layers_;
   }
 
   std::vector<std::uint8_t> checkpoint() const override { return learner_.checkpoint(); }
-  void restore(const std::vector<std::uint8_t>& checkpoint) override { learner_.restore(checkpoint); }
+  void restore(const std::vector<std::uint8_t>& checkpoint) override {
+    learner_.restore(checkpoint);
+    course_.reset();
+    epoch_done_ = false;
+    epoch_ = 0;
+    while (epoch_ < parameters_.epochs && firstUpdate(epoch_ + 1) <= learner_.updates()) ++epoch_;
+  }
 
  private:
-  GridQLearningParameters parameters_;
+  int firstUpdate(int epoch) const {
+    return static_cast<int>(static_cast<std::int64_t>(parameters_.updates) * epoch / parameters_.epochs);
+  }
+
+  /// New goals and agents; what happens in an epoch depends only on the weights and the seed.
+  void startEpoch() {
+    const auto epoch = static_cast<std::uint64_t>(epoch_);
+    course_.emplace(parameters_.course, maps_, parameters_.seed + epoch, parameters_.threads);
+    tiles_.start(*course_, parameters_.seed * 1000003 + epoch);
+  }
+
+  void update() {
+    learner_.startUpdate();
+    epsilon_ = learner_.epsilon();
+    Eigen::VectorXf gradient;
+    const QSums sums = tiles_.run(learner_, epsilon_, &gradient);
+    learner_.update(gradient / static_cast<float>(sums.values.steps));
+    learner_.finishUpdate(sums.values.steps);
+    sums_ += sums;
+  }
+
+  const GridQLearningParameters parameters_;
+  std::vector<GridCourse::Set> maps_;
   mutable LayerStack layers_;  ///< get their weights when they are asked for
   QLearner learner_;
-  GridTiles<QTile, QTileRunner> tiles_;
+  QTiles tiles_;
+  std::optional<GridCourse> course_;  ///< of the epoch that goes on
+  int epoch_ = 0;
+  bool epoch_done_ = false;  ///< by the last step
   QSums sums_;
   double epsilon_ = 0.0;
 };
@@ -80,12 +148,19 @@ class GridQLearning final : public GridLearner {
 }  // namespace
 
 void validate(const GridQLearningParameters& parameters) {
-  visitGridLearnerParameters(parameters, RangeCheck());
+  visitGridQLearningParameters(parameters, RangeCheck());
   validate(static_cast<const QLearningParameters&>(parameters));
+  validate(parameters.course);
+  checkParameter(parameters.epochs >= 1, "epochs", parameters.epochs, "at least 1");
+  checkParameter(parameters.updates >= parameters.epochs, "updates", parameters.updates,
+                 "at least one for each of the epochs");
 }
 
-std::unique_ptr<GridLearner> makeGridQLearning(const GridQLearningParameters& parameters, LayerStack layers) {
-  return std::make_unique<GridQLearning>(parameters, std::move(layers));
+std::unique_ptr<GridQLearning> makeGridQLearning(const GridQLearningParameters& parameters,
+                                                 std::vector<GridCourse::Set> maps, LayerStack layers) {
+  validate(parameters);
+  checkGridNetwork(layers);
+  return std::make_unique<GridQLearningOnMaps>(parameters, std::move(maps), std::move(layers));
 }
 
 }  // namespace lstm_planner

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "grid_world/learning/grid_reward.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 
 namespace lstm_planner {
 namespace {
+
+/// Where a network's outputs for an agent say something of a direction.
+int outputAt(int actor, int direction) { return direction * QTile::kActors + actor; }
 
 /// One of the moves that the shield allows, each equally likely.
 int randomMove(GridActor& walker) {
@@ -35,11 +38,9 @@ std::vector<double*> numbersOf(QSums* sums) {
 
 QTileRunner::QTileRunner(const GridQLearningParameters& parameters, const LayerStack& layers)
     : parameters_(parameters),
-      lanes_(parameters.encoder),
-      network_(layers, GridLanes::kCount, parameters.window + 1),
-      target_network_(layers, GridLanes::kCount, 1),
-      windows_(static_cast<std::size_t>(actors()),
-               std::vector<QTransition>(static_cast<std::size_t>(parameters.window + 1))) {}
+      network_(layers, QTile::kActors, parameters.window + 1),
+      target_network_(layers, QTile::kActors, 1),
+      windows_(QTile::kActors, std::vector<QTransition>(static_cast<std::size_t>(parameters.window + 1))) {}
 
 QSums QTileRunner::run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon,
                        QTile* tile) {
@@ -54,7 +55,7 @@ QSums QTileRunner::run(const Eigen::VectorXf& weights, const Eigen::VectorXf& ta
     observe(step, tile);
     network_.forward(weights, step);
     target_network_.forward(target_weights, 0);
-    for (int actor = 0; actor < actors(); ++actor) {
+    for (int actor = 0; actor < QTile::kActors; ++actor) {
       GridActor& walker = tile->actors[static_cast<std::size_t>(actor)];
       valueState(step, actor, walker);
       if (step < parameters_.window) move(step, actor, epsilon, &walker);
@@ -62,7 +63,7 @@ QSums QTileRunner::run(const Eigen::VectorXf& weights, const Eigen::VectorXf& ta
     if (step < parameters_.window) target_network_.carryOver(1);
   }
   tile->target_state = target_network_.state();
-  for (int actor = 0; actor < actors(); ++actor) judge(actor);
+  for (int actor = 0; actor < QTile::kActors; ++actor) judge(actor);
   network_.backward(weights, parameters_.window, tile->gradient);
   network_.carryOver(parameters_.window);
   tile->state = network_.state();
@@ -70,15 +71,14 @@ QSums QTileRunner::run(const Eigen::VectorXf& weights, const Eigen::VectorXf& ta
 }
 
 void QTileRunner::observe(int step, QTile* tile) {
-  for (int actor = 0; actor < actors(); ++actor) {
+  for (int actor = 0; actor < QTile::kActors; ++actor) {
     GridActor& walker = tile->actors[static_cast<std::size_t>(actor)];
     if (step > 0 || !tile->observed) walker.observe();
     if (walker.atStart()) {
-      lanes_.forget(actor, step, &network_);
-      lanes_.forget(actor, 0, &target_network_);
+      network_.forget(step, actor);
+      target_network_.forget(0, actor);
     }
-    lanes_.prepare(walker);
-    lanes_.show(actor, step, &network_);
+    encodeGrid(walker.observation(), walker.previousDirection(), network_.inputs(step) + actor, QTile::kActors);
   }
   std::copy_n(network_.inputs(step), network_.inputSize() * network_.lanes(), target_network_.inputs(0));
   tile->observed = true;
@@ -90,7 +90,7 @@ void QTileRunner::valueState(int step, int actor, const GridActor& walker) {
     int direction = -1;
     for (int candidate = 0; candidate < kGridMoveCount; ++candidate) {
       if (!walker.possible(candidate)) continue;
-      if (direction < 0 || outputs[lanes_.outputAt(actor, candidate)] > outputs[lanes_.outputAt(actor, direction)]) {
+      if (direction < 0 || outputs[outputAt(actor, candidate)] > outputs[outputAt(actor, direction)]) {
         direction = candidate;
       }
     }
@@ -100,7 +100,7 @@ void QTileRunner::valueState(int step, int actor, const GridActor& walker) {
   QTransition& transition = windows_[static_cast<std::size_t>(actor)][static_cast<std::size_t>(step)];
   transition.direction = best(network_.outputs(step));
   const int chosen = parameters_.double_q ? transition.direction : best(target_outputs);
-  transition.value = parameters_.value_scale * static_cast<double>(target_outputs[lanes_.outputAt(actor, chosen)]);
+  transition.value = parameters_.value_scale * static_cast<double>(target_outputs[outputAt(actor, chosen)]);
 }
 
 void QTileRunner::move(int step, int actor, double epsilon, GridActor* walker) {
@@ -108,13 +108,10 @@ void QTileRunner::move(int step, int actor, double epsilon, GridActor* walker) {
   const int best = transition.direction;
   if (uniform(walker->random()) < epsilon) transition.direction = randomMove(*walker);
   transition.greedy = transition.direction == best;
-  transition.estimate = parameters_.value_scale *
-                        static_cast<double>(network_.outputs(step)[lanes_.outputAt(actor, transition.direction)]);
-  const double thesis_reward = thesisReward(walker->memory(), parameters_.thesis_reward);
-  const GridActor::Outcome outcome = walker->step(
-      transition.direction, {1.0, parameters_.step_cost, parameters_.arrival_bonus}, parameters_.max_steps);
-  const bool by_progress = parameters_.reward == GridQLearningParameters::Reward::kProgress;
-  transition.reward = by_progress ? outcome.reward : thesis_reward;
+  transition.estimate =
+      parameters_.value_scale * static_cast<double>(network_.outputs(step)[outputAt(actor, transition.direction)]);
+  const GridActor::Outcome outcome = walker->step(transition.direction, parameters_);
+  transition.reward = outcome.reward;
   transition.arrived = outcome.arrived;
   transition.timed_out = outcome.timed_out;
   sums_.episodes.count(outcome);
@@ -128,8 +125,8 @@ void QTileRunner::judge(int actor) {
     const QTransition& transition = window[static_cast<std::size_t>(step)];
     const double error = transition.estimate - targets[static_cast<std::size_t>(step)];
     float* gradient = network_.outputGradient(step);
-    for (int direction = 0; direction < kGridMoveCount; ++direction) gradient[lanes_.outputAt(actor, direction)] = 0.0f;
-    gradient[lanes_.outputAt(actor, transition.direction)] =
+    for (int direction = 0; direction < kGridMoveCount; ++direction) gradient[outputAt(actor, direction)] = 0.0f;
+    gradient[outputAt(actor, transition.direction)] =
         static_cast<float>(huberDerivative(error, parameters_.huber) / parameters_.value_scale);
     sums_.values.count(transition.estimate, error);
     sums_.reward += transition.reward;

@@ -3,8 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "grid_world/learning/grid_lanes.hpp"
-#include "grid_world/learning/grid_tiles.hpp"
+#include "grid_world/learning/grid_actor.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 #include "lstm_planner/training/lane_network.hpp"
 #include "lstm_planner/training/q_learning_targets.hpp"
@@ -20,7 +19,12 @@ struct QSums {
 };
 std::vector<double*> numbersOf(QSums* sums);
 
-struct QTile : GridTile {
+/// Agents that go through a window together, and what they carry from one window to the next.
+struct QTile {
+  static constexpr int kActors = 64;  ///< each in a lane of the network; the rows of a step stay in the first cache
+
+  std::vector<GridActor> actors;
+  std::vector<float> state;         ///< hidden
   std::vector<float> target_state;  ///< hidden, of the target network
   bool observed = false;            ///< whether the agents have sensed where they are
   Eigen::VectorXf gradient;         ///< sum over the window's steps
@@ -32,9 +36,6 @@ class QTileRunner {
   /// `parameters` must outlive the runner.
   QTileRunner(const GridQLearningParameters& parameters, const LayerStack& layers);
 
-  /// Agents of a tile.
-  int actors() const { return lanes_.actors(); }
-
   QSums run(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon, QTile* tile);
 
  private:
@@ -44,7 +45,6 @@ class QTileRunner {
   void judge(int actor);
 
   const GridQLearningParameters& parameters_;
-  GridLanes lanes_;
   LaneNetwork network_;
   LaneNetwork target_network_;                     ///< one step long: nothing goes back through it
   std::vector<std::vector<QTransition>> windows_;  ///< of each agent; one step more, of which only the value counts

@@ -20,20 +20,17 @@ Dataset collect(const GridImitationParameters& parameters, int sequence_steps, c
   GridDatasetParameters dataset = parameters.dataset;
   dataset.sequence_steps = sequence_steps;
   Dataset result;
-  result.training =
-      collectGridSequences(dataset, parameters.encoder, training, nullptr, 0.0, parameters.seed, parameters.threads);
+  result.training = collectGridSequences(dataset, training, nullptr, 0.0, parameters.seed, parameters.threads);
   dataset.steps = parameters.validation_steps;
-  result.validation = collectGridSequences(dataset, parameters.encoder, validation, nullptr, 0.0, parameters.seed + 1,
-                                           parameters.threads);
+  result.validation = collectGridSequences(dataset, validation, nullptr, 0.0, parameters.seed + 1, parameters.threads);
   return result;
 }
 
 /// One trial's training; nothing when `report` ended it.
 std::optional<StructureOutcome> run(const StructureTrial& trial, const GridImitationParameters& parameters,
                                     const Dataset& dataset, const EpochCallback& report) {
-  const GridEncoder encoder(parameters.encoder);
   const std::vector<int> cells(static_cast<std::size_t>(trial.layers), trial.cells);
-  LayerStack layers = makeLstmStack(encoder.size(), cells, encoder.outputs());
+  LayerStack layers = makeLstmStack(kGridInputs, cells, kGridMoveCount);
   initialise({}, parameters.seed, layers);
   TrainerParameters trainer = parameters.trainer;
   trainer.batch_size = sequencesWithSteps(trial.sequence_steps, dataset.training);

@@ -41,8 +41,7 @@ ThesisNetworkResult trainThesisNetwork(const ThesisNetwork& network, const GridI
                                        const std::function<bool(double)>& progress) {
   GridImitationParameters own = parameters;
   own.trainer.optimiser.learning_rate = network.learning_rate;
-  const GridEncoder encoder(own.encoder);
-  LayerStack layers = makeNetwork(encoder.size(), network.shape, encoder.outputs());
+  LayerStack layers = makeNetwork(kGridInputs, network.shape, kGridMoveCount);
   initialise({}, own.seed, layers);
   const auto imitation = gridImitation(own, layers, mapsOf(training_files), mapsOf(validation_files));
   bool go_on = true;
@@ -53,7 +52,7 @@ ThesisNetworkResult trainThesisNetwork(const ThesisNetwork& network, const GridI
   const TrainingResult result = imitation->roundResult();
   ThesisNetworkResult trained;
   trained.model.layers = result.layers;
-  writeMetadata(own.encoder, &trained.model.metadata);
+  writeGridMetadata(&trained.model.metadata);
   const EpochReport& best = result.best();
   trained.training_accuracy = best.training.accuracy();
   trained.validation_accuracy = best.validation.accuracy();

@@ -5,32 +5,36 @@
 #include <vector>
 
 #include "fuzz/harness.hpp"
-#include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
+#include "lstm_planner/training/actor_critic.hpp"
 #include "lstm_planner/training/imitation_rounds.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 
 namespace lstm_planner::fuzz::learner_state_harness {
 namespace {
 
-template <typename Parameters, typename Make>
-std::unique_ptr<GridLearner> smallLearner(const Make& make) {
-  Parameters parameters;
+std::unique_ptr<GridQLearning> smallLearning() {
+  GridQLearningParameters parameters;
   parameters.threads = 1;
-  parameters.agents = 16;
-  const GridEncoder encoder(parameters.encoder);
-  return make(parameters, makeLstmStack(encoder.size(), {1}, encoder.outputs()));
+  parameters.agents = 1;
+  return makeGridQLearning(parameters, {}, makeLstmStack(kGridInputs, {1}, kGridMoveCount));
+}
+
+ActorCritic smallActorCritic() {
+  const LayerStack layers = makeLstmStack(1, {1}, 1);
+  return ActorCritic({"lstm_planner actor-critic 1", "updates"}, {}, 1, layers, layers, 1);
 }
 
 void restore(int learner, const std::vector<std::uint8_t>& state) {
-  static const auto actor_critic = smallLearner<GridActorCriticParameters>(makeGridActorCritic);
-  static const auto q_learning = smallLearner<GridQLearningParameters>(makeGridQLearning);
+  static ActorCritic actor_critic = smallActorCritic();
+  static const auto q_learning = smallLearning();
   switch (learner % 3) {
     case 0:
       imitationStateFrom(state);
       break;
     case 1:
-      actor_critic->restore(state);
+      actor_critic.restore(state);
       break;
     default:
       q_learning->restore(state);

@@ -76,45 +76,12 @@ TEST(DriveCourse, StartsInDeadEndsWhenAsked) {
   EXPECT_GE(dead_ends, 15);
 }
 
-TEST(DriveCourse, DrawsRobotsOfOtherSizesWithRoomForEach) {
-  DriveCourseParameters parameters;
-  parameters.other_robots = 1.0;
-  double smallest = 1.0;
-  double largest = 0.0;
-  for (int number = 0; number < 20; ++number) {
-    for (const DriveExercise& exercise : makeDriveExercises(parameters, WorldUse::kTraining, 1, number, 1, 2)) {
-      EXPECT_TRUE(exercise.other_robot);
-      smallest = std::min(smallest, exercise.footprint_radius);
-      largest = std::max(largest, exercise.footprint_radius);
-      for (const DriveTask& task : exercise.tasks) {
-        EXPECT_FALSE(exercise.world->touches({task.start.x, task.start.y}, exercise.footprint_radius + 0.12));
-        EXPECT_FALSE(exercise.world->touches(task.goal, exercise.footprint_radius + 0.12));
-      }
-    }
-  }
-  // Of twenty that are drawn evenly across the scale, some lie in its first and in its last third.
-  EXPECT_GE(smallest, kSmallestRobot);
-  EXPECT_LT(smallest, 0.16);
-  EXPECT_GT(largest, 0.28);
-  EXPECT_LE(largest, kLargestRobot);
-}
-
-TEST(DriveCourse, DrawsTheUsualRobotUnlessAsked) {
-  for (const DriveExercise& exercise : makeDriveExercises(roomsOnly(), WorldUse::kTraining, 1, 0, 2, 1)) {
-    EXPECT_FALSE(exercise.other_robot);
-    EXPECT_EQ(exercise.footprint_radius, PolicyDescription().footprint_radius);
-  }
-}
-
 TEST(DriveCourse, RefusesParametersByName) {
   DriveCourseParameters parameters;
   parameters.worlds.clear();
   EXPECT_THROW(validate(parameters), std::invalid_argument);
   parameters = {};
   parameters.dead_end_share = 1.5;
-  EXPECT_THROW(validate(parameters), std::invalid_argument);
-  parameters = {};
-  parameters.other_robots = -0.1;
   EXPECT_THROW(validate(parameters), std::invalid_argument);
   parameters = {};
   parameters.shortest = 0.0;

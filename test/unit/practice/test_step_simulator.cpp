@@ -13,7 +13,7 @@ const CircleWorld kEmptyField({});
 DriveResult::End driveStraight(const World& world, const PracticeConditions& conditions, double distance) {
   const DriveTask task{{1.0, 2.0, 0.5}, pointAlong(Point2{1.0, 2.0}, 0.5, distance), distance};
   NavigationAgent agent(test::straightAheadPolicy(), practiceAgent(test::straightAheadPolicy().description()));
-  StepSimulator drive(world, task, conditions, 0.17425, 1);
+  StepSimulator drive(world, task, conditions, 1);
   const DriveResult::End end = drive.run(300, &agent);
   EXPECT_EQ(drive.contacts(), 0);
   if (end == DriveResult::End::kReached) {
@@ -37,7 +37,7 @@ TEST(StepSimulator, LetsTheOdometryErr) {
   conditions.travel_error = 0.05;
   const DriveTask task{{0.0, 0.0, 0.0}, {10.0, 0.0}, 10.0};
   NavigationAgent agent(test::straightAheadPolicy(), practiceAgent(test::straightAheadPolicy().description()));
-  StepSimulator drive(kEmptyField, task, conditions, 0.17425, 1);
+  StepSimulator drive(kEmptyField, task, conditions, 1);
   ASSERT_EQ(drive.run(300, &agent), DriveResult::End::kReached) << "as far as the odometry can tell";
   // Arrived at 9.8 to 10 m by an odometry that counts 5 % too much.
   EXPECT_NEAR(drive.truePose().x, 9.9 / 1.05, 0.2);
@@ -52,12 +52,12 @@ TEST(PracticeAgent, HasNoHelp) {
 
 TEST(StepSimulator, IsTheSameForTheSameSeed) {
   Random random(5);
-  const PracticeConditions conditions = drawConditions(random, false);
+  const PracticeConditions conditions = drawConditions(random);
   const DriveTask task{{0.0, 0.0, 0.3}, {4.0, 1.0}, 0.0};
   Pose2 ends[2];
   for (Pose2& end : ends) {
     NavigationAgent agent(test::straightAheadPolicy(), practiceAgent(test::straightAheadPolicy().description()));
-    StepSimulator drive(kEmptyField, task, conditions, 0.17425, 7);
+    StepSimulator drive(kEmptyField, task, conditions, 7);
     drive.run(20, &agent);
     end = drive.truePose();
   }

@@ -164,38 +164,6 @@ TEST(Forest, KeepsItsGaps) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) EXPECT_EQ(separateCells(generateForest(parameters, seed), 0.25), 0);
 }
 
-TEST(Clutter, CanBeCrossedHoweverDenseItIs) {
-  ClutterParameters parameters;
-  parameters.fill = 0.5;
-  const double needed = parameters.passage + parameters.resolution * M_SQRT1_2;
-  const double middle = 0.1 + parameters.width / 2.0;
-  for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    const OccupancyGrid grid = generateClutter(parameters, seed);
-    const DistanceField distances(grid, true);
-    const GeodesicField paths(grid, distances, grid.cellAt({middle, 0.1 + parameters.bay / 2.0}), {needed, 0.0, 0.0});
-    const double beyond = 0.1 + parameters.bay + parameters.depth + parameters.beyond / 2.0;
-    EXPECT_TRUE(std::isfinite(paths.at(grid.cellAt({middle, beyond})))) << seed;
-  }
-}
-
-TEST(Clutter, FillsTheShareThatIsAskedFor) {
-  ClutterParameters parameters;
-  parameters.fill = 0.1;
-  const OccupancyGrid grid = generateClutter(parameters, 1);
-  int occupied = 0;
-  int cells = 0;
-  const CellIndex low = grid.cellAt({0.125, 0.125 + parameters.bay});
-  const CellIndex high = grid.cellAt({0.075 + parameters.width, 0.075 + parameters.bay + parameters.depth});
-  for (int row = low.row; row <= high.row; ++row) {
-    for (int column = low.column; column <= high.column; ++column, ++cells) {
-      occupied += grid.at({column, row}) == Cell::kOccupied ? 1 : 0;
-    }
-  }
-  EXPECT_EQ(cells, 90 * 100);
-  // Some of the blocks in the last row and column lie outside the field: 32 x 35 of them, 30 x 33.3 inside.
-  EXPECT_NEAR(static_cast<double>(occupied) / cells, parameters.fill, 0.02);
-}
-
 TEST(OpenField, ShowsNothing) {
   const GridWorld field(generateOpenField({}));
   std::vector<double> ranges(360);
@@ -216,9 +184,6 @@ TEST(WorldGenerators, RefuseImpossibleParameters) {
   ForestParameters forest;
   forest.density = 0.9;
   EXPECT_THROW(generateForest(forest, 1), std::invalid_argument);
-  ClutterParameters clutter;
-  clutter.bay = 0.5;
-  EXPECT_THROW(generateClutter(clutter, 1), std::invalid_argument);
   OpenFieldParameters field;
   field.width = 0.0;
   EXPECT_THROW(generateOpenField(field), std::invalid_argument);

@@ -73,15 +73,5 @@ INSTANTIATE_TEST_SUITE_P(
                       Bound{WorldKind::kForest, 0.9, 0.85, false}, Bound{WorldKind::kOpen, 0.99, 0.9, false}),
     [](const auto& info) { return std::string(toString(info.param.kind)); });
 
-TEST(ShippedRobotModelAlone, FindsTheDoorsOfRoomsWhereUselessPoliciesDoNot) {
-  const std::string path = std::string(LSTM_PLANNER_SOURCE_DIR) + "/models/create2_lstm_alone.onnx";
-  const Score shipped = scoreOf(DrivePolicy::fromFile(path), WorldKind::kRooms);
-  EXPECT_GE(shipped.arrival, 0.8);
-  EXPECT_GE(shipped.efficiency, 0.65);
-  EXPECT_LT(scoreOf(noPolicy(), WorldKind::kRooms, Leader::kGreedy).arrival, 0.8) << "greedy";
-  EXPECT_LT(scoreOf(test::straightAheadPolicy(), WorldKind::kRooms).arrival, 0.8) << "straight on";
-  EXPECT_LT(scoreOf(randomPolicy(), WorldKind::kRooms).arrival, 0.8) << "random weights";
-}
-
 }  // namespace
 }  // namespace lstm_planner::test_shipped_robot_model

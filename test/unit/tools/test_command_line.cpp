@@ -58,7 +58,6 @@ const std::vector<Usage> kUsages = {
     {"train --search", ""},
     {"train --task grid --method imitation", " --output FILE"},
     {"train --task grid --method dagger", " --output FILE"},
-    {"train --task grid --method actor-critic", " --output FILE"},
     {"train --task grid --method q-learning", " --output FILE"},
 };
 

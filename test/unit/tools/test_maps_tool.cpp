@@ -86,7 +86,7 @@ TEST_F(MapsTool, ReportComparesTablesOfValuesWithAgents) {
 TEST_F(MapsTool, ReportComparesAgentsInTablesAndPictures) {
   success("maps --kind maze --corridor-width 4 --columns 48 --rows 48 --name it --output " + in("mazes"));
   success("report --output " + in("report") + " --scenarios " + in("mazes") +
-          " --agents astar dstar boundary lstm=" LSTM_PLANNER_SOURCE_DIR "/models/grid_lstm.onnx --count 20");
+          " --agents astar dstar boundary lstm=" LSTM_PLANNER_SOURCE_DIR "/models/grid_lstm_2x8.onnx --count 20");
   const std::string report = textOf("report/report.md");
   for (const char* agent : {"A*", "D*", "boundary", "LSTM"}) EXPECT_NE(report.find(agent), std::string::npos) << agent;
   EXPECT_NE(report.find("| A* | 100.0 % |"), std::string::npos) << report;

@@ -40,21 +40,9 @@ TEST_F(TrainRobotTool, ImitationReinforcementAndJudgingFollowOnEachOther) {
           " --iterations 1 --worlds 3 --starts 2 --max-steps 40 --validation 2 --keep last --output " + in("own.onnx"));
   EXPECT_NE(bytesOf("own.onnx"), bytesOf("first.onnx")) << "nothing was learned";
   const test::Outcome judged = success("judge --worlds 8 --max-steps 60 --model " + in("own.onnx"));
-  for (const char* kind : {"mazes", "offices", "corridors", "forest", "open", "rooms", "clutter", "furnished", "all"}) {
+  for (const char* kind : {"mazes", "offices", "corridors", "forest", "open", "rooms", "furnished", "all"}) {
     EXPECT_NE(judged.output.find(std::string("\n") + kind), std::string::npos) << judged.output;
   }
-}
-
-TEST_F(TrainRobotTool, TheModelNamesTheRobotsThatPractised) {
-  const std::string training =
-      "train --method actor-critic --cells 4 --kinds open --iterations 1 --worlds 3 --starts 1 --max-steps 5 "
-      "--validation 1 --output ";
-  success(training + in("usual.onnx"));
-  EXPECT_EQ(DrivePolicy::fromFile(in("usual.onnx")).description().largest_radius, 0.0);
-  success(training + in("any.onnx") + " --other-robots 0.5");
-  const PolicyDescription any = DrivePolicy::fromFile(in("any.onnx")).description();
-  EXPECT_EQ(any.smallest_radius, kSmallestRobot);
-  EXPECT_EQ(any.largest_radius, kLargestRobot);
 }
 
 TEST_F(TrainRobotTool, TheIntervalOfAShareOfNothingStartsAtZero) {

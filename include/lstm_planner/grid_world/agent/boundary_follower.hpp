@@ -18,10 +18,6 @@ struct BoundaryParameters {
   double leg_growth = 6.0;  ///< a later leg is as many times as long as the path between the ends where it starts
   /// A leg is longer by as many cells for each cell that its end is nearer to the goal than the other end.
   double goal_weight = 3.0;
-
-  /// After so many cells of a leg, that started `path_back` cells from the other end, which is so much farther from the
-  /// goal.
-  bool turnsBack(double leg, double path_back, double farther) const;
 };
 
 /// Gets from anywhere to the goal with bounded memory wherever there is a path, and says so where there is none: a bug

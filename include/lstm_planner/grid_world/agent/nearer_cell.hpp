@@ -15,9 +15,6 @@ int directionToNearerNeighbour(const GridObservation& observation, OctileDistanc
 /// How many steps an agent can go straight on: a diagonal ray passes between blocked cells where the agent may not.
 int openSteps(const GridObservation& observation, int direction, CornerCutting corner_cutting);
 
-/// How many steps ahead along a ray the cell lies that is nearest to the goal, as far as the agent can go straight.
-int stepsToNearestCell(const GridObservation& observation, int direction, CornerCutting corner_cutting);
-
 /// The straight direction in which the agent sees a cell that is nearer to the goal than `best`; of several, the one
 /// with the fewest steps.
 int directionToNearerCell(const GridObservation& observation, OctileDistance best);

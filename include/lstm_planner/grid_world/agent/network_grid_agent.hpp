@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "lstm_planner/common/detour_bound.hpp"
+#include "lstm_planner/common/progress_watch.hpp"
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/agent/grid_guide.hpp"
-#include "lstm_planner/grid_world/agent/grid_progress_watch.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "lstm_planner/network/network.hpp"
 
@@ -22,9 +22,8 @@ class NetworkGridAgent : public GridAgent {
   struct Options {
     bool shield = true;  ///< off: the preferred move is tried even where it was sensed to be blocked
     bool guided = true;  ///< off: nothing is remembered for the network, and nothing limits its detours
-    /// Of a network that is not guided: steps in which the agent has come neither nearer to the goal nor to a new
-    /// place, after which moves are drawn with the probabilities that the network gives, so that it leaves circles. 0:
-    /// never.
+    /// Of a network that is not guided: steps in which the agent has come no nearer to the goal, after which moves are
+    /// drawn with the probabilities that the network gives, so that it leaves circles. 0: never.
     int draw_after = 0;
     DetourParameters detour = {0.0, 0.01};  ///< cells
     GridGuideParameters guide;
@@ -45,7 +44,6 @@ class NetworkGridAgent : public GridAgent {
   std::size_t expandedCells() const override { return guide_ ? guide_->expandedCells() : 0; }
 
  private:
-  void judgeMoves();
   void choose();
   void chooseWithinBound(int preferred);
   bool mayMove(int direction) const;
@@ -55,14 +53,13 @@ class NetworkGridAgent : public GridAgent {
   bool shield_;
   int draw_after_;
   CornerCutting corner_cutting_;
-  GridEncoder encoder_;
-  Network network_;  ///< a sequence a view
-  GridMemory memory_;
+  Network network_;
+  GridObservation observation_;
+  int previous_direction_ = kNoPath;
   std::unique_ptr<GridGuide> guide_;  ///< if it is guided
   DetourBound bound_;
-  double walked_ = 0.0;      ///< cells
-  GridProgressWatch watch_;  ///< if it is not guided
-  Eigen::VectorXf input_;    ///< of one view
+  double walked_ = 0.0;  ///< cells
+  ProgressWatch nearest_{0.0};
   Eigen::VectorXf preferences_;
   int direction_ = kNoPath;
   GridLeader leader_ = GridLeader::kNetwork;

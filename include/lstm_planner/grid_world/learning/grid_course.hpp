@@ -59,7 +59,6 @@ class GridCourse {
   struct Episode {
     std::shared_ptr<const CourseGoal> goal;
     CellIndex start;
-    std::size_t set = 0;  ///< in which the map is
   };
 
   /// `sets` of maps and the share of episodes that each is to get. Throws std::invalid_argument when there is no map,
@@ -70,7 +69,6 @@ class GridCourse {
   };
   GridCourse(const GridCourseParameters& parameters, const std::vector<Set>& sets, std::uint64_t seed, int threads);
 
-  std::size_t sets() const { return sets_.size(); }
   CornerCutting cornerCutting() const { return parameters_.corner_cutting; }
 
   /// May be called from several threads at once, with different generators.

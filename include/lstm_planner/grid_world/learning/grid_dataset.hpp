@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
 #include "lstm_planner/network/model_file.hpp"
 #include "lstm_planner/training/sequence.hpp"
@@ -42,11 +41,7 @@ void validate(const GridDatasetParameters& parameters);
 /// The supervisor leads along the paths ("teacher forcing", thesis Fig. 3.6). With a `learner` (a model of the grid
 /// world) that one leads a `learner_share` of them, choosing among the moves that the shield allows (DAgger). The same
 /// for any number of threads.
-///
-/// Throws std::invalid_argument for an encoder of 8 views: cross-entropy over the views of one network is not what the
-/// gradient of sequences is made for.
-std::vector<Sequence> collectGridSequences(const GridDatasetParameters& parameters,
-                                           const GridEncoderParameters& encoder, const GridCourse& course,
+std::vector<Sequence> collectGridSequences(const GridDatasetParameters& parameters, const GridCourse& course,
                                            const Model* learner, double learner_share, std::uint64_t seed, int threads);
 
 }  // namespace lstm_planner

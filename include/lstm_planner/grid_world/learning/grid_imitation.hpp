@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_course.hpp"
 #include "lstm_planner/grid_world/learning/grid_dataset.hpp"
 #include "lstm_planner/network/layers.hpp"
@@ -24,7 +23,6 @@ inline GridCourseParameters imitationCourse() {
 /// One round is the thesis's way: the supervisor leads, the network learns to answer as it does. Further rounds are
 /// those of ImitationRounds.
 struct GridImitationParameters {
-  GridEncoderParameters encoder{GridEncoderParameters::Inputs::kTrace, 1};
   GridCourseParameters course = imitationCourse();
   GridDatasetParameters dataset;  ///< of each round
   int validation_steps = 10240;   ///< thesis Table 3.1; after each round as many again, of paths that the network leads

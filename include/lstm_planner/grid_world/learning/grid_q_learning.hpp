@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
-#include "lstm_planner/grid_world/learning/grid_learner.hpp"
+#include "lstm_planner/grid_world/learning/grid_course.hpp"
 #include "lstm_planner/training/q_learner.hpp"
+#include "lstm_planner/training/training_loop.hpp"
 
 namespace lstm_planner {
 
@@ -33,17 +33,37 @@ struct GridQLearningParameters : QLearningParameters {
     huber = 5.0;
   }
 
-  GridEncoderParameters encoder;
+  GridCourseParameters course;
   int updates = 20000;  ///< of the weights, over all epochs
+  int epochs = 10;      ///< 1 to `updates`; each with goals and episodes of its own, checkpoints lie between them
   int agents = 256;     ///< at a time; rounded up to whole tiles
 };
+
+/// Visits those of its own, named as the options; see parameter_visitors.hpp.
+template <typename Parameters, typename Visitor>
+void visitGridQLearningParameters(Parameters& p, const Visitor& visit) {
+  visit("updates", p.updates, {1, 1e9}, "", "number of updates of the weights, in all epochs together");
+  visit("agents", p.agents, {1, 1e5}, "", "number of agents at the same time");
+  visit("window", p.window, {1, 1e5}, "", "steps of each agent per update");
+  visit("max-steps", p.max_steps, {1, 1e9}, "", "largest number of steps of a training episode");
+}
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const GridQLearningParameters& parameters);
 
-/// `layers` with weights to start from; GridEncoder says how many inputs and outputs they have. Throws
-/// std::invalid_argument for what does not fit. An update before the first epoch throws std::logic_error, and in its
-/// reports means over nothing are 0.
-std::unique_ptr<GridLearner> makeGridQLearning(const GridQLearningParameters& parameters, LayerStack layers);
+/// The training: a step is an update, and after each epoch it is judged.
+class GridQLearning : public SteppedTraining {
+ public:
+  virtual int epoch() const = 0;        ///< done so far
+  virtual double progress() const = 0;  ///< share of the updates that are done
+
+  /// Since the last call; means over nothing are 0.
+  virtual ReinforcementReport report() = 0;
+};
+
+/// `layers` with weights to start from; kGridInputs inputs and kGridMoveCount outputs. Throws std::invalid_argument for
+/// what does not fit, and as GridCourse.
+std::unique_ptr<GridQLearning> makeGridQLearning(const GridQLearningParameters& parameters,
+                                                 std::vector<GridCourse::Set> maps, LayerStack layers);
 
 }  // namespace lstm_planner

@@ -4,8 +4,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/training/initialisation.hpp"
+#include "support/refusal.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 #include "unit/network/network_fixtures.hpp"
 
@@ -13,15 +15,11 @@ namespace lstm_planner::test_network_grid_agent {
 namespace {
 
 /// A network that knows nothing: random weights.
-Model randomModel(int views, GridEncoderParameters::Inputs inputs = GridEncoderParameters::Inputs::kTrace) {
-  GridEncoderParameters parameters;
-  parameters.inputs = inputs;
-  parameters.views = views;
-  const GridEncoder encoder(parameters);
+Model randomModel() {
   Model model;
-  model.layers = makeLstmStack(encoder.size(), {5}, encoder.outputs());
+  model.layers = makeLstmStack(kGridInputs, {5}, kGridMoveCount);
   initialise({}, 11, model.layers);
-  writeMetadata(parameters, &model.metadata);
+  writeGridMetadata(&model.metadata);
   return model;
 }
 
@@ -50,43 +48,34 @@ int stepsToArrive(NetworkGridAgent& agent, const PassableGrid& grid, CellIndex c
 }
 
 TEST(NetworkGridAgent, NeverRunsIntoWhatItSensedHoweverBadTheNetworkIs) {
-  for (const int views : {1, 8}) {
-    NetworkGridAgent::Options options;
-    options.guided = false;
-    NetworkGridAgent agent(randomModel(views), options);
-    EXPECT_NE(stepsToArrive(agent, cup(), {20, 20}, {35, 20}, 2000), -1);
-  }
+  NetworkGridAgent::Options options;
+  options.guided = false;
+  NetworkGridAgent agent(randomModel(), options);
+  EXPECT_NE(stepsToArrive(agent, cup(), {20, 20}, {35, 20}, 2000), -1);
 }
 
-TEST(NetworkGridAgent, PrefersWhatEightNetworksInPlainLoopsPrefer) {
-  const Model model = randomModel(8);
+TEST(NetworkGridAgent, PrefersWhatItsNetworkInPlainLoopsPrefers) {
+  const Model model = randomModel();
   NetworkGridAgent::Options options;
   options.guided = false;
   options.shield = false;
   NetworkGridAgent agent(model, options);
-  GridEncoder encoder(readGridEncoderParameters(model.metadata));
-  GridMemory memory = makeGridMemory(encoder.parameters());
-  std::vector<test::ReferenceNetwork> references(kGridMoveCount, test::ReferenceNetwork(model.layers));
+  test::ReferenceNetwork reference(model.layers);
   const PassableGrid grid = cup();
   CellIndex cell{20, 20};
+  int previous_direction = kNoPath;
   agent.start(cell, {35, 20});
-  memory.start();
   for (int step = 0; step < 20; ++step) {
     const GridObservation observation{cell, {35, 20}, senseRanges(grid, cell)};
     agent.observe(observation);
-    memory.observe(observation);
-    encoder.prepare(memory);
-    std::vector<double> preferences;
-    for (int view = 0; view < kGridMoveCount; ++view) {
-      Eigen::VectorXf input(encoder.size());
-      encoder.encode(view, input.data(), 1);
-      preferences.push_back(references[static_cast<std::size_t>(view)].forward(input).front());
-    }
+    Eigen::VectorXf input(kGridInputs);
+    encodeGrid(observation, previous_direction, input.data(), 1);
+    const std::vector<double> preferences = reference.forward(input);
     const auto best = std::max_element(preferences.begin(), preferences.end()) - preferences.begin();
     ASSERT_EQ(agent.decide(), best) << "step " << step;
     const bool moved = movePossible(grid, cell, agent.decide(), CornerCutting::kForbidden);
     if (moved) cell = cellBeside(cell, agent.decide());
-    if (moved) memory.step(agent.decide());
+    if (moved) previous_direction = agent.decide();
     agent.step(agent.decide(), moved);
   }
 }
@@ -96,10 +85,10 @@ TEST(NetworkGridAgent, LeavesCirclesByDrawingItsMovesEachTimeTheSameOnes) {
   NetworkGridAgent::Options options;
   options.guided = false;
   constexpr int kMostSteps = 2000;
-  NetworkGridAgent circling(randomModel(1, GridEncoderParameters::Inputs::kThesis), options);
+  NetworkGridAgent circling(randomModel(), options);
   ASSERT_EQ(stepsToArrive(circling, hall, {3, 3}, {9, 9}, kMostSteps), kMostSteps) << "no network that circles";
   options.draw_after = 20;
-  NetworkGridAgent drawing(randomModel(1, GridEncoderParameters::Inputs::kThesis), options);
+  NetworkGridAgent drawing(randomModel(), options);
   const int steps = stepsToArrive(drawing, hall, {3, 3}, {9, 9}, kMostSteps);
   EXPECT_LT(steps, kMostSteps);
   EXPECT_EQ(stepsToArrive(drawing, hall, {3, 3}, {9, 9}, kMostSteps), steps);
@@ -107,7 +96,7 @@ TEST(NetworkGridAgent, LeavesCirclesByDrawingItsMovesEachTimeTheSameOnes) {
 
 TEST(NetworkGridAgent, ArrivesUnderTheBoundHoweverBadTheNetworkIs) {
   NetworkGridAgent::Options options;
-  NetworkGridAgent agent(randomModel(8), options);
+  NetworkGridAgent agent(randomModel(), options);
   const int steps = stepsToArrive(agent, cup(), {20, 20}, {35, 20}, 100000);
   EXPECT_GT(steps, 0);
   EXPECT_LT(steps, 100000);
@@ -121,55 +110,35 @@ TEST(NetworkGridAgent, SaysThatThereIsNoPathToAnEnclosedGoal) {
     }
   }
   NetworkGridAgent::Options options;
-  NetworkGridAgent agent(randomModel(8), options);
+  NetworkGridAgent agent(randomModel(), options);
   EXPECT_EQ(stepsToArrive(agent, grid, {3, 3}, {15, 15}, 100000), -1);
 }
 
 TEST(NetworkGridAgent, ANewEpisodeBeginsLikeTheFirst) {
-  NetworkGridAgent agent(randomModel(8), {});
+  NetworkGridAgent agent(randomModel(), {});
   const int first = stepsToArrive(agent, cup(), {5, 5}, {35, 35}, 5000);
   EXPECT_EQ(stepsToArrive(agent, cup(), {5, 5}, {35, 35}, 5000), first);
 }
 
-TEST(NetworkGridAgent, EightViewsTurnWithTheWorld) {
-  // The same place turned by a quarter: the same decision, turned by a quarter. 32 cells, as the trace's blocks are to
-  // come to lie upon blocks.
-  PassableGrid grid(32, 32, true);
-  for (int i = 0; i < 12; ++i) grid.set({13, i + 4}, false);
-  PassableGrid turned(32, 32, true);
-  for (int row = 0; row < 32; ++row) {
-    for (int column = 0; column < 32; ++column) turned.set({31 - row, column}, grid.passable({column, row}));
-  }
-  NetworkGridAgent::Options options;
-  options.guided = false;
-  NetworkGridAgent agent(randomModel(8), options);
-  NetworkGridAgent other(randomModel(8), options);
-  agent.start({10, 9}, {19, 11});
-  other.start({22, 10}, {20, 19});
-  agent.observe({{10, 9}, {19, 11}, senseRanges(grid, {10, 9})});
-  other.observe({{22, 10}, {20, 19}, senseRanges(turned, {22, 10})});
-  EXPECT_EQ(other.decide(), (agent.decide() + 2) % kGridMoveCount);
-}
-
 TEST(NetworkGridAgent, RefusesAModelThatWasNotMadeForTheGridWorldOrDoesNotFit) {
-  Model model = randomModel(8);
-  model.metadata["grid_views"] = "1";
-  EXPECT_THROW(NetworkGridAgent(model, {}), std::invalid_argument);
-  model.metadata["grid_views"] = "three";
-  EXPECT_THROW(NetworkGridAgent(model, {}), std::invalid_argument);
+  Model model = randomModel();
+  model.layers = makeLstmStack(kGridInputs, {5}, 1);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { NetworkGridAgent(model, {}); }),
+            "the network has 11 inputs and 1 outputs, expected 11 and 8");
   model.metadata.clear();
-  EXPECT_THROW(NetworkGridAgent(model, {}), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { NetworkGridAgent(model, {}); }),
+            "the model has no grid_inputs, expected one made for the grid world");
 }
 
-TEST(NetworkGridAgent, WithTheThesissInputsNeedsAtMost64KiBWhateverItMeets) {
-  NetworkGridAgent agent(randomModel(1, GridEncoderParameters::Inputs::kThesis), {});
+TEST(NetworkGridAgent, NeedsAtMost64KiBWhateverItMeets) {
+  NetworkGridAgent agent(randomModel(), {});
   stepsToArrive(agent, cup(), {20, 20}, {35, 20}, 100000);
   EXPECT_LE(agent.peakBytes(), 64u * 1024u);
 }
 
 /// Prefers the same direction everywhere: the last one, then the one before, and so on.
 Model constantModel() {
-  Model model = randomModel(1, GridEncoderParameters::Inputs::kThesis);
+  Model model = randomModel();
   DenseLayer layer;
   layer.weights.setZero(kGridMoveCount, inputSize(model.layers));
   layer.bias = Eigen::VectorXf::LinSpaced(kGridMoveCount, 0.0f, 7.0f);
@@ -237,7 +206,7 @@ TEST(NetworkGridAgent, MakesNoDetourLongerThanTheBoundHoweverBadTheNetworkIs) {
   constexpr DetourParameters kBound{3.0, 0.1};
   constexpr double kOptimum = 20.0 * 1.0 + 10.0 * 1.4;
   const PassableGrid hall(100, 100, true);
-  for (const Model& model : {randomModel(8), randomModel(1), constantModel()}) {
+  for (const Model& model : {randomModel(), constantModel()}) {
     const Decisions decisions = decisionsOf(model, kBound, hall, {30, 50}, {60, 60});
     EXPECT_GT(decisions.network, 0);
     EXPECT_GT(decisions.by_bound, 0);

@@ -6,12 +6,11 @@
 
 #include "lstm_planner/grid_world/learning/grid_dataset.hpp"
 #include "lstm_planner/training/initialisation.hpp"
+#include "support/refusal.hpp"
 #include "unit/grid_world/learning/grid_learning_fixtures.hpp"
 
 namespace lstm_planner::test_grid_dataset {
 namespace {
-
-constexpr GridEncoderParameters kThesisInputs{GridEncoderParameters::Inputs::kThesis, 1};
 
 GridDatasetParameters smallDataset() {
   GridDatasetParameters parameters;
@@ -27,9 +26,9 @@ GridCourse caveCourse() { return GridCourse(smallCourse(), {{{smallCave(1), smal
 /// Always prefers to go west.
 Model westward() {
   Model model;
-  model.layers = makeDenseStack(GridEncoder(kThesisInputs).size(), {}, kGridMoveCount);
+  model.layers = makeDenseStack(kGridInputs, {}, kGridMoveCount);
   std::get<DenseLayer>(model.layers[0]).bias[4] = 1.0f;
-  writeMetadata(kThesisInputs, &model.metadata);
+  writeGridMetadata(&model.metadata);
   return model;
 }
 
@@ -79,7 +78,7 @@ TEST(CollectGridSequences, LearnsThePathsOfTheThesisAStarWhichAreLonger) {
     parameters.sequence_steps = 1000;
     parameters.supervisor = supervisor;
     int steps = 0;
-    const auto sequences = collectGridSequences(parameters, kThesisInputs, caveCourse(), nullptr, 0.0, 5, 1);
+    const auto sequences = collectGridSequences(parameters, caveCourse(), nullptr, 0.0, 5, 1);
     for (std::size_t i = 0; i < 10; ++i) steps += static_cast<int>(sequences[i].labels.size());
     return steps;
   };
@@ -96,7 +95,7 @@ TEST(SupervisorMove, HasNoAnswerWhereThereIsNoPath) {
 TEST(GridDataset, HasTheStepsThatWereAskedForInSequencesOfTheLengthThatWasAskedFor) {
   const GridDatasetParameters parameters = smallDataset();
   const GridCourse course = caveCourse();
-  const auto sequences = collectGridSequences(parameters, kThesisInputs, course, nullptr, 0.0, 1, 1);
+  const auto sequences = collectGridSequences(parameters, course, nullptr, 0.0, 1, 1);
   EXPECT_EQ(countWeighted(sequences), 500u);
   bool some_burn_in = false;
   for (std::size_t i = 0; i < sequences.size(); ++i) {
@@ -110,13 +109,13 @@ TEST(GridDataset, HasTheStepsThatWereAskedForInSequencesOfTheLengthThatWasAskedF
     EXPECT_EQ(sequence.inputs.leftCols(4), sequences[i - 1].inputs.rightCols(4));
   }
   EXPECT_TRUE(some_burn_in);
-  EXPECT_NO_THROW(validateSequences(sequences, GridEncoder::kThesisInputs, kGridMoveCount, "test"));
+  EXPECT_NO_THROW(validateSequences(sequences, kGridInputs, kGridMoveCount, "test"));
 }
 
 TEST(GridDataset, LabelsOfTheSupervisorsPathsAreTheMovesThatWereMade) {
   GridDatasetParameters parameters = smallDataset();
   parameters.sequence_steps = 200;
-  const auto sequences = collectGridSequences(parameters, kThesisInputs, caveCourse(), nullptr, 0.0, 1, 1);
+  const auto sequences = collectGridSequences(parameters, caveCourse(), nullptr, 0.0, 1, 1);
   // Input 10 is the previous action, direction / 4 - 1, and 0 before the first move.
   for (const Sequence& sequence : sequences) {
     EXPECT_EQ(sequence.inputs(10, 0), 0.0f);
@@ -128,8 +127,7 @@ TEST(GridDataset, LabelsOfTheSupervisorsPathsAreTheMovesThatWereMade) {
 
 TEST(GridDataset, DependsOnTheSeedAndNotOnTheThreads) {
   const auto collect = [](std::uint64_t seed, int threads, const Model* learner) {
-    const auto sequences =
-        collectGridSequences(smallDataset(), kThesisInputs, caveCourse(), learner, 0.5, seed, threads);
+    const auto sequences = collectGridSequences(smallDataset(), caveCourse(), learner, 0.5, seed, threads);
     Eigen::VectorXd sums(static_cast<Eigen::Index>(sequences.size()));
     for (std::size_t i = 0; i < sequences.size(); ++i) {
       sums[static_cast<Eigen::Index>(i)] = sequences[i].inputs.cast<double>().sum() + sequences[i].labels.sum();
@@ -148,7 +146,7 @@ TEST(GridDataset, ALearnerThatLeadsIsToldThePathWhereItGoes) {
   parameters.sequence_steps = 100;
   parameters.stuck_steps = 1000;
   const Model learner = westward();
-  const auto sequences = collectGridSequences(parameters, kThesisInputs, caveCourse(), &learner, 1.0, 1, 1);
+  const auto sequences = collectGridSequences(parameters, caveCourse(), &learner, 1.0, 1, 1);
   EXPECT_EQ(countWeighted(sequences), 500u);
   int to_the_west = 0;
   int otherwise_labelled = 0;
@@ -176,8 +174,7 @@ TEST(GridDataset, TheSupervisorRescuesALearnerThatIsStuck) {
     parameters.stuck_steps = stuck_steps;
     parameters.rescue_steps = 30;  // as long as any path here: it leads to the goal
     Eigen::Index steps = 0;
-    for (const Sequence& sequence :
-         collectGridSequences(parameters, kThesisInputs, caveCourse(), &learner, 1.0, 1, 1)) {
+    for (const Sequence& sequence : collectGridSequences(parameters, caveCourse(), &learner, 1.0, 1, 1)) {
       steps = std::max(steps, sequence.steps());
     }
     return steps;
@@ -187,19 +184,15 @@ TEST(GridDataset, TheSupervisorRescuesALearnerThatIsStuck) {
   EXPECT_LT(longest(5), 100);
 }
 
-TEST(GridDataset, RefusesEightViewsAndSizesThatMakeNoSense) {
-  try {
-    collectGridSequences(smallDataset(), {GridEncoderParameters::Inputs::kThesis, 8}, caveCourse(), nullptr, 0.0, 1, 1);
-    FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("8 views"), std::string::npos);
-  }
+TEST(GridDataset, RefusesSizesThatMakeNoSense) {
   GridDatasetParameters parameters = smallDataset();
   parameters.burn_in_steps = 12;
-  EXPECT_THROW(validate(parameters), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { validate(parameters); }),
+            "parameter sequence_steps is 12, expected more than burn_in_steps");
   parameters = smallDataset();
   parameters.steps = 0;
-  EXPECT_THROW(validate(parameters), std::invalid_argument);
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { validate(parameters); }),
+            "parameter steps is 0, expected a positive number");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_imitation.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
@@ -15,7 +16,6 @@ using Sets = std::vector<GridCourse::Set>;
 
 GridImitationParameters tinyImitation() {
   GridImitationParameters parameters;
-  parameters.encoder.inputs = GridEncoderParameters::Inputs::kThesis;
   parameters.course = smallCourse();
   parameters.dataset.steps = 300;
   parameters.dataset.sequence_steps = 40;
@@ -29,15 +29,14 @@ GridImitationParameters tinyImitation() {
   return parameters;
 }
 
-LayerStack smallNetwork(const GridImitationParameters& parameters, std::vector<int> cells) {
-  const GridEncoder encoder(parameters.encoder);
-  LayerStack layers = makeLstmStack(encoder.size(), cells, encoder.outputs());
+LayerStack smallNetwork(const std::vector<int>& cells) {
+  LayerStack layers = makeLstmStack(kGridInputs, cells, kGridMoveCount);
   initialise({}, 1, layers);
   return layers;
 }
 
 std::unique_ptr<ImitationRounds> inCaves(const GridImitationParameters& parameters) {
-  return gridImitation(parameters, smallNetwork(parameters, {4}), {{{smallCave(1)}, 1.0}}, {{{smallCave(2)}, 1.0}});
+  return gridImitation(parameters, smallNetwork({4}), {{{smallCave(1)}, 1.0}}, {{{smallCave(2)}, 1.0}});
 }
 
 /// Weights after all rounds.
@@ -70,11 +69,11 @@ TEST(GridImitation, LearnsWhatTheInputsTell) {
   parameters.trainer.epochs = 30;
   parameters.trainer.optimiser.learning_rate = 0.02;
   const Sets open = {{{PassableGrid(40, 40, true)}, 1.0}};
-  const auto rounds = gridImitation(parameters, smallNetwork(parameters, {8}), open, open);
+  const auto rounds = gridImitation(parameters, smallNetwork({8}), open, open);
   while (!rounds->done()) rounds->step();
   const LossSum validation = rounds->roundResult().best().validation;
-  const double going_on = accuracyOfGoingOn(collectGridSequences(
-      parameters.dataset, parameters.encoder, GridCourse(parameters.course, open, 1, 1), nullptr, 0.0, 1, 1));
+  const double going_on = accuracyOfGoingOn(
+      collectGridSequences(parameters.dataset, GridCourse(parameters.course, open, 1, 1), nullptr, 0.0, 1, 1));
   EXPECT_GT(going_on, 0.6);
   EXPECT_LT(1.0 - validation.accuracy(), (1.0 - going_on) / 2.0);
 }
@@ -118,7 +117,6 @@ TEST(GridImitation, ThesisTrainsAsInItsTables) {
   EXPECT_EQ(thesis.trainer.optimiser.momentum, 0.95);
   EXPECT_EQ(thesis.trainer.optimiser.decay, Decay::kL1);
   EXPECT_EQ(thesis.trainer.optimiser.decay_rate, 1e-5);
-  EXPECT_EQ(GridEncoder(thesis.encoder).size(), 11);
 }
 
 TEST(GridImitation, RefusesParametersWithWhichNothingIsLearned) {
@@ -126,7 +124,6 @@ TEST(GridImitation, RefusesParametersWithWhichNothingIsLearned) {
     return test::isRefused(tinyImitation(), change);
   };
   EXPECT_FALSE(refused([](GridImitationParameters*) {}));
-  EXPECT_TRUE(refused([](GridImitationParameters* p) { p->encoder.views = 8; }));
   EXPECT_TRUE(refused([](GridImitationParameters* p) { p->rounds = 0; }));
   EXPECT_TRUE(refused([](GridImitationParameters* p) { p->learner_share = 1.5; }));
   EXPECT_TRUE(refused([](GridImitationParameters* p) { p->batch_steps = 0; }));

@@ -5,11 +5,13 @@
 #include <vector>
 
 #include "grid_world/learning/grid_q_learning_tile.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/agent/network_grid_agent.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_episode.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
+#include "support/refusal.hpp"
 #include "unit/grid_world/sense_ranges.hpp"
 #include "unit/training/thread_ranks.hpp"
 
@@ -26,13 +28,19 @@ PassableGrid gridFrom(const std::vector<std::string>& lines) {
   return grid;
 }
 
-GridCourse courseOn(const PassableGrid& grid, double max_length) {
+GridCourseParameters courseUpTo(double max_length) {
   GridCourseParameters parameters;
   parameters.min_length = 2.0;
   parameters.max_length = max_length;
   parameters.goals = 100;
   parameters.mirrored = false;
-  return GridCourse(parameters, {{{grid}, 1.0}}, 1, 1);
+  return parameters;
+}
+
+std::vector<GridCourse::Set> only(const PassableGrid& grid) { return {{{grid}, 1.0}}; }
+
+GridCourse courseOn(const PassableGrid& grid, double max_length) {
+  return GridCourse(courseUpTo(max_length), only(grid), 1, 1);
 }
 
 /// Between many of its cells the path starts by leading away from the goal.
@@ -47,7 +55,9 @@ constexpr double kLongestPath = 24.0;  ///< rounded up
 
 GridQLearningParameters smallParameters() {
   GridQLearningParameters parameters;
-  parameters.agents = 32;
+  parameters.course = courseUpTo(kLongestPath);
+  parameters.epochs = 1;
+  parameters.agents = 64;
   parameters.window = 16;
   parameters.max_steps = 60;
   parameters.target_interval = 10;
@@ -56,9 +66,8 @@ GridQLearningParameters smallParameters() {
   return parameters;
 }
 
-LayerStack networkFor(const GridQLearningParameters& parameters) {
-  const GridEncoder encoder(parameters.encoder);
-  LayerStack layers = makeLstmStack(encoder.size(), {6}, encoder.outputs());
+LayerStack smallNetwork() {
+  LayerStack layers = makeLstmStack(kGridInputs, {6}, kGridMoveCount);
   initialise({}, 5, layers);
   return layers;
 }
@@ -70,9 +79,9 @@ constexpr double kRandomMoves = 1.0;  ///< which small changes of weights do not
 class Walk {
  public:
   Walk(const GridQLearningParameters& parameters, const GridCourse& course)
-      : parameters_(parameters), runner_(parameters_, networkFor(parameters)) {
-    for (int actor = 0; actor < runner_.actors(); ++actor) {
-      tile_.actors.emplace_back(course, parameters.encoder, static_cast<std::uint64_t>(actor));
+      : parameters_(parameters), runner_(parameters_, smallNetwork()) {
+    for (int actor = 0; actor < QTile::kActors; ++actor) {
+      tile_.actors.emplace_back(course, static_cast<std::uint64_t>(actor));
     }
   }
   QSums window(const Eigen::VectorXf& weights, const Eigen::VectorXf& target_weights, double epsilon) {
@@ -89,12 +98,11 @@ class Walk {
 TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
   const GridCourse course = courseOn(PassableGrid(12, 12, true), 12.0);
   GridQLearningParameters parameters = smallParameters();
-  parameters.encoder = {GridEncoderParameters::Inputs::kThesis, 1};
   parameters.window = 5;
   parameters.trace_decay = 0.0;  // so that the targets do not depend on the weights that are moved
   parameters.double_q = false;
   parameters.huber = 1e6;
-  const Eigen::VectorXf target_weights = parameterVector(networkFor(parameters));
+  const Eigen::VectorXf target_weights = parameterVector(smallNetwork());
   const Eigen::VectorXf weights = 1.5f * target_weights;
   Walk walk(parameters, course);
   walk.window(weights, target_weights, kRandomMoves);
@@ -117,7 +125,7 @@ TEST(QTileRunner, GradientIsTheDerivativeOfTheSquaredErrors) {
 TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
   const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestPath);
   GridQLearningParameters parameters = smallParameters();
-  const Eigen::VectorXf weights = parameterVector(networkFor(parameters));
+  const Eigen::VectorXf weights = parameterVector(smallNetwork());
   const double in_one = Walk(parameters, course).window(weights, weights, kBestMoves).values.value;
   parameters.window = 8;
   Walk halves(parameters, course);
@@ -127,21 +135,24 @@ TEST(QTileRunner, GoesOnInTheNextWindowAsIfItWereOne) {
   EXPECT_NEAR(first + second, in_one, 1e-9 * std::abs(in_one));
 }
 
+std::unique_ptr<GridQLearning> learningInMaze(const GridQLearningParameters& parameters) {
+  return makeGridQLearning(parameters, only(gridFrom(kSmallMaze)), smallNetwork());
+}
+
 Eigen::VectorXf weightsAfterSomeUpdates(int threads, Communicator* communicator = oneProcess()) {
-  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestPath);
   GridQLearningParameters parameters = smallParameters();
+  parameters.agents = 3 * QTile::kActors;
   parameters.threads = threads;
   parameters.communicator = communicator;
   parameters.target_interval = 2;
-  const auto learning = makeGridQLearning(parameters, networkFor(parameters));
-  learning->startEpoch(0, course);
-  for (int update = 0; update < 5; ++update) learning->update();
+  const auto learning = learningInMaze(parameters);
+  for (int update = 0; update < 5; ++update) learning->step();
   return parameterVector(learning->layers());
 }
 
 TEST(GridQLearning, LearnsTheSameWithAnyNumberOfThreads) {
   const Eigen::VectorXf alone = weightsAfterSomeUpdates(1);
-  EXPECT_NE(alone, parameterVector(networkFor(smallParameters())));
+  EXPECT_NE(alone, parameterVector(smallNetwork()));
   EXPECT_EQ(alone, weightsAfterSomeUpdates(3));
 }
 
@@ -151,22 +162,41 @@ TEST(GridQLearning, LearnsTheSameOnAnyNumberOfRanks) {
   for (const Eigen::VectorXf& weights : onRanks(3, learn)) EXPECT_EQ(weights, alone);
 }
 
-TEST(GridQLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
-  const GridCourse course = courseOn(gridFrom(kSmallMaze), kLongestPath);
+TEST(GridQLearning, IsJudgedAndCanGoOnBetweenEpochs) {
   GridQLearningParameters parameters = smallParameters();
+  parameters.updates = 11;
+  parameters.epochs = 3;
+  const auto learning = learningInMaze(parameters);
+  EXPECT_FALSE(learning->judgementDue()) << "nothing was learned yet";
+  std::vector<int> judged_after;
+  int updates = 0;
+  for (; !learning->done(); ++updates) {
+    learning->step();
+    EXPECT_EQ(learning->judgementDue(), learning->resumable());
+    if (learning->judgementDue()) judged_after.push_back(updates + 1);
+  }
+  EXPECT_EQ(judged_after, (std::vector<int>{3, 7, 11})) << "as equal as can be";
+  EXPECT_EQ(learning->progress(), 1.0);
+}
+
+TEST(GridQLearning, GoesOnFromACheckpointAsIfItHadNotStopped) {
+  GridQLearningParameters parameters = smallParameters();
+  parameters.updates = 8;
+  parameters.epochs = 2;
   parameters.target_interval = 3;  // a copy falls into the second epoch, another lies before it
-  const auto whole = makeGridQLearning(parameters, networkFor(parameters));
-  whole->startEpoch(0, course);
-  for (int update = 0; update < 5; ++update) whole->update();
-  const auto resumed = makeGridQLearning(parameters, networkFor(parameters));
-  resumed->restore(whole->checkpoint());
-  for (GridLearner* learning : {whole.get(), resumed.get()}) {
-    learning->startEpoch(1, course);
-    for (int update = 0; update < 4; ++update) learning->update();
+  const auto whole = learningInMaze(parameters);
+  while (!whole->judgementDue()) whole->step();
+  const std::vector<std::uint8_t> checkpoint = whole->checkpoint();
+  const auto resumed = learningInMaze(parameters);
+  resumed->restore(checkpoint);
+  EXPECT_EQ(resumed->epoch(), 1);
+  EXPECT_FALSE(resumed->judgementDue()) << "it was judged then";
+  for (GridQLearning* learning : {whole.get(), resumed.get()}) {
+    while (!learning->done()) learning->step();
   }
   EXPECT_EQ(parameterVector(whole->layers()), parameterVector(resumed->layers()));
 
-  std::vector<std::uint8_t> truncated = whole->checkpoint();
+  std::vector<std::uint8_t> truncated = checkpoint;
   truncated.resize(truncated.size() / 2);
   EXPECT_THROW(resumed->restore(truncated), std::invalid_argument);
 }
@@ -179,26 +209,20 @@ double corridorValue(const GridQLearningParameters& parameters, int distance) {
 }
 
 TEST(GridQLearning, FindsTheValuesOfACorridor) {
-  const GridCourse course = courseOn(PassableGrid(12, 1, true), 11.0);
+  const PassableGrid corridor(12, 1, true);
   GridQLearningParameters parameters = smallParameters();
-  parameters.encoder = {GridEncoderParameters::Inputs::kTrace, 1};
+  parameters.course = courseUpTo(11.0);
   parameters.discount = 0.8;
-  parameters.updates = 1500;
-  GridEncoder encoder(parameters.encoder);
-  LayerStack layers = makeDenseStack(encoder.size(), {16}, kGridMoveCount);
+  parameters.updates = 8000;
+  LayerStack layers = makeDenseStack(kGridInputs, {16}, kGridMoveCount);
   initialise({}, 1, layers);
-  const auto learning = makeGridQLearning(parameters, layers);
-  learning->startEpoch(0, course);
-  for (int update = 0; update < parameters.updates; ++update) learning->update();
+  const auto learning = makeGridQLearning(parameters, only(corridor), layers);
+  while (!learning->done()) learning->step();
 
   Network network(learning->layers());
-  Eigen::VectorXf input(encoder.size());
+  Eigen::VectorXf input(kGridInputs);
   for (int cell = 0; cell <= 9; ++cell) {
-    GridMemory memory;
-    memory.start();
-    memory.observe({{cell, 0}, {11, 0}, senseRanges(PassableGrid(12, 1, true), {cell, 0})});
-    encoder.prepare(memory);
-    encoder.encode(0, input.data(), 1);
+    encodeGrid({{cell, 0}, {11, 0}, senseRanges(corridor, {cell, 0})}, kNoPath, input.data(), 1);
     const double value = parameters.value_scale * static_cast<double>(network.forward(input)[0]);
     // Nearer than what one step earns.
     EXPECT_NEAR(value, corridorValue(parameters, 11 - cell), 1.0 - parameters.step_cost) << cell;
@@ -206,11 +230,10 @@ TEST(GridQLearning, FindsTheValuesOfACorridor) {
 }
 
 /// Share of all pairs of start and goal in which the network arrives, in time for one wrong turn up to a dead end.
-double arrivalEverywhere(const PassableGrid& grid, const GridQLearningParameters& parameters,
-                         const LayerStack& layers) {
+double arrivalEverywhere(const PassableGrid& grid, const LayerStack& layers) {
   Model model;
   model.layers = layers;
-  writeMetadata(parameters.encoder, &model.metadata);
+  writeGridMetadata(&model.metadata);
   NetworkGridAgent::Options alone;
   alone.guided = false;
   NetworkGridAgent agent(model, alone);
@@ -234,15 +257,13 @@ double arrivalEverywhere(const PassableGrid& grid, const GridQLearningParameters
 }
 
 double arrivalInMazeAfterLearning(GridQLearningParameters parameters) {
-  const PassableGrid maze = gridFrom(kSmallMaze);
-  const GridCourse course = courseOn(maze, kLongestPath);
-  parameters.updates = 600;
+  parameters.updates = 5000;
   parameters.discount = 0.9;
-  const auto learning = makeGridQLearning(parameters, networkFor(parameters));
-  EXPECT_LT(arrivalEverywhere(maze, parameters, learning->layers()), 0.7) << "nothing to learn";
-  learning->startEpoch(0, course);
-  for (int update = 0; update < parameters.updates; ++update) learning->update();
-  return arrivalEverywhere(maze, parameters, learning->layers());
+  const PassableGrid maze = gridFrom(kSmallMaze);
+  const auto learning = learningInMaze(parameters);
+  EXPECT_LT(arrivalEverywhere(maze, learning->layers()), 0.7) << "nothing to learn";
+  while (!learning->done()) learning->step();
+  return arrivalEverywhere(maze, learning->layers());
 }
 
 TEST(GridQLearning, LeadsEverywhereInASmallMaze) { EXPECT_EQ(arrivalInMazeAfterLearning(smallParameters()), 1.0); }
@@ -256,17 +277,32 @@ TEST(GridQLearning, LeadsNearlyEverywhereByTheThesissReward) {
 }
 
 TEST(GridQLearning, RefusesWhatDoesNotFit) {
+  const auto refusal = [](const GridQLearningParameters& parameters, const LayerStack& layers) {
+    return test::refusalOf<std::invalid_argument>(
+        [&] { makeGridQLearning(parameters, only(gridFrom(kSmallMaze)), layers); });
+  };
   GridQLearningParameters parameters = smallParameters();
-  const LayerStack layers = networkFor(parameters);
   parameters.discount = 1.0;
-  EXPECT_THROW(makeGridQLearning(parameters, layers), std::invalid_argument);
+  EXPECT_EQ(refusal(parameters, smallNetwork()), "parameter discount is 1, expected a number in [0, 1)");
   parameters = smallParameters();
   parameters.threads = 0;
-  EXPECT_THROW(makeGridQLearning(parameters, layers), std::invalid_argument);
+  EXPECT_EQ(refusal(parameters, smallNetwork()), "parameter threads is 0, expected at least 1");
   parameters = smallParameters();
-  parameters.encoder.views = 1;  // 8 outputs, not one
-  EXPECT_THROW(makeGridQLearning(parameters, layers), std::invalid_argument);
-  EXPECT_THROW(makeGridQLearning(smallParameters(), layers)->update(), std::logic_error);
+  parameters.updates = 2;
+  parameters.epochs = 3;
+  EXPECT_EQ(refusal(parameters, smallNetwork()),
+            "parameter updates is 2, expected at least one for each of the epochs");
+  EXPECT_EQ(refusal(smallParameters(), makeLstmStack(kGridInputs, {6}, 1)),
+            "the network has 11 inputs and 1 outputs, expected 11 and 8");
+}
+
+TEST(ThesisReward, CountsNearWallsDistanceAndTurnAsCosts) {
+  const GridObservation observation{{4, 4}, {4, 7}, {1, 2, 2, 4, 4, 4, 4, 50}};
+  const ThesisRewardWeights weights{1.0, 10.0, 100.0};
+  const double proximity = 1.0 + 0.5 + 0.5 + 4 * 0.25 + 0.02;
+  EXPECT_NEAR(thesisReward(observation, kNoPath, weights), -(proximity + 10.0 * 3.0), 1e-12);
+  // It came from the west, so that the goal, along the columns, is a quarter turn away.
+  EXPECT_NEAR(thesisReward(observation, 0, weights), -(proximity + 10.0 * 3.0 + 100.0 * M_PI / 2), 1e-9);
 }
 
 }  // namespace

@@ -9,10 +9,7 @@
 #include "lstm_planner/common/csv_writer.hpp"
 #include "lstm_planner/common/gnuplot.hpp"
 #include "lstm_planner/common/text_table.hpp"
-#include "lstm_planner/grid_world/learning/grid_actor_critic.hpp"
 #include "lstm_planner/grid_world/learning/grid_q_learning.hpp"
-#include "lstm_planner/grid_world/learning/grid_reinforcement.hpp"
-#include "lstm_planner/training/q_learner.hpp"
 #include "tools/output_file.hpp"
 #include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
@@ -26,55 +23,7 @@
 namespace lstm_planner {
 namespace {
 
-/// What is to be trained, and how.
-struct GridReinforcementPlan {
-  GridTrainingOptions options;
-  GridReinforcementParameters training;
-  nlohmann::json settings;  ///< what the result depends on
-};
-
-/// All options that ways of reinforcement have in common. `plan` and `parameters`, the learner's, hold the defaults and
-/// take the values.
-template <typename Parameters>
-void addGridReinforcementOptions(const std::string& method, const std::vector<std::string>& arguments,
-                                 GridReinforcementPlan* plan, Parameters* parameters, CommandLine* line) {
-  Parameters& p = *parameters;
-  GridCourseParameters& course = plan->training.course;
-  plan->options.method = method;
-  plan->options.epochs = plan->training.epochs;
-  plan->options.encoder = p.encoder;
-  addGridTrainingOptions(arguments, &plan->options, line);
-  line->add("goals", &course.goals, {1, 1e5},
-            "goals in memory at the same time; each needs 4 bytes per cell of its map");
-  line->add("short-share", &course.short_share, kAnyShare,
-            "share of the training episodes whose length is drawn with a probability proportional to 1 / length; the "
-            "others uniformly");
-  visitGridLearnerParameters(p, line->everyParameter());
-}
-
-/// Hands what was parsed to the training and to the learner's parameters, and notes it in the plan's settings. Throws
-/// std::invalid_argument with a sentence for values that make no sense.
-template <typename Parameters>
-void finishGridReinforcement(GridReinforcementPlan* plan, Parameters* parameters) {
-  Parameters& p = *parameters;
-  GridTrainingOptions& options = plan->options;
-  GridReinforcementParameters& training = plan->training;
-  training.course.min_length = options.min_length;
-  training.course.max_length = options.max_length;
-  training.course.dead_end_share = options.dead_ends;
-  training.updates = p.updates;
-  training.epochs = options.epochs;
-  training.seed = p.seed = options.seed;
-  training.threads = p.threads = options.threads;
-  p.communicator = ranks();
-  validate(training);
-  validate(p);
-  plan->settings = settingsOf(options);
-  plan->settings.update({{"goals", training.course.goals}, {"short-share", training.course.short_share}});
-  visitGridLearnerParameters(p, noteIn(&plan->settings));
-}
-
-/// One epoch of learning by reinforcement.
+/// One epoch of learning.
 struct GridCurvePoint {
   int epoch = 0;                ///< from 1
   double steps = 0.0;           ///< of all agents since the start
@@ -154,15 +103,10 @@ void writeGridCurve(const std::string& png_path, const std::vector<std::string>&
              [&](const std::string& path) { return script(csv_path, path, set_names); });
 }
 
-class GridReinforcementHost : public ToolTrainingHost {
+class GridQLearningHost : public ToolTrainingHost {
  public:
-  GridReinforcementHost(const TrainingLoopOptions& loop, GridJudge judge, const GridReinforcement& training,
-                        GridLearner* learner)
-      : ToolTrainingHost(loop),
-        judge_(std::move(judge)),
-        table_(tableOf(judge_.names())),
-        training_(training),
-        learner_(*learner) {}
+  GridQLearningHost(const TrainingLoopOptions& loop, GridJudge judge, GridQLearning* training)
+      : ToolTrainingHost(loop), judge_(std::move(judge)), table_(tableOf(judge_.names())), training_(*training) {}
 
   double judge(const LayerStack& layers) override {
     score_ = judge_.judge(layers);
@@ -171,7 +115,7 @@ class GridReinforcementHost : public ToolTrainingHost {
   void keep(const LayerStack& layers) override { judge_.write(layers, score_); }
   void judged(const Judgement& judgement) override {
     if (!judgement.due) return;
-    const ReinforcementReport report = learner_.report();
+    const ReinforcementReport report = training_.report();
     points_.push_back({training_.epoch(), report.steps, report.reward, report.arrival, report.ratio, score_.success,
                        score_.mean, judgement.best});
     print(points_.back());
@@ -225,73 +169,67 @@ class GridReinforcementHost : public ToolTrainingHost {
 
   GridJudge judge_;
   const TextTable table_;
-  const GridReinforcement& training_;
-  GridLearner& learner_;
+  GridQLearning& training_;
   GridScore score_;  ///< what was judged last
   std::vector<GridCurvePoint> points_;
 };
 
-/// Learns epoch by epoch, with a line for each; see GridReinforcement and runTraining(). Returns the exit status.
-int trainByReinforcement(const GridReinforcementPlan& plan, GridLearner* learner) {
-  const GridTrainingOptions& options = plan.options;
-  TrainingLoopOptions loop;
-  loop.checkpoint = options.checkpoint;
-  loop.settings = plan.settings;
-  loop.output = options.output;
-  loop.communicator = ranks();
-  GridTrainingMaps maps = loadGridTrainingMaps(options);
-  GridReinforcement training(plan.training, std::move(maps.training), learner);
-  GridReinforcementHost host(loop, GridJudge(options, std::move(maps.validation)), training, learner);
-  const TrainingOutcome outcome = runTraining(loop, &training, &host);
-  host.drawCurve(options.curve);
-  return host.end(outcome);
-}
-
 /// By the names of --reward.
-const Choices<QLearningParameters::Reward>& rewards() {
-  static const Choices<QLearningParameters::Reward> choices = {{"progress", QLearningParameters::Reward::kProgress},
-                                                               {"thesis", QLearningParameters::Reward::kThesis}};
-  return choices;
+const Choices<QLearningParameters::Reward> kRewards = {{"progress", QLearningParameters::Reward::kProgress},
+                                                       {"thesis", QLearningParameters::Reward::kThesis}};
+
+/// False when the help was asked for. Throws with a sentence for values that make no sense.
+bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions* options,
+                 GridQLearningParameters* parameters, nlohmann::json* settings) {
+  GridQLearningParameters& p = *parameters;
+  CommandLine line("train --task grid --method q-learning",
+                   "trains a network for the grid world by recurrent Q-learning");
+  options->method = "q-learning";
+  options->epochs = p.epochs;
+  addGridTrainingOptions(arguments, options, &line);
+  line.add("goals", &p.course.goals, {1, 1e5},
+           "goals in memory at the same time; each needs 4 bytes per cell of its map");
+  line.add("short-share", &p.course.short_share, kAnyShare,
+           "share of the training episodes whose length is drawn with a probability proportional to 1 / length; the "
+           "others uniformly");
+  visitGridQLearningParameters(p, line.everyParameter());
+  line.addChoice(
+      "reward", &p.reward, kRewards,
+      "progress (how much shorter the true shortest path to the goal has become, minus a cost) or thesis (Eq. 2.36)");
+  visitQLearningParameters(p, "cells", "updates", line.everyParameter());
+  if (!line.parse(arguments)) return false;
+  p.course.min_length = options->min_length;
+  p.course.max_length = options->max_length;
+  p.course.dead_end_share = options->dead_ends;
+  p.epochs = options->epochs;
+  p.seed = options->seed;
+  p.threads = options->threads;
+  p.communicator = ranks();
+  validate(p);
+  *settings = settingsOf(*options);
+  settings->update(
+      {{"goals", p.course.goals}, {"short-share", p.course.short_share}, {"reward", nameOf(p.reward, kRewards)}});
+  visitGridQLearningParameters(p, noteIn(settings));
+  visitQLearningParameters(p, "cells", "updates", noteIn(settings));
+  return true;
 }
 
 }  // namespace
 
-int trainGridByActorCritic(const std::vector<std::string>& arguments) {
-  GridReinforcementPlan plan;
-  GridActorCriticParameters parameters;
-  CommandLine line("train --task grid --method actor-critic",
-                   "trains a network for the grid world by actor-critic learning");
-  addGridReinforcementOptions("actor-critic", arguments, &plan, &parameters, &line);
-  visitActorCriticParameters(parameters, "cells", line.everyParameter());
-  visitGridActorCriticParameters(parameters, line.everyParameter());
-  if (!line.parse(arguments)) return 0;
-  finishGridReinforcement(&plan, &parameters);
-  visitActorCriticParameters(parameters, "cells", noteIn(&plan.settings));
-  visitGridActorCriticParameters(parameters, noteIn(&plan.settings));
-  LayerStack layers = firstLayers(&plan.options);
-  parameters.encoder = plan.options.encoder;
-  const auto learner = makeGridActorCritic(parameters, std::move(layers));
-  return trainByReinforcement(plan, learner.get());
-}
-
 int trainGridByQLearning(const std::vector<std::string>& arguments) {
-  GridReinforcementPlan plan;
+  GridTrainingOptions options;
   GridQLearningParameters parameters;
-  CommandLine line("train --task grid --method q-learning",
-                   "trains a network for the grid world by recurrent Q-learning");
-  addGridReinforcementOptions("q-learning", arguments, &plan, &parameters, &line);
-  line.addChoice(
-      "reward", &parameters.reward, rewards(),
-      "progress (how much shorter the true shortest path to the goal has become, minus a cost) or thesis (Eq. 2.36)");
-  visitQLearningParameters(parameters, "cells", "updates", line.everyParameter());
-  if (!line.parse(arguments)) return 0;
-  finishGridReinforcement(&plan, &parameters);
-  plan.settings["reward"] = nameOf(parameters.reward, rewards());
-  visitQLearningParameters(parameters, "cells", "updates", noteIn(&plan.settings));
-  LayerStack layers = firstLayers(&plan.options);
-  parameters.encoder = plan.options.encoder;
-  const auto learner = makeGridQLearning(parameters, std::move(layers));
-  return trainByReinforcement(plan, learner.get());
+  TrainingLoopOptions loop;
+  if (!readOptions(arguments, &options, &parameters, &loop.settings)) return 0;
+  loop.checkpoint = options.checkpoint;
+  loop.output = options.output;
+  loop.communicator = ranks();
+  GridTrainingMaps maps = loadGridTrainingMaps(options);
+  const auto training = makeGridQLearning(parameters, std::move(maps.training), firstLayers(options));
+  GridQLearningHost host(loop, GridJudge(options, std::move(maps.validation)), training.get());
+  const TrainingOutcome outcome = runTraining(loop, training.get(), &host);
+  host.drawCurve(options.curve);
+  return host.end(outcome);
 }
 
 }  // namespace lstm_planner
