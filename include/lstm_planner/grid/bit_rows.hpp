@@ -46,8 +46,7 @@ class BitRows {
 /// The lowest `count` bits set; `count` in 1 .. 64.
 inline std::uint64_t lowestBits(int count) { return ~std::uint64_t{0} >> (64 - count); }
 
-/// Index of the lowest and of the highest bit that is set. At least one must be set.
+/// Index of the lowest bit that is set. At least one must be set.
 inline int lowestBit(std::uint64_t bits) { return __builtin_ctzll(bits); }
-inline int highestBit(std::uint64_t bits) { return 63 - __builtin_clzll(bits); }
 
 }  // namespace lstm_planner

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "drive/collision/footprint_sweep.hpp"
-#include "drive/collision/shield_groups.hpp"
 #include "lstm_planner/common/arc.hpp"
 
 namespace lstm_planner {
@@ -16,64 +14,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A straight drive of a disc: how much of it is free, return by return.
-class FreeLine {
- public:
-  /// `wanted`: radius with the clearance. `hard`: radius into which nothing may come.
-  FreeLine(const Point2& from, const Point2& along, double limit, double wanted, double hard)
-      : from_(from),
-        along_(along),
-        free_(limit),
-        wanted_(wanted),
-        hard_(hard),
-        wanted_squared_(square(wanted)),
-        touched_squared_(square(wanted + kShieldTouchSlack)) {}
+/// A return must come this much nearer before it counts as coming nearer, m: less than the noise of any scanner.
+constexpr double kTouchSlack = 1e-3;
 
-  double free() const { return free_; }
-
-  /// All with what was free before the group, so that they need not wait for each other.
-  void meetGroup(const double* places) {
-    double along[kReturnsAGroup];
-    double aside[kReturnsAGroup];
-    double beside[kReturnsAGroup];  ///< m^2, from the nearest place of what is free so far
-    for (std::size_t i = 0; i < kReturnsAGroup; ++i) {
-      const double dx = places[i] - from_.x;
-      const double dy = places[kReturnsAGroup + i] - from_.y;
-      along[i] = along_.x * dx + along_.y * dy;
-      aside[i] = std::abs(along_.x * dy - along_.y * dx);
-      const double beyond = along[i] - free_;
-      beside[i] = square(beyond > 0.0 ? beyond : 0.0) + square(aside[i]);
-    }
-    // What the disc does not reach before or at the end of what is free so far does not matter.
-    for (std::size_t i = 0; i < kReturnsAGroup; ++i) {
-      if (beside[i] < wanted_squared_ && along[i] > 0.0) shorten(along[i], aside[i]);
-    }
-  }
-
- private:
-  void shorten(double along, double aside) {
-    double radius = wanted_;
-    const double squared = square(along) + square(aside);
-    if (squared < touched_squared_) {
-      const double now = std::sqrt(squared);
-      if (now <= hard_) {
-        free_ = 0.0;
-        return;
-      }
-      radius = std::max(hard_, std::min(wanted_, now - kShieldTouchSlack));
-    }
-    if (aside >= radius) return;
-    free_ = std::min(free_, std::max(0.0, along - std::sqrt(square(radius) - square(aside))));
-  }
-
-  Point2 from_;
-  Point2 along_;  ///< of length 1
-  double free_;   ///< m, so far
-  double wanted_;
-  double hard_;
-  double wanted_squared_;
-  double touched_squared_;  ///< what is no farther may only come nearer by less than the slack
-};
+constexpr std::size_t kReturnsAGroup = 16;
 
 constexpr double kEdgeRounding = 1e-6;  // m
 
@@ -120,94 +64,58 @@ Shield::Shield(const Footprint& footprint, double hard_margin, double reach)
 }
 
 void Shield::show(const std::vector<Point2>& obstacles) {
-  groups_ = 0;
+  returns_.clear();
+  groups_.clear();
   add(obstacles);
 }
 
 void Shield::add(const std::vector<Point2>& obstacles) {
-  const std::size_t most = groups_ + (obstacles.size() + kReturnsAGroup - 1) / kReturnsAGroup;
-  if (places_.size() < 2 * kReturnsAGroup * most) {
-    places_.resize(2 * kReturnsAGroup * most);
-    boxes_.resize((most + kGroupsABlock - 1) / kGroupsABlock * kNumbersABlock);
+  returns_.reserve(returns_.size() + obstacles.size());
+  groups_.reserve(returns_.capacity() / kReturnsAGroup + 1);
+  for (const Point2& place : obstacles) {
+    if (!(square(place.x) + square(place.y) <= square(reach_))) continue;
+    const std::size_t first = groups_.size() < 2 ? 0 : groups_[groups_.size() - 2].end;
+    if (groups_.empty() || groups_.back().end - first == kReturnsAGroup) groups_.push_back({place, place, 0});
+    Group& group = groups_.back();
+    group.low = {std::min(group.low.x, place.x), std::min(group.low.y, place.y)};
+    group.high = {std::max(group.high.x, place.x), std::max(group.high.y, place.y)};
+    returns_.push_back(place);
+    group.end = returns_.size();
   }
-  const std::size_t whole = obstacles.size() / kReturnsAGroup;
-  for (std::size_t group = 0; group < whole; ++group) {
-    group += addGroups(&obstacles[group * kReturnsAGroup], whole - group, square(reach_));
-    if (group < whole) addNear(&obstacles[group * kReturnsAGroup], kReturnsAGroup);
-  }
-  const std::size_t rest = obstacles.size() % kReturnsAGroup;
-  if (rest > 0) addNear(&obstacles[whole * kReturnsAGroup], rest);
 }
 
-std::size_t Shield::addGroups(const Point2* obstacles, std::size_t groups, double reach_squared) {
-  for (std::size_t group = 0; group < groups; ++group, obstacles += kReturnsAGroup) {
-    double* const x = &places_[2 * kReturnsAGroup * groups_];
-    double* const y = x + kReturnsAGroup;
-    Doubles least = {kInfinity, kInfinity};
-    Doubles most = -least;
-    for (std::size_t i = 0; i < kReturnsAGroup; ++i) {
-      const Doubles place = {obstacles[i].x, obstacles[i].y};
-      x[i] = place[0];
-      y[i] = place[1];
-      least = minimum(place, least);
-      most = maximum(place, most);
+template <typename Visit>
+void Shield::visitNear(const Point2& from, double distance, const Visit& visit) const {
+  std::size_t next = 0;
+  for (const Group& group : groups_) {
+    const bool is_far = group.low.x - from.x > distance || from.x - group.high.x > distance ||
+                        group.low.y - from.y > distance || from.y - group.high.y > distance;
+    if (is_far) next = group.end;
+    for (; next < group.end; ++next) {
+      if (visit(returns_[next])) return;
     }
-    const Point2 low{least[0], least[1]};
-    const Point2 high{most[0], most[1]};
-    const Point2 nearest{std::max({low.x, -high.x, 0.0}), std::max({low.y, -high.y, 0.0})};
-    if (square(nearest.x) + square(nearest.y) > reach_squared) continue;
-    const Point2 farthest{std::max(-low.x, high.x), std::max(-low.y, high.y)};
-    if (!(square(farthest.x) + square(farthest.y) <= reach_squared)) return group;
-    float* const box = &boxes_[groups_ / kGroupsABlock * kNumbersABlock + groups_ % kGroupsABlock];
-    box[0] = static_cast<float>(0.5 * (low.x + high.x));
-    box[kGroupsABlock] = static_cast<float>(0.5 * (low.y + high.y));
-    box[2 * kGroupsABlock] = static_cast<float>(0.5 * (high.x - low.x));
-    box[3 * kGroupsABlock] = static_cast<float>(0.5 * (high.y - low.y));
-    ++groups_;
-  }
-  return groups;
-}
-
-void Shield::addNear(const Point2* obstacles, std::size_t count) {
-  Point2 near[kReturnsAGroup];
-  const auto isNear = [&](const Point2& place) { return square(place.x) + square(place.y) <= square(reach_); };
-  Point2* const end = std::copy_if(obstacles, obstacles + count, near, isNear);
-  if (end != near) {
-    std::fill(end, near + kReturnsAGroup, near[0]);
-    addGroups(near, 1, kInfinity);
   }
 }
-
-double Shield::blur(const Point2& from) const { return 1e-6 * (1.0 + reach_ + std::abs(from.x) + std::abs(from.y)); }
 
 double Shield::freeLine(const Point2& from, double direction, double limit, double clearance, double enough) const {
   if (!footprint_.isCircle()) return freeArc({from.x, from.y, direction}, 0.0, limit, clearance);
   const Point2 along{std::cos(direction), std::sin(direction)};
   const double wanted = footprint_radius_ + clearance;
-  FreeLine line(from, along, limit, wanted, footprint_radius_ + std::min(hard_margin_, clearance));
-  const Floats x = allOf(static_cast<float>(from.x));
-  const Floats y = allOf(static_cast<float>(from.y));
-  const Floats along_x = allOf(static_cast<float>(along.x));
-  const Floats along_y = allOf(static_cast<float>(along.y));
-  const auto lost = static_cast<float>(blur(from));
-  const Floats wide = allOf(static_cast<float>(wanted) + lost);
-  const float beyond = static_cast<float>(wanted) + 2.0f * lost;
-  Floats far = allOf(static_cast<float>(limit) + beyond);
-  const auto meet = [&](Floats middle_x, Floats middle_y, Floats half_x, Floats half_y) {
-    const Floats dx = middle_x - x;
-    const Floats dy = middle_y - y;
-    const Floats ahead = along_x * dx + along_y * dy;
-    const Floats aside = along_x * dy - along_y * dx;
-    const Floats half_ahead = magnitude(along_x) * half_x + magnitude(along_y) * half_y;
-    const Floats half_aside = magnitude(along_y) * half_x + magnitude(along_x) * half_y;
-    return (magnitude(aside) - half_aside <= wide) & (ahead + half_ahead >= allOf(-lost)) & (ahead - half_ahead <= far);
-  };
-  visitGroups(meet, [&](const double* places) {
-    line.meetGroup(places);
-    far = allOf(static_cast<float>(line.free()) + beyond);
-    return line.free() <= 0.0 || line.free() < enough;
+  const double hard = footprint_radius_ + std::min(hard_margin_, clearance);
+  double free = limit;
+  visitNear(from, wanted + limit, [&](const Point2& obstacle) {
+    const double dx = obstacle.x - from.x;
+    const double dy = obstacle.y - from.y;
+    const double ahead = along.x * dx + along.y * dy;
+    const double aside = std::abs(along.x * dy - along.y * dx);
+    if (ahead <= 0.0 || aside >= wanted || ahead - wanted >= free) return false;
+    const double now = std::sqrt(square(ahead) + square(aside));
+    const double radius = now <= hard ? hard : std::max(hard, std::min(wanted, now - kTouchSlack));
+    if (now <= hard) free = 0.0;
+    if (aside < radius) free = std::min(free, std::max(0.0, ahead - std::sqrt(square(radius) - square(aside))));
+    return free < enough || free <= 0.0;
   });
-  return line.free();
+  return free;
 }
 
 double Shield::gap(const Point2& from) const {
@@ -216,21 +124,11 @@ double Shield::gap(const Point2& from) const {
 }
 
 double Shield::nearest(const Point2& from) const {
-  constexpr double kWider = 4.0;
-  const double most = reach_ + footprint_radius_;
-  double nearest = most;
-  // What is farther need not be looked at when something nearer is found.
-  for (double half = std::min(most, 2.0 * footprint_radius_);; half = std::min(most, kWider * half)) {
-    double squared = square(nearest);
-    visitNear(from, half, [&](const Point2& obstacle) {
-      squared = std::min(squared, square(obstacle.x - from.x) + square(obstacle.y - from.y));
-      return false;
-    });
-    nearest = std::min(nearest, std::sqrt(squared));
-    if (nearest <= half || half >= most) {
-      return nearest;
-    }
+  double squared = square(reach_ + footprint_radius_);
+  for (const Point2& obstacle : returns_) {
+    squared = std::min(squared, square(obstacle.x - from.x) + square(obstacle.y - from.y));
   }
+  return std::sqrt(squared);
 }
 
 double Shield::sweep(const FootprintSweep& sweep, const Pose2& from, double limit, double clearance) const {
@@ -251,8 +149,7 @@ double Shield::sweep(const FootprintSweep& sweep, const Pose2& from, double limi
       return true;
     }
     // One that it goes away from may come back to where it is now, after a turn.
-    const double nearest =
-        now <= hard ? now - kEdgeRounding : std::max(hard, std::min(clearance, now - kShieldTouchSlack));
+    const double nearest = now <= hard ? now - kEdgeRounding : std::max(hard, std::min(clearance, now - kTouchSlack));
     if (nearest > 0.0) free = std::min(free, sweep.freeBefore(local, nearest, free));
     return false;
   });
@@ -299,9 +196,7 @@ double Shield::freeArc(const Pose2& from, double curvature, double limit, double
     const double dx = obstacle.x - from.x;
     const double dy = obstacle.y - from.y;
     const double squared = square(dx) + square(dy);
-    if (squared >= square(wanted + free)) {
-      return false;
-    }
+    if (squared >= square(wanted + free)) return false;
     const Point2 local{c * dx + s * dy, c * dy - s * dx};
     const double now = std::sqrt(squared);
     if (now <= hard && local.x > 0.0) {
@@ -309,11 +204,9 @@ double Shield::freeArc(const Pose2& from, double curvature, double limit, double
       return true;
     }
     // One that it goes away from may come back to where it is now, after a turn.
-    const double radius = now <= hard ? now : std::max(hard, std::min(wanted, now - kShieldTouchSlack));
+    const double radius = now <= hard ? now : std::max(hard, std::min(wanted, now - kTouchSlack));
     const Arc::View view = arc.viewOf(local);
-    if (std::abs(view.beyond) >= radius) {
-      return false;
-    }
+    if (std::abs(view.beyond) >= radius) return false;
     // The chord from the nearest place of the arc to where the point is `radius` away, by the law of cosines.
     const double half_chord =
         0.5 * std::sqrt((square(radius) - square(view.beyond)) / (arc.radius * (arc.radius + view.beyond)));
@@ -335,9 +228,7 @@ double Shield::arcGap(const Pose2& from, double curvature, double length) const 
   double nearest_so_far = nearest(start);
   visitNear(start, length + nearest_so_far, [&](const Point2& obstacle) {
     const double now = distanceBetween(from, obstacle);
-    if (now - length >= nearest_so_far) {
-      return false;
-    }
+    if (now - length >= nearest_so_far) return false;
     nearest_so_far = std::min(nearest_so_far, distanceBetween(end, obstacle));
     const Point2 local = toLocalFrame(from, obstacle);
     const Arc::View view = straight ? Arc::View{local.y, local.x} : arc.viewOf(local);

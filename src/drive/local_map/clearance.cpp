@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "drive/local_map/bounded_rounding.hpp"
-#include "drive/perception/baseline_vectors.hpp"
 #include "lstm_planner/common/segment.hpp"
 #include "lstm_planner/grid/grid_rays.hpp"
 
@@ -173,45 +172,26 @@ std::uint8_t Clearance::judgementOf(double squared, int best_square) const {
 }
 
 int Clearance::bestSquare(const ObstacleWindow& window, int cell, int* squared) const {
-  static_assert(kSide == kLanes, "a row of squares side by side");
-  constexpr int kFar = 1 << 20;
-  // Beyond both ends a square is taken as occupied that is farther away than all that matter.
-  constexpr int kMargin = 18;
-  constexpr std::uint64_t kEnds = std::uint64_t{1} << 63 | 1;
   const Square first = window.squareOf(cell, 0);
   const int reach = kSide * near_cells_;
   const int width = 2 * reach + kSide;
-  const int middle = kMargin + reach;
-  Ints nearest[kSide] = {allOf(kFar), allOf(kFar), allOf(kFar), allOf(kFar)};
+  int nearest[ObstacleWindow::kCellSquares];
+  std::fill(std::begin(nearest), std::end(nearest), std::numeric_limits<int>::max());
   for (int row = std::max(-reach, -first.row); row < std::min(reach + kSide, window.squares().rows() - first.row);
        ++row) {
-    const std::uint64_t occupied = window.squares().from(first.column - reach, first.row + row) & lowestBits(width);
-    if (occupied == 0) {
-      continue;
-    }
-    const std::uint64_t bits = occupied << kMargin | kEnds;
-    Ints columns;
-    for (int i = 0; i < kSide; ++i) {
-      const int left = middle + i - highestBit(bits & lowestBits(middle + i + 1));
-      const int right = lowestBit(bits >> (middle + i));
-      const int column = std::min(left, right);
-      columns[i] = column * column;
-    }
-    for (int i = 0; i < kSide; ++i) {
-      const Ints distances = columns + allOf((row - i) * (row - i));
-      nearest[i] = distances < nearest[i] ? distances : nearest[i];
+    std::uint64_t bits = window.squares().from(first.column - reach, first.row + row) & lowestBits(width);
+    for (; bits != 0; bits &= bits - 1) {
+      const int column = lowestBit(bits) - reach;
+      for (int square = 0; square < ObstacleWindow::kCellSquares; ++square) {
+        const int columns = column - square % kSide;
+        const int rows = row - square / kSide;
+        nearest[square] = std::min(nearest[square], columns * columns + rows * rows);
+      }
     }
   }
-  int best = -1;
-  *squared = -1;
-  for (int square = 0; square < ObstacleWindow::kCellSquares; ++square) {
-    const int distance = nearest[square / kSide][square % kSide];
-    if (distance > *squared) {
-      *squared = distance;
-      best = square;
-    }
-  }
-  return best;
+  const auto best = std::max_element(std::begin(nearest), std::end(nearest));
+  *squared = *best;
+  return static_cast<int>(best - std::begin(nearest));
 }
 
 std::uint8_t Clearance::judgeExits(const ObstacleWindow& window, int cell) {

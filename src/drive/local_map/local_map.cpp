@@ -17,7 +17,7 @@ constexpr double kUnderneath = 0.9;
 LocalMap::LocalMap(const MemoryParameters& parameters, const ShieldParameters& shield)
     : footprint_radius_(footprintOf(shield).inscribedRadius()),
       window_(parameters.width, parameters.resolution),
-      scan_changes_(parameters.reach, parameters.resolution),
+      scan_changes_(parameters.reach),
       clearance_(parameters, shield, window_),
       reach_(parameters.reach) {
   forget();
@@ -56,7 +56,7 @@ void LocalMap::add(const Situation& situation) {
 void LocalMap::markKnown() {
   for (const Point2& place : known_) {
     const Square square = squareAt(place);
-    if (isInWindow(square)) window_.set(square, true);
+    if (window_.contains(square)) window_.set(square, true);
   }
 }
 
@@ -65,7 +65,7 @@ void LocalMap::takeOverMarks(const Situation& situation) {
   collectMarks(situation);
   for (const Mark mark : marks_) {
     const Square square = squareOfMark(mark);
-    if (isInWindow(square) && !std::binary_search(marked_.begin(), marked_.end(), mark)) set(square, false);
+    if (window_.contains(square) && !std::binary_search(marked_.begin(), marked_.end(), mark)) set(square, false);
   }
   marks_.swap(marked_);
   for (const Mark mark : marks_) {
@@ -79,9 +79,9 @@ void LocalMap::collectMarks(const Situation& situation) {
   for (const Point2& place : situation.marked) {
     if (std::hypot(place.x, place.y) > reach_) continue;
     const Square square = squareAt(toParentFrame(situation.pose, place));
-    const bool is_underneath = isInWindow(square) && distanceBetween(window_.centerOf(square), situation.pose) <
-                                                         kUnderneath * footprint_radius_;
-    if (isInWindow(square) && !is_underneath && !isSeenBeside(square)) marked_.push_back(markAt(square));
+    const bool is_underneath = window_.contains(square) && distanceBetween(window_.centerOf(square), situation.pose) <
+                                                               kUnderneath * footprint_radius_;
+    if (window_.contains(square) && !is_underneath && !isSeenBeside(square)) marked_.push_back(markAt(square));
   }
   std::sort(marked_.begin(), marked_.end());
   marked_.erase(std::unique(marked_.begin(), marked_.end()), marked_.end());
@@ -91,7 +91,7 @@ bool LocalMap::isSeenBeside(const Square& square) const {
   for (int row = square.row - 1; row <= square.row + 1; ++row) {
     for (int column = square.column - 1; column <= square.column + 1; ++column) {
       const Square beside{column, row};
-      if (isInWindow(beside) && window_.isOccupied(beside) && !isMarked(beside)) return true;
+      if (window_.contains(beside) && window_.isOccupied(beside) && !isMarked(beside)) return true;
     }
   }
   return false;
@@ -117,11 +117,6 @@ Square LocalMap::squareAt(const Point2& place) const {
   return {absolute.column - kSide * window_.originColumn(), absolute.row - kSide * window_.originRow()};
 }
 
-bool LocalMap::isInWindow(const Square& square) const {
-  const BitRows& squares = window_.squares();
-  return square.column >= 0 && square.column < squares.columns() && square.row >= 0 && square.row < squares.rows();
-}
-
 void LocalMap::block(const Point2& place) { clearance_.block(window_, place); }
 
 void LocalMap::relaxClearance(bool on) { clearance_.relaxClearance(on); }
@@ -132,7 +127,7 @@ void LocalMap::forgetUnderneath(const Pose2& pose) {
   for (int row = -squares; row <= squares; ++row) {
     for (int column = -squares; column <= squares; ++column) {
       const Square square{here.column + column, here.row + row};
-      if (isInWindow(square) && window_.isOccupied(square) &&
+      if (window_.contains(square) && window_.isOccupied(square) &&
           distanceBetween(window_.centerOf(square), pose) < kUnderneath * footprint_radius_) {
         set(square, false);
       }

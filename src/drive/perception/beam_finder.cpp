@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drive/perception/baseline_vectors.hpp"
-
 namespace lstm_planner {
 
 namespace {
@@ -12,23 +10,23 @@ namespace {
 /// More beams a turn than that are of no use, and would not fit into a float's digits.
 constexpr double kMostBeamsATurn = 1e6;
 
-/// Direction of vectors, rad in [0, 2 pi], to 1.2e-5 rad: Abramowitz and Stegun, Handbook of Mathematical Functions,
+/// Direction of a vector, rad in [0, 2 pi], to 1.2e-5 rad: Abramowitz and Stegun, Handbook of Mathematical Functions,
 /// 4.4.49, in the first eighth of a turn.
-Floats directionOf(Floats x, Floats y) {
+float directionOf(float x, float y) {
   constexpr float kPi = 3.14159265358979f;
   constexpr float kTiny = 1e-30f;
-  const Floats abs_x = magnitude(x);
-  const Floats abs_y = magnitude(y);
-  const Floats ratio = minimum(abs_x, abs_y) / maximum(maximum(abs_x, abs_y), allOf(kTiny));
-  const Floats squared = ratio * ratio;
-  Floats sum = squared * 0.0208351f - 0.0851330f;
+  const float abs_x = std::abs(x);
+  const float abs_y = std::abs(y);
+  const float ratio = std::min(abs_x, abs_y) / std::max(std::max(abs_x, abs_y), kTiny);
+  const float squared = ratio * ratio;
+  float sum = squared * 0.0208351f - 0.0851330f;
   sum = sum * squared + 0.1801410f;
   sum = sum * squared - 0.3302995f;
   sum = sum * squared + 0.9998660f;
-  Floats direction = ratio * sum;
-  direction = abs_y > abs_x ? 0.5f * kPi - direction : direction;
-  direction = x < Floats{} ? kPi - direction : direction;
-  return y < Floats{} ? 2.0f * kPi - direction : direction;
+  float direction = ratio * sum;
+  if (abs_y > abs_x) direction = 0.5f * kPi - direction;
+  if (x < 0.0f) direction = kPi - direction;
+  return y < 0.0f ? 2.0f * kPi - direction : direction;
 }
 
 }  // namespace
@@ -43,19 +41,14 @@ BeamFinder::BeamFinder(const RangeProfile& profile, double yaw) : beams_(static_
   aside_ = profile.increment < 0.0 ? -1.0f : 1.0f;
 }
 
-void BeamFinder::find(const float* x, const float* y, std::size_t count, float* positions) const {
-  for (std::size_t i = 0; i < count; i += kLanes) {
-    const Floats dx = loadFloats(x + i);
-    const Floats dy = loadFloats(y + i);
-    const Floats along = along_x_ * dx + along_y_ * dy;
-    const Floats aside = aside_ * (along_x_ * dy - along_y_ * dx);
-    store(directionOf(along, aside) * beams_a_radian_, positions + i);
-  }
-}
-
-long BeamFinder::beamBeyond(float position) const {
+long BeamFinder::beamTowards(float x, float y) const {
+  const float along = along_x_ * x + along_y_ * y;
+  const float aside = aside_ * (along_x_ * y - along_y_ * x);
+  const float position = directionOf(along, aside) * beams_a_radian_;
+  const auto beam = static_cast<long>(position + 0.5f);
+  if (beam < beams_) return beam;
   // Just before the first beam is nearly a whole turn after it.
-  if (beams_a_turn_ - position < 1.0f) return 0;
+  if (beams_a_turn_ - position < 1.0f) return beams_ > 0 ? 0 : -1;
   return position < static_cast<float>(beams_) ? beams_ - 1 : -1;
 }
 

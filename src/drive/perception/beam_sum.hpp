@@ -1,16 +1,17 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 namespace lstm_planner {
 
 /// What some neighbouring beams see.
 struct BeamSum {
-  double range;   ///< m, of those that are known; each at most the cap
-  float nearest;  ///< m; +inf where nothing is measured
-  int measured;   ///< with a range
-  int known;      ///< with a range, or seeing nothing
-  int silent;     ///< of the known ones those whose driver may mean that nothing could be measured
+  double range = 0.0;                                      ///< m, of those that are known; each at most the cap
+  float nearest = std::numeric_limits<float>::infinity();  ///< m; +inf where nothing is measured
+  int measured = 0;                                        ///< with a range
+  int known = 0;                                           ///< with a range, or seeing nothing
+  int silent = 0;  ///< of the known ones those whose driver may mean that nothing could be measured
 };
 
 /// Of `count` neighbouring beams of a RangeProfile. `cap`: m.

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "drive/perception/baseline_vectors.hpp"
 #include "drive/perception/reading_bounds.hpp"
 
 namespace lstm_planner {
@@ -54,34 +53,18 @@ void toProfile(const LaserScan& scan, const SensorMount& mount, const ScanRules&
 }
 
 void toPoints(const RangeProfile& profile, BeamDirections* directions, std::vector<Point2>* points) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const std::size_t beams = profile.ranges.size();
   directions->set(profile.first_direction, profile.increment, beams);
-  points->resize(beams);
-  Point2* to = points->data();
-  const auto pointOf = [&](std::size_t beam, double range) {
-    const Point2& direction = (*directions)[beam];
-    return Point2{profile.origin.x + range * direction.x, profile.origin.y + range * direction.y};
-  };
-  for (std::size_t i = 0; i < beams;) {
-    // Returns lie side by side. Where the place of each depends on the one before, the processor waits.
-    if (i + kLanes <= beams) {
-      const Floats four = loadFloats(&profile.ranges[i]);
-      if (!any(~((four > Floats{}) & (four < allOf(kInfinity))))) {
-        for (std::size_t j = 0; j < kLanes; ++j) to[j] = pointOf(i + j, profile.ranges[i + j]);
-        to += kLanes;
-        i += kLanes;
-        continue;
-      }
-    }
+  points->clear();
+  points->reserve(beams);
+  for (std::size_t i = 0; i < beams; ++i) {
     const float reading = profile.ranges[i];
-    const bool is_too_near = reading == -kInfinity;
-    // Written in any case, and overwritten by the next: faster than a jump that nobody can foresee.
-    *to = pointOf(i, is_too_near ? profile.nearest_range : reading);
-    to += is_too_near || (reading > 0.0f && reading < kInfinity) ? 1 : 0;
-    ++i;
+    const bool is_too_near = reading == -std::numeric_limits<float>::infinity();
+    if (!is_too_near && !(reading > 0.0f && std::isfinite(reading))) continue;
+    const double range = is_too_near ? profile.nearest_range : reading;
+    const Point2& direction = (*directions)[i];
+    points->push_back({profile.origin.x + range * direction.x, profile.origin.y + range * direction.y});
   }
-  points->resize(static_cast<std::size_t>(to - points->data()));
 }
 
 }  // namespace lstm_planner

@@ -167,21 +167,13 @@ void MovingReturns::compareWith(const View& reference) {
   if (reference.finder.beams() == 0) {
     return;
   }
-  const std::size_t count = returns_.size();
-  const std::size_t padded = count + 4;  // BeamFinder takes four at a time
-  x_.resize(padded);
-  y_.resize(padded);
-  positions_.resize(padded);
-  for (std::size_t i = 0; i < count; ++i) {
-    x_[i] = static_cast<float>(returns_[i].x - reference.scanner.x);
-    y_[i] = static_cast<float>(returns_[i].y - reference.scanner.y);
-  }
-  reference.finder.find(x_.data(), y_.data(), count, positions_.data());
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < returns_.size(); ++i) {
+    const auto x = static_cast<float>(returns_[i].x - reference.scanner.x);
+    const auto y = static_cast<float>(returns_[i].y - reference.scanner.y);
     // Nearly every return stands where it stood: one beam tells.
-    const long beam = reference.finder.beamAt(positions_[i]);
-    if (beam >= 0 && x_[i] * x_[i] + y_[i] * y_[i] < reference.limits[static_cast<std::size_t>(beam)] &&
-        is_free_[i] == 0 && sightOf(returns_[i], reference) == Sight::kFree) {
+    const long beam = reference.finder.beamTowards(x, y);
+    if (beam >= 0 && x * x + y * y < reference.limits[static_cast<std::size_t>(beam)] && is_free_[i] == 0 &&
+        sightOf(returns_[i], reference) == Sight::kFree) {
       is_free_[i] = 1;
     }
   }

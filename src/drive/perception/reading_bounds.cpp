@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "drive/perception/baseline_vectors.hpp"
-
 namespace lstm_planner {
 namespace {
 
@@ -21,14 +19,6 @@ void setCode(double code, ReadingBounds* bounds) {
   const auto isCode = [&](float reading) { return std::abs(reading - code) <= kCodeTolerance; };
   if (!isCode(bounds->code_first)) bounds->code_first = std::nextafter(bounds->code_first, kInfiniteReading);
   if (!isCode(bounds->code_last)) bounds->code_last = std::nextafter(bounds->code_last, -kInfiniteReading);
-}
-
-/// Whether all are measured ranges; nearly always.
-bool areRanges(const ReadingBounds& bounds, Floats readings) {
-  const Ints measured = (readings >= allOf(bounds.least)) & (readings <= allOf(bounds.most));
-  const Ints nothing = (readings >= allOf(bounds.nothing_from)) |
-                       ((readings >= allOf(bounds.code_first)) & (readings <= allOf(bounds.code_last)));
-  return !any(~measured | nothing);
 }
 
 float meaningOf(const ReadingBounds& bounds, float reading) {
@@ -58,16 +48,7 @@ ReadingBounds readingBounds(const LaserScan& scan, const ScanRules& rules) {
 }
 
 void interpret(const ReadingBounds& bounds, const float* readings, std::size_t count, float* ranges) {
-  std::size_t i = 0;
-  for (; i + kLanes <= count; i += kLanes) {
-    const Floats four = loadFloats(readings + i);
-    if (areRanges(bounds, four)) {
-      store(four, ranges + i);
-    } else {
-      for (std::size_t j = i; j < i + kLanes; ++j) ranges[j] = meaningOf(bounds, readings[j]);
-    }
-  }
-  for (; i < count; ++i) ranges[i] = meaningOf(bounds, readings[i]);
+  std::transform(readings, readings + count, ranges, [&](float reading) { return meaningOf(bounds, reading); });
 }
 
 }  // namespace lstm_planner

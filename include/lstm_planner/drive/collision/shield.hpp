@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "lstm_planner/common/footprint.hpp"
@@ -72,27 +71,22 @@ class Shield {
   double hard_margin_;
   double reach_;
 
-  /// Adds whole groups that are within reach, and leaves out those beyond it, up to one that is neither; returns how
-  /// many these are.
-  std::size_t addGroups(const Point2* obstacles, std::size_t groups, double reach_squared);
-  /// Adds those of a group, or fewer, that are within reach.
-  void addNear(const Point2* obstacles, std::size_t count);
-  /// Calls visit(places) for the groups that meet(boxes) lets through, four boxes at a time, until it answers true.
-  template <typename Meet, typename Visit>
-  void visitGroups(const Meet& meet, const Visit& visit) const;
   /// Calls visit(obstacle) for all that are nearer than `distance`, and some others, until it answers true.
   template <typename Visit>
   void visitNear(const Point2& from, double distance, const Visit& visit) const;
   double nearest(const Point2& from) const;
   double sweep(const FootprintSweep& sweep, const Pose2& from, double limit, double clearance) const;
   double sweepGap(const FootprintSweep& sweep, const Pose2& from, double length) const;
-  /// More than what is lost of a coordinate in a float, m.
-  double blur(const Point2& from) const;
 
-  // See shield_groups.hpp. Where a group has fewer returns, one of them is there several times.
-  std::size_t groups_ = 0;
-  std::vector<double> places_;
-  std::vector<float> boxes_;
+  /// Some returns that follow one another, and the rectangle around them: neighbours in a scan lie near each other.
+  struct Group {
+    Point2 low;
+    Point2 high;
+    std::size_t end;  ///< one more than its last return
+  };
+
+  std::vector<Point2> returns_;  ///< within reach
+  std::vector<Group> groups_;
 };
 
 }  // namespace lstm_planner

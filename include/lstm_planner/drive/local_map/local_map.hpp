@@ -92,7 +92,6 @@ class LocalMap {
   Mark markAt(const Square& square) const;
   Square squareOfMark(Mark mark) const;
   Square squareAt(const Point2& place) const;
-  bool isInWindow(const Square& square) const;
   void set(const Square& square, bool occupied);
   void forgetUnderneath(const Pose2& pose);
 

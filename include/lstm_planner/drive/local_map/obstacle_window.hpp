@@ -61,6 +61,9 @@ class ObstacleWindow {
   /// Visits the middles of the occupied squares in the square of twice that `reach` (m) round a place.
   template <typename Visit>
   void visitOccupiedNear(const Point2& place, double reach, const Visit& visit) const;
+  bool contains(const Square& square) const {
+    return square.column >= 0 && square.column < squares_.columns() && square.row >= 0 && square.row < squares_.rows();
+  }
   bool isOccupied(const Square& square) const { return squares_.test(square.column, square.row); }
   /// Whether something stands there from now on; the square's cell.
   int set(const Square& square, bool occupied);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,34 +13,26 @@ namespace lstm_planner {
 /// that it shows clear). It does not change the window itself.
 class ScanChanges {
  public:
-  /// `reach`: m; returns farther away count for nothing. `resolution`: the window's, m.
-  ScanChanges(double reach, double resolution);
+  /// `reach`: m; returns farther away count for nothing.
+  explicit ScanChanges(double reach);
 
   /// Compares what is seen with what stands in the window; the answers hold until the next call.
   void find(const Situation& situation, const ObstacleWindow& window);
 
   /// keyOf() the occupied squares that the scan shows clear and that it has no return from.
   const std::vector<std::uint32_t>& cleared() const { return cleared_; }
-  /// keyOf() the squares of the returns, in the order of the scan.
+  /// keyOf() the squares of the returns, in the order of the scan; once where several follow one another in a square.
   const std::vector<std::uint32_t>& returns() const { return returns_; }
 
  private:
-  struct SquareGrid;
-  struct Batch;
-
   void findReturns(const Situation& situation, const ObstacleWindow& window);
   /// Adds what a scan shows clear; `pose` of the base.
   void findCleared(const RangeProfile& profile, const Pose2& pose, const ObstacleWindow& window);
-  /// What is clear in some cells; empties the batch.
-  void findInCells(const BitRows& squares, const SquareGrid& grid, Batch* cells);
-  void findInSquares(Batch* occupied);
-  bool isReturned(std::uint32_t key);
+  void findClearedInCell(const Square& first, const Point2& scanner, const ObstacleWindow& window);
 
   double reach_;
   ScanClearing scan_clearing_;
   std::vector<std::uint32_t> returns_;
-  std::array<std::uint64_t, 64> returned_;  ///< row and column, modulo 64, of the returns
-  bool returned_is_known_ = false;
   std::vector<std::uint32_t> cleared_;
 };
 

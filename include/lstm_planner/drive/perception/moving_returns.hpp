@@ -129,8 +129,6 @@ class MovingReturns {
   std::vector<Point2> returns_;        ///< of the last scan, odometry frame, in the order of the beams
   std::vector<std::uint32_t> beams_;   ///< of the returns
   std::vector<std::uint8_t> is_free_;  ///< a return each: an earlier scan saw free space there
-  std::vector<float> x_, y_;           ///< m, the returns relative to an earlier view's scanner
-  std::vector<float> positions_;       ///< among that view's beams
   std::vector<std::uint8_t> moves_;
   std::vector<Point2> group_;  ///< returns beside one another that may be moving
   std::vector<Place> places_;

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <random>
-#include <vector>
 
 #include "lstm_planner/drive/perception/beam_finder.hpp"
 
@@ -24,26 +23,20 @@ TEST_P(BeamFinderFan, FindsTheBeamThatTheProfileNames) {
   profile.ranges.resize(GetParam().beams);
   const double yaw = 0.7;
   const BeamFinder finder(profile, yaw);
-  constexpr std::size_t kPlaces = 4000;
+  constexpr int kPlaces = 4000;
   std::mt19937 random(3);
   std::uniform_real_distribution<double> direction(-M_PI, M_PI);
   std::uniform_real_distribution<double> distance(0.05, 20.0);
-  std::vector<float> x(kPlaces);
-  std::vector<float> y(kPlaces);
-  std::vector<float> positions(kPlaces);
-  for (std::size_t i = 0; i < kPlaces; ++i) {
-    const Point2 place = pointAlong(Point2{}, direction(random), distance(random));
-    x[i] = static_cast<float>(place.x);
-    y[i] = static_cast<float>(place.y);
-  }
-  finder.find(x.data(), y.data(), kPlaces, positions.data());
   // Where the nearest beam changes either may be named: within the 2e-5 rad that are promised.
   constexpr double kError = 2e-5;
   int seen = 0;
   int blind = 0;
-  for (std::size_t i = 0; i < kPlaces; ++i) {
-    const double towards = std::atan2(y[i], x[i]) - yaw;
-    const long beam = finder.beamAt(positions[i]);
+  for (int i = 0; i < kPlaces; ++i) {
+    const Point2 place = pointAlong(Point2{}, direction(random), distance(random));
+    const auto x = static_cast<float>(place.x);
+    const auto y = static_cast<float>(place.y);
+    const double towards = std::atan2(y, x) - yaw;
+    const long beam = finder.beamTowards(x, y);
     ASSERT_TRUE(beam == profile.beamTowards(towards - kError) || beam == profile.beamTowards(towards + kError))
         << "beam " << beam << " towards " << towards << " rad, expected " << profile.beamTowards(towards);
     ++(beam < 0 ? blind : seen);
@@ -66,10 +59,7 @@ TEST(BeamFinder, AnswersForThePlaceOfTheScannerItself) {
   profile.first_direction = -1.0;
   profile.increment = 0.1;
   profile.ranges.resize(21);
-  const float here[4] = {};
-  float positions[4];
-  BeamFinder(profile, 0.0).find(here, here, 1, positions);
-  EXPECT_EQ(positions[0], 0.0f);
+  EXPECT_EQ(BeamFinder(profile, 0.0).beamTowards(0.0f, 0.0f), 0);
 }
 
 }  // namespace

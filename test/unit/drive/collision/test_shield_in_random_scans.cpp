@@ -9,11 +9,8 @@
 #include "lstm_planner/common/arc.hpp"
 #include "lstm_planner/drive/collision/shield.hpp"
 
-namespace lstm_planner::test_shield_groups {
+namespace lstm_planner::test_shield_in_random_scans {
 namespace {
-
-// The shield looks at whole groups of returns at once and leaves out those that cannot matter. Its answers must be
-// those of looking at every return.
 
 constexpr double kRadius = 0.17425;
 constexpr double kHardMargin = 0.03;
@@ -93,7 +90,6 @@ TEST_F(ShieldInRandomScans, FreesNoPathThatAReturnBlocks) {
   forManyQuestions(60, [&](const std::vector<Point2>& obstacles, const Pose2& from, double limit) {
     for (const double clearance : {0.07, 0.03, 0.0}) {
       const double expected = plainFreeDistance(obstacles, {from.x, from.y}, from.yaw, limit, clearance);
-      // What is left out differs by rounding at most: 1e-9 m is far below what a scanner can tell.
       ASSERT_NEAR(shield_.freeDistance({from.x, from.y}, from.yaw, limit, clearance), expected, 1e-9);
       shortened += expected > 0.0 && expected < limit ? 1 : 0;
     }
@@ -156,4 +152,4 @@ TEST_F(ShieldInRandomScans, GoesAlongAFreeArcThroughNothing) {
 }
 
 }  // namespace
-}  // namespace lstm_planner::test_shield_groups
+}  // namespace lstm_planner::test_shield_in_random_scans
