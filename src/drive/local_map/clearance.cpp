@@ -18,11 +18,12 @@ constexpr std::uint8_t kExitsKnown = 0x40;
 /// Places that are kept as blocked; the oldest gives way.
 constexpr std::size_t kMostBlocks = 32;
 
-/// An obstacle matters within so many cells at most, or 64 squares side by side are not enough.
-constexpr int kMostNearCells = 3;
-
-/// Paths from one best place to the next lead over so many rows or columns of squares at most.
-constexpr int kLongestLine = 2 * ObstacleWindow::kSide - 1;
+/// Of a point from the line from the origin to (columns, rows); in squares.
+double squaredDistance(double x, double y, int columns, int rows) {
+  const double length = static_cast<double>(columns) * columns + static_cast<double>(rows) * rows;
+  const double share = length > 0.0 ? std::clamp((x * columns + y * rows) / length, 0.0, 1.0) : 0.0;
+  return square(x - share * columns) + square(y - share * rows);
+}
 
 /// m from the middle of the robot to an obstacle beside which it drives as it likes: also turns, if it has corners.
 double narrowRadius(const ShieldParameters& shield) {
@@ -38,15 +39,14 @@ Clearance::Clearance(const MemoryParameters& parameters, const ShieldParameters&
       cell_size_(window.cellSize()),
       footprint_radius_(shield.footprint_radius),
       tight_clearance_(shield.tight_clearance),
+      tight_radius_(footprint_radius_ + 0.5 * tight_clearance_),
       narrow_radius_(narrowRadius(shield) + 0.5 * resolution_),
       roomy_radius_(std::max(shield.footprint_radius + parameters.comfort, narrow_radius_)),
-      near_cells_(static_cast<int>(std::ceil(roomy_radius_ / cell_size_))),
-      line_masks_(kLongestLine) {
+      near_cells_(static_cast<int>(std::ceil(roomy_radius_ / cell_size_))) {
   const auto cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
   judged_.resize(cells, kUnknown);
   exits_.resize(cells);
   blocks_.reserve(kMostBlocks);
-  setTightRadius(footprint_radius_ + 0.5 * tight_clearance_);
 }
 
 void Clearance::forget() {
@@ -70,7 +70,7 @@ void Clearance::block(const ObstacleWindow& window, const Point2& place) {
 void Clearance::relaxClearance(bool on) {
   const double radius = footprint_radius_ + (on ? -0.5 * resolution_ : 0.5 * tight_clearance_);
   if (radius == tight_radius_) return;
-  setTightRadius(radius);
+  tight_radius_ = radius;
   outdateAll();
 }
 
@@ -151,47 +151,24 @@ bool Clearance::isBlockNear(const ObstacleWindow& window, int cell, int reach) c
                      [&](const Point2& block) { return distanceBetween(block, middle) < (reach + 1) * cell_size_; });
 }
 
-std::uint8_t Clearance::judge(const ObstacleWindow& window, int cell) const {
+std::uint8_t Clearance::judge(const ObstacleWindow& window, int cell) {
   if (!isAnythingNear(window, cell, near_cells_)) {
     return kNothingNear;
   }
-  if (near_cells_ > kMostNearCells || isBlockNear(window, cell, near_cells_)) {
-    return judgeAmongBlocks(window, cell);
+  collectNearby(window, cell, near_cells_);
+  int best_square = 0;
+  double squared = -1.0;
+  for (int square = 0; square < ObstacleWindow::kCellSquares; ++square) {
+    const double here = squaredClearance(window, window.squareOf(cell, square));
+    if (here <= squared) continue;
+    squared = here;
+    best_square = square;
   }
-  int squared = 0;
-  const int best_square = bestSquare(window, cell, &squared);
-  return judgementOf(squared * resolution_ * resolution_, best_square);
-}
-
-std::uint8_t Clearance::judgementOf(double squared, int best_square) const {
   const Passage passage = squared < tight_radius_ * tight_radius_     ? Passage::kBlocked
                           : squared < narrow_radius_ * narrow_radius_ ? Passage::kTight
                           : squared < roomy_radius_ * roomy_radius_   ? Passage::kNarrow
                                                                       : Passage::kRoomy;
   return static_cast<std::uint8_t>(static_cast<int>(passage) << 4 | best_square);
-}
-
-int Clearance::bestSquare(const ObstacleWindow& window, int cell, int* squared) const {
-  const Square first = window.squareOf(cell, 0);
-  const int reach = kSide * near_cells_;
-  const int width = 2 * reach + kSide;
-  int nearest[ObstacleWindow::kCellSquares];
-  std::fill(std::begin(nearest), std::end(nearest), std::numeric_limits<int>::max());
-  for (int row = std::max(-reach, -first.row); row < std::min(reach + kSide, window.squares().rows() - first.row);
-       ++row) {
-    std::uint64_t bits = window.squares().from(first.column - reach, first.row + row) & lowestBits(width);
-    for (; bits != 0; bits &= bits - 1) {
-      const int column = lowestBit(bits) - reach;
-      for (int square = 0; square < ObstacleWindow::kCellSquares; ++square) {
-        const int columns = column - square % kSide;
-        const int rows = row - square / kSide;
-        nearest[square] = std::min(nearest[square], columns * columns + rows * rows);
-      }
-    }
-  }
-  const auto best = std::max_element(std::begin(nearest), std::end(nearest));
-  *squared = *best;
-  return static_cast<int>(best - std::begin(nearest));
 }
 
 std::uint8_t Clearance::judgeExits(const ObstacleWindow& window, int cell) {
@@ -206,31 +183,63 @@ std::uint8_t Clearance::judgeExits(const ObstacleWindow& window, int cell) {
   if (passage(window, cell) == Passage::kBlocked) {
     return 0;
   }
-  if (near_cells_ > kMostNearCells || isBlockNear(window, cell, near_cells_ + 1)) {
-    return judgeExitsAmongBlocks(window, cell);
-  }
-  const Square from = window.squareOf(cell, judgement(window, cell) & 0xf);
+  const auto neighbourOf = [&](const CellIndex& step) { return cell + step.row * side_ + step.column; };
+  // Before others are collected than here.
+  for (const CellIndex& step : kGridRaySteps) judgement(window, neighbourOf(step));
+  collectNearby(window, cell, near_cells_ + 1);
+  const auto bestSquareOf = [&](int of) { return window.squareOf(of, judgement(window, of) & 0xf); };
   std::uint8_t exits = 0;
   for (std::size_t direction = 0; direction < kGridRaySteps.size(); ++direction) {
-    const int neighbour = cell + kGridRaySteps[direction].row * side_ + kGridRaySteps[direction].column;
+    const int neighbour = neighbourOf(kGridRaySteps[direction]);
     if (passage(window, neighbour) != Passage::kBlocked &&
-        isLineFree(window, from, window.squareOf(neighbour, judgement(window, neighbour) & 0xf))) {
+        isLineFree(window, bestSquareOf(cell), bestSquareOf(neighbour))) {
       exits = static_cast<std::uint8_t>(exits | 1u << direction);
     }
   }
   return exits;
 }
 
+void Clearance::collectNearby(const ObstacleWindow& window, int cell, int reach) {
+  nearby_.clear();
+  const Square first = window.squareOf(cell, 0);
+  const int squares = kSide * reach;
+  const int last_row = std::min(window.squares().rows(), first.row + squares + kSide);
+  const int last_column = std::min(window.squares().columns(), first.column + squares + kSide);
+  for (int row = std::max(0, first.row - squares); row < last_row; ++row) {
+    for (int column = std::max(0, first.column - squares); column < last_column; ++column) {
+      if (window.isOccupied({column, row})) nearby_.push_back({column, row});
+    }
+  }
+}
+
+double Clearance::squaredClearance(const ObstacleWindow& window, const Square& square) const {
+  int squares = std::numeric_limits<int>::max();
+  for (const Square& other : nearby_) {
+    const int columns = other.column - square.column;
+    const int rows = other.row - square.row;
+    squares = std::min(squares, columns * columns + rows * rows);
+  }
+  double squared = squares * resolution_ * resolution_;
+  for (const Point2& block : blocks_) {
+    const double distance = distanceBetween(block, window.centerOf(square));
+    squared = std::min(squared, distance * distance);
+  }
+  return squared;
+}
+
 bool Clearance::isLineFree(const ObstacleWindow& window, const Square& from, const Square& to) const {
   const Square& lower = from.row <= to.row ? from : to;
   const Square& upper = from.row <= to.row ? to : from;
-  const std::uint64_t* mask = line_masks_.mask(upper.column - lower.column, upper.row - lower.row);
-  const int left = std::min(lower.column, upper.column) - line_masks_.margin();
-  const int bottom = lower.row - line_masks_.margin();
-  const int last = std::min(window.squares().rows() - 1, upper.row + line_masks_.margin());
-  std::uint64_t met = 0;
-  for (int row = std::max(0, bottom); row <= last; ++row) met |= window.squares().from(left, row) & mask[row - bottom];
-  return met == 0;
+  const double radius = onThePath(tight_radius_);
+  const double squares = radius / resolution_;
+  const auto isBeside = [&](const Square& obstacle) {
+    return squaredDistance(obstacle.column - lower.column, obstacle.row - lower.row, upper.column - lower.column,
+                           upper.row - lower.row) < squares * squares;
+  };
+  const auto blocks = [&](const Point2& block) {
+    return squaredDistanceToSegment(block, window.centerOf(from), window.centerOf(to)) < radius * radius;
+  };
+  return std::none_of(nearby_.begin(), nearby_.end(), isBeside) && std::none_of(blocks_.begin(), blocks_.end(), blocks);
 }
 
 bool Clearance::isGapFree(const ObstacleWindow& window, const Point2& position, double radius) const {
@@ -259,79 +268,6 @@ bool Clearance::isGapFree(const ObstacleWindow& window, const Point2& position, 
     }
   }
   return true;
-}
-
-std::uint8_t Clearance::judgeAmongBlocks(const ObstacleWindow& window, int cell) const {
-  collectNearby(window, cell, near_cells_);
-  if (nearby_.empty()) {
-    return kNothingNear;
-  }
-  int best_square = 0;
-  double best = -1.0;
-  for (int square = 0; square < ObstacleWindow::kCellSquares; ++square) {
-    const Point2 center = window.centerOf(window.squareOf(cell, square));
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Point2& obstacle : nearby_) {
-      const double dx = obstacle.x - center.x;
-      const double dy = obstacle.y - center.y;
-      nearest = std::min(nearest, dx * dx + dy * dy);
-    }
-    if (nearest > best) {
-      best = nearest;
-      best_square = square;
-    }
-  }
-  return judgementOf(best, best_square);
-}
-
-std::uint8_t Clearance::judgeExitsAmongBlocks(const ObstacleWindow& window, int cell) {
-  const auto neighbourOf = [&](const CellIndex& step) { return cell + step.row * side_ + step.column; };
-  for (const CellIndex& step : kGridRaySteps)
-    judgement(window, neighbourOf(step));  // before others are collected than here
-  collectNearby(window, cell, near_cells_ + 1);
-  const double radius = onThePath(tight_radius_);
-  const Point2 from = bestPlace(window, cell);
-  std::uint8_t exits = 0;
-  for (std::size_t direction = 0; direction < kGridRaySteps.size(); ++direction) {
-    const int neighbour = neighbourOf(kGridRaySteps[direction]);
-    if (passage(window, neighbour) == Passage::kBlocked) {
-      continue;
-    }
-    const Point2 to = bestPlace(window, neighbour);
-    const bool free = std::none_of(nearby_.begin(), nearby_.end(), [&](const Point2& obstacle) {
-      return squaredDistanceToSegment(obstacle, from, to) < radius * radius;
-    });
-    exits = static_cast<std::uint8_t>(exits | (free ? 1u << direction : 0u));
-  }
-  return exits;
-}
-
-void Clearance::collectNearby(const ObstacleWindow& window, int cell, int reach) const {
-  nearby_.clear();
-  const Square first = window.squareOf(cell, 0);
-  const int squares = kSide * reach;
-  const int last_row = std::min(window.squares().rows(), first.row + squares + kSide);
-  const int last_column = std::min(window.squares().columns(), first.column + squares + kSide);
-  for (int row = std::max(0, first.row - squares); row < last_row; ++row) {
-    for (int column = std::max(0, first.column - squares); column < last_column; ++column) {
-      if (window.squares().test(column, row)) {
-        nearby_.push_back(window.centerOf(Square{column, row}));
-      }
-    }
-  }
-  const Point2 middle = window.centerOf(cell);
-  for (const Point2& block : blocks_) {
-    if (distanceBetween(block, middle) < (reach + 1) * cell_size_) {
-      nearby_.push_back(block);
-    }
-  }
-}
-
-void Clearance::setTightRadius(double radius) {
-  tight_radius_ = radius;
-  if (near_cells_ <= kMostNearCells) {
-    line_masks_.setRadius(onThePath(radius) / resolution_);
-  }
 }
 
 }  // namespace lstm_planner

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "lstm_planner/common/parallel_for.hpp"
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 
 namespace lstm_planner {

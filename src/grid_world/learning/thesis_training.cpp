@@ -1,5 +1,6 @@
 #include "lstm_planner/grid_world/learning/thesis_training.hpp"
 
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/world/movingai.hpp"
 
 namespace lstm_planner {

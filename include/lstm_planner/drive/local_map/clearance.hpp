@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "lstm_planner/drive/collision/shield_parameters.hpp"
-#include "lstm_planner/drive/local_map/line_masks.hpp"
 #include "lstm_planner/drive/local_map/memory_parameters.hpp"
 #include "lstm_planner/drive/local_map/obstacle_window.hpp"
 
@@ -74,20 +73,16 @@ class Clearance {
   }
   bool isAnythingNear(const ObstacleWindow& window, int cell, int reach) const;
   bool isBlockNear(const ObstacleWindow& window, int cell, int reach) const;
-  std::uint8_t judge(const ObstacleWindow& window, int cell) const;
-  /// `squared`: m^2 from the middle of the best square to the nearest obstacle.
-  std::uint8_t judgementOf(double squared, int best_square) const;
-  int bestSquare(const ObstacleWindow& window, int cell, int* squared) const;
+  std::uint8_t judge(const ObstacleWindow& window, int cell);
   std::uint8_t judgeExits(const ObstacleWindow& window, int cell);
+  /// The occupied squares within so many cells of a cell, into nearby_.
+  void collectNearby(const ObstacleWindow& window, int cell, int reach);
+  /// m^2 from the middle of a square to that of the nearest of nearby_, or to a blocked place.
+  double squaredClearance(const ObstacleWindow& window, const Square& square) const;
+  /// Of the straight line from one square to another, among nearby_.
   bool isLineFree(const ObstacleWindow& window, const Square& from, const Square& to) const;
   bool isGapFree(const ObstacleWindow& window, const Point2& position, double radius) const;
 
-  // Slow version, used near blocked places and for very small cells.
-  void collectNearby(const ObstacleWindow& window, int cell, int reach) const;
-  std::uint8_t judgeAmongBlocks(const ObstacleWindow& window, int cell) const;
-  std::uint8_t judgeExitsAmongBlocks(const ObstacleWindow& window, int cell);
-
-  void setTightRadius(double radius);
   /// The squares round: a path from best place to best place may come this much nearer to an obstacle in between.
   double onThePath(double radius) const { return radius - 0.5 * resolution_; }
 
@@ -102,10 +97,9 @@ class Clearance {
   int near_cells_;
   std::vector<std::uint8_t> judged_;  ///< exits known (bit 6), passage (2 bits), best square (4 bits)
   std::vector<std::uint8_t> exits_;
-  LineMasks line_masks_;  ///< squares beside the path from one best place to another that must be free
   std::vector<Point2> blocks_;
-  int outdated_ = -1;                   ///< the cell that was outdated last, if nothing was judged since
-  mutable std::vector<Point2> nearby_;  ///< of collectNearby()
+  std::vector<Square> nearby_;
+  int outdated_ = -1;  ///< the cell that was outdated last, if nothing was judged since
 };
 
 }  // namespace lstm_planner

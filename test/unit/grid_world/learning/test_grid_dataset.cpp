@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/grid_world/learning/grid_dataset.hpp"
 #include "lstm_planner/training/initialisation.hpp"
 #include "support/refusal.hpp"
