@@ -202,14 +202,12 @@ std::uint8_t Clearance::judgeExits(const ObstacleWindow& window, int cell) {
 void Clearance::collectNearby(const ObstacleWindow& window, int cell, int reach) {
   nearby_.clear();
   const Square first = window.squareOf(cell, 0);
-  const int squares = kSide * reach;
-  const int last_row = std::min(window.squares().rows(), first.row + squares + kSide);
-  const int last_column = std::min(window.squares().columns(), first.column + squares + kSide);
-  for (int row = std::max(0, first.row - squares); row < last_row; ++row) {
-    for (int column = std::max(0, first.column - squares); column < last_column; ++column) {
-      if (window.isOccupied({column, row})) nearby_.push_back({column, row});
-    }
-  }
+  const int around = kSide * reach;
+  window.visitOccupied({first.column - around, first.row - around},
+                       {first.column + kSide - 1 + around, first.row + kSide - 1 + around}, [&](const Square& square) {
+                         nearby_.push_back(square);
+                         return false;
+                       });
 }
 
 double Clearance::squaredClearance(const ObstacleWindow& window, const Square& square) const {
@@ -252,22 +250,13 @@ bool Clearance::isGapFree(const ObstacleWindow& window, const Point2& position, 
   const double x = position.x * scale - kSide * window.originColumn() - 0.5;
   const double y = position.y * scale - kSide * window.originRow() - 0.5;
   const double reach = radius * scale;
-  const int left = std::max(0, floorOf(x - reach));
-  const int right = std::min(window.squares().columns(), floorOf(x + reach) + 1);
-  const int last = std::min(window.squares().rows() - 1, floorOf(y + reach));
-  for (int row = std::max(0, floorOf(y - reach)); row <= last; ++row) {
-    for (int column = left; column < right; column += 64) {
-      std::uint64_t bits = window.squares().from(column, row) & lowestBits(std::min(64, right - column));
-      for (; bits != 0; bits &= bits - 1) {
-        const double dx = column + lowestBit(bits) - x;
-        const double dy = row - y;
-        if (dx * dx + dy * dy < reach * reach) {
-          return false;
-        }
-      }
-    }
-  }
-  return true;
+  bool is_free = true;
+  window.visitOccupied({floorOf(x - reach), floorOf(y - reach)}, {floorOf(x + reach), floorOf(y + reach)},
+                       [&](const Square& at) {
+                         is_free = square(at.column - x) + square(at.row - y) >= reach * reach;
+                         return !is_free;
+                       });
+  return is_free;
 }
 
 }  // namespace lstm_planner

@@ -54,13 +54,10 @@ Square ObstacleWindow::squareAt(const Point2& position) const {
 
 std::vector<Point2> ObstacleWindow::occupied() const {
   std::vector<Point2> places;
-  for (int row = 0; row < squares_.rows(); ++row) {
-    for (int column = 0; column < squares_.columns(); column += 64) {
-      for (std::uint64_t bits = squares_.from(column, row); bits != 0; bits &= bits - 1) {
-        places.push_back(centerOf(Square{column + lowestBit(bits), row}));
-      }
-    }
-  }
+  visitOccupied({0, 0}, {squares_.columns(), squares_.rows()}, [&](const Square& square) {
+    places.push_back(centerOf(square));
+    return false;
+  });
   return places;
 }
 

@@ -58,6 +58,10 @@ class ObstacleWindow {
 
   /// The middles of all squares where something stands.
   std::vector<Point2> occupied() const;
+  /// Calls visit(square) for the occupied squares of a rectangle, both corners included, as far as it lies in the
+  /// window, until it answers true.
+  template <typename Visit>
+  void visitOccupied(const Square& first, const Square& last, const Visit& visit) const;
   /// Visits the middles of the occupied squares in the square of twice that `reach` (m) round a place.
   template <typename Visit>
   void visitOccupiedNear(const Point2& place, double reach, const Visit& visit) const;
@@ -82,20 +86,30 @@ class ObstacleWindow {
 };
 
 template <typename Visit>
-void ObstacleWindow::visitOccupiedNear(const Point2& place, double reach, const Visit& visit) const {
+void ObstacleWindow::visitOccupied(const Square& first, const Square& last, const Visit& visit) const {
   constexpr int kWord = 64;
-  const Square middle = squareAt(place);
-  const int around = static_cast<int>(std::ceil(reach / resolution_));
-  const int left = std::max(0, middle.column - originColumn() * kSide - around);
-  const int right = std::min(squares_.columns(), middle.column - originColumn() * kSide + around + 1);
-  const int first = std::max(0, middle.row - originRow() * kSide - around);
-  const int last = std::min(squares_.rows() - 1, middle.row - originRow() * kSide + around);
-  for (int row = first; row <= last; ++row) {
+  const int left = std::max(0, first.column);
+  const int right = std::min(squares_.columns(), last.column + 1);
+  for (int row = std::max(0, first.row); row <= std::min(squares_.rows() - 1, last.row); ++row) {
     for (int column = left; column < right; column += kWord) {
       std::uint64_t bits = squares_.from(column, row) & lowestBits(std::min(kWord, right - column));
-      for (; bits != 0; bits &= bits - 1) visit(centerOf(Square{column + lowestBit(bits), row}));
+      for (; bits != 0; bits &= bits - 1) {
+        if (visit(Square{column + lowestBit(bits), row})) return;
+      }
     }
   }
+}
+
+template <typename Visit>
+void ObstacleWindow::visitOccupiedNear(const Point2& place, double reach, const Visit& visit) const {
+  const Square at = squareAt(place);
+  const Square middle{at.column - originColumn() * kSide, at.row - originRow() * kSide};
+  const int around = static_cast<int>(std::ceil(reach / resolution_));
+  visitOccupied({middle.column - around, middle.row - around}, {middle.column + around, middle.row + around},
+                [&](const Square& square) {
+                  visit(centerOf(square));
+                  return false;
+                });
 }
 
 }  // namespace lstm_planner
