@@ -63,7 +63,7 @@ class GridAgent {
   virtual void step(int direction, bool moved) = 0;
 
   /// Memory of the agent itself that an episode needed so far, at its highest: the model's weights, hidden state,
-  /// trace, escape, lists and maps of a search. Bytes.
+  /// escape, lists and maps of a search. Bytes.
   virtual std::size_t peakBytes() const = 0;
 
   /// Cells taken from the open list of a search since start(); 0 for an agent that does not search.
