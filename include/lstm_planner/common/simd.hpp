@@ -228,22 +228,5 @@ LSTM_PLANNER_INLINE V clamp(V value, float limit) {
   return maximum(minimum(value, broadcast<V>(limit)), broadcast<V>(-limit));
 }
 
-template <class V>
-LSTM_PLANNER_INLINE V magnitude(V values) {
-  return (V)((IntegersOf<V>)values & 0x7fffffff);
-}
-
-/// Whether a mask has any lane.
-LSTM_PLANNER_INLINE bool any(Integers<4> mask) {
-  long long halves[2];
-  __builtin_memcpy(halves, &mask, sizeof(halves));
-  return (halves[0] | halves[1]) != 0;
-}
-
-LSTM_PLANNER_INLINE float largestOf(Floats<4> values) {
-  const Floats<4> two = maximum(values, Floats<4>{values[2], values[3], values[2], values[3]});
-  return two[0] > two[1] ? two[0] : two[1];
-}
-
 }  // namespace
 }  // namespace lstm_planner::simd

@@ -8,7 +8,7 @@
 #include "lstm_planner/drive/decision/drive_policy.hpp"
 #include "lstm_planner/practice/drive_course.hpp"
 #include "lstm_planner/training/actor_critic.hpp"
-#include "lstm_planner/training/reinforcement_learner.hpp"
+#include "lstm_planner/training/reinforcement_report.hpp"
 #include "lstm_planner/training/training_loop.hpp"
 
 namespace lstm_planner {
@@ -64,8 +64,11 @@ void visitPolicyChangeParameters(Parameters& p, const Visitor& visit) {
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 void validate(const DriveActorCriticParameters& parameters);
 
-class DriveActorCritic : public ReinforcementLearner {
+/// The robot's network, while it learns by reinforcement.
+class DriveActorCritic {
  public:
+  virtual ~DriveActorCritic() = default;
+
   /// Collects drives and learns from them. What happens depends only on the weights, the seed, and how many iterations
   /// there were before.
   virtual ReinforcementReport iterate() = 0;
@@ -75,6 +78,14 @@ class DriveActorCritic : public ReinforcementLearner {
   /// So a network that drives can take over somebody's manner without forgetting how to arrive. Throws
   /// std::invalid_argument unless the weight is positive, there are steps, and the recordings fit the policy.
   virtual void follow(const Dataset& recordings, double weight) = 0;
+
+  virtual int updates() const = 0;  ///< done so far
+  virtual const LayerStack& layers() const = 0;
+
+  /// Everything that the next update depends on.
+  virtual std::vector<std::uint8_t> checkpoint() const = 0;
+  /// Throws std::invalid_argument when it is not a checkpoint of the same networks.
+  virtual void restore(const std::vector<std::uint8_t>& checkpoint) = 0;
 };
 
 /// `layers` are the policy's, with weights to start from. Throws std::invalid_argument for what does not fit.

@@ -9,7 +9,7 @@
 #include "lstm_planner/network/layers.hpp"
 #include "lstm_planner/training/critic.hpp"
 #include "lstm_planner/training/optimiser.hpp"
-#include "lstm_planner/training/reinforcement_learner.hpp"
+#include "lstm_planner/training/reinforcement_report.hpp"
 
 namespace lstm_planner {
 

@@ -8,7 +8,7 @@
 #include "lstm_planner/common/communicator.hpp"
 #include "lstm_planner/network/layers.hpp"
 #include "lstm_planner/training/optimiser.hpp"
-#include "lstm_planner/training/reinforcement_learner.hpp"
+#include "lstm_planner/training/reinforcement_report.hpp"
 
 namespace lstm_planner {
 
