@@ -97,7 +97,7 @@ void Shield::visitNear(const Point2& from, double distance, const Visit& visit) 
   }
 }
 
-double Shield::freeLine(const Point2& from, double direction, double limit, double clearance, double enough) const {
+double Shield::freeDistance(const Point2& from, double direction, double limit, double clearance) const {
   if (!footprint_.isCircle()) return freeArc({from.x, from.y, direction}, 0.0, limit, clearance);
   const Point2 along{std::cos(direction), std::sin(direction)};
   const double wanted = footprint_radius_ + clearance;
@@ -110,10 +110,13 @@ double Shield::freeLine(const Point2& from, double direction, double limit, doub
     const double aside = std::abs(along.x * dy - along.y * dx);
     if (ahead <= 0.0 || aside >= wanted || ahead - wanted >= free) return false;
     const double now = std::sqrt(square(ahead) + square(aside));
-    const double radius = now <= hard ? hard : std::max(hard, std::min(wanted, now - kTouchSlack));
-    if (now <= hard) free = 0.0;
+    if (now <= hard) {
+      free = 0.0;
+      return true;
+    }
+    const double radius = std::max(hard, std::min(wanted, now - kTouchSlack));
     if (aside < radius) free = std::min(free, std::max(0.0, ahead - std::sqrt(square(radius) - square(aside))));
-    return free < enough || free <= 0.0;
+    return false;
   });
   return free;
 }

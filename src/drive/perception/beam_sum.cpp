@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lstm_planner/drive/perception/laser_scan.hpp"
 
@@ -11,12 +10,13 @@ namespace lstm_planner {
 BeamSum sumOfBeams(const float* ranges, std::size_t count, double cap) {
   BeamSum sum;
   std::for_each(ranges, ranges + count, [&](float range) {
-    const bool sees = range > 0.0f;
-    sum.silent += range == RangeProfile::kSilent ? 1 : 0;
-    sum.known += sees || range == RangeProfile::kSilent ? 1 : 0;
-    sum.measured += sees && std::isfinite(range) ? 1 : 0;
-    if (sees) sum.nearest = std::min(sum.nearest, range);
-    if (sees || range == RangeProfile::kSilent) sum.range += sees ? std::min<double>(range, cap) : cap;
+    const bool is_silent = range == RangeProfile::kSilent;
+    if (!is_silent && !(range > 0.0f)) return;
+    ++sum.known;
+    sum.silent += is_silent ? 1 : 0;
+    sum.measured += !is_silent && std::isfinite(range) ? 1 : 0;
+    sum.range += is_silent ? cap : std::min<double>(range, cap);
+    if (!is_silent) sum.nearest = std::min(sum.nearest, range);
   });
   return sum;
 }

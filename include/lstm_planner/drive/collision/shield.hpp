@@ -32,13 +32,11 @@ class Shield {
   /// `clearance`. Inside the clearance the robot may drive past an obstacle but not approach it; inside the hard margin
   /// (or the clearance, if that is less) it may only retreat: else the noise of a scanner would let it come closer bit
   /// by bit. 0 when the first millimetre is blocked.
-  double freeDistance(const Point2& from, double direction, double limit, double clearance) const {
-    return freeLine(from, direction, limit, clearance, 0.0);
-  }
+  double freeDistance(const Point2& from, double direction, double limit, double clearance) const;
 
-  /// Whether the free distance is `length` (m): sooner answered where it is not.
+  /// Whether the free distance is `length` (m).
   bool isFree(const Point2& from, double direction, double length, double clearance) const {
-    return freeLine(from, direction, length, clearance, length) >= length;
+    return freeDistance(from, direction, length, clearance) >= length;
   }
 
   /// The same as freeDistance() along the arc that starts at the pose `from`, forward, with that curvature (1/m,
@@ -63,9 +61,6 @@ class Shield {
   const Footprint& footprint() const { return footprint_; }
 
  private:
-  /// freeDistance(), or something else below `enough` if that is below it.
-  double freeLine(const Point2& from, double direction, double limit, double clearance, double enough) const;
-
   Footprint footprint_;
   double footprint_radius_;
   double hard_margin_;
