@@ -67,8 +67,6 @@ std::vector<PracticeEpisode> recordedPractice(const Dataset& dataset, const Poli
   return episodes;
 }
 
-const ActorCritic::CheckpointNames kActorCriticNames{"lstm_planner drive actor-critic 1", "iterations"};
-
 /// Preferences so many times as far apart: the greedy choice stays, random ones come nearer to it.
 LayerStack sharpened(LayerStack layers, double factor) {
   auto* last = std::get_if<DenseLayer>(&layers.back());
@@ -85,8 +83,7 @@ class PractisingActorCritic final : public DriveActorCritic {
         policy_(sharpened(std::move(layers), parameters.sharpness)),
         critic_(makeCritic(Encoder(parameters.policy.encoder).size() + kDrivePrivilegedInputs, parameters.critic_units,
                            parameters.seed + 1)),
-        learner_(kActorCriticNames, parameters, parameters.iterations, policy_, critic_,
-                 parameters.course.worlds.size()) {
+        learner_(parameters, parameters.iterations, policy_, critic_, parameters.course.worlds.size()) {
     DrivePolicy(parameters.policy, policy_);  // throws when they do not fit together
   }
 

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "lstm_planner/common/parameter_check.hpp"
-#include "lstm_planner/practice/step_simulator.hpp"
 #include "lstm_planner/simulation/standing_cells.hpp"
 
 namespace lstm_planner {

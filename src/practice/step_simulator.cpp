@@ -7,6 +7,7 @@
 #include "lstm_planner/common/arc.hpp"
 #include "lstm_planner/drive/decision/step_clock.hpp"
 #include "lstm_planner/drive/motion/motion_controller.hpp"
+#include "lstm_planner/practice/teacher.hpp"
 
 namespace lstm_planner {
 namespace {

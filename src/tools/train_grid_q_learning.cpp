@@ -196,7 +196,7 @@ bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions*
   line.addChoice(
       "reward", &p.reward, kRewards,
       "progress (how much shorter the true shortest path to the goal has become, minus a cost) or thesis (Eq. 2.36)");
-  visitQLearningParameters(p, "cells", "updates", line.everyParameter());
+  visitQLearningParameters(p, line.everyParameter());
   if (!line.parse(arguments)) return false;
   p.course.min_length = options->min_length;
   p.course.max_length = options->max_length;
@@ -210,7 +210,7 @@ bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions*
   settings->update(
       {{"goals", p.course.goals}, {"short-share", p.course.short_share}, {"reward", nameOf(p.reward, kRewards)}});
   visitGridQLearningParameters(p, noteIn(settings));
-  visitQLearningParameters(p, "cells", "updates", noteIn(settings));
+  visitQLearningParameters(p, noteIn(settings));
   return true;
 }
 

@@ -53,7 +53,7 @@ nlohmann::json settingsOf(const RobotReinforcementPlan& plan) {
   if (!plan.recordings.empty()) {
     settings.update({{"recordings", plan.recordings}, {"recordings-weight", plan.recordings_weight}});
   }
-  visitActorCriticParameters(plan.learner, "m", noteIn(&settings));
+  visitActorCriticParameters(plan.learner, noteIn(&settings));
   return settings;
 }
 
@@ -72,7 +72,7 @@ void addOptions(const std::vector<std::string>& arguments, RobotReinforcementPla
   line->add("recordings-weight", &plan->recordings_weight, {1e-6, 1e6},
             "weight of a recorded step; a practised step has the weight 1");
   line->addFiles("validation-recordings", &plan->validation, "recorded drives for validation");
-  visitActorCriticParameters(p, "m", line->everyParameter());
+  visitActorCriticParameters(p, line->everyParameter());
 }
 
 /// False when the help was asked for. Throws std::invalid_argument with a sentence for values that make no sense.

@@ -14,6 +14,9 @@
 namespace lstm_planner {
 namespace {
 
+/// What a checkpoint says it is.
+constexpr const char* kActorCriticFormat = "lstm_planner drive actor-critic 1";
+
 OptimiserParameters optimiserParameters(double learning_rate, double max_norm) {
   OptimiserParameters parameters;
   parameters.learning_rate = learning_rate;
@@ -24,17 +27,16 @@ OptimiserParameters optimiserParameters(double learning_rate, double max_norm) {
 }  // namespace
 
 void validate(const ActorCriticParameters& parameters) {
-  visitActorCriticParameters(parameters, "", RangeCheck());
+  visitActorCriticParameters(parameters, RangeCheck());
   checkParameter(parameters.discount > 0.0, "discount", parameters.discount, "a number in (0, 1]");
   checkParameter(parameters.window >= 1, "window", parameters.window, "at least 1");
   checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
   checkParameter(parameters.threads >= 1, "threads", parameters.threads, "at least 1");
 }
 
-ActorCritic::ActorCritic(const CheckpointNames& names, const ActorCriticParameters& parameters, int updates,
-                         const LayerStack& policy, const LayerStack& critic, std::size_t sets)
-    : names_(names),
-      parameters_(parameters),
+ActorCritic::ActorCritic(const ActorCriticParameters& parameters, int updates, const LayerStack& policy,
+                         const LayerStack& critic, std::size_t sets)
+    : parameters_(parameters),
       last_update_(updates),
       policy_(parameterVector(policy)),
       critic_(parameterVector(critic)),
@@ -75,20 +77,20 @@ ReinforcementReport ActorCritic::report(const CriticSums& judged) const {
 }
 
 std::vector<std::uint8_t> ActorCritic::checkpoint() const {
-  const nlohmann::json content = {{"format", names_.format},
+  const nlohmann::json content = {{"format", kActorCriticFormat},
                                   {"policy", vectorToJson(policy_)},
                                   {"critic", vectorToJson(critic_)},
                                   {"policy_optimiser", optimiserToJson(policy_optimiser_.state())},
                                   {"critic_optimiser", optimiserToJson(critic_optimiser_.state())},
                                   {"advantage_variances", advantage_variances_},
                                   {"steps", steps_},
-                                  {names_.updates, updates_}};
+                                  {"iterations", updates_}};
   return nlohmann::json::to_cbor(content);
 }
 
 void ActorCritic::restore(const std::vector<std::uint8_t>& checkpoint) try {
   const nlohmann::json content = checkpointJson(checkpoint);
-  if (content.at("format") != names_.format) throw std::invalid_argument("another format");
+  if (content.at("format") != kActorCriticFormat) throw std::invalid_argument("another format");
   const Eigen::VectorXf policy = vectorFromJson(content.at("policy"));
   const Eigen::VectorXf critic = vectorFromJson(content.at("critic"));
   auto variances = content.at("advantage_variances").get<std::vector<double>>();
@@ -99,7 +101,7 @@ void ActorCritic::restore(const std::vector<std::uint8_t>& checkpoint) try {
     throw std::invalid_argument("another number of kinds of maps or worlds");
   }
   const auto steps = content.at("steps").get<double>();
-  const auto updates = static_cast<int>(wholeNumber(content.at(names_.updates), 0, INT_MAX));
+  const auto updates = static_cast<int>(wholeNumber(content.at("iterations"), 0, INT_MAX));
   policy_optimiser_.setState(optimiserFromJson(content.at("policy_optimiser")));
   critic_optimiser_.setState(optimiserFromJson(content.at("critic_optimiser")));
   policy_ = policy;

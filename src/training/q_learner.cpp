@@ -16,6 +16,9 @@ namespace lstm_planner {
 
 namespace {
 
+/// What a checkpoint says it is.
+constexpr const char* kQLearningFormat = "lstm_planner q-learning 1";
+
 OptimiserParameters optimiserParameters(const QLearningParameters& parameters) {
   OptimiserParameters optimiser;
   optimiser.learning_rate = parameters.learning_rate;
@@ -26,7 +29,7 @@ OptimiserParameters optimiserParameters(const QLearningParameters& parameters) {
 }  // namespace
 
 void validate(const QLearningParameters& parameters) {
-  visitQLearningParameters(parameters, "", "updates", RangeCheck());
+  visitQLearningParameters(parameters, RangeCheck());
   checkParameter(parameters.discount < 1.0, "discount", parameters.discount, "a number in [0, 1)");
   checkParameter(parameters.window >= 1, "window", parameters.window, "at least 1");
   checkParameter(parameters.max_steps >= 1, "max_steps", parameters.max_steps, "at least 1");
@@ -48,10 +51,8 @@ void ValueSums::operator+=(const ValueSums& other) {
 
 std::vector<double*> numbersOf(ValueSums* sums) { return {&sums->steps, &sums->value, &sums->squared_error}; }
 
-QLearner::QLearner(const CheckpointNames& names, const QLearningParameters& parameters, int updates,
-                   const LayerStack& layers)
-    : names_(names),
-      parameters_(parameters),
+QLearner::QLearner(const QLearningParameters& parameters, int updates, const LayerStack& layers)
+    : parameters_(parameters),
       last_update_(updates),
       weights_(parameterVector(layers)),
       target_weights_(weights_),
@@ -89,25 +90,25 @@ ReinforcementReport QLearner::report(const ValueSums& values) const {
 }
 
 std::vector<std::uint8_t> QLearner::checkpoint() const {
-  const nlohmann::json content = {{"format", names_.format},
+  const nlohmann::json content = {{"format", kQLearningFormat},
                                   {"weights", vectorToJson(weights_)},
                                   {"target_weights", vectorToJson(target_weights_)},
                                   {"optimiser", optimiserToJson(optimiser_.state())},
                                   {"steps", steps_},
-                                  {names_.updates, updates_}};
+                                  {"updates", updates_}};
   return nlohmann::json::to_cbor(content);
 }
 
 void QLearner::restore(const std::vector<std::uint8_t>& checkpoint) try {
   const nlohmann::json content = checkpointJson(checkpoint);
-  if (content.at("format") != names_.format) throw std::invalid_argument("another format");
+  if (content.at("format") != kQLearningFormat) throw std::invalid_argument("another format");
   const Eigen::VectorXf weights = vectorFromJson(content.at("weights"));
   const Eigen::VectorXf target_weights = vectorFromJson(content.at("target_weights"));
   if (weights.size() != weights_.size() || target_weights.size() != weights_.size()) {
     throw std::invalid_argument("a network of another size");
   }
   const auto steps = content.at("steps").get<double>();
-  const auto updates = static_cast<int>(wholeNumber(content.at(names_.updates), 0, INT_MAX));
+  const auto updates = static_cast<int>(wholeNumber(content.at("updates"), 0, INT_MAX));
   optimiser_.setState(optimiserFromJson(content.at("optimiser")));
   weights_ = weights;
   target_weights_ = target_weights;

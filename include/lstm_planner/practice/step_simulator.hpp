@@ -12,9 +12,6 @@
 
 namespace lstm_planner {
 
-/// m; footprint of the robot that practises, a Create 2.
-constexpr double kPracticeRadius = 0.17425;
-
 /// Under which conditions a robot practises: what differs from robot to robot and from day to day.
 struct PracticeConditions {
   HokuyoParameters scanner;   ///< with few beams: the averages hardly change

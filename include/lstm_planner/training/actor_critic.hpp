@@ -33,16 +33,16 @@ struct ActorCriticParameters {
   Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
 };
 
-/// Visits the parameters that have an option, named as it; see parameter_visitors.hpp. `unit`: of lengths.
+/// Visits the parameters that have an option, named as it; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
-void visitActorCriticParameters(Parameters& p, const char* unit, const Visitor& visit) {
+void visitActorCriticParameters(Parameters& p, const Visitor& visit) {
   visit("critic", p.critic_units, {1, 4096}, "", "units of each layer of the critic");
   visit("discount", p.discount, {0.0, 1.0}, "", "discount factor per step (gamma)");
   visit("advantage-decay", p.advantage_decay, {0.0, 1.0}, "", "decay of the advantage estimate (lambda)");
   visit("entropy-start", p.entropy_start, {0.0, 1000.0}, "", "weight of the entropy at the start");
   visit("entropy-end", p.entropy_end, {0.0, 1000.0}, "", "weight of the entropy at the end");
-  visit("step-cost", p.step_cost, {-1e6, 1e6}, unit, "cost of a step");
-  visit("arrival-bonus", p.arrival_bonus, {-1e6, 1e6}, unit, "reward of an arrival");
+  visit("step-cost", p.step_cost, {-1e6, 1e6}, "m", "cost of a step");
+  visit("arrival-bonus", p.arrival_bonus, {-1e6, 1e6}, "m", "reward of an arrival");
   visit("rate", p.learning_rate, {1e-9, 100.0}, "", "learning rate");
   visit("critic-rate", p.critic_learning_rate, {1e-9, 100.0}, "", "learning rate of the critic");
 }
@@ -54,16 +54,10 @@ void validate(const ActorCriticParameters& parameters);
 /// of the advantages, and the checkpoint of it all.
 class ActorCritic {
  public:
-  /// What a checkpoint says it is, and what the course calls an update.
-  struct CheckpointNames {
-    std::string format;
-    std::string updates;
-  };
-
   /// The layers with the weights to start from. `sets`: parts of the course that have a variance each.
   /// `updates`: of the whole training.
-  ActorCritic(const CheckpointNames& names, const ActorCriticParameters& parameters, int updates,
-              const LayerStack& policy, const LayerStack& critic, std::size_t sets);
+  ActorCritic(const ActorCriticParameters& parameters, int updates, const LayerStack& policy, const LayerStack& critic,
+              std::size_t sets);
 
   const Eigen::VectorXf& policy() const { return policy_; }
   const Eigen::VectorXf& critic() const { return critic_; }
@@ -95,7 +89,6 @@ class ActorCritic {
   double progress() const;
   double rate() const;
 
-  CheckpointNames names_;
   ActorCriticParameters parameters_;
   int last_update_;
   Eigen::VectorXf policy_;

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "lstm_planner/common/communicator.hpp"
@@ -59,23 +58,22 @@ struct QLearningParameters {
   Communicator* communicator = oneProcess();  ///< ranks that share the work; does not change the result
 };
 
-/// Visits the parameters that have an option, but the reward, named as it; see parameter_visitors.hpp. `unit`: of
-/// lengths. `updates`: what the course calls them.
+/// Visits the parameters that have an option, but the reward, named as it; see parameter_visitors.hpp.
 template <typename Parameters, typename Visitor>
-void visitQLearningParameters(Parameters& p, const char* unit, const std::string& updates, const Visitor& visit) {
-  const std::string copies = updates + " between copies of the weights into the target network";
-  const std::string last = "share of the " + updates + " after which epsilon has its last value";
+void visitQLearningParameters(Parameters& p, const Visitor& visit) {
   visit("discount", p.discount, {0.0, 1.0}, "", "discount factor per step (gamma)");
   visit("trace-decay", p.trace_decay, {0.0, 1.0}, "", "decay of the returns over several steps (lambda); 0: one step");
   visit("double-q", p.double_q, {}, "",
         "1: double Q-learning: the learning network chooses the next action, and the target network gives its value; "
         "0: the target network does both");
-  visit("target-interval", p.target_interval, {1, 1e9}, "", copies.c_str());
+  visit("target-interval", p.target_interval, {1, 1e9}, "",
+        "updates between copies of the weights into the target network");
   visit("exploration-start", p.exploration_start, {0.0, 1.0}, "", "share of random actions (epsilon) at the start");
   visit("exploration-end", p.exploration_end, {0.0, 1.0}, "", "share of random actions at the end");
-  visit("exploration-share", p.exploration_share, {0.0, 1.0}, "", last.c_str());
-  visit("step-cost", p.step_cost, {0.0, 1e6}, unit, "cost of a step; for --reward progress");
-  visit("arrival-bonus", p.arrival_bonus, {0.0, 1e6}, unit, "reward of an arrival; for --reward progress");
+  visit("exploration-share", p.exploration_share, {0.0, 1.0}, "",
+        "share of the updates after which epsilon has its last value");
+  visit("step-cost", p.step_cost, {0.0, 1e6}, "cells", "cost of a step; for --reward progress");
+  visit("arrival-bonus", p.arrival_bonus, {0.0, 1e6}, "cells", "reward of an arrival; for --reward progress");
   visit("tau-range", p.thesis_reward.range, {0.0, 1e6}, "",
         "cost of each range, times the unit of length / range; for --reward thesis");
   visit("tau-distance", p.thesis_reward.distance, {0.0, 1e6}, "",
@@ -106,14 +104,9 @@ std::vector<double*> numbersOf(ValueSums* sums);
 /// schedule, and the checkpoint of it all. The rate sinks to 0 by half a cosine.
 class QLearner {
  public:
-  /// What a checkpoint says it is, and what the course calls an update.
-  struct CheckpointNames {
-    std::string format;
-    std::string updates;
-  };
   /// The layers with the weights to start from. Throws std::invalid_argument as validate(OptimiserParameters).
   /// `updates`: of the whole training.
-  QLearner(const CheckpointNames& names, const QLearningParameters& parameters, int updates, const LayerStack& layers);
+  QLearner(const QLearningParameters& parameters, int updates, const LayerStack& layers);
 
   const Eigen::VectorXf& weights() const { return weights_; }
   const Eigen::VectorXf& targetWeights() const { return target_weights_; }
@@ -138,7 +131,6 @@ class QLearner {
   void restore(const std::vector<std::uint8_t>& checkpoint);
 
  private:
-  CheckpointNames names_;
   QLearningParameters parameters_;
   int last_update_;
   Eigen::VectorXf weights_;

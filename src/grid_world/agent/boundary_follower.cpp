@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "grid_world/agent/nearer_cell.hpp"
 #include "lstm_planner/common/parameter_check.hpp"
-#include "lstm_planner/grid_world/agent/nearer_cell.hpp"
 
 namespace lstm_planner {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "lstm_planner/grid_world/agent/nearer_cell.hpp"
+#include "grid_world/agent/nearer_cell.hpp"
 
 namespace lstm_planner {
 namespace {

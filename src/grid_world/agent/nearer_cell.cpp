@@ -1,4 +1,4 @@
-#include "lstm_planner/grid_world/agent/nearer_cell.hpp"
+#include "grid_world/agent/nearer_cell.hpp"
 
 #include <algorithm>
 #include <cstdint>

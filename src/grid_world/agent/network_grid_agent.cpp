@@ -46,7 +46,7 @@ void NetworkGridAgent::observe(const GridObservation& observation) {
   observation_ = observation;
   if (guide_) guide_->observe(observation);
   nearest_.note(octileDistance(observation.cell, observation.goal).length());
-  Eigen::VectorXf input(kGridInputs);
+  Eigen::Matrix<float, kGridInputs, 1> input;
   encodeGrid(observation, previous_direction_, input.data(), 1);
   preferences_ = network_.forward(input);
   choose();

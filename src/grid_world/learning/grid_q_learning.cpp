@@ -15,8 +15,6 @@
 namespace lstm_planner {
 namespace {
 
-const QLearner::CheckpointNames kQLearningNames{"lstm_planner q-learning 1", "updates"};
-
 /// Updates between replacements of one of the course's goals.
 constexpr int kRenewalInterval = 8;
 
@@ -66,7 +64,7 @@ class GridQLearningOnMaps final : public GridQLearning {
       : parameters_(parameters),
         maps_(std::move(maps)),
         layers_(std::move(layers)),
-        learner_(kQLearningNames, parameters, parameters.updates, layers_),
+        learner_(parameters, parameters.updates, layers_),
         tiles_(parameters_, layers_) {}
 
   int epoch() const override { return epoch_; }

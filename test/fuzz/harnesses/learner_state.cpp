@@ -23,7 +23,7 @@ std::unique_ptr<GridQLearning> smallLearning() {
 
 ActorCritic smallActorCritic() {
   const LayerStack layers = makeLstmStack(1, {1}, 1);
-  return ActorCritic({"lstm_planner actor-critic 1", "updates"}, {}, 1, layers, layers, 1);
+  return ActorCritic({}, 1, layers, layers, 1);
 }
 
 void restore(int learner, const std::vector<std::uint8_t>& state) {

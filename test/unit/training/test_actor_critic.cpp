@@ -6,6 +6,7 @@
 
 #include "lstm_planner/training/actor_critic.hpp"
 #include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/q_learner.hpp"
 #include "support/refusal.hpp"
 
 namespace lstm_planner::test_actor_critic {
@@ -17,14 +18,14 @@ LayerStack network(int outputs, std::uint64_t seed) {
   return layers;
 }
 
-ActorCritic learner(const std::string& format = "test 1", std::size_t sets = 2) {
+ActorCritic learner(std::size_t sets = 2) {
   ActorCriticParameters parameters;
   parameters.entropy_start = 0.3;
   parameters.entropy_end = 0.1;
   parameters.learning_rate = 0.01;
   parameters.critic_learning_rate = 0.02;
   parameters.max_gradient_norm = 0.0;  // none
-  return {{format, "updates"}, parameters, 4, network(2, 1), network(1, 2), sets};
+  return {parameters, 4, network(2, 1), network(1, 2), sets};
 }
 
 void learn(ActorCritic* learner) {
@@ -94,8 +95,8 @@ TEST(ActorCritic, RefusesOtherCheckpointsAndStaysAsItWas) {
     return test::refusalOf<std::invalid_argument>([&] { it.restore(checkpoint); });
   };
   const std::string start = "this is not a checkpoint of this training: ";
-  EXPECT_EQ(refusal(learner("another 1").checkpoint()), start + "another format");
-  EXPECT_EQ(refusal(learner("test 1", 3).checkpoint()), start + "another number of kinds of maps or worlds");
+  EXPECT_EQ(refusal(QLearner({}, 4, network(2, 1)).checkpoint()), start + "another format");
+  EXPECT_EQ(refusal(learner(3).checkpoint()), start + "another number of kinds of maps or worlds");
   EXPECT_EQ(refusal({}).find(start), 0u);
   EXPECT_EQ(it.policy(), policy);
 }

@@ -17,7 +17,7 @@ QLearner learner(int units = 4) {
   parameters.target_interval = 2;
   parameters.learning_rate = 0.01;
   parameters.max_gradient_norm = 0.0;  // none
-  return {{"test 1", "updates"}, parameters, 10, layers};
+  return {parameters, 10, layers};
 }
 
 void learn(QLearner* learner) {

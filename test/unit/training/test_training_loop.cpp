@@ -39,9 +39,7 @@ QLearningParameters parameters() {
 class Toy : public SteppedTraining {
  public:
   explicit Toy(bool resumable_anywhere = true)
-      : layers_(firstLayers()),
-        learner_({"toy", "updates"}, parameters(), kSteps, layers_),
-        resumable_anywhere_(resumable_anywhere) {}
+      : layers_(firstLayers()), learner_(parameters(), kSteps, layers_), resumable_anywhere_(resumable_anywhere) {}
 
   bool done() const override { return steps() == kSteps; }
   void step() override {
