@@ -141,6 +141,11 @@ Option& Option::oneAtATime() {
   return *this;
 }
 
+Option& Option::changesNoResult() {
+  changes_result = false;
+  return *this;
+}
+
 CommandLine::CommandLine(std::string command, std::string summary)
     : command_(std::move(command)), summary_(std::move(summary)) {}
 
@@ -165,15 +170,19 @@ Option& CommandLine::add(const std::string& name, Number* value, Range range, co
   };
   Option& option = add(name, "N", meaning + "; in " + toText(range), take);
   if (range.contains(static_cast<double>(*value))) option.default_text = toText(static_cast<double>(*value));
+  option.value = [=] { return *value; };
   return option;
 }
 
 template <typename Number>
 Option& CommandLine::add(const std::string& name, std::optional<Number>* value, Range range,
                          const std::string& meaning) {
-  return add(name, "N", meaning + "; in " + toText(range), [=](const std::vector<std::string>& values) {
+  const auto take = [=](const std::vector<std::string>& values) {
     *value = numberOf<Number>("--" + name, theOnly("--" + name, values), range);
-  });
+  };
+  Option& option = add(name, "N", meaning + "; in " + toText(range), take);
+  option.value = [=] { return *value ? nlohmann::json(**value) : nlohmann::json(); };
+  return option;
 }
 
 template Option& CommandLine::add(const std::string&, int*, Range, const std::string&);
@@ -191,6 +200,7 @@ Option& CommandLine::add(const std::string& name, std::vector<int>* values, Rang
   Option& option = add(name, "N...", meaning + "; in " + toText(range), take);
   option.takes_several = true;
   option.default_text = joined(*values, " ", [](int value) { return std::to_string(value); });
+  option.value = [=] { return *values; };
   return option;
 }
 
@@ -198,6 +208,7 @@ Option& CommandLine::add(const std::string& name, std::string* value, const std:
   Option& option = add(name, "TEXT", meaning,
                        [=](const std::vector<std::string>& values) { *value = theOnly("--" + name, values); });
   option.default_text = *value;
+  option.value = [=] { return *value; };
   return option;
 }
 
@@ -205,6 +216,7 @@ Option& CommandLine::add(const std::string& name, std::vector<std::string>* valu
   Option& option = add(name, "TEXT...", meaning, [=](const std::vector<std::string>& texts) { *values = texts; });
   option.takes_several = true;
   option.default_text = joined(*values, " ", [](const std::string& value) { return value; });
+  option.value = [=] { return *values; };
   return option;
 }
 
@@ -213,6 +225,7 @@ Option& CommandLine::add(const std::string& name, bool* value, const std::string
     *value = numberOf<int>("--" + name, theOnly("--" + name, values), {0, 1}) == 1;
   });
   option.default_text = *value ? "1" : "0";
+  option.value = [=] { return *value; };
   return option;
 }
 
@@ -221,6 +234,7 @@ Option& CommandLine::addSeed(std::uint64_t* seed, const std::string& meaning) {
     *seed = numberOf<std::uint64_t>("--seed", theOnly("--seed", values), {0.0, 18446744073709551615.0});
   });
   option.default_text = std::to_string(*seed);
+  option.value = [=] { return *seed; };
   return option;
 }
 
@@ -229,6 +243,7 @@ Option& CommandLine::addChoice(const std::string& name, std::string* value, cons
   const auto take = [=](const std::vector<std::string>& values) { *value = names[choose(name, values, names)]; };
   Option& option = add(name, "NAME", meaning, take);
   option.default_text = *value;
+  option.value = [=] { return *value; };
   return option;
 }
 
@@ -242,9 +257,13 @@ std::size_t CommandLine::choose(const std::string& name, const std::vector<std::
 
 Option& CommandLine::addText(const std::string& name, const std::string& default_text,
                              const std::function<void(const std::string&)>& take, const std::string& meaning) {
-  Option& option =
-      add(name, "TEXT", meaning, [=](const std::vector<std::string>& values) { take(theOnly("--" + name, values)); });
+  const auto given = std::make_shared<std::string>(default_text);
+  Option& option = add(name, "TEXT", meaning, [=](const std::vector<std::string>& values) {
+    *given = theOnly("--" + name, values);
+    take(*given);
+  });
   option.default_text = default_text;
+  option.value = [=] { return *given; };
   return option;
 }
 
@@ -268,16 +287,12 @@ Option& CommandLine::addFiles(const std::string& name, std::vector<std::string>*
 
 Option& CommandLine::addOutput(const std::string& name, std::string* path, const std::string& meaning) {
   outputs_.push_back({name, path, false});
-  return addFile(name, path, meaning);
+  return addFile(name, path, meaning).changesNoResult();
 }
 
 Option& CommandLine::addNewFile(const std::string& name, std::string* path, const std::string& meaning) {
   outputs_.push_back({name, path, true});
-  return addFile(name, path, meaning);
-}
-
-Option& CommandLine::addSwitch(const std::string& name, const std::string& meaning, std::function<void()> turn) {
-  return add(name, "", meaning, [turn = std::move(turn)](const std::vector<std::string>&) { turn(); });
+  return addFile(name, path, meaning).changesNoResult();
 }
 
 void CommandLine::whenParsed(std::function<void()> finish) { finishes_.push_back(std::move(finish)); }
@@ -323,6 +338,14 @@ void CommandLine::checkOutputs() const {
 bool CommandLine::given(const std::string& name) const {
   return std::any_of(options_.begin(), options_.end(),
                      [&](const Option& option) { return option.name == "--" + name && option.is_given; });
+}
+
+nlohmann::json CommandLine::settings() const {
+  nlohmann::json settings = nlohmann::json::object();
+  for (const Option& option : options_) {
+    if (option.changes_result) settings[option.name.substr(2)] = option.value();
+  }
+  return settings;
 }
 
 std::string CommandLine::peek(const std::string& name, const std::vector<std::string>& arguments) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@ struct Option {
   Option& required();
   Option& standsAlone();  ///< its values may stand without its name
   Option& oneAtATime();   ///< of a list: each time that it is named it takes one value
+  Option& changesNoResult();
 
   std::string name;        ///< with --
   std::string value_name;  ///< in the help; empty for a flag, which takes no value
@@ -27,8 +29,10 @@ struct Option {
   bool is_required = false;
   bool stands_alone = false;
   bool is_given = false;
+  bool changes_result = true;  ///< of a training
   /// Checks the values and puts them where they belong.
   std::function<void(const std::vector<std::string>& values)> take;
+  std::function<nlohmann::json()> value;  ///< that it has now
 };
 
 /// Values by the names that stand for them.
@@ -111,7 +115,9 @@ class CommandLine {
   /// Sets `value` to `meant` when it is given.
   template <typename T>
   Option& addFlag(const std::string& name, T* value, T meant, const std::string& meaning) {
-    return addSwitch(name, meaning, [=] { *value = meant; });
+    Option& option = add(name, "", meaning, [=](const std::vector<std::string>&) { *value = meant; });
+    option.value = [=] { return *value == meant; };
+    return option;
   }
 
   /// What is left to be done with the values, or to be checked, when all options have theirs; in the order of the
@@ -126,11 +132,14 @@ class CommandLine {
   /// Whether the user named the option; after parse().
   bool given(const std::string& name) const;
 
+  /// What a training depends on, for its checkpoint: the values of all options, but for files that are written and
+  /// options that change no result; after parse().
+  nlohmann::json settings() const;
+
   /// The value of an option that decides which others there are, or their defaults; empty where it is not given.
   static std::string peek(const std::string& name, const std::vector<std::string>& arguments);
 
  private:
-  Option& addSwitch(const std::string& name, const std::string& meaning, std::function<void()> turn);
   Option& add(const std::string& name, const std::string& value_name, const std::string& meaning,
               std::function<void(const std::vector<std::string>&)> take);
   std::string usage() const;
@@ -162,6 +171,7 @@ Option& CommandLine::addChoice(const std::string& name, T* value, const Choices<
     *value = choices[choose(name, values, names)].second;
   });
   option.default_text = nameOf(*value, choices);
+  option.value = [=] { return nameOf(*value, choices); };
   return option;
 }
 

@@ -6,10 +6,6 @@
 
 namespace lstm_planner {
 
-const Choices<Activation>& activations();  ///< of dense layers
-const Choices<Activation>& candidates();   ///< of LSTM layers
-const Choices<Loss>& losses();
-
 /// The thesis's alternatives inside a layer, as options of each way of training.
 void addActivationOptions(NetworkShape* shape, CommandLine* line);
 void addLossOption(Loss* loss, CommandLine* line);

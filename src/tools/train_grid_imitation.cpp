@@ -17,7 +17,6 @@
 #include "tools/train_grid_maps.hpp"
 #include "tools/train_grid_options.hpp"
 #include "tools/training_host.hpp"
-#include "tools/visited_settings.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -87,17 +86,7 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   p.seed = options->seed;
   p.threads = options->threads;
   validate(p);
-  *settings = settingsOf(*options);
-  visitGridImitationParameters(p, noteIn(settings));
-  visitGridRoundParameters(p, noteIn(settings));
-  settings->update({{"optimiser", nameOf(optimiser.kind, kOptimisers)},
-                    {"rate", optimiser.learning_rate},
-                    {"schedule", nameOf(optimiser.schedule, kSchedules)},
-                    {"momentum", optimiser.momentum},
-                    {"decay", nameOf(optimiser.decay, kDecays)},
-                    {"decay-rate", optimiser.decay_rate}});
-  if (dataset.supervisor != GridSupervisor::kShortestPath) (*settings)["supervisor"] = "thesis";
-  if (p.trainer.loss != Loss::kCrossEntropy) (*settings)["loss"] = nameOf(p.trainer.loss, losses());
+  *settings = line.settings();
   return true;
 }
 

@@ -33,7 +33,7 @@ void addGridMapOptions(GridTrainingOptions* options, CommandLine* line) {
   line->addFlag("thesis-terrain", &o.rule, PassableRule::kThesis, "only '.' is passable, not 'G' and 'S'");
   line->add("epochs", &o.epochs, kAnyCount, "number of epochs; with dagger: of each round");
   line->addSeed(&o.seed, "seed of all random numbers");
-  line->add("threads", &o.threads, kAnyThreads, "number of threads; does not change the result");
+  line->add("threads", &o.threads, kAnyThreads, "number of threads; does not change the result").changesNoResult();
 }
 
 void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrainingOptions* options,
@@ -57,32 +57,6 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
   line->addOutput("checkpoint", &o.checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->add("validation", &o.validation, {1, 1e6}, "scenarios of each set, to judge the network");
   line->whenParsed([options, line] { finish(*line, options); });
-}
-
-nlohmann::json settingsOf(const GridTrainingOptions& options) {
-  nlohmann::json settings = {{"method", options.method},
-                             {"maps", options.maps},
-                             {"map-size", options.map_size},
-                             {"min-length", options.min_length},
-                             {"max-length", options.max_length},
-                             {"network", options.network},
-                             {"cells", options.shape.cells},
-                             {"deep-in", options.shape.deep_in},
-                             {"deep-out", options.shape.deep_out},
-                             {"from", options.from},
-                             {"epochs", options.epochs},
-                             {"validation", options.validation},
-                             {"seed", options.seed}};
-  // Named where they are not the default: checkpoints that were written before there was a choice stay readable.
-  if (options.rule == PassableRule::kThesis) settings["thesis-terrain"] = true;
-  if (options.dead_ends > 0.0) settings["dead-ends"] = options.dead_ends;
-  if (options.corner_cutting == CornerCutting::kAllowed) settings["corner-cutting"] = true;
-  if (options.shape.activation != Activation::kTanh) {
-    settings["activation"] = nameOf(options.shape.activation, activations());
-  }
-  if (options.shape.candidate != Activation::kTanh)
-    settings["candidate"] = nameOf(options.shape.candidate, candidates());
-  return settings;
 }
 
 LayerStack firstLayers(const GridTrainingOptions& options) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -46,9 +45,6 @@ void addGridMapOptions(GridTrainingOptions* options, CommandLine* line);
 /// Those, and the network, the judging and the files. What the line then refuses: networks that cannot be, and files
 /// that cannot be written.
 void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrainingOptions* options, CommandLine* line);
-
-/// What a result depends on, for the checkpoint; a method adds its own.
-nlohmann::json settingsOf(const GridTrainingOptions& options);
 
 /// The network to start with: random, or that of `from`.
 LayerStack firstLayers(const GridTrainingOptions& options);

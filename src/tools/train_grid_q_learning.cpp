@@ -18,7 +18,6 @@
 #include "tools/train_grid_maps.hpp"
 #include "tools/train_grid_options.hpp"
 #include "tools/training_host.hpp"
-#include "tools/visited_settings.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -206,11 +205,7 @@ bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions*
   p.threads = options->threads;
   p.communicator = ranks();
   validate(p);
-  *settings = settingsOf(*options);
-  settings->update(
-      {{"goals", p.course.goals}, {"short-share", p.course.short_share}, {"reward", nameOf(p.reward, kRewards)}});
-  visitGridQLearningParameters(p, noteIn(settings));
-  visitQLearningParameters(p, noteIn(settings));
+  *settings = line.settings();
   return true;
 }
 

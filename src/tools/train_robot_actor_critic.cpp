@@ -12,7 +12,6 @@
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_options.hpp"
 #include "tools/training_host.hpp"
-#include "tools/visited_settings.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -34,36 +33,14 @@ struct RobotReinforcementPlan {
   nlohmann::json settings;  ///< what the learning depends on
 };
 
-/// settingsOf() without what older checkpoints do not name, where that is the default: they go on.
-nlohmann::json changedSettingsOf(const RobotNetworkOptions& network, const EncoderParameters& encoder) {
-  const nlohmann::json defaults = settingsOf(RobotNetworkOptions(), EncoderParameters());
-  nlohmann::json settings = settingsOf(network, encoder);
-  for (const char* name : {"event-range", "position-cell", "heading-cell", "activation", "candidate"}) {
-    if (settings[name] == defaults[name]) settings.erase(name);
-  }
-  return settings;
-}
-
-nlohmann::json settingsOf(const RobotReinforcementPlan& plan) {
-  nlohmann::json settings = settingsOf(plan.options);
-  settings.update(changedSettingsOf(plan.network, plan.learner.policy.encoder));
-  settings.update({{"method", "actor-critic"}, {"init", plan.init}});
-  visitPracticeParameters(plan.learner, noteIn(&settings));
-  visitPolicyChangeParameters(plan.learner, noteIn(&settings));
-  if (!plan.recordings.empty()) {
-    settings.update({{"recordings", plan.recordings}, {"recordings-weight", plan.recordings_weight}});
-  }
-  visitActorCriticParameters(plan.learner, noteIn(&settings));
-  return settings;
-}
-
 void addOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan, CommandLine* line) {
   DriveActorCriticParameters& p = plan->learner;
   addRobotTrainingOptions(arguments, &plan->options, line);
   line->addFile("init", &plan->init, "model file to start from; it determines layers and inputs");
   line->addOutput("checkpoint", &plan->checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->addChoice("keep", &plan->keep, {"best", "last"},
-                  "which network to write: best (the most efficient of the networks judged so far) or last");
+                  "which network to write: best (the most efficient of the networks judged so far) or last")
+      .changesNoResult();
   visitPracticeParameters(p, line->everyParameter());
   addRobotNetworkOptions(&plan->network, &p.policy.encoder, line);
   visitPolicyChangeParameters(p, line->everyParameter());
@@ -71,7 +48,7 @@ void addOptions(const std::vector<std::string>& arguments, RobotReinforcementPla
                  "datasets of recorded drives: the network also learns to steer as their driver does");
   line->add("recordings-weight", &plan->recordings_weight, {1e-6, 1e6},
             "weight of a recorded step; a practised step has the weight 1");
-  line->addFiles("validation-recordings", &plan->validation, "recorded drives for validation");
+  line->addFiles("validation-recordings", &plan->validation, "recorded drives for validation").changesNoResult();
   visitActorCriticParameters(p, line->everyParameter());
 }
 
@@ -95,7 +72,7 @@ bool readPlan(const std::vector<std::string>& arguments, RobotReinforcementPlan*
   p.seed = plan->options.seed;
   p.threads = plan->options.threads;
   p.communicator = ranks();
-  plan->settings = settingsOf(*plan);
+  plan->settings = line.settings();
   return true;
 }
 

@@ -104,7 +104,8 @@ void addNetworkOptions(DatasetTrainingOptions* o, CommandLine* line) {
   line->addOutput("checkpoint", &o->checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->add("snapshots", &o->snapshots, {0, kAnyCount.most},
             "epochs between snapshots of the weights (thesis 4.2); each is a file named after --output and the epoch; "
-            "0: no snapshots");
+            "0: no snapshots")
+      .changesNoResult();
   addRobotNetworkOptions(&o->network, &o->encoder, line);
 }
 
@@ -122,7 +123,8 @@ void addTrainingOptions(DatasetTrainingOptions* o, CommandLine* line) {
   line->add("averaging", &trainer.averaging, kAnyShare,
             "weights are averaged: share of the old average that an update keeps; 0: no averaging");
   line->addSeed(&o->seed, "seed of all random numbers");
-  line->add("threads", &trainer.threads, kAnyThreads, "number of threads; does not change the result");
+  line->add("threads", &trainer.threads, kAnyThreads, "number of threads; does not change the result")
+      .changesNoResult();
 }
 
 void addPictureOptions(DatasetTrainingOptions* o, CommandLine* line) {
@@ -146,34 +148,6 @@ void check(const CommandLine& line, const DatasetTrainingOptions& o) {
   }
 }
 
-/// Everything that changes the result, by the names of the options.
-nlohmann::json settingsOf(const DatasetTrainingOptions& o) {
-  const DatasetTrainingParameters& training = o.training;
-  const TrainerParameters& trainer = training.trainer;
-  nlohmann::json settings = settingsOf(o.network, o.encoder);
-  settings.update({{"task", "robot"},
-                   {"method", "dataset"},
-                   {"dataset", o.datasets},
-                   {"validation-dataset", o.validation_datasets},
-                   {"validation-share", o.validation_share},
-                   {"preset", o.preset},
-                   {"label-distance", training.sequences.label_distance},
-                   {"sequence", training.sequences.sequence_steps},
-                   {"burn-in", training.sequences.burn_in_steps},
-                   {"balance", toString(training.balance)},
-                   {"variants", training.variants},
-                   {"init", o.init},
-                   {"epochs", trainer.epochs},
-                   {"loss", nameOf(trainer.loss, losses())},
-                   {"rate", trainer.optimiser.learning_rate},
-                   {"batch", trainer.batch_size},
-                   {"clip", trainer.optimiser.max_gradient_norm},
-                   {"averaging", trainer.averaging},
-                   {"instability", !o.stability.empty()},
-                   {"seed", o.seed}});
-  return settings;
-}
-
 /// Returns false when only the help was asked for. Throws with a sentence for options that make no sense.
 bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, DatasetTrainingOptions* options) {
   readPreset(arguments, options);
@@ -189,9 +163,11 @@ bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, Datas
     validate(options->training);
     check(line, *options);
     if (!options->fromModel()) finishRobotNetworkOptions(line, &options->network, &options->encoder);
-    options->settings = settingsOf(*options);
   });
-  return line.parse(arguments);
+  if (!line.parse(arguments)) return false;
+  options->settings = line.settings();
+  options->settings["instability"] = !options->stability.empty();  // is measured from the first epoch on
+  return true;
 }
 
 const char* const kLabels = "label [deg]";

@@ -1,4 +1,5 @@
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/practice/imitation.hpp"
@@ -8,7 +9,6 @@
 #include "tools/train_commands.hpp"
 #include "tools/train_robot_options.hpp"
 #include "tools/training_host.hpp"
-#include "tools/visited_settings.hpp"
 
 namespace lstm_planner {
 
@@ -19,6 +19,7 @@ struct ImitationOptions : RobotTrainingOptions {
   std::string checkpoint;
   RobotNetworkOptions network;
   ImitationParameters imitation;
+  nlohmann::json settings;  ///< what the training depends on, for the checkpoint
 };
 
 bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* options) {
@@ -44,17 +45,8 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   imitation.seed = imitation.trainer.seed = options->seed;
   imitation.trainer.communicator = ranks();
   validate(imitation);
+  options->settings = line.settings();
   return true;
-}
-
-/// What the result depends on, for the checkpoint.
-nlohmann::json settingsOf(const ImitationOptions& options) {
-  const ImitationParameters& imitation = options.imitation;
-  nlohmann::json settings = settingsOf(static_cast<const RobotTrainingOptions&>(options));
-  settings.update(settingsOf(options.network, imitation.policy.encoder));
-  settings.update({{"method", "dagger"}, {"loss", nameOf(imitation.trainer.loss, losses())}});
-  visitImitationParameters(imitation, noteIn(&settings));
-  return settings;
 }
 
 class ImitationHost : public ToolTrainingHost {
@@ -109,7 +101,7 @@ int trainRobotByDagger(const std::vector<std::string>& arguments) {
   if (!readOptions(arguments, &options)) return 0;
   TrainingLoopOptions loop;
   loop.checkpoint = options.checkpoint;
-  loop.settings = settingsOf(options);
+  loop.settings = options.settings;
   loop.output = options.output;
   loop.keep_later = true;  // it has learned from more
   loop.communicator = ranks();

@@ -97,42 +97,12 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   line->add("max-steps", &o.max_steps, kAnyCount, "largest number of steps of a drive");
   line->add("validation", &o.validation, kAnyCount, "number of worlds for validation");
   line->addSeed(&o.seed, "seed of all random numbers");
-  line->add("threads", &o.threads, kAnyThreads, "number of threads; does not change the result");
+  line->add("threads", &o.threads, kAnyThreads, "number of threads; does not change the result").changesNoResult();
   line->whenParsed([options] {
     if (!options->kinds.empty()) options->course.worlds.clear();
     for (const std::string& kind : options->kinds) options->course.worlds.push_back(worldKindOf(kind));
     validate(options->course);
   });
-}
-
-nlohmann::json settingsOf(const RobotTrainingOptions& options) {
-  std::vector<std::string> kinds;
-  for (const WorldKind kind : options.course.worlds) kinds.emplace_back(toString(kind));
-  nlohmann::json settings = {{"task", "robot"},
-                             {"kinds", kinds},
-                             {"dead-ends", options.course.dead_end_share},
-                             {"shortest", options.course.shortest},
-                             {"max-steps", options.max_steps},
-                             {"validation", options.validation},
-                             {"seed", options.seed}};
-  return settings;
-}
-
-nlohmann::json settingsOf(const RobotNetworkOptions& network, const EncoderParameters& encoder) {
-  const NetworkShape& shape = network.shape;
-  nlohmann::json settings = {{"inputs", encoder.input_layout},
-                             {"event-range", encoder.event_range},
-                             {"position-cell", encoder.position_cell},
-                             {"heading-cell", encoder.heading_cell},
-                             {"network", network.network},
-                             {"cells", shape.cells},
-                             {"deep-in", shape.deep_in},
-                             {"deep-out", shape.deep_out},
-                             {"activation", nameOf(shape.activation, activations())},
-                             {"candidate", nameOf(shape.candidate, candidates())}};
-  // Not told where there is one: checkpoints from before there were views go on.
-  if (encoder.views != 1) settings["views"] = encoder.views;
-  return settings;
 }
 
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder) {

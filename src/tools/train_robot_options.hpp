@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -50,16 +49,9 @@ void finishRobotNetworkOptions(const CommandLine& line, RobotNetworkOptions* opt
 void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTrainingOptions* options,
                              CommandLine* line);
 
-/// What a result depends on, for the checkpoint; a method adds its own.
-nlohmann::json settingsOf(const RobotTrainingOptions& options);
-
-/// Inputs beside the thesis's, by the names of the groups: events, events-alone, visits,
-/// trace, motion. Throws std::invalid_argument for
-/// another name.
+/// Inputs beside the thesis's, by the names of the groups: events, events-alone, visits, trace, motion. Throws
+/// std::invalid_argument for another name.
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder);
-
-/// Likewise, of the network and its inputs.
-nlohmann::json settingsOf(const RobotNetworkOptions& network, const EncoderParameters& encoder);
 
 /// Writes the model with its description, the command and the score.
 void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescription& policy, const LayerStack& layers,

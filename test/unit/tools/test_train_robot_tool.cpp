@@ -102,7 +102,9 @@ TEST_F(TrainRobotTool, ImitationRefusesTheCheckpointOfAnother) {
   success(training);
   const test::Outcome other = runTool(training + " --learner-share 0.5");
   EXPECT_EQ(other.status, 2) << other.output;
-  EXPECT_NE(other.output.find("learner-share"), std::string::npos) << other.output;
+  EXPECT_NE(other.output.find("learner-share = 0.8 instead of 0.5"), std::string::npos) << other.output;
+  EXPECT_NE(success(training + " --threads 1 --curve " + in("curve.png")).output.find("going on from"),
+            std::string::npos);
 }
 
 }  // namespace
