@@ -278,7 +278,7 @@ TEST_F(Soak, NothingGrowsNothingIsTouchedAndEveryDatasetIsSound) {
   if (hours >= 1.0) {
     EXPECT_GT(2 * sum.reached, sum.goals) << "goals reached";
   }
-  // A heap wanders by some 2 MB. In half a day, 4 MB is five bytes a scan.
+  // What is remembered of a drive differs by some 2 MB. In half a day, 4 MB is five bytes a scan.
   expectFlat(
       samples, "memory (MB)", [](const Sample& sample) { return sample.memory; }, 0.0, 4.0);
   expectFlat(
