@@ -9,6 +9,7 @@
 #include <locale>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "common/image_codecs.hpp"
@@ -19,6 +20,7 @@
 namespace lstm_planner {
 namespace {
 
+constexpr double kThresholdOfFile = -1.0;
 constexpr std::uintmax_t kLargestImageFile = std::uintmax_t{1} << 29;
 // Nobody's is longer, and libraries of some systems follow nested brackets until the stack ends.
 constexpr std::uintmax_t kLargestDescription = 4096;
@@ -179,6 +181,17 @@ void writeDescription(const OccupancyGrid& grid, const std::string& image, std::
         << "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
 }
 
+/// FILE or FILE=FREE_THRESHOLD.
+std::pair<std::string, double> splitThreshold(const std::string& text) {
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos) return {text, kThresholdOfFile};
+  std::istringstream stream(text.substr(sign + 1));
+  stream.imbue(std::locale::classic());
+  double threshold = 0.0;
+  if (!(stream >> threshold) || !stream.eof()) return {text, kThresholdOfFile};
+  return {text.substr(0, sign), threshold};
+}
+
 }  // namespace
 
 OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_threshold) {
@@ -209,6 +222,17 @@ OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_thresho
     }
   }
   checkHasFreeCell(grid, map, free_below, yaml_path);
+  return grid;
+}
+
+OccupancyGrid readClosedMap(const std::string& text) {
+  const auto [file, free_threshold] = splitThreshold(text);
+  OccupancyGrid grid = readMapServerMap(file, free_threshold);
+  for (int row = 0; row < grid.rows(); ++row) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      if (grid.at({column, row}) == Cell::kUnknown) grid.set({column, row}, Cell::kOccupied);
+    }
+  }
   return grid;
 }
 

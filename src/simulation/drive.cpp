@@ -33,14 +33,14 @@ class ControlledRobot : public LoopRobot {
 
   const Pose2& goal() const { return goal_; }  ///< odometry frame
   /// Where the robot thinks it is; odometry frame as it was at the start.
-  Pose2 believedPose() const { return compose(correction_.correction(), robot_.believedPose()); }
+  Pose2 believedPose() const { return compose(correction_.correction(), robot_.odometry()); }
 
   /// Sees what the last scan showed until the scanner has taken another one.
   bool sense(double range_cap, Situation* situation) override {
     if (robot_.time() < next_scan_) return true;
     try {
       robot_.sense(range_cap, situation);
-      if (isCorrected()) correction_.correct(situation);
+      if (correct_drift_) correction_.correct(situation);
     } catch (const UnusableScan&) {
       // Somebody is so near to the scanner that it measures nothing. The plugins stop the robot then.
       robot_.command({});
@@ -75,8 +75,6 @@ class ControlledRobot : public LoopRobot {
  private:
   static constexpr double kSameTime = 1e-6;  // s
   double scanPeriod() const { return 1.0 / parameters_.robot.scanner.rate; }
-  /// A localisation does it better.
-  bool isCorrected() const { return correct_drift_ && parameters_.robot.localisation_jump == 0.0; }
 
   SimulatedRobot& robot_;
   const DriveParameters& parameters_;

@@ -26,8 +26,7 @@ SimulatedRobot::SimulatedRobot(const World& world, const Parameters& parameters,
       parameters_(parameters),
       base_(parameters.base, start, seed),
       footprint_(footprintOf(parameters.base)),
-      scanner_(parameters.scanner, ~seed),
-      localiser_(start, parameters.localisation_jump) {
+      scanner_(parameters.scanner, ~seed) {
   visitSimulatedRobotParameters(parameters, RangeCheck());
   if (parameters.second_scanner) {
     second_ = SecondScanner{Hokuyo(*parameters.second_scanner, seed ^ kSecondSeed), {}, {}, 0.0};
@@ -97,7 +96,6 @@ void SimulatedRobot::advance(double seconds) {
     obeyCommands();
     const Point2 velocity = move(period);
     if (traffic_ != nullptr) letWalk(period, velocity);
-    localiser_.localise(base_.truePose(), base_.odometry());
     time_ += period;
     left -= period;
   }
@@ -109,7 +107,7 @@ void SimulatedRobot::sense(double range_cap, Situation* situation) {
   scan(&scan_);
   perceive(scan_, parameters_.scanner.mount, Hokuyo::rules(), range_cap, situation);
   situation->time = time_;
-  situation->pose = believedPose();
+  situation->pose = odometry();
   if (second_) senseWithSecond(situation);
 }
 

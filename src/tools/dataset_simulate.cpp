@@ -7,11 +7,11 @@
 #include "lstm_planner/common/input_file.hpp"
 #include "lstm_planner/dataset/dataset_summary.hpp"
 #include "lstm_planner/dataset/recording_sink.hpp"
+#include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/practice/recorded_drives.hpp"
 #include "tools/command_line.hpp"
 #include "tools/dataset_commands.hpp"
 #include "tools/dataset_report.hpp"
-#include "tools/drive_worlds.hpp"
 #include "tools/ranges.hpp"
 #include "tools/recorder_options.hpp"
 
@@ -24,7 +24,6 @@ constexpr double kWaypointSpacing = 1.5;     // m
 
 struct SimulateOptions {
   std::vector<std::string> maps;
-  double free_threshold = -1.0;
   std::string waypoints = "20";
   std::uint64_t seed = 1;
   std::string output;
@@ -50,8 +49,6 @@ bool readOptions(const std::vector<std::string>& arguments, SimulateOptions* opt
   line.addFiles("map", &options->maps,
                 "map_server yaml files; the steps are divided among them; FILE=0.19 replaces the free_thresh of a map")
       .required();
-  line.add("free-threshold", &options->free_threshold, {-1.0, 1.0},
-           "replaces the free_thresh of all maps; -1: keeps it");
   line.add("waypoints", &options->waypoints,
            "number of random waypoints in each map, or a yaml file with a list of [x, y] or {x: , y: } (m, map frame), "
            "e.g. the demo's goals");
@@ -111,7 +108,7 @@ int datasetSimulate(const std::vector<std::string>& arguments) {
   Dataset dataset;
   const auto maps = static_cast<long>(options.maps.size());
   for (long i = 0; i < maps; ++i) {
-    const GridWorld world(readClosedMap(options.maps[static_cast<std::size_t>(i)], options.free_threshold));
+    const GridWorld world(readClosedMap(options.maps[static_cast<std::size_t>(i)]));
     RecordedDrivesParameters drives = options.drives;
     drives.steps = options.drives.steps * (i + 1) / maps - options.drives.steps * i / maps;
     RecordingDescription description;

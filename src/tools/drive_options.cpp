@@ -18,16 +18,13 @@ constexpr double kPatienceDistance = 0.2;  // m a step
 
 void addWorldOptions(DriveOptions* options, CommandLine* line) {
   line->section("the world (default: a walled room of 10 m x 10 m)");
-  line->addFiles("map", &options->maps, "map_server yaml files; FILE=0.19 replaces the free_thresh of a map");
+  line->addFiles("map", &options->maps,
+                 "map_server yaml files; FILE=0.19 replaces the free_thresh of a map; its unknown cells are solid");
   line->addFile("barn", &options->barn, "barn_cylinders.csv: the BARN worlds, by BARN's rules");
   line->add("worlds", &options->kind,
             "generated worlds: mazes, offices, corridors, forest, open, rooms or furnished; or dynabarn: "
             "cylinders that move");
   visitCrowdParameters(options->crowd, line->parameters({{"walkers", "walkers"}}));
-  line->add("free-threshold", &options->free_threshold, {-1.0, 1.0},
-            "replaces the free_thresh of all maps; -1: keeps it");
-  line->addFlag("open-unknown", &options->open_unknown, true,
-                "unknown cells of a map are free; otherwise they are solid");
   line->add(
       "goals", &options->goals, kAnyCount,
       "number of drives in each map or in the room (100), or number of worlds with one drive each (100; all of BARN)");
@@ -51,8 +48,7 @@ void addRobotOptions(DriveOptions* options, CommandLine* line) {
                         line->parameters({{"noise", "noise"}, {"range_step", "range-step"}, {"dropout", "dropout"}}));
   visitCreate2Parameters(options->drive.robot.base,
                          line->parameters({{"odometry_error", "drift"}, {"slip", "slip"}, {"drift", "wheel-error"}}));
-  visitSimulatedRobotParameters(options->drive.robot,
-                                line->parameters({{"latency", "latency"}, {"localisation_jump", "localisation"}}));
+  visitSimulatedRobotParameters(options->drive.robot, line->parameters({{"latency", "latency"}}));
   visitMotionParameters(options->drive.motion, line->parameters({{"evade_time", "evade"}}));
   line->addText(
       "leader", nameOfLeader(agent.leader), [&](const std::string& name) { agent.leader = leaderNamed(name); },

@@ -26,8 +26,6 @@ struct DriveOptions {
   std::vector<int> only;  ///< numbers of the goals or worlds to drive; all when empty
   std::optional<double> shortest;
   std::optional<double> time_limit;
-  double free_threshold = -1.0;
-  bool open_unknown = false;
   std::uint64_t seed = 1;
   int threads = 2;
   CrowdParameters crowd;

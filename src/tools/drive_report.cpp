@@ -199,7 +199,6 @@ std::string driveJson(const DriveOptions& options, const DriveCourse& course, co
   json["wheel_error"] = robot.base.drift;
   json["latency_s"] = robot.latency;
   json["evade_time_s"] = options.drive.motion.evade_time;
-  json["localisation_jump_m"] = robot.localisation_jump;
   json["time_limit_s"] = course.rules.time_limit;
   json["worlds"] = nlohmann::json::array();
   for (std::size_t i = 0; i < course.worlds.size(); ++i) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -58,35 +57,12 @@ void addGoals(double shortest, const DriveOptions& options, DriveWorld* world) {
   }
 }
 
-/// What was never mapped becomes solid: the shortest path does not lead through it either, and a robot that could would
-/// leave the building through the gaps of its map.
-void closeUnknown(OccupancyGrid* grid) {
-  for (int row = 0; row < grid->rows(); ++row) {
-    for (int column = 0; column < grid->columns(); ++column) {
-      if (grid->at({column, row}) == Cell::kUnknown) grid->set({column, row}, Cell::kOccupied);
-    }
-  }
-}
-
-/// FILE or FILE=FREE_THRESHOLD.
-std::pair<std::string, double> splitMap(const std::string& text, double free_threshold) {
-  const std::size_t sign = text.rfind('=');
-  if (sign == std::string::npos) return {text, free_threshold};
-  std::istringstream stream(text.substr(sign + 1));
-  double threshold = 0.0;
-  if (!(stream >> threshold) || !stream.eof()) return {text, free_threshold};
-  return {text.substr(0, sign), threshold};
-}
-
 void addMaps(const DriveOptions& options, DriveCourse* course) {
   for (const std::string& text : options.maps) {
-    const auto [file, threshold] = splitMap(text, options.free_threshold);
-    const std::string name = std::filesystem::path(file).stem().string();
-    OccupancyGrid grid = readMapServerMap(file, threshold);
-    if (!options.open_unknown) closeUnknown(&grid);
-    course->worlds.push_back(gridWorld(name, std::move(grid), options));
+    const std::string name = std::filesystem::path(text.substr(0, text.rfind('='))).stem().string();
+    course->worlds.push_back(gridWorld(name, readClosedMap(text), options));
     addGoals(kShortestInMap, options, &course->worlds.back());
-    course->source += (course->source.empty() ? "" : " ") + file;
+    course->source += (course->source.empty() ? "" : " ") + text;
   }
 }
 
@@ -180,13 +156,6 @@ void checkNumbers(const std::vector<int>& wanted, const DriveCourse& course) {
 }
 
 }  // namespace
-
-OccupancyGrid readClosedMap(const std::string& text, double free_threshold) {
-  const auto [file, threshold] = splitMap(text, free_threshold);
-  OccupancyGrid grid = readMapServerMap(file, threshold);
-  closeUnknown(&grid);
-  return grid;
-}
 
 DriveCourse makeDriveCourse(const DriveOptions& options) {
   DriveCourse course;

@@ -42,9 +42,6 @@ struct DriveCourse {
   int left_out = 0;  ///< worlds, because the robot does not fit into them
 };
 
-/// The map that `text` names as --map does: FILE, or FILE=FREE_THRESHOLD. What it does not know is solid.
-OccupancyGrid readClosedMap(const std::string& text, double free_threshold);
-
 DriveCourse makeDriveCourse(const DriveOptions& options);
 
 }  // namespace lstm_planner

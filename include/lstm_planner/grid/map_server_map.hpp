@@ -19,6 +19,10 @@ class MapFileError : public std::runtime_error {
 /// with 8 or 16 bits and at most 2^26 pixels. Throws MapFileError, also when no cell is free by map_server's rule.
 OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_threshold = -1.0);
 
+/// The same of FILE, or of FILE=FREE_THRESHOLD as `--map` of the tool has it. What was never mapped is solid: otherwise
+/// the shortest path, or a robot, would leave the building through the gaps of its map.
+OccupancyGrid readClosedMap(const std::string& text);
+
 /// Writes `<stem>.yaml` and `<stem>.pgm`; reading them gives the same grid. Throws MapFileError.
 void writeMapServerMap(const std::string& stem, const OccupancyGrid& grid);
 

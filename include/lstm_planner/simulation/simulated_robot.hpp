@@ -8,7 +8,6 @@
 #include "lstm_planner/simulation/contact_count.hpp"
 #include "lstm_planner/simulation/create2.hpp"
 #include "lstm_planner/simulation/hokuyo.hpp"
-#include "lstm_planner/simulation/localiser.hpp"
 #include "lstm_planner/simulation/traffic.hpp"
 #include "lstm_planner/simulation/world.hpp"
 
@@ -21,13 +20,12 @@ namespace lstm_planner {
 /// who runs into a robot that stands, or goes elsewhere, has bumped into it.
 class SimulatedRobot {
  public:
-  /// What the robot is made of; periods and times in s, the jump in m.
+  /// What the robot is made of; periods and times in s.
   struct Parameters {
     Create2Parameters base;
     HokuyoParameters scanner;
     double physics_period = 0.02;
     double latency = 0.0;
-    double localisation_jump = 0.0;
     std::optional<HokuyoParameters> second_scanner = std::nullopt;  ///< none unless it is set
 
     /// s, from one scan to the next of the slowest scanner.
@@ -45,7 +43,7 @@ class SimulatedRobot {
   /// Lets that much time pass, s.
   void advance(double seconds);
 
-  /// Scans from where the robot stands; the pose of `situation` is believedPose(). A second scanner scans at its own
+  /// Scans from where the robot stands; the pose of `situation` is odometry(). A second scanner scans at its own
   /// rate: what it saw last counts until then.
   void sense(double range_cap, Situation* situation);
 
@@ -54,9 +52,7 @@ class SimulatedRobot {
 
   double time() const { return time_; }  ///< s since the start
   const Pose2& truePose() const { return base_.truePose(); }
-  const Pose2& odometry() const { return base_.odometry(); }
-  /// Odometry, or as a localisation last corrected it; in the frame of odometry, which starts at the start.
-  Pose2 believedPose() const { return localiser_.correct(base_.odometry()); }
+  const Pose2& odometry() const { return base_.odometry(); }  ///< in a frame that starts at the start
   const Twist2& measuredTwist() const { return base_.measuredTwist(); }
   /// How often the footprint started to touch something; not a walker that runs into it, unless it drives towards him.
   int contacts() const { return contacts_.contacts(); }
@@ -81,13 +77,12 @@ class SimulatedRobot {
   Create2 base_;
   Footprint footprint_;
   Hokuyo scanner_;
-  Localiser localiser_;
   LaserScan scan_;
   /// A second scanner, and what it saw last.
   struct SecondScanner {
     Hokuyo scanner;
     LaserScan scan;
-    Pose2 pose;         ///< believed then
+    Pose2 pose;         ///< odometry then
     double next = 0.0;  ///< s, of its next scan
   };
   std::optional<SecondScanner> second_;
@@ -106,8 +101,6 @@ void visitSimulatedRobotParameters(Parameters& robot, const Visitor& visit) {
   visit("physics_period", robot.physics_period, {1e-4, 1.0}, "s", "from one calculated motion to the next");
   visit("latency", robot.latency, {0.0, 10.0}, "s",
         "from a command to the motion of the wheels, rounded to physics periods");
-  visit("localisation_jump", robot.localisation_jump, {0.0, 10.0}, "m",
-        "a localisation corrects odometry by a jump when its error reaches this; 0: there is no localisation");
 }
 
 }  // namespace lstm_planner

@@ -234,16 +234,7 @@ class Observer {
 
 GridWorld worldOf(const std::string& worlds, std::uint64_t seed) {
   if (worlds.find(".yaml") == std::string::npos) return GridWorld(generateWorld(worldKindOf(worlds), seed));
-  const std::size_t sign = worlds.rfind('=');
-  const bool has_threshold = sign != std::string::npos;
-  OccupancyGrid map =
-      readMapServerMap(worlds.substr(0, sign), has_threshold ? std::stod(worlds.substr(sign + 1)) : -1.0);
-  for (int row = 0; row < map.rows(); ++row) {
-    for (int column = 0; column < map.columns(); ++column) {
-      if (map.at({column, row}) == Cell::kUnknown) map.set({column, row}, Cell::kOccupied);
-    }
-  }
-  return GridWorld(std::move(map));
+  return GridWorld(readClosedMap(worlds));
 }
 
 int run(const std::string& worlds, int count, int goals, const std::string& output) {

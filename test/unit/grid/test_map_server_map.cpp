@@ -58,6 +58,14 @@ TEST_F(MapServerMap, ReplacesTheFreeThreshold) {
   EXPECT_EQ(readMapServerMap(writeYaml("map.pgm"), 0.19).at({1, 0}), Cell::kUnknown);
 }
 
+TEST_F(MapServerMap, ClosesWhatWasNeverMapped) {
+  write("map.pgm", kImage);
+  const std::string yaml = writeYaml("map.pgm");
+  EXPECT_EQ(readClosedMap(yaml).at({1, 1}), Cell::kOccupied);
+  EXPECT_EQ(readClosedMap(yaml).at({1, 0}), Cell::kFree);
+  EXPECT_EQ(readClosedMap(yaml + "=0.19").at({1, 0}), Cell::kOccupied);
+}
+
 TEST_F(MapServerMap, NegatesAndTakesAnAbsolutePath) {
   const std::string image = write("map.pgm", kImage);
   const OccupancyGrid grid = readMapServerMap(writeYaml(image, "negate: 1\nmode: trinary\n"));
