@@ -95,6 +95,11 @@ void writeDetails(const GridTaskSet& set, const std::vector<GridEpisode>& episod
   }
 }
 
+void printLeftOut(const GridTaskSet& set, std::size_t scenarios, const std::string& why) {
+  if (scenarios == 0) return;
+  std::cout << "left out of " << set.name << ": " << scenarios << " scenarios " << why << '\n';
+}
+
 void draw(const std::string& folder, const std::string& what, const GridTaskSet& set, std::size_t task,
           const std::vector<NamedGridAgent>& agents, const GridEpisodeRules& rules) {
   const std::string path = folder + "/" + set.name + "_" + what + "_" + std::to_string(task) + ".png";
@@ -154,8 +159,8 @@ int runEvaluate(const std::vector<std::string>& arguments) {
   if (!isFirstRank()) return 0;
   printGridSummaries(std::cout, summaries);
   for (const GridTaskSet& set : sets) {
-    if (set.without_path == 0) continue;
-    std::cout << "left out: " << set.without_path << " scenarios of " << set.name << " without a path (length 0)\n";
+    printLeftOut(set, set.without_path, "without a path (length 0)");
+    printLeftOut(set, set.on_other_terrain, "that start or end " + otherTerrain(options.grid.selection.rule));
   }
   if (!options.json.empty()) writeJson(options, summaries);
   if (!options.details.empty()) writeTextFile(options.details, details.str());

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -89,7 +90,7 @@ int mapNumber(const std::string& name, std::size_t place) {
   return std::stoi(name.substr(digits));
 }
 
-struct DrawnScenario {
+struct FoundScenario {
   const GridMapFiles* map = nullptr;
   const std::string* file = nullptr;
   std::size_t line = 0;
@@ -101,7 +102,7 @@ struct LeftOut {
   std::size_t shorter = 0;
   std::size_t longer = 0;
   std::size_t without_path = 0;
-  std::size_t in_swamp = 0;
+  std::size_t on_other_terrain = 0;
 };
 
 std::string noScenarioMessage(const GridSetFiles& files, const ScenarioSelection& selection, std::size_t maps,
@@ -120,23 +121,110 @@ std::string noScenarioMessage(const GridSetFiles& files, const ScenarioSelection
   add(left_out.shorter, " shorter than ", selection.min_length, " cells");
   add(left_out.longer, " longer than ", selection.max_length, " cells");
   add(left_out.without_path, " of the optimal length 0 although start and goal differ: there is no path");
-  add(left_out.in_swamp, " with start or goal in swamp");
+  add(left_out.on_other_terrain, " that start or end ", otherTerrain(selection.rule));
   if (*separator == ':') message << ": the files name none";
   return message.str();
 }
 
-/// `count` of them in their order, drawn without putting back.
-void keepSome(std::size_t count, std::uint64_t seed, std::vector<DrawnScenario>* scenarios) {
-  if (count == 0 || count >= scenarios->size()) return;
-  std::vector<std::size_t> order(scenarios->size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+/// The scenarios that a selection asks for. Their maps are not looked at.
+std::vector<FoundScenario> scenariosOf(const std::vector<GridMapFiles>& maps, const ScenarioSelection& selection,
+                                       LeftOut* left_out) {
+  std::vector<FoundScenario> found;
+  for (const GridMapFiles& map : maps) {
+    for (const std::string& file : map.scenario_files) {
+      std::vector<Scenario> scenarios = readScenarios(file);
+      for (std::size_t i = 0; i < scenarios.size(); ++i) {
+        const double length = scenarios[i].optimal_length;
+        if (length < selection.min_length) {
+          ++left_out->shorter;
+        } else if (length > selection.max_length) {
+          ++left_out->longer;
+        } else if (length == 0.0 && scenarios[i].start != scenarios[i].goal) {
+          ++left_out->without_path;
+        } else {
+          found.push_back({&map, &file, i + kFirstScenarioLine, std::move(scenarios[i])});
+        }
+      }
+    }
+  }
+  return found;
+}
+
+/// The places of `scenarios` in the order in which they are drawn, `count` of them or, for 0, all.
+std::vector<std::size_t> drawingOrder(std::size_t scenarios, std::size_t count, std::uint64_t seed) {
+  std::vector<std::size_t> order(scenarios);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (count == 0 || count >= scenarios) return order;
   Random random(seed);
   shuffle(&order, random);
-  order.resize(count);
-  std::sort(order.begin(), order.end());
-  std::vector<DrawnScenario> kept;
-  for (const std::size_t i : order) kept.push_back(std::move((*scenarios)[i]));
-  *scenarios = std::move(kept);
+  return order;
+}
+
+/// Maps, each read when a scenario in it is drawn: a large set has a hundred, and few scenarios need few of them.
+class MapsOfScenarios {
+ public:
+  explicit MapsOfScenarios(PassableRule rule) : rule_(rule) {}
+
+  /// Whether start and goal are passable; they are not where they lie on other terrain. Throws MovingAiFileError for a
+  /// scenario that does not fit its map, whatever terrain is passable.
+  bool canBeRun(const FoundScenario& one) {
+    const std::string& path = pathFor(*one.file);
+    const PassableGrid& map = grid(path, rule_);
+    const bool passable = map.passable(one.scenario.start) && map.passable(one.scenario.goal);
+    checkScenario(one.scenario, one.line, passable ? map : grid(path, PassableRule::kAnyTerrain), *one.file);
+    return passable;
+  }
+
+  const std::string& pathFor(const std::string& scenario_file) {
+    std::string& path = paths_[scenario_file];
+    if (path.empty()) path = mapOfScenarioFile(scenario_file);
+    return path;
+  }
+
+  PassableGrid take(const std::string& path) { return std::move(grid(path, rule_)); }
+
+ private:
+  PassableGrid& grid(const std::string& path, PassableRule rule) {
+    PassableGrid& map = grids_[{path, rule}];
+    if (map.size() == 0) map = readMovingAiMap(path, rule);
+    return map;
+  }
+
+  PassableRule rule_;
+  std::map<std::string, std::string> paths_;
+  std::map<std::pair<std::string, PassableRule>, PassableGrid> grids_;
+};
+
+/// `count` of the scenarios, or all, in their order, drawn without putting back. In place of one that cannot be run,
+/// another one is drawn.
+std::vector<FoundScenario> drawSome(std::vector<FoundScenario> found, const ScenarioSelection& selection,
+                                    MapsOfScenarios* maps, LeftOut* left_out) {
+  std::vector<std::size_t> kept;
+  for (const std::size_t place : drawingOrder(found.size(), selection.count, selection.seed)) {
+    if (selection.count > 0 && kept.size() == selection.count) break;
+    if (maps->canBeRun(found[place])) {
+      kept.push_back(place);
+    } else {
+      ++left_out->on_other_terrain;
+    }
+  }
+  std::sort(kept.begin(), kept.end());
+  std::vector<FoundScenario> drawn;
+  for (const std::size_t place : kept) drawn.push_back(std::move(found[place]));
+  return drawn;
+}
+
+void addTasks(const std::vector<FoundScenario>& drawn, MapsOfScenarios* maps, GridTaskSet* set) {
+  std::map<std::string, std::size_t> places;
+  for (const FoundScenario& one : drawn) {
+    const std::string& path = maps->pathFor(*one.file);
+    const auto [place, is_new] = places.try_emplace(path, set->maps.size());
+    if (is_new) {
+      set->maps.push_back(maps->take(path));
+      set->map_names.push_back(one.map->name);
+    }
+    set->tasks.push_back({place->second, one.scenario.start, one.scenario.goal, one.scenario.optimal_length});
+  }
 }
 
 }  // namespace
@@ -174,57 +262,22 @@ std::vector<GridMapFiles> selectMaps(const GridSetFiles& files, MapSelection sel
   return selected;
 }
 
+std::string otherTerrain(PassableRule rule) {
+  return rule == PassableRule::kBenchmark ? "in water or trees" : "on other terrain than '.'";
+}
+
 GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& selection) {
-  const std::vector<GridMapFiles> maps = selectMaps(files, selection.maps);
+  const std::vector<GridMapFiles> selected = selectMaps(files, selection.maps);
+  LeftOut left_out;
+  MapsOfScenarios maps(selection.rule);
+  const std::vector<FoundScenario> drawn =
+      drawSome(scenariosOf(selected, selection, &left_out), selection, &maps, &left_out);
+  if (drawn.empty()) throw std::invalid_argument(noScenarioMessage(files, selection, selected.size(), left_out));
   GridTaskSet set;
   set.name = files.name;
-  LeftOut left_out;
-  std::vector<DrawnScenario> drawn;
-  for (const GridMapFiles& map : maps) {
-    for (const std::string& file : map.scenario_files) {
-      std::vector<Scenario> scenarios = readScenarios(file);
-      for (std::size_t i = 0; i < scenarios.size(); ++i) {
-        const double length = scenarios[i].optimal_length;
-        if (length < selection.min_length) {
-          ++left_out.shorter;
-        } else if (length > selection.max_length) {
-          ++left_out.longer;
-        } else if (length == 0.0 && scenarios[i].start != scenarios[i].goal) {
-          ++left_out.without_path;
-        } else {
-          drawn.push_back({&map, &file, i + kFirstScenarioLine, std::move(scenarios[i])});
-        }
-      }
-    }
-  }
   set.without_path = left_out.without_path;
-  keepSome(selection.count, selection.seed, &drawn);
-
-  const std::string* file = nullptr;
-  std::string loaded;
-  for (const DrawnScenario& one : drawn) {
-    const Scenario& scenario = one.scenario;
-    if (one.file != file) {
-      file = one.file;
-      const std::string path = mapOfScenarioFile(*file);
-      if (path != loaded) {
-        loaded = path;
-        set.maps.push_back(readMovingAiMap(path, selection.rule));
-        set.map_names.push_back(one.map->name);
-      }
-    }
-    const PassableGrid& map = set.maps.back();
-    const bool swamp_ends = selection.rule == PassableRule::kThesis && map.contains(scenario.start) &&
-                            map.contains(scenario.goal) &&
-                            !(map.passable(scenario.start) && map.passable(scenario.goal));
-    if (swamp_ends) {
-      ++left_out.in_swamp;
-      continue;
-    }
-    checkScenario(scenario, one.line, map, *one.file);
-    set.tasks.push_back({set.maps.size() - 1, scenario.start, scenario.goal, scenario.optimal_length});
-  }
-  if (set.tasks.empty()) throw std::invalid_argument(noScenarioMessage(files, selection, maps.size(), left_out));
+  set.on_other_terrain = left_out.on_other_terrain;
+  addTasks(drawn, &maps, &set);
   return set;
 }
 

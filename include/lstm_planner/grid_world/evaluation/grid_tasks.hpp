@@ -40,8 +40,11 @@ struct ScenarioSelection {
   double max_length = std::numeric_limits<double>::infinity();
   std::size_t count = 0;  ///< of a set, drawn without putting back; 0 = all
   std::uint64_t seed = 1;
-  PassableRule rule = PassableRule::kBenchmark;  ///< kThesis leaves out scenarios that start or end in swamp
+  PassableRule rule = PassableRule::kBenchmark;
 };
+
+/// Where the scenarios start or end that are left out under a rule, in words: "in water or trees".
+std::string otherTerrain(PassableRule rule);
 
 /// The maps that take part.
 std::vector<GridMapFiles> selectMaps(const GridSetFiles& files, MapSelection selection);
@@ -63,10 +66,14 @@ struct GridTaskSet {
   /// Scenarios that were left out, of the selected maps and lengths, because the benchmark gives the length 0 to goals
   /// that cannot be reached: a hundred of Dragon Age's hundred thousand.
   std::size_t without_path = 0;
+  /// Scenarios that were drawn and left out because they start or end on terrain that only PassableRule::kAnyTerrain
+  /// lets pass. Others were drawn in their place.
+  std::size_t on_other_terrain = 0;
 };
 
-/// Draws from a set's scenarios; the same for the same seed, whatever other sets are drawn. Throws MovingAiFileError
-/// for files that cannot be used and std::invalid_argument when no scenario is left.
+/// Draws from a set's scenarios; the same for the same seed, whatever other sets are drawn. Reads only the maps of the
+/// scenarios that are drawn. Throws MovingAiFileError for files that cannot be used and std::invalid_argument when no
+/// scenario is left.
 GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& selection);
 
 }  // namespace lstm_planner

@@ -33,6 +33,11 @@ class GridTasks : public test::FolderTest {
   void addMaps(int first, int last) {
     for (int i = first; i <= last; ++i) addMap("row-" + std::to_string(i));
   }
+  /// Replaces a map's row by letters of the format.
+  void setTerrain(const std::string& name, const std::string& row) const {
+    scratch_.write("Rows/Maps/" + name + ".map",
+                   "type octile\nheight 1\nwidth " + std::to_string(row.size()) + "\nmap\n" + row + "\n");
+  }
   GridSetFiles files() const { return findGridSets(rows_.string()).front(); }
   std::vector<std::string> mapsOf(MapSelection maps) const {
     ScenarioSelection selection;
@@ -164,6 +169,68 @@ TEST_F(GridTasks, LeavesOutGoalsThatCannotBeReached) {
   const GridTaskSet set = drawGridTasks(files(), {});
   EXPECT_EQ(goals(set), (std::vector<int>{0, 1})) << "a path of length 0 to the start itself is none too short";
   EXPECT_EQ(set.without_path, 1u);
+}
+
+TEST_F(GridTasks, DrawsTheSameAsEarlierVersions) {
+  addMaps(0, 3);
+  ScenarioSelection selection;
+  selection.count = 6;
+  EXPECT_EQ(goals(drawGridTasks(files(), selection)), (std::vector<int>{22, 102, 104, 138, 232, 305}))
+      << "or published results could not be repeated";
+}
+
+TEST_F(GridTasks, ReadsOnlyTheMapsOfScenariosThatAreDrawn) {
+  addMaps(0, 1);
+  ScenarioSelection selection;
+  selection.count = 1;
+  const std::string drawn = drawGridTasks(files(), selection).map_names.at(0);
+  fs::remove(rows_ / "Maps" / (drawn == "row-0" ? "row-1.map" : "row-0.map"));
+  EXPECT_NO_THROW(drawGridTasks(files(), selection));
+}
+
+TEST_F(GridTasks, LeavesOutScenariosInWaterOrTrees) {
+  addMap("row-0", 6);
+  setTerrain("row-0", ".GSWT.");
+  const GridTaskSet set = drawGridTasks(files(), {});
+  EXPECT_EQ(goals(set), (std::vector<int>{0, 1, 2, 5}));
+  EXPECT_EQ(set.on_other_terrain, 2u);
+  setTerrain("row-0", "W.....");
+  EXPECT_EQ(test::refusalOf<std::invalid_argument>([&] { drawGridTasks(files(), {}); }),
+            "set Rows has no scenario to run in its 1 maps: 6 that start or end in water or trees");
+}
+
+TEST_F(GridTasks, LeavesOutByTheThesissRuleAllThatIsNotADot) {
+  addMap("row-0", 6);
+  setTerrain("row-0", ".GSWT.");
+  ScenarioSelection selection;
+  selection.rule = PassableRule::kThesis;
+  const GridTaskSet set = drawGridTasks(files(), selection);
+  EXPECT_EQ(goals(set), (std::vector<int>{0, 5}));
+  EXPECT_EQ(set.on_other_terrain, 4u);
+}
+
+TEST_F(GridTasks, DrawsAnotherScenarioForEachThatIsLeftOut) {
+  addMaps(0, 3);
+  setTerrain("row-1", "." + std::string(39, 'W'));
+  ScenarioSelection selection;
+  selection.count = 100;
+  const GridTaskSet set = drawGridTasks(files(), selection);
+  const std::vector<int> drawn = goals(set);
+  EXPECT_EQ(std::set<int>(drawn.begin(), drawn.end()).size(), 100u) << "121 can be run";
+  EXPECT_TRUE(std::is_sorted(drawn.begin(), drawn.end())) << "map by map";
+  EXPECT_GE(set.on_other_terrain, 20u) << "160 less 121 and at most 19 that were not looked at";
+  selection.count = 140;
+  EXPECT_EQ(drawGridTasks(files(), selection).tasks.size(), 121u) << "all that there are";
+}
+
+TEST_F(GridTasks, RefusesScenariosInWallsAlsoWhereOneEndIsInWater) {
+  addMap("row-0", 6);
+  for (const char* row : {".WTG.@", "WWWWWO"}) {
+    setTerrain("row-0", row);
+    EXPECT_EQ(test::refusalOf<MovingAiFileError>([&] { drawGridTasks(files(), {}); }),
+              "the scenario file " + (fs::canonical(rows_) / "Scenarios" / "row-0.map.scen").string() +
+                  ", line 7: the goal (5, 0) lies in a wall of the map");
+  }
 }
 
 TEST_F(GridTasks, SaysWhatWasLeftOutIfNothingIsLeft) {
