@@ -242,9 +242,11 @@ std::vector<GridSetFiles> findGridSets(const std::string& folder) {
     if (!set) continue;
     for (GridSetFiles& named : splitByName(*set)) sets.push_back(std::move(named));
   }
+  const fs::path of_sets = path / "scenarios";
+  if (sets.empty() && fs::is_directory(of_sets)) return findGridSets(of_sets.string());
   if (sets.empty()) {
     throw std::invalid_argument("folder '" + folder + "' has no scenarios: expected .scen files in it, in " +
-                                "Scenarios/ or in SET/Scenarios/");
+                                "Scenarios/, in SET/Scenarios/ or in scenarios/SET/");
   }
   std::sort(sets.begin(), sets.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   return sets;

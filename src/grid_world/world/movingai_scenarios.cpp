@@ -156,6 +156,11 @@ std::vector<std::filesystem::path> placesOfMap(const std::string& named, const s
     for (const fs::path& from : {folder, folder / "..", folder / ".." / "Maps"})
       add(from / map);  // or map, if absolute
   }
+  if (named.empty()) return places;
+  // scenarios/SET and maps/SET of the repository hog2. The map at the named path may have another size there.
+  const fs::path root = folder / ".." / "..";
+  add(root / "maps" / folder.filename() / fs::path(named).filename());
+  add(root / named);
   return places;
 }
 

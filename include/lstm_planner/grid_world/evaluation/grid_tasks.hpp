@@ -23,9 +23,10 @@ struct GridSetFiles {
 };
 
 /// The sets in a folder: `folder` is a set with `Scenarios` and `Maps` in it, or its `Scenarios`, or holds `.scen`
-/// files beside their maps, or is a folder of such sets. Where the maps' names are NAME-NUMBER with several NAMEs, as
-/// in the benchmark's archives of mazes and of random maps, each is a set of its own. Throws std::invalid_argument when
-/// there is no scenario file, and MovingAiFileError when the first scenario of a file cannot be read.
+/// files beside their maps, or is a folder of such sets, or holds one as `scenarios`. Where the maps' names are
+/// NAME-NUMBER with several NAMEs, as in the benchmark's archives of mazes and of random maps, each is a set of its
+/// own. Throws std::invalid_argument when there is no scenario file, and MovingAiFileError when the first scenario of a
+/// file cannot be read.
 std::vector<GridSetFiles> findGridSets(const std::string& folder);
 
 /// Which maps of a set take part. Learning keeps to the maps numbered 0 to 5 of a set (the number at the end of the

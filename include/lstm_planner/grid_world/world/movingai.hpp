@@ -68,8 +68,9 @@ std::string mapNamedIn(const std::string& scenario_path);
 
 /// The file of the map that all scenarios of a file name: that path, absolute or from the scenario file's folder, the
 /// folder above it, or `Maps` beside it; else the name alone in these folders; else, because a map may have been
-/// renamed with its scenario file, NAME.map of NAME.map.scen. Throws MovingAiFileError that lists where it has looked,
-/// or when the scenarios name several maps.
+/// renamed with its scenario file, NAME.map of NAME.map.scen; else, for files in `scenarios/SET`, the name alone in
+/// `maps/SET`, and that path from the folder two above. Throws MovingAiFileError that lists where it has looked, or
+/// when the scenarios name several maps.
 std::string mapOfScenarioFile(const std::string& scenario_path);
 
 }  // namespace lstm_planner

@@ -75,6 +75,24 @@ TEST_F(GridTasks, FindsScenariosBesideTheirMaps) {
   EXPECT_EQ(drawGridTasks(files, {}).tasks.size(), 40u);
 }
 
+TEST_F(GridTasks, FindsTheSetsInAFolderOfScenarios) {
+  addMap("row-0");
+  const fs::path root = rows_.parent_path() / "hog2";
+  for (const char* set : {"bg512", "dao"}) {
+    fs::create_directories(root / "scenarios" / set);
+    fs::create_directories(root / "maps" / set);
+    fs::copy(rows_ / "Maps" / "row-0.map", root / "maps" / set);
+    fs::copy(rows_ / "Scenarios" / "row-0.map.scen", root / "scenarios" / set);
+  }
+  for (const fs::path& given : {root, root / "scenarios"}) {
+    const std::vector<GridSetFiles> sets = findGridSets(given.string());
+    ASSERT_EQ(sets.size(), 2u) << given;
+    EXPECT_EQ(sets[0].name, "bg512") << given;
+    EXPECT_EQ(sets[1].name, "dao") << given;
+    EXPECT_EQ(drawGridTasks(sets[1], {}).tasks.size(), 40u) << given;
+  }
+}
+
 TEST_F(GridTasks, TellsTheSetsOfOneArchiveApartByTheirNames) {
   for (const char* name : {"maze512-8-0", "maze512-8-1", "maze512-16-0"}) addMap(name);
   const std::vector<GridSetFiles> sets = findGridSets(rows_.string());

@@ -136,11 +136,22 @@ TEST_F(MovingAiScenarios, FindTheMapThatTheyName) {
   EXPECT_EQ(mapNamedIn(scenariosFor("maps/dao/b.map")), "maps/dao/b.map");
 }
 
+TEST_F(MovingAiScenarios, FindTheMapInTheLayoutOfHog2) {
+  const std::string scenarios = write("scenarios/bg512/a.map.scen", "version 1\n0 maps/bgmaps/a.map 1 1 0 0 0 0 0\n");
+  const std::string named = write("maps/bgmaps/a.map", "type octile\n");
+  EXPECT_EQ(mapOfScenarioFile(scenarios), named);
+  const std::string of_the_set = write("maps/bg512/a.map", "type octile\n");
+  EXPECT_EQ(mapOfScenarioFile(scenarios), of_the_set) << "the other one is smaller in that repository";
+  const std::string beside = write("scenarios/bg512/a.map", "type octile\n");
+  EXPECT_EQ(mapOfScenarioFile(scenarios), beside) << "as everywhere";
+}
+
 TEST_F(MovingAiScenarios, GoByTheirFilesNameOnlyWhereTheMapTheyNameIsNotFound) {
   const std::string scenarios = write("set/Scenarios/a.map.scen", "version 1\n0 c.map 1 1 0 0 0 0 0\n");
   EXPECT_EQ(refusal([&] { mapOfScenarioFile(scenarios); }),
             "the scenario file set/Scenarios/a.map.scen names the map 'c.map', and there is none of these: "
-            "set/Scenarios/c.map, set/c.map, set/Maps/c.map, set/Scenarios/a.map, set/a.map, set/Maps/a.map");
+            "set/Scenarios/c.map, set/c.map, set/Maps/c.map, set/Scenarios/a.map, set/a.map, set/Maps/a.map, "
+            "maps/Scenarios/c.map, c.map");
   const std::string renamed = write("set/Maps/a.map", "type octile\n");
   EXPECT_EQ(mapOfScenarioFile(scenarios), renamed);
   const std::string named = write("set/Maps/c.map", "type octile\n");
