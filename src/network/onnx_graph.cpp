@@ -30,6 +30,7 @@ const std::map<std::string, GraphReader::ReadNode>& GraphReader::operators() {
       {"Add", &GraphReader::readAdd},
       {"Concat", &GraphReader::readConcat},
       {"Constant", &GraphReader::readConstant},
+      {"Flatten", &GraphReader::readShapeNode},
       {"Gather", &GraphReader::readShapeNode},
       {"Gemm", &GraphReader::readGemm},
       {"Identity", &GraphReader::readShapeNode},
@@ -168,6 +169,7 @@ void GraphReader::readShapeNode(Node& node) {
   Value value = valueNamed(node.input(0), node.name());
   if (!value.is_state) requireVector(value.shape, node.name() + ": " + quoted(node.input(0)));
   const std::string& name = node.operatorName();
+  if (name == "Flatten") value.shape = shapeAfterFlatten(node, value.shape);
   if (name == "Gather") value.shape = shapeAfterGather(node, value.shape);
   if (name == "Squeeze") value.shape = shapeAfterSqueeze(node, value.shape);
   if (name == "Unsqueeze") value.shape = shapeAfterUnsqueeze(node, value.shape);

@@ -100,6 +100,16 @@ Shape shapeAfterReshape(Node& node, const Shape& shape) {
   return result;
 }
 
+Shape shapeAfterFlatten(Node& node, const Shape& shape) {
+  const std::int64_t axis = node.integer("axis", 1);
+  // It may also name the place behind the last axis.
+  const bool is_behind = axis == static_cast<std::int64_t>(shape.size());
+  const std::size_t rows = is_behind ? shape.size() : axisIndex(node, axis, shape.size());
+  const auto columns = shape.begin() + static_cast<std::ptrdiff_t>(rows);
+  const std::string what = "the input of " + node.name();
+  return {elementCount({shape.begin(), columns}, what), elementCount({columns, shape.end()}, what)};
+}
+
 Shape shapeAfterTranspose(Node& node, const Shape& shape) {
   const std::vector<std::int64_t> order = node.integers("perm");
   if (order.empty()) return {shape.rbegin(), shape.rend()};

@@ -13,11 +13,12 @@ void requireVector(const Shape& shape, const std::string& what);
 /// Which of `rank` axes a number names, where negative ones count from the end. Throws ModelFileError for another one.
 std::size_t axisIndex(const Node& node, std::int64_t axis, std::size_t rank);
 
-/// What Squeeze, Unsqueeze, Reshape and Transpose make of a vector's shape. Throw ModelFileError when the
+/// What Squeeze, Unsqueeze, Reshape, Flatten and Transpose make of a vector's shape. Throw ModelFileError when the
 /// operator does not fit the shape or the result is not a vector of the same size.
 Shape shapeAfterSqueeze(Node& node, const Shape& shape);
 Shape shapeAfterUnsqueeze(Node& node, const Shape& shape);
 Shape shapeAfterReshape(Node& node, const Shape& shape);
+Shape shapeAfterFlatten(Node& node, const Shape& shape);
 Shape shapeAfterTranspose(Node& node, const Shape& shape);
 /// Gather may only pick the one step that there is.
 Shape shapeAfterGather(Node& node, const Shape& shape);

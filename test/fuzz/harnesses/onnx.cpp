@@ -124,9 +124,9 @@ class ModelMutator {
   void mutate(std::string* text) { *text = name(); }
 
   void mutate(NodeProto* node) {
-    static const std::array<std::string, 14> kOperators = {"LSTM",    "RNN",       "Gemm",      "Relu",     "Tanh",
+    static const std::array<std::string, 15> kOperators = {"LSTM",    "RNN",       "Gemm",      "Relu",     "Tanh",
                                                            "Sigmoid", "Softmax",   "Constant",  "Identity", "Reshape",
-                                                           "Squeeze", "Transpose", "Unsqueeze", "Conv"};
+                                                           "Squeeze", "Transpose", "Unsqueeze", "Flatten",  "Conv"};
     switch (input_.byte() % 8) {
       case 0:
         node->set_op_type(input_.pick(kOperators));

@@ -162,6 +162,32 @@ TEST_F(ModelFileExporters, ReshapesTransposesAndIdentities) {
   expectSameNetwork();
 }
 
+TEST_F(ModelFileExporters, FlattensAtAnyPlaceThatKeepsTheValuesInOneRow) {
+  NodeProto& flatten = nodeNamed(file_, squeezeName());
+  flatten.set_op_type("Flatten");
+  flatten.mutable_input()->RemoveLast();
+  expectSameNetwork();  // before axis 1 without the attribute
+  auto& axis = addAttribute(flatten, "axis");
+  for (const int place : {0, 1, 2, -1, -3}) {  // of 1 x 1 x 2
+    axis.set_i(place);
+    SCOPED_TRACE(place);
+    expectSameNetwork();
+  }
+}
+
+TEST_F(ModelFileExporters, FlattensIntoAColumnOrAtNoPlaceAreRefused) {
+  NodeProto& flatten = nodeNamed(file_, squeezeName());
+  flatten.set_op_type("Flatten");
+  flatten.mutable_input()->RemoveLast();
+  auto& axis = addAttribute(flatten, "axis");
+  axis.set_i(3);
+  EXPECT_REFUSED(refusal(file_), "takes the shape [2, 1], expected 2 axes, all values along the last");
+  axis.set_i(4);
+  EXPECT_REFUSED(refusal(file_), "names the axis 4, expected one of 3 axes");
+  axis.set_i(-4);
+  EXPECT_REFUSED(refusal(file_), "names the axis -4, expected one of 3 axes");
+}
+
 TEST_F(ModelFileExporters, ConstantNodes) {
   const TensorProto weights = tensorNamed(file_, "layer_2_weights");
   tensorNamed(file_, "layer_2_weights").set_name("unused");
