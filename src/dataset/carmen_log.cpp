@@ -144,6 +144,17 @@ class LogReader {
   std::uintmax_t bytes_ = 0;         ///< decompressed
 };
 
+long countStandingScans(const std::vector<CarmenLine>& lines) {
+  long standing = 0;
+  const CarmenLine* before = nullptr;
+  for (const CarmenLine& line : lines) {
+    if (!line.has_scan) continue;
+    if (before != nullptr && line.stamp <= before->stamp) ++standing;
+    before = &line;
+  }
+  return standing;
+}
+
 constexpr double kClockSet = 5.0;     // s
 constexpr double kLinesApart = 2e-4;  // s
 
@@ -239,6 +250,7 @@ CarmenLog readCarmenLog(const std::string& path, const std::optional<SensorMount
   CarmenLog log;
   LogReader reader(path, &log);
   std::vector<CarmenLine> lines = reader.read();
+  log.standing = countStandingScans(lines);
   log.late = mendLateStamps(&lines);
   spreadStamps(&lines);
   log.duration = lines.back().stamp - lines.front().stamp;

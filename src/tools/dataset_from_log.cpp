@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <optional>
 
@@ -51,6 +52,15 @@ void print(const CarmenLog& log) {
   std::cout << (log.ignored.empty() ? "" : "\n");
 }
 
+/// Some mapping programs round the stamps of a log that they correct, until most are the same.
+void explainLostTimes(const CarmenLog& log, const Recording& recording) {
+  const auto has_steps = [](const RecordedEpisode& episode) { return !episode.steps.empty(); };
+  if (std::any_of(recording.episodes.begin(), recording.episodes.end(), has_steps)) return;
+  if (2 * log.standing <= log.scans) return;
+  std::cout << "  no steps, because the log's times are lost: " << log.standing << " of " << log.scans
+            << " scans are stamped no later than the scan before; expected the raw log, with its own stamps\n";
+}
+
 }  // namespace
 
 int datasetFromLog(const std::vector<std::string>& arguments) {
@@ -63,6 +73,7 @@ int datasetFromLog(const std::vector<std::string>& arguments) {
     recordCarmenLog(log, options.hindsight, options.recorder, sink);
     sink->recording().description.odometry_frame = "odom";
     print(log);
+    explainLostTimes(log, sink->recording());
   });
 }
 

@@ -200,6 +200,14 @@ TEST(CarmenLogTest, StampsAscendUnlessTheClockWasSet) {
   EXPECT_EQ(log.late, 2);
 }
 
+TEST(CarmenLogTest, ScansThatAreStampedNoLaterThanTheScanBeforeAreCounted) {
+  std::string text;
+  for (const double stamp : {300.0, 300.0, 299.0, 300.0}) {
+    text += frontLaser(stamp, "0 0 0", "0 0 0") + odometry(stamp + 1.0, 0.1);
+  }
+  EXPECT_EQ(parsed(text).standing, 2) << "one is stamped as the scan before it, one earlier; ODOM lines do not count";
+}
+
 TEST(CarmenLogTest, OdometryThatRepeatsThePoseOfTheScanBeforeIsLeftOut) {
   const std::string scan = frontLaser(1.0, "0.5 0 0", "0.5 0 0");
   const CarmenLog log = parsed(scan + odometry(0.0, 0.5) + odometry(1.2, 0.6) + odometry(1.4, 0.6));

@@ -26,14 +26,14 @@ class DatasetConversionTool : public test::ToolTest {
  protected:
   static test::Outcome convert(const std::string& arguments) { return runTool("dataset " + arguments); }
 
-  /// A robot that drives straight ahead at 0.5 m/s, with a scan every half metre.
-  std::string log(const std::string& name, int last = 10, const std::string& reading = "3.5") const {
+  /// A robot that drives straight ahead, with a scan every half metre, which takes it `period` s.
+  std::string log(const std::string& name, int last = 10, const std::string& reading = "3.5", int period = 1) const {
     std::ofstream file(in(name));
     for (int i = 0; i <= last; ++i) {
       file << "FLASER 180";
       for (int beam = 0; beam < 180; ++beam) file << " " << reading;
       const std::string pose = " " + std::to_string(0.5 * i) + " 0 0";
-      file << pose << pose << " " << 100 + i << " host " << 100 + i << "\n";
+      file << pose << pose << " " << 100 + period * i << " host " << 100 + period * i << "\n";
     }
     return in(name);
   }
@@ -130,6 +130,17 @@ TEST_F(DatasetConversionTool, WithoutAnyStepItSaysWhyAndFails) {
   EXPECT_NE(outcome.output.find("unusable scan, 11 times: the scan has 0 of "), std::string::npos) << outcome.output;
   EXPECT_NE(outcome.output.find("out.sqlite is not written: there is no step"), std::string::npos) << outcome.output;
   EXPECT_FALSE(std::filesystem::exists(in("out.sqlite")));
+}
+
+TEST_F(DatasetConversionTool, LogsWhoseTimesAreLostAreSaidToBe) {
+  const test::Outcome lost = convert("from-log " + log("lost.log", 10, "3.5", 0) + " --output " + in("out.sqlite"));
+  EXPECT_EQ(lost.status, 1) << lost.output;
+  EXPECT_NE(lost.output.find("the log's times are lost: 10 of 11 scans are stamped no later than the scan before; "
+                             "expected the raw log"),
+            std::string::npos)
+      << lost.output;
+  const test::Outcome dark = convert("from-log " + log("dark.log", 10, "0.0") + " --output " + in("out.sqlite"));
+  EXPECT_EQ(dark.output.find("times are lost"), std::string::npos) << "its scans are a second apart: " << dark.output;
 }
 
 TEST_F(DatasetConversionTool, NothingIsLeftOfAConversionThatIsInterruptedWhileItWrites) {
