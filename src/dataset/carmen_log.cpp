@@ -51,8 +51,7 @@ class LogReader {
     }
     if (log_->scans == 0) {
       throw std::invalid_argument("the log " + path_ + " holds no scans: expected lines FLASER or ROBOTLASER1 " +
-                                  (log_->malformed > 0 ? "as CARMEN writes them, but " + log_->first_malformed
-                                                       : "among its " + std::to_string(number_)));
+                                  insteadOfScans());
     }
     return std::move(lines_);
   }
@@ -79,6 +78,17 @@ class LogReader {
       }
       take(buffer.get());
     }
+  }
+
+  std::string insteadOfScans() const {
+    // Such a file's lines ODOM are malformed for CARMEN, but that is not what is wrong with it.
+    const auto of_gmapping = log_->ignored.find("LASER_READING");
+    if (of_gmapping != log_->ignored.end()) {
+      return "as CARMEN writes them, but it has " + std::to_string(of_gmapping->second) +
+             " lines LASER_READING: it is a file of GMapping, whose program gfs2log converts it to a CARMEN log";
+    }
+    if (log_->malformed > 0) return "as CARMEN writes them, but " + log_->first_malformed;
+    return "among its " + std::to_string(number_);
   }
 
   void take(const std::string& text) {

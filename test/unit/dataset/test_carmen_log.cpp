@@ -274,6 +274,15 @@ TEST(CarmenLogTest, WhatIsNoLogIsRefusedInASentence) {
   EXPECT_NE(refusalOf(folder().path()), "");
 }
 
+TEST(CarmenLogTest, FilesOfGMappingNameTheProgramThatConvertsThem) {
+  const std::string file =
+      written("map.gfs", "ODOM 576.537 0.107 -2.255213 1134864629.895182\nLASER_READING 2 1.0 1.0 0 0 0 5\n");
+  EXPECT_EQ(refusalOf(file),
+            "the log " + file +
+                " holds no scans: expected lines FLASER or ROBOTLASER1 as CARMEN writes them, but it has 1 lines "
+                "LASER_READING: it is a file of GMapping, whose program gfs2log converts it to a CARMEN log");
+}
+
 TEST(CarmenLogTest, ShortLogsThatBecomeLongAreRefused) {
   std::string text;
   for (int i = 0; i < 257; ++i) text += '#' + std::string((1 << 20) - 2, ' ') + '\n';
