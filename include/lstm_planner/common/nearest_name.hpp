@@ -9,7 +9,8 @@ namespace lstm_planner {
 /// (edit distance of Damerau and Levenshtein). Empty if there is none.
 std::string nearestName(const std::string& name, const std::vector<std::string>& names);
 
-/// "; the nearest is NAME" as the end of a sentence; empty if there is no such name.
+/// "; the nearest is NAME" as the end of a sentence; empty if there is no such name. "; here it is named NAME" where
+/// `name` is what the navigation stack's local planners call one of `names`.
 std::string hintAt(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace lstm_planner
