@@ -45,17 +45,30 @@ double pnmNumber(std::istream& stream) {
   return stream >> value ? value : -1.0;
 }
 
-ImageSize pnmSize(const std::string& bytes) {
+bool isPnm(const std::string& bytes) {
+  return bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6';
+}
+
+struct PnmHeader {
+  double width = 0.0;
+  double height = 0.0;
+  double white = 1.0;  ///< largest value of a pixel; bitmaps do not name it
+};
+
+PnmHeader readPnmHeader(const std::string& bytes) {
   constexpr std::size_t kLongestHeader = 65536;
-  const char kind = bytes[1];
-  std::istringstream header(bytes.substr(2, kLongestHeader));
-  ImageSize size;
-  size.width = pnmNumber(header);
-  size.height = pnmNumber(header);
-  const double channels = kind == '3' || kind == '6' ? 3.0 : 1.0;
-  const bool is_bitmap = kind == '1' || kind == '4';
-  size.pixel_bytes = channels * (!is_bitmap && pnmNumber(header) > 255.0 ? 2.0 : 1.0);
-  return size;
+  std::istringstream text(bytes.substr(2, kLongestHeader));
+  PnmHeader header;
+  header.width = pnmNumber(text);
+  header.height = pnmNumber(text);
+  if (bytes[1] != '1' && bytes[1] != '4') header.white = pnmNumber(text);
+  return header;
+}
+
+ImageSize pnmSize(const std::string& bytes) {
+  const PnmHeader header = readPnmHeader(bytes);
+  const double channels = bytes[1] == '3' || bytes[1] == '6' ? 3.0 : 1.0;
+  return {header.width, header.height, channels * (header.white > 255.0 ? 2.0 : 1.0)};
 }
 
 ImageSize pngSize(const std::string& bytes) {
@@ -76,7 +89,29 @@ ImageSize bmpSize(const std::string& bytes) {
   return {signedSize(18), signedSize(22), 4.0};
 }
 
+/// The size stands in the frame header, which follows other segments: each has a marker of two bytes and its length.
+ImageSize jpegSize(const std::string& bytes) {
+  const auto isFrame = [](std::uint32_t marker) {
+    return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+  };
+  std::size_t place = 2;
+  while (number(bytes, place, 1, true) == 0xff) {
+    if (isFrame(number(bytes, place + 1, 1, true))) {
+      return {static_cast<double>(number(bytes, place + 7, 2, true)),
+              static_cast<double>(number(bytes, place + 5, 2, true)), 3.0};
+    }
+    place += 2 + number(bytes, place + 2, 2, true);
+  }
+  return {};
+}
+
 }  // namespace
+
+int whiteOf(const std::string& bytes) {
+  if (!isPnm(bytes) || bytes[1] < '5') return 0;
+  const double white = readPnmHeader(bytes).white;
+  return white >= 1.0 && white <= 65535.0 ? static_cast<int>(white) : 0;
+}
 
 void checkMapImage(const std::string& bytes, const std::string& path) {
   ImageSize size;
@@ -84,10 +119,12 @@ void checkMapImage(const std::string& bytes, const std::string& path) {
     size = pngSize(bytes);
   } else if (startsWith(bytes, "BM")) {
     size = bmpSize(bytes);
-  } else if (bytes.size() > 2 && bytes[0] == 'P' && bytes[1] >= '1' && bytes[1] <= '6') {
+  } else if (startsWith(bytes, "\xff\xd8\xff")) {
+    size = jpegSize(bytes);
+  } else if (isPnm(bytes)) {
     size = pnmSize(bytes);
   } else {
-    throw MapFileError("the map image " + path + " is of no kind that is known here; expected pgm, png or bmp");
+    throw MapFileError("the map image " + path + " is of no kind that is known here; expected pgm, png, bmp or jpg");
   }
   if (!(size.width > 0.0) || !(size.height > 0.0) || size.width * size.height > kMostPixels ||
       size.width * size.height * size.pixel_bytes > kMostBytes) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <iomanip>
 #include <locale>
 #include <opencv2/imgcodecs.hpp>
@@ -30,6 +31,7 @@ struct MapDescription {
   double resolution = 0.0;
   Pose2 origin;
   bool negate = false;
+  bool counts_alpha = true;  ///< in the mean of a pixel
   double occupied_threshold = 0.0;
   double free_threshold = 0.0;
 };
@@ -64,7 +66,7 @@ class DescriptionReader {
     description.negate = flag("negate");
     description.occupied_threshold = share("occupied_thresh");
     description.free_threshold = share("free_thresh");
-    if (root_["mode"] && text("mode") != "trinary") refuse("mode", text("mode"), "trinary");
+    description.counts_alpha = mode() == "trinary";
     return description;
   }
 
@@ -106,6 +108,15 @@ class DescriptionReader {
     refuse(name, value, "0 or 1");
   }
 
+  std::string mode() const {
+    if (!root_["mode"]) return "trinary";
+    const std::string mode = text("mode");
+    if (mode != "trinary" && mode != "scale") {
+      refuse("mode", mode, "trinary or scale: the values of raw are costs, and say nothing of walls");
+    }
+    return mode;
+  }
+
   Pose2 origin() const {
     const YAML::Node node = field("origin");
     if (!node.IsSequence() || node.size() != 3) refuse("origin", YAML::Dump(node), "[x, y, yaw]");
@@ -121,8 +132,36 @@ std::string imagePath(const std::string& yaml_path, const std::string& image) {
   return image.front() == '/' || slash == std::string::npos ? image : yaml_path.substr(0, slash + 1) + image;
 }
 
-cv::Mat readImage(const std::string& path) {
-  const std::string bytes = readWhole("map image", path, kLargestImageFile);
+/// From 0..white to 0..255; of one byte rounded down, as by the library that map_server reads with.
+void stretch(int white, cv::Mat* image) {
+  if (image->depth() == CV_16U) image->convertTo(*image, CV_8U, 255.0 / white);
+  if (image->depth() != CV_8U || white >= 255) return;
+  for (int row = 0; row < image->rows; ++row) {
+    std::uint8_t* line = image->ptr<std::uint8_t>(row);
+    for (int i = 0; i < image->cols * image->channels(); ++i) {
+      line[i] = static_cast<std::uint8_t>(std::min(255, line[i] * 255 / white));
+    }
+  }
+}
+
+/// Of a path that came from another computer.
+std::string hintAtImageBeside(const std::string& yaml_path, const std::string& path) {
+  const std::string name = path.substr(path.find_last_of('/') + 1);
+  const bool is_beside = imagePath(yaml_path, name) != path && std::filesystem::exists(imagePath(yaml_path, name));
+  return is_beside ? "; beside the map there is one of that name: write image: " + name : "";
+}
+
+std::string readImageFile(const std::string& yaml_path, const std::string& path) {
+  try {
+    return readWhole("map image", path, kLargestImageFile);
+  } catch (const MapFileError& error) {
+    throw MapFileError(error.what() + hintAtImageBeside(yaml_path, path));
+  }
+}
+
+cv::Mat readImage(const std::string& yaml_path, const std::string& name) {
+  const std::string path = imagePath(yaml_path, name);
+  const std::string bytes = readImageFile(yaml_path, path);
   checkMapImage(bytes, path);
   cv::Mat image;
   try {
@@ -133,8 +172,9 @@ cv::Mat readImage(const std::string& path) {
     throw MapFileError("the map image " + path + " cannot be decoded: " + error.what());
   }
   if (image.empty())
-    throw MapFileError("the map image " + path + " cannot be decoded; expected a whole pgm, png or bmp");
-  if (image.depth() == CV_16U) image.convertTo(image, CV_8U, 1.0 / 257.0);
+    throw MapFileError("the map image " + path + " cannot be decoded; expected a whole pgm, png, bmp or jpg");
+  const int white = whiteOf(bytes);
+  stretch(white > 0 ? white : image.depth() == CV_16U ? 65535 : 255, &image);
   if (image.depth() != CV_8U) throw MapFileError("the map image " + path + " has no 8 or 16 bit pixels");
   return image;
 }
@@ -154,8 +194,8 @@ void checkHasFreeCell(const OccupancyGrid& grid, const MapDescription& map, doub
           << static_cast<long>(grid.columns()) * grid.rows()
           << " are occupied (above occupied_thresh = " << map.occupied_threshold
           << "), the others unknown, none is below free_thresh = " << free_below << "; with negate = " << map.negate
-          << ' ' << (map.negate ? "light" : "dark")
-          << " is occupied, and the mean of all channels counts, alpha included";
+          << ' ' << (map.negate ? "light" : "dark") << " is occupied, and the mean of all channels counts, alpha "
+          << (map.counts_alpha ? "included" : "left out");
   throw MapFileError(message.str());
 }
 
@@ -197,7 +237,7 @@ std::pair<std::string, double> splitThreshold(const std::string& text) {
 OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_threshold) {
   const MapDescription map = DescriptionReader(yaml_path).read();
   const double free_below = free_threshold >= 0.0 ? free_threshold : map.free_threshold;
-  const cv::Mat image = readImage(imagePath(yaml_path, map.image));
+  const cv::Mat image = readImage(yaml_path, map.image);
 
   OccupancyGrid grid;
   try {
@@ -205,13 +245,13 @@ OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_thresho
   } catch (const std::invalid_argument& error) {
     throw MapFileError("the map " + yaml_path + " cannot be used: " + error.what());
   }
-  const int channels = image.channels();
+  const bool has_alpha = image.channels() == 2 || image.channels() == 4;
+  const int channels = image.channels() - (has_alpha && !map.counts_alpha ? 1 : 0);
   for (int row = 0; row < image.rows; ++row) {
     const std::uint8_t* line = image.ptr<std::uint8_t>(image.rows - 1 - row);  // the first line is the highest row
     for (int column = 0; column < image.cols; ++column) {
-      // map_server averages all channels in trinary mode, the alpha channel among them.
       double sum = 0.0;
-      for (int channel = 0; channel < channels; ++channel) sum += line[column * channels + channel];
+      for (int channel = 0; channel < channels; ++channel) sum += line[column * image.channels() + channel];
       const double value = sum / channels;
       const double occupied = (map.negate ? value : 255.0 - value) / 255.0;
       if (occupied > map.occupied_threshold) {

@@ -13,10 +13,12 @@ class MapFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a map in the format of map_server (image, resolution, origin, negate, occupied_thresh, free_thresh, mode
-/// trinary). A non-negative `free_threshold` replaces the free_thresh of the file: use 0.19 for maps of Willow Garage,
-/// where the grey value 206 of unknown cells is free with the 0.196 in the file. The image is a PNM, PNG or BMP file
-/// with 8 or 16 bits and at most 2^26 pixels. Throws MapFileError, also when no cell is free by map_server's rule.
+/// Reads a map in the format of map_server (image, resolution, origin, negate, occupied_thresh, free_thresh, mode). The
+/// mean of a pixel's channels counts: with mode trinary, which is the default, alpha is one of them; with mode scale it
+/// is not, and what lies between the thresholds is unknown here. A non-negative `free_threshold` replaces the
+/// free_thresh of the file: use 0.19 for maps of Willow Garage, where the grey value 206 of unknown cells is free with
+/// the 0.196 in the file. The image is a PNM, PNG, BMP or JPEG file with 8 or 16 bits and at most 2^26 pixels. Throws
+/// MapFileError, also when no cell is free by map_server's rule.
 OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_threshold = -1.0);
 
 /// The same of FILE, or of FILE=FREE_THRESHOLD as `--map` of the tool has it. What was never mapped is solid: otherwise

@@ -85,6 +85,38 @@ TEST_F(MapServerMap, AveragesTheChannelsOfAColourImage) {
   EXPECT_EQ(grid.at({2, 0}), Cell::kUnknown);
 }
 
+TEST_F(MapServerMap, LeavesAlphaOutWithModeScale) {
+  cv::Mat image(1, 2, CV_8UC4);
+  image.at<cv::Vec4b>(0, 0) = {255, 255, 255, 255};
+  image.at<cv::Vec4b>(0, 1) = {60, 60, 60, 255};  // mean of the colours 60, p = 0.765; with alpha 108.75, p = 0.574
+  writeImage("map.png", image);
+  EXPECT_EQ(readMapServerMap(writeYaml("map.png", "negate: 0\nmode: trinary\n")).at({1, 0}), Cell::kUnknown);
+  EXPECT_EQ(readMapServerMap(writeYaml("map.png", "negate: 0\nmode: scale\n")).at({1, 0}), Cell::kOccupied);
+}
+
+TEST_F(MapServerMap, StretchesTheValuesOfABinaryImageUpToItsLargest) {
+  write("map.pgm", std::string("P5\n4 1\n100\n\x64\x51\x50\x23", 15));  // 81 % is 206 of 255, 80 % 204, 35 % 89
+  const OccupancyGrid grid = readMapServerMap(writeYaml("map.pgm"));
+  EXPECT_EQ(grid.at({0, 0}), Cell::kFree);
+  EXPECT_EQ(grid.at({1, 0}), Cell::kFree);
+  EXPECT_EQ(grid.at({2, 0}), Cell::kUnknown);
+  EXPECT_EQ(grid.at({3, 0}), Cell::kOccupied);
+}
+
+TEST_F(MapServerMap, ReadsAJpeg) {
+  writeImage("map.jpg", cv::Mat(40, 60, CV_8UC1, cv::Scalar(254.0)));
+  const OccupancyGrid grid = readMapServerMap(writeYaml("map.jpg"));
+  EXPECT_EQ(grid.columns(), 60);
+  EXPECT_EQ(grid.rows(), 40);
+  EXPECT_EQ(grid.at({59, 39}), Cell::kFree);
+}
+
+TEST_F(MapServerMap, NamesTheImageThatLiesBesideAMapFromAnotherComputer) {
+  write("map.pgm", kImage);
+  const std::string why = refusal(writeYaml("/home/somebody/maps/map.pgm"));
+  EXPECT_NE(why.find("; beside the map there is one of that name: write image: map.pgm"), std::string::npos) << why;
+}
+
 TEST_F(MapServerMap, SaysWhyNoCellIsFree) {
   // Grey and alpha: whatever the grey, the mean with an opaque alpha is light, and light is occupied if negated.
   write("map.pgm", std::string("P5\n2 1\n255\n\xC0\xFF", 13));
@@ -104,7 +136,7 @@ TEST_F(MapServerMap, NamesWhatIsWrongInTheYaml) {
   EXPECT_NE(refusal(write("map.yaml", "image: map.pgm")).find("lacks the field resolution"), std::string::npos);
   EXPECT_NE(refusal(writeYaml("map.pgm", "")).find("lacks the field negate"), std::string::npos);
   EXPECT_NE(refusal(writeYaml("map.pgm", "negate: 2\n")).find("negate '2', expected 0 or 1"), std::string::npos);
-  EXPECT_NE(refusal(writeYaml("map.pgm", "negate: 0\nmode: raw\n")).find("mode 'raw', expected trinary"),
+  EXPECT_NE(refusal(writeYaml("map.pgm", "negate: 0\nmode: raw\n")).find("mode 'raw', expected trinary or scale"),
             std::string::npos);
   const std::string rest = "\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
   const std::string image = "image: map.pgm\n";
@@ -140,7 +172,10 @@ TEST_F(MapServerMap, RefusesBrokenImages) {
   EXPECT_NE(refusalOf("P6\n8192 8192\n65535\n").find("pixels of 6 bytes"), std::string::npos);
   const std::string bmp = std::string("BM") + std::string(12, '\0') + std::string("\x28\0\0\0\0\0\1\0\0\0\1\0", 12);
   EXPECT_NE(refusalOf(bmp).find("65536 x 65536"), std::string::npos) << refusalOf(bmp);
-  EXPECT_NE(refusalOf("\xff\xd8\xff\xe0 JFIF").find("is of no kind that is known here"), std::string::npos);
+  const std::string jpeg("\xff\xd8\xff\xe0\0\4\0\0\xff\xc2\0\x11\x08\xff\xff\xff\xfe\3", 18);
+  EXPECT_NE(refusalOf(jpeg).find("65534 x 65535 pixels of 3 bytes"), std::string::npos) << refusalOf(jpeg);
+  EXPECT_NE(refusalOf("\xff\xd8\xff\xe0 JFIF").find("has 0 x 0 pixels"), std::string::npos);
+  EXPECT_NE(refusalOf("GIF89a").find("is of no kind that is known here"), std::string::npos);
 }
 
 TEST_F(MapServerMap, ReadsBackWhatItWrote) {
