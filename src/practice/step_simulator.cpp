@@ -36,7 +36,6 @@ AgentParameters practiceAgent(const PolicyDescription& policy) {
   agent.escape.enabled = false;
   agent.memory.enabled = false;
   // Judged is what the network reaches by the answers that it prefers.
-  agent.goal_drift = 0.0;
   agent.draw_after = 0;
   return fittedToFootprint(agent);
 }

@@ -137,7 +137,6 @@ int runJudge(const std::vector<std::string>& arguments) {
   AgentParameters agent = practiceAgent(policy.description());
   agent.leader = leader;
   agent.memory.enabled = leader == Leader::kRoute;
-  if (agent.memory.enabled) agent.goal_drift = AgentParameters().goal_drift;
   std::vector<Sums> by_kind(options.course.worlds.size());
   Sums all;
   for (const JudgedDrive& drive : judgeEach(policy, agent, options.course, WorldUse::kJudging, options.worlds,

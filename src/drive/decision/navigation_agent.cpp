@@ -18,10 +18,6 @@ constexpr double kSamePlace = 1e-6;  // m
 /// A turn by so much (rad) counts as much as a whole step of a detour.
 constexpr double kTurnOfAStep = M_PI;
 
-/// Times the patience, after which a robot without rescue takes a goal behind an obstacle for reached: with one, twice
-/// as many of these were on the other side of a wall.
-constexpr double kPatienceBesideGoal = 8.0;
-
 /// Why a leader leads.
 const char* const kNewGoal = "new goal";
 const char* const kChosen = "the parameter leader was changed";
@@ -185,10 +181,6 @@ const Decision& NavigationAgent::decide() {
   if (!clock_.hasStep() || stepIsOver(situation)) {
     noteProgress(situation);
     losePatience();
-    if (isBesideGoal(situation)) {
-      stopBesideGoal(situation);
-      return decision_;
-    }
     startStep(situation);
     decideStep(situation);
   } else if (clock_.isStalled(situation)) {
@@ -267,21 +259,6 @@ void NavigationAgent::losePatience() {
   if (!parameters_.escape.enabled || decision_.leader == Leader::kEscape) return;
   if (replanner_ && isOutOfPatience(parameters_.escape.last_resort)) lead(Leader::kEscape, kNoProgressForLong);
   if (!replanner_ && isOutOfPatience(1.0)) lead(Leader::kEscape, kNoProgress);
-}
-
-/// Nothing rescues the leader, the goal is near, and it seems to lie in or behind an obstacle.
-bool NavigationAgent::isBesideGoal(const Situation& situation) const {
-  const bool is_rescued = parameters_.escape.enabled || replanner_;
-  if (is_rescued || !parameters_.shield_enabled || !isOutOfPatience(kPatienceBesideGoal)) return false;
-  const double distance = distanceBetween(situation.pose, goal_);
-  const double direction = directionTo(situation.pose, goal_);
-  return distance <= reachedWithin() && isInView(situation, direction) && !isFreeUpTo(situation, direction, distance);
-}
-
-void NavigationAgent::stopBesideGoal(const Situation& situation) {
-  decision_.destination = {situation.pose.x, situation.pose.y};
-  decision_.goal_seems = Decision::GoalSeems::kBehindObstacle;
-  arrive(situation);
 }
 
 void NavigationAgent::startStep(const Situation& situation) {

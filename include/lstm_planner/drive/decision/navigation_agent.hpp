@@ -39,8 +39,7 @@ namespace lstm_planner {
 ///
 /// Where nothing is remembered (memory/enabled is false), nothing limits detours, and boundary following leads when the
 /// robot makes no progress. Without that, too (escape/enabled is false), a network that makes no progress draws its
-/// steps (AgentParameters::draw_after), and in the end a goal that drift may have moved into or behind an obstacle
-/// counts as reached in front of it (goal_drift).
+/// steps (AgentParameters::draw_after).
 ///
 /// The hidden state advances once a step (StepClock) and at no other time: asking twice gives the same answer. Not
 /// thread safe. All poses and goals are in one frame, in which the robot moves without jumps: the odometry frame, or
@@ -131,8 +130,6 @@ class NavigationAgent {
   void startFrom(const Situation& situation, const char* why);
   void losePatience();
   void arrive(const Situation& situation);
-  bool isBesideGoal(const Situation& situation) const;
-  void stopBesideGoal(const Situation& situation);
   bool isOutOfPatience(double times) const;
   Leader leaderBy(const AgentParameters& parameters) const;
   void choose(Leader leader, const char* why);
