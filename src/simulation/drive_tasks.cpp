@@ -10,6 +10,16 @@
 #include "simulation/shortest_path.hpp"
 
 namespace lstm_planner {
+namespace {
+
+std::string robotText(double footprint_radius, double clearance, double needed) {
+  std::ostringstream text;
+  text << "a disc with a radius of " << needed << " m (robot " << footprint_radius << ", clearance " << clearance
+       << ", half a cell)";
+  return text.str();
+}
+
+}  // namespace
 
 std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footprint_radius, double clearance,
                                  double shortest, std::uint64_t seed) {
@@ -18,9 +28,7 @@ std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footp
   const DistanceField distances(grid, true);
   const std::vector<CellIndex> standing = standingCells(grid, distances, needed);
   if (standing.empty()) {
-    std::ostringstream message;
-    message << "the map has no place for a disc with a radius of " << needed << " m";
-    throw std::invalid_argument(message.str());
+    throw std::invalid_argument("there is no place for " + robotText(footprint_radius, clearance, needed));
   }
   Random random(seed);
   std::vector<DriveTask> tasks;
@@ -31,8 +39,8 @@ std::vector<DriveTask> drawTasks(const GridWorld& world, int count, double footp
   for (int draws = 0; static_cast<int>(tasks.size()) < count; ++draws) {
     if (draws > most_draws) {
       std::ostringstream message;
-      message << "the map has no two places at least " << shortest << " m apart that a disc with a radius of " << needed
-              << " m can get to from one another";
+      message << "there are no two places at least " << shortest << " m apart that "
+              << robotText(footprint_radius, clearance, needed) << " can get to from one another";
       throw std::invalid_argument(message.str());
     }
     const CellIndex goal = standing[uniformIndex(random, standing.size())];

@@ -41,8 +41,12 @@ DriveWorld gridWorld(const std::string& name, OccupancyGrid grid, const DriveOpt
 std::vector<DriveTask> draw(const DriveWorld& world, int count, double shortest, std::uint64_t seed,
                             const DriveOptions& options) {
   const ShieldParameters& shield = options.agent.shield;
-  return drawTasks(static_cast<const GridWorld&>(*world.world), count, footprintOf(shield).circumscribedRadius(),
-                   shield.clearance, options.shortest.value_or(shortest), seed);
+  try {
+    return drawTasks(static_cast<const GridWorld&>(*world.world), count, footprintOf(shield).circumscribedRadius(),
+                     shield.clearance, options.shortest.value_or(shortest), seed);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(world.name + ": " + error.what());
+  }
 }
 
 /// Many goals in one world.

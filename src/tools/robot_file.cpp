@@ -21,6 +21,9 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kSameDiameter = 0.001;  // m
+constexpr double kSameEdge = 0.002;      // m, as on the robot (safeFootprint)
+
+const std::vector<std::string> kGroups = {"LstmGlobalPlanner", "SteeringController", "create2_stub"};
 
 /// Reads one group of a file into variables that hold their defaults.
 class GroupReader {
@@ -126,11 +129,61 @@ void checkBody(const std::string& path, const ShieldParameters& shield, const Cr
   }
 }
 
+std::vector<Point2> outlineOf(const Footprint& footprint) {
+  if (!footprint.isCircle()) return footprint.corners();
+  constexpr int kPoints = 16;
+  std::vector<Point2> points;
+  for (int i = 0; i < kPoints; ++i) {
+    points.push_back(pointAlong(Point2{}, 2.0 * M_PI * i / kPoints, footprint.circumscribedRadius()));
+  }
+  return points;
+}
+
+/// Where a costmap's body reaches beyond that of the plugins, it counts on the robot.
+void checkCostmap(const std::string& path, const YAML::Node& root, const std::string& costmap, const Footprint& own) {
+  double radius = 0.0;
+  std::string corners;
+  GroupReader group(path, root, costmap);
+  const auto visit = group.visitor();
+  visit("robot_radius", radius, {}, "", "");
+  visit("footprint", corners, {}, "", "");
+  if (radius == 0.0 && corners.empty()) return;
+  const std::string name = costmap + (corners.empty() ? "/robot_radius" : "/footprint");
+  double beyond = 0.0;
+  for (const Point2& corner : outlineOf(footprintOf(path + ": " + name, radius, corners))) {
+    beyond = std::max(beyond, own.distanceTo(corner));
+  }
+  if (beyond <= kSameEdge) return;
+  std::ostringstream sentence;
+  sentence << path << ": " << name << " reaches " << beyond
+           << " m beyond the footprint of the plugins, and would count on the robot; expected the same in "
+              "LstmGlobalPlanner/shield, SteeringController and the costmaps";
+  throw std::invalid_argument(sentence.str());
+}
+
+/// Parameters of other nodes may stand in it, too, but not alone.
+void checkGroups(const std::string& path, const YAML::Node& root) {
+  bool has_one = false;
+  for (const auto& entry : root) {
+    const std::string name = entry.first.as<std::string>();
+    const bool is_ours = std::find(kGroups.begin(), kGroups.end(), name) != kGroups.end();
+    const std::string hint = is_ours ? "" : hintAt(name, kGroups);
+    if (!hint.empty()) throw std::invalid_argument(path + ": there is no group '" + name + "'" + hint);
+    has_one = has_one || is_ours;
+  }
+  if (has_one) return;
+  throw std::invalid_argument(path +
+                              " has none of the groups LstmGlobalPlanner, SteeringController and create2_stub, in "
+                              "which a robot file has its values; see config/robots/create2_hokuyo.yaml");
+}
+
 }  // namespace
 
 void readRobotFile(const std::string& name, DriveParameters* drive, AgentParameters* agent) {
   const auto [path, root] =
       readShippedYaml("robot", "config/robots", name, "groups of parameters, as in config/robots/create2_hokuyo.yaml");
+
+  checkGroups(path, root);
 
   GlobalPlannerParameters planner;
   planner.agent = *agent;
@@ -169,6 +222,9 @@ void readRobotFile(const std::string& name, DriveParameters* drive, AgentParamet
   drive->robot.second_scanner = readSecondScanner(visit);
   simulation.refuseUnknown();
   checkBody(path, agent->shield, drive->robot.base);
+  for (const char* costmap : {"global_costmap", "local_costmap"}) {
+    checkCostmap(path, root, costmap, footprintOf(agent->shield));
+  }
   checkSecondScanner(path, planner.sensors, controller.sensors, drive->robot.second_scanner.has_value());
 }
 

@@ -64,6 +64,28 @@ TEST_F(DriveRobots, TheCreateIsWhatTheDefaultsAreMadeFor) {
   EXPECT_EQ(drive(arguments).output, drive(arguments + " --robot " + fileOf("create2_hokuyo")).output);
 }
 
+TEST_F(DriveRobots, AFileOfSomethingElseIsRefused) {
+  const auto refusal = [&](const std::string& text) { return drive("--goals 1 --robot " + fileWith(text)).output; };
+  EXPECT_NE(refusal("robot_radius: 0.3\n").find("has none of the groups LstmGlobalPlanner"), std::string::npos);
+  EXPECT_NE(refusal("move_base: {LstmGlobalPlanner: {}}\n").find("has none of the groups"), std::string::npos);
+  EXPECT_NE(refusal("LstmGlobalplanner: {}\n").find("no group 'LstmGlobalplanner'; the nearest is LstmGlobalPlanner"),
+            std::string::npos);
+}
+
+TEST_F(DriveRobots, ACostmapWithALargerRobotIsRefused) {
+  const auto outcomeWith = [&](const std::string& costmap) {
+    return drive("--worlds open --goals 1 --time-limit 1 --robot " +
+                 fileWith("LstmGlobalPlanner: {shield: {footprint_radius: 0.2}}\n" + costmap));
+  };
+  EXPECT_NE(outcomeWith("local_costmap: {robot_radius: 0.3}\n")
+                .output.find("local_costmap/robot_radius reaches 0.1 m beyond the footprint of the plugins"),
+            std::string::npos);
+  EXPECT_NE(outcomeWith("global_costmap: {footprint: [[0.3, 0.1], [0.3, -0.1], [-0.1, 0.0]]}\n")
+                .output.find("global_costmap/footprint reaches 0.116 m"),  // hypot(0.3, 0.1) - 0.2
+            std::string::npos);
+  EXPECT_EQ(outcomeWith("global_costmap: {robot_radius: 0.2}\n").status, 0);
+}
+
 TEST_F(DriveRobots, WhatIsSetOnTheLineCountsMore) {
   const std::string robot = "--worlds forest --goals 1 --threads 1 --robot " + fileOf("turtlebot3_burger");
   EXPECT_NE(drive(robot).output, drive(robot + " --noise 0.0 --dropout 0.0").output);
