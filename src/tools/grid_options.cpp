@@ -8,12 +8,11 @@
 namespace lstm_planner {
 namespace {
 
-MapSelection selectionNamed(const std::string& name) {
-  if (name == "all") return MapSelection::kAll;
-  if (name == "train") return MapSelection::kTrain;
-  if (name == "validation") return MapSelection::kValidation;
-  throw std::invalid_argument("--maps is '" + name + "', expected train, validation or all");
-}
+const Choices<Heuristic> kHeuristicNames = {{"manhattan", Heuristic::kManhattan},
+                                            {"chebyshev", Heuristic::kChebyshev},
+                                            {"octile", Heuristic::kOctile},
+                                            {"euclidean", Heuristic::kEuclidean},
+                                            {"scaled_euclidean", Heuristic::kScaledEuclidean}};
 
 void finish(GridOptions* options) {
   ScenarioSelection& selection = options->selection;
@@ -23,7 +22,6 @@ void finish(GridOptions* options) {
             << ", expected 0 <= min <= max";
     throw std::invalid_argument(message.str());
   }
-  selection.maps = selectionNamed(options->maps);
   options->agent.corner_cutting = options->evaluation.rules.corner_cutting;
   options->agent.costs = moveCosts(options->straight_cost, options->diagonal_cost);
 }
@@ -44,7 +42,7 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
           "folders: sets of the MovingAI benchmark (with Maps and Scenarios in them), their Scenarios folders, or "
           "folders of such sets")
       .required();
-  line->addChoice("maps", &options->maps, {"train", "validation", "all"},
+  line->addChoice("maps", &selection.maps, kMapSelections,
                   "train (maps 0-5 of a set, or the first half of more than 20 maps), validation (the others) or all");
   line->add("min-length", &selection.min_length, kAnyLength, "cells; smallest length of the shortest path");
   line->add("max-length", &selection.max_length, kAnyLength,
@@ -68,9 +66,8 @@ void addGridOptions(GridOptions* options, CommandLine* line) {
   line->add("draw-after", &agent.draw_after, {0, 1e9},
             "with --no-escape: steps without progress after which a network's moves are drawn with the probabilities "
             "that it gives, so that it leaves circles; 0 = never");
-  line->addText(
-      "heuristic", "octile", [&](const std::string& name) { agent.heuristic.kind = heuristicNamed(name); },
-      "heuristic of A*: manhattan, chebyshev, octile, euclidean or scaled_euclidean");
+  line->addChoice("heuristic", &agent.heuristic.kind, kHeuristicNames,
+                  "heuristic of A*: manhattan, chebyshev, octile, euclidean or scaled_euclidean");
   line->add("scale", &agent.heuristic.scale, {0.0, kLargestEuclideanScale}, "scale of scaled_euclidean");
   line->addFlag("keep-closed", &agent.keep_closed, true,
                 "A* expands no cell twice, even if an overestimating heuristic first found it by a detour");

@@ -10,6 +10,9 @@
 
 namespace lstm_planner {
 
+inline const Choices<MapSelection> kMapSelections = {
+    {"train", MapSelection::kTrain}, {"validation", MapSelection::kValidation}, {"all", MapSelection::kAll}};
+
 /// What evaluate and report have in common: scenarios, rules, and how agents are set up.
 struct GridOptions {
   std::vector<std::string> folders;
@@ -19,7 +22,6 @@ struct GridOptions {
 
   double straight_cost = 1.0;
   double diagonal_cost = moveLength(1);
-  std::string maps = "all";  ///< train, validation or all, as `selection` says it
 };
 
 /// `options` must stay where they are until the line is parsed.

@@ -1,9 +1,15 @@
 #include "tools/network_options.hpp"
 
+#include <string>
+
+#include "tools/ranges.hpp"
+
 namespace lstm_planner {
 
 namespace {
 
+const Choices<NetworkShape::Kind> kKinds = {
+    {"lstm", NetworkShape::Kind::kLstm}, {"rnn", NetworkShape::Kind::kRnn}, {"mlp", NetworkShape::Kind::kMlp}};
 const Choices<Activation> kActivations = {
     {"tanh", Activation::kTanh}, {"sigmoid", Activation::kSigmoid}, {"relu", Activation::kRelu}};
 const Choices<Activation> kCandidates = {{"tanh", Activation::kTanh}, {"sigmoid", Activation::kSigmoid}};
@@ -11,12 +17,22 @@ const Choices<Loss> kLosses = {{"cross-entropy", Loss::kCrossEntropy}, {"euclide
 
 }  // namespace
 
-void addActivationOptions(NetworkShape* shape, CommandLine* line) {
+void addShapeOptions(NetworkShape* shape, const std::vector<int>& mlp_units, CommandLine* line) {
+  std::string units;
+  for (const int count : mlp_units) units += " " + std::to_string(count);
+  line->addChoice("network", &shape->kind, kKinds, "lstm, rnn or mlp");
+  line->add("cells", &shape->cells, kAnyLayer,
+            "cells of each recurrent layer, or units of each layer of an mlp (default of an mlp:" + units + ")");
+  line->add("deep-in", &shape->deep_in, kAnyLayer, "units of each dense layer before the recurrent ones");
+  line->add("deep-out", &shape->deep_out, kAnyLayer, "units of each dense layer after the recurrent ones");
   line->addChoice("activation", &shape->activation, kActivations,
                   "activation of the dense layers: tanh, sigmoid or relu; with reinforcement only tanh");
   line->addChoice("candidate", &shape->candidate, kCandidates,
                   "activation of the LSTM layers' candidate: tanh, or sigmoid as the thesis prints (Eq. 2.21); with "
                   "reinforcement only tanh");
+  line->whenParsed([=] {
+    if (shape->kind == NetworkShape::Kind::kMlp && !line->given("cells")) shape->cells = mlp_units;
+  });
 }
 
 void addLossOption(Loss* loss, CommandLine* line) {

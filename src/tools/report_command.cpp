@@ -42,10 +42,10 @@ bool readOptions(const std::vector<std::string>& arguments, ReportOptions* optio
 std::string rulesText(const GridOptions& options) {
   const GridEpisodeRules& rules = options.evaluation.rules;
   std::ostringstream text;
-  text << "Scenarios of " << options.maps << " maps with paths of " << options.selection.min_length << " to "
-       << options.selection.max_length << " cells, drawn with seed " << options.selection.seed << "; "
-       << (rules.max_steps > 0 ? std::to_string(rules.max_steps) : "unlimited") << " steps, corner cutting "
-       << (rules.corner_cutting == CornerCutting::kAllowed ? "allowed" : "forbidden")
+  text << "Scenarios of " << nameOf(options.selection.maps, kMapSelections) << " maps with paths of "
+       << options.selection.min_length << " to " << options.selection.max_length << " cells, drawn with seed "
+       << options.selection.seed << "; " << (rules.max_steps > 0 ? std::to_string(rules.max_steps) : "unlimited")
+       << " steps, corner cutting " << (rules.corner_cutting == CornerCutting::kAllowed ? "allowed" : "forbidden")
        << ", arrival within one cell. Averages are over the arrivals. Times are processor times and depend on the "
           "machine. The thesis's rows are as printed: 50 scenarios of at most 300 steps, corner cutting allowed.";
   return text.str();

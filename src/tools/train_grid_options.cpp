@@ -9,17 +9,6 @@
 #include "tools/train_commands.hpp"
 
 namespace lstm_planner {
-namespace {
-
-void finish(const CommandLine& line, GridTrainingOptions* options) {
-  GridTrainingOptions& o = *options;
-  o.shape.kind = networkKindNamed(o.network);
-  if (!line.given("cells") && o.shape.kind == NetworkShape::Kind::kMlp) o.shape.cells = {64, 64, 64, 64};
-  makeNetwork(kGridInputs, o.shape, kGridMoveCount);
-}
-
-}  // namespace
-
 void addGridMapOptions(GridTrainingOptions* options, CommandLine* line) {
   GridTrainingOptions& o = *options;
   line->addChoice("task", &o.task, {"grid", "robot"}, "grid (this) or robot");
@@ -45,18 +34,13 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
             "share of the training episodes that start in a dead end, where there is one between the start and the "
             "goal: the blind spots of thesis ch. 5");
   line->add("method", &o.method, "imitation, dagger or q-learning");
-  line->add("network", &o.network, "lstm, rnn or mlp");
-  line->add("cells", &o.shape.cells, kAnyLayer,
-            "cells of each recurrent layer, or units of each layer of an mlp (default of an mlp: 64 64 64 64)");
-  line->add("deep-in", &o.shape.deep_in, kAnyLayer, "units of each dense layer before the recurrent ones");
-  line->add("deep-out", &o.shape.deep_out, kAnyLayer, "units of each dense layer after the recurrent ones");
-  addActivationOptions(&o.shape, line);
+  addShapeOptions(&o.shape, {64, 64, 64, 64}, line);
   line->addFile("from", &o.from, "ONNX file to start from, instead of random weights; it determines the layers");
   line->addOutput("output", &o.output, "ONNX file to write: the best so far on the validation maps").required();
   line->addOutput("curve", &o.curve, "PNG file for the learning curve; a CSV file is written beside it");
   line->addOutput("checkpoint", &o.checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->add("validation", &o.validation, {1, 1e6}, "scenarios of each set, to judge the network");
-  line->whenParsed([options, line] { finish(*line, options); });
+  line->whenParsed([options] { makeNetwork(kGridInputs, options->shape, kGridMoveCount); });  // throws
 }
 
 LayerStack firstLayers(const GridTrainingOptions& options) {

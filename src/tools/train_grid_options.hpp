@@ -33,8 +33,6 @@ struct GridTrainingOptions {
   int max_steps = 1000;  ///< of a validation episode
   std::uint64_t seed = 1;
   int threads = 2;
-
-  std::string network = "lstm";  ///< as given, until checked
 };
 
 // `options` hold the defaults and take the values; they must stay where they are until the line is parsed.

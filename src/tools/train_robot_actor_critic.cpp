@@ -60,7 +60,7 @@ bool readPlan(const std::vector<std::string>& arguments, RobotReinforcementPlan*
   addOptions(arguments, plan, &line);
   line.whenParsed([&] {
     if (plan->init.empty()) {
-      finishRobotNetworkOptions(line, &plan->network, &p.policy.encoder);
+      finishRobotNetworkOptions(plan->network, &p.policy.encoder);
     } else {
       checkModelDecides(line);
     }

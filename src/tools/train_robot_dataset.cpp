@@ -37,6 +37,9 @@
 namespace lstm_planner {
 namespace {
 
+const Choices<LabelBalance> kBalances = {
+    {"none", LabelBalance::kNone}, {"sqrt", LabelBalance::kSquareRoot}, {"inverse", LabelBalance::kInverse}};
+
 /// What `lstm_planner train --dataset` is asked to do.
 struct DatasetTrainingOptions {
   std::string command;  ///< the whole command line
@@ -89,10 +92,7 @@ void addDataOptions(DatasetTrainingOptions* o, CommandLine* line) {
             "steps of a training sequence; 0: whole episodes");
   line->add("burn-in", &sequences.burn_in_steps, {0, kAnyWindow.most},
             "steps before a sequence that only set the hidden state");
-  line->addText(
-      "balance", toString(o->training.balance),
-      [=](const std::string& name) { o->training.balance = labelBalanceNamed(name); },
-      "weight of rare labels: none, sqrt or inverse");
+  line->addChoice("balance", &o->training.balance, kBalances, "weight of rare labels: none, sqrt or inverse");
   line->add("variants", &o->training.variants, {0, 1e4},
             "additional copies of each drive for training: turned, and every second one mirrored");
 }
@@ -162,7 +162,7 @@ bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, Datas
     options->training.trainer.communicator = ranks();
     validate(options->training);
     check(line, *options);
-    if (!options->fromModel()) finishRobotNetworkOptions(line, &options->network, &options->encoder);
+    if (!options->fromModel()) finishRobotNetworkOptions(options->network, &options->encoder);
   });
   if (!line.parse(arguments)) return false;
   options->settings = line.settings();
@@ -248,7 +248,7 @@ void printLabels(const DatasetTrainingParameters& training, const DatasetTrainin
             << line("validation", sets.validation_labels, count) << "   " << stepsOf(sets.validation_labels)
             << " steps in " << sets.validation.size() << " episodes\n"
             << line("weight", sets.label_weights, [](double weight) { return fixedText(weight, 2); }) << "   --balance "
-            << toString(training.balance) << "\nmajority-class baseline: accuracy "
+            << nameOf(training.balance, kBalances) << "\nmajority-class baseline: accuracy "
             << percentText(constantAnswerAccuracy(sets.validation_labels)) << " on the validation set" << std::endl;
 }
 

@@ -59,12 +59,7 @@ void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* enc
   line->add("views", &encoder->views, {1, 8},
             "1: one output per angle; 8: the network is evaluated for each of eight directions, each with an output "
             "and a hidden state (only with reinforcement)");
-  line->add("network", &options->network, "lstm, rnn or mlp");
-  line->add("cells", &options->shape.cells, kAnyLayer,
-            "cells of each recurrent layer, or units of each layer of an mlp (default of an mlp: 64 64)");
-  line->add("deep-in", &options->shape.deep_in, kAnyLayer, "units of each dense layer before the recurrent ones");
-  line->add("deep-out", &options->shape.deep_out, kAnyLayer, "units of each dense layer after the recurrent ones");
-  addActivationOptions(&options->shape, line);
+  addShapeOptions(&options->shape, {64, 64}, line);
 }
 
 void checkModelDecides(const CommandLine& line) {
@@ -75,12 +70,10 @@ void checkModelDecides(const CommandLine& line) {
   }
 }
 
-void finishRobotNetworkOptions(const CommandLine& line, RobotNetworkOptions* options, EncoderParameters* encoder) {
-  addInputs(options->inputs, encoder);
+void finishRobotNetworkOptions(const RobotNetworkOptions& options, EncoderParameters* encoder) {
+  addInputs(options.inputs, encoder);
   if (encoder->views != 1) fitInputsToViews(encoder);
-  options->shape.kind = networkKindNamed(options->network);
-  if (!line.given("cells") && options->shape.kind == NetworkShape::Kind::kMlp) options->shape.cells = {64, 64};
-  makeNetwork(static_cast<int>(encoder->input_layout.size()), options->shape, 1);  // throws
+  makeNetwork(static_cast<int>(encoder->input_layout.size()), options.shape, 1);  // throws
 }
 
 void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTrainingOptions* options,

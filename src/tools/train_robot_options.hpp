@@ -31,7 +31,6 @@ struct RobotTrainingOptions {
 /// What a new network of the robot looks like.
 struct RobotNetworkOptions {
   std::vector<std::string> inputs;  ///< groups beside the thesis's
-  std::string network = "lstm";
   NetworkShape shape;
 };
 
@@ -44,7 +43,7 @@ void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* enc
 void checkModelDecides(const CommandLine& line);
 
 /// Takes over what was parsed. Throws std::invalid_argument with a sentence for values that make no sense.
-void finishRobotNetworkOptions(const CommandLine& line, RobotNetworkOptions* options, EncoderParameters* encoder);
+void finishRobotNetworkOptions(const RobotNetworkOptions& options, EncoderParameters* encoder);
 
 void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTrainingOptions* options,
                              CommandLine* line);

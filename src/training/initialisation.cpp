@@ -116,25 +116,6 @@ LayerStack makeDenseStack(int inputs, const std::vector<int>& units, int outputs
   return layers;
 }
 
-std::string networkKindName(NetworkShape::Kind kind) {
-  switch (kind) {
-    case NetworkShape::Kind::kLstm:
-      return "lstm";
-    case NetworkShape::Kind::kRnn:
-      return "rnn";
-    case NetworkShape::Kind::kMlp:
-      return "mlp";
-  }
-  return "";
-}
-
-NetworkShape::Kind networkKindNamed(const std::string& name) {
-  for (const auto kind : {NetworkShape::Kind::kLstm, NetworkShape::Kind::kRnn, NetworkShape::Kind::kMlp}) {
-    if (networkKindName(kind) == name) return kind;
-  }
-  throw std::invalid_argument("network is '" + name + "', expected lstm, rnn or mlp");
-}
-
 LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs) {
   requireLayersOf(shape);
   std::vector<int> sizes = shape.deep_in;

@@ -7,25 +7,6 @@
 
 namespace lstm_planner {
 
-std::string toString(LabelBalance balance) {
-  switch (balance) {
-    case LabelBalance::kNone:
-      return "none";
-    case LabelBalance::kSquareRoot:
-      return "sqrt";
-    case LabelBalance::kInverse:
-      return "inverse";
-  }
-  return "";
-}
-
-LabelBalance labelBalanceNamed(const std::string& name) {
-  for (const LabelBalance balance : {LabelBalance::kNone, LabelBalance::kSquareRoot, LabelBalance::kInverse}) {
-    if (toString(balance) == name) return balance;
-  }
-  throw std::invalid_argument("the balance of labels is '" + name + "', expected none, sqrt or inverse");
-}
-
 std::vector<long> countLabels(const std::vector<Sequence>& sequences, int classes) {
   std::vector<long> counts(static_cast<std::size_t>(classes), 0);
   for (const Sequence& sequence : sequences) {

@@ -54,11 +54,6 @@ struct NetworkShape {
   Activation candidate = Activation::kTanh;   ///< of LSTM layers; thesis Eq. 2.21 prints kSigmoid
 };
 
-/// "lstm", "rnn", "mlp".
-std::string networkKindName(NetworkShape::Kind kind);
-/// Throws std::invalid_argument for another name.
-NetworkShape::Kind networkKindNamed(const std::string& name);
-
 /// Such a network, all zero. Throws std::invalid_argument when a size is not positive, there are no cells, a perceptron
 /// has deep-in or deep-out layers, or an activation is not tanh and of layers that the network does not have.
 LayerStack makeNetwork(int inputs, const NetworkShape& shape, int outputs);

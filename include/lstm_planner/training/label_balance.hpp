@@ -13,10 +13,6 @@ enum class LabelBalance {
   kSquareRoot,  ///< as the inverse square root of how often its label occurs
   kInverse      ///< as the inverse: every label counts the same
 };
-/// "none", "sqrt", "inverse".
-std::string toString(LabelBalance balance);
-/// Throws std::invalid_argument for another name.
-LabelBalance labelBalanceNamed(const std::string& name);
 
 /// How often each of `classes` labels occurs in the steps whose weight is not 0.
 std::vector<long> countLabels(const std::vector<Sequence>& sequences, int classes);

@@ -10,9 +10,6 @@
 namespace lstm_planner {
 namespace {
 
-constexpr std::array<const char*, kHeuristics.size()> kNames = {"manhattan", "chebyshev", "octile", "euclidean",
-                                                                "scaled_euclidean"};
-
 /// Rounded down, so that rounding never makes it too long.
 MoveCost straightLine(MoveCost columns, MoveCost rows, double scale) {
   const double cells = std::sqrt(static_cast<double>(columns * columns + rows * rows));
@@ -44,14 +41,6 @@ MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, Cell
       return straightLine(columns, rows, heuristic.scale);
   }
   return 0;
-}
-
-Heuristic heuristicNamed(const std::string& name) {
-  const auto known = std::find(kNames.begin(), kNames.end(), name);
-  if (known != kNames.end()) return kHeuristics[static_cast<std::size_t>(known - kNames.begin())];
-  std::string message = "the heuristic is \"" + name + "\", expected one of";
-  for (const char* expected : kNames) message += std::string(" ") + expected;
-  throw std::invalid_argument(message);
 }
 
 }  // namespace lstm_planner

@@ -128,8 +128,6 @@ TEST(NetworkShape, RefusesWhatIsNoNetwork) {
   EXPECT_NO_THROW(makeNetwork(3, shape, 2));
   shape.kind = NetworkShape::Kind::kMlp;  // has no recurrent layer to be behind
   EXPECT_THROW(makeNetwork(3, shape, 2), std::invalid_argument);
-  EXPECT_THROW(networkKindNamed("gru"), std::invalid_argument);
-  EXPECT_EQ(networkKindNamed(networkKindName(NetworkShape::Kind::kRnn)), NetworkShape::Kind::kRnn);
 }
 
 }  // namespace

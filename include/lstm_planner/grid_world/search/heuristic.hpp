@@ -36,10 +36,6 @@ void checkHeuristic(const HeuristicParameters& heuristic);
 /// takes a diagonal for a straight move. `heuristic` must have passed checkHeuristic().
 MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, CellIndex to, const MoveCosts& costs = {});
 
-/// Of "manhattan", "chebyshev", "octile", "euclidean", "scaled_euclidean". Throws std::invalid_argument for another
-/// name.
-Heuristic heuristicNamed(const std::string& name);
-
 constexpr std::array<Heuristic, 5> kHeuristics = {Heuristic::kManhattan, Heuristic::kChebyshev, Heuristic::kOctile,
                                                   Heuristic::kEuclidean, Heuristic::kScaledEuclidean};
 

@@ -74,20 +74,5 @@ TEST(Heuristic, RefusesAScaleThatIsNoUsableNumber) {
   }
 }
 
-TEST(Heuristic, IsFoundByItsName) {
-  EXPECT_EQ(heuristicNamed("manhattan"), Heuristic::kManhattan);
-  EXPECT_EQ(heuristicNamed("chebyshev"), Heuristic::kChebyshev);
-  EXPECT_EQ(heuristicNamed("octile"), Heuristic::kOctile);
-  EXPECT_EQ(heuristicNamed("euclidean"), Heuristic::kEuclidean);
-  EXPECT_EQ(heuristicNamed("scaled_euclidean"), Heuristic::kScaledEuclidean);
-  try {
-    heuristicNamed("euclid");
-    FAIL() << "expected an exception";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(),
-                 "the heuristic is \"euclid\", expected one of manhattan chebyshev octile euclidean scaled_euclidean");
-  }
-}
-
 }  // namespace
 }  // namespace lstm_planner::test_heuristic
