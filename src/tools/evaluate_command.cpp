@@ -160,7 +160,7 @@ int runEvaluate(const std::vector<std::string>& arguments) {
   printGridSummaries(std::cout, summaries);
   for (const GridTaskSet& set : sets) {
     printLeftOut(set, set.without_path, "without a path (length 0)");
-    printLeftOut(set, set.on_other_terrain, "that start or end " + otherTerrain(options.grid.selection.rule));
+    printLeftOut(set, set.with_blocked_end, "that start or end on a cell that is not passable");
   }
   if (!options.json.empty()) writeJson(options, summaries);
   if (!options.details.empty()) writeTextFile(options.details, details.str());

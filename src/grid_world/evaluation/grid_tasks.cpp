@@ -102,7 +102,7 @@ struct LeftOut {
   std::size_t shorter = 0;
   std::size_t longer = 0;
   std::size_t without_path = 0;
-  std::size_t on_other_terrain = 0;
+  std::size_t with_blocked_end = 0;
 };
 
 std::string noScenarioMessage(const GridSetFiles& files, const ScenarioSelection& selection, std::size_t maps,
@@ -121,7 +121,7 @@ std::string noScenarioMessage(const GridSetFiles& files, const ScenarioSelection
   add(left_out.shorter, " shorter than ", selection.min_length, " cells");
   add(left_out.longer, " longer than ", selection.max_length, " cells");
   add(left_out.without_path, " of the optimal length 0 although start and goal differ: there is no path");
-  add(left_out.on_other_terrain, " that start or end ", otherTerrain(selection.rule));
+  add(left_out.with_blocked_end, " that start or end on a cell that is not passable");
   if (*separator == ':') message << ": the files name none";
   return message.str();
 }
@@ -165,14 +165,13 @@ class MapsOfScenarios {
  public:
   explicit MapsOfScenarios(PassableRule rule) : rule_(rule) {}
 
-  /// Whether start and goal are passable; they are not where they lie on other terrain. Throws MovingAiFileError for a
-  /// scenario that does not fit its map, whatever terrain is passable.
+  /// Whether start and goal are passable. Throws MovingAiFileError for a scenario that does not fit its map.
   bool canBeRun(const FoundScenario& one) {
-    const std::string& path = pathFor(*one.file);
-    const PassableGrid& map = grid(path, rule_);
-    const bool passable = map.passable(one.scenario.start) && map.passable(one.scenario.goal);
-    checkScenario(one.scenario, one.line, passable ? map : grid(path, PassableRule::kAnyTerrain), *one.file);
-    return passable;
+    const PassableGrid& map = grid(pathFor(*one.file));
+    const auto is_blocked = [&map](CellIndex cell) { return map.contains(cell) && !map.passable(cell); };
+    if (is_blocked(one.scenario.start) || is_blocked(one.scenario.goal)) return false;
+    checkScenario(one.scenario, one.line, map, *one.file);
+    return true;
   }
 
   const std::string& pathFor(const std::string& scenario_file) {
@@ -181,18 +180,18 @@ class MapsOfScenarios {
     return path;
   }
 
-  PassableGrid take(const std::string& path) { return std::move(grid(path, rule_)); }
+  PassableGrid take(const std::string& path) { return std::move(grid(path)); }
 
  private:
-  PassableGrid& grid(const std::string& path, PassableRule rule) {
-    PassableGrid& map = grids_[{path, rule}];
-    if (map.size() == 0) map = readMovingAiMap(path, rule);
+  PassableGrid& grid(const std::string& path) {
+    PassableGrid& map = grids_[path];
+    if (map.size() == 0) map = readMovingAiMap(path, rule_);
     return map;
   }
 
   PassableRule rule_;
   std::map<std::string, std::string> paths_;
-  std::map<std::pair<std::string, PassableRule>, PassableGrid> grids_;
+  std::map<std::string, PassableGrid> grids_;
 };
 
 /// `count` of the scenarios, or all, in their order, drawn without putting back. In place of one that cannot be run,
@@ -205,7 +204,7 @@ std::vector<FoundScenario> drawSome(std::vector<FoundScenario> found, const Scen
     if (maps->canBeRun(found[place])) {
       kept.push_back(place);
     } else {
-      ++left_out->on_other_terrain;
+      ++left_out->with_blocked_end;
     }
   }
   std::sort(kept.begin(), kept.end());
@@ -264,10 +263,6 @@ std::vector<GridMapFiles> selectMaps(const GridSetFiles& files, MapSelection sel
   return selected;
 }
 
-std::string otherTerrain(PassableRule rule) {
-  return rule == PassableRule::kBenchmark ? "in water or trees" : "on other terrain than '.'";
-}
-
 GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& selection) {
   const std::vector<GridMapFiles> selected = selectMaps(files, selection.maps);
   LeftOut left_out;
@@ -278,7 +273,7 @@ GridTaskSet drawGridTasks(const GridSetFiles& files, const ScenarioSelection& se
   GridTaskSet set;
   set.name = files.name;
   set.without_path = left_out.without_path;
-  set.on_other_terrain = left_out.on_other_terrain;
+  set.with_blocked_end = left_out.with_blocked_end;
   addTasks(drawn, &maps, &set);
   return set;
 }

@@ -54,25 +54,13 @@ MapSize readHeader(TextLines* lines) {
 /// What a letter means under a rule.
 enum class Terrain : std::uint8_t { kNone, kPassable, kBlocked };
 
-const char* passableLetters(PassableRule rule) {
-  switch (rule) {
-    case PassableRule::kBenchmark:
-      return ".GS";
-    case PassableRule::kThesis:
-      return ".";
-    case PassableRule::kAnyTerrain:
-      return ".GSWT";
-  }
-  return "";
-}
-
 std::array<Terrain, 256> terrainOf(PassableRule rule) {
   std::array<Terrain, 256> terrain{};
   const auto set = [&](const char* letters, Terrain kind) {
     for (; *letters != '\0'; ++letters) terrain[static_cast<unsigned char>(*letters)] = kind;
   };
   set(".GSW@OT", Terrain::kBlocked);
-  set(passableLetters(rule), Terrain::kPassable);
+  set(rule == PassableRule::kBenchmark ? ".GS" : ".", Terrain::kPassable);
   return terrain;
 }
 

@@ -44,9 +44,6 @@ struct ScenarioSelection {
   PassableRule rule = PassableRule::kBenchmark;
 };
 
-/// Where the scenarios start or end that are left out under a rule, in words: "in water or trees".
-std::string otherTerrain(PassableRule rule);
-
 /// The maps that take part.
 std::vector<GridMapFiles> selectMaps(const GridSetFiles& files, MapSelection selection);
 
@@ -67,9 +64,9 @@ struct GridTaskSet {
   /// Scenarios that were left out, of the selected maps and lengths, because the benchmark gives the length 0 to goals
   /// that cannot be reached: a hundred of Dragon Age's hundred thousand.
   std::size_t without_path = 0;
-  /// Scenarios that were drawn and left out because they start or end on terrain that only PassableRule::kAnyTerrain
-  /// lets pass. Others were drawn in their place.
-  std::size_t on_other_terrain = 0;
+  /// Scenarios that were drawn and left out because they start or end on a cell that is not passable: in water or
+  /// trees, and a few of the benchmark in walls. Others were drawn in their place.
+  std::size_t with_blocked_end = 0;
 };
 
 /// Draws from a set's scenarios; the same for the same seed, whatever other sets are drawn. Reads only the maps of the

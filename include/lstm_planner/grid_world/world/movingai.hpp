@@ -17,14 +17,13 @@ class MovingAiFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Which letters of a map may be entered. All letters of the format are read under every rule: `.` and `G` (ground),
+/// Which letters of a map may be entered. All letters of the format are read under both rules: `.` and `G` (ground),
 /// `S` (swamp), `W` (water), `T` (trees), `@` and `O` (out of bounds).
 enum class PassableRule {
   /// `.`, `G` and `S`. The format calls swamp "passable from regular terrain" and water "traversable, but not passable
   /// from terrain". Swamp is therefore ground here; water, which a robot on ground can never enter, is blocked.
   kBenchmark,
-  kThesis,      ///< `.` only
-  kAnyTerrain,  ///< all but `@` and `O`: where the benchmark's scenarios start and end, some in water or in trees
+  kThesis,  ///< `.` only
 };
 
 /// Reads a `.map` file of type octile: `type octile`, then `height ROWS` and `width COLUMNS` in either order, `map`,

@@ -38,11 +38,10 @@ TEST_F(MovingAiMap, HasItsFirstLineAsRowZero) {
   EXPECT_EQ(lettersOf(grid), ".@@@.@");
 }
 
-TEST_F(MovingAiMap, KnowsAllLettersUnderEveryRule) {
+TEST_F(MovingAiMap, KnowsAllLettersUnderBothRules) {
   const std::string path = write("a.map", "type octile\nheight 1\nwidth 7\nmap\n.GSWT@O\n");
   EXPECT_EQ(lettersOf(readMovingAiMap(path, PassableRule::kBenchmark)), "...@@@@");
   EXPECT_EQ(lettersOf(readMovingAiMap(path, PassableRule::kThesis)), ".@@@@@@");
-  EXPECT_EQ(lettersOf(readMovingAiMap(path, PassableRule::kAnyTerrain)), ".....@@");
 }
 
 TEST_F(MovingAiMap, MayHaveForeignLineEndsAndNoLastOne) {
