@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -155,7 +156,7 @@ void checkCostmap(const std::string& path, const YAML::Node& root, const std::st
   }
   if (beyond <= kSameEdge) return;
   std::ostringstream sentence;
-  sentence << path << ": " << name << " reaches " << beyond
+  sentence << path << ": " << name << " reaches " << std::fixed << std::setprecision(3) << beyond
            << " m beyond the footprint of the plugins, and would count on the robot; expected the same in "
               "LstmGlobalPlanner/shield, SteeringController and the costmaps";
   throw std::invalid_argument(sentence.str());

@@ -78,7 +78,7 @@ TEST_F(DriveRobots, ACostmapWithALargerRobotIsRefused) {
                  fileWith("LstmGlobalPlanner: {shield: {footprint_radius: 0.2}}\n" + costmap));
   };
   EXPECT_NE(outcomeWith("local_costmap: {robot_radius: 0.3}\n")
-                .output.find("local_costmap/robot_radius reaches 0.1 m beyond the footprint of the plugins"),
+                .output.find("local_costmap/robot_radius reaches 0.100 m beyond the footprint of the plugins"),
             std::string::npos);
   EXPECT_NE(outcomeWith("global_costmap: {footprint: [[0.3, 0.1], [0.3, -0.1], [-0.1, 0.0]]}\n")
                 .output.find("global_costmap/footprint reaches 0.116 m"),  // hypot(0.3, 0.1) - 0.2
@@ -108,7 +108,7 @@ TEST_F(DriveRobots, WorldsThatARobotDoesNotFitIntoAreLeftOutAndCounted) {
   EXPECT_EQ(json["left_out"].get<int>() + json["goals"].get<int>(), 12);
   const test::Outcome none = drive("--worlds mazes --goals 2 --robot " + diskOf("1.5"));
   EXPECT_NE(none.status, 0);
-  EXPECT_NE(none.output.find("the map has no"), std::string::npos) << none.output;
+  EXPECT_NE(none.output.find("there is no place for a disc"), std::string::npos) << none.output;
 }
 
 TEST_F(DriveRobots, ARobotOfAnySizeIsTaken) {
