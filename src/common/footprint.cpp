@@ -110,6 +110,13 @@ Footprint footprintOf(const std::string& name, double radius, const std::string&
   }
 }
 
+double reachBeyond(const Footprint& footprint, const std::vector<Point2>& points) {
+  constexpr double kSame = 0.002;  // m
+  double beyond = 0.0;
+  for (const Point2& point : points) beyond = std::max(beyond, footprint.distanceTo(point));
+  return beyond > kSame ? beyond : 0.0;
+}
+
 std::string textOf(const Footprint& footprint) {
   std::ostringstream text;
   for (const Point2& corner : footprint.corners()) {

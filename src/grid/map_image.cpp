@@ -96,6 +96,7 @@ ImageSize jpegSize(const std::string& bytes) {
   };
   std::size_t place = 2;
   while (number(bytes, place, 1, true) == 0xff) {
+    while (number(bytes, place + 1, 1, true) == 0xff) ++place;  // any number of these may stand before a marker
     if (isFrame(number(bytes, place + 1, 1, true))) {
       return {static_cast<double>(number(bytes, place + 7, 2, true)),
               static_cast<double>(number(bytes, place + 5, 2, true)), 3.0};
@@ -108,9 +109,10 @@ ImageSize jpegSize(const std::string& bytes) {
 }  // namespace
 
 int whiteOf(const std::string& bytes) {
-  if (!isPnm(bytes) || bytes[1] < '5') return 0;
+  if (!isPnm(bytes)) return 0;
   const double white = readPnmHeader(bytes).white;
-  return white >= 1.0 && white <= 65535.0 ? static_cast<int>(white) : 0;
+  const bool is_left = bytes[1] > '4' || white > 255.0;
+  return is_left && white >= 1.0 && white <= 65535.0 ? static_cast<int>(white) : 0;
 }
 
 void checkMapImage(const std::string& bytes, const std::string& path) {

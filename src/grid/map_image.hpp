@@ -8,8 +8,8 @@ namespace lstm_planner {
 /// that decodes to at most 2^28 bytes: decoders reserve what the header says, however short the file is.
 void checkMapImage(const std::string& bytes, const std::string& path);
 
-/// The largest value of a pixel in an image that starts so, where decoders do not stretch values up to it: in binary
-/// PNM images. 0 otherwise.
+/// The largest value that a pixel can have, if the decoder leaves values as they are in the file (PNM, but for text
+/// with one byte a value); otherwise 0.
 int whiteOf(const std::string& bytes);
 
 }  // namespace lstm_planner

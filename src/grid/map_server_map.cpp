@@ -10,6 +10,7 @@
 #include <locale>
 #include <opencv2/imgcodecs.hpp>
 #include <sstream>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -147,7 +148,9 @@ void stretch(int white, cv::Mat* image) {
 /// Of a path that came from another computer.
 std::string hintAtImageBeside(const std::string& yaml_path, const std::string& path) {
   const std::string name = path.substr(path.find_last_of('/') + 1);
-  const bool is_beside = imagePath(yaml_path, name) != path && std::filesystem::exists(imagePath(yaml_path, name));
+  const std::string beside = imagePath(yaml_path, name);
+  std::error_code ignored;
+  const bool is_beside = beside != path && std::filesystem::exists(beside, ignored);
   return is_beside ? "; beside the map there is one of that name: write image: " + name : "";
 }
 
@@ -221,17 +224,6 @@ void writeDescription(const OccupancyGrid& grid, const std::string& image, std::
         << "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
 }
 
-/// FILE or FILE=FREE_THRESHOLD.
-std::pair<std::string, double> splitThreshold(const std::string& text) {
-  const std::size_t sign = text.rfind('=');
-  if (sign == std::string::npos) return {text, kThresholdOfFile};
-  std::istringstream stream(text.substr(sign + 1));
-  stream.imbue(std::locale::classic());
-  double threshold = 0.0;
-  if (!(stream >> threshold) || !stream.eof()) return {text, kThresholdOfFile};
-  return {text.substr(0, sign), threshold};
-}
-
 }  // namespace
 
 OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_threshold) {
@@ -265,8 +257,18 @@ OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_thresho
   return grid;
 }
 
+std::pair<std::string, double> splitFreeThreshold(const std::string& text) {
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos) return {text, kThresholdOfFile};
+  std::istringstream stream(text.substr(sign + 1));
+  stream.imbue(std::locale::classic());
+  double threshold = 0.0;
+  if (!(stream >> threshold) || !stream.eof()) return {text, kThresholdOfFile};
+  return {text.substr(0, sign), threshold};
+}
+
 OccupancyGrid readClosedMap(const std::string& text) {
-  const auto [file, free_threshold] = splitThreshold(text);
+  const auto [file, free_threshold] = splitFreeThreshold(text);
   OccupancyGrid grid = readMapServerMap(file, free_threshold);
   for (int row = 0; row < grid.rows(); ++row) {
     for (int column = 0; column < grid.columns(); ++column) {

@@ -63,8 +63,7 @@ void addGoals(double shortest, const DriveOptions& options, DriveWorld* world) {
 
 void addMaps(const DriveOptions& options, DriveCourse* course) {
   for (const std::string& text : options.maps) {
-    const std::string file = std::filesystem::path(text).filename().string();
-    const std::string name = std::filesystem::path(file.substr(0, file.rfind('='))).stem().string();
+    const std::string name = std::filesystem::path(splitFreeThreshold(text).first).stem().string();
     course->worlds.push_back(gridWorld(name, readClosedMap(text), options));
     addGoals(kShortestInMap, options, &course->worlds.back());
     course->source += (course->source.empty() ? "" : " ") + text;

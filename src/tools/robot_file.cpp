@@ -22,9 +22,6 @@ namespace lstm_planner {
 namespace {
 
 constexpr double kSameDiameter = 0.001;  // m
-constexpr double kSameEdge = 0.002;      // m, as on the robot (safeFootprint)
-
-const std::vector<std::string> kGroups = {"LstmGlobalPlanner", "SteeringController", "create2_stub"};
 
 /// Reads one group of a file into variables that hold their defaults.
 class GroupReader {
@@ -130,17 +127,18 @@ void checkBody(const std::string& path, const ShieldParameters& shield, const Cr
   }
 }
 
+/// As costmap_2d makes it of a radius: a polygon of 16 corners.
 std::vector<Point2> outlineOf(const Footprint& footprint) {
   if (!footprint.isCircle()) return footprint.corners();
-  constexpr int kPoints = 16;
-  std::vector<Point2> points;
-  for (int i = 0; i < kPoints; ++i) {
-    points.push_back(pointAlong(Point2{}, 2.0 * M_PI * i / kPoints, footprint.circumscribedRadius()));
+  constexpr int kCorners = 16;
+  std::vector<Point2> corners;
+  for (int i = 0; i < kCorners; ++i) {
+    corners.push_back(pointAlong(Point2{}, 2.0 * M_PI * i / kCorners, footprint.circumscribedRadius()));
   }
-  return points;
+  return corners;
 }
 
-/// Where a costmap's body reaches beyond that of the plugins, it counts on the robot.
+/// Where a costmap's footprint reaches beyond that of the plugins, the real robot would use the costmap's.
 void checkCostmap(const std::string& path, const YAML::Node& root, const std::string& costmap, const Footprint& own) {
   double radius = 0.0;
   std::string corners;
@@ -148,18 +146,22 @@ void checkCostmap(const std::string& path, const YAML::Node& root, const std::st
   const auto visit = group.visitor();
   visit("robot_radius", radius, {}, "", "");
   visit("footprint", corners, {}, "", "");
+  if (corners == "[]") corners.clear();  // costmap_2d then takes the radius
   if (radius == 0.0 && corners.empty()) return;
   const std::string name = costmap + (corners.empty() ? "/robot_radius" : "/footprint");
-  double beyond = 0.0;
-  for (const Point2& corner : outlineOf(footprintOf(path + ": " + name, radius, corners))) {
-    beyond = std::max(beyond, own.distanceTo(corner));
-  }
-  if (beyond <= kSameEdge) return;
+  const double beyond = reachBeyond(own, outlineOf(footprintOf(path + ": " + name, radius, corners)));
+  if (beyond == 0.0) return;
   std::ostringstream sentence;
-  sentence << path << ": " << name << " reaches " << std::fixed << std::setprecision(3) << beyond
-           << " m beyond the footprint of the plugins, and would count on the robot; expected the same in "
-              "LstmGlobalPlanner/shield, SteeringController and the costmaps";
+  sentence
+      << path << ": " << name << " reaches " << std::fixed << std::setprecision(3) << beyond
+      << " m beyond the footprint of the plugins, and the real robot would use that larger footprint; expected the "
+         "same one in LstmGlobalPlanner/shield, SteeringController and the costmaps";
   throw std::invalid_argument(sentence.str());
+}
+
+bool isMisspelt(const std::string& name, const std::string& group) {
+  constexpr std::size_t kMostEdits = 2;  // GlobalPlanner is another planner's
+  return name != group && editDistance(name, group) <= kMostEdits;
 }
 
 /// Parameters of other nodes may stand in it, too, but not alone.
@@ -167,10 +169,11 @@ void checkGroups(const std::string& path, const YAML::Node& root) {
   bool has_one = false;
   for (const auto& entry : root) {
     const std::string name = entry.first.as<std::string>();
-    const bool is_ours = std::find(kGroups.begin(), kGroups.end(), name) != kGroups.end();
-    const std::string hint = is_ours ? "" : hintAt(name, kGroups);
-    if (!hint.empty()) throw std::invalid_argument(path + ": there is no group '" + name + "'" + hint);
-    has_one = has_one || is_ours;
+    for (const char* group : {"LstmGlobalPlanner", "SteeringController", "create2_stub"}) {
+      has_one = has_one || name == group;
+      if (!isMisspelt(name, group)) continue;
+      throw std::invalid_argument(path + ": there is no group '" + name + "'; the nearest is " + group);
+    }
   }
   if (has_one) return;
   throw std::invalid_argument(path +

@@ -9,6 +9,7 @@
 #include "tools/train_commands.hpp"
 
 namespace lstm_planner {
+
 void addGridMapOptions(GridTrainingOptions* options, CommandLine* line) {
   GridTrainingOptions& o = *options;
   line->addChoice("task", &o.task, {"grid", "robot"}, "grid (this) or robot");

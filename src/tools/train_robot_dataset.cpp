@@ -44,7 +44,7 @@ const Choices<LabelBalance> kBalances = {
 struct DatasetTrainingOptions {
   std::string command;  ///< the whole command line
   std::string task = "robot";
-  std::string method;
+  std::string method = "dataset";
   std::vector<std::string> datasets;
   std::vector<std::string> validation_datasets;
   double validation_share = 0.25;  ///< of the steps, where there are no validation_datasets
@@ -136,7 +136,7 @@ void addPictureOptions(DatasetTrainingOptions* o, CommandLine* line) {
 
 void check(const CommandLine& line, const DatasetTrainingOptions& o) {
   if (o.task != "robot") throw std::invalid_argument("--dataset trains the robot, --task is '" + o.task + "'");
-  if (!o.method.empty() && o.method != "dataset") {
+  if (o.method != "dataset") {
     throw std::invalid_argument("--dataset and --method " + o.method + " exclude each other");
   }
   if (o.fromModel()) checkModelDecides(line);

@@ -24,6 +24,7 @@ struct ImitationOptions : RobotTrainingOptions {
 
 bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* options) {
   ImitationParameters& imitation = options->imitation;
+  options->method = "dagger";
   imitation.trainer.epochs = 12;
   imitation.trainer.optimiser.learning_rate = 0.01;
   CommandLine line("train --method dagger",

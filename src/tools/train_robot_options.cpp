@@ -94,6 +94,8 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   line->whenParsed([options] {
     if (!options->kinds.empty()) options->course.worlds.clear();
     for (const std::string& kind : options->kinds) options->course.worlds.push_back(worldKindOf(kind));
+    options->kinds.clear();
+    for (const WorldKind kind : options->course.worlds) options->kinds.emplace_back(toString(kind));
     validate(options->course);
   });
 }

@@ -48,6 +48,10 @@ class Footprint {
 /// expected.
 Footprint footprintOf(const std::string& name, double radius, const std::string& text);
 
+/// How far the farthest of some points (base frame, m) lies outside of the footprint, m; 0 where all lie inside, or
+/// beyond the edge by no more than robots are measured (2 mm).
+double reachBeyond(const Footprint& footprint, const std::vector<Point2>& points);
+
 /// The corners as text, as footprintOf() reads it; empty for a circle.
 std::string textOf(const Footprint& footprint);
 

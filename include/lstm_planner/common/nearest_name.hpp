@@ -1,12 +1,17 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace lstm_planner {
 
+/// Single letters to change, add or leave out, until one text is the other; an exchange of neighbours is one (distance
+/// of Damerau and Levenshtein).
+std::size_t editDistance(const std::string& a, const std::string& b);
+
 /// The one of `names` that was most likely meant by `name`: `name` is its beginning, or differs from it by few letters
-/// (edit distance of Damerau and Levenshtein). Empty if there is none.
+/// (editDistance()). Empty if there is none.
 std::string nearestName(const std::string& name, const std::vector<std::string>& names);
 
 /// "; the nearest is NAME" as the end of a sentence; empty if there is no such name. "; here it is named NAME" where

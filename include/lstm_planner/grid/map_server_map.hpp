@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "lstm_planner/grid/occupancy_grid.hpp"
 
@@ -21,8 +22,11 @@ class MapFileError : public std::runtime_error {
 /// MapFileError, also when no cell is free by map_server's rule.
 OccupancyGrid readMapServerMap(const std::string& yaml_path, double free_threshold = -1.0);
 
-/// The same of FILE, or of FILE=FREE_THRESHOLD as `--map` of the tool has it. What was never mapped is solid: otherwise
-/// the shortest path, or a robot, would leave the building through the gaps of its map.
+/// Path and threshold of FILE or FILE=FREE_THRESHOLD, as for `--map`; the threshold is -1 where there is none.
+std::pair<std::string, double> splitFreeThreshold(const std::string& text);
+
+/// Reads a map named FILE or FILE=FREE_THRESHOLD. What was never mapped is solid: otherwise the shortest path, or a
+/// robot, would leave the building through the gaps of its map.
 OccupancyGrid readClosedMap(const std::string& text);
 
 /// Writes `<stem>.yaml` and `<stem>.pgm`; reading them gives the same grid. Throws MapFileError.

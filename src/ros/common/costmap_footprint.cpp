@@ -12,7 +12,6 @@ namespace lstm_planner {
 
 namespace {
 
-constexpr double kSame = 0.002;  // m
 constexpr double kRound = 0.05;  // costmap_2d has 16 corners in place of a circle, whose sides are 2 % nearer
 
 /// Somewhere where costmap_2d looks for it; its default is no robot's.
@@ -34,12 +33,11 @@ std::string nameOf(const Footprint& footprint) {
 Footprint safeFootprint(const costmap_2d::Costmap2DROS& costmap, const Footprint& own, const std::string& parameter) {
   if (!isFootprintSet(costmap.getName())) return own;
   std::vector<Point2> corners;
-  double beyond = -1.0;
   for (const geometry_msgs::Point& corner : costmap.getUnpaddedRobotFootprint()) {
     corners.push_back({corner.x, corner.y});
-    beyond = std::max(beyond, own.distanceTo(corners.back()));
   }
-  if (!std::isfinite(beyond) || beyond <= kSame) return own;
+  const double beyond = reachBeyond(own, corners);
+  if (!std::isfinite(beyond) || beyond == 0.0) return own;
   const Footprint found(corners);
   const bool is_round = found.circumscribedRadius() - found.inscribedRadius() <= kRound * found.circumscribedRadius();
   const Footprint safe = is_round ? Footprint(found.circumscribedRadius()) : found;

@@ -103,6 +103,16 @@ TEST_F(MapServerMap, StretchesTheValuesOfABinaryImageUpToItsLargest) {
   EXPECT_EQ(grid.at({3, 0}), Cell::kOccupied);
 }
 
+TEST_F(MapServerMap, StretchesValuesOfTwoBytes) {
+  write("map.pgm", std::string("P5\n2 1\n1000\n\x03\xe8\x00\x00", 16));  // 1000 and 0
+  write("text.pgm", "P2\n2 1\n1000\n1000 0\n");
+  for (const char* image : {"map.pgm", "text.pgm"}) {
+    const OccupancyGrid grid = readMapServerMap(writeYaml(image));
+    EXPECT_EQ(grid.at({0, 0}), Cell::kFree) << image;
+    EXPECT_EQ(grid.at({1, 0}), Cell::kOccupied) << image;
+  }
+}
+
 TEST_F(MapServerMap, ReadsAJpeg) {
   writeImage("map.jpg", cv::Mat(40, 60, CV_8UC1, cv::Scalar(254.0)));
   const OccupancyGrid grid = readMapServerMap(writeYaml("map.jpg"));
@@ -174,6 +184,8 @@ TEST_F(MapServerMap, RefusesBrokenImages) {
   EXPECT_NE(refusalOf(bmp).find("65536 x 65536"), std::string::npos) << refusalOf(bmp);
   const std::string jpeg("\xff\xd8\xff\xe0\0\4\0\0\xff\xc2\0\x11\x08\xff\xff\xff\xfe\3", 18);
   EXPECT_NE(refusalOf(jpeg).find("65534 x 65535 pixels of 3 bytes"), std::string::npos) << refusalOf(jpeg);
+  const std::string filled("\xff\xd8\xff\xff\xc0\0\x11\x08\xff\xff\xff\xfe\3", 13);  // a byte 0xff more
+  EXPECT_NE(refusalOf(filled).find("65534 x 65535 pixels"), std::string::npos) << refusalOf(filled);
   EXPECT_NE(refusalOf("\xff\xd8\xff\xe0 JFIF").find("has 0 x 0 pixels"), std::string::npos);
   EXPECT_NE(refusalOf("GIF89a").find("is of no kind that is known here"), std::string::npos);
 }

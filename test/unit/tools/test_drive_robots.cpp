@@ -68,6 +68,11 @@ TEST_F(DriveRobots, AFileOfSomethingElseIsRefused) {
   const auto refusal = [&](const std::string& text) { return drive("--goals 1 --robot " + fileWith(text)).output; };
   EXPECT_NE(refusal("robot_radius: 0.3\n").find("has none of the groups LstmGlobalPlanner"), std::string::npos);
   EXPECT_NE(refusal("move_base: {LstmGlobalPlanner: {}}\n").find("has none of the groups"), std::string::npos);
+  EXPECT_EQ(drive("--worlds open --goals 1 --time-limit 1 --robot " +
+                  fileWith("LstmGlobalPlanner: {}\nGlobalPlanner: {use_grid_path: true}\nsteering_controller: {}\n"))
+                .status,
+            0)
+      << "other nodes have parameters, too";
   EXPECT_NE(refusal("LstmGlobalplanner: {}\n").find("no group 'LstmGlobalplanner'; the nearest is LstmGlobalPlanner"),
             std::string::npos);
 }
@@ -83,7 +88,7 @@ TEST_F(DriveRobots, ACostmapWithALargerRobotIsRefused) {
   EXPECT_NE(outcomeWith("global_costmap: {footprint: [[0.3, 0.1], [0.3, -0.1], [-0.1, 0.0]]}\n")
                 .output.find("global_costmap/footprint reaches 0.116 m"),  // hypot(0.3, 0.1) - 0.2
             std::string::npos);
-  EXPECT_EQ(outcomeWith("global_costmap: {robot_radius: 0.2}\n").status, 0);
+  EXPECT_EQ(outcomeWith("global_costmap: {robot_radius: 0.2, footprint: '[]'}\n").status, 0);
 }
 
 TEST_F(DriveRobots, WhatIsSetOnTheLineCountsMore) {

@@ -103,7 +103,7 @@ TEST_F(TrainRobotTool, ImitationRefusesTheCheckpointOfAnother) {
   const test::Outcome other = runTool(training + " --learner-share 0.5");
   EXPECT_EQ(other.status, 2) << other.output;
   EXPECT_NE(other.output.find("learner-share = 0.8 instead of 0.5"), std::string::npos) << other.output;
-  EXPECT_NE(success(training + " --threads 1 --curve " + in("curve.png")).output.find("going on from"),
+  EXPECT_NE(success(training + " --method dagger --threads 1 --curve " + in("curve.png")).output.find("going on from"),
             std::string::npos);
 }
 

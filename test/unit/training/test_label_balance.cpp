@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
-#include <stdexcept>
 
 #include "lstm_planner/training/label_balance.hpp"
 

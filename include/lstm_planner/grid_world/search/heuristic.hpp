@@ -1,8 +1,5 @@
 #pragma once
 
-#include <array>
-#include <string>
-
 #include "lstm_planner/grid_world/search/grid_path.hpp"
 
 namespace lstm_planner {
@@ -35,8 +32,5 @@ void checkHeuristic(const HeuristicParameters& heuristic);
 /// Estimated cost between two cells where moves cost this: the Euclidean ones take no notice, as Eq. 1.5, Chebyshev's
 /// takes a diagonal for a straight move. `heuristic` must have passed checkHeuristic().
 MoveCost estimateCost(const HeuristicParameters& heuristic, CellIndex from, CellIndex to, const MoveCosts& costs = {});
-
-constexpr std::array<Heuristic, 5> kHeuristics = {Heuristic::kManhattan, Heuristic::kChebyshev, Heuristic::kOctile,
-                                                  Heuristic::kEuclidean, Heuristic::kScaledEuclidean};
 
 }  // namespace lstm_planner
