@@ -102,6 +102,10 @@ class CommandLine {
   /// What one of the names stands for.
   template <typename T>
   Option& addChoice(const std::string& name, T* value, const Choices<T>& choices, const std::string& meaning);
+  /// Any number of them, as often as they are named.
+  template <typename T>
+  Option& addChoices(const std::string& name, std::vector<T>* values, const Choices<T>& choices,
+                     const std::string& meaning);
   /// Whatever `take` makes of the text; it throws std::invalid_argument with a sentence.
   Option& addText(const std::string& name, const std::string& default_text,
                   const std::function<void(const std::string&)>& take, const std::string& meaning);
@@ -163,15 +167,36 @@ class CommandLine {
 };
 
 template <typename T>
-Option& CommandLine::addChoice(const std::string& name, T* value, const Choices<T>& choices,
-                               const std::string& meaning) {
+std::vector<std::string> namesOf(const Choices<T>& choices) {
   std::vector<std::string> names;
   for (const auto& choice : choices) names.push_back(choice.first);
+  return names;
+}
+
+template <typename T>
+Option& CommandLine::addChoice(const std::string& name, T* value, const Choices<T>& choices,
+                               const std::string& meaning) {
   Option& option = add(name, "NAME", meaning, [=](const std::vector<std::string>& values) {
-    *value = choices[choose(name, values, names)].second;
+    *value = choices[choose(name, values, namesOf(choices))].second;
   });
   option.default_text = nameOf(*value, choices);
   option.value = [=] { return nameOf(*value, choices); };
+  return option;
+}
+
+template <typename T>
+Option& CommandLine::addChoices(const std::string& name, std::vector<T>* values, const Choices<T>& choices,
+                                const std::string& meaning) {
+  Option& option = add(name, "NAME...", meaning, [=](const std::vector<std::string>& texts) {
+    values->clear();
+    for (const std::string& text : texts) values->push_back(choices[choose(name, {text}, namesOf(choices))].second);
+  });
+  option.takes_several = true;
+  option.value = [=] {
+    nlohmann::json names = nlohmann::json::array();
+    for (const T& value : *values) names.push_back(nameOf(value, choices));
+    return names;
+  };
   return option;
 }
 

@@ -17,6 +17,7 @@
 #include "tools/ranges.hpp"
 #include "tools/recorded_datasets.hpp"
 #include "tools/shared_file.hpp"
+#include "tools/train_robot_options.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -24,7 +25,6 @@ namespace {
 struct JudgeOptions {
   std::string model;
   std::string leader = "network";
-  std::vector<std::string> kinds;
   DriveCourseParameters course;
   int worlds = 252;
   int max_steps = 1000;
@@ -53,7 +53,7 @@ bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* option
                    "conditions of sensors, wheels and speed, in worlds that were not used in training");
   line.addFile("model", &o.model, "ONNX file, if the network leads");
   line.addChoice("leader", &o.leader, {"network", "route", "none"}, "who leads: network, route or none");
-  line.add("kinds", &o.kinds, "kinds of generated worlds (default: all)");
+  addWorldKinds(&o.course.worlds, &line);
   line.add("worlds", &o.worlds, kAnyCount, "number of worlds of all kinds together");
   line.add("max-steps", &o.max_steps, kAnyCount, "largest number of steps of a drive");
   line.add("shortest", &o.course.shortest, kAnyLength, "m; smallest length of the path to the goal");
@@ -64,8 +64,6 @@ bool readOptions(const std::vector<std::string>& arguments, JudgeOptions* option
       "datasets of recorded drives: prints how often the network prefers the driver's angle, instead of driving");
   line.addOutput("json", &o.json, "write the result to this file");
   line.whenParsed([&] {
-    if (!o.kinds.empty()) o.course.worlds.clear();
-    for (const std::string& kind : o.kinds) o.course.worlds.push_back(worldKindOf(kind));
     if (!o.model.empty()) o.model = findSharedFile(o.model);
     check(o);
   });

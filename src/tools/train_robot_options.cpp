@@ -45,6 +45,13 @@ void useAnglesAlone(std::vector<std::string>* layout) {
 
 }  // namespace
 
+void addWorldKinds(std::vector<WorldKind>* worlds, CommandLine* line) {
+  Choices<WorldKind> kinds;
+  for (const WorldKind kind : worldKinds()) kinds.emplace_back(toString(kind), kind);
+  line->addChoices("kinds", worlds, kinds,
+                   "kinds of generated worlds: mazes offices corridors forest open rooms furnished (default: all)");
+}
+
 void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder, CommandLine* line) {
   line->add("inputs", &options->inputs,
             "inputs in addition to the thesis's: events (a sector below --event-range), events-alone (instead of the "
@@ -83,21 +90,14 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
   line->addChoice("task", &o.task, {"robot", "grid"}, "robot (this) or grid");
   line->add("method", &o.method, "dagger (default), actor-critic or dataset; --method NAME --help explains it");
   line->addOutput("output", &o.output, "ONNX file to write");
-  line->add("kinds", &o.kinds,
-            "kinds of generated worlds: mazes offices corridors forest open rooms furnished (default: all)");
+  addWorldKinds(&o.course.worlds, line);
   line->add("dead-ends", &o.course.dead_end_share, kAnyShare, "share of the drives that start in a dead end");
   line->add("shortest", &o.course.shortest, {0.01, 1e4}, "m; smallest length of the path from start to goal");
   line->add("max-steps", &o.max_steps, kAnyCount, "largest number of steps of a drive");
   line->add("validation", &o.validation, kAnyCount, "number of worlds for validation");
   line->addSeed(&o.seed, "seed of all random numbers");
   line->add("threads", &o.threads, kAnyThreads, "number of threads; does not change the result").changesNoResult();
-  line->whenParsed([options] {
-    if (!options->kinds.empty()) options->course.worlds.clear();
-    for (const std::string& kind : options->kinds) options->course.worlds.push_back(worldKindOf(kind));
-    options->kinds.clear();
-    for (const WorldKind kind : options->course.worlds) options->kinds.emplace_back(toString(kind));
-    validate(options->course);
-  });
+  line->whenParsed([options] { validate(options->course); });
 }
 
 void addInputs(const std::vector<std::string>& groups, EncoderParameters* encoder) {

@@ -24,8 +24,6 @@ struct RobotTrainingOptions {
   int max_steps = 300;  ///< of a drive
   std::uint64_t seed = 1;
   int threads = 2;
-
-  std::vector<std::string> kinds;  ///< as given, until checked
 };
 
 /// What a new network of the robot looks like.
@@ -36,6 +34,9 @@ struct RobotNetworkOptions {
 
 // `options` and the others hold the defaults and take the values; they must stay where they are until the line is
 // parsed.
+
+/// Of `train` and `judge`.
+void addWorldKinds(std::vector<WorldKind>* worlds, CommandLine* line);
 
 void addRobotNetworkOptions(RobotNetworkOptions* options, EncoderParameters* encoder, CommandLine* line);
 
