@@ -2,28 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 
 namespace lstm_planner {
-namespace {
-
-/// What DWAPlannerROS and TrajectoryPlannerROS call parameters of SteeringController, in the same unit.
-const std::map<std::string, std::string>& namesOfOtherPlanners() {
-  static const std::map<std::string, std::string> names = {
-      {"max_vel_x", "max_linear"},
-      {"max_vel_trans", "max_linear"},
-      {"max_trans_vel", "max_linear"},
-      {"max_vel_theta", "max_angular"},
-      {"max_rot_vel", "max_angular"},
-      {"acc_lim_x", "linear_acceleration"},
-      {"acc_lim_trans", "linear_acceleration"},
-      {"xy_goal_tolerance", "position_tolerance"},
-      {"yaw_goal_tolerance", "heading_tolerance"},
-  };
-  return names;
-}
-
-}  // namespace
 
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> rows(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -58,10 +38,6 @@ std::string nearestName(const std::string& name, const std::vector<std::string>&
 }
 
 std::string hintAt(const std::string& name, const std::vector<std::string>& names) {
-  const auto same = namesOfOtherPlanners().find(name);
-  if (same != namesOfOtherPlanners().end() && std::find(names.begin(), names.end(), same->second) != names.end()) {
-    return "; here it is named " + same->second;
-  }
   const std::string nearest = nearestName(name, names);
   return nearest.empty() ? "" : "; the nearest is " + nearest;
 }

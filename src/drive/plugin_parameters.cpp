@@ -1,10 +1,33 @@
 #include "lstm_planner/drive/plugin_parameters.hpp"
 
+#include <algorithm>
+#include <map>
 #include <stdexcept>
 
+#include "lstm_planner/common/nearest_name.hpp"
 #include "lstm_planner/common/parameter_visitors.hpp"
 
 namespace lstm_planner {
+
+namespace {
+
+/// What DWAPlannerROS and TrajectoryPlannerROS call parameters of SteeringController, in the same unit.
+const std::map<std::string, std::string>& namesOfOtherPlanners() {
+  static const std::map<std::string, std::string> names = {
+      {"max_vel_x", "max_linear"},
+      {"max_vel_trans", "max_linear"},
+      {"max_trans_vel", "max_linear"},
+      {"max_vel_theta", "max_angular"},
+      {"max_rot_vel", "max_angular"},
+      {"acc_lim_x", "linear_acceleration"},
+      {"acc_lim_trans", "linear_acceleration"},
+      {"xy_goal_tolerance", "position_tolerance"},
+      {"yaw_goal_tolerance", "heading_tolerance"},
+  };
+  return names;
+}
+
+}  // namespace
 
 void validate(const GlobalPlannerParameters& parameters) {
   visitGlobalPlannerParameters(parameters, RangeCheck());
@@ -43,6 +66,13 @@ std::vector<std::string> changeableSteeringControllerParameters() {
           "safety_margin",     "slow_gap",       "slow_speed",      "person_speed",        "person_margin",
           "person_slow_speed", "evade_time",     "evade_margin",    "position_tolerance",  "heading_tolerance",
           "plan_timeout"};
+}
+
+std::string hintAtParameter(const std::string& name, const std::vector<std::string>& names) {
+  const auto same = namesOfOtherPlanners().find(name);
+  const bool has_same =
+      same != namesOfOtherPlanners().end() && std::find(names.begin(), names.end(), same->second) != names.end();
+  return has_same ? "; here it is named " + same->second : hintAt(name, names);
 }
 
 }  // namespace lstm_planner

@@ -75,7 +75,7 @@ class GroupReader {
       if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
       if (!entry.second.IsMap()) {
         throw std::invalid_argument(place_ + "/" + name + ": there is no parameter of that name" +
-                                    hintAt(name, known_));
+                                    hintAtParameter(name, known_));
       }
       refuseUnknown(entry.second, name + "/");
     }

@@ -14,8 +14,7 @@ std::size_t editDistance(const std::string& a, const std::string& b);
 /// (editDistance()). Empty if there is none.
 std::string nearestName(const std::string& name, const std::vector<std::string>& names);
 
-/// "; the nearest is NAME" as the end of a sentence; empty if there is no such name. "; here it is named NAME" where
-/// `name` is what the navigation stack's local planners call one of `names`.
+/// "; the nearest is NAME" as the end of a sentence; empty if there is no such name.
 std::string hintAt(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace lstm_planner

@@ -105,4 +105,8 @@ Footprint footprintOf(const SteeringControllerParameters& parameters);
 std::vector<std::string> changeableGlobalPlannerParameters();
 std::vector<std::string> changeableSteeringControllerParameters();
 
+/// The end of a sentence about a parameter that is none of `names`: "; here it is named NAME" where the navigation
+/// stack's local planners call one of them so, otherwise as hintAt().
+std::string hintAtParameter(const std::string& name, const std::vector<std::string>& names);
+
 }  // namespace lstm_planner

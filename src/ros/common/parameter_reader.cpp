@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "lstm_planner/common/nearest_name.hpp"
+#include "lstm_planner/drive/plugin_parameters.hpp"
 #include "ros/common/parameter_value.hpp"
 
 namespace lstm_planner {
@@ -98,7 +98,7 @@ std::vector<std::string> ParameterReader::warningsOfUnknown() const {
   std::vector<std::string> warnings;
   for (const std::string& name : unknownParameters()) {
     warnings.push_back("parameter " + name + " is set, but there is none of that name" +
-                       hintAt(name.substr(prefix), names));
+                       hintAtParameter(name.substr(prefix), names));
   }
   return warnings;
 }

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "lstm_planner/common/nearest_name.hpp"
+#include "lstm_planner/drive/plugin_parameters.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -174,7 +174,7 @@ class ReconfigureServer::Implementation {
       const std::string& wanted = name;
       const auto row = std::find_if(rows->begin(), rows->end(), [&](const auto& one) { return one.name == wanted; });
       if (row == rows->end()) {
-        throw std::invalid_argument("there is no parameter " + name + hintAt(name, names()));
+        throw std::invalid_argument("there is no parameter " + name + hintAtParameter(name, names()));
       }
       if (row->value.index() != value.index()) {
         throw std::invalid_argument("parameter " + name + " is given as " + typeName(value) + ", expected " +

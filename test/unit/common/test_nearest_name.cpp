@@ -29,14 +29,5 @@ TEST(NearestName, EndsASentence) {
   EXPECT_EQ(hintAt("temperature", kNames), "");
 }
 
-TEST(NearestName, OfOtherLocalPlannersIsTheOneThatMeansTheSame) {
-  EXPECT_EQ(hintAt("max_vel_x", {"max_angular", "max_linear"}), "; here it is named max_linear");
-  EXPECT_EQ(hintAt("xy_goal_tolerance", {"goal_tolerance", "position_tolerance"}),
-            "; here it is named position_tolerance")
-      << "although the other is spelt more alike";
-  EXPECT_EQ(hintAt("xy_goal_tolerance", {"goal_tolerance"}), "; the nearest is goal_tolerance")
-      << "only names that there are";
-}
-
 }  // namespace
 }  // namespace lstm_planner::test_nearest_name
