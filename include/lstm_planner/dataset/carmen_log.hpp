@@ -25,12 +25,11 @@ struct CarmenLog {
   bool mount_known = false;             ///< false: nothing says where the scanner sits; taken as the base's origin
   std::map<std::string, long> ignored;  ///< other lines by their first word, "#" for comments,
                                         ///< "?" for what is no keyword, or one too many
-  long repeated = 0;  ///< lines ODOM left out: they repeat the pose of the scan before them, and programs that
-                      ///< correct poses insert such lines with stamps that mean nothing
-  long late = 0;      ///< lines with a stamp later than that of a line behind them; see readCarmenLog()
-  long standing =
-      0;  ///< scans that are stamped no later than the scan before: if most scans are such, the log's times are lost
-  long malformed = 0;           ///< lines that do not have the numbers they should; left out
+  long repeated = 0;   ///< lines ODOM left out: they repeat the pose of the scan before them, and programs that
+                       ///< correct poses insert such lines with stamps that mean nothing
+  long late = 0;       ///< lines with a stamp later than that of a line behind them; see readCarmenLog()
+  long standing = 0;   ///< scans stamped no later than the scan before; if most are, the log's times are lost
+  long malformed = 0;  ///< lines that do not have the numbers they should; left out
   std::string first_malformed;  ///< "line N: ", and why
 };
 

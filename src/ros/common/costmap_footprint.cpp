@@ -3,7 +3,6 @@
 #include <ros/console.h>
 #include <ros/node_handle.h>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <vector>

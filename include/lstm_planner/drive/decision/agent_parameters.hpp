@@ -61,14 +61,13 @@ void visitAgentParameters(Parameters& agent, const Visitor& visit) {
       "if the costmap's global frame is not that of the odometry, because a localisation corrects it then");
   visit("goal_drift", agent.goal_drift, {0.0, 0.9}, "",
         "only if memory/enabled is true: possible error of the robot's position (1.5 times the usual one), as a share "
-        "of the driven distance: a goal "
-        "that turns out to lie in or behind an obstacle counts as reached from that distance; larger searches less "
-        "often for a path to the other side of a wall, and misses more goals that really are there; 0.03 if odometry "
-        "is wrong by 2 % and correct_drift is false; 0 with a localisation");
+        "of the driven distance: a goal that turns out to lie in or behind an obstacle counts as reached from that "
+        "distance; larger searches less often for a path to the other side of a wall, and misses more goals that "
+        "really are there; 0.03 if odometry is wrong by 2 % and correct_drift is false; 0 with a localisation");
   visit("arrive_beside_goal", agent.arrive_beside_goal, {}, "",
         "only if memory/enabled is true: whether a robot that stops in front of such a goal has arrived; false: it "
-        "drives there all the same, then the "
-        "planner says that it stopped beside the goal and makes no plan, so that move_base reports ABORTED");
+        "drives there all the same, then the planner says that it stopped beside the goal and makes no plan, so that "
+        "move_base reports ABORTED");
   visit("draw_after", agent.draw_after, {0, 1000000}, "",
         "only if memory/enabled is false: steps without a new best distance to the goal, after which the network's "
         "steering angle is drawn with the probabilities that the network gives, as in training, so that the robot "
