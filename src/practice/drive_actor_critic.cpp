@@ -22,20 +22,13 @@ namespace lstm_planner {
 namespace {
 
 PracticeEpisode toPractice(const std::vector<RecordedChoice>& choices, const Encoder& encoder, std::size_t actions) {
-  const auto own = static_cast<std::size_t>(encoder.size());
   PracticeEpisode episode;
-  episode.recorded = true;
+  episode.is_example = true;
   episode.probabilities.assign(choices.size() * actions, 1.0f / static_cast<float>(actions));
-  episode.inputs.assign(choices.size() * (own + kDrivePrivilegedInputs), 0.0f);
-  float* input = episode.inputs.data();
   for (const RecordedChoice& choice : choices) {
-    encoder.encode(choice.observation, Eigen::Map<Eigen::VectorXf>(input, encoder.size()));
-    input += own + kDrivePrivilegedInputs;
-    if (encoder.parameters().views != 1) episode.bearings.push_back(bearingsOf(choice.observation));
-    PracticeEpisode::Step step;
-    step.action = choice.label;
-    step.chosen = true;
-    episode.steps.push_back(step);
+    addStep(encoder, choice.observation, &episode);
+    episode.steps.back().action = choice.label;
+    episode.steps.back().chosen = true;
   }
   return episode;
 }
@@ -99,11 +92,10 @@ class PractisingActorCritic final : public DriveActorCritic {
   ReinforcementReport iterate() override {
     std::vector<PracticeEpisode> episodes = practise(parameters_, policy_, learner_.updates());
     const PracticeSums sums = sumUp(episodes);
-    episodes.insert(episodes.end(), recorded_.begin(), recorded_.end());
+    addRecorded(sums.steps, &episodes);
     DriveBatch batch(parameters_, policy_, critic_, episodes);
     DriveBatchWeights weights;
     weights.entropy = learner_.entropyWeight();
-    if (!recorded_.empty()) weights.imitation = imitation_ * sums.steps / recorded_steps_;
     batch.judge(learner_.critic(), &learner_.advantageVariances());
     weights.advantage_variances = learner_.advantageVariances();
     // The critic is new at first: let it learn before the policy follows it.
@@ -135,6 +127,17 @@ class PractisingActorCritic final : public DriveActorCritic {
   }
 
  private:
+  /// Weighs the recorded steps as follow() says, beside so many practised ones.
+  void addRecorded(double practised_steps, std::vector<PracticeEpisode>* episodes) const {
+    for (PracticeEpisode episode : recorded_) {
+      for (PracticeEpisode::Step& step : episode.steps) {
+        step.weight =
+            static_cast<float>(static_cast<double>(step.weight) * imitation_ * practised_steps / recorded_steps_);
+      }
+      episodes->push_back(std::move(episode));
+    }
+  }
+
   ReinforcementReport report(const PracticeSums& sums, DriveBatch& batch) {
     ReinforcementReport report = learner_.report(batch.judged());
     report.reward = sums.reward;

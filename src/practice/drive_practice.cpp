@@ -4,11 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,102 +15,14 @@
 #include "lstm_planner/drive/decision/action_choice.hpp"
 #include "lstm_planner/practice/step_simulator.hpp"
 #include "lstm_planner/training/policy_gradient.hpp"
+#include "practice/episode_exchange.hpp"
+#include "practice/path_example.hpp"
 
 namespace lstm_planner {
 namespace {
 
-/// Calls field(member) for all that a drive consists of.
-template <typename Episode, typename Field>
-void forEachField(Episode* episode, const Field& field) {
-  field(&episode->kind);
-  field(&episode->arrived);
-  field(&episode->recorded);
-  field(&episode->steps);
-  field(&episode->inputs);
-  field(&episode->bearings);
-  field(&episode->probabilities);
-}
-
-class Writer {
- public:
-  template <typename Value>
-  void operator()(const Value* value) const {
-    static_assert(std::is_trivially_copyable_v<Value>, "values are sent as bytes");
-    append(value, sizeof(Value));
-  }
-  template <typename Value>
-  void operator()(const std::vector<Value>* values) const {
-    static_assert(std::is_trivially_copyable_v<Value>, "values are sent as bytes");
-    const std::size_t count = values->size();
-    append(&count, sizeof(count));
-    append(values->data(), count * sizeof(Value));
-  }
-
-  explicit Writer(std::vector<std::uint8_t>* bytes) : bytes_(*bytes) {}
-
- private:
-  void append(const void* from, std::size_t size) const {
-    const auto* const first = static_cast<const std::uint8_t*>(from);
-    bytes_.insert(bytes_.end(), first, first + size);
-  }
-
-  std::vector<std::uint8_t>& bytes_;
-};
-
-class Reader {
- public:
-  explicit Reader(const std::uint8_t** next) : next_(*next) {}
-
-  template <typename Value>
-  void operator()(Value* value) const {
-    take(value, sizeof(Value));
-  }
-  template <typename Value>
-  void operator()(std::vector<Value>* values) const {
-    std::size_t count = 0;
-    take(&count, sizeof(count));
-    values->resize(count);
-    take(values->data(), count * sizeof(Value));
-  }
-
- private:
-  void take(void* to, std::size_t size) const {
-    if (size > 0) std::memcpy(to, next_, size);
-    next_ += size;
-  }
-
-  const std::uint8_t*& next_;
-};
-
-/// The drives of all ranks, in the order of the ranks, from those of this one. Every rank has to call it.
-std::vector<PracticeEpisode> exchangeEpisodes(Communicator* ranks, std::vector<PracticeEpisode> own) {
-  if (ranks->size() == 1) return own;
-  std::vector<std::uint8_t> written;
-  for (const PracticeEpisode& episode : own) forEachField(&episode, Writer(&written));
-
-  std::vector<std::size_t> bytes(static_cast<std::size_t>(ranks->size()));
-  bytes[static_cast<std::size_t>(ranks->rank())] = written.size();
-  exchangeShares(ranks, ranks->size(), 1, bytes.data());
-  std::vector<std::uint8_t> all(std::accumulate(bytes.begin(), bytes.end(), std::size_t{0}));
-  const std::size_t before = std::accumulate(bytes.begin(), bytes.begin() + ranks->rank(), std::size_t{0});
-  std::copy(written.begin(), written.end(), all.begin() + static_cast<std::ptrdiff_t>(before));
-  ranks->exchangeBytes(all.data(), bytes);
-
-  std::vector<PracticeEpisode> episodes;
-  for (const std::uint8_t* next = all.data(); next != all.data() + all.size();) {
-    forEachField(&episodes.emplace_back(), Reader(&next));
-  }
-  return episodes;
-}
-
 /// m of path counted at the most, also where no path is known.
 constexpr double kLongestPath = 100.0;
-
-AgentParameters drawAgent(const PolicyDescription& policy, Random& random) {
-  AgentParameters agent = practiceAgent(policy);
-  agent.step.length = policy.step_length * uniform(random, 0.75, 1.25);
-  return agent;
-}
 
 /// Records a drive and chooses its actions; the agent's step listener.
 class Practice {
@@ -135,7 +45,6 @@ class Practice {
     const double left = pathLeft();
     finishStep(left);
     noteInputs(observation, left);
-    episode_.steps.emplace_back();
     return draw() ? std::optional<int>(episode_.steps.back().action) : std::nullopt;
   }
 
@@ -172,12 +81,7 @@ class Practice {
   }
 
   void noteInputs(const Observation& observation, double left) {
-    const auto own = static_cast<std::size_t>(encoder_.size());
-    const std::size_t first = episode_.inputs.size();
-    episode_.inputs.resize(first + own + kDrivePrivilegedInputs);
-    encoder_.encode(observation, Eigen::Map<Eigen::VectorXf>(episode_.inputs.data() + first, encoder_.size()));
-    if (encoder_.parameters().views != 1) episode_.bearings.push_back(bearingsOf(observation));
-    float* more = episode_.inputs.data() + first + own;
+    float* more = addStep(encoder_, observation, &episode_);
     const Pose2& pose = drive_.truePose();
     double direction = pose.yaw;
     exercise_.teacher->direction({pose.x, pose.y}, &direction);
@@ -229,16 +133,11 @@ class Practice {
   int contacts_before_ = 0;
 };
 
-/// One drive.
-PracticeEpisode practise(const DriveActorCriticParameters& parameters, const LayerStack& layers,
-                         const DriveExercise& exercise, const DriveTask& task, std::uint64_t seed) {
+PracticeEpisode practiseAlone(const DriveActorCriticParameters& parameters, const LayerStack& layers,
+                              const DriveExercise& exercise, const DriveTask& task, std::uint64_t seed) {
   Random random(seed);
   const PracticeConditions conditions = drawConditions(random);
-  PolicyDescription description = parameters.policy;
-  description.footprint_radius = kPracticeRadius;
-  const AgentParameters agent_parameters = drawAgent(description, random);
-  description.step_length = agent_parameters.step.length;
-  NavigationAgent agent(DrivePolicy(description, layers), agent_parameters);
+  NavigationAgent agent = drawRobot(practiceAgent(parameters.policy), parameters.policy, layers, random);
   StepSimulator drive(*exercise.world, task, conditions, random());
   Practice practice(parameters, exercise, task, drive, agent, random());
   agent.setStepListener(
@@ -259,7 +158,10 @@ std::vector<PracticeEpisode> practise(const DriveActorCriticParameters& paramete
     for (const DriveExercise& exercise : makeDriveExercises(parameters.course, WorldUse::kTraining, parameters.seed,
                                                             number, parameters.goals, parameters.starts)) {
       for (const DriveTask& task : exercise.tasks) {
-        by_world[static_cast<std::size_t>(world)].push_back(practise(parameters, layers, exercise, task, seeds()));
+        const std::uint64_t seed = seeds();
+        Random lot(~seed);
+        const auto drive = uniform(lot) < parameters.path_share ? drivePathExample : practiseAlone;
+        by_world[static_cast<std::size_t>(world)].push_back(drive(parameters, layers, exercise, task, seed));
       }
     }
   });
@@ -272,18 +174,6 @@ std::vector<PracticeEpisode> practise(const DriveActorCriticParameters& paramete
   episodes = exchangeEpisodes(parameters.communicator, std::move(episodes));
   if (episodes.empty()) throw std::runtime_error("no drive of the iteration had a step to learn from");
   return episodes;
-}
-
-PracticeSums sumUp(const std::vector<PracticeEpisode>& episodes) {
-  PracticeSums sums;
-  for (const PracticeEpisode& episode : episodes) {
-    sums.steps += static_cast<double>(episode.steps.size());
-    for (const PracticeEpisode::Step& step : episode.steps) sums.reward += static_cast<double>(step.reward);
-    sums.arrival += episode.arrived ? 1.0 : 0.0;
-  }
-  sums.reward /= static_cast<double>(episodes.size());
-  sums.arrival /= static_cast<double>(episodes.size());
-  return sums;
 }
 
 }  // namespace lstm_planner

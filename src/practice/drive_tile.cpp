@@ -55,7 +55,7 @@ void DriveTile::judgeQueue(int queue, CriticSums* sums) {
   Advantages advantages(parameters_.discount, parameters_.advantage_decay, 0.0);
   for (int time = queues_.steps(); time-- > 0;) {
     DriveSlot& slot = queues_.at(time, queue);
-    if (!slot.episode || slot.episode->recorded) continue;
+    if (!slot.episode || slot.episode->is_example) continue;
     const PracticeEpisode& episode = *slot.episode;
     const double value = static_cast<double>(slot.value);
     const bool last = slot.step + 1 == episode.steps.size();
@@ -81,8 +81,8 @@ double DriveTile::policyGradient(int window, const Eigen::VectorXf& parameters, 
     for (int queue = 0; queue < queues_.count(); ++queue) {
       const DriveSlot& slot = queues_.at(window * parameters_.window + time, queue);
       if (!slot.episode || !slot.episode->steps[slot.step].chosen) continue;
-      if (slot.episode->recorded) {
-        fillImitationGradient(slot, time, queue, weights.imitation);
+      if (slot.episode->is_example) {
+        fillImitationGradient(slot, time, queue);
       } else {
         fillPolicyGradient(slot, time, queue, weights);
       }
@@ -105,14 +105,14 @@ std::vector<double> DriveTile::probabilitiesOf(const DriveSlot& slot, int time, 
   return now;
 }
 
-/// Of -weight * log(probability of what the driver did) by the preferences.
-void DriveTile::fillImitationGradient(const DriveSlot& slot, int time, int queue, double weight) {
+/// Of -weight * log(probability of the right action) by the preferences.
+void DriveTile::fillImitationGradient(const DriveSlot& slot, int time, int queue) {
   const PracticeEpisode::Step& step = slot.episode->steps[slot.step];
   const std::vector<double> now = probabilitiesOf(slot, time, queue);
   for (int k = 0; k < actions_; ++k) {
     const double slope = imitationSlope(now[static_cast<std::size_t>(k)], k == step.action);
     policy_.outputGradient(time)[views_.outputAt(slot, queue, k)] =
-        static_cast<float>(weight * static_cast<double>(step.weight) * slope);
+        static_cast<float>(static_cast<double>(step.weight) * slope);
   }
 }
 
@@ -147,7 +147,7 @@ double DriveTile::criticGradient(int window, const Eigen::VectorXf& parameters) 
       const int place = time * queues_.count() + queue;
       const DriveSlot& slot = queues_.at(window * parameters_.window + time, queue);
       const float wanted = (slot.value + slot.advantage) / static_cast<float>(kValueScale);
-      const bool practised = slot.episode && !slot.episode->recorded;
+      const bool practised = slot.episode && !slot.episode->is_example;
       critic_.outputGradient(0)[place] = practised ? values[place] - wanted : 0.0f;
       steps += practised ? 1.0 : 0.0;
     }

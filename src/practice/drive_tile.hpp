@@ -15,7 +15,6 @@ namespace lstm_planner {
 /// How much the parts of the error weigh.
 struct DriveBatchWeights {
   double entropy = 0.0;
-  double imitation = 0.0;                   ///< of a recorded step of weight 1
   std::vector<double> advantage_variances;  ///< by kind of world
 };
 
@@ -52,7 +51,7 @@ class DriveTile {
   void judgeQueue(int queue, CriticSums* sums);
   /// How likely the actions are now, of those that could be chosen.
   std::vector<double> probabilitiesOf(const DriveSlot& slot, int time, int queue) const;
-  void fillImitationGradient(const DriveSlot& slot, int time, int queue, double weight);
+  void fillImitationGradient(const DriveSlot& slot, int time, int queue);
   void fillPolicyGradient(const DriveSlot& slot, int time, int queue, const DriveBatchWeights& weights);
 
   const DriveActorCriticParameters& parameters_;

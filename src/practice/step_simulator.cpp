@@ -40,6 +40,14 @@ AgentParameters practiceAgent(const PolicyDescription& policy) {
   return fittedToFootprint(agent);
 }
 
+NavigationAgent drawRobot(AgentParameters agent, PolicyDescription policy, const LayerStack& layers, Random& random) {
+  policy.footprint_radius = kPracticeRadius;
+  policy.step_length *= uniform(random, 0.75, 1.25);
+  agent.step.length = policy.step_length;
+  agent.shield.footprint_radius = kPracticeRadius;
+  return NavigationAgent(DrivePolicy(policy, layers), fittedToFootprint(agent));
+}
+
 PracticeConditions drawConditions(Random& random) {
   PracticeConditions conditions = usualConditions();
   conditions.scanner.noise = uniform(random, 0.002, 0.03);

@@ -33,6 +33,10 @@ PracticeConditions drawConditions(Random& random);
 /// The agent that practises: network and shield, without rescue or memory of obstacles.
 AgentParameters practiceAgent(const PolicyDescription& policy);
 
+/// An agent with these parameters for a robot of the radius that practises (kPracticeRadius), and with a random step
+/// length around the policy's.
+NavigationAgent drawRobot(AgentParameters agent, PolicyDescription policy, const LayerStack& layers, Random& random);
+
 /// Simulates a drive for practice, in the ClosedLoop in which drive() judges what was learned: a scan and a decision a
 /// step, and in between the robot turns and drives as the controller would, but without controller, plan and wheels.
 class StepSimulator : private LoopRobot {

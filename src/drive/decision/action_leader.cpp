@@ -4,11 +4,11 @@ namespace lstm_planner {
 
 namespace {
 
-/// Whether the path through what is remembered leaves in the direction of the action.
-bool isAlongPath(const StepContext& step, int action) {
+/// The action in whose direction the path through what is remembered leaves.
+int actionAlongPath(const StepContext& step) {
   const Pose2& pose = step.situation.pose;
   const double bearing = step.replanner->bearingAhead({pose.x, pose.y, step.start_yaw}, step.parameters.step.length);
-  return step.actions.nearest(bearing) == action;
+  return step.actions.nearest(bearing);
 }
 
 /// How much longer the path becomes by the action, m; the path behind it is written to the decision.
@@ -28,7 +28,8 @@ bool ActionLeader::decide(const StepContext& step, Replanner::Answer answer) {
   }
   if (!chosen) return route_.decide(step, answer);
   Decision& decision = *step.decision;
-  if (!step.imposed && isAlongPath(step, chosen->index) && step.followPath(decision.leader)) {
+  decision.along_path = actionAlongPath(step);
+  if (!step.imposed && chosen->index == decision.along_path && step.followPath(decision.leader)) {
     decision.action = chosen->index;
     return true;
   }

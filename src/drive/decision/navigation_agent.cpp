@@ -140,6 +140,7 @@ void NavigationAgent::setGoal(const Point2& goal) {
   decision_.choice = Move::kLookAround;
   decision_.action = -1;
   decision_.preferred = -1;
+  decision_.along_path = -1;
   decision_.destination = goal;
   decision_.goal_seems = Decision::GoalSeems::kReachable;
   decision_.overruled = Overruled::kNo;
@@ -317,6 +318,7 @@ void NavigationAgent::decideStep(const Situation& situation) {
   }
   decision_.on_route = false;
   decision_.overruled = Overruled::kNo;
+  decision_.along_path = -1;
   decision_.regret = 0.0;
   decision_.path_on.clear();
   bound_.choose(0.0);

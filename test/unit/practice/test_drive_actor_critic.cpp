@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "lstm_planner/practice/drive_actor_critic.hpp"
 #include "lstm_planner/practice/recorded_choices.hpp"
+#include "lstm_planner/practice/step_simulator.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "support/case_name.hpp"
 #include "support/refusal.hpp"
@@ -23,6 +25,35 @@ DriveActorCriticParameters tiny(int views = 1) {
   auto parameters = tinyTraining<DriveActorCriticParameters>(views);
   parameters.sharpness = 1.0;
   return parameters;
+}
+
+/// Half of the drives are practised, and half are examples.
+DriveActorCriticParameters withExamples(int views) {
+  DriveActorCriticParameters parameters = tiny(views);
+  parameters.path_share = 0.5;
+  return parameters;
+}
+
+/// Share of the decisions under the bound, in mazes, in which the network prefers the remembered path.
+double shareAlongPath(DriveActorCriticParameters parameters, const LayerStack& layers) {
+  double along = 0.0;
+  double decisions = 0.0;
+  Random random(1);
+  for (const DriveExercise& exercise : makeDriveExercises(parameters.course, WorldUse::kValidation, 1, 0, 2, 10)) {
+    for (const DriveTask& task : exercise.tasks) {
+      NavigationAgent agent = drawRobot(AgentParameters(), parameters.policy, layers, random);
+      agent.setStepListener([&](const Situation&, const Observation&) {
+        const Decision& last = agent.decision();
+        if (last.along_path >= 0) {
+          decisions += 1.0;
+          along += last.preferred == last.along_path ? 1.0 : 0.0;
+        }
+        return std::nullopt;
+      });
+      StepSimulator(*exercise.world, task, usualConditions(), 1).run(200, &agent);
+    }
+  }
+  return along / decisions;
 }
 
 /// By the number of views.
@@ -43,13 +74,13 @@ TEST_P(DriveActorCriticWithViews, LearnsToGoToTheGoalInTheOpen) {
 
 TEST_P(DriveActorCriticWithViews, AnyNumberOfRanksLearnsTheSameWeightsAndReportsTheSame) {
   expectTheSameOnAnyNumberOfRanks(
-      tiny(GetParam()), makeDriveActorCritic, kNetworkSeed, [](const ReinforcementReport& report) {
+      withExamples(GetParam()), makeDriveActorCritic, kNetworkSeed, [](const ReinforcementReport& report) {
         return std::vector<double>{report.steps, report.reward, report.arrival, report.entropy, report.explained};
       });
 }
 
 TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
-  DriveActorCriticParameters parameters = tiny(GetParam());
+  DriveActorCriticParameters parameters = withExamples(GetParam());
   const auto one = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
   parameters.threads = 3;
   const auto three = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
@@ -61,7 +92,7 @@ TEST_P(DriveActorCriticWithViews, GivesTheSameWeightsForAnyNumberOfThreads) {
 }
 
 TEST_P(DriveActorCriticWithViews, GoesOnFromACheckpointAsIfThereHadBeenNoBreak) {
-  const DriveActorCriticParameters parameters = tiny(GetParam());
+  const DriveActorCriticParameters parameters = withExamples(GetParam());
   const auto through = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
   const auto first = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
   for (int i = 0; i < 4; ++i) through->iterate();
@@ -97,6 +128,18 @@ TEST_P(DriveActorCriticWithViews, TakesOverADriversMannerWhileItPractises) {
   EXPECT_GT(agreementAfter(true), without + 0.2) << "as often as " << without << " without them";
 }
 
+TEST_P(DriveActorCriticWithViews, LearnsToChooseTheRememberedPath) {
+  DriveActorCriticParameters parameters = tiny(GetParam());
+  parameters.course.worlds = {WorldKind::kMaze};
+  parameters.path_share = 1.0;
+  parameters.learning_rate = 0.01;
+  parameters.iterations = 12;
+  const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
+  const double before = shareAlongPath(parameters, learner->layers());
+  while (learner->updates() < parameters.iterations) learner->iterate();
+  EXPECT_GT(shareAlongPath(parameters, learner->layers()), before + 0.2) << "before: " << before;
+}
+
 TEST(DriveActorCritic, RefusesRecordingsThatItCannotFollow) {
   const DriveActorCriticParameters parameters = tiny();
   const auto learner = makeDriveActorCritic(parameters, tinyNetwork(parameters, kNetworkSeed));
@@ -119,6 +162,7 @@ TEST(DriveActorCritic, RefusesWhatDoesNotFit) {
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->window = 0; }));
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->clip = 0.0; }));
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->discount = 1.0; }));
+  EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->path_share = 1.1; }));
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->sharpness = -1.0; }));
   EXPECT_TRUE(refused([](DriveActorCriticParameters* p) { p->learning_rate = 0.0; }));
 }

@@ -47,6 +47,8 @@ struct Decision {
   int action = -1;                 ///< index of the steering angle; -1 when the waypoint is not one of them
   int preferred = -1;              ///< the network's answer: the action that it prefers of all, or that was drawn
                                    ///< by its preferences; -1 when it is not asked
+  int along_path = -1;             ///< the action in whose direction the path through what is remembered leaves; -1
+                                   ///< where none is known, and with a leader that does not ask for it
   std::vector<float> preferences;  ///< the network's, one an action
   std::vector<char> allowed;       ///< the shield's word, one an action
   bool on_route = false;           ///< the waypoint lies on, or beside, the path through what is remembered
