@@ -1,5 +1,6 @@
 #pragma once
 
+#include <opencv2/core.hpp>
 #include <vector>
 
 #include "lstm_planner/common/random.hpp"
@@ -37,7 +38,9 @@ int toCells(double metres, const FloorPlanParameters& parameters);
 /// Sets all cells of a box.
 void fillBox(const CellBox& box, Cell cell, OccupancyGrid* grid);
 
-Building buildRooms(const FloorPlanParameters& parameters, Random& random);
+/// Numbers the areas of the floor (from 1; 0 = it does not fit) in which a disc of that radius (m) can go about: a row
+/// a row of the grid. Returns how many there are.
+int labelOpenAreas(const OccupancyGrid& grid, double radius, cv::Mat1i* labels);
 
 /// Puts furniture into the rooms, not into corridors nor before doors.
 void furnish(const FloorPlanParameters& parameters, Random& random, Building* building);

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <vector>
 
-#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/simulation/world_generators.hpp"
 #include "simulation/building.hpp"
@@ -112,17 +111,7 @@ class Digger {
 
 }  // namespace
 
-void validate(const CorridorWorldParameters& parameters) {
-  checkRange("width", parameters.width, 8.0, 200.0);
-  checkRange("height", parameters.height, 8.0, 200.0);
-  checkRange("corridors", parameters.corridors, 1, 1000);
-  checkRange("narrowest", parameters.narrowest, 0.6, 5.0);
-  checkRange("widest", parameters.widest, parameters.narrowest, 5.0);
-  checkRange("resolution", parameters.resolution, 0.01, 0.2);
-}
-
 OccupancyGrid generateCorridorWorld(const CorridorWorldParameters& parameters, std::uint64_t seed) {
-  validate(parameters);
   const auto cells = [&](double metres) { return static_cast<int>(std::lround(metres / parameters.resolution)); };
   const OccupancyGrid solid(cells(parameters.width), cells(parameters.height), parameters.resolution, {},
                             Cell::kOccupied);

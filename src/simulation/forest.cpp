@@ -2,12 +2,10 @@
 #include <cmath>
 #include <vector>
 
-#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/simulation/world.hpp"
 #include "lstm_planner/simulation/world_generators.hpp"
 #include "simulation/building.hpp"
-#include "simulation/open_areas.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -95,19 +93,7 @@ class Forester {
 
 }  // namespace
 
-void validate(const ForestParameters& parameters) {
-  checkRange("width", parameters.width, 5.0, 200.0);
-  checkRange("height", parameters.height, 2.0, 200.0);
-  checkRange("density", parameters.density, 0.0, 0.5);
-  checkRange("smallest_radius", parameters.smallest_radius, 0.01, 0.5);
-  checkRange("largest_radius", parameters.largest_radius, parameters.smallest_radius, 0.5);
-  checkRange("gap", parameters.gap, 0.0, 5.0);
-  checkRange("passage", parameters.passage, 0.05, 0.5);
-  checkRange("resolution", parameters.resolution, 0.01, 0.2);
-}
-
 OccupancyGrid generateForest(const ForestParameters& parameters, std::uint64_t seed) {
-  validate(parameters);
   Random random(seed);
   Forester forester(parameters, random);
   std::vector<Circle> poles = forester.plant();
@@ -119,14 +105,7 @@ OccupancyGrid generateForest(const ForestParameters& parameters, std::uint64_t s
   return grid;
 }
 
-void validate(const OpenFieldParameters& parameters) {
-  checkRange("width", parameters.width, 1.0, 1000.0);
-  checkRange("height", parameters.height, 1.0, 1000.0);
-  checkRange("resolution", parameters.resolution, 0.02, 1.0);
-}
-
 OccupancyGrid generateOpenField(const OpenFieldParameters& parameters) {
-  validate(parameters);
   const auto cells = [&](double metres) { return static_cast<int>(std::ceil(metres / parameters.resolution)); };
   return OccupancyGrid(cells(parameters.width), cells(parameters.height), parameters.resolution);
 }

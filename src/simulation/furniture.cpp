@@ -3,7 +3,6 @@
 #include <cstddef>
 
 #include "simulation/building.hpp"
-#include "simulation/open_areas.hpp"
 
 namespace lstm_planner {
 namespace {

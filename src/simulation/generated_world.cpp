@@ -1,8 +1,10 @@
 #include "lstm_planner/simulation/generated_world.hpp"
 
+#include <array>
 #include <stdexcept>
 
 #include "lstm_planner/common/random.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/simulation/floor_plan.hpp"
 #include "lstm_planner/simulation/world_generators.hpp"
 
@@ -88,6 +90,22 @@ OccupancyGrid drawRooms(Random& random) {
   return generateRoomsWorld(rooms, random());
 }
 
+struct Kind {
+  const char* name;
+  OccupancyGrid (*draw)(Random& random);
+};
+
+/// In the order of WorldKind.
+constexpr std::array<Kind, 7> kKinds{{{"mazes", drawMaze},
+                                      {"offices", drawOffice},
+                                      {"corridors", drawCorridors},
+                                      {"forest", drawForest},
+                                      {"open", drawOpenField},
+                                      {"rooms", drawRooms},
+                                      {"furnished", drawFurnished}}};
+
+const Kind& kindOf(WorldKind kind) { return kKinds.at(static_cast<std::size_t>(kind)); }
+
 }  // namespace
 
 const std::vector<WorldKind>& worldKinds() {
@@ -97,54 +115,20 @@ const std::vector<WorldKind>& worldKinds() {
   return kinds;
 }
 
-const char* toString(WorldKind kind) {
-  switch (kind) {
-    case WorldKind::kMaze:
-      return "mazes";
-    case WorldKind::kOffice:
-      return "offices";
-    case WorldKind::kCorridors:
-      return "corridors";
-    case WorldKind::kForest:
-      return "forest";
-    case WorldKind::kOpen:
-      return "open";
-    case WorldKind::kRooms:
-      return "rooms";
-    case WorldKind::kFurnished:
-      return "furnished";
-  }
-  return "";
-}
+const char* toString(WorldKind kind) { return kindOf(kind).name; }
 
 WorldKind worldKindOf(const std::string& name) {
-  std::string names;
+  std::vector<std::string> names;
   for (const WorldKind kind : worldKinds()) {
     if (name == toString(kind)) return kind;
-    names += (names.empty() ? "" : ", ") + std::string(toString(kind));
+    names.emplace_back(toString(kind));
   }
-  throw std::invalid_argument("there is no kind of worlds '" + name + "', expected one of " + names);
+  throw std::invalid_argument("there is no kind of worlds '" + name + "', expected one of " + joined(names));
 }
 
 OccupancyGrid generateWorld(WorldKind kind, std::uint64_t seed) {
   Random random(seed);
-  switch (kind) {
-    case WorldKind::kMaze:
-      return drawMaze(random);
-    case WorldKind::kOffice:
-      return drawOffice(random);
-    case WorldKind::kCorridors:
-      return drawCorridors(random);
-    case WorldKind::kForest:
-      return drawForest(random);
-    case WorldKind::kOpen:
-      return drawOpenField(random);
-    case WorldKind::kRooms:
-      return drawRooms(random);
-    case WorldKind::kFurnished:
-      return drawFurnished(random);
-  }
-  throw std::invalid_argument("there is no such kind of worlds");
+  return kindOf(kind).draw(random);
 }
 
 std::uint64_t worldSeed(WorldUse use, std::uint64_t seed, std::uint64_t number) {

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <vector>
 
-#include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/random.hpp"
 #include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/simulation/world_generators.hpp"
@@ -44,18 +43,7 @@ OccupancyGrid enlarge(const PassableGrid& maze, int wall, int corridor, double r
 
 }  // namespace
 
-void validate(const MazeWorldParameters& parameters) {
-  checkRange("columns", parameters.columns, 2, 200);
-  checkRange("rows", parameters.rows, 2, 200);
-  checkRange("corridor_width", parameters.corridor_width, 0.6, 10.0);
-  checkRange("resolution", parameters.resolution, 0.01, 0.2);
-  checkRange("wall_thickness", parameters.wall_thickness, parameters.resolution, 2.0);
-  checkRange("branching", parameters.branching, 0.0, 1.0);
-  checkRange("loops", parameters.loops, 0.0, 1.0);
-}
-
 OccupancyGrid generateMazeWorld(const MazeWorldParameters& parameters, std::uint64_t seed) {
-  validate(parameters);
   MazeParameters cells;
   cells.columns = 2 * parameters.columns + 1;
   cells.rows = 2 * parameters.rows + 1;
@@ -68,17 +56,7 @@ OccupancyGrid generateMazeWorld(const MazeWorldParameters& parameters, std::uint
                  toCells(parameters.corridor_width, parameters.resolution), parameters.resolution);
 }
 
-void validate(const RoomsWorldParameters& parameters) {
-  checkRange("columns", parameters.columns, 1, 100);
-  checkRange("rows", parameters.rows, 1, 100);
-  checkRange("resolution", parameters.resolution, 0.01, 0.2);
-  checkRange("door_width", parameters.door_width, 0.6, 5.0);
-  checkRangeFrom(parameters.door_width + 2.0 * parameters.resolution, "room_size", parameters.room_size, 50.0);
-  checkRange("extra_doors", parameters.extra_doors, 0.0, 1.0);
-}
-
 OccupancyGrid generateRoomsWorld(const RoomsWorldParameters& parameters, std::uint64_t seed) {
-  validate(parameters);
   RoomParameters cells;
   cells.room_size = toCells(parameters.room_size, parameters.resolution);
   cells.door_cells = toCells(parameters.door_width, parameters.resolution);

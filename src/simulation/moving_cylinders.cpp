@@ -1,11 +1,10 @@
 #include "lstm_planner/simulation/moving_cylinders.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
-
-#include "lstm_planner/common/parameter_check.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -38,28 +37,13 @@ double wholeNumber(Random& random, double least, double most) {
 
 }  // namespace
 
-void validate(const MovingCylindersParameters& parameters) {
-  checkRange("cylinders", parameters.cylinders, 0, 100);
-  checkRange("order", parameters.order, 1, 6);
-  checkRange("slowest", parameters.slowest, 0.01, 10.0);
-  checkRange("fastest", parameters.fastest, parameters.slowest, 10.0);
-  checkRange("spread", parameters.spread, 0.0, 10.0);
-}
-
 DynaBarnClass dynaBarnClassOf(int number) {
   return static_cast<DynaBarnClass>(std::min(2, number / kDynaBarnWorldsAClass));
 }
 
 const char* toString(DynaBarnClass difficulty) {
-  switch (difficulty) {
-    case DynaBarnClass::kEasy:
-      return "easy";
-    case DynaBarnClass::kMedium:
-      return "medium";
-    case DynaBarnClass::kHard:
-      return "hard";
-  }
-  return "";
+  constexpr std::array<const char*, 3> kNames = {"easy", "medium", "hard"};
+  return kNames.at(static_cast<std::size_t>(difficulty));
 }
 
 MovingCylindersParameters drawMovingCylinders(int number, std::uint64_t seed) {
@@ -91,7 +75,7 @@ OccupancyGrid cylindersFloor() {
 
 MovingCylinders::MovingCylinders(const World& surroundings, const MovingCylindersParameters& parameters,
                                  const Point2& robot, std::uint64_t seed)
-    : Traffic(surroundings), parameters_((validate(parameters), parameters)), random_(seed) {
+    : Traffic(surroundings), parameters_(parameters), random_(seed) {
   for (int i = 0; i < parameters_.cylinders; ++i) {
     routes_.push_back(drawRoute(robot));
     bodies_.push_back({{routes_.back().corners.front(), kCylinderRadius}, false});

@@ -33,12 +33,6 @@ inline void checkRange(const std::string& name, double value, double least, doub
   checkParameter(false, name, value, expected.str());
 }
 
-/// The same for a least value that is computed from other parameters.
-inline void checkRangeFrom(double least, const std::string& name, double value, double most) {
-  if (value < least && isAtMost(least, value)) return;
-  checkRange(name, value, least, most);
-}
-
 inline void checkPositive(const std::string& name, double value) {
   checkParameter(value > 0.0, name, value, "a positive number");
 }

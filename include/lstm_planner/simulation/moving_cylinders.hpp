@@ -19,9 +19,6 @@ struct MovingCylindersParameters {
   double spread = 0.2;   ///< m/s, standard deviation of a cylinder's speed from one stretch to the next
 };
 
-/// Throws std::invalid_argument naming the parameter, its value and what was expected.
-void validate(const MovingCylindersParameters& parameters);
-
 /// How difficult a DynaBARN world is, as published. Easy motion: order 1 or 2, 0.5 to 1 m/s, spread 0.01 to 0.1 m/s;
 /// hard motion: order 3 or 4, 1 to 2 m/s, spread 0.1 to 0.2 m/s. Few cylinders are 5 to 10, many are 10 to 20.
 enum class DynaBarnClass {
@@ -53,7 +50,7 @@ OccupancyGrid cylindersFloor();
 /// Dynamic Environments", SSRR 2022). Deterministic for a seed.
 class MovingCylinders : public Traffic {
  public:
-  /// `robot` is where the robot starts: no cylinder starts within 3 m of it. Throws as validate().
+  /// `robot` is where the robot starts: no cylinder starts within 3 m of it.
   MovingCylinders(const World& surroundings, const MovingCylindersParameters& parameters, const Point2& robot,
                   std::uint64_t seed);
 

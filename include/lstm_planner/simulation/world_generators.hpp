@@ -7,8 +7,7 @@
 namespace lstm_planner {
 
 // Worlds for a robot, in metres, beside the floor plans of floor_plan.hpp. The same parameters and seed give the same
-// world on every machine, its lower left corner at (0, 0), closed by a wall unless said otherwise. Every validate()
-// throws std::invalid_argument naming the parameter, its value and what was expected; the generators call it.
+// world on every machine, its lower left corner at (0, 0), closed by a wall unless said otherwise.
 
 /// A maze of corridors at right angles, perfect (one path only between any two places) or with loops.
 struct MazeWorldParameters {
@@ -20,7 +19,6 @@ struct MazeWorldParameters {
   double loops = 0.0;            ///< probability that a wall between two corridors has been taken out
   double resolution = 0.05;      ///< m a cell
 };
-void validate(const MazeWorldParameters& parameters);
 OccupancyGrid generateMazeWorld(const MazeWorldParameters& parameters, std::uint64_t seed);
 
 /// Rooms of one size in rows and columns, with doors at random places of the walls between them; all are connected.
@@ -32,7 +30,6 @@ struct RoomsWorldParameters {
   double extra_doors = 0.3;  ///< probability of a door in a wall that needs none to connect all rooms
   double resolution = 0.1;   ///< m a cell, and the thickness of the walls
 };
-void validate(const RoomsWorldParameters& parameters);
 OccupancyGrid generateRoomsWorld(const RoomsWorldParameters& parameters, std::uint64_t seed);
 
 /// Corridors of different widths dug through solid ground, each starting in an earlier one and at right angles to it:
@@ -46,7 +43,6 @@ struct CorridorWorldParameters {
   double widest = 1.8;       ///< m
   double resolution = 0.05;  ///< m a cell
 };
-void validate(const CorridorWorldParameters& parameters);
 OccupancyGrid generateCorridorWorld(const CorridorWorldParameters& parameters, std::uint64_t seed);
 
 /// A walled field of round poles. For a disc of `passage` there is a path from the left end of the field to the right
@@ -61,7 +57,6 @@ struct ForestParameters {
   double passage = 0.25;          ///< m, radius of the disc that gets through: the footprint and a clearance
   double resolution = 0.05;       ///< m a cell
 };
-void validate(const ForestParameters& parameters);
 OccupancyGrid generateForest(const ForestParameters& parameters, std::uint64_t seed);
 
 /// Nothing anywhere, not even a wall around it: a scanner sees nothing at all. The size is that of the part in which
@@ -71,7 +66,6 @@ struct OpenFieldParameters {
   double height = 30.0;     ///< m
   double resolution = 0.1;  ///< m a cell
 };
-void validate(const OpenFieldParameters& parameters);
 OccupancyGrid generateOpenField(const OpenFieldParameters& parameters);
 
 }  // namespace lstm_planner

@@ -171,23 +171,5 @@ TEST(OpenField, ShowsNothing) {
   EXPECT_TRUE(std::all_of(ranges.begin(), ranges.end(), [](double range) { return std::isinf(range); }));
 }
 
-TEST(WorldGenerators, RefuseImpossibleParameters) {
-  MazeWorldParameters maze;
-  maze.columns = 1;
-  EXPECT_THROW(generateMazeWorld(maze, 1), std::invalid_argument);
-  RoomsWorldParameters rooms;
-  rooms.door_width = 4.0;
-  EXPECT_THROW(generateRoomsWorld(rooms, 1), std::invalid_argument);
-  CorridorWorldParameters corridors;
-  corridors.widest = 0.7;
-  EXPECT_THROW(generateCorridorWorld(corridors, 1), std::invalid_argument);
-  ForestParameters forest;
-  forest.density = 0.9;
-  EXPECT_THROW(generateForest(forest, 1), std::invalid_argument);
-  OpenFieldParameters field;
-  field.width = 0.0;
-  EXPECT_THROW(generateOpenField(field), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace lstm_planner::test_generated_world

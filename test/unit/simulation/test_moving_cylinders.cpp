@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include "lstm_planner/simulation/moving_cylinders.hpp"
@@ -117,15 +116,6 @@ TEST_F(MovingCylindersTest, HaveTheNumbersAndMotionsOfThePublishedClasses) {
       }
     }
   }
-}
-
-TEST_F(MovingCylindersTest, RefuseImpossibleParameters) {
-  MovingCylindersParameters parameters;
-  parameters.order = 0;
-  EXPECT_THROW(cylinders(parameters, 1), std::invalid_argument);
-  parameters.order = 2;
-  parameters.fastest = 0.1;
-  EXPECT_THROW(cylinders(parameters, 1), std::invalid_argument);
 }
 
 }  // namespace
