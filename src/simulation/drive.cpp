@@ -244,38 +244,27 @@ DriveResult drive(Traffic* traffic, const DriveTask& task, const DriveParameters
 
 DriveSummary summarize(const std::vector<DriveResult>& results) {
   DriveSummary summary;
+  const auto countOf = [&](DriveResult::End end) {
+    return static_cast<int>(
+        std::count_if(results.begin(), results.end(), [end](const DriveResult& result) { return result.end == end; }));
+  };
+  summary.goals = static_cast<int>(results.size());
+  summary.reached = countOf(DriveResult::End::kReached);
+  summary.timeouts = countOf(DriveResult::End::kTimeout);
+  summary.no_path = countOf(DriveResult::End::kNoPath);
+  summary.elsewhere = countOf(DriveResult::End::kElsewhere);
+  summary.touched = countOf(DriveResult::End::kTouched);
+  summary.stuck = countOf(DriveResult::End::kStuck);
   std::vector<double> ratios;
   double time = 0.0;
   for (const DriveResult& result : results) {
-    ++summary.goals;
     summary.contacts += result.contacts;
     summary.bumped += result.bumped;
     summary.bumped_moving += result.bumped_moving;
-    switch (result.end) {
-      case DriveResult::End::kReached:
-        ++summary.reached;
-        time += result.time;
-        summary.mean_goal_error += result.goal_error;
-        if (result.shortest > 0.0) {
-          ratios.push_back(result.path_length / result.shortest);
-        }
-        break;
-      case DriveResult::End::kTimeout:
-        ++summary.timeouts;
-        break;
-      case DriveResult::End::kNoPath:
-        ++summary.no_path;
-        break;
-      case DriveResult::End::kElsewhere:
-        ++summary.elsewhere;
-        break;
-      case DriveResult::End::kTouched:
-        ++summary.touched;
-        break;
-      case DriveResult::End::kStuck:
-        ++summary.stuck;
-        break;
-    }
+    if (result.end != DriveResult::End::kReached) continue;
+    time += result.time;
+    summary.mean_goal_error += result.goal_error;
+    if (result.shortest > 0.0) ratios.push_back(result.path_length / result.shortest);
   }
   if (summary.reached > 0) {
     summary.mean_time = time / summary.reached;

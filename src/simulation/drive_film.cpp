@@ -9,7 +9,7 @@
 
 #include "lstm_planner/common/parameter_check.hpp"
 #include "lstm_planner/common/picture_file.hpp"
-#include "simulation/drive_colours.hpp"
+#include "lstm_planner/simulation/trace_picture.hpp"
 #include "simulation/map_canvas.hpp"
 
 namespace lstm_planner {
@@ -35,7 +35,8 @@ class DriveFilm::Screen {
   void show(const DriveMoment& moment) {
     moment_ = &moment;
     see();
-    noteTrace();
+    const Decision& decision = moment.agent.decision();
+    goOn({moment.pose.x, moment.pose.y}, decision.choice, decision.on_route, &parts_);
     if (moment.time < next_frame_) return;
     next_frame_ += parameters_.period;
     draw();
@@ -45,12 +46,6 @@ class DriveFilm::Screen {
   }
 
  private:
-  struct Part {
-    Decision::Choice choice;
-    bool on_path;
-    std::vector<Point2> path;
-  };
-
   /// From the odometry frame, as the robot is where it is. What it remembers lies beside where it is by what the
   /// odometry was wrong by since.
   Point2 toWorld(const Point2& place) const {
@@ -71,21 +66,13 @@ class DriveFilm::Screen {
     cv::fillPoly(seen_, std::vector<std::vector<cv::Point>>{outline}, cv::Scalar(255));
   }
 
-  void noteTrace() {
-    const Point2 here{moment_->pose.x, moment_->pose.y};
-    const Decision::Choice choice = moment_->agent.decision().choice;
-    const bool on_path = moment_->agent.decision().on_route;
-    if (!parts_.empty()) parts_.back().path.push_back(here);
-    const bool goes_on = !parts_.empty() && parts_.back().choice == choice && parts_.back().on_path == on_path;
-    if (!goes_on) parts_.push_back({choice, on_path, {here}});
-  }
-
   void draw() {
     canvas_.image().setTo(colours::kUnknown);
     canvas_.image().setTo(colours::kFree, seen_);
     drawMemory();
     drawScan();
-    for (const Part& part : parts_) canvas_.polyline(part.path, colorOf(part.choice, part.on_path), kTraceWidth);
+    for (const TracePicture::Part& part : parts_)
+      canvas_.polyline(part.path, colorOf(part.choice, part.on_path), kTraceWidth);
     drawPlan();
     const double radius = moment_->agent.parameters().shield.footprint_radius;
     canvas_.circle(task_.goal, radius, colours::kGoal, cv::FILLED);
@@ -134,7 +121,7 @@ class DriveFilm::Screen {
   std::string folder_;
   Parameters parameters_;
   cv::Mat seen_;  ///< a pixel each, 255: seen
-  std::vector<Part> parts_;
+  std::vector<TracePicture::Part> parts_;
   double next_frame_ = 0.0;  ///< s
   int frames_ = 0;
   const DriveMoment* moment_ = nullptr;  ///< that is shown

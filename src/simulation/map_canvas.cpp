@@ -4,8 +4,6 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "simulation/drive_colours.hpp"
-
 namespace lstm_planner {
 namespace {
 

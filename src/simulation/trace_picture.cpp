@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "lstm_planner/common/picture_file.hpp"
-#include "simulation/drive_colours.hpp"
 #include "simulation/map_canvas.hpp"
 
 namespace lstm_planner {
@@ -191,6 +190,12 @@ class Strip {
 };
 
 }  // namespace
+
+void goOn(const Point2& place, Decision::Choice choice, bool on_path, std::vector<TracePicture::Part>* parts) {
+  if (!parts->empty()) parts->back().path.push_back(place);
+  const bool goes_on = !parts->empty() && parts->back().choice == choice && parts->back().on_path == on_path;
+  if (!goes_on) parts->push_back({choice, on_path, {place}});
+}
 
 void writeTracePicture(const std::string& path, const OccupancyGrid& map, const TracePicture& picture,
                        int longest_side) {

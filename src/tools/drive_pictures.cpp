@@ -69,19 +69,6 @@ OccupancyGrid floorUnder(const std::vector<Circle>& circles, const std::vector<P
                        {low.x - kMargin, low.y - kMargin, 0.0});
 }
 
-/// The path in parts, each from where somebody took over to where he handed on.
-std::vector<TracePicture::Part> partsOf(const DriveResult& result) {
-  std::vector<TracePicture::Part> parts;
-  for (std::size_t i = 0; i < result.trace.size(); ++i) {
-    const Point2 here{result.trace[i].x, result.trace[i].y};
-    if (!parts.empty()) parts.back().path.push_back(here);
-    const bool on_path = result.on_path[i] != 0;
-    const bool goes_on = !parts.empty() && parts.back().choice == result.led[i] && parts.back().on_path == on_path;
-    if (!goes_on) parts.push_back({result.led[i], on_path, {here}});
-  }
-  return parts;
-}
-
 std::string titleOf(const Drive& drive) {
   const DriveResult& result = drive.result;
   char text[200];
@@ -105,8 +92,11 @@ void draw(const std::string& path, const DriveCourse& course, const Drive& drive
   picture.starts = {drive.exercise.task.start};
   picture.goals = {{drive.exercise.task.goal, "", drive.result.end == DriveResult::End::kReached}};
   picture.traces.emplace_back();
-  for (const Pose2& pose : drive.result.trace) picture.traces.back().push_back({pose.x, pose.y});
-  picture.parts = partsOf(drive.result);
+  for (std::size_t i = 0; i < drive.result.trace.size(); ++i) {
+    const Point2 here{drive.result.trace[i].x, drive.result.trace[i].y};
+    picture.traces.back().push_back(here);
+    goOn(here, drive.result.led[i], drive.result.on_path[i] != 0, &picture.parts);
+  }
   picture.contacts = drive.result.contact_places;
   picture.circles = drive.world.circles;
   picture.walkers = drive.result.walker_traces;

@@ -1,6 +1,7 @@
 #include "tools/drive_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iomanip>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -140,21 +141,8 @@ nlohmann::json toJson(const std::vector<DriveResult>& results, bool is_barn) {
 }  // namespace
 
 const char* toString(DriveResult::End end) {
-  switch (end) {
-    case DriveResult::End::kReached:
-      return "reached";
-    case DriveResult::End::kTimeout:
-      return "timeout";
-    case DriveResult::End::kNoPath:
-      return "no path";
-    case DriveResult::End::kElsewhere:
-      return "elsewhere";
-    case DriveResult::End::kTouched:
-      return "touched";
-    case DriveResult::End::kStuck:
-      return "stuck";
-  }
-  return "";
+  constexpr std::array<const char*, 6> kNames = {"reached", "timeout", "no path", "elsewhere", "touched", "stuck"};
+  return kNames.at(static_cast<std::size_t>(end));
 }
 
 void printDriveSummary(std::ostream& out, const DriveCourse& course, const DriveResults& results) {

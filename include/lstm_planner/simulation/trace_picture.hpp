@@ -38,6 +38,9 @@ struct TracePicture {
   bool legend = false;            ///< says below the map what is what, with the scale
 };
 
+/// Takes a path one place further: its last part, or a new one where somebody else decides from there on.
+void goOn(const Point2& place, Decision::Choice choice, bool on_path, std::vector<TracePicture::Part>* parts);
+
 /// Draws the map (obstacles black, unknown grey) with what is given and a scale bar, and writes it in the format that
 /// the file's extension names (png, jpg ...). The map's longer side has about `longest_side` pixels. Throws
 /// std::invalid_argument for an empty map, std::runtime_error naming the file when it cannot be written.
