@@ -10,6 +10,7 @@
 #include "dataset/dataset_row_check.hpp"
 #include "dataset/step_quantities.hpp"
 #include "dataset/value_check.hpp"
+#include "lstm_planner/common/words.hpp"
 
 namespace lstm_planner {
 
@@ -41,12 +42,6 @@ void visitMembers(StepRow& row, Work&& work) {
       work(number);
     }
   });
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 std::string questionMarks(std::size_t count) { return joined(std::vector<std::string>(count, "?")); }

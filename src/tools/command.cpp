@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/common/nearest_name.hpp"
+#include "lstm_planner/common/words.hpp"
 
 namespace lstm_planner {
 
@@ -17,9 +18,9 @@ void printUsage(const std::string& program, const std::string& kind, const std::
 
 namespace {
 
-std::string namesOf(const std::vector<Command>& commands) {
-  std::string names;
-  for (const Command& command : commands) names += (names.empty() ? "" : ", ") + std::string(command.name);
+std::vector<std::string> namesOf(const std::vector<Command>& commands) {
+  std::vector<std::string> names;
+  for (const Command& command : commands) names.emplace_back(command.name);
   return names;
 }
 
@@ -29,17 +30,15 @@ Command commandNamed(const std::string& name, const std::string& kind, const std
   const auto found =
       std::find_if(commands.begin(), commands.end(), [&](const Command& command) { return command.name == name; });
   if (found != commands.end()) return *found;
-  std::vector<std::string> names;
-  for (const Command& command : commands) names.emplace_back(command.name);
-  std::string hint = hintAt(name, names);
-  if (hint.empty()) hint = ", expected one of " + namesOf(commands);
+  std::string hint = hintAt(name, namesOf(commands));
+  if (hint.empty()) hint = ", expected one of " + joined(namesOf(commands));
   throw std::invalid_argument("there is no " + kind + " '" + name + "'" + hint);
 }
 
 int runAction(const std::string& command, const std::vector<Command>& actions,
               const std::vector<std::string>& arguments) {
   if (arguments.empty()) {
-    throw std::invalid_argument("an action is missing, expected one of " + namesOf(actions));
+    throw std::invalid_argument("an action is missing, expected one of " + joined(namesOf(actions)));
   }
   if (arguments[0] == "--help" || arguments[0] == "-h") {
     printUsage("lstm_planner " + command, "ACTION", actions, std::cout);

@@ -37,4 +37,31 @@ int runModel(const std::vector<std::string>& arguments);
 int runDataset(const std::vector<std::string>& arguments);
 int runParameters(const std::vector<std::string>& arguments);
 
+// The actions of `dataset`.
+int datasetInfo(const std::vector<std::string>& arguments);
+int datasetCheck(const std::vector<std::string>& arguments);
+int datasetMerge(const std::vector<std::string>& arguments);
+int datasetSplit(const std::vector<std::string>& arguments);
+int datasetExport(const std::vector<std::string>& arguments);
+int datasetFromBag(const std::vector<std::string>& arguments);
+int datasetFromLog(const std::vector<std::string>& arguments);
+int datasetSimulate(const std::vector<std::string>& arguments);
+
+// What `report` does when it is told which report.
+int runMemoryReport(const std::vector<std::string>& arguments);  ///< --memory-task: how long networks remember
+int runQTableReport(const std::vector<std::string>& arguments);  ///< --q-table: on small maps, beside networks
+int runThesisReport(const std::vector<std::string>& arguments);  ///< --thesis: its networks, by its rules
+
+// What `train` can do: --task robot and grid by --method, or --dataset, or --search.
+int trainRobotByDagger(const std::vector<std::string>& arguments);
+int trainRobotByActorCritic(const std::vector<std::string>& arguments);
+int trainRobotByDataset(const std::vector<std::string>& arguments);
+int trainGridByImitation(const std::vector<std::string>& arguments);
+int trainGridByDagger(const std::vector<std::string>& arguments);
+int trainGridByQLearning(const std::vector<std::string>& arguments);
+int searchGridStructures(const std::vector<std::string>& arguments);  ///< tables 3.3-3.5 of the thesis
+
+/// "lstm_planner train" and the arguments, for the model's metadata.
+std::string trainCommandLine(const std::vector<std::string>& arguments);
+
 }  // namespace lstm_planner

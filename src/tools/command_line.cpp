@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "lstm_planner/common/nearest_name.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "tools/option_text.hpp"
 #include "tools/output_file.hpp"
 
@@ -109,21 +110,6 @@ const std::string& theOnly(const std::string& name, const std::vector<std::strin
   throw std::invalid_argument(name + " is given " + std::to_string(values.size()) + " times, expected once");
 }
 
-template <typename Values, typename ToText>
-std::string joined(const Values& values, const char* separator, const ToText& to_text) {
-  std::string text;
-  for (const auto& value : values) text += (text.empty() ? "" : separator) + to_text(value);
-  return text;
-}
-
-std::string alternatives(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
-  }
-  return text;
-}
-
 }  // namespace
 
 Option& Option::required() {
@@ -199,7 +185,8 @@ Option& CommandLine::add(const std::string& name, std::vector<int>* values, Rang
   };
   Option& option = add(name, "N...", meaning + "; in " + toText(range), take);
   option.takes_several = true;
-  option.default_text = joined(*values, " ", [](int value) { return std::to_string(value); });
+  for (const int value : *values)
+    option.default_text += (option.default_text.empty() ? "" : " ") + std::to_string(value);
   option.value = [=] { return *values; };
   return option;
 }
@@ -215,7 +202,7 @@ Option& CommandLine::add(const std::string& name, std::string* value, const std:
 Option& CommandLine::add(const std::string& name, std::vector<std::string>* values, const std::string& meaning) {
   Option& option = add(name, "TEXT...", meaning, [=](const std::vector<std::string>& texts) { *values = texts; });
   option.takes_several = true;
-  option.default_text = joined(*values, " ", [](const std::string& value) { return value; });
+  option.default_text = joined(*values, " ");
   option.value = [=] { return *values; };
   return option;
 }
@@ -252,7 +239,7 @@ std::size_t CommandLine::choose(const std::string& name, const std::vector<std::
   const std::string value = theOnly("--" + name, values);
   const auto found = std::find(names.begin(), names.end(), value);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  throw std::invalid_argument("--" + name + " is '" + value + "', expected " + alternatives(names));
+  throw std::invalid_argument("--" + name + " is '" + value + "', expected " + joinedByOr(names));
 }
 
 Option& CommandLine::addText(const std::string& name, const std::string& default_text,

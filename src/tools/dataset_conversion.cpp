@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/dataset/dataset_summary.hpp"
 #include "tools/dataset_report.hpp"
 
@@ -75,10 +76,8 @@ Recording converted(const Parts& parts, const RecorderParameters& parameters, co
   RecordingDescription description;
   description.parameters = parameters;
   description.software_version = softwareVersion();
-  for (const std::string& part : parts) {
-    description.source += (description.source.empty() ? "" : ", ") + part;
-    std::cout << part << "\n";
-  }
+  description.source = joined(parts);
+  for (const std::string& part : parts) std::cout << part << "\n";
   ExplainedSink sink(description);
   convert(parts, &sink);
   sink.recording().finished = true;

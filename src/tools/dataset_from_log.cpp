@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "lstm_planner/dataset/carmen_log.hpp"
+#include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/dataset_commands.hpp"
 #include "tools/dataset_conversion.hpp"
 #include "tools/recorder_options.hpp"
 

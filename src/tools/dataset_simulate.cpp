@@ -9,10 +9,9 @@
 #include "lstm_planner/dataset/recording_sink.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/practice/recorded_drives.hpp"
+#include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/dataset_commands.hpp"
 #include "tools/dataset_report.hpp"
-#include "tools/ranges.hpp"
 #include "tools/recorder_options.hpp"
 
 namespace lstm_planner {

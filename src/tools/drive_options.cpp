@@ -5,7 +5,6 @@
 #include "lstm_planner/simulation/generated_world.hpp"
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
-#include "tools/ranges.hpp"
 #include "tools/robot_file.hpp"
 #include "tools/shared_file.hpp"
 

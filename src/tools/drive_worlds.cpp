@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/simulation/barn.hpp"
 #include "lstm_planner/simulation/generated_world.hpp"
@@ -62,11 +63,11 @@ void addGoals(double shortest, const DriveOptions& options, DriveWorld* world) {
 }
 
 void addMaps(const DriveOptions& options, DriveCourse* course) {
+  course->source = joined(options.maps, " ");
   for (const std::string& text : options.maps) {
     const std::string name = std::filesystem::path(splitFreeThreshold(text).first).stem().string();
     course->worlds.push_back(gridWorld(name, readClosedMap(text), options));
     addGoals(kShortestInMap, options, &course->worlds.back());
-    course->source += (course->source.empty() ? "" : " ") + text;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lstm_planner/common/csv_writer.hpp"
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_evaluation.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_gallery.hpp"
@@ -28,16 +29,10 @@ struct EvaluateOptions {
   std::string pictures;
 };
 
-std::string agentNames() {
-  std::string names;
-  for (const std::string& name : gridAgentNames()) names += (names.empty() ? "" : ", ") + name;
-  return names;
-}
-
 bool readOptions(const std::vector<std::string>& arguments, EvaluateOptions* options) {
   GridAgentOptions& agent = options->grid.agent;
   CommandLine line("evaluate", "prints how well an agent does in scenarios of grid maps");
-  line.addChoice("agent", &agent.agent, gridAgentNames(), agentNames());
+  line.addChoice("agent", &agent.agent, gridAgentNames(), joined(gridAgentNames()));
   line.addFile("model", &agent.model, "ONNX file, if the agent is a network (default: the file in the package)");
   addGridOptions(&options->grid, &line);
   line.addOutput("json", &options->json,

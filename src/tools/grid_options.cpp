@@ -3,7 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tools/ranges.hpp"
+#include "tools/command_line.hpp"
 
 namespace lstm_planner {
 namespace {

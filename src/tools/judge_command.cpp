@@ -14,7 +14,6 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
-#include "tools/ranges.hpp"
 #include "tools/recorded_datasets.hpp"
 #include "tools/shared_file.hpp"
 #include "tools/train_robot_options.hpp"

@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/grid/map_generators.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/grid_world/world/map_set.hpp"
@@ -12,7 +13,6 @@
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
-#include "tools/ranges.hpp"
 
 namespace lstm_planner {
 namespace {
@@ -20,57 +20,30 @@ namespace {
 constexpr Range kMapSide{1, 8192};  // cells
 
 /// What can be generated, and the options that say how; options that all kinds have are not among them.
-struct Kind {
-  const char* name;
-  std::vector<std::string> options;
+const Choices<std::vector<std::string>> kKinds = {
+    {"building", {"width", "height", "resolution", "smallest-room", "door-width", "extra-doors", "furniture"}},
+    {"maze", {"count", "name", "per-bucket", "columns", "rows", "corridor-width", "branching"}},
+    {"random", {"count", "name", "per-bucket", "columns", "rows", "share", "keep-pockets"}},
+    {"rooms", {"count", "name", "per-bucket", "columns", "rows", "room-size", "door-cells", "extra-doors"}},
+    {"caves", {"count", "name", "per-bucket", "columns", "rows", "share", "rounds"}},
 };
 
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all = {
-      {"building", {"width", "height", "resolution", "smallest-room", "door-width", "extra-doors", "furniture"}},
-      {"maze", {"count", "name", "per-bucket", "columns", "rows", "corridor-width", "branching"}},
-      {"random", {"count", "name", "per-bucket", "columns", "rows", "share", "keep-pockets"}},
-      {"rooms", {"count", "name", "per-bucket", "columns", "rows", "room-size", "door-cells", "extra-doors"}},
-      {"caves", {"count", "name", "per-bucket", "columns", "rows", "share", "rounds"}},
-  };
-  return all;
-}
-
-bool hasOption(const Kind& kind, const std::string& option) {
-  return std::find(kind.options.begin(), kind.options.end(), option) != kind.options.end();
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
-  }
-  return text;
-}
-
-std::string kindsWith(const std::string& option) {
+std::vector<std::string> kindsWith(const std::string& option) {
   std::vector<std::string> names;
-  for (const Kind& kind : kinds()) {
-    if (hasOption(kind, option)) names.emplace_back(kind.name);
+  for (const auto& [name, options] : kKinds) {
+    if (std::find(options.begin(), options.end(), option) != options.end()) names.push_back(name);
   }
-  return joined(names);
-}
-
-std::vector<std::string> kindNames() {
-  std::vector<std::string> names;
-  for (const Kind& kind : kinds()) names.emplace_back(kind.name);
   return names;
 }
 
 /// Refuses given options that the kind would silently ignore.
-void checkKind(const std::string& name, const CommandLine& line) {
-  const auto kind =
-      std::find_if(kinds().begin(), kinds().end(), [&](const Kind& candidate) { return candidate.name == name; });
-  for (const Kind& other : kinds()) {
-    for (const std::string& option : other.options) {
-      if (!line.given(option) || hasOption(*kind, option)) continue;
-      throw std::invalid_argument("option --" + option + " cannot be used with --kind " + name + ", expected --kind " +
-                                  kindsWith(option));
+void checkKind(const std::string& kind, const CommandLine& line) {
+  for (const auto& [name, options] : kKinds) {
+    for (const std::string& option : options) {
+      const std::vector<std::string> having = kindsWith(option);
+      if (!line.given(option) || std::find(having.begin(), having.end(), kind) != having.end()) continue;
+      throw std::invalid_argument("option --" + option + " cannot be used with --kind " + kind + ", expected --kind " +
+                                  joinedByOr(having));
     }
   }
 }
@@ -130,7 +103,7 @@ void shareAmongKinds(MapsOptions* options) {
 
 bool readOptions(const std::vector<std::string>& arguments, MapsOptions* options) {
   CommandLine line("maps", "generates floor plans, or maps and scenarios of the grid world");
-  line.addChoice("kind", &options->kind, kindNames(),
+  line.addChoice("kind", &options->kind, namesOf(kKinds),
                  "building: a floor plan in metres, as a map for map_server; maze, random, rooms, caves: maps and "
                  "scenarios in cells, in the format of the MovingAI benchmark (movingai.com)");
   line.addFile(

@@ -13,7 +13,6 @@
 #include "lstm_planner/network/model_file.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/ranges.hpp"
 #include "tools/shared_file.hpp"
 
 namespace lstm_planner {
@@ -217,17 +216,15 @@ int modelConvert(const std::vector<std::string>& arguments) {
   return 0;
 }
 
-const std::vector<Command>& modelActions() {
-  static const std::vector<Command> all = {
+}  // namespace
+
+int runModel(const std::vector<std::string>& arguments) {
+  static const std::vector<Command> actions = {
       {"info", "print what a model file contains", modelInfo},
       {"check", "check whether a model can be used", modelCheck},
       {"convert", "add the metadata to a network that was exported elsewhere", modelConvert},
   };
-  return all;
+  return runAction("model", actions, arguments);
 }
-
-}  // namespace
-
-int runModel(const std::vector<std::string>& arguments) { return runAction("model", modelActions(), arguments); }
 
 }  // namespace lstm_planner

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tools/ranges.hpp"
+#include "tools/command_line.hpp"
 
 namespace lstm_planner {
 

@@ -11,7 +11,6 @@
 #include "tools/grid_options.hpp"
 #include "tools/output_file.hpp"
 #include "tools/ranks.hpp"
-#include "tools/report_commands.hpp"
 #include "tools/report_files.hpp"
 
 namespace lstm_planner {

@@ -3,13 +3,12 @@
 #include <stdexcept>
 
 #include "lstm_planner/training/memory_comparison.hpp"
+#include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/interruption.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
-#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
-#include "tools/report_commands.hpp"
 
 namespace lstm_planner {
 

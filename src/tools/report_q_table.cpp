@@ -4,12 +4,11 @@
 
 #include "lstm_planner/grid_world/evaluation/q_table_comparison.hpp"
 #include "tools/agent_list.hpp"
+#include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
-#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
-#include "tools/report_commands.hpp"
 
 namespace lstm_planner {
 

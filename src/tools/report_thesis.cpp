@@ -9,13 +9,12 @@
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
 #include "lstm_planner/grid_world/evaluation/thesis_maps.hpp"
 #include "lstm_planner/grid_world/learning/thesis_training.hpp"
+#include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/interruption.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
-#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
-#include "tools/report_commands.hpp"
 #include "tools/report_files.hpp"
 
 namespace lstm_planner {

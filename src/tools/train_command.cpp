@@ -5,7 +5,6 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/recipe.hpp"
-#include "tools/train_commands.hpp"
 
 namespace lstm_planner {
 

@@ -4,9 +4,9 @@
 
 #include "lstm_planner/grid_world/agent/grid_encoder.hpp"
 #include "lstm_planner/network/model_file.hpp"
+#include "tools/command.hpp"
+#include "tools/command_line.hpp"
 #include "tools/network_options.hpp"
-#include "tools/ranges.hpp"
-#include "tools/train_commands.hpp"
 
 namespace lstm_planner {
 

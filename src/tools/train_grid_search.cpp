@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "lstm_planner/grid_world/learning/grid_structure_search.hpp"
+#include "tools/command.hpp"
+#include "tools/command_line.hpp"
 #include "tools/interruption.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
-#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
-#include "tools/train_commands.hpp"
 #include "tools/train_grid_maps.hpp"
 
 namespace lstm_planner {

@@ -7,9 +7,9 @@
 #include "lstm_planner/common/text_table.hpp"
 #include "lstm_planner/practice/drive_actor_critic.hpp"
 #include "lstm_planner/practice/recorded_choices.hpp"
+#include "tools/command.hpp"
 #include "tools/ranks.hpp"
 #include "tools/recorded_datasets.hpp"
-#include "tools/train_commands.hpp"
 #include "tools/train_robot_options.hpp"
 #include "tools/training_host.hpp"
 

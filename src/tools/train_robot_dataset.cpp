@@ -25,12 +25,11 @@
 #include "lstm_planner/training/learning_curve.hpp"
 #include "lstm_planner/training/parameter_vector.hpp"
 #include "lstm_planner/training/training_stability.hpp"
+#include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/network_options.hpp"
-#include "tools/ranges.hpp"
 #include "tools/ranks.hpp"
 #include "tools/recorded_datasets.hpp"
-#include "tools/train_commands.hpp"
 #include "tools/train_robot_options.hpp"
 #include "tools/training_host.hpp"
 

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "lstm_planner/common/text_table.hpp"
+#include "tools/command.hpp"
+#include "tools/command_line.hpp"
 #include "tools/network_options.hpp"
-#include "tools/ranges.hpp"
-#include "tools/train_commands.hpp"
 
 namespace lstm_planner {
 

@@ -13,6 +13,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "lstm_planner/common/words.hpp"
+
 namespace lstm_planner {
 
 namespace {
@@ -41,18 +43,12 @@ bool contains(const std::vector<std::string>& topics, const std::string& topic) 
   return std::find(topics.begin(), topics.end(), topic) != topics.end();
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text.empty() ? "none" : text;
-}
-
 std::string contentOf(const Connections& connections) {
   std::set<std::string> topics;
   for (const rosbag::ConnectionInfo* connection : connections) {
     topics.insert(connection->topic + " (" + connection->datatype + ")");
   }
-  return listed({topics.begin(), topics.end()});
+  return topics.empty() ? "none" : joined({topics.begin(), topics.end()});
 }
 
 /// The topic that was asked for, or the only one of its type; empty when there is none.
@@ -65,7 +61,7 @@ std::string choose(const Connections& connections, const std::string& asked_for,
     throw std::invalid_argument("has no topic " + topic + " of " + type + ", but " + contentOf(connections));
   }
   if (topic.empty() && topics.size() > 1) {
-    throw std::invalid_argument("has several topics of " + type + ", expected one of " + listed(topics) + " for " +
+    throw std::invalid_argument("has several topics of " + type + ", expected one of " + joined(topics) + " for " +
                                 option);
   }
   return !topic.empty() || topics.empty() ? topic : topics[0];

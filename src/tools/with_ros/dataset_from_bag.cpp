@@ -1,8 +1,9 @@
 #include <iostream>
 
+#include "lstm_planner/common/words.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
+#include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/dataset_commands.hpp"
 #include "tools/dataset_conversion.hpp"
 #include "tools/recorder_options.hpp"
 
@@ -46,16 +47,10 @@ bool readOptions(const std::vector<std::string>& arguments, FromBagOptions* opti
   return line.parse(arguments);
 }
 
-std::string listed(const std::vector<std::string>& topics) {
-  std::string text;
-  for (const std::string& topic : topics) text += (text.empty() ? "" : ", ") + topic;
-  return text;
-}
-
 void print(const BagDriveResult& result, const BagDriveOptions& options) {
   std::cout << "  " << result.duration << " s: " << result.scans << " scans of " << result.scan_topic << ", "
             << result.odometry << " odometry messages of " << result.odometry_source << ", " << result.goals
-            << " goals " << (options.hindsight ? "in hindsight" : "of " + listed(result.goal_topics)) << "\n";
+            << " goals " << (options.hindsight ? "in hindsight" : "of " + joined(result.goal_topics)) << "\n";
   if (result.skipped > 0) {
     std::cout << "  " << result.skipped << " messages are broken: left out, the first on " << result.first_skipped
               << "\n";

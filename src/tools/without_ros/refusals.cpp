@@ -1,7 +1,6 @@
 #include <stdexcept>
 
 #include "tools/command.hpp"
-#include "tools/dataset_commands.hpp"
 
 // What the files of src/tools/with_ros do in a build that has ROS.
 
