@@ -1,11 +1,13 @@
 #include "lstm_planner/dataset/dataset.hpp"
 
+#include <array>
+#include <ctime>
 #include <filesystem>
 #include <system_error>
 
 #include "dataset/dataset_file.hpp"
-#include "dataset/dataset_row_check.hpp"
 #include "dataset/dataset_rows.hpp"
+#include "dataset/dataset_trust.hpp"
 #include "lstm_planner/common/output_file.hpp"
 
 namespace lstm_planner {
@@ -33,6 +35,17 @@ void writeRows(const Dataset& dataset, DatasetFile* file) {
 }
 
 }  // namespace
+
+std::string softwareVersion() { return LSTM_PLANNER_VERSION; }
+
+std::string utcTime(double seconds_since_1970) {
+  const auto time = static_cast<std::time_t>(seconds_since_1970);
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
 
 long stepCount(const Dataset& dataset) {
   long count = 0;

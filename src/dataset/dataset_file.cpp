@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "dataset/dataset_schema.hpp"
-#include "dataset/schema_check.hpp"
+#include "dataset/dataset_trust.hpp"
 #include "lstm_planner/common/input_file.hpp"
 
 namespace lstm_planner {

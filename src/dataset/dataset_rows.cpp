@@ -7,9 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "dataset/dataset_row_check.hpp"
+#include "dataset/dataset_trust.hpp"
 #include "dataset/step_quantities.hpp"
-#include "dataset/value_check.hpp"
 #include "lstm_planner/common/words.hpp"
 
 namespace lstm_planner {
@@ -205,7 +204,7 @@ std::map<Int64, Recording> readRecordings(Poco::Data::Session& session) {
   forEachRow(&query, [&] {
     atRow("recording", id, [&] {
       description.parameters = recorderParametersFromJson(nlohmann::json::parse(parameters));
-      checkRow(description);
+      validate(description.parameters);
     });
     recordings[id].description = description;
     recordings[id].finished = finished != 0;

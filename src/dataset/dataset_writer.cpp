@@ -13,8 +13,8 @@
 
 #include "dataset/dataset_file.hpp"
 #include "dataset/dataset_lock.hpp"
-#include "dataset/dataset_row_check.hpp"
 #include "dataset/dataset_rows.hpp"
+#include "dataset/dataset_trust.hpp"
 
 namespace lstm_planner {
 

@@ -1,8 +1,6 @@
 #include "tools/dataset_conversion.hpp"
 
 #include <algorithm>
-#include <array>
-#include <ctime>
 #include <exception>
 #include <iostream>
 #include <map>
@@ -112,15 +110,6 @@ int convertIntoDataset(const std::vector<Parts>& sources, const RecorderParamete
             << std::endl;
   if (error) std::rethrow_exception(error);
   return 0;
-}
-
-std::string utcTime(double seconds_since_1970) {
-  const std::time_t time = static_cast<std::time_t>(seconds_since_1970);
-  std::tm utc{};
-  gmtime_r(&time, &utc);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text.data();
 }
 
 }  // namespace lstm_planner

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "lstm_planner/dataset/dataset.hpp"
-#include "lstm_planner/dataset/recording_sink.hpp"
 
 namespace lstm_planner {
 
@@ -20,8 +19,5 @@ using Converter = std::function<void(const Parts& parts, RecordingSink* sink)>;
 /// before it are written.
 int convertIntoDataset(const std::vector<Parts>& sources, const RecorderParameters& parameters,
                        const std::string& output, const Converter& convert);
-
-/// UTC, as RecordingDescription::begun.
-std::string utcTime(double seconds_since_1970);
 
 }  // namespace lstm_planner

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "lstm_planner/common/input_file.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/dataset/dataset_summary.hpp"
-#include "lstm_planner/dataset/recording_sink.hpp"
 #include "lstm_planner/grid/map_server_map.hpp"
 #include "lstm_planner/practice/recorded_drives.hpp"
 #include "tools/command.hpp"

@@ -14,7 +14,6 @@
 #include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/dataset/dataset_check.hpp"
 #include "lstm_planner/dataset/drive_recorder.hpp"
-#include "lstm_planner/dataset/recording_sink.hpp"
 #include "support/scratch_folder.hpp"
 
 namespace lstm_planner::fuzz {

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <map>
 
-#include "lstm_planner/dataset/recording_sink.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
 #include "ros/fixtures/drive_bag.hpp"
 #include "ros/fixtures/recorder_process.hpp"

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <ostream>
 
-#include "lstm_planner/dataset/recording_sink.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
 #include "ros/fixtures/drive_bag.hpp"

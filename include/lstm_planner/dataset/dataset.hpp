@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ struct RecordingDescription {
 /// The version of this package, e.g. "0.2.0".
 std::string softwareVersion();
 
+/// As RecordingDescription::begun.
+std::string utcTime(double seconds_since_1970);
+
 /// A drive to one goal, with its steps.
 struct RecordedEpisode {
   Episode episode;
@@ -39,6 +43,26 @@ struct Recording {
   bool finished = false;  ///< false: it is still going on, or was cut off
   RejectionCounts rejections{};
   std::vector<RecordedEpisode> episodes;
+};
+
+/// Keeps what a recorder makes in memory.
+class RecordingSink : public StepSink {
+ public:
+  explicit RecordingSink(const RecordingDescription& description) { recording_.description = description; }
+
+  void startEpisode(const Episode& episode) override { recording_.episodes.push_back({episode, {}}); }
+  void addStep(const DriveStep& step) override { recording_.episodes.back().steps.push_back(step); }
+  void endEpisode(double stamp, EpisodeEnd end) override {
+    recording_.episodes.back().episode.ended = stamp;
+    recording_.episodes.back().episode.end = end;
+  }
+  void reject(Rejection rejection) override { ++recording_.rejections[static_cast<std::size_t>(rejection)]; }
+
+  Recording& recording() { return recording_; }
+  const Recording& recording() const { return recording_; }
+
+ private:
+  Recording recording_;
 };
 
 /// What a dataset file holds: one recording, or several that were merged.

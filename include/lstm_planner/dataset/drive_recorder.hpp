@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "lstm_planner/dataset/drive_events.hpp"
 #include "lstm_planner/dataset/drive_step.hpp"
-#include "lstm_planner/dataset/event_order.hpp"
 #include "lstm_planner/dataset/recorder_parameters.hpp"
 #include "lstm_planner/drive/decision/action_set.hpp"
 #include "lstm_planner/drive/decision/observer.hpp"

@@ -23,7 +23,7 @@
 #include <stdexcept>
 
 #include "lstm_planner/common/input_file.hpp"
-#include "lstm_planner/dataset/event_order.hpp"
+#include "lstm_planner/dataset/drive_events.hpp"
 #include "lstm_planner/ros/common/conversions.hpp"
 #include "lstm_planner/ros/recorder/drive_messages.hpp"
 #include "ros/recorder/bag_message.hpp"

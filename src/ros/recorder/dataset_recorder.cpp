@@ -24,7 +24,6 @@
 #include "ros/common/node_main.hpp"
 #include "ros/recorder/dataset_recorder_file.hpp"
 #include "ros/recorder/dataset_recorder_markers.hpp"
-#include "ros/recorder/dataset_recorder_progress.hpp"
 #include "ros/recorder/dataset_recorder_status.hpp"
 
 namespace lstm_planner {

@@ -2,22 +2,12 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <ctime>
 #include <filesystem>
 
 namespace lstm_planner {
 
 namespace {
-
-std::string utcNow() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text.data();
-}
 
 std::filesystem::path folderOf(const std::string& path) { return std::filesystem::absolute(path).parent_path(); }
 
@@ -40,7 +30,7 @@ void RecorderFile::open(const std::string& odometry_frame, RecordingProgress* pr
   description.software_version = softwareVersion();
   description.source = "live";
   description.odometry_frame = odometry_frame;
-  description.begun = utcNow();
+  description.begun = utcTime(static_cast<double>(std::time(nullptr)));
   writer_.emplace(path_, description);
   progress->passTo(&*writer_);
 }

@@ -5,7 +5,6 @@
 
 #include "lstm_planner/dataset/dataset_writer.hpp"
 #include "lstm_planner/ros/recorder/recorder_node_parameters.hpp"
-#include "ros/recorder/dataset_recorder_progress.hpp"
 #include "ros/recorder/dataset_recorder_status.hpp"
 
 namespace lstm_planner {

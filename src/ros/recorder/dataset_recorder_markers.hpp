@@ -10,7 +10,7 @@
 
 #include "lstm_planner/drive/decision/goal_tracker.hpp"
 #include "lstm_planner/drive/perception/situation.hpp"
-#include "ros/recorder/dataset_recorder_progress.hpp"
+#include "ros/recorder/dataset_recorder_status.hpp"
 
 namespace lstm_planner {
 

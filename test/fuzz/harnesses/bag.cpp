@@ -20,7 +20,7 @@
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
 #include "fuzz/small_memory.hpp"
-#include "lstm_planner/dataset/recording_sink.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
 
 namespace lstm_planner::fuzz {

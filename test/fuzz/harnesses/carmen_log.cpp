@@ -10,7 +10,7 @@
 #include "fuzz/harness.hpp"
 #include "fuzz/scratch_file.hpp"
 #include "fuzz/small_memory.hpp"
-#include "lstm_planner/dataset/recording_sink.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
 
 namespace lstm_planner::fuzz::carmen_log_harness {
 namespace {

@@ -4,8 +4,8 @@
 #include "fuzz/fuzz_scan.hpp"
 #include "fuzz/harness.hpp"
 #include "fuzz/small_memory.hpp"
+#include "lstm_planner/dataset/drive_events.hpp"
 #include "lstm_planner/dataset/drive_recorder.hpp"
-#include "lstm_planner/dataset/event_order.hpp"
 
 namespace lstm_planner::fuzz::recorder_harness {
 namespace {

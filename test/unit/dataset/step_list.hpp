@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lstm_planner/dataset/recording_sink.hpp"
+#include "lstm_planner/dataset/dataset.hpp"
 
 namespace lstm_planner {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "lstm_planner/dataset/event_order.hpp"
+#include "lstm_planner/dataset/drive_events.hpp"
 
 namespace lstm_planner::test_event_order {
 namespace {
