@@ -3,7 +3,6 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -52,10 +51,7 @@ void endBySignal(int signal) {
 }
 
 int run(const lstm_planner::Command& command, const std::vector<std::string>& arguments) {
-  const int ranks = lstm_planner::ranks()->size();
-  if (ranks > 1 && !command.shared) {
-    throw std::invalid_argument("this command is run by one process, not by " + std::to_string(ranks));
-  }
+  if (!command.shared) lstm_planner::requireOneRank("this command");
   if (!lstm_planner::isFirstRank()) std::cout.rdbuf(nullptr);
   return command.run(arguments);
 }

@@ -190,4 +190,9 @@ Communicator* ranks() { return communicator ? communicator.get() : oneProcess();
 
 bool isFirstRank() { return ranks()->rank() == 0; }
 
+void requireOneRank(const std::string& what) {
+  if (ranks()->size() == 1) return;
+  throw std::invalid_argument(what + " is run by one process, not by " + std::to_string(ranks()->size()));
+}
+
 }  // namespace lstm_planner

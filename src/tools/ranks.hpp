@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "lstm_planner/common/communicator.hpp"
 
 namespace lstm_planner {
@@ -22,6 +24,9 @@ Communicator* ranks();
 
 /// Alone, or rank 0 of many: the one that prints, and writes files.
 bool isFirstRank();
+
+/// Throws std::invalid_argument where several ranks run what is not shared among them.
+void requireOneRank(const std::string& what);
 
 /// Ends this process because of an error, and with it all other ranks, which would wait for it for ever.
 [[noreturn]] void endAllRanks(int status);

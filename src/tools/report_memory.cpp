@@ -1,6 +1,5 @@
 #include <iostream>
 #include <sstream>
-#include <stdexcept>
 
 #include "lstm_planner/training/memory_comparison.hpp"
 #include "tools/command.hpp"
@@ -45,9 +44,7 @@ bool readOptions(const std::vector<std::string>& arguments, MemoryOptions* optio
 int runMemoryReport(const std::vector<std::string>& arguments) {
   MemoryOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  if (ranks()->size() > 1) {
-    throw std::invalid_argument("--memory-task is run by one process, not by " + std::to_string(ranks()->size()));
-  }
+  requireOneRank("--memory-task");
   makeOutputFolder(options.output);
   const MemoryComparisonParameters& comparison = options.comparison;
   const Interruption interruption;

@@ -1,6 +1,5 @@
 #include <iostream>
 #include <sstream>
-#include <stdexcept>
 
 #include "lstm_planner/grid_world/evaluation/q_table_comparison.hpp"
 #include "tools/agent_list.hpp"
@@ -51,9 +50,7 @@ bool readOptions(const std::vector<std::string>& arguments, QTableOptions* optio
 int runQTableReport(const std::vector<std::string>& arguments) {
   QTableOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  if (ranks()->size() > 1) {
-    throw std::invalid_argument("--q-table is run by one process, not by " + std::to_string(ranks()->size()));
-  }
+  requireOneRank("--q-table");
   std::vector<std::pair<std::string, GridAgentMaker>> others;
   for (const ReportAgent& agent : agentsFromTexts(options.agents, {})) {
     others.emplace_back(agent.agent.name, agent.agent.make);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,7 +53,7 @@ void setDefaults(bool dagger, bool thesis, GridTrainingOptions* options, GridImi
 /// Parses the options of --method imitation and dagger. False when the help was asked for. Throws with a sentence for
 /// values that make no sense.
 bool readImitationOptions(const std::string& method, const std::vector<std::string>& arguments,
-                          GridTrainingOptions* options, GridImitationParameters* parameters, nlohmann::json* settings) {
+                          GridTrainingOptions* options, GridImitationParameters* parameters) {
   const bool dagger = method == "dagger";
   const bool thesis = std::find(arguments.begin(), arguments.end(), "--thesis") != arguments.end();
   GridImitationParameters& p = *parameters;
@@ -86,7 +85,8 @@ bool readImitationOptions(const std::string& method, const std::vector<std::stri
   p.seed = options->seed;
   p.threads = options->threads;
   validate(p);
-  *settings = line.settings();
+  p.trainer.communicator = ranks();
+  options->loop.settings = line.settings();
   return true;
 }
 
@@ -138,16 +138,12 @@ class GridImitationHost : public ToolTrainingHost {
 int trainByImitation(const std::string& method, const std::vector<std::string>& arguments) {
   GridTrainingOptions options;
   GridImitationParameters parameters;
-  TrainingLoopOptions loop;
-  if (!readImitationOptions(method, arguments, &options, &parameters, &loop.settings)) return 0;
-  loop.checkpoint = options.checkpoint;
-  loop.output = options.output;
-  loop.communicator = parameters.trainer.communicator = ranks();
+  if (!readImitationOptions(method, arguments, &options, &parameters)) return 0;
   const LayerStack layers = firstLayers(options);
   const GridTrainingMaps maps = loadGridTrainingMaps(options);
   const auto training = gridImitation(parameters, layers, maps.training, validationMaps(maps));
-  GridImitationHost host(loop, GridJudge(options, maps.validation), parameters.trainer.epochs, *training);
-  const TrainingOutcome outcome = runTraining(loop, training.get(), &host);
+  GridImitationHost host(options.loop, GridJudge(options, maps.validation), parameters.trainer.epochs, *training);
+  const TrainingOutcome outcome = runTraining(options.loop, training.get(), &host);
   if (!options.curve.empty() && isFirstRank()) writeLearningCurve(options.curve, training->curve());
   return host.end(outcome);
 }

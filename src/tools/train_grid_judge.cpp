@@ -49,7 +49,7 @@ void GridJudge::write(const LayerStack& layers, const GridScore& score) const {
        << options_.max_steps << " steps:" << std::setprecision(3);
   for (std::size_t i = 0; i < sets_.size(); ++i) text << ' ' << sets_[i].name << ' ' << score.success[i];
   model.metadata["score"] = text.str();
-  writeModelFile(options_.output, model);
+  writeModelFile(options_.loop.output, model);
 }
 
 std::vector<std::string> GridJudge::names() const {

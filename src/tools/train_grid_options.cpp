@@ -7,6 +7,7 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/network_options.hpp"
+#include "tools/ranks.hpp"
 
 namespace lstm_planner {
 
@@ -30,6 +31,7 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
                             CommandLine* line) {
   GridTrainingOptions& o = *options;
   o.command = trainCommandLine(arguments);
+  o.loop.communicator = ranks();
   addGridMapOptions(options, line);
   line->add("dead-ends", &o.dead_ends, kAnyShare,
             "share of the training episodes that start in a dead end, where there is one between the start and the "
@@ -37,9 +39,9 @@ void addGridTrainingOptions(const std::vector<std::string>& arguments, GridTrain
   line->add("method", &o.method, "imitation, dagger or q-learning");
   addShapeOptions(&o.shape, {64, 64, 64, 64}, line);
   line->addFile("from", &o.from, "ONNX file to start from, instead of random weights; it determines the layers");
-  line->addOutput("output", &o.output, "ONNX file to write: the best so far on the validation maps").required();
+  line->addOutput("output", &o.loop.output, "ONNX file to write: the best so far on the validation maps").required();
   line->addOutput("curve", &o.curve, "PNG file for the learning curve; a CSV file is written beside it");
-  line->addOutput("checkpoint", &o.checkpoint, "checkpoint file: is written, and continued from if it exists");
+  line->addOutput("checkpoint", &o.loop.checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->add("validation", &o.validation, {1, 1e6}, "scenarios of each set, to judge the network");
   line->whenParsed([options] { makeNetwork(kGridInputs, options->shape, kGridMoveCount); });  // throws
 }

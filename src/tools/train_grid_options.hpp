@@ -7,6 +7,7 @@
 #include "lstm_planner/grid_world/world/movingai.hpp"
 #include "lstm_planner/network/layers.hpp"
 #include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/training_loop.hpp"
 #include "tools/command_line.hpp"
 
 namespace lstm_planner {
@@ -25,9 +26,8 @@ struct GridTrainingOptions {
   CornerCutting corner_cutting = CornerCutting::kForbidden;  ///< in training and judging
   NetworkShape shape;
   std::string from;  ///< model file to start with; decides the shape
-  std::string output;
   std::string curve;
-  std::string checkpoint;
+  TrainingLoopOptions loop;
   int epochs = 0;
   int validation = 300;  ///< scenarios of each set
   int max_steps = 1000;  ///< of a validation episode

@@ -179,7 +179,7 @@ const Choices<QLearningParameters::Reward> kRewards = {{"progress", QLearningPar
 
 /// False when the help was asked for. Throws with a sentence for values that make no sense.
 bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions* options,
-                 GridQLearningParameters* parameters, nlohmann::json* settings) {
+                 GridQLearningParameters* parameters) {
   GridQLearningParameters& p = *parameters;
   CommandLine line("train --task grid --method q-learning",
                    "trains a network for the grid world by recurrent Q-learning");
@@ -205,7 +205,7 @@ bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions*
   p.threads = options->threads;
   p.communicator = ranks();
   validate(p);
-  *settings = line.settings();
+  options->loop.settings = line.settings();
   return true;
 }
 
@@ -214,15 +214,11 @@ bool readOptions(const std::vector<std::string>& arguments, GridTrainingOptions*
 int trainGridByQLearning(const std::vector<std::string>& arguments) {
   GridTrainingOptions options;
   GridQLearningParameters parameters;
-  TrainingLoopOptions loop;
-  if (!readOptions(arguments, &options, &parameters, &loop.settings)) return 0;
-  loop.checkpoint = options.checkpoint;
-  loop.output = options.output;
-  loop.communicator = ranks();
+  if (!readOptions(arguments, &options, &parameters)) return 0;
   GridTrainingMaps maps = loadGridTrainingMaps(options);
   const auto training = makeGridQLearning(parameters, std::move(maps.training), firstLayers(options));
-  GridQLearningHost host(loop, GridJudge(options, std::move(maps.validation)), training.get());
-  const TrainingOutcome outcome = runTraining(loop, training.get(), &host);
+  GridQLearningHost host(options.loop, GridJudge(options, std::move(maps.validation)), training.get());
+  const TrainingOutcome outcome = runTraining(options.loop, training.get(), &host);
   host.drawCurve(options.curve);
   return host.end(outcome);
 }

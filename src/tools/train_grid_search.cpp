@@ -1,7 +1,6 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
-#include <stdexcept>
 #include <utility>
 
 #include "lstm_planner/grid_world/learning/grid_structure_search.hpp"
@@ -79,9 +78,7 @@ std::string report(const SearchOptions& options, const GridTrainingMaps& maps,
 int searchGridStructures(const std::vector<std::string>& arguments) {
   SearchOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  if (ranks()->size() > 1) {
-    throw std::invalid_argument("--search is run by one process, not by " + std::to_string(ranks()->size()));
-  }
+  requireOneRank("--search");
   const Interruption interruption;
   const GridTrainingMaps maps = loadGridTrainingMaps(options.grid);
   Progress bar;

@@ -24,20 +24,19 @@ struct RobotReinforcementPlan {
   RobotTrainingOptions options;
   RobotNetworkOptions network;
   std::string init;           ///< model to start with; empty: a new network
-  std::string checkpoint;     ///< empty: none
   std::string keep = "best";  ///< which network is written: best of the judgements, or last
   DriveActorCriticParameters learner;
   std::vector<std::string> recordings;  ///< somebody's drives that the network is to follow
   std::vector<std::string> validation;  ///< likewise, to judge it
   double recordings_weight = 0.3;
-  nlohmann::json settings;  ///< what the learning depends on
 };
 
 void addOptions(const std::vector<std::string>& arguments, RobotReinforcementPlan* plan, CommandLine* line) {
   DriveActorCriticParameters& p = plan->learner;
   addRobotTrainingOptions(arguments, &plan->options, line);
   line->addFile("init", &plan->init, "model file to start from; it determines layers and inputs");
-  line->addOutput("checkpoint", &plan->checkpoint, "checkpoint file: is written, and continued from if it exists");
+  line->addOutput("checkpoint", &plan->options.loop.checkpoint,
+                  "checkpoint file: is written, and continued from if it exists");
   line->addChoice("keep", &plan->keep, {"best", "last"},
                   "which network to write: best (the most efficient of the networks judged so far) or last")
       .changesNoResult();
@@ -72,7 +71,8 @@ bool readPlan(const std::vector<std::string>& arguments, RobotReinforcementPlan*
   p.seed = plan->options.seed;
   p.threads = plan->options.threads;
   p.communicator = ranks();
-  plan->settings = line.settings();
+  plan->options.loop.settings = line.settings();
+  plan->options.loop.keep_last = plan->keep == "last";
   return true;
 }
 
@@ -91,9 +91,8 @@ LayerStack firstLayers(const RobotReinforcementPlan& plan, PolicyDescription* po
 
 class RobotReinforcementHost : public ToolTrainingHost {
  public:
-  RobotReinforcementHost(const TrainingLoopOptions& loop, const RobotReinforcementPlan& plan,
-                         const DriveReinforcement& training)
-      : ToolTrainingHost(loop),
+  RobotReinforcementHost(const RobotReinforcementPlan& plan, const DriveReinforcement& training)
+      : ToolTrainingHost(plan.options.loop),
         options_(plan.options),
         policy_(plan.learner.policy),
         training_(training),
@@ -150,15 +149,9 @@ int trainRobotByActorCritic(const std::vector<std::string>& arguments) {
   if (!plan.recordings.empty()) {
     learner->follow(readDatasetsFor(plan.learner.policy, plan.recordings), plan.recordings_weight);
   }
-  TrainingLoopOptions loop;
-  loop.checkpoint = plan.checkpoint;
-  loop.settings = plan.settings;
-  loop.output = plan.options.output;
-  loop.keep_last = plan.keep == "last";
-  loop.communicator = ranks();
   DriveReinforcement training(plan.learner.iterations, kJudgements, learner.get());
-  RobotReinforcementHost host(loop, plan, training);
-  return host.end(runTraining(loop, &training, &host));
+  RobotReinforcementHost host(plan, training);
+  return host.end(runTraining(plan.options.loop, &training, &host));
 }
 
 }  // namespace lstm_planner

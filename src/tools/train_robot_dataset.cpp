@@ -51,11 +51,9 @@ struct DatasetTrainingOptions {
   std::string init;  ///< model to start with; empty: a new network
   RobotNetworkOptions network;
   EncoderParameters encoder;  ///< of a new network; the range cap is the recordings'
-  std::string output;
-  std::string checkpoint;   ///< empty: none
-  nlohmann::json settings;  ///< what the training depends on, for the checkpoint
-  int snapshots = 0;        ///< epochs from one to the next; 0: none
-  std::string curve;        ///< PNG files; empty: none
+  TrainingLoopOptions loop;
+  int snapshots = 0;  ///< epochs from one to the next; 0: none
+  std::string curve;  ///< PNG files; empty: none
   std::string confusion;
   std::string stability;
   std::uint64_t seed = 1;
@@ -99,8 +97,8 @@ void addDataOptions(DatasetTrainingOptions* o, CommandLine* line) {
 void addNetworkOptions(DatasetTrainingOptions* o, CommandLine* line) {
   line->section("the network");
   line->addFile("init", &o->init, "model file to start from; it determines layers and inputs");
-  line->addOutput("output", &o->output, "ONNX file to write: the best epoch").required();
-  line->addOutput("checkpoint", &o->checkpoint, "checkpoint file: is written, and continued from if it exists");
+  line->addOutput("output", &o->loop.output, "ONNX file to write: the best epoch").required();
+  line->addOutput("checkpoint", &o->loop.checkpoint, "checkpoint file: is written, and continued from if it exists");
   line->add("snapshots", &o->snapshots, {0, kAnyCount.most},
             "epochs between snapshots of the weights (thesis 4.2); each is a file named after --output and the epoch; "
             "0: no snapshots")
@@ -159,13 +157,15 @@ bool readDatasetTrainingOptions(const std::vector<std::string>& arguments, Datas
   line.whenParsed([&] {
     options->training.trainer.seed = options->seed;
     options->training.trainer.communicator = ranks();
+    options->loop.communicator = ranks();
+    options->loop.keep_last = true;  // by then the best epoch is chosen
     validate(options->training);
     check(line, *options);
     if (!options->fromModel()) finishRobotNetworkOptions(options->network, &options->encoder);
   });
   if (!line.parse(arguments)) return false;
-  options->settings = line.settings();
-  options->settings["instability"] = !options->stability.empty();  // is measured from the first epoch on
+  options->loop.settings = line.settings();
+  options->loop.settings["instability"] = !options->stability.empty();  // is measured from the first epoch on
   return true;
 }
 
@@ -263,9 +263,9 @@ void warnNearChance(const LossSum& validation) {
 
 class DatasetTrainingHost : public ToolTrainingHost {
  public:
-  DatasetTrainingHost(const TrainingLoopOptions& loop, const DatasetTrainingOptions& options,
-                      const std::vector<long>& validation_labels, const ImitationRounds& training)
-      : ToolTrainingHost(loop), options_(options), validation_labels_(validation_labels), training_(training) {}
+  DatasetTrainingHost(const DatasetTrainingOptions& options, const std::vector<long>& validation_labels,
+                      const ImitationRounds& training)
+      : ToolTrainingHost(options.loop), options_(options), validation_labels_(validation_labels), training_(training) {}
 
   void stepDone() override {
     const EpochReport& report = training_.epoch();
@@ -284,7 +284,7 @@ class DatasetTrainingHost : public ToolTrainingHost {
   }
 
   void keep(const LayerStack& layers) override {
-    writeModel(options_.output, layers, best().kept());
+    writeModel(options_.loop.output, layers, best().kept());
     if (!options_.confusion.empty()) writeConfusion(options_.confusion, best().kept().confusion, names());
     if (!options_.stability.empty()) writeStability(options_.stability, stability_);
     if (!options_.curve.empty()) writeLearningCurve(options_.curve, training_.curve());
@@ -338,7 +338,7 @@ class DatasetTrainingHost : public ToolTrainingHost {
     setParameterVector(training_.state().weights, layers);
     const std::string epochs = std::to_string(options_.training.trainer.epochs);
     std::ostringstream path;
-    path << options_.output.substr(0, options_.output.rfind(".onnx")) << "_epoch_" << std::setfill('0')
+    path << options_.loop.output.substr(0, options_.loop.output.rfind(".onnx")) << "_epoch_" << std::setfill('0')
          << std::setw(static_cast<int>(epochs.size())) << report.epoch << ".onnx";
     writeModel(path.str(), layers, report.validation);
   }
@@ -379,14 +379,8 @@ int trainRobotByDataset(const std::vector<std::string>& arguments) {
   }
   const std::vector<long> validation_labels = sets.validation_labels;
   ImitationRounds training({1, 0, trainer}, layers, std::make_unique<RecordedCourse>(std::move(sets)));
-  TrainingLoopOptions loop;
-  loop.checkpoint = options.checkpoint;
-  loop.settings = options.settings;
-  loop.output = options.output;
-  loop.keep_last = true;  // by then the best epoch is chosen
-  loop.communicator = ranks();
-  DatasetTrainingHost host(loop, options, validation_labels, training);
-  return host.end(runTraining(loop, &training, &host));
+  DatasetTrainingHost host(options, validation_labels, training);
+  return host.end(runTraining(options.loop, &training, &host));
 }
 
 }  // namespace lstm_planner

@@ -16,15 +16,14 @@ namespace {
 
 struct ImitationOptions : RobotTrainingOptions {
   std::string curve;
-  std::string checkpoint;
   RobotNetworkOptions network;
   ImitationParameters imitation;
-  nlohmann::json settings;  ///< what the training depends on, for the checkpoint
 };
 
 bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* options) {
   ImitationParameters& imitation = options->imitation;
   options->method = "dagger";
+  options->loop.keep_later = true;  // it has learned from more
   imitation.trainer.epochs = 12;
   imitation.trainer.optimiser.learning_rate = 0.01;
   CommandLine line("train --method dagger",
@@ -33,7 +32,8 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   addRobotTrainingOptions(arguments, options, &line);
   addRobotNetworkOptions(&options->network, &imitation.policy.encoder, &line);
   line.addOutput("curve", &options->curve, "PNG file for the accuracy curve; a CSV file is written beside it");
-  line.addOutput("checkpoint", &options->checkpoint, "checkpoint file: is written, and continued from if it exists");
+  line.addOutput("checkpoint", &options->loop.checkpoint,
+                 "checkpoint file: is written, and continued from if it exists");
   visitImitationParameters(imitation, line.everyParameter());
   addLossOption(&imitation.trainer.loss, &line);
   if (!line.parse(arguments)) return false;
@@ -46,14 +46,14 @@ bool readOptions(const std::vector<std::string>& arguments, ImitationOptions* op
   imitation.seed = imitation.trainer.seed = options->seed;
   imitation.trainer.communicator = ranks();
   validate(imitation);
-  options->settings = line.settings();
+  options->loop.settings = line.settings();
   return true;
 }
 
 class ImitationHost : public ToolTrainingHost {
  public:
-  ImitationHost(const TrainingLoopOptions& loop, const ImitationOptions& options)
-      : ToolTrainingHost(loop),
+  explicit ImitationHost(const ImitationOptions& options)
+      : ToolTrainingHost(options.loop),
         options_(options),
         training_(options.imitation, [this](double share) { showProgress(share); }) {}
 
@@ -100,14 +100,8 @@ class ImitationHost : public ToolTrainingHost {
 int trainRobotByDagger(const std::vector<std::string>& arguments) {
   ImitationOptions options;
   if (!readOptions(arguments, &options)) return 0;
-  TrainingLoopOptions loop;
-  loop.checkpoint = options.checkpoint;
-  loop.settings = options.settings;
-  loop.output = options.output;
-  loop.keep_later = true;  // it has learned from more
-  loop.communicator = ranks();
-  ImitationHost host(loop, options);
-  const TrainingOutcome outcome = runTraining(loop, &host.training(), &host);
+  ImitationHost host(options);
+  const TrainingOutcome outcome = runTraining(options.loop, &host.training(), &host);
   if (!options.curve.empty() && isFirstRank()) writeLearningCurve(options.curve, host.training().rounds().curve());
   return host.end(outcome);
 }

@@ -7,6 +7,7 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/network_options.hpp"
+#include "tools/ranks.hpp"
 
 namespace lstm_planner {
 
@@ -87,9 +88,11 @@ void addRobotTrainingOptions(const std::vector<std::string>& arguments, RobotTra
                              CommandLine* line) {
   RobotTrainingOptions& o = *options;
   o.command = trainCommandLine(arguments);
+  o.loop.output = "own.onnx";  // never a model that ships with the package
+  o.loop.communicator = ranks();
   line->addChoice("task", &o.task, {"robot", "grid"}, "robot (this) or grid");
   line->add("method", &o.method, "dagger (default), actor-critic or dataset; --method NAME --help explains it");
-  line->addOutput("output", &o.output, "ONNX file to write");
+  line->addOutput("output", &o.loop.output, "ONNX file to write");
   addWorldKinds(&o.course.worlds, line);
   line->add("dead-ends", &o.course.dead_end_share, kAnyShare, "share of the drives that start in a dead end");
   line->add("shortest", &o.course.shortest, {0.01, 1e4}, "m; smallest length of the path from start to goal");
@@ -130,7 +133,7 @@ void writeRobotModel(const RobotTrainingOptions& options, const PolicyDescriptio
   model.metadata["training_command"] = options.command;
   model.metadata["score"] =
       std::to_string(score.drives) + " validation drives by the network and the shield: " + toText(score);
-  writeModelFile(options.output, model);
+  writeModelFile(options.loop.output, model);
 }
 
 std::string toText(const DriveScore& score) {

@@ -9,6 +9,7 @@
 #include "lstm_planner/practice/drive_course.hpp"
 #include "lstm_planner/practice/drive_judge.hpp"
 #include "lstm_planner/training/initialisation.hpp"
+#include "lstm_planner/training/training_loop.hpp"
 #include "tools/command_line.hpp"
 
 namespace lstm_planner {
@@ -18,7 +19,7 @@ struct RobotTrainingOptions {
   std::string command;  ///< the whole command line
   std::string task = "robot";
   std::string method;
-  std::string output = "own.onnx";  ///< never a model that ships with the package
+  TrainingLoopOptions loop;
   DriveCourseParameters course;
   int validation = 60;  ///< worlds
   int max_steps = 300;  ///< of a drive
