@@ -1,16 +1,12 @@
 #pragma once
 
 #include <ros/node_handle.h>
-#include <ros/time.h>
 
 #include <string>
-#include <vector>
+#include <type_traits>
 
-#include "lstm_planner/practice/decision_replay.hpp"
 #include "lstm_planner/ros/common/plugin_parameters.hpp"
 #include "lstm_planner/ros/recorder/bag_drive.hpp"
-#include "lstm_planner/ros/replay/bag_replay_player.hpp"
-#include "lstm_planner/ros/replay/decision_display.hpp"
 
 namespace lstm_planner {
 
@@ -47,32 +43,5 @@ void visitBagReplayParameters(Parameters& replay, const Visitor& visit) {
 
 /// Throws std::invalid_argument naming the parameter, its value and what was expected.
 BagReplayParameters loadBagReplayParameters(const ros::NodeHandle& private_node);
-
-/// The node `bag_replay`: plays a recording with /clock, scan, odom and tf, and shows what the planner would have
-/// decided at each step beside what the driver did.
-///
-/// All is decided before anything is played, from the stamps of the recording, so neither the rate nor the load of the
-/// computer has a say in it. Topics: those of DecisionDisplay.
-class BagReplay {
- public:
-  /// Reads the recording and decides. Throws std::invalid_argument when that cannot be done.
-  explicit BagReplay(const BagReplayParameters& parameters);
-
-  /// Plays it to the end, or until the node is shut down, and logs how often planner and driver agreed.
-  void run();
-
- private:
-  void writeDecisionsFile() const;
-  void waitForListeners() const;
-  void showDecisionsUntil(const ros::Time& time);
-
-  BagReplayParameters parameters_;
-  DecisionReplay replay_;
-  BagDriveResult drive_;
-  BagReplayPlayer player_;
-  std::size_t shown_ = 0;  ///< decisions
-
-  DecisionDisplay display_;
-};
 
 }  // namespace lstm_planner
