@@ -1,17 +1,20 @@
 #include "tools/dataset_conversion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iostream>
 #include <map>
+#include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "lstm_planner/common/words.hpp"
 #include "lstm_planner/dataset/dataset_summary.hpp"
+#include "tools/command_line.hpp"
 #include "tools/dataset_report.hpp"
 
 namespace lstm_planner {
-
 namespace {
 
 /// Counts why something became no step.
@@ -84,6 +87,16 @@ Recording converted(const Parts& parts, const RecorderParameters& parameters, co
   return std::move(sink.recording());
 }
 
+SensorMount mountNamed(const std::string& text) {
+  std::istringstream stream(text);
+  Pose2 pose;
+  stream >> pose.x >> pose.y >> pose.yaw;
+  if (!stream || !(stream >> std::ws).eof() || !isFinite(pose)) {
+    throw std::invalid_argument("option --mount is '" + text + "', expected \"x y yaw\" in m, m and rad");
+  }
+  return {pose, false};
+}
+
 }  // namespace
 
 int convertIntoDataset(const std::vector<Parts>& sources, const RecorderParameters& parameters,
@@ -110,6 +123,38 @@ int convertIntoDataset(const std::vector<Parts>& sources, const RecorderParamete
             << std::endl;
   if (error) std::rethrow_exception(error);
   return 0;
+}
+
+void addRecorderOptions(RecorderParameters* parameters, CommandLine* line) {
+  RecorderParameters& p = *parameters;
+  visitRecorderParameters(p, line->parameters({{"period", "period"},
+                                               {"min_step_distance", "min-step-distance"},
+                                               {"min_step_turn", "min-step-turn"},
+                                               {"max_gap", "max-gap"},
+                                               {"max_speed", "max-speed"},
+                                               {"goal_tolerance", "goal-tolerance"},
+                                               {"delay", "delay"},
+                                               {"range_cap", "range-cap"},
+                                               {"least_measured", "least-measured"}}));
+  line->addText(
+      "no-return", noReturnText(p.scan_rules), [&](const std::string& text) { setNoReturn(text, &p.scan_rules); },
+      "readings that mean no return besides +inf: \"nan\", \"zero\", \"below\" (range_min), \"beyond\" (range_max), a "
+      "number (m); for urg_node: \"nan zero beyond 65.53\"");
+  line->addFlag("no-scans", &p.keep_scans, false, "store only the sectors, not the whole scans");
+}
+
+void addHindsightOptions(HindsightParameters* parameters, CommandLine* line) {
+  visitHindsightParameters(*parameters,
+                           line->parameters({{"stop", "stop"}, {"longest", "longest"}, {"shortest", "shortest"}}));
+}
+
+void addMountOption(std::optional<SensorMount>* mount, const std::string& otherwise, CommandLine* line) {
+  line->addText(
+      "mount", "",
+      [=](const std::string& text) {
+        if (!text.empty()) *mount = mountNamed(text);
+      },
+      "\"x y yaw\" (m, m, rad): pose of the scanner in the robot's frame; default: " + otherwise);
 }
 
 }  // namespace lstm_planner

@@ -6,7 +6,6 @@
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/dataset_conversion.hpp"
-#include "tools/recorder_options.hpp"
 
 namespace lstm_planner {
 

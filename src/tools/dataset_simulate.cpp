@@ -11,8 +11,8 @@
 #include "lstm_planner/practice/recorded_drives.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
+#include "tools/dataset_conversion.hpp"
 #include "tools/dataset_report.hpp"
-#include "tools/recorder_options.hpp"
 
 namespace lstm_planner {
 

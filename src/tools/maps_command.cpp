@@ -20,7 +20,7 @@ namespace {
 constexpr Range kMapSide{1, 8192};  // cells
 
 /// What can be generated, and the options that say how; options that all kinds have are not among them.
-const Choices<std::vector<std::string>> kKinds = {
+const Choices<std::vector<std::string>> kMapKinds = {
     {"building", {"width", "height", "resolution", "smallest-room", "door-width", "extra-doors", "furniture"}},
     {"maze", {"count", "name", "per-bucket", "columns", "rows", "corridor-width", "branching"}},
     {"random", {"count", "name", "per-bucket", "columns", "rows", "share", "keep-pockets"}},
@@ -30,7 +30,7 @@ const Choices<std::vector<std::string>> kKinds = {
 
 std::vector<std::string> kindsWith(const std::string& option) {
   std::vector<std::string> names;
-  for (const auto& [name, options] : kKinds) {
+  for (const auto& [name, options] : kMapKinds) {
     if (std::find(options.begin(), options.end(), option) != options.end()) names.push_back(name);
   }
   return names;
@@ -38,7 +38,7 @@ std::vector<std::string> kindsWith(const std::string& option) {
 
 /// Refuses given options that the kind would silently ignore.
 void checkKind(const std::string& kind, const CommandLine& line) {
-  for (const auto& [name, options] : kKinds) {
+  for (const auto& [name, options] : kMapKinds) {
     for (const std::string& option : options) {
       const std::vector<std::string> having = kindsWith(option);
       if (!line.given(option) || std::find(having.begin(), having.end(), kind) != having.end()) continue;
@@ -103,7 +103,7 @@ void shareAmongKinds(MapsOptions* options) {
 
 bool readOptions(const std::vector<std::string>& arguments, MapsOptions* options) {
   CommandLine line("maps", "generates floor plans, or maps and scenarios of the grid world");
-  line.addChoice("kind", &options->kind, namesOf(kKinds),
+  line.addChoice("kind", &options->kind, namesOf(kMapKinds),
                  "building: a floor plan in metres, as a map for map_server; maze, random, rooms, caves: maps and "
                  "scenarios in cells, in the format of the MovingAI benchmark (movingai.com)");
   line.addFile(

@@ -4,13 +4,30 @@
 
 #include <iostream>
 
+#include "lstm_planner/common/output_file.hpp"
 #include "tools/ranks.hpp"
 
 namespace lstm_planner {
-
 namespace {
+
 constexpr unsigned long kTicks = 1000;
+
+volatile std::sig_atomic_t caught_signal = 0;  // of any rank
+volatile std::sig_atomic_t was_told = 0;       // this process by itself
+
+/// The first is remembered. Whoever sends another has no patience left; nothing stays half written all the same.
+void remember(int signal) {
+  if (was_told != 0) {
+    removeUnfinishedFiles();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+    return;
+  }
+  was_told = 1;
+  caught_signal = signal;
 }
+
+}  // namespace
 
 Progress::Progress() {
   if (isatty(STDERR_FILENO) != 0 && isFirstRank()) {
@@ -27,5 +44,30 @@ void Progress::show(double share) {
     *bar_ += ticks - bar_->count();
   }
 }
+
+Interruption::Interruption() {
+  caught_signal = 0;
+  was_told = 0;
+  struct sigaction action {};
+  action.sa_handler = remember;
+  action.sa_flags = SA_RESTART;
+  ::sigemptyset(&action.sa_mask);
+  ::sigaction(SIGINT, &action, &interrupt_before_);
+  ::sigaction(SIGTERM, &action, &terminate_before_);
+}
+
+Interruption::~Interruption() {
+  ::sigaction(SIGINT, &interrupt_before_, nullptr);
+  ::sigaction(SIGTERM, &terminate_before_, nullptr);
+}
+
+bool Interruption::wanted() const {
+  // A signal that comes while the ranks exchange is asked about the next time.
+  const int agreed = largestOfRanks(ranks(), caught_signal);
+  if (agreed != 0) caught_signal = agreed;
+  return agreed != 0;
+}
+
+int Interruption::exitStatus() const { return 128 + caught_signal; }
 
 }  // namespace lstm_planner

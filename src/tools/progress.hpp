@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <memory>
 
 #if __has_include(<boost/timer/progress_display.hpp>)
@@ -24,6 +25,25 @@ class Progress {
 
  private:
   std::unique_ptr<Bar> bar_;
+};
+
+/// Takes Ctrl-C (SIGINT) and SIGTERM as the wish to end soon, while the object lives; the second of them, whichever,
+/// ends the program at once. One object at a time.
+class Interruption {
+ public:
+  Interruption();
+  ~Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+
+  /// On any rank: several agree, and each has to ask.
+  bool wanted() const;
+  /// What a program that ended by the signal returns: 130 after Ctrl-C.
+  int exitStatus() const;
+
+ private:
+  struct sigaction interrupt_before_ {};
+  struct sigaction terminate_before_ {};
 };
 
 }  // namespace lstm_planner

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
-#include "tools/agent_list.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/grid_options.hpp"

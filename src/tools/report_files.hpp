@@ -2,7 +2,9 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
+#include "lstm_planner/grid_world/evaluation/grid_agent_factory.hpp"
 #include "lstm_planner/grid_world/evaluation/grid_report.hpp"
 
 namespace lstm_planner {
@@ -17,5 +19,10 @@ void writeTrends(const GridComparison& comparison, const std::string& folder, st
 
 void drawPicture(const GridComparison& comparison, const ReportPicture& picture, const std::string& folder,
                  std::ostream& report);
+
+/// Agents from texts like `astar`, `lstm` (the shipped model) or `lstm=FILE,no-shield,no-escape`; all else as in
+/// `common`. Names that would be alike are told apart by the model's file. Throws std::invalid_argument with a
+/// sentence.
+std::vector<ReportAgent> agentsFromTexts(const std::vector<std::string>& texts, const GridAgentOptions& common);
 
 }  // namespace lstm_planner

@@ -4,7 +4,6 @@
 #include "lstm_planner/training/memory_comparison.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/interruption.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranks.hpp"

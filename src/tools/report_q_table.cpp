@@ -2,12 +2,12 @@
 #include <sstream>
 
 #include "lstm_planner/grid_world/evaluation/q_table_comparison.hpp"
-#include "tools/agent_list.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranks.hpp"
+#include "tools/report_files.hpp"
 
 namespace lstm_planner {
 

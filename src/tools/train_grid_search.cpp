@@ -6,7 +6,6 @@
 #include "lstm_planner/grid_world/learning/grid_structure_search.hpp"
 #include "tools/command.hpp"
 #include "tools/command_line.hpp"
-#include "tools/interruption.hpp"
 #include "tools/output_file.hpp"
 #include "tools/progress.hpp"
 #include "tools/ranks.hpp"

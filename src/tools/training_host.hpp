@@ -4,7 +4,6 @@
 
 #include "lstm_planner/training/imitation_rounds.hpp"
 #include "lstm_planner/training/training_loop.hpp"
-#include "tools/interruption.hpp"
 #include "tools/progress.hpp"
 
 namespace lstm_planner {
