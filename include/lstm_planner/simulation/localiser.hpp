@@ -12,13 +12,20 @@ class Localiser {
   Localiser(const Pose2& start, double jump) : world_from_start_(start), jump_(jump) {}
 
   /// Looks where the robot truly is (world), and what odometry says.
-  void localise(const Pose2& true_pose, const Pose2& odometry);
+  void localise(const Pose2& true_pose, const Pose2& odometry) {
+    if (jump_ <= 0.0) return;
+    const Pose2 true_from_start = compose(inverse(world_from_start_), true_pose);
+    if (distanceBetween(correct(odometry), true_from_start) < jump_) return;
+    start_from_odometry_ = compose(true_from_start, inverse(odometry));
+  }
 
   /// The odometry frame as it is corrected now, as a pose in the frame that odometry had at the start.
   const Pose2& correction() const { return start_from_odometry_; }
 
   /// A pose in the odometry frame, as it was corrected last; in the frame that odometry had at the start.
-  Pose2 correct(const Pose2& odometry) const;
+  Pose2 correct(const Pose2& odometry) const {
+    return jump_ > 0.0 ? compose(start_from_odometry_, odometry) : odometry;
+  }
 
  private:
   Pose2 world_from_start_;
