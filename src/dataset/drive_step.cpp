@@ -5,6 +5,9 @@
 #include <stdexcept>
 #include <tuple>
 #include <utility>
+#include <vector>
+
+#include "lstm_planner/common/words.hpp"
 
 namespace lstm_planner {
 
@@ -56,6 +59,14 @@ const char* toString(Rejection rejection) { return kRejections.at(static_cast<st
 
 Rejection rejectionNamed(const std::string& name) {
   return valueNamed<Rejection>(kRejections, name, "reason to reject a step");
+}
+
+std::string textOf(const RejectionCounts& counts) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] > 0) words.push_back(std::to_string(counts[i]) + " " + toString(static_cast<Rejection>(i)));
+  }
+  return joined(words);
 }
 
 double drivenAngle(const Pose2& from, const Pose2& to, double min_distance) {

@@ -52,25 +52,14 @@ void printOutcome(const Recording& recording) {
   Dataset dataset;
   dataset.recordings = {recording};
   const DatasetSummary summary = summarise(dataset);
-  std::cout << "  " << summary.steps << " steps in " << summary.episodes << " episodes";
-  const char* separator = " (";
-  for (const auto& [end, count] : summary.ends) {
-    std::cout << separator << count << " " << toString(end);
-    separator = ", ";
-  }
-  std::cout << (summary.ends.empty() ? "\n" : ")\n");
+  std::cout << "  " << summary.steps << " steps in " << summary.episodes << " episodes"
+            << (summary.ends.empty() ? "" : " (" + endsText(summary) + ")") << "\n";
   if (summary.steps > 0) {
     std::cout << "  ";
     printLabels(std::cout, summary);
   }
-  std::cout << "  no steps:";
-  separator = " ";
-  for (std::size_t i = 0; i < recording.rejections.size(); ++i) {
-    if (recording.rejections[i] == 0) continue;
-    std::cout << separator << recording.rejections[i] << " " << toString(static_cast<Rejection>(i));
-    separator = ", ";
-  }
-  std::cout << std::endl;
+  const std::string rejected = textOf(recording.rejections);
+  std::cout << "  no steps:" << (rejected.empty() ? "" : " ") << rejected << std::endl;
 }
 
 Recording converted(const Parts& parts, const RecorderParameters& parameters, const Converter& convert) {

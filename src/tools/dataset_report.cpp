@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <vector>
+
+#include "lstm_planner/common/words.hpp"
 
 namespace lstm_planner {
 
@@ -23,12 +26,7 @@ std::string named(long count, const std::string& what) {
 }
 
 void printEpisodes(std::ostream& out, const DatasetSummary& summary) {
-  out << named(summary.episodes, "episode");
-  const char* separator = ": ";
-  for (const auto& [end, count] : summary.ends) {
-    out << separator << count << " " << toString(end);
-    separator = ", ";
-  }
+  out << named(summary.episodes, "episode") << (summary.ends.empty() ? "" : ": ") << endsText(summary);
   if (summary.empty_episodes > 0) out << "; " << summary.empty_episodes << " without a step";
   out << "\n";
   if (summary.discarded_episodes > 0) {
@@ -48,6 +46,12 @@ void printRanges(std::ostream& out, const DatasetSummary& summary) {
 }
 
 }  // namespace
+
+std::string endsText(const DatasetSummary& summary) {
+  std::vector<std::string> words;
+  for (const auto& [end, count] : summary.ends) words.push_back(std::to_string(count) + " " + toString(end));
+  return joined(words);
+}
 
 void printLabels(std::ostream& out, const DatasetSummary& summary) {
   for (const LabelHistogram& labels : summary.labels) {
@@ -72,14 +76,8 @@ void printDatasetSummary(std::ostream& out, const DatasetSummary& summary) {
   if (summary.gaps > 0) out << "; steps without a label were left out at " << named(summary.gaps, "place");
   out << "\n";
   printLabels(out, summary);
-  out << "rejected:";
-  long rejected = 0;
-  for (std::size_t i = 0; i < summary.rejections.size(); ++i) {
-    if (summary.rejections[i] == 0) continue;
-    out << (rejected == 0 ? " " : ", ") << summary.rejections[i] << " " << toString(static_cast<Rejection>(i));
-    rejected += summary.rejections[i];
-  }
-  out << (rejected == 0 ? " nothing\n" : "\n");
+  const std::string rejected = textOf(summary.rejections);
+  out << "rejected: " << (rejected.empty() ? "nothing" : rejected) << "\n";
   if (summary.steps > 0) printRanges(out, summary);
 }
 

@@ -9,6 +9,9 @@ namespace lstm_planner {
 
 void printDatasetSummary(std::ostream& out, const DatasetSummary& summary);
 
+/// "3 arrived, 1 aborted": how the episodes ended.
+std::string endsText(const DatasetSummary& summary);
+
 /// One line for each set of allowed angles: how often each label was driven.
 void printLabels(std::ostream& out, const DatasetSummary& summary);
 

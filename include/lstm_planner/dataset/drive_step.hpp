@@ -104,6 +104,8 @@ Rejection rejectionNamed(const std::string& name);
 
 /// How often each of them.
 using RejectionCounts = std::array<long, kRejectionCount>;
+/// "3 standing, 1 late"; empty when there are none.
+std::string textOf(const RejectionCounts& counts);
 
 /// gamma of thesis Eq. 4.1: the direction in which the robot went from one pose to the next, relative to its heading at
 /// the first, rad in (-pi, pi]. Where it went less than `min_distance` (m) it has turned in place: then the turn.

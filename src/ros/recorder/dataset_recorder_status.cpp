@@ -132,15 +132,10 @@ std::string toLine(const RecordingStatus& status) {
     separator = ", ";
   }
   line << (status.action_angles.empty() ? "" : ")");
-  separator = "; rejected: ";
-  for (int i = 0; i < kRejectionCount; ++i) {
-    const long count = progress.rejections()[static_cast<std::size_t>(i)];
-    if (count == 0) continue;
-    line << separator << count << ' ' << toString(static_cast<Rejection>(i));
-    separator = ", ";
-  }
-  line << "; goal " << (status.goal ? describe(*status.goal) : "none") << "; "
-       << fixedText(status.disk_left / 1000.0, 1) << " GB left";
+  const std::string rejected = textOf(progress.rejections());
+  line << (rejected.empty() ? "" : "; rejected: ") << rejected << "; goal "
+       << (status.goal ? describe(*status.goal) : "none") << "; " << fixedText(status.disk_left / 1000.0, 1)
+       << " GB left";
   return line.str();
 }
 
