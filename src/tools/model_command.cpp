@@ -42,12 +42,16 @@ Model readToCheck(const std::string& file) {
   }
 }
 
-/// Throws std::invalid_argument with all that is missing or does not fit.
-void checkModel(const Model& model) {
-  if (isForGrid(model)) {
-    NetworkGridAgent(model, {});
-  } else {
-    DrivePolicy(readPolicyDescription(model.metadata), model.layers);
+/// Throws ModelFileError with all that is missing or does not fit.
+void checkModel(const std::string& file, const Model& model) {
+  try {
+    if (isForGrid(model)) {
+      NetworkGridAgent(model, {});
+    } else {
+      DrivePolicy(readPolicyDescription(model.metadata), model.layers);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw ModelFileError(file + ": " + error.what());
   }
 }
 
@@ -113,11 +117,7 @@ int modelCheck(const std::vector<std::string>& arguments) {
       "check", "checks whether a model can be used; if not, prints everything that is missing or wrong", arguments);
   if (file.empty()) return 0;
   const Model model = readToCheck(file);
-  try {
-    checkModel(model);
-  } catch (const std::invalid_argument& error) {
-    throw ModelFileError(file + ": " + error.what());
-  }
+  checkModel(file, model);
   std::cout << file << ": a model for " << (isForGrid(model) ? "the grid world" : "the robot") << " that can be used\n";
   return 0;
 }
@@ -206,11 +206,7 @@ int modelConvert(const std::vector<std::string>& arguments) {
     writeMetadata(conversion.policy, &model.metadata);
   }
   if (!conversion.made_by.empty()) model.metadata["training_command"] = conversion.made_by;
-  try {
-    checkModel(model);
-  } catch (const std::invalid_argument& error) {
-    throw ModelFileError(conversion.file + ": " + error.what());
-  }
+  checkModel(conversion.file, model);
   writeModelFile(conversion.output, model);
   printModel(model);
   return 0;
